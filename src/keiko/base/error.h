@@ -1,0 +1,40 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace keiko {
+
+/// Bad input, told in one line: which file, where in it (a line, an entity, a key; may be empty)
+/// and why. Every error a user can cause is thrown as this type or a kind of it.
+class Error : public std::runtime_error {
+public:
+    Error(std::string file, std::string where, std::string reason)
+        : std::runtime_error(one_line(file, where, reason)),
+          file_(std::move(file)),
+          where_(std::move(where)),
+          reason_(std::move(reason)) {}
+
+    const std::string& file() const { return file_; }
+    const std::string& where() const { return where_; }
+    const std::string& reason() const { return reason_; }
+
+private:
+    static std::string one_line(const std::string& file, const std::string& where,
+                                const std::string& reason) {
+        std::string line = file;
+        if (!where.empty()) line += line.empty() ? where : ":" + where;
+        return line.empty() ? reason : line + ": " + reason;
+    }
+
+    std::string file_, where_, reason_;
+};
+
+/// Thrown out of a long function when its Job was asked to stop.
+class Cancelled : public std::runtime_error {
+public:
+    Cancelled() : std::runtime_error("interrupted") {}
+};
+
+} // namespace keiko

@@ -1,0 +1,31 @@
+#include "keiko/base/input_file.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "keiko/base/error.h"
+
+namespace keiko {
+namespace fs = std::filesystem;
+
+void require_readable_file(const fs::path& path) {
+    std::error_code code;
+    const fs::file_status status = fs::status(path, code);
+    if (status.type() == fs::file_type::not_found) throw Error(path.string(), "", "no such file");
+    if (code) throw Error(path.string(), "", "cannot read: " + code.message());
+    if (fs::is_directory(status)) throw Error(path.string(), "", "is a directory, not a file");
+    const std::ifstream in(path, std::ios::binary);
+    if (!in) throw Error(path.string(), "", "cannot read: permission denied");
+    if (fs::is_regular_file(status) && fs::file_size(path, code) == 0)
+        throw Error(path.string(), "", "the file is empty");
+}
+
+std::string read_file(const fs::path& path) {
+    require_readable_file(path);
+    std::ifstream in(path, std::ios::binary);
+    std::string content{std::istreambuf_iterator<char>(in), {}};
+    if (in.bad()) throw Error(path.string(), "", "cannot read");
+    return content;
+}
+
+} // namespace keiko

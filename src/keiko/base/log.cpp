@@ -1,0 +1,33 @@
+#include "keiko/base/log.h"
+
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+namespace keiko {
+namespace {
+
+spdlog::logger& logger() {
+    static const auto instance = [] {
+        auto created = spdlog::stderr_logger_mt("keiko");
+        created->set_pattern("keiko: %v");
+        return created;
+    }();
+    return *instance;
+}
+
+} // namespace
+
+void set_log_level(LogLevel level) {
+    switch (level) {
+    case LogLevel::quiet: logger().set_level(spdlog::level::warn); break;
+    case LogLevel::normal: logger().set_level(spdlog::level::info); break;
+    case LogLevel::verbose: logger().set_level(spdlog::level::debug); break;
+    }
+}
+
+void log_detail(std::string_view message) { logger().debug(message); }
+void log_note(std::string_view message) { logger().info(message); }
+void log_warning(std::string_view message) { logger().warn("warning: {}", message); }
+void log_error(std::string_view message) { logger().error(message); }
+
+} // namespace keiko

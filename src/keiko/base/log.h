@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string_view>
+
+namespace keiko {
+
+enum class LogLevel { quiet, normal, verbose };
+
+/// What a front end lets through to stderr; the library itself logs at verbose only.
+void set_log_level(LogLevel level);
+
+/// A line for whoever asked for --verbose.
+void log_detail(std::string_view message);
+/// A line for every user who did not ask for --quiet.
+void log_note(std::string_view message);
+/// Something the user should know, printed even with --quiet.
+void log_warning(std::string_view message);
+/// The one clear line of a failure.
+void log_error(std::string_view message);
+
+} // namespace keiko

@@ -1,0 +1,41 @@
+#include "keiko/base/output_file.h"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <system_error>
+
+#include "keiko/base/error.h"
+
+namespace keiko {
+namespace fs = std::filesystem;
+
+void write_atomically(const fs::path& target,
+                      const std::function<void(const fs::path& temporary)>& write) {
+    if (fs::is_directory(target)) throw Error(target.string(), "", "is a directory, not a file");
+    const fs::path temporary =
+        target.parent_path() / ("." + target.stem().string() + "." + std::to_string(getpid()) +
+                                ".tmp" + target.extension().string());
+    std::error_code ignored;
+    try {
+        write(temporary);
+        fs::rename(temporary, target);
+    } catch (const fs::filesystem_error& error) {
+        fs::remove(temporary, ignored);
+        throw Error(target.string(), "", "cannot write: " + error.code().message());
+    } catch (...) {
+        fs::remove(temporary, ignored);
+        throw;
+    }
+}
+
+void write_text_file(const fs::path& target, std::string_view text) {
+    write_atomically(target, [&](const fs::path& temporary) {
+        std::ofstream out(temporary, std::ios::binary);
+        out.write(text.data(), static_cast<std::streamsize>(text.size()));
+        out.close();
+        if (!out) throw Error(target.string(), "", "cannot write");
+    });
+}
+
+} // namespace keiko

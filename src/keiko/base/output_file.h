@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace keiko {
+
+/// Runs `write` on a temporary path beside `target` (same extension, so that image writers
+/// recognise the format) and renames it to `target` when `write` returned: a reader never sees
+/// half a file, and nothing remains when `write` throws. Throws Error when the folder cannot be
+/// written.
+void write_atomically(const std::filesystem::path& target,
+                      const std::function<void(const std::filesystem::path& temporary)>& write);
+
+/// Writes `text` as the whole content of `target`, atomically.
+void write_text_file(const std::filesystem::path& target, std::string_view text);
+
+} // namespace keiko

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "keiko/math/rgb.h"
+
+namespace keiko {
+
+/// Pixels in rows from the top, channels interleaved.
+struct Image {
+    int width = 0, height = 0, channels = 0;
+    std::vector<float> values;
+
+    Image() = default;
+    Image(int w, int h, int c, float fill = 0)
+        : width(w), height(h), channels(c),
+          values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) *
+                     static_cast<std::size_t>(c), fill) {}
+
+    float* pixel(int x, int y) { return values.data() + offset(x, y); }
+    const float* pixel(int x, int y) const { return values.data() + offset(x, y); }
+
+private:
+    std::size_t offset(int x, int y) const {
+        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x)) * static_cast<std::size_t>(channels);
+    }
+};
+
+/// What else a picture can hold of each pixel's first hit; no hit: 0, ids -1, depth infinity.
+enum class Aov { luminance, normal, uv, face, patch, depth, c_plane_uv };
+
+/// Name as used on the command line ("c_plane_uv") and its channel names ("u", "v").
+std::string_view name_of(Aov aov);
+std::vector<std::string> channel_names(Aov aov);
+/// Throws Error for a name that is no AOV, listing those there are.
+Aov aov_by_name(std::string_view name);
+
+/// A rendered picture: linear colour in cd/m2, its coverage, and AOVs.
+struct Film {
+    Image color; ///< 3 channels
+    Image alpha; ///< 1 channel, share of the pixel that shows the model
+    std::map<Aov, Image> aovs;
+};
+
+} // namespace keiko

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+
+#include "keiko/math/bounds.h"
+#include "keiko/math/vec.h"
+
+namespace keiko {
+
+/// Affine map p -> M p + t in double precision; mirrored (det < 0) and scaled maps are allowed.
+struct Affine {
+    std::array<Vec3, 3> rows{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}; ///< of M
+    Vec3 translation{0, 0, 0};
+
+    Vec3 point(const Vec3& p) const { return vector(p) + translation; }
+    Vec3 vector(const Vec3& v) const { return {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)}; }
+    /// Image of a surface normal (not unit): the cofactor matrix times `n`. For a mirrored map it
+    /// points to the side that the cross product of the mapped tangents points to.
+    Vec3 normal(const Vec3& n) const;
+    /// Homogeneous point (w p, w).
+    Vec4 homogeneous(const Vec4& p) const;
+
+    double determinant() const { return rows[0].dot(rows[1].cross(rows[2])); }
+    bool mirrored() const { return determinant() < 0; }
+    bool is_identity() const { return *this == Affine{}; }
+    /// Requires a determinant that is not 0.
+    Affine inverse() const;
+
+    /// (a * b)(p) = a(b(p))
+    friend Affine operator*(const Affine& a, const Affine& b);
+    bool operator==(const Affine&) const = default;
+
+    static Affine translate(const Vec3& offset) { return {.translation = offset}; }
+    /// Rotation by `radians` about the axis through the origin, right-handed.
+    static Affine rotate(const Vec3& axis, double radians);
+    static Affine scale(double factor);
+};
+
+/// The box of the images of a box's corners.
+Box3 transformed(const Affine& map, const Box3& box);
+
+} // namespace keiko

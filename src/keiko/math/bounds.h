@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "keiko/math/vec.h"
+
+namespace keiko {
+
+/// Axis-parallel box of `V` (Vec2 or Vec3); a default box is empty and contains nothing.
+template <class V>
+struct Bounds {
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    V lower{infinity};
+    V upper{-infinity};
+
+    bool empty() const {
+        for (unsigned i = 0; i < V::dimensions(); ++i)
+            if (!(lower[i] <= upper[i])) return true;
+        return false;
+    }
+    V center() const { return (lower + upper) * 0.5; }
+    V extent() const { return upper - lower; }
+    /// Length of the diagonal, 0 when empty: the size of a thing in the sense of tolerances.
+    double size() const { return empty() ? 0 : extent().length(); }
+
+    bool contains(const V& p) const {
+        for (unsigned i = 0; i < V::dimensions(); ++i)
+            if (!(lower[i] <= p[i] && p[i] <= upper[i])) return false;
+        return true;
+    }
+    bool overlaps(const Bounds& other) const {
+        for (unsigned i = 0; i < V::dimensions(); ++i)
+            if (!(lower[i] <= other.upper[i] && other.lower[i] <= upper[i])) return false;
+        return true;
+    }
+    void extend(const V& p) {
+        for (unsigned i = 0; i < V::dimensions(); ++i) {
+            lower[i] = std::min(lower[i], p[i]);
+            upper[i] = std::max(upper[i], p[i]);
+        }
+    }
+    void extend(const Bounds& other) {
+        if (other.empty()) return;
+        extend(other.lower);
+        extend(other.upper);
+    }
+    Bounds padded(double margin) const { return {lower - V(margin), upper + V(margin)}; }
+
+    bool operator==(const Bounds&) const = default;
+};
+
+using Box2 = Bounds<Vec2>;
+using Box3 = Bounds<Vec3>;
+
+/// Nearest float not above / not below `x`: boxes handed to single precision only ever grow.
+inline float round_down(double x) {
+    const auto f = static_cast<float>(x);
+    return static_cast<double>(f) > x ? std::nextafter(f, -std::numeric_limits<float>::infinity())
+                                      : f;
+}
+inline float round_up(double x) {
+    const auto f = static_cast<float>(x);
+    return static_cast<double>(f) < x ? std::nextafter(f, std::numeric_limits<float>::infinity())
+                                      : f;
+}
+
+} // namespace keiko

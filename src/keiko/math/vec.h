@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Imath/ImathVec.h>
+
+#include <cmath>
+
+namespace keiko {
+
+using Vec2 = Imath::V2d;
+using Vec3 = Imath::V3d;
+/// Homogeneous point: (w x, w y, w z, w).
+using Vec4 = Imath::V4d;
+
+/// Angle between two vectors in radians, 0 to pi; accurate near both ends, unlike acos.
+inline double angle_between(const Vec3& a, const Vec3& b) {
+    return std::atan2(a.cross(b).length(), a.dot(b));
+}
+
+inline bool is_finite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Mirror direction of an incoming direction `d` at a surface with unit normal `n` of any side.
+inline Vec3 reflect(const Vec3& d, const Vec3& n) { return d - n * (2 * d.dot(n)); }
+
+} // namespace keiko

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "keiko/math/vec.h"
+
+namespace keiko {
+
+/// A B-spline curve with homogeneous control points `P` (Vec3 for plane curves, Vec4 in space).
+/// Not periodic; knots are written out with their multiplicity: points + degree + 1 of them.
+template <class P>
+struct NurbsCurve {
+    int degree = 0;
+    std::vector<double> knots;
+    std::vector<P> points;
+};
+
+/// A polynomial or rational segment between two knots that differ.
+template <class P>
+struct BezierSpan {
+    double begin = 0, end = 1;
+    std::vector<P> points; ///< degree + 1
+};
+
+/// Splits a B-spline curve into its Bezier segments by knot insertion (Boehm 1980);
+/// neighbouring segments share their end point bit for bit. Works on the knots from
+/// knots[degree] to knots[points.size()], the valid domain of clamped and unclamped curves.
+template <class P>
+std::vector<BezierSpan<P>> bezier_spans(NurbsCurve<P> curve);
+
+extern template std::vector<BezierSpan<Vec3>> bezier_spans(NurbsCurve<Vec3>);
+extern template std::vector<BezierSpan<Vec4>> bezier_spans(NurbsCurve<Vec4>);
+
+/// A B-spline surface; u is the outer index of `points`.
+struct NurbsSurface {
+    int degree_u = 0, degree_v = 0;
+    std::vector<double> knots_u, knots_v;
+    std::vector<Vec4> points; ///< homogeneous, count_u() x count_v()
+
+    std::size_t count_u() const { return knots_u.size() - static_cast<std::size_t>(degree_u) - 1; }
+    std::size_t count_v() const { return knots_v.size() - static_cast<std::size_t>(degree_v) - 1; }
+};
+
+/// One Bezier patch of a B-spline surface and the knot rectangle it covers.
+struct BezierPatchSpan {
+    double u_begin = 0, u_end = 1, v_begin = 0, v_end = 1;
+    std::vector<Vec4> points; ///< (degree_u + 1) x (degree_v + 1), u outer
+};
+
+/// Splits a B-spline surface into its Bezier patches, u spans outer; neighbouring patches share
+/// their border control points bit for bit.
+std::vector<BezierPatchSpan> bezier_spans(const NurbsSurface& surface);
+
+} // namespace keiko

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "keiko/math/bounds.h"
+
+namespace keiko {
+
+/// A place on a surface that a hit was proved to lie in: a box of patch parameters. Secondary
+/// rays exclude the root they start from by it, not by an offset along the ray.
+struct Root {
+    std::uint32_t instance = 0, patch = 0;
+    Box2 uv;
+};
+
+/// How a ray changes with the picture's x and y, per pixel: origin and direction derivatives.
+struct RayDifferentials {
+    Vec3 origin_dx{0}, origin_dy{0};
+    Vec3 direction_dx{0}, direction_dy{0};
+};
+
+/// A ray in world coordinates, mm. `direction` need not be unit; t counts in its lengths.
+struct Ray {
+    Vec3 origin{0}, direction{0, 0, 1};
+    double t_min = 0;
+    double t_max = std::numeric_limits<double>::infinity();
+    std::optional<RayDifferentials> differentials;
+    std::optional<Root> excluded;
+
+    Vec3 at(double t) const { return origin + direction * t; }
+};
+
+} // namespace keiko

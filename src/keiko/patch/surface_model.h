@@ -1,0 +1,118 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "keiko/base/diagnostics.h"
+#include "keiko/math/affine.h"
+#include "keiko/math/rgb.h"
+#include "keiko/patch/bezier_curve.h"
+#include "keiko/patch/bezier_patch.h"
+#include "keiko/patch/parameter_map.h"
+
+namespace keiko {
+
+constexpr std::uint32_t no_index = 0xffffffff;
+
+/// A Bezier patch of a face: one knot span of the face's surface.
+struct Patch {
+    std::uint32_t face = 0;
+    std::uint32_t first_point = 0; ///< into SurfaceModel::control_points
+    std::uint16_t degree_u = 1, degree_v = 1;
+    ParameterMap map_u, map_v; ///< patch parameters to face parameters
+};
+
+/// A Bezier piece of a p-curve, in face parameters.
+struct TrimCurve {
+    std::uint32_t first_point = 0; ///< into SurfaceModel::trim_points
+    std::uint16_t degree = 1;
+    std::uint32_t edge = no_index; ///< into SurfaceModel::edges, the file's own hint
+};
+
+/// A closed chain of trim curves.
+struct TrimLoop {
+    std::uint32_t first_curve = 0, curve_count = 0;
+};
+
+/// A trimmed surface. The material is where a point is inside an odd number of loops;
+/// a face without loops is whole.
+struct Face {
+    std::uint32_t id = 0; ///< position in the file, stable between loads, from 1
+    std::string name;     ///< of the face, or empty
+    std::string layer;
+    std::optional<Rgb> color;
+    std::string surface_kind; ///< as the file has it: "plane", "b-spline", "torus", ...
+    std::uint32_t part = 0;
+    std::uint32_t first_patch = 0, patch_count = 0;
+    std::uint32_t first_loop = 0, loop_count = 0;
+    bool reversed = false;   ///< the file's outward normal is -(du x dv)
+    double approximated = 0; ///< mm, tolerance of an approximation; 0 where the patches are exact
+};
+
+/// An edge as the file shares it between faces.
+struct Edge {
+    double tolerance = 0; ///< mm, as the file claims; never hides a gap
+    std::uint32_t use_count = 0;
+    bool degenerate = false; ///< a point in space, e.g. at a pole
+};
+
+/// Geometry that is stored once, however often it is placed.
+struct Part {
+    std::string name;
+    std::uint32_t first_face = 0, face_count = 0;
+};
+
+/// A placed part.
+struct Instance {
+    std::uint32_t part = 0;
+    std::string name;
+    Affine transform; ///< part to world, may mirror
+};
+
+/// A face of the file that could not be converted. Nothing disappears silently.
+struct LostFace {
+    std::uint32_t id = 0; ///< as Face::id
+    std::string name;
+    std::string reason;
+};
+
+/// What a CAD file, a cage or a patch file becomes: rational Bezier patches with trim loops,
+/// in millimetres, in flat arrays.
+struct SurfaceModel {
+    std::string source; ///< path it was read from
+    std::string format; ///< "STEP", "IGES", "BREP", "BPT"
+    std::string unit;   ///< of the file, or empty where it names none (read as mm)
+
+    std::vector<Vec4> control_points; ///< homogeneous, mm
+    std::vector<Vec3> trim_points;    ///< homogeneous, face parameters
+    std::vector<Patch> patches;       ///< grouped by face
+    std::vector<TrimCurve> trim_curves;
+    std::vector<TrimLoop> trim_loops;
+    std::vector<Face> faces; ///< grouped by part
+    std::vector<Edge> edges;
+    std::vector<Part> parts;
+    std::vector<Instance> instances;
+    std::vector<LostFace> lost_faces;
+    Diagnostics diagnostics; ///< remarks of the import, healing among them
+
+    BezierPatchView patch(std::uint32_t index) const;
+    BezierCurveView trim_curve(std::uint32_t index) const;
+    std::span<const Patch> patches_of(const Face& face) const;
+    std::span<const TrimLoop> loops_of(const Face& face) const;
+    std::span<const TrimCurve> curves_of(const TrimLoop& loop) const;
+    /// "face 12 (fender-outer)"
+    std::string describe(const Face& face) const;
+    /// Face parameters of a point of a patch.
+    Vec2 face_parameters(std::uint32_t patch, const Vec2& uv) const;
+};
+
+/// Box of all placed patches (of their control points), world, mm.
+Box3 bounds(const SurfaceModel& model);
+
+/// One body of several models; faces keep their order, ids are made unique by renumbering.
+SurfaceModel merge(std::span<const SurfaceModel> models);
+
+} // namespace keiko

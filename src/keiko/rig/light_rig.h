@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "keiko/fog/medium.h"
+#include "keiko/spotlight/spotlight.h"
+#include "keiko/tubes/c_plane.h"
+
+namespace keiko {
+
+/// Every kind of light source a rig can hold.
+using LightSource = std::variant<CPlane, Spotlight>;
+
+/// All lights of a scene and the air between them. Placement writes one, every picture reads one.
+struct LightRig {
+    std::string name;
+    std::vector<LightSource> sources;
+    Rgb ambient{0}; ///< lx of unshadowed ambient illuminance on every surface
+    std::optional<Medium> medium;
+};
+
+} // namespace keiko

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "keiko/math/affine.h"
+#include "keiko/rig/light_rig.h"
+#include "keiko/spec/camera.h"
+#include "keiko/spec/material.h"
+
+namespace keiko {
+
+/// A model of a scene and how it is placed and painted.
+struct ModelSpec {
+    std::filesystem::path file; ///< absolute, or relative to the working directory
+    Affine transform;
+    Material material;
+};
+
+/// A scene file's content (keiko-scene/1), every path resolved.
+struct SceneSpec {
+    std::vector<ModelSpec> models;
+    std::optional<Camera> camera;
+    std::optional<std::string> view; ///< a named view instead of a camera
+    int width = 960, height = 540;   ///< picture size, for named views
+    std::optional<LightRig> rig;     ///< none: to be placed
+    Rgb background{0};               ///< cd/m2 where the eye ray meets nothing
+};
+
+} // namespace keiko

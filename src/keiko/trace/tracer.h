@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "keiko/base/job.h"
+#include "keiko/patch/surface_model.h"
+#include "keiko/trace/hit.h"
+
+namespace keiko {
+
+struct TracerOptions {
+    /// Compute Hit::second.
+    bool second_derivatives = false;
+    /// Pure Bezier clipping without the uniqueness short cut, as Nishita, Sederberg and
+    /// Kakimoto 1990 have it: the second implementation that the default must agree with.
+    bool clipping_only = false;
+    /// mm: a hit this close outside a trimmed border still counts, flagged as seam, so that
+    /// sewn faces do not leak; capped by the tolerance of the border's own edge.
+    double join = 0.5;
+};
+
+/// What a build cost, and what it made.
+struct TracerStatistics {
+    std::size_t leaves = 0, leaves_trimmed_away = 0, leaves_mixed = 0;
+    std::size_t bytes = 0;   ///< of Keiko's own records
+    double build_seconds = 0;
+};
+
+/// Finds where rays meet the trimmed surfaces of a model: Bezier clipping (Nishita, Sederberg,
+/// Kakimoto 1990) on sub-patches under Embree, finished by Newton in double precision, trimmed by
+/// the exact p-curves. Immutable after construction; every query may be called from any thread,
+/// and gives the same bits for any thread count.
+class Tracer {
+public:
+    /// Keeps its own copy of what it needs of `model`. Throws Cancelled.
+    explicit Tracer(const SurfaceModel& model, const TracerOptions& options = {},
+                    const Job& job = {});
+    ~Tracer();
+    Tracer(Tracer&&) noexcept;
+    Tracer& operator=(Tracer&&) noexcept;
+
+    /// The first hit with t in [t_min, t_max], or nothing.
+    std::optional<Hit> nearest(const Ray& ray) const;
+    /// Whether there is a hit with t in [t_min, t_max].
+    bool any(const Ray& ray) const;
+    /// Every hit with t in [t_min, t_max], by rising t.
+    std::vector<Hit> all(const Ray& ray) const;
+
+    /// The same for many rays, one answer a ray, in order. Coherent rays should stand together.
+    std::vector<std::optional<Hit>> nearest(std::span<const Ray> rays) const;
+    std::vector<bool> any(std::span<const Ray> rays) const;
+    std::vector<std::vector<Hit>> all(std::span<const Ray> rays) const;
+
+    const TracerStatistics& statistics() const;
+    /// World box of the material, mm.
+    const Box3& bounds() const;
+
+private:
+    struct Scene;
+    std::unique_ptr<Scene> scene_;
+};
+
+} // namespace keiko
