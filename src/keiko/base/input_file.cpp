@@ -1,9 +1,9 @@
 #include "keiko/base/input_file.h"
 
+#include "keiko/base/error.h"
+
 #include <fstream>
 #include <iterator>
-
-#include "keiko/base/error.h"
 
 namespace keiko {
 namespace fs = std::filesystem;

@@ -19,15 +19,29 @@ spdlog::logger& logger() {
 
 void set_log_level(LogLevel level) {
     switch (level) {
-    case LogLevel::quiet: logger().set_level(spdlog::level::warn); break;
-    case LogLevel::normal: logger().set_level(spdlog::level::info); break;
-    case LogLevel::verbose: logger().set_level(spdlog::level::debug); break;
+        case LogLevel::quiet:
+            logger().set_level(spdlog::level::warn);
+            break;
+        case LogLevel::normal:
+            logger().set_level(spdlog::level::info);
+            break;
+        case LogLevel::verbose:
+            logger().set_level(spdlog::level::debug);
+            break;
     }
 }
 
-void log_detail(std::string_view message) { logger().debug(message); }
-void log_note(std::string_view message) { logger().info(message); }
-void log_warning(std::string_view message) { logger().warn("warning: {}", message); }
-void log_error(std::string_view message) { logger().error(message); }
+void log_detail(std::string_view message) {
+    logger().debug(message);
+}
+void log_note(std::string_view message) {
+    logger().info(message);
+}
+void log_warning(std::string_view message) {
+    logger().warn("warning: {}", message);
+}
+void log_error(std::string_view message) {
+    logger().error(message);
+}
 
 } // namespace keiko

@@ -1,11 +1,11 @@
 #include "keiko/base/output_file.h"
 
+#include "keiko/base/error.h"
+
 #include <unistd.h>
 
 #include <fstream>
 #include <system_error>
-
-#include "keiko/base/error.h"
 
 namespace keiko {
 namespace fs = std::filesystem;

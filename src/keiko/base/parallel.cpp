@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <mutex>
 
 namespace keiko {
@@ -27,12 +28,18 @@ private:
     std::mutex mutex_;
 };
 
+/// oneTBB complains aloud when asked for more threads than there are cores.
+int arena_size(int threads) {
+    const int cores = tbb::this_task_arena::max_concurrency();
+    return threads > 0 ? std::min(threads, cores) : cores;
+}
+
 } // namespace
 
 void parallel_for(std::size_t count, const Job& job, std::string_view stage,
                   const std::function<void(std::size_t)>& body) {
     StageProgress progress(job, stage, count);
-    tbb::task_arena arena(job.threads > 0 ? job.threads : tbb::task_arena::automatic);
+    tbb::task_arena arena(arena_size(job.threads));
     arena.execute([&] {
         // simple_partitioner: one task an index, so that a stop request is seen soon.
         tbb::parallel_for(

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "keiko/base/job.h"
+
 #include <cstddef>
 #include <functional>
 #include <string_view>
-
-#include "keiko/base/job.h"
 
 namespace keiko {
 

@@ -6,8 +6,12 @@
 
 namespace keiko {
 
-constexpr double degrees_to_radians(double degrees) { return degrees * std::numbers::pi / 180; }
-constexpr double radians_to_degrees(double radians) { return radians * 180 / std::numbers::pi; }
+constexpr double degrees_to_radians(double degrees) {
+    return degrees * std::numbers::pi / 180;
+}
+constexpr double radians_to_degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
 
 /// Millimetres in one `unit` (mm, cm, m, um, km, in, inch, ft, foot; any case), or nothing for
 /// a name that is no length unit.

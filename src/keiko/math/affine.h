@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
-
 #include "keiko/math/bounds.h"
 #include "keiko/math/vec.h"
+
+#include <array>
 
 namespace keiko {
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "keiko/math/vec.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "keiko/math/vec.h"
 
 namespace keiko {
 

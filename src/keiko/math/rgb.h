@@ -33,8 +33,12 @@ struct Rgb {
 };
 
 /// Y of a linear Rec. 709 triple.
-constexpr double luminance(const Rgb& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
+constexpr double luminance(const Rgb& c) {
+    return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+}
 
-constexpr double max_channel(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
+constexpr double max_channel(const Rgb& c) {
+    return std::max({c.r, c.g, c.b});
+}
 
 } // namespace keiko

@@ -6,6 +6,7 @@
 
 namespace keiko {
 
+// Imath leaves default-constructed vectors undefined: write Vec3(0), and fill arrays of them.
 using Vec2 = Imath::V2d;
 using Vec3 = Imath::V3d;
 /// Homogeneous point: (w x, w y, w z, w).
@@ -21,6 +22,8 @@ inline bool is_finite(const Vec3& v) {
 }
 
 /// Mirror direction of an incoming direction `d` at a surface with unit normal `n` of any side.
-inline Vec3 reflect(const Vec3& d, const Vec3& n) { return d - n * (2 * d.dot(n)); }
+inline Vec3 reflect(const Vec3& d, const Vec3& n) {
+    return d - n * (2 * d.dot(n));
+}
 
 } // namespace keiko

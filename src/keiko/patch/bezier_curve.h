@@ -1,9 +1,9 @@
 #pragma once
 
+#include "keiko/math/bounds.h"
+
 #include <array>
 #include <span>
-
-#include "keiko/math/bounds.h"
 
 namespace keiko {
 

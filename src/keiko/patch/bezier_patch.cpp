@@ -7,13 +7,21 @@ namespace {
 
 using HomogeneousDerivatives = std::array<std::array<Vec4, 4>, 4>;
 
+// Imath's vectors start undefined, even in a braced array.
+std::array<Vec4, 4> zero_row() {
+    std::array<Vec4, 4> row{};
+    row.fill(Vec4(0));
+    return row;
+}
+
 HomogeneousDerivatives homogeneous_derivatives(const BezierPatchView& patch, const Vec2& uv,
                                                int order) {
     const auto bu = bernstein_derivatives(patch.degree_u, uv.x, std::min(order, patch.degree_u));
     const auto bv = bernstein_derivatives(patch.degree_v, uv.y, std::min(order, patch.degree_v));
     HomogeneousDerivatives result{};
+    result.fill(zero_row());
     for (std::size_t i = 0; i <= static_cast<std::size_t>(patch.degree_u); ++i) {
-        std::array<Vec4, 4> row{};
+        std::array<Vec4, 4> row = zero_row();
         for (std::size_t j = 0; j <= static_cast<std::size_t>(patch.degree_v); ++j) {
             const Vec4& p = patch.point(static_cast<int>(i), static_cast<int>(j));
             for (std::size_t l = 0; l <= static_cast<std::size_t>(order); ++l)

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
-#include <span>
-
 #include "keiko/math/bounds.h"
 #include "keiko/patch/bernstein.h"
+
+#include <array>
+#include <span>
 
 namespace keiko {
 
@@ -23,7 +23,11 @@ struct BezierPatchView {
 
 /// S and its partial derivatives by the patch's own parameters: d[k][l] = d^(k+l) S / du^k dv^l.
 struct SurfaceDerivatives {
-    std::array<std::array<Vec3, 4>, 4> d{};
+    std::array<std::array<Vec3, 4>, 4> d;
+
+    SurfaceDerivatives() {
+        for (auto& row : d) row.fill(Vec3(0));
+    }
 
     const Vec3& position() const { return d[0][0]; }
     const Vec3& du() const { return d[1][0]; }

@@ -53,8 +53,8 @@ double normal_curvature(const SurfaceDerivatives& s, const Vec3& normal, const V
     const double du = direction.dot(s.du()), dv = direction.dot(s.dv());
     const double a = (one.g * du - one.f * dv) / one.determinant();
     const double b = (one.e * dv - one.f * du) / one.determinant();
-    const double second = a * a * s.duu().dot(normal) + 2 * a * b * s.duv().dot(normal) +
-                          b * b * s.dvv().dot(normal);
+    const double second =
+        a * a * s.duu().dot(normal) + 2 * a * b * s.duv().dot(normal) + b * b * s.dvv().dot(normal);
     const Vec3 tangent = s.du() * a + s.dv() * b;
     return second / tangent.dot(tangent);
 }

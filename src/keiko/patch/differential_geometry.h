@@ -1,8 +1,8 @@
 #pragma once
 
-#include <optional>
-
 #include "keiko/patch/bezier_patch.h"
+
+#include <optional>
 
 namespace keiko {
 
@@ -21,8 +21,7 @@ struct PrincipalCurvatures {
 };
 
 /// Needs derivatives of order 2 and a regular point (du x dv not 0).
-PrincipalCurvatures principal_curvatures(const SurfaceDerivatives& derivatives,
-                                         const Vec3& normal);
+PrincipalCurvatures principal_curvatures(const SurfaceDerivatives& derivatives, const Vec3& normal);
 
 /// Curvature in 1/mm of the normal section along a tangent `direction` (need not be unit).
 double normal_curvature(const SurfaceDerivatives& derivatives, const Vec3& normal,

@@ -10,8 +10,8 @@ template <class P>
 void insert_knot(NurbsCurve<P>& curve, double knot) {
     const auto degree = static_cast<std::size_t>(curve.degree);
     auto& knots = curve.knots;
-    const auto above = std::upper_bound(knots.begin() + curve.degree,
-                                        knots.end() - curve.degree - 1, knot);
+    const auto above =
+        std::upper_bound(knots.begin() + curve.degree, knots.end() - curve.degree - 1, knot);
     const auto span = static_cast<std::size_t>(above - knots.begin()) - 1;
     std::vector<P> points;
     points.reserve(curve.points.size() + 1);
@@ -37,8 +37,7 @@ void saturate_knots(NurbsCurve<P>& curve) {
                                  curve.knots.end() - curve.degree);
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
     for (const double knot : distinct) {
-        const auto [first, last] =
-            std::equal_range(curve.knots.begin(), curve.knots.end(), knot);
+        const auto [first, last] = std::equal_range(curve.knots.begin(), curve.knots.end(), knot);
         for (auto have = static_cast<std::size_t>(last - first); have < degree; ++have)
             insert_knot(curve, knot);
     }
@@ -90,9 +89,9 @@ std::vector<BezierPatchSpan> bezier_spans(const NurbsSurface& surface) {
                 if (i == 0)
                     patches.push_back({columns[0][s].begin, columns[0][s].end, spans[r].begin,
                                        spans[r].end, std::vector<Vec4>(order_u * order_v)});
-                std::copy(spans[r].points.begin(), spans[r].points.end(),
-                          patches[first + r].points.begin() +
-                              static_cast<std::ptrdiff_t>(i * order_v));
+                std::copy(
+                    spans[r].points.begin(), spans[r].points.end(),
+                    patches[first + r].points.begin() + static_cast<std::ptrdiff_t>(i * order_v));
             }
         }
     }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "keiko/math/vec.h"
+
+#include <vector>
 
 namespace keiko {
 

@@ -9,17 +9,24 @@ namespace keiko {
 
 namespace {
 
-double middle(const ParameterMap& m) { return (m.begin + m.end) / 2; }
-double quarter(const ParameterMap& m) { return (m.end - m.begin) / 4; }
+double middle(const ParameterMap& m) {
+    return (m.begin + m.end) / 2;
+}
+double quarter(const ParameterMap& m) {
+    return (m.end - m.begin) / 4;
+}
 
 } // namespace
 
 double ParameterMap::to_face(double t) const {
     const double s = 2 * t - 1;
     switch (kind) {
-    case Kind::circular: return middle(*this) + 2 * std::atan(s * std::tan(quarter(*this)));
-    case Kind::hyperbolic: return middle(*this) + 2 * std::atanh(s * std::tanh(quarter(*this)));
-    case Kind::affine: break;
+        case Kind::circular:
+            return middle(*this) + 2 * std::atan(s * std::tan(quarter(*this)));
+        case Kind::hyperbolic:
+            return middle(*this) + 2 * std::atanh(s * std::tanh(quarter(*this)));
+        case Kind::affine:
+            break;
     }
     return begin + t * (end - begin);
 }
@@ -53,9 +60,12 @@ double ParameterMap::second_derivative(double t) const {
 double ParameterMap::to_patch(double face_parameter) const {
     const double half = (face_parameter - middle(*this)) / 2;
     switch (kind) {
-    case Kind::circular: return (1 + std::tan(half) / std::tan(quarter(*this))) / 2;
-    case Kind::hyperbolic: return (1 + std::tanh(half) / std::tanh(quarter(*this))) / 2;
-    case Kind::affine: break;
+        case Kind::circular:
+            return (1 + std::tan(half) / std::tan(quarter(*this))) / 2;
+        case Kind::hyperbolic:
+            return (1 + std::tanh(half) / std::tanh(quarter(*this))) / 2;
+        case Kind::affine:
+            break;
     }
     return (face_parameter - begin) / (end - begin);
 }

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "keiko/math/bounds.h"
+
 #include <cstdint>
 #include <limits>
 #include <optional>
-
-#include "keiko/math/bounds.h"
 
 namespace keiko {
 

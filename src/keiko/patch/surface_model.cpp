@@ -73,8 +73,7 @@ void append(SurfaceModel& to, const SurfaceModel& from) {
     const std::uint32_t lost = append(to.lost_faces, from.lost_faces);
     append(to.diagnostics, from.diagnostics);
 
-    for (auto& p : std::span(to.patches).subspan(patches))
-        p.face += faces, p.first_point += points;
+    for (auto& p : std::span(to.patches).subspan(patches)) p.face += faces, p.first_point += points;
     for (auto& c : std::span(to.trim_curves).subspan(curves)) {
         c.first_point += trim_points;
         if (c.edge != no_index) c.edge += edges;

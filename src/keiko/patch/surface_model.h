@@ -1,17 +1,17 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "keiko/base/diagnostics.h"
 #include "keiko/math/affine.h"
 #include "keiko/math/rgb.h"
 #include "keiko/patch/bezier_curve.h"
 #include "keiko/patch/bezier_patch.h"
 #include "keiko/patch/parameter_map.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace keiko {
 

@@ -1,0 +1,80 @@
+#include "keiko/base/error.h"
+#include "keiko/base/input_file.h"
+#include "keiko/base/output_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace fs = std::filesystem;
+using namespace keiko;
+
+namespace {
+
+class Files : public testing::Test {
+protected:
+    Files() { fs::create_directories(folder_); }
+    ~Files() override { fs::remove_all(folder_); }
+
+    std::size_t entries() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+
+    const fs::path folder_ =
+        fs::temp_directory_path() / ("keiko-files-" + std::to_string(getpid()));
+};
+
+std::string reason_of(const fs::path& path) {
+    try {
+        read_file(path);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.file(), path.string());
+        return error.reason();
+    }
+    return "no error";
+}
+
+} // namespace
+
+TEST_F(Files, ReadingSaysWhyItCannot) {
+    EXPECT_EQ(reason_of(folder_ / "missing.step"), "no such file");
+    EXPECT_EQ(reason_of(folder_), "is a directory, not a file");
+    std::ofstream(folder_ / "empty.step").close();
+    EXPECT_EQ(reason_of(folder_ / "empty.step"), "the file is empty");
+}
+
+TEST_F(Files, WritingRoundTripsAndLeavesNothingElse) {
+    const std::string text("a\0b\n", 4);
+    write_text_file(folder_ / "x.bin", text);
+    write_text_file(folder_ / "x.bin", text);
+    EXPECT_EQ(read_file(folder_ / "x.bin"), text);
+    EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(Files, AFailedWriteKeepsTheOldFileAndNoTemporary) {
+    write_text_file(folder_ / "x.txt", "old");
+    const auto fail = [](const fs::path& temporary) {
+        std::ofstream(temporary) << "half";
+        throw Cancelled();
+    };
+    EXPECT_THROW(write_atomically(folder_ / "x.txt", fail), Cancelled);
+    EXPECT_EQ(read_file(folder_ / "x.txt"), "old");
+    EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(Files, WritingIntoAMissingFolderNamesTheTarget) {
+    try {
+        write_text_file(folder_ / "no" / "x.txt", "text");
+        FAIL() << "nothing thrown";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.file(), (folder_ / "no" / "x.txt").string());
+    }
+}
+
+TEST(ErrorText, NamesFilePlaceAndReasonOnOneLine) {
+    EXPECT_STREQ(Error("rig.toml", "3:1", "unknown key").what(), "rig.toml:3:1: unknown key");
+    EXPECT_STREQ(Error("rig.toml", "", "empty").what(), "rig.toml: empty");
+    EXPECT_STREQ(Error("", "--view", "unknown").what(), "--view: unknown");
+}

@@ -1,0 +1,50 @@
+#include "keiko/math/interval_set.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace keiko;
+
+namespace {
+
+IntervalSet random_set(std::mt19937& random) {
+    std::uniform_real_distribution<double> at(0, 1);
+    std::vector<ParameterInterval> intervals(random() % 6);
+    for (auto& interval : intervals) {
+        const double begin = at(random);
+        interval = {begin, begin + 0.2 * at(random)};
+    }
+    return IntervalSet(std::move(intervals));
+}
+
+} // namespace
+
+TEST(IntervalSet, SortsJoinsAndDropsEmptyOnes) {
+    const IntervalSet set({{0.5, 0.7}, {0.1, 0.2}, {0.2, 0.3}, {0.9, 0.9}, {0.8, 0.75}});
+    ASSERT_EQ(set.size(), 2u);
+    EXPECT_EQ(set[0], (ParameterInterval{0.1, 0.3}));
+    EXPECT_EQ(set[1], (ParameterInterval{0.5, 0.7}));
+    EXPECT_DOUBLE_EQ(set.measure(), 0.4);
+}
+
+TEST(IntervalSet, OperationsAgreeWithMembershipPointByPoint) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> at(0, 1);
+    for (int round = 0; round < 500; ++round) {
+        const IntervalSet a = random_set(random), b = random_set(random);
+        const IntervalSet both = a.intersect(b), either = a.unite(b), none = a.complement();
+        for (int i = 0; i < 20; ++i) {
+            const double t = at(random);
+            EXPECT_EQ(both.contains(t), a.contains(t) && b.contains(t));
+            EXPECT_EQ(either.contains(t), a.contains(t) || b.contains(t));
+            EXPECT_EQ(none.contains(t), !a.contains(t));
+        }
+        EXPECT_NEAR(a.measure() + b.measure(), both.measure() + either.measure(), 1e-12);
+    }
+}
+
+TEST(IntervalSet, ComplementOfNothingIsTheWhole) {
+    EXPECT_EQ(IntervalSet().complement(), IntervalSet::whole());
+    EXPECT_TRUE(IntervalSet::whole().complement().empty());
+}
