@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/math/bounds.h"
+#include "keiko/math/ray_differentials.h"
 
 #include <cstdint>
 #include <limits>
@@ -13,12 +14,6 @@ namespace keiko {
 struct Root {
     std::uint32_t instance = 0, patch = 0;
     Box2 uv;
-};
-
-/// How a ray changes with the picture's x and y, per pixel: origin and direction derivatives.
-struct RayDifferentials {
-    Vec3 origin_dx{0}, origin_dy{0};
-    Vec3 direction_dx{0}, direction_dy{0};
 };
 
 /// A ray in world coordinates, mm. `direction` need not be unit; t counts in its lengths.
