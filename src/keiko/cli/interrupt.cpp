@@ -1,10 +1,11 @@
 #include "keiko/cli/interrupt.h"
 
-#include <csignal>
-#include <ctime>
+#include "keiko/cli/exit_code.h"
+
 #include <unistd.h>
 
-#include "keiko/cli/exit_code.h"
+#include <csignal>
+#include <ctime>
 
 namespace keiko::cli {
 namespace {
@@ -33,8 +34,8 @@ void wait_for_signals(const std::stop_token& end, std::stop_source work) {
 Interrupt::Interrupt() {
     const sigset_t set = handled_signals();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
-    waiter_ = std::jthread(
-        [work = source_](const std::stop_token& end) { wait_for_signals(end, work); });
+    waiter_ =
+        std::jthread([work = source_](const std::stop_token& end) { wait_for_signals(end, work); });
 }
 
 } // namespace keiko::cli

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
-
 #include "keiko/base/job.h"
+
+#include <string>
 
 namespace keiko::cli {
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "keiko/math/rgb.h"
+
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "keiko/math/rgb.h"
 
 namespace keiko {
 
@@ -16,9 +16,12 @@ struct Image {
 
     Image() = default;
     Image(int w, int h, int c, float fill = 0)
-        : width(w), height(h), channels(c),
+        : width(w),
+          height(h),
+          channels(c),
           values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) *
-                     static_cast<std::size_t>(c), fill) {}
+                     static_cast<std::size_t>(c),
+                 fill) {}
 
     float* pixel(int x, int y) { return values.data() + offset(x, y); }
     const float* pixel(int x, int y) const { return values.data() + offset(x, y); }
@@ -26,12 +29,16 @@ struct Image {
 private:
     std::size_t offset(int x, int y) const {
         return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                static_cast<std::size_t>(x)) * static_cast<std::size_t>(channels);
+                static_cast<std::size_t>(x)) *
+               static_cast<std::size_t>(channels);
     }
 };
 
 /// What else a picture can hold of each pixel's first hit; no hit: 0, ids -1, depth infinity.
 enum class Aov { luminance, normal, uv, face, patch, depth, c_plane_uv };
+
+/// All of them, in the order of their declaration.
+const std::vector<Aov>& every_aov();
 
 /// Name as used on the command line ("c_plane_uv") and its channel names ("u", "v").
 std::string_view name_of(Aov aov);

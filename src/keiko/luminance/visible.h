@@ -1,9 +1,9 @@
 #pragma once
 
-#include <utility>
-
 #include "keiko/math/interval_set.h"
 #include "keiko/math/vec.h"
+
+#include <utility>
 
 namespace keiko {
 

@@ -1,8 +1,11 @@
 #pragma once
 
-#include <vector>
-
+#include "keiko/patch/monotone_piece.h"
 #include "keiko/patch/surface_model.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace keiko {
 
@@ -11,7 +14,8 @@ enum class TrimSide { inside, outside, mixed };
 
 /// The material of one trimmed face, for point and box questions: p-curves split into
 /// bi-monotone pieces, answered by the even-odd rule along a line of constant v, decided at each
-/// piece by Bezier clipping in one dimension, never by a polyline.
+/// piece by bracketing in one dimension, never by a polyline. A loop is a closed chain: where
+/// the file's curves do not quite meet, a straight piece joins their ends.
 class TrimRegion {
 public:
     TrimRegion(const SurfaceModel& model, const Face& face);
@@ -24,18 +28,30 @@ public:
     /// The nearest point of any trim curve within `radius` of the point (both measured after
     /// scaling u and v by `scale`: lengths of du and dv in mm), or nothing.
     struct NearCurve {
-        double distance = 0;       ///< scaled, i.e. about mm
-        std::uint32_t curve = 0;   ///< into SurfaceModel::trim_curves
-        double t = 0;              ///< on that curve
+        double distance = 0;            ///< scaled, i.e. about mm
+        std::uint32_t curve = no_index; ///< into SurfaceModel::trim_curves
+        double t = 0;                   ///< on that curve
     };
     std::optional<NearCurve> nearest_curve(const Vec2& face_parameters, const Vec2& scale,
                                            double radius) const;
     /// True for a face without loops.
-    bool untrimmed() const;
+    bool untrimmed() const { return pieces_.empty(); }
+    /// Box of all trim curves in face parameters; empty for a face without loops.
+    const Box2& bounds() const { return bounds_; }
 
 private:
-    struct Piece;
-    std::vector<Piece> pieces_;
+    /// Pieces that meet the rows from the one that holds v = `lower` to the one that holds
+    /// `upper`, as [begin, end) of row_pieces_. A piece may occur in several rows.
+    std::pair<std::size_t, std::size_t> pieces_between(double lower, double upper) const;
+    void build_rows();
+
+    std::vector<MonotonePiece> pieces_;
+    Box2 bounds_;
+    // Rows of constant v between neighbouring entries of row_borders_; row r holds the pieces
+    // row_pieces_[row_begin_[r]] .. row_pieces_[row_begin_[r + 1] - 1], those that reach
+    // farthest right first.
+    std::vector<double> row_borders_;
+    std::vector<std::uint32_t> row_begin_, row_pieces_;
 };
 
 } // namespace keiko

@@ -7,8 +7,12 @@ namespace {
 class LocalSurface {
 public:
     explicit LocalSurface(const Hit& hit)
-        : normal_(hit.normal), su_(hit.dpdu), sv_(hit.dpdv),
-          e_(su_.dot(su_)), f_(su_.dot(sv_)), g_(sv_.dot(sv_)) {
+        : normal_(hit.normal),
+          su_(hit.dpdu),
+          sv_(hit.dpdv),
+          e_(su_.dot(su_)),
+          f_(su_.dot(sv_)),
+          g_(sv_.dot(sv_)) {
         const Vec3 nu = hit.second->duu.cross(sv_) + su_.cross(hit.second->duv);
         const Vec3 nv = hit.second->duv.cross(sv_) + su_.cross(hit.second->dvv);
         const Vec3 n = su_.cross(sv_);

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "keiko/fog/medium.h"
+#include "keiko/spotlight/spotlight.h"
+#include "keiko/tubes/c_plane.h"
+
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
-
-#include "keiko/fog/medium.h"
-#include "keiko/spotlight/spotlight.h"
-#include "keiko/tubes/c_plane.h"
 
 namespace keiko {
 

@@ -3,9 +3,16 @@
 #include "keiko/math/bounds.h"
 #include "keiko/patch/ray.h"
 
+#include <optional>
+
 namespace keiko {
 
 enum class Projection { perspective, orthographic };
+
+/// Unit axes of a picture in space; right x up = -forward.
+struct CameraAxes {
+    Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
+};
 
 /// The eye of a picture. Lengths in mm, angles in degrees, pixel (0, 0) at the upper left.
 struct Camera {
@@ -22,6 +29,18 @@ struct Camera {
     Ray ray(double x, double y) const;
     /// Solid angle of the pixel at (x, y) in sr; for orthographic cameras the same for all: 1.
     double pixel_solid_angle(double x, double y) const;
+    /// The axes of the picture. Where `up` is along the view direction, another axis of space
+    /// takes its place.
+    CameraAxes axes() const;
+    /// Edge of a pixel: mm for orthographic cameras, else a length on the picture plane at
+    /// distance 1 from the eye.
+    double pixel_size() const;
+
+    bool operator==(const Camera&) const = default;
 };
+
+/// Picture position in pixels of a point in space, inside the picture or not; nothing for points
+/// beside or behind the eye of a perspective camera.
+std::optional<Vec2> project(const Camera& camera, const Vec3& point);
 
 } // namespace keiko

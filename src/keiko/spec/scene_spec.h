@@ -1,14 +1,14 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "keiko/math/affine.h"
 #include "keiko/rig/light_rig.h"
 #include "keiko/spec/camera.h"
 #include "keiko/spec/material.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace keiko {
 

@@ -10,12 +10,12 @@ enum class BeamEdge { sharp, soft, mixed };
 
 /// A spotlight without extent.
 struct Spotlight {
-    Vec3 position{0};        ///< mm
-    Vec3 aim{0, 0, -1};      ///< a point on the axis, mm
-    double half_angle = 20;  ///< degrees from the axis to the rim
+    Vec3 position{0};       ///< mm
+    Vec3 aim{0, 0, -1};     ///< a point on the axis, mm
+    double half_angle = 20; ///< degrees from the axis to the rim
     BeamEdge edge = BeamEdge::soft;
-    double q = 0.5;          ///< share of the sharp edge where the edge is mixed
-    Rgb intensity{1000};     ///< cd at theta = 0, colour included
+    double q = 0.5;      ///< share of the sharp edge where the edge is mixed
+    Rgb intensity{1000}; ///< cd at theta = 0, colour included
 };
 
 } // namespace keiko

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "keiko/patch/ray.h"
+
 #include <cstdint>
 #include <limits>
 #include <optional>
-
-#include "keiko/patch/ray.h"
 
 namespace keiko {
 
@@ -31,9 +31,9 @@ constexpr bool has(HitFlags set, HitFlags flag) {
 struct Hit {
     double t = std::numeric_limits<double>::infinity();
     std::uint32_t instance = 0, face = 0, patch = 0;
-    Vec2 uv{0};         ///< patch parameters, [0, 1]^2
-    Vec3 position{0};   ///< on the surface
-    Vec3 normal{0};     ///< unit, along dpdu x dpdv (of the mirrored tangents, if mirrored)
+    Vec2 uv{0};       ///< patch parameters, [0, 1]^2
+    Vec3 position{0}; ///< on the surface
+    Vec3 normal{0};   ///< unit, along dpdu x dpdv (of the mirrored tangents, if mirrored)
     Vec3 dpdu{0}, dpdv{0};
     std::optional<SecondDerivatives> second; ///< when asked for
     double position_bound = 0; ///< mm, bound of the distance to the exact intersection

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "keiko/base/job.h"
+#include "keiko/patch/surface_model.h"
+#include "keiko/trace/hit.h"
+
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include "keiko/base/job.h"
-#include "keiko/patch/surface_model.h"
-#include "keiko/trace/hit.h"
 
 namespace keiko {
 
@@ -25,7 +25,7 @@ struct TracerOptions {
 /// What a build cost, and what it made.
 struct TracerStatistics {
     std::size_t leaves = 0, leaves_trimmed_away = 0, leaves_mixed = 0;
-    std::size_t bytes = 0;   ///< of Keiko's own records
+    std::size_t bytes = 0; ///< of Keiko's own records
     double build_seconds = 0;
 };
 

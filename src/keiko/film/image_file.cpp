@@ -1,0 +1,122 @@
+#include "keiko/film/image_file.h"
+
+#include "keiko/base/error.h"
+#include "keiko/base/input_file.h"
+#include "keiko/base/output_file.h"
+#include "keiko/film/film_channels.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+
+namespace keiko {
+namespace fs = std::filesystem;
+namespace {
+
+enum class Format { exr, png };
+
+Format format_of(const fs::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (extension == ".exr") return Format::exr;
+    if (extension == ".png") return Format::png;
+    throw Error(path.string(), "",
+                "cannot tell the picture's format from \"" + extension + "\"; use .exr or .png");
+}
+
+/// What OpenImageIO wrote to memory. `name` is for the error alone.
+std::string encoded(const char* format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
+                    const void* pixels) {
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput sink(bytes);
+    const auto output = OIIO::ImageOutput::create(format, &sink);
+    if (!output) throw Error("", format, OIIO::geterror());
+    const std::string name = std::string("picture.") + format;
+    if (!output->open(name, spec) || !output->write_image(type, pixels) || !output->close())
+        throw Error("", format, output->geterror());
+    return {bytes.begin(), bytes.end()};
+}
+
+/// Bytes are made in memory, so that an error of the encoder leaves the disk alone.
+void write_bytes(const fs::path& path, const std::function<std::string()>& encode) {
+    std::string bytes;
+    try {
+        bytes = encode();
+    } catch (const Error& error) {
+        throw Error(path.string(), error.where(), error.reason());
+    }
+    write_text_file(path, bytes);
+}
+
+std::vector<std::uint8_t> quantised(const Image& display) {
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(display.values.size());
+    for (const float value : display.values) {
+        const float clamped = value > 0 ? std::min(value, 1.0F) : 0.0F; // a NaN is 0
+        bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * clamped)));
+    }
+    return bytes;
+}
+
+} // namespace
+
+void require_image_extension(const fs::path& path) {
+    format_of(path);
+}
+
+void write_film(const fs::path& path, const Film& film, const ToneMapping& mapping,
+                bool with_alpha) {
+    if (format_of(path) == Format::png) {
+        write_png(path, tone_mapped(film, mapping, with_alpha));
+    } else {
+        write_bytes(path, [&] { return encode_exr(film); });
+    }
+}
+
+void write_png(const fs::path& path, const Image& display) {
+    write_bytes(path, [&] { return encode_png(display); });
+}
+
+std::string encode_png(const Image& display) {
+    OIIO::ImageSpec spec(display.width, display.height, display.channels, OIIO::TypeUInt8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    spec.attribute("png:compressionLevel", 6);
+    return encoded("png", spec, OIIO::TypeUInt8, quantised(display).data());
+}
+
+std::string encode_exr(const Film& film) {
+    const NamedImage all = channels_of(film);
+    OIIO::ImageSpec spec(all.image.width, all.image.height, all.image.channels, OIIO::TypeFloat);
+    spec.channelnames = all.channel_names;
+    spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "1970:01:01 00:00:00"); // or OpenImageIO writes the time of day
+    return encoded("exr", spec, OIIO::TypeFloat, all.image.values.data());
+}
+
+NamedImage read_image(const fs::path& path) {
+    require_readable_file(path);
+    OIIO::ImageSpec as_stored;
+    as_stored.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::open(path.string(), &as_stored);
+    if (!input) throw Error(path.string(), "", "cannot read the picture: " + OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    NamedImage result{Image(spec.width, spec.height, spec.nchannels), spec.channelnames};
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, result.image.values.data()))
+        throw Error(path.string(), "", "cannot read the picture: " + input->geterror());
+    return result;
+}
+
+Film read_film(const fs::path& path) {
+    try {
+        return film_of(read_image(path));
+    } catch (const Error& error) {
+        throw Error(path.string(), error.where(), error.reason());
+    }
+}
+
+} // namespace keiko

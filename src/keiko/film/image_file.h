@@ -1,0 +1,40 @@
+#pragma once
+
+#include "keiko/film/tone_mapping.h"
+
+#include <filesystem>
+#include <string>
+
+namespace keiko {
+
+/// An image whose channels have names, as in a file: "R", "normal.X", "face.id".
+struct NamedImage {
+    Image image;
+    std::vector<std::string> channel_names;
+};
+
+/// Throws Error, listing .exr and .png, for a path with another extension: to be asked before
+/// the work that fills the picture.
+void require_image_extension(const std::filesystem::path& path);
+
+/// Writes a film by the extension of `path`: .exr holds all of it in float (R, G, B, A and the
+/// AOVs as layers, e.g. normal.X), untouched; .png its tone mapped colour, `with_alpha` too. The
+/// bytes depend on the film alone, and no reader ever sees half a file. Throws Error.
+void write_film(const std::filesystem::path& path, const Film& film,
+                const ToneMapping& mapping = {}, bool with_alpha = false);
+
+/// Writes a display picture (1, 3 or 4 channels in [0, 1]) as 8-bit PNG.
+void write_png(const std::filesystem::path& path, const Image& display);
+
+/// The bytes of the same files, to embed them.
+std::string encode_png(const Image& display);
+std::string encode_exr(const Film& film);
+
+/// Reads a picture as it is stored, 8-bit values as n / 255. Throws Error.
+NamedImage read_image(const std::filesystem::path& path);
+
+/// Reads what write_film wrote as .exr; channels of unknown layers are left out. Throws Error for
+/// a file without R, G and B.
+Film read_film(const std::filesystem::path& path);
+
+} // namespace keiko

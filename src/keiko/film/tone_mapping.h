@@ -1,0 +1,36 @@
+#pragma once
+
+#include "keiko/film/film.h"
+
+#include <optional>
+
+namespace keiko {
+
+/// From luminance to display (physics 10). Linear by default: a local or curved mapping would
+/// hide what stripes are judged by.
+struct ToneMapping {
+    enum class Curve { linear, reinhard };
+    Curve curve = Curve::linear;
+    std::optional<double> ev; ///< exposure value EV100; none: white is the picture's own
+    double white = 4;         ///< Reinhard: multiple of the exposure that becomes white
+};
+
+/// sRGB transfer function of a linear value, clamped to [0, 1].
+double srgb_oetf(double linear);
+
+/// Luminance in cd/m2 that an exposure of `ev` shows as 1: 1.2 * 2^EV (ISO saturation).
+double saturation_luminance(double ev);
+
+/// Value of x = L / white luminance under Reinhard's curve x (1 + x / w^2) / (1 + x).
+double reinhard(double x, double white);
+
+/// Automatic exposure: the 99 % quantile in cd/m2 of the luminance of the covered pixels (alpha
+/// at least 1/2; all pixels if none is); 1 where that is not positive.
+double white_luminance(const Film& film);
+
+/// sRGB encoded picture with values in [0, 1]: 3 channels, or 4 with the film's alpha (1
+/// where it has none). Colours
+/// keep their ratio under Reinhard. Values that are no numbers become black.
+Image tone_mapped(const Film& film, const ToneMapping& mapping = {}, bool with_alpha = false);
+
+} // namespace keiko

@@ -1,0 +1,70 @@
+#include "keiko/inspect/inspection.h"
+
+#include <algorithm>
+
+namespace keiko {
+namespace {
+
+void count(const MeasuredSeam& seam, SeamCounts& counts) {
+    switch (seam.verdict) {
+        case Verdict::fail:
+            ++counts.fail;
+            break;
+        case Verdict::undecided:
+            ++counts.undecided;
+            break;
+        case Verdict::pass:
+            ++(seam.crease ? counts.creases : counts.pass);
+            break;
+    }
+}
+
+bool worse(const Finding& a, const Finding& b) {
+    if (a.worst.verdict != b.worst.verdict) return a.worst.verdict > b.worst.verdict;
+    return a.worst.value / a.worst.limit > b.worst.value / b.worst.limit;
+}
+
+} // namespace
+
+Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, double join,
+                   const Job& job) {
+    Inspection result;
+    result.preset = preset, result.join = join;
+    result.pieces = pair_seams(model, join, job);
+    result.seams = measure_seams(model, result.pieces, preset, join, job);
+    result.facts = model_facts(model, result.pieces, job);
+    result.facts.seams = result.seams.size();
+    for (std::uint32_t i = 0; i < result.seams.size(); ++i) {
+        count(result.seams[i], result.counts);
+        result.verdict = std::max(result.verdict, result.seams[i].verdict);
+        std::vector<Finding> found = findings_of(result.seams[i], i);
+        std::move(found.begin(), found.end(), std::back_inserter(result.findings));
+    }
+    std::stable_sort(result.findings.begin(), result.findings.end(), worse);
+    return result;
+}
+
+std::vector<std::uint32_t> worst_seams(const Inspection& inspection, std::size_t count) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < inspection.seams.size(); ++i) {
+        const MeasuredSeam& seam = inspection.seams[i];
+        if (!(seam.crease && seam.verdict == Verdict::pass)) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return inspection.seams[a].severity > inspection.seams[b].severity;
+    });
+    order.resize(std::min(order.size(), count));
+    return order;
+}
+
+Vec3 worst_place(const MeasuredSeam& seam) {
+    const Worst* furthest = &seam.gap;
+    const auto take = [&](const Worst& worst) {
+        if (worst.value / worst.limit > furthest->value / furthest->limit) furthest = &worst;
+    };
+    if (seam.angle && !seam.crease) take(*seam.angle);
+    if (seam.curvature) take(seam.curvature->worst);
+    return furthest->place;
+}
+
+} // namespace keiko

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "keiko/inspect/finding.h"
+#include "keiko/inspect/model_facts.h"
+#include "keiko/inspect/seam_measure.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// Seams by verdict. A crease whose gap passes counts as a crease only.
+struct SeamCounts {
+    std::size_t fail = 0, undecided = 0, pass = 0, creases = 0;
+
+    bool operator==(const SeamCounts&) const = default;
+};
+
+/// The geometry of a model held against criteria.
+struct Inspection {
+    CriteriaPreset preset;
+    double join = 0.5; ///< mm
+    ModelFacts facts;
+    std::vector<Seam> pieces; ///< as paired; MeasuredSeam::pieces points here
+    std::vector<MeasuredSeam> seams;
+    std::vector<Finding> findings; ///< failures before undecided, worst first
+    SeamCounts counts;
+    Verdict verdict = Verdict::pass; ///< the worst of all seams
+};
+
+/// Pairs, measures and judges every seam. `join` in mm. Throws Cancelled.
+Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset = {}, double join = 0.5,
+                   const Job& job = {});
+
+/// Indices of the `count` worst seams that are no passing crease, by falling severity.
+std::vector<std::uint32_t> worst_seams(const Inspection& inspection, std::size_t count);
+
+/// Where the judged quantity that is furthest over its limit is worst; world, mm.
+Vec3 worst_place(const MeasuredSeam& seam);
+
+} // namespace keiko

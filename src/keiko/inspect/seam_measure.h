@@ -1,0 +1,62 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/inspect/verdict.h"
+#include "keiko/math/vec.h"
+#include "keiko/patch/seam.h"
+#include "keiko/spec/criteria_preset.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// The worst of one quantity along a seam.
+struct Worst {
+    double value = 0;
+    double bound = 0; ///< the exact worst lies within this of the value
+    double limit = 0;
+    Vec3 place{0}; ///< world, mm
+    Verdict verdict = Verdict::pass;
+};
+
+/// The curvatures across the seam where they differ most.
+struct CurvatureStep {
+    double curvature_a = 0, curvature_b = 0; ///< 1/mm
+    CurvatureFormula formula = CurvatureFormula::alias;
+    double mismatch = 0; ///< by the formula, share of 1
+    bool flat = false;   ///< both radii beyond flat_radius: judged by the change in 1/mm
+    /// In the unit that is judged: share of 1, or 1/mm where flat.
+    Worst worst;
+};
+
+/// Everything known of the line along which two faces meet: a chain of one or more Seams.
+struct MeasuredSeam {
+    std::uint32_t instance_a = 0, face_a = 0, instance_b = 0, face_b = 0;
+    std::uint32_t id_a = 0, id_b = 0; ///< Face::id of the sides
+    std::string
+        faces; ///< "face 12 (fender-outer) | face 13"; instances too where there are several
+    std::vector<std::uint32_t> pieces;      ///< into the seams measured
+    double length = 0;                      ///< mm
+    Vec3 middle{0};                         ///< a point halfway along, world, mm
+    Worst gap;                              ///< G0, mm
+    std::optional<Worst> angle;             ///< G1, degrees; nothing where a side has no normal
+    double smallest_angle = 0;              ///< degrees, where there is an angle
+    std::optional<CurvatureStep> curvature; ///< G2; only where gap and angle pass
+    bool crease = false; ///< the largest angle exceeds the preset's feature angle
+
+    /// Of the gap, and except on creases of angle and curvature: the worst.
+    Verdict verdict = Verdict::pass;
+    /// How far over its limit the worst quantity is: 1 at the limit.
+    double severity = 0;
+};
+
+/// Joins seams of the same two faces that touch (`join` mm) into chains and measures each on the
+/// exact geometry; in the order of their first seams.
+std::vector<MeasuredSeam> measure_seams(const SurfaceModel& model, std::span<const Seam> seams,
+                                        const CriteriaPreset& preset, double join,
+                                        const Job& job = {});
+
+} // namespace keiko

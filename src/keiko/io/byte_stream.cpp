@@ -1,0 +1,24 @@
+#include "keiko/io/byte_stream.h"
+
+namespace keiko {
+
+std::size_t ByteReader::take_count(std::size_t least_size) {
+    const auto count = take<std::uint64_t>();
+    if (count > bytes_.size() / least_size) throw DamagedBytes("a count beyond the end");
+    return static_cast<std::size_t>(count);
+}
+
+std::string_view ByteReader::take_bytes(std::size_t count) {
+    if (count > bytes_.size()) throw DamagedBytes("it ends too early");
+    const std::string_view taken = bytes_.substr(0, count);
+    bytes_.remove_prefix(count);
+    return taken;
+}
+
+std::uint64_t checksum(std::string_view bytes) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    return hash;
+}
+
+} // namespace keiko

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "keiko/base/diagnostics.h"
+#include "keiko/math/affine.h"
+#include "keiko/math/rgb.h"
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keiko::cad {
+
+/// What a file says about a face besides its geometry.
+struct FaceAttributes {
+    std::string name, layer;
+    std::optional<Rgb> color;
+};
+
+/// A shape that is stored once in the file.
+struct CadPart {
+    TopoDS_Shape shape;
+    std::string name;
+    std::function<FaceAttributes(const TopoDS_Shape& face)> attributes_of; ///< may be empty
+};
+
+/// A placed part.
+struct CadInstance {
+    std::size_t part = 0;
+    std::string name;
+    Affine transform;
+};
+
+/// A CAD file as OpenCASCADE read it, in millimetres, before any conversion.
+struct CadDocument {
+    std::string unit; ///< of the file, as units.h knows it; empty where it names none
+    std::vector<CadPart> parts;
+    std::vector<CadInstance> instances;
+    Diagnostics diagnostics;
+};
+
+} // namespace keiko::cad

@@ -1,0 +1,180 @@
+#include "keiko/io/cad/face_loops.h"
+
+#include "keiko/base/error.h"
+#include "keiko/io/cad/curve_spans.h"
+#include "keiko/io/cad/surface_patches.h"
+
+#include <BRepTools_WireExplorer.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <ShapeFix_Edge.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Wire.hxx>
+
+#include <cmath>
+
+namespace keiko::cad {
+namespace {
+
+using CurveHandle = opencascade::handle<Geom2d_Curve>;
+
+ParameterSpace parameter_space(const TopoDS_Face& face) {
+    TopLoc_Location location;
+    const opencascade::handle<Geom_Surface> stored = BRep_Tool::Surface(face, location);
+    const opencascade::handle<Geom_Surface> surface = untrimmed(stored);
+    ParameterSpace space;
+    space.period = periods(*surface);
+    space.natural = natural_domain(*stored);
+    space.wrap = space.period;
+    if (surface->IsUClosed() && space.wrap.x == 0) space.wrap.x = space.natural.extent().x;
+    if (surface->IsVClosed() && space.wrap.y == 0) space.wrap.y = space.natural.extent().y;
+    if (const auto cone = opencascade::handle<Geom_ConicalSurface>::DownCast(surface))
+        space.apex_v = -cone->RefRadius() / std::sin(cone->SemiAngle());
+    if (surface->IsKind(STANDARD_TYPE(Geom_SphericalSurface))) space.continuation = 0;
+    return space;
+}
+
+/// Edges of a wire in the order in which they chain, or in the file's where the wire is broken.
+std::vector<TopoDS_Edge> ordered_edges(const TopoDS_Wire& wire, const TopoDS_Face& face) {
+    std::vector<TopoDS_Edge> all, chained;
+    for (TopExp_Explorer e(wire, TopAbs_EDGE); e.More(); e.Next())
+        all.push_back(TopoDS::Edge(e.Current()));
+    for (BRepTools_WireExplorer e(wire, face); e.More() && chained.size() <= all.size(); e.Next())
+        chained.push_back(e.Current());
+    return chained.size() == all.size() ? chained : all;
+}
+
+bool bounds_material(const TopoDS_Edge& edge) {
+    return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
+}
+
+class LoopReader {
+public:
+    LoopReader(const TopoDS_Face& face, EdgeTable& edges)
+        : face_(TopoDS::Face(face.Oriented(TopAbs_FORWARD))),
+          edges_(edges),
+          space_(parameter_space(face)) {}
+
+    FaceLoops read() {
+        std::vector<std::vector<Chain>> wires;
+        for (TopoDS_Iterator it(face_); it.More(); it.Next())
+            if (it.Value().ShapeType() == TopAbs_WIRE) {
+                auto uses = edge_uses(TopoDS::Wire(it.Value()));
+                if (!uses.empty()) wires.push_back(std::move(uses));
+            }
+        set_scale(wires);
+        std::vector<Chain> chains;
+        for (auto& uses : wires)
+            for (Chain& chain : chain_wire(std::move(uses), space_, result_.notes))
+                chains.push_back(std::move(chain));
+        ClosedLoops closed = close_loops(std::move(chains), space_, result_.notes);
+        result_.loops = std::move(closed.loops);
+        result_.domain = closed.domain;
+        add_counted_notes();
+        return std::move(result_);
+    }
+
+private:
+    std::vector<Chain> edge_uses(const TopoDS_Wire& wire) {
+        std::vector<Chain> uses;
+        bool only_points = true;
+        for (const TopoDS_Edge& edge : ordered_edges(wire, face_)) {
+            if (!bounds_material(edge)) {
+                ++skipped_;
+                continue;
+            }
+            uses.push_back(edge_use(edge));
+            only_points = only_points && BRep_Tool::Degenerated(edge);
+        }
+        // A vertex loop bounds nothing unless it runs around a pole.
+        if (only_points && !uses.empty() && !runs_around(uses)) {
+            result_.notes.push_back("a loop that is only a point bounds nothing");
+            return {};
+        }
+        return uses;
+    }
+
+    bool runs_around(const std::vector<Chain>& uses) const {
+        const Vec2 way = end_of(uses.back()) - begin_of(uses.front());
+        return (space_.wrap.x > 0 && std::abs(way.x) > space_.wrap.x / 2) ||
+               (space_.wrap.y > 0 && std::abs(way.y) > space_.wrap.y / 2);
+    }
+
+    Chain edge_use(const TopoDS_Edge& edge) {
+        const std::uint32_t number = edges_.number_of(edge);
+        double first = 0, last = 0;
+        const CurveHandle curve = p_curve(edge, number, first, last);
+        const auto converted = curve_spans(curve, first, last);
+        approximated_ = std::max(approximated_, converted.approximated);
+        Chain chain;
+        for (const auto& span : converted.spans) chain.push_back({span.points, number});
+        if (edge.Orientation() == TopAbs_REVERSED) reverse(chain);
+        result_.edge_uses.push_back(number);
+        return chain;
+    }
+
+    CurveHandle p_curve(const TopoDS_Edge& edge, std::uint32_t number, double& first,
+                        double& last) {
+        CurveHandle curve = BRep_Tool::CurveOnSurface(edge, face_, first, last);
+        if (curve.IsNull()) {
+            ShapeFix_Edge().FixAddPCurve(edge, face_, used_twice(edge), BRep_Tool::Tolerance(edge));
+            curve = BRep_Tool::CurveOnSurface(edge, face_, first, last);
+            ++projected_;
+        }
+        if (curve.IsNull())
+            throw Error("", "",
+                        "edge " + std::to_string(number + 1) +
+                            " has no p-curve and none could be projected");
+        if (!(first < last))
+            throw Error("", "",
+                        "edge " + std::to_string(number + 1) + " has an empty parameter range");
+        return curve;
+    }
+
+    bool used_twice(const TopoDS_Edge& edge) const {
+        int uses = 0;
+        for (TopExp_Explorer e(face_, TopAbs_EDGE); e.More(); e.Next())
+            uses += e.Current().IsSame(edge);
+        return uses > 1;
+    }
+
+    void set_scale(const std::vector<std::vector<Chain>>& wires) {
+        Box2 box;
+        for (const auto& uses : wires)
+            for (const Chain& use : uses) box.extend(tight_bounds(use));
+        if (box.empty()) return;
+        const Vec2 extent = box.extent();
+        space_.scale = {extent.x > 0 ? extent.x : 1, extent.y > 0 ? extent.y : 1};
+    }
+
+    void add_counted_notes() {
+        if (skipped_ > 0)
+            result_.notes.push_back(std::to_string(skipped_) +
+                                    " internal or external edges left out");
+        if (projected_ > 0)
+            result_.notes.push_back(std::to_string(projected_) + " missing p-curves projected");
+        if (approximated_ > 0)
+            result_.notes.push_back("p-curves approximated within " +
+                                    std::to_string(approximated_) + " of a parameter");
+    }
+
+    TopoDS_Face face_;
+    EdgeTable& edges_;
+    ParameterSpace space_;
+    FaceLoops result_;
+    int skipped_ = 0, projected_ = 0;
+    double approximated_ = 0;
+};
+
+} // namespace
+
+FaceLoops face_loops(const TopoDS_Face& face, EdgeTable& edges) {
+    return LoopReader(face, edges).read();
+}
+
+} // namespace keiko::cad

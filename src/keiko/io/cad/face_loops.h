@@ -1,0 +1,38 @@
+#pragma once
+
+#include "keiko/io/cad/loop_closing.h"
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Face.hxx>
+
+namespace keiko::cad {
+
+/// The edges of a part, numbered from 0 in the order they are met; two uses of one edge get one
+/// number.
+class EdgeTable {
+public:
+    std::uint32_t number_of(const TopoDS_Shape& edge) {
+        return static_cast<std::uint32_t>(edges_.Add(edge)) - 1;
+    }
+    std::uint32_t count() const { return static_cast<std::uint32_t>(edges_.Extent()); }
+    const TopoDS_Shape& edge(std::uint32_t number) const {
+        return edges_(static_cast<int>(number) + 1);
+    }
+
+private:
+    TopTools_IndexedMapOfShape edges_;
+};
+
+/// The trim loops of a face, in the parameters of its surface.
+struct FaceLoops {
+    std::vector<Chain> loops;
+    Box2 domain;                          ///< what the patches must cover
+    std::vector<std::uint32_t> edge_uses; ///< one entry a use, a seam twice
+    std::vector<std::string> notes;       ///< what had to be repaired
+};
+
+/// Converts the wires of a face. Edges that miss their p-curve get one by projection. Throws
+/// Error when a curve cannot be had.
+FaceLoops face_loops(const TopoDS_Face& face, EdgeTable& edges);
+
+} // namespace keiko::cad

@@ -1,0 +1,174 @@
+#include "keiko/io/cad/part_conversion.h"
+
+#include "keiko/base/error.h"
+#include "keiko/io/cad/face_conversion.h"
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Tool.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+
+#include <algorithm>
+
+namespace keiko::cad {
+namespace {
+
+template <class T>
+std::uint32_t size32(const std::vector<T>& v) {
+    return static_cast<std::uint32_t>(v.size());
+}
+
+/// Converts the faces of one part into the flat arrays of a model.
+class PartWriter {
+public:
+    PartWriter(SurfaceModel& model, const CadPart& part)
+        : model_(model), part_(part), first_edge_(size32(model.edges)) {}
+
+    void write(const std::function<void()>& face_done) {
+        TopTools_IndexedMapOfShape faces;
+        TopExp::MapShapes(part_.shape, TopAbs_FACE, faces);
+        const std::uint32_t first_face = size32(model_.faces);
+        for (int i = 1; i <= faces.Extent(); ++i) {
+            write_face(TopoDS::Face(faces(i)));
+            face_done();
+        }
+        model_.parts.push_back({part_.name, first_face, size32(model_.faces) - first_face});
+        write_edges();
+        note_invalid(faces);
+    }
+
+private:
+    void write_face(const TopoDS_Face& shape) {
+        Face face = described(shape);
+        ids_.push_back(face.id);
+        const std::string entity = model_.describe(face);
+        try {
+            const ConvertedFace converted = convert_face(shape, edges_);
+            for (const std::string& note : converted.trim.notes)
+                model_.diagnostics.push_back({Severity::note, entity, note});
+            if (converted.approximated > 0)
+                model_.diagnostics.push_back({Severity::warning, entity,
+                                              face.surface_kind + " surface approximated within " +
+                                                  std::to_string(converted.approximated) + " mm"});
+            append(face, converted);
+        } catch (...) {
+            model_.lost_faces.push_back({face.id, face.name, current_failure()});
+            model_.diagnostics.push_back({Severity::error, entity, "lost: " + current_failure()});
+        }
+    }
+
+    Face described(const TopoDS_Face& shape) const {
+        Face face;
+        face.id = size32(model_.faces) + size32(model_.lost_faces) + 1;
+        face.part = size32(model_.parts);
+        face.reversed = shape.Orientation() == TopAbs_REVERSED;
+        face.surface_kind = surface_kind(shape);
+        if (part_.attributes_of) {
+            FaceAttributes attributes = part_.attributes_of(shape);
+            face.name = std::move(attributes.name);
+            face.layer = std::move(attributes.layer);
+            face.color = attributes.color;
+        }
+        return face;
+    }
+
+    void append(Face face, const ConvertedFace& converted) {
+        face.approximated = converted.approximated;
+        face.first_patch = size32(model_.patches);
+        face.patch_count = size32(converted.patches);
+        face.first_loop = size32(model_.trim_loops);
+        face.loop_count = size32(converted.trim.loops);
+        for (const SurfacePatch& patch : converted.patches) append(patch);
+        for (const Chain& loop : converted.trim.loops) append(loop);
+        edge_uses_.resize(edges_.count());
+        for (const std::uint32_t edge : converted.trim.edge_uses) ++edge_uses_[edge];
+        model_.faces.push_back(std::move(face));
+    }
+
+    void append(const SurfacePatch& patch) {
+        model_.patches.push_back({size32(model_.faces), size32(model_.control_points),
+                                  static_cast<std::uint16_t>(patch.degree_u),
+                                  static_cast<std::uint16_t>(patch.degree_v), patch.map_u,
+                                  patch.map_v});
+        model_.control_points.insert(model_.control_points.end(), patch.points.begin(),
+                                     patch.points.end());
+    }
+
+    void append(const Chain& loop) {
+        model_.trim_loops.push_back({size32(model_.trim_curves), size32(loop)});
+        for (const LoopCurve& curve : loop) {
+            const std::uint32_t edge = curve.edge == no_index ? no_index : first_edge_ + curve.edge;
+            model_.trim_curves.push_back({size32(model_.trim_points),
+                                          static_cast<std::uint16_t>(curve.points.size() - 1),
+                                          edge});
+            model_.trim_points.insert(model_.trim_points.end(), curve.points.begin(),
+                                      curve.points.end());
+        }
+    }
+
+    void write_edges() {
+        edge_uses_.resize(edges_.count());
+        for (std::uint32_t i = 0; i < edges_.count(); ++i) {
+            const TopoDS_Edge& edge = TopoDS::Edge(edges_.edge(i));
+            model_.edges.push_back(
+                {BRep_Tool::Tolerance(edge), edge_uses_[i], BRep_Tool::Degenerated(edge)});
+        }
+    }
+
+    /// What OpenCASCADE itself thinks of the faces: a hint where to look when a picture is odd.
+    void note_invalid(const TopTools_IndexedMapOfShape& faces) {
+        try {
+            const BRepCheck_Analyzer analyzer(part_.shape);
+            if (analyzer.IsValid()) return;
+            for (int i = 1; i <= faces.Extent(); ++i)
+                if (!analyzer.IsValid(faces(i)))
+                    model_.diagnostics.push_back(
+                        {Severity::note,
+                         "face " + std::to_string(ids_[static_cast<std::size_t>(i - 1)]),
+                         "invalid in the file, says OpenCASCADE's check"});
+        } catch (...) {
+            model_.diagnostics.push_back(
+                {Severity::note, part_.name, "could not be checked: " + current_failure()});
+        }
+    }
+
+    SurfaceModel& model_;
+    const CadPart& part_;
+    std::uint32_t first_edge_;
+    EdgeTable edges_;
+    std::vector<std::uint32_t> edge_uses_, ids_;
+};
+
+} // namespace
+
+void append_part(SurfaceModel& model, const CadPart& part, const std::function<void()>& face_done) {
+    PartWriter(model, part).write(face_done);
+}
+
+std::size_t face_count(const TopoDS_Shape& shape) {
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    return static_cast<std::size_t>(faces.Extent());
+}
+
+std::string current_failure() {
+    std::string text;
+    try {
+        throw;
+    } catch (const Error& e) {
+        text = e.reason();
+    } catch (const Standard_Failure& e) {
+        const std::string message = e.GetMessageString() ? e.GetMessageString() : "";
+        text = std::string("OpenCASCADE: ") + e.DynamicType()->Name() +
+               (message.empty() ? "" : ": " + message);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& e) {
+        text = e.what();
+    }
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+} // namespace keiko::cad

@@ -1,0 +1,79 @@
+#include "keiko/base/error.h"
+#include "keiko/io/cad/assembly.h"
+#include "keiko/io/cad/cad_files.h"
+
+#include <IFSelect_ReturnStatus.hxx>
+#include <Interface_InterfaceModel.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopoDS_TShape.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include <memory>
+#include <unordered_map>
+
+namespace keiko::cad {
+namespace {
+
+std::string file_unit(STEPCAFControl_Reader& reader) {
+    TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+    reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
+    if (lengths.IsEmpty()) return "";
+    TCollection_AsciiString unit = lengths.First();
+    unit.LowerCase();
+    return unit.ToCString();
+}
+
+/// Face entities of the file: the names of those that were translated, the others told.
+/// OpenCASCADE's own switch for face names crashes on some files.
+FaceNames face_names(STEPCAFControl_Reader& reader, Diagnostics& diagnostics) {
+    const auto session = reader.Reader().WS();
+    const auto process = session->TransferReader()->TransientProcess();
+    const auto model = session->Model();
+    auto names = std::make_shared<std::unordered_map<const TopoDS_TShape*, std::string>>();
+    int missing = 0;
+    std::string numbers;
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        const auto face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
+        if (face.IsNull()) continue;
+        const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
+        if (shape.IsNull()) {
+            if (++missing <= 10)
+                numbers += " " + std::string(model->StringLabel(face)->ToCString());
+        } else if (!face->Name().IsNull() && shape.ShapeType() == TopAbs_FACE) {
+            names->emplace(shape.TShape().get(), face->Name()->ToCString());
+        }
+    }
+    if (missing > 0)
+        diagnostics.push_back(
+            {Severity::warning, "",
+             std::to_string(missing) + " face entities of the file gave no face:" + numbers});
+    return [names](const TopoDS_Shape& face) {
+        const auto found = names->find(face.TShape().get());
+        return found == names->end() ? "" : found->second;
+    };
+}
+
+} // namespace
+
+CadDocument read_step_file(const std::filesystem::path& path) {
+    STEPCAFControl_Reader reader;
+    reader.SetNameMode(true);
+    reader.SetColorMode(true);
+    reader.SetLayerMode(true);
+    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+        throw Error(path.string(), "", "not a readable STEP file");
+    auto source = new_document();
+    if (!reader.Transfer(source)) throw Error(path.string(), "", "the STEP file holds no shape");
+    CadDocument document;
+    document.unit = file_unit(reader);
+    read_assembly(source, face_names(reader, document.diagnostics), document);
+    return document;
+}
+
+} // namespace keiko::cad

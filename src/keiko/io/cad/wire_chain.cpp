@@ -1,0 +1,161 @@
+#include "keiko/io/cad/wire_chain.h"
+
+#include "keiko/io/cad/curve_span.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace keiko::cad {
+namespace {
+
+Vec2 affine(const Vec3& p) {
+    return Vec2(p.x, p.y) / p.z;
+}
+
+/// Whole periods nearest to `distance`, when they explain it: a rest of more than a twentieth
+/// period is a real gap (a missing pole edge, say) that a shift would only move elsewhere.
+double whole_periods(double distance, double period) {
+    if (!(period > 0)) return 0;
+    const double shift = std::round(distance / period) * period;
+    return std::abs(distance - shift) < 0.05 * period ? shift : 0;
+}
+
+/// Extends the box by a curve whose ends it holds: halves it where its hull still sticks out.
+void extend_tightly(Box2& box, const std::vector<Vec3>& points, int depth = 0) {
+    constexpr double tightness = 1e-9;
+    constexpr int deepest = 40;
+    Box2 hull;
+    for (const Vec3& p : points) hull.extend(affine(p));
+    const Vec2 slack = box.extent() * tightness;
+    const Box2 loose{box.lower - slack, box.upper + slack};
+    if (points.size() == 2 || (loose.contains(hull.lower) && loose.contains(hull.upper)) ||
+        depth == deepest) {
+        box.extend(hull);
+        return;
+    }
+    const auto halves = bezier_halves(points);
+    box.extend(affine(halves[0].back()));
+    for (const auto& half : halves) extend_tightly(box, half, depth + 1);
+}
+
+Vec2 whole_periods(const Vec2& distance, const Vec2& period) {
+    return {whole_periods(distance.x, period.x), whole_periods(distance.y, period.y)};
+}
+
+double gap_after_shift(const Vec2& from, const Vec2& to, const ParameterSpace& space) {
+    return space.relative(from - to - whole_periods(from - to, space.period));
+}
+
+double worst_gap(const std::vector<Chain>& uses, const ParameterSpace& space) {
+    double worst = 0;
+    for (std::size_t i = 0; i < uses.size(); ++i)
+        worst = std::max(
+            worst, gap_after_shift(end_of(uses[i]), begin_of(uses[(i + 1) % uses.size()]), space));
+    return worst;
+}
+
+/// Joins uses in their order into one chain.
+Chain joined(std::vector<Chain> uses, const ParameterSpace& space,
+             std::vector<std::string>& notes) {
+    Chain chain = std::move(uses.front());
+    int shifted = 0;
+    double bridged = 0;
+    for (Chain& use : std::span(uses).subspan(1)) {
+        const Vec2 offset = whole_periods(end_of(chain) - begin_of(use), space.period);
+        if (offset != Vec2(0)) shift(use, offset), ++shifted;
+        const Vec2 from = end_of(chain), to = begin_of(use);
+        if (const double gap = space.relative(to - from); gap > small_gap) {
+            bridged = std::max(bridged, gap);
+            chain.push_back(connector(from, to));
+        }
+        chain.insert(chain.end(), use.begin(), use.end());
+    }
+    if (shifted > 0) notes.push_back(std::to_string(shifted) + " p-curves moved by a whole period");
+    if (bridged > 0) {
+        std::ostringstream text;
+        text << "gap of " << bridged << " of the face between p-curves bridged";
+        notes.push_back(text.str());
+    }
+    return chain;
+}
+
+/// The uses rearranged so that each begins where another ended, as several rings if need be.
+std::vector<std::vector<Chain>> sorted(std::vector<Chain> uses, const ParameterSpace& space) {
+    std::vector<std::vector<Chain>> rings;
+    while (!uses.empty()) {
+        std::vector<Chain> ring{std::move(uses.front())};
+        uses.erase(uses.begin());
+        while (!uses.empty()) {
+            const Vec2 end = end_of(ring.back());
+            const auto nearest =
+                std::min_element(uses.begin(), uses.end(), [&](const Chain& a, const Chain& b) {
+                    return gap_after_shift(end, begin_of(a), space) <
+                           gap_after_shift(end, begin_of(b), space);
+                });
+            const double closing = gap_after_shift(end, begin_of(ring.front()), space);
+            if (closing < gap_after_shift(end, begin_of(*nearest), space)) break;
+            ring.push_back(std::move(*nearest));
+            uses.erase(nearest);
+        }
+        rings.push_back(std::move(ring));
+    }
+    return rings;
+}
+
+} // namespace
+
+double ParameterSpace::relative(const Vec2& gap) const {
+    return std::max(std::abs(gap.x) / scale.x, std::abs(gap.y) / scale.y);
+}
+
+Vec2 begin_of(const Chain& chain) {
+    return affine(chain.front().points.front());
+}
+Vec2 end_of(const Chain& chain) {
+    return affine(chain.back().points.back());
+}
+
+void shift(Chain& chain, const Vec2& offset) {
+    for (LoopCurve& curve : chain)
+        for (Vec3& p : curve.points) p += Vec3(offset.x, offset.y, 0) * p.z;
+}
+
+void reverse(Chain& chain) {
+    std::reverse(chain.begin(), chain.end());
+    for (LoopCurve& curve : chain) std::reverse(curve.points.begin(), curve.points.end());
+}
+
+LoopCurve connector(const Vec2& from, const Vec2& to) {
+    return {{Vec3(from.x, from.y, 1), Vec3(to.x, to.y, 1)}, no_index};
+}
+
+Box2 tight_bounds(const Chain& chain) {
+    Box2 box;
+    for (const LoopCurve& curve : chain) {
+        box.extend(affine(curve.points.front()));
+        box.extend(affine(curve.points.back()));
+    }
+    for (const LoopCurve& curve : chain) extend_tightly(box, curve.points);
+    return box;
+}
+
+std::vector<Chain> chain_wire(std::vector<Chain> uses, const ParameterSpace& space,
+                              std::vector<std::string>& notes) {
+    if (uses.empty()) return {};
+    std::vector<Chain> chains;
+    if (!(worst_gap(uses, space) > small_gap)) {
+        chains.push_back(joined(std::move(uses), space, notes));
+        return chains;
+    }
+    auto rings = sorted(uses, space);
+    double worst_sorted = 0;
+    for (const auto& ring : rings) worst_sorted = std::max(worst_sorted, worst_gap(ring, space));
+    if (!(worst_sorted < worst_gap(uses, space))) rings = {std::move(uses)};
+    for (auto& ring : rings) chains.push_back(joined(std::move(ring), space, notes));
+    if (chains.size() > 1)
+        notes.push_back("a wire of " + std::to_string(chains.size()) + " separate loops");
+    return chains;
+}
+
+} // namespace keiko::cad

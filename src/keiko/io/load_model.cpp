@@ -1,0 +1,64 @@
+#include "keiko/io/load_model.h"
+
+#include "keiko/base/error.h"
+#include "keiko/base/units.h"
+#include "keiko/io/bezier_file.h"
+#include "keiko/io/import_worker.h"
+#include "keiko/io/model_format.h"
+
+namespace keiko {
+namespace {
+
+SurfaceModel read_model(const std::filesystem::path& path, ModelFormat format,
+                        const LoadOptions& options, const Job& job) {
+    switch (format) {
+        case ModelFormat::bezier:
+            return read_bezier_file(path);
+        case ModelFormat::teapot:
+            return read_teapot_file(path);
+        default:
+            return import_in_worker(path, format, options, job);
+    }
+}
+
+/// Millimetres per unit of the file as it was read; a file without a unit was read as mm.
+double unit_of(const SurfaceModel& model) {
+    if (model.unit.empty()) return 1;
+    const auto known = millimetres_per(model.unit);
+    if (!known)
+        throw Error(model.source, "", "its unit \"" + model.unit + "\" cannot be overridden");
+    return *known;
+}
+
+void override_unit(SurfaceModel& model, const std::string& unit) {
+    const auto wanted = millimetres_per(unit);
+    if (!wanted) throw Error(model.source, "", "unknown length unit \"" + unit + "\"");
+    if (const double factor = *wanted / unit_of(model); factor != 1) scale_lengths(model, factor);
+    model.diagnostics.push_back({Severity::note, "",
+                                 "read in " + unit + ", not in " +
+                                     (model.unit.empty() ? "mm (it names no unit)" : model.unit)});
+    model.unit = unit;
+}
+
+} // namespace
+
+SurfaceModel load_model(const std::filesystem::path& path, const LoadOptions& options,
+                        const Job& job) {
+    job.check();
+    job.report("import", 0);
+    const ModelFormat format = detect_model_format(path);
+    SurfaceModel model = read_model(path, format, options, job);
+    model.source = path.string();
+    if (!options.unit.empty()) override_unit(model, options.unit);
+    job.report("import", 1);
+    return model;
+}
+
+void scale_lengths(SurfaceModel& model, double factor) {
+    for (Vec4& p : model.control_points) p = {p.x * factor, p.y * factor, p.z * factor, p.w};
+    for (Edge& edge : model.edges) edge.tolerance *= factor;
+    for (Face& face : model.faces) face.approximated *= factor;
+    for (Instance& instance : model.instances) instance.transform.translation *= factor;
+}
+
+} // namespace keiko

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/patch/surface_model.h"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace keiko {
+
+/// Knobs of load_model.
+struct LoadOptions {
+    /// Length unit to read the file's numbers in, whatever the file says; empty: believe it.
+    std::string unit;
+    /// The worker that reads CAD files; empty: $KEIKO_IMPORT, else `keiko-import` beside the
+    /// running program.
+    std::filesystem::path worker;
+    /// How long the worker may take.
+    std::chrono::milliseconds timeout = std::chrono::seconds(120);
+    /// How much address space the worker may use, bytes; 0: no limit.
+    std::uint64_t memory_limit = 16ull << 30;
+};
+
+/// Reads a model file, its kind told by its content: STEP, IGES and BREP through a worker process,
+/// because OpenCASCADE aborts on some files; .bpt and the teapot text directly. Lengths come back
+/// in mm. Reports progress as "import". Throws Error, one line naming the file and the reason,
+/// when it cannot be read, holds no faces, or the worker crashes, hangs or needs too much memory;
+/// Cancelled when the job is stopped. Faces that could not be converted are in lost_faces.
+SurfaceModel load_model(const std::filesystem::path& path, const LoadOptions& options = {},
+                        const Job& job = {});
+
+/// Multiplies all lengths of a model: its control points, tolerances and placements; parameters
+/// of faces stay. `factor` > 0.
+void scale_lengths(SurfaceModel& model, double factor);
+
+} // namespace keiko

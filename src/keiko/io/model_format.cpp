@@ -1,0 +1,149 @@
+#include "keiko/io/model_format.h"
+
+#include "keiko/base/error.h"
+#include "keiko/base/input_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+
+namespace keiko {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::streamoff probe_size = 4096;
+
+std::string first_bytes(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::string text(probe_size, '\0');
+    in.read(text.data(), probe_size);
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    return text;
+}
+
+std::string last_bytes(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary | std::ios::ate);
+    const std::streamoff size = in.tellg();
+    in.seekg(std::max<std::streamoff>(0, size - probe_size));
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool contains(std::string_view text, std::string_view word) {
+    return text.find(word) != std::string_view::npos;
+}
+
+/// Text before the first line break.
+std::string_view first_line(std::string_view text) {
+    return text.substr(0, text.find_first_of("\r\n"));
+}
+
+/// IGES marks its sections in column 73: S for the start, T for the last line.
+bool is_iges(std::string_view text) {
+    const std::string_view line = first_line(text);
+    return line.size() >= 73 && (line[72] == 'S' || line[72] == 'C') &&
+           line.find_first_not_of("0123456789 ", 73) >= std::min<std::size_t>(line.size(), 80);
+}
+
+/// Number of values on a line of numbers separated by blanks or commas; 0 for any other text.
+int numbers_on(const std::string& line) {
+    std::string spaced = line;
+    std::replace(spaced.begin(), spaced.end(), ',', ' ');
+    std::istringstream in(spaced);
+    int count = 0;
+    for (std::string word; in >> word; ++count)
+        if (word.find_first_not_of("0123456789+-.eE") != std::string::npos) return 0;
+    return count;
+}
+
+std::optional<ModelFormat> patch_text(const std::string& text) {
+    std::istringstream in(text);
+    int counts[2] = {0, 0}, known = 0;
+    for (std::string line; known < 2 && std::getline(in, line);) {
+        line = line.substr(0, line.find('#'));
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        counts[known++] = numbers_on(line);
+    }
+    if (counts[0] != 1) return std::nullopt;
+    if (counts[1] == 2) return ModelFormat::bezier;
+    if (counts[1] == 16) return ModelFormat::teapot;
+    return std::nullopt;
+}
+
+std::optional<ModelFormat> format_of(const std::string& text) {
+    if (contains(std::string_view(text).substr(0, 1024), "ISO-10303-21")) return ModelFormat::step;
+    if (contains(text, "DBRep_DrawableShape") || contains(text, "CASCADE Topology"))
+        return ModelFormat::brep;
+    if (is_iges(text)) return ModelFormat::iges;
+    return patch_text(text);
+}
+
+bool ends_as_iges(std::string_view tail) {
+    const std::size_t end = tail.find_last_not_of(" \r\n\t\032\0");
+    if (end == std::string_view::npos) return false;
+    const std::size_t begin = tail.find_last_of("\r\n", end);
+    const std::string_view line = tail.substr(begin == std::string_view::npos ? 0 : begin + 1);
+    return line.size() >= 73 && line[72] == 'T';
+}
+
+/// The last thing in a text BREP is the reference to its whole shape, as "+1 0". OpenCASCADE runs
+/// forever on some files that are cut before it.
+bool ends_as_brep(const std::string& tail) {
+    const std::size_t star = tail.rfind('*');
+    if (star == std::string::npos) return false;
+    std::istringstream in(tail.substr(star + 1));
+    const auto is_number = [](const std::string& word, std::size_t from) {
+        return word.size() > from && word.find_first_not_of("0123456789", from) == word.npos;
+    };
+    std::string shape, location;
+    in >> shape >> location;
+    return !shape.empty() && std::string_view("+-ie").find(shape.front()) != shape.npos &&
+           is_number(shape, 1) && is_number(location, 0);
+}
+
+bool cut_short(const fs::path& path, ModelFormat format) {
+    switch (format) {
+        case ModelFormat::step:
+            return !contains(last_bytes(path), "END-ISO-10303-21");
+        case ModelFormat::iges:
+            return !ends_as_iges(last_bytes(path));
+        case ModelFormat::brep:
+            return !ends_as_brep(last_bytes(path));
+        default:
+            return false;
+    }
+}
+
+} // namespace
+
+std::string_view name_of(ModelFormat format) {
+    switch (format) {
+        case ModelFormat::step:
+            return "STEP";
+        case ModelFormat::iges:
+            return "IGES";
+        case ModelFormat::brep:
+            return "BREP";
+        case ModelFormat::bezier:
+            return "BPT";
+        case ModelFormat::teapot:
+            break;
+    }
+    return "teapot text";
+}
+
+ModelFormat detect_model_format(const fs::path& path) {
+    require_readable_file(path);
+    const auto format = format_of(first_bytes(path));
+    if (!format)
+        throw Error(path.string(), "",
+                    "not a model file (expected STEP, IGES, BREP, .bpt or teapot text)");
+    if (cut_short(path, *format))
+        throw Error(path.string(), "",
+                    "the " + std::string(name_of(*format)) + " file is cut short: it has no end");
+    return *format;
+}
+
+} // namespace keiko

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "keiko/patch/surface_model.h"
+
+#include <string>
+#include <string_view>
+
+namespace keiko {
+
+/// A model as bytes, the same bytes for the same model: docs/model-serialization.md.
+std::string serialize(const SurfaceModel& model);
+
+/// The model in `bytes`. Throws Error naming `file` when they are damaged, cut short, of another
+/// version, or hold indices, degrees or numbers that no model can have: whatever comes back may
+/// be used without further checks.
+SurfaceModel deserialize(std::string_view bytes, const std::string& file);
+
+} // namespace keiko

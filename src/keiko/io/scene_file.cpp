@@ -1,0 +1,169 @@
+#include "keiko/io/scene_file.h"
+
+#include "keiko/base/input_file.h"
+#include "keiko/base/units.h"
+#include "keiko/io/material_file.h"
+#include "keiko/io/rig_file.h"
+#include "keiko/io/toml_reader.h"
+#include "keiko/spec/suggestion.h"
+#include "keiko/spec/view.h"
+
+#include <algorithm>
+
+namespace keiko {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double largest_size = 65536; ///< pixels, either way
+constexpr double widest_fov = 175;     ///< degrees
+
+/// The file that `key` names, relative to the file of `table`; it must be there.
+std::optional<fs::path> path_from(const TomlTable& table, std::string_view key) {
+    const auto name = table.text(key);
+    if (!name) return {};
+    const fs::path path = (table.source().parent_path() / *name).lexically_normal();
+    try {
+        require_readable_file(path);
+    } catch (const Error& error) {
+        throw table.error(key, error.what());
+    }
+    return path;
+}
+
+Affine transform_from(const TomlTable& table) {
+    Affine transform;
+    if (const auto factor = table.number("scale", TomlLimits::positive()))
+        transform = Affine::scale(*factor);
+    if (const auto turn = table.numbers("rotate", 4)) {
+        const Vec3 axis((*turn)[0], (*turn)[1], (*turn)[2]);
+        if (!(axis.length() > 0)) throw table.error("rotate", "the axis must not be a zero vector");
+        transform = Affine::rotate(axis, degrees_to_radians((*turn)[3])) * transform;
+    }
+    if (const auto offset = table.vector("translate"))
+        transform = Affine::translate(*offset) * transform;
+    table.finish();
+    return transform;
+}
+
+Material material_of(const TomlTable& model, const std::vector<Material>& known) {
+    if (model.kind("material") == "table") return material_from(*model.table("material"));
+    const auto name = model.text("material");
+    if (!name) return known.front();
+    try {
+        return find_material(*name, known);
+    } catch (const Error& error) {
+        throw model.error("material", error.reason());
+    }
+}
+
+ModelSpec model_from(const TomlTable& table, const std::vector<Material>& materials) {
+    ModelSpec model;
+    model.file = table.required("file", path_from(table, "file"));
+    if (const auto transform = table.table("transform"))
+        model.transform = transform_from(*transform);
+    model.material = material_of(table, materials);
+    table.not_yet({"override", "unit", "axes"});
+    table.finish();
+    return model;
+}
+
+struct PictureSize {
+    int width, height;
+};
+std::optional<PictureSize> size_from(const TomlTable& table) {
+    const auto size = table.numbers("size", 2, {.low = 1, .high = largest_size});
+    if (!size) return {};
+    for (const double edge : *size)
+        if (edge != static_cast<int>(edge)) throw table.error("size", "must be whole numbers");
+    return PictureSize{static_cast<int>((*size)[0]), static_cast<int>((*size)[1])};
+}
+
+void require_direction(const TomlTable& table, const Camera& camera) {
+    const Vec3 view = camera.target - camera.eye;
+    if (!(view.length() > 0)) throw table.error("target", "must differ from eye");
+    if (!(camera.up.length() > 0)) throw table.error("up", "must not be a zero vector");
+    if (!(view.cross(camera.up).length() > 1e-6 * view.length() * camera.up.length()))
+        throw table.error("up", "must not be along the view direction");
+}
+
+Camera camera_from(const TomlTable& table) {
+    Camera camera;
+    if (table.choice("projection", {"perspective", "orthographic"}).value_or(0) == 1)
+        camera.projection = Projection::orthographic;
+    camera.eye = table.required("eye", table.vector("eye"));
+    camera.target = table.required("target", table.vector("target"));
+    camera.up = table.vector("up").value_or(camera.up);
+    require_direction(table, camera);
+
+    const auto fov =
+        table.number("vertical_fov", {.low = 0, .high = widest_fov, .above_low = true});
+    const auto height = table.number("orthographic_height", TomlLimits::positive());
+    if (camera.projection == Projection::orthographic) {
+        if (fov) throw table.error("vertical_fov", "belongs to perspective cameras");
+        camera.orthographic_height = table.required("orthographic_height", height);
+    } else {
+        if (height) throw table.error("orthographic_height", "belongs to orthographic cameras");
+        camera.vertical_fov = fov.value_or(camera.vertical_fov);
+    }
+    if (const auto size = size_from(table))
+        camera.width = size->width, camera.height = size->height;
+    table.finish();
+    return camera;
+}
+
+std::optional<LightRig> rig_of(const TomlTable& root) {
+    const LightRig inline_rig = rig_from(root);
+    const bool lit = !inline_rig.sources.empty() || inline_rig.ambient != Rgb(0) ||
+                     inline_rig.medium.has_value();
+    const auto table = root.table("rig");
+    if (!table) return lit ? std::optional(inline_rig) : std::nullopt;
+    if (lit) throw root.error("rig", "give either [rig] or lights in the scene, not both");
+    const fs::path path = table->required("file", path_from(*table, "file"));
+    table->finish();
+    return read_rig(path);
+}
+
+/// Picture size, and the camera or the named view.
+void take_eye(const TomlTable& root, SceneSpec& scene) {
+    if (const auto size = size_from(root)) scene.width = size->width, scene.height = size->height;
+    scene.view = root.text("view");
+    const auto& names = view_names();
+    if (scene.view && std::find(names.begin(), names.end(), *scene.view) == names.end())
+        throw root.error("view", "unknown view '" + *scene.view + "'" +
+                                     did_you_mean(*scene.view, names) + "; views are " +
+                                     comma_list(names));
+    const auto camera = root.table("camera");
+    if (!camera) return;
+    if (scene.view) throw root.error("view", "give either view or [camera], not both");
+    if (root.has("size")) throw root.error("size", "stands in [camera] where there is one");
+    scene.camera = camera_from(*camera);
+    scene.width = scene.camera->width;
+    scene.height = scene.camera->height;
+}
+
+} // namespace
+
+SceneSpec parse_scene(std::string_view text, const std::string& source) {
+    const TomlTable root = TomlTable::parse(text, source);
+    root.require_format("keiko-scene/1");
+    SceneSpec scene;
+    const auto own_materials = path_from(root, "materials");
+    const std::vector<Material> materials =
+        own_materials ? read_materials(*own_materials) : standard_materials();
+    for (const TomlTable& table : root.tables("model"))
+        scene.models.push_back(model_from(table, materials));
+    take_eye(root, scene);
+    scene.rig = rig_of(root);
+    scene.background =
+        root.rgb("background", TomlLimits::not_negative()).value_or(scene.background);
+    root.not_yet({"ground", "animation", "primitive", "max_depth", "min_weight"});
+    root.finish();
+    if (scene.models.empty()) throw root.error("", "the scene has no [[model]]");
+    return scene;
+}
+
+SceneSpec read_scene(const fs::path& path) {
+    return parse_scene(read_file(path), path.string());
+}
+
+} // namespace keiko

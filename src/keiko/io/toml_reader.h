@@ -1,0 +1,102 @@
+#pragma once
+
+#include "keiko/base/error.h"
+#include "keiko/math/rgb.h"
+#include "keiko/math/vec.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keiko {
+
+/// What a number of a file may be.
+struct TomlLimits {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool above_low = false; ///< low itself is not allowed
+
+    static constexpr TomlLimits positive() { return {.low = 0, .above_low = true}; }
+    static constexpr TomlLimits not_negative() { return {.low = 0}; }
+    static constexpr TomlLimits share() { return {.low = 0, .high = 1}; }
+};
+
+/// A table of a TOML file, asked key by key. Every getter gives nothing for a key that is absent
+/// and throws Error with file, line and column for a value that is not what was asked for: of
+/// another type, not finite, out of limits. finish() then rejects the keys nobody asked for.
+class TomlTable {
+public:
+    /// The root table of a text; `source` is the file name for messages.
+    static TomlTable parse(std::string_view text, const std::string& source);
+    /// The root table of a file.
+    static TomlTable read(const std::filesystem::path& path);
+
+    bool has(std::string_view key) const;
+    std::optional<double> number(std::string_view key, const TomlLimits& limits = {}) const;
+    std::optional<int> integer(std::string_view key, int low, int high) const;
+    std::optional<std::string> text(std::string_view key) const;
+    /// As text, but one of `choices`; the position in it.
+    std::optional<std::size_t> choice(std::string_view key,
+                                      std::initializer_list<std::string_view> choices) const;
+    /// An array of `count` numbers.
+    std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count,
+                                               const TomlLimits& limits = {}) const;
+    std::optional<Vec3> vector(std::string_view key) const;
+    /// One number, for grey, or three.
+    std::optional<Rgb> rgb(std::string_view key, const TomlLimits& limits) const;
+    std::optional<TomlTable> table(std::string_view key) const;
+    /// An array of tables; empty when absent.
+    std::vector<TomlTable> tables(std::string_view key) const;
+    /// Whether the key holds a text, a table, ... : "text", "table", "number", "array", "other",
+    /// or "" when absent.
+    std::string_view kind(std::string_view key) const;
+
+    /// The value, or an Error at this table saying that `key` is missing.
+    template <class T>
+    T required(std::string_view key, const std::optional<T>& value) const {
+        if (!value) throw missing(key);
+        return *value;
+    }
+    /// Throws Error unless `format = "expected"` stands in this table.
+    void require_format(std::string_view expected) const;
+    /// Throws Error 'not supported yet' where one of the keys is present.
+    void not_yet(std::initializer_list<std::string_view> keys) const;
+    /// Throws Error at the first key that no getter asked for, suggesting one that was.
+    void finish() const;
+
+    /// An Error at the value of `key`, or at the table itself where the key is absent or "".
+    Error error(std::string_view key, const std::string& reason) const;
+    /// Line of the file at which this table begins; orders tables of different names.
+    std::uint32_t line() const;
+    /// The file this table was read from.
+    const std::filesystem::path& source() const;
+
+private:
+    struct Value;
+    struct Entry;
+    struct Document;
+    TomlTable(std::shared_ptr<const Document> document, const Value& value, std::string name);
+
+    const Entry* find(std::string_view key) const;
+    std::string path_of(std::string_view key) const;
+    Error missing(std::string_view key) const;
+    Error mismatch(std::string_view key, const std::string& wanted) const;
+    double checked(std::string_view key, const Value& value, const TomlLimits& limits) const;
+
+    std::shared_ptr<const Document> document_; ///< keeps value_ alive
+    const Value* value_;
+    std::string name_;                       ///< "c_plane[2]"; empty for the root
+    mutable std::vector<std::string> asked_; ///< the keys this table may hold
+};
+
+/// The shortest decimal that reads back as the same double, in TOML's syntax. Requires a finite
+/// number.
+std::string toml_number(double value);
+
+} // namespace keiko

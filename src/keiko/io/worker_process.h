@@ -1,0 +1,30 @@
+#pragma once
+
+#include "keiko/base/job.h"
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keiko {
+
+/// How a worker executable ended.
+struct WorkerExit {
+    bool timed_out = false;
+    int signal = 0;             ///< it died of, 0: none
+    int code = 0;               ///< its exit code when it did not die of a signal
+    std::string last_complaint; ///< last line it wrote to stderr
+};
+
+/// Runs `program` with `arguments`, without a shell and without forking this process's threads,
+/// and hands whatever it writes to file descriptor 3 to `receive`. Its stdout goes nowhere. It is
+/// killed, with its children, after `timeout` and when `job` is stopped (then Cancelled is
+/// thrown). Throws Error when it cannot be started.
+WorkerExit run_worker(const std::filesystem::path& program,
+                      const std::vector<std::string>& arguments, std::chrono::milliseconds timeout,
+                      const std::function<void(std::string_view)>& receive, const Job& job);
+
+} // namespace keiko

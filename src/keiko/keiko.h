@@ -1,0 +1,81 @@
+#pragma once
+
+#include "keiko/film/image_file.h"
+#include "keiko/inspect/inspection.h"
+#include "keiko/io/load_model.h"
+#include "keiko/io/material_file.h"
+#include "keiko/io/rig_file.h"
+#include "keiko/placement/best_view.h"
+#include "keiko/placement/place_lamps.h"
+#include "keiko/render/picture.h"
+#include "keiko/report/report.h"
+#include "keiko/spec/criteria_preset.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The facade: what Keiko does, as free functions from value to value. Front ends use nothing else.
+namespace keiko {
+
+/// "0.1.0"
+std::string version();
+
+struct SceneOptions {
+    LoadOptions load;
+    std::string material = "black-show-car"; ///< of models that no scene file paints
+};
+
+/// A body ready to be looked at.
+struct Scene {
+    SurfaceModel model;
+    std::vector<Material> materials; ///< one an instance of the model
+    Tracer tracer;
+    std::optional<Camera> camera;    ///< as the scene file has it
+    std::optional<std::string> view; ///< a named view of the scene file
+    std::optional<LightRig> rig;
+    Rgb background{0};
+    int width = 960, height = 540;
+};
+
+/// Opens models, which together form one body, or one scene file (.toml). Throws Error for input
+/// that cannot be read.
+Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options = {},
+                 const Job& job = {});
+
+/// A picture to be made: the views asked for by name, "auto" being the one that shows the body
+/// best and "scene" the scene file's own. No names: the scene's own, or else `automatic` views
+/// from different sides, the best first. Throws Error for an unknown name.
+std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::string> names,
+                                    int automatic, const Job& job = {});
+
+/// Renders one picture of the scene under a rig.
+Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
+                 const PictureOptions& options = {}, const Job& job = {});
+
+struct InspectOptions {
+    std::vector<std::string> views;             ///< names; empty: three automatic ones
+    std::optional<std::filesystem::path> rig;   ///< none: the scene's own, or else placed
+    CriteriaPreset preset;
+    double join = 0.5; ///< mm
+    PlacementOptions placement;
+    PictureOptions picture;
+};
+
+/// What an inspection made: to be written, or looked at.
+struct InspectResult {
+    Report report;
+    LightRig rig;
+    std::vector<std::pair<std::string, Film>> films; ///< by view name
+};
+
+/// The main job: place the lamps, render the views, measure the seams, and tell of them.
+InspectResult inspect_scene(const Scene& scene, const InspectOptions& options = {},
+                            const Job& job = {});
+
+/// Writes report.html, report.json, the pictures (PNG and EXR) and rig.toml into a folder.
+void write_result(const std::filesystem::path& folder, const InspectResult& result);
+
+} // namespace keiko

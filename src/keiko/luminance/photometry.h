@@ -1,0 +1,46 @@
+#pragma once
+
+#include "keiko/math/rgb.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace keiko {
+
+/// Geometry is in mm, photometry in SI. Area lamps are scale free; point sources (I / r^2) and
+/// media (extinction in 1/m) are not, and convert here and nowhere else.
+constexpr double metres(double millimetres) {
+    return millimetres / 1000;
+}
+
+/// Illuminance in lx at `distance` mm from a point source of `intensity` cd, on a surface whose
+/// normal makes the angle with `cosine` to the direction of the light; 0 from behind (cosine not
+/// positive) and at distance 0, where it has no value.
+inline Rgb inverse_square_illuminance(const Rgb& intensity, double distance, double cosine) {
+    if (!(cosine > 0) || !(distance > 0)) return {};
+    return intensity * (cosine / (metres(distance) * metres(distance)));
+}
+
+/// Share of light, 0 to 1, that passes `length` mm of a medium with `extinction` in 1/m, and the
+/// rest, which does not; the length may be infinite.
+inline double passed_share(double extinction, double length) {
+    return extinction > 0 ? std::exp(-extinction * metres(length)) : 1;
+}
+inline double lost_share(double extinction, double length) {
+    return extinction > 0 ? -std::expm1(-extinction * metres(length)) : 0;
+}
+
+/// Luminance in cd/m2 that a matt surface with `reflectance` 0 to 1 shows under `illuminance` lx.
+inline Rgb lambert_luminance(const Rgb& reflectance, const Rgb& illuminance) {
+    return reflectance * illuminance / std::numbers::pi;
+}
+
+/// Surface luminance in cd/m2 of a matt tube that emits `flux` lm, from its `diameter` and
+/// `length` in mm, both positive; its end caps are dark unless `luminous_caps`.
+inline double tube_luminance(double flux, double diameter, double length,
+                             bool luminous_caps = false) {
+    const double d = metres(diameter), caps = luminous_caps ? d * d / 2 : 0;
+    return flux / (std::numbers::pi * std::numbers::pi * (d * metres(length) + caps));
+}
+
+} // namespace keiko

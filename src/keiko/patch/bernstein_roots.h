@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// Every root in the open interval (0, 1) of a polynomial given by its Bernstein coefficients,
+/// rising. Coefficients up to `noise` in size count as zero. Subdivision by sign variation
+/// (Lane & Riesenfeld 1981): no root is missed; a multiple root is given once, and an interval
+/// on which the polynomial is zero throughout has none.
+std::vector<double> bernstein_roots(std::span<const double> coefficients, double noise);
+
+} // namespace keiko

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "keiko/math/bounds.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace keiko {
+
+/// A binary tree over boxes that answers which of them meet a given one.
+class BoxTree {
+public:
+    explicit BoxTree(std::vector<Box3> boxes);
+
+    /// Indices of the boxes that overlap `box`, ascending.
+    std::vector<std::uint32_t> overlapping(const Box3& box) const;
+
+private:
+    struct Node {
+        Box3 box;
+        std::uint32_t first = 0, count = 0; ///< of order_; an inner node where right is not 0
+        std::uint32_t right = 0;            ///< the left child follows its parent
+    };
+    std::uint32_t build(std::uint32_t first, std::uint32_t count);
+
+    std::vector<Box3> boxes_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Node> nodes_;
+};
+
+} // namespace keiko

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "keiko/patch/bezier_curve.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace keiko {
+
+/// A stretch of a plane Bezier curve along which x and y each only rise or only fall. Its box is
+/// the box of its two ends, and so for each of its own stretches.
+class MonotonePiece {
+public:
+    /// Homogeneous control points over [begin, end] of the curve `curve`.
+    MonotonePiece(std::vector<Vec3> points, std::uint32_t curve, double begin, double end);
+
+    const Vec2& first() const { return first_; }
+    const Vec2& last() const { return last_; }
+    const Box2& box() const { return box_; }
+    /// Index the piece was made with, e.g. into SurfaceModel::trim_curves.
+    std::uint32_t curve() const { return curve_; }
+    /// Parameter of the whole curve at this piece's parameter t in [0, 1].
+    double curve_parameter(double t) const { return begin_ + t * (end_ - begin_); }
+
+    Vec2 point(double t) const;
+    /// Whether the ray from `p` towards +x crosses the piece. An end at exactly p.y belongs to
+    /// the side above, so that a closed chain is crossed an even or odd number of times whatever
+    /// p is.
+    bool crossed_from(const Vec2& p) const;
+    /// Whether any point of the piece lies in the box.
+    bool touches(const Box2& box) const;
+
+private:
+    /// A stretch [a, b] (in either order) with its ends' points.
+    struct Bracket {
+        double a, b;
+        Vec2 at_a, at_b;
+    };
+    /// Closes in on y(t) = y, which must lie between the ends, until t is known to rounding or
+    /// the bracket shows which side of the piece (x, y) is on.
+    Bracket bracket(double y, double x) const;
+
+    std::vector<Vec3> points_;
+    Vec2 first_, last_;
+    Box2 box_;
+    std::uint32_t curve_;
+    double begin_, end_;
+};
+
+/// The curve cut at every extremum of x and y. Neighbours share their end point bit for bit.
+std::vector<MonotonePiece> monotone_pieces(const BezierCurveView& curve, std::uint32_t index);
+
+} // namespace keiko

@@ -1,0 +1,75 @@
+#include "keiko/patch/patch_grid.h"
+
+#include <algorithm>
+
+namespace keiko {
+namespace {
+
+/// Knots nearer than this share of the domain are one knot: a p-curve along a knot line is only
+/// as straight as the file's digits.
+constexpr double relative_knot_tolerance = 1e-9;
+
+std::vector<double> distinct(std::vector<double> breaks) {
+    std::sort(breaks.begin(), breaks.end());
+    const double same = (breaks.back() - breaks.front()) * relative_knot_tolerance;
+    const auto last = std::unique(breaks.begin(), breaks.end(),
+                                  [&](double a, double b) { return b - a <= same; });
+    breaks.erase(last, breaks.end());
+    if (breaks.size() < 2) breaks.push_back(breaks.front());
+    return breaks;
+}
+
+std::size_t cell_of(const std::vector<double>& breaks, double x, double toward) {
+    const double near = (breaks.back() - breaks.front()) * relative_knot_tolerance;
+    const double probe = x + (toward < 0 ? -near : near);
+    const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, probe);
+    return static_cast<std::size_t>(above - breaks.begin()) - 1;
+}
+
+} // namespace
+
+PatchGrid::PatchGrid(const SurfaceModel& model, const Face& face) : first_patch_(face.first_patch) {
+    std::vector<double> u, v;
+    for (const Patch& p : model.patches_of(face)) {
+        u.insert(u.end(), {p.map_u.begin, p.map_u.end});
+        v.insert(v.end(), {p.map_v.begin, p.map_v.end});
+    }
+    if (u.empty()) return;
+    breaks_u_ = distinct(std::move(u));
+    breaks_v_ = distinct(std::move(v));
+    const std::size_t rows = breaks_v_.size() - 1;
+    patches_.assign((breaks_u_.size() - 1) * rows, face.first_patch);
+    for (std::uint32_t k = 0; k < face.patch_count; ++k) {
+        const Patch& p = model.patches[face.first_patch + k];
+        const std::size_t i = cell_of(breaks_u_, (p.map_u.begin + p.map_u.end) / 2, 0);
+        const std::size_t j = cell_of(breaks_v_, (p.map_v.begin + p.map_v.end) / 2, 0);
+        patches_[i * rows + j] = face.first_patch + k;
+        const double size = hull_bounds(model.patch(face.first_patch + k)).size();
+        square_sizes_.push_back(size * size);
+    }
+}
+
+std::uint32_t PatchGrid::locate(const Vec2& point, const Vec2& toward) const {
+    const std::size_t i = cell_of(breaks_u_, point.x, toward.x);
+    const std::size_t j = cell_of(breaks_v_, point.y, toward.y);
+    return patches_[i * (breaks_v_.size() - 1) + j];
+}
+
+Box2 PatchGrid::domain() const {
+    Box2 box;
+    if (patches_.empty()) return box;
+    box.extend(Vec2(breaks_u_.front(), breaks_v_.front()));
+    box.extend(Vec2(breaks_u_.back(), breaks_v_.back()));
+    return box;
+}
+
+int PatchGrid::lines_through(const Box2& box) const {
+    const auto inside = [](const std::vector<double>& breaks, double low, double high) {
+        return std::count_if(breaks.begin(), breaks.end(),
+                             [&](double x) { return low < x && x < high; });
+    };
+    return static_cast<int>(inside(breaks_u_, box.lower.x, box.upper.x) +
+                            inside(breaks_v_, box.lower.y, box.upper.y));
+}
+
+} // namespace keiko

@@ -1,0 +1,243 @@
+#include "keiko/patch/seam.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/math/interval_set.h"
+#include "keiko/patch/boundary_curves.h"
+#include "keiko/patch/box_tree.h"
+#include "keiko/patch/seam_stretch.h"
+
+#include <algorithm>
+
+namespace keiko {
+namespace {
+
+/// mm: a curve shorter than this is a point in space, such as a pole.
+constexpr double point_length = 1e-6;
+
+/// A stretch and the two borders that it joins; border a is the earlier.
+struct Candidate {
+    std::uint32_t a = 0, b = 0;
+    Stretch stretch;
+};
+
+/// What another candidate offers along a stretch of one border.
+struct Offer {
+    const Candidate* candidate;
+    bool as_a;
+
+    double parameter(const FacingPoints& p) const { return as_a ? p.t : p.s; }
+};
+
+/// A far side of a sliver faces the neighbour across the sliver's own material.
+double cost(const FacingPoints& p) {
+    constexpr double overlap_penalty = 4;
+    return p.overlap ? overlap_penalty * p.distance : p.distance;
+}
+
+/// Cost of an offer at a parameter of its border, or infinity where it does not reach.
+double cost_at(const Offer& offer, double x) {
+    const auto& points = offer.candidate->stretch.points;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const double x0 = offer.parameter(points[i]), x1 = offer.parameter(points[i + 1]);
+        if (!(std::min(x0, x1) <= x && x <= std::max(x0, x1))) continue;
+        const double share = x1 != x0 ? (x - x0) / (x1 - x0) : 0;
+        return cost(points[i]) + share * (cost(points[i + 1]) - cost(points[i]));
+    }
+    return Box3::infinity;
+}
+
+class SeamPairing {
+public:
+    SeamPairing(const SurfaceModel& model, double join, const Job& job)
+        : model_(model), join_(join), job_(job), curves_(model), intervals_(curves_.all()) {}
+
+    std::vector<Seam> run() {
+        make_borders();
+        find_candidates();
+        list_offers();
+        return choose();
+    }
+
+private:
+    void make_borders();
+    void find_candidates();
+    /// Pairs of borders of which `wanted` says so, within `join`.
+    template <class Wanted>
+    std::vector<Candidate> candidates(const BoxTree& tree, double join, const Wanted& wanted) const;
+    std::vector<bool> covered_borders(const std::vector<Candidate>& candidates) const;
+    void list_offers();
+    std::vector<Seam> choose() const;
+    std::vector<Stretch> undominated(const Candidate& candidate) const;
+    bool dominated(const Candidate& candidate, const FacingPoints& p) const;
+    bool on_one_face(const Candidate& candidate) const {
+        const BoundaryInterval &a = intervals_[candidate.a], &b = intervals_[candidate.b];
+        return a.instance == b.instance && a.face == b.face;
+    }
+    bool long_enough(const Candidate& candidate, const Stretch& stretch) const;
+    Seam seam(const Candidate& candidate, const Stretch& stretch) const;
+
+    const SurfaceModel& model_;
+    double join_;
+    const Job& job_;
+    BoundaryCurves curves_;
+    std::vector<BoundaryInterval> intervals_;
+    std::vector<Border> borders_;
+    std::vector<Candidate> candidates_;
+    std::vector<std::vector<Offer>> offers_; ///< a border
+};
+
+constexpr std::size_t borders_per_task = 16;
+
+std::size_t task_count(std::size_t borders) {
+    return (borders + borders_per_task - 1) / borders_per_task;
+}
+
+void SeamPairing::make_borders() {
+    for (const BoundaryInterval& i : intervals_) borders_.push_back({curves_.curve(i), {}});
+    parallel_for(task_count(borders_.size()), job_, "borders", [&](std::size_t task) {
+        const std::size_t end = std::min(borders_.size(), (task + 1) * borders_per_task);
+        for (std::size_t i = task * borders_per_task; i < end; ++i)
+            borders_[i].polyline = make_polyline(borders_[i].curve, join_ / 10);
+    });
+}
+
+template <class Wanted>
+std::vector<Candidate> SeamPairing::candidates(const BoxTree& tree, double join,
+                                               const Wanted& wanted) const {
+    std::vector<std::vector<Candidate>> found(task_count(borders_.size()));
+    const auto search = [&](std::uint32_t a, std::vector<Candidate>& into) {
+        const CurvePolyline& polyline = borders_[a].polyline;
+        if (polyline.length <= point_length) return;
+        for (const std::uint32_t b : tree.overlapping(polyline.box().padded(join))) {
+            if (b <= a || borders_[b].polyline.length <= point_length || !wanted(a, b)) continue;
+            for (Stretch& stretch : stretches_alongside(borders_[a], borders_[b], join))
+                into.push_back({a, b, std::move(stretch)});
+        }
+    };
+    parallel_for(found.size(), job_, "seams", [&](std::size_t task) {
+        const std::size_t end = std::min(borders_.size(), (task + 1) * borders_per_task);
+        for (std::size_t a = task * borders_per_task; a < end; ++a)
+            search(static_cast<std::uint32_t>(a), found[task]);
+    });
+    std::vector<Candidate> all;
+    for (auto& part : found) std::move(part.begin(), part.end(), std::back_inserter(all));
+    return all;
+}
+
+/// Borders with partners all along.
+std::vector<bool> SeamPairing::covered_borders(const std::vector<Candidate>& candidates) const {
+    std::vector<std::vector<ParameterInterval>> parts(borders_.size());
+    for (const Candidate& c : candidates) {
+        const FacingPoints &first = c.stretch.points.front(), &last = c.stretch.points.back();
+        parts[c.a].push_back({first.t, last.t});
+        parts[c.b].push_back({std::min(first.s, last.s), std::max(first.s, last.s)});
+    }
+    constexpr double almost_all = 0.99;
+    std::vector<bool> covered;
+    for (auto& intervals : parts)
+        covered.push_back(IntervalSet(std::move(intervals)).measure() >= almost_all);
+    return covered;
+}
+
+/// Looks close by first, where a sewn model finds everything, and only for borders that are
+/// still open as far as the join distance.
+void SeamPairing::find_candidates() {
+    std::vector<Box3> boxes;
+    for (const Border& border : borders_) boxes.push_back(border.polyline.box());
+    const BoxTree tree(std::move(boxes));
+    constexpr double close_by = 0.02;
+    candidates_ =
+        candidates(tree, close_by * join_, [](std::uint32_t, std::uint32_t) { return true; });
+    const std::vector<bool> covered = covered_borders(candidates_);
+    const auto open = [&](std::uint32_t a, std::uint32_t b) { return !covered[a] || !covered[b]; };
+    std::erase_if(candidates_, [&](const Candidate& c) { return open(c.a, c.b); });
+    std::vector<Candidate> wide = candidates(tree, join_, open);
+    std::move(wide.begin(), wide.end(), std::back_inserter(candidates_));
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& x, const Candidate& y) {
+                         return std::pair(x.a, x.b) < std::pair(y.a, y.b);
+                     });
+}
+
+void SeamPairing::list_offers() {
+    offers_.resize(borders_.size());
+    for (const Candidate& candidate : candidates_) {
+        offers_[candidate.a].push_back({&candidate, true});
+        offers_[candidate.b].push_back({&candidate, false});
+    }
+}
+
+/// Whether both borders have a clearly nearer partner here.
+bool SeamPairing::dominated(const Candidate& candidate, const FacingPoints& p) const {
+    const double slack = indistinct_share * join_;
+    if (p.distance <= slack) return false;
+    if (on_one_face(candidate) && p.overlap) return true; // a narrow face, not a closed one
+
+    const auto best = [&](const std::vector<Offer>& offers, double x) {
+        double least = Box3::infinity;
+        for (const Offer& offer : offers)
+            if (offer.candidate != &candidate) least = std::min(least, cost_at(offer, x));
+        return least;
+    };
+    const double bar = 0.5 * cost(p);
+    return best(offers_[candidate.a], p.t) < bar && best(offers_[candidate.b], p.s) < bar;
+}
+
+std::vector<Stretch> SeamPairing::undominated(const Candidate& candidate) const {
+    std::vector<Stretch> kept;
+    Stretch current;
+    const auto close = [&] {
+        if (current.points.size() > 1) kept.push_back(std::move(current));
+        current = {};
+    };
+    for (const FacingPoints& p : candidate.stretch.points)
+        dominated(candidate, p) ? close() : current.points.push_back(p);
+    close();
+    return kept;
+}
+
+/// A seam runs along further than it is wide; a scrap of one must fill the shorter border
+/// of two faces.
+bool SeamPairing::long_enough(const Candidate& candidate, const Stretch& stretch) const {
+    constexpr double slenderness = 4, scrap = 1, filled = 0.9;
+    double length = 0, widest = 0;
+    for (std::size_t i = 0; i < stretch.points.size(); ++i) {
+        widest = std::max(widest, stretch.points[i].distance);
+        if (i == 0) continue;
+        length += (borders_[candidate.a].curve.at(stretch.points[i].t).position -
+                   borders_[candidate.a].curve.at(stretch.points[i - 1].t).position)
+                      .length();
+    }
+    const double shorter =
+        std::min(borders_[candidate.a].polyline.length, borders_[candidate.b].polyline.length);
+    const bool fills = !on_one_face(candidate) && length >= filled * shorter;
+    return length >= slenderness * widest && (length >= scrap * join_ || fills);
+}
+
+Seam SeamPairing::seam(const Candidate& candidate, const Stretch& stretch) const {
+    const FacingPoints &first = stretch.points.front(), &last = stretch.points.back();
+    Seam result{intervals_[candidate.a], intervals_[candidate.b], std::nullopt};
+    result.a.begin = first.t, result.a.end = last.t;
+    result.b.begin = first.s, result.b.end = last.s;
+    if (result.a.curve < natural_side && result.b.curve < natural_side) {
+        const std::uint32_t edge = model_.trim_curves[result.a.curve].edge;
+        if (edge != no_index && edge == model_.trim_curves[result.b.curve].edge) result.edge = edge;
+    }
+    return result;
+}
+
+std::vector<Seam> SeamPairing::choose() const {
+    std::vector<Seam> seams;
+    for (const Candidate& candidate : candidates_)
+        for (const Stretch& stretch : undominated(candidate))
+            if (long_enough(candidate, stretch)) seams.push_back(seam(candidate, stretch));
+    return seams;
+}
+
+} // namespace
+
+std::vector<Seam> pair_seams(const SurfaceModel& model, double join, const Job& job) {
+    return SeamPairing(model, join, job).run();
+}
+
+} // namespace keiko

@@ -1,0 +1,207 @@
+#include "keiko/patch/seam_stretch.h"
+
+#include "keiko/base/units.h"
+#include "keiko/math/interval_set.h"
+#include "keiko/patch/closest_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace keiko {
+namespace {
+
+/// mm: an end this near to another is the same end; CAD systems themselves join at 1e-7 to 1e-5.
+constexpr double snap = 1e-6;
+/// Borders that diverge faster than this cross or touch; they do not form a seam.
+constexpr double parallel = degrees_to_radians(10);
+const double sin_parallel = std::sin(parallel);
+
+/// One look from a point of `a` at `b`.
+struct Look {
+    double t = 0, s = 0;
+    double distance = 0;
+    bool facing = false;  ///< a square foot within the join distance, nearly parallel
+    bool forward = false; ///< b runs the way a runs
+    bool end_of_b = false;
+};
+
+/// An end of the curve instead of a parameter that is as good as there.
+double snapped(const ClosestPoint& foot) {
+    const double speed = foot.point.first.length();
+    if (foot.t * speed <= snap) return 0;
+    if ((1 - foot.t) * speed <= snap) return 1;
+    return foot.t;
+}
+
+bool nearly_parallel(const Vec3& a, const Vec3& b, double sine) {
+    const Vec3 c = a.cross(b);
+    return c.dot(c) <= sine * sine * a.dot(a) * b.dot(b);
+}
+
+class Alongside {
+public:
+    Alongside(const Border& a, const Border& b, double join) : a_(a), b_(b), join_(join) {}
+
+    std::vector<Stretch> stretches() const {
+        std::vector<Stretch> found;
+        for (const ParameterInterval& range : close_ranges()) collect(looks_in(range), found);
+        for (Stretch& stretch : found) mark_overlaps(stretch);
+        return found;
+    }
+
+private:
+    IntervalSet close_ranges() const;
+    std::vector<Look> looks_in(const ParameterInterval& range) const;
+    void collect(const std::vector<Look>& looks, std::vector<Stretch>& found) const;
+    void mark_overlaps(Stretch& stretch) const;
+
+    Look look(double t, double guess) const;
+    std::optional<Look> look_at_end_of_b(double s) const;
+    Look last_facing(Look facing, Look lost) const;
+
+    const Border &a_, &b_;
+    double join_;
+};
+
+/// Runs of segments of a that come near any segment of b, as parameters of a.
+IntervalSet Alongside::close_ranges() const {
+    const CurvePolyline &a = a_.polyline, &b = b_.polyline;
+    const double reach = join_ + a.deviation + b.deviation;
+    const Box3 box = b.box().padded(join_ + a.deviation);
+    // Twice the turns, as they are estimates.
+    const double between = std::min(parallel + 2 * (a.turn + b.turn), std::numbers::pi / 2);
+    const double sin_between = std::sin(between);
+    std::vector<ParameterInterval> close;
+    for (std::size_t i = 0; i + 1 < a.points.size(); ++i) {
+        Box3 segment;
+        segment.extend(a.points[i]);
+        segment.extend(a.points[i + 1]);
+        if (!segment.overlaps(box)) continue;
+        segment = segment.padded(reach);
+        const Vec3 along = a.points[i + 1] - a.points[i];
+        for (std::size_t j = 0; j + 1 < b.points.size(); ++j) {
+            Box3 other;
+            other.extend(b.points[j]);
+            other.extend(b.points[j + 1]);
+            const Vec3 other_along = b.points[j + 1] - b.points[j];
+            if (!segment.overlaps(other) || !nearly_parallel(along, other_along, sin_between))
+                continue;
+            if (segment_distance(a.points[i], a.points[i + 1], b.points[j], b.points[j + 1]) >
+                reach)
+                continue;
+            close.push_back({a.t[i], a.t[i + 1]});
+            break;
+        }
+    }
+    return IntervalSet(std::move(close));
+}
+
+Look Alongside::look(double t, double guess) const {
+    const SurfaceCurve::Point from = a_.curve.at(t);
+    const ClosestPoint foot = closest_point(b_.curve, from.position, guess);
+    return {.t = t,
+            .s = snapped(foot),
+            .distance = foot.distance,
+            .facing = foot.distance <= join_ && foot.slip <= snap &&
+                      nearly_parallel(from.first, foot.point.first, sin_parallel),
+            .forward = from.first.dot(foot.point.first) > 0};
+}
+
+/// The point of a that faces an end of b, where a has not ended before.
+std::optional<Look> Alongside::look_at_end_of_b(double s) const {
+    const SurfaceCurve::Point from = b_.curve.at(s);
+    const ClosestPoint foot =
+        closest_point(a_.curve, from.position, a_.polyline.nearest(from.position));
+    const bool facing = foot.distance <= join_ && foot.slip <= snap &&
+                        nearly_parallel(from.first, foot.point.first, sin_parallel);
+    if (!facing) return std::nullopt;
+    return Look{.t = snapped(foot),
+                .s = s,
+                .distance = foot.distance,
+                .facing = true,
+                .forward = from.first.dot(foot.point.first) > 0,
+                .end_of_b = true};
+}
+
+std::vector<Look> Alongside::looks_in(const ParameterInterval& range) const {
+    std::vector<Look> looks;
+    for (const double s : {0.0, 1.0})
+        if (const auto end = look_at_end_of_b(s))
+            if (range.begin <= end->t && end->t <= range.end) looks.push_back(*end);
+    const std::size_t ends = looks.size();
+    for (std::size_t i = 0; i < a_.polyline.t.size(); ++i) {
+        const double t = a_.polyline.t[i];
+        if (t < range.begin || t > range.end) continue;
+        const auto at_end = [&](const Look& end) {
+            const double speed = a_.polyline.length;
+            return std::abs(end.t - t) * speed <= snap;
+        };
+        if (std::any_of(looks.begin(), looks.begin() + static_cast<std::ptrdiff_t>(ends), at_end))
+            continue;
+        looks.push_back(look(t, b_.polyline.nearest(a_.polyline.points[i])));
+    }
+    // Both ends of a closed b face one point of a: the one that belongs to the part before first.
+    std::sort(looks.begin(), looks.end(), [](const Look& x, const Look& y) {
+        if (x.t != y.t) return x.t < y.t;
+        return x.forward ? x.s > y.s : x.s < y.s;
+    });
+    return looks;
+}
+
+/// Bisects between a point that faces b and one that does not.
+Look Alongside::last_facing(Look facing, Look lost) const {
+    constexpr int halvings = 40;
+    for (int i = 0; i < halvings; ++i) {
+        const double t = (facing.t + lost.t) / 2;
+        if (t == facing.t || t == lost.t) break;
+        const Look middle = look(t, facing.s);
+        const bool same_branch = middle.facing && middle.forward == facing.forward;
+        (same_branch ? facing : lost) = middle;
+    }
+    return facing;
+}
+
+void Alongside::collect(const std::vector<Look>& looks, std::vector<Stretch>& found) const {
+    Stretch current;
+    const auto add = [&](const Look& x) {
+        if (!current.points.empty() && !(x.t > current.points.back().t)) return;
+        current.points.push_back({x.t, x.s, x.distance, false});
+    };
+    const auto close = [&] {
+        if (current.points.size() > 1) found.push_back(std::move(current));
+        current = {};
+    };
+    for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
+        const Look &x = looks[i], &y = looks[i + 1];
+        const bool ordered = x.forward ? x.s < y.s : x.s > y.s;
+        if (x.facing && y.facing && x.forward == y.forward && ordered) {
+            add(x), add(y);
+            continue;
+        }
+        if (x.facing && !y.facing && !x.end_of_b) add(x), add(last_facing(x, y));
+        close();
+        if (!x.facing && y.facing && !y.end_of_b) add(last_facing(y, x));
+    }
+    close();
+}
+
+void Alongside::mark_overlaps(Stretch& stretch) const {
+    for (FacingPoints& p : stretch.points) {
+        if (p.distance <= indistinct_share * join_) continue;
+        const auto a = a_.curve.frame(p.t), b = b_.curve.frame(p.s);
+        if (!a || !b) continue;
+        const Vec3 across = b->position - a->position;
+        const double most = std::max(across.dot(a->inward), -across.dot(b->inward));
+        p.overlap = most > 0.5 * p.distance;
+    }
+}
+
+} // namespace
+
+std::vector<Stretch> stretches_alongside(const Border& a, const Border& b, double join) {
+    return Alongside(a, b, join).stretches();
+}
+
+} // namespace keiko

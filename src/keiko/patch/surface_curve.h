@@ -1,0 +1,55 @@
+#pragma once
+
+#include "keiko/patch/patch_grid.h"
+
+#include <optional>
+
+namespace keiko {
+
+/// The border of a placed face at one point; all vectors in world coordinates.
+struct BoundaryFrame {
+    Vec3 position{0};
+    Vec3 tangent{0};            ///< unit, the way the curve runs
+    Vec3 normal{0};             ///< unit, along du x dv
+    Vec3 inward{0};             ///< unit, tangent to the surface, from the border into the material
+    SurfaceDerivatives surface; ///< by patch parameters, to order 2
+};
+
+/// A trim curve as a curve in space: the exact surface along the exact p-curve, placed by its
+/// instance. Looks into the model and the grid it was made from.
+class SurfaceCurve {
+public:
+    /// `p_curve` in face parameters; `material_left`: the material lies to the left of its run
+    /// in the parameter plane.
+    SurfaceCurve(const SurfaceModel& model, const PatchGrid& grid, const Affine& transform,
+                 BezierCurveView p_curve, bool material_left)
+        : model_(&model),
+          grid_(&grid),
+          transform_(&transform),
+          p_curve_(p_curve),
+          side_(material_left ? 1 : -1) {}
+
+    /// Position in mm and its first two derivatives by t, t in [0, 1].
+    struct Point {
+        Vec3 position{0}, first{0}, second{0};
+    };
+    Point at(double t) const;
+    /// Nothing where the curve stands still or the surface is singular, as at a pole.
+    std::optional<BoundaryFrame> frame(double t) const;
+    /// Arc length in mm between two parameters, in either order.
+    double length(double begin, double end) const;
+    /// How many patches it may run through.
+    int patch_count() const { return 1 + grid_->lines_through(hull_bounds(p_curve_)); }
+
+private:
+    struct Place;
+    Place place(double t, int order) const;
+
+    const SurfaceModel* model_;
+    const PatchGrid* grid_;
+    const Affine* transform_;
+    BezierCurveView p_curve_;
+    double side_;
+};
+
+} // namespace keiko

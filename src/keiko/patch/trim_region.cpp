@@ -1,0 +1,154 @@
+#include "keiko/patch/trim_region.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// Rows beyond this many cost memory and win nothing.
+constexpr std::size_t most_rows = 256;
+
+MonotonePiece connector(const Vec2& from, const Vec2& to, std::uint32_t curve, double at) {
+    return {{Vec3(from.x, from.y, 1), Vec3(to.x, to.y, 1)}, curve, at, at};
+}
+
+/// The pieces of one loop, closed by straight connectors wherever two ends differ at all: the
+/// crossing count is only right on a chain that is closed bit for bit.
+void append_loop(const SurfaceModel& model, const TrimLoop& loop,
+                 std::vector<MonotonePiece>& pieces) {
+    const std::size_t begin = pieces.size();
+    for (std::uint32_t c = loop.first_curve; c < loop.first_curve + loop.curve_count; ++c) {
+        std::vector<MonotonePiece> next = monotone_pieces(model.trim_curve(c), c);
+        if (pieces.size() > begin && pieces.back().last() != next.front().first())
+            pieces.push_back(connector(pieces.back().last(), next.front().first(), c, 0));
+        std::move(next.begin(), next.end(), std::back_inserter(pieces));
+    }
+    if (pieces.size() == begin) return;
+    const MonotonePiece& last = pieces.back();
+    if (last.last() != pieces[begin].first())
+        pieces.push_back(connector(last.last(), pieces[begin].first(), last.curve(), 1));
+}
+
+/// Distance of a point to a box, both in scaled parameters.
+double distance(const Vec2& p, const Box2& box, const Vec2& scale) {
+    const double dx = std::max({box.lower.x - p.x, 0.0, p.x - box.upper.x}) * scale.x;
+    const double dy = std::max({box.lower.y - p.y, 0.0, p.y - box.upper.y}) * scale.y;
+    return std::hypot(dx, dy);
+}
+
+/// Nearest point of a piece by branch and bound on the boxes of its stretches; tightens `best`.
+void approach(const MonotonePiece& piece, const Vec2& p, const Vec2& scale,
+              TrimRegion::NearCurve& best, bool& found) {
+    struct Stretch {
+        double a, b;
+        Vec2 at_a, at_b;
+    };
+    std::vector<Stretch> open{{0, 1, piece.first(), piece.last()}};
+    while (!open.empty()) {
+        const Stretch s = open.back();
+        open.pop_back();
+        Box2 box;
+        box.extend(s.at_a);
+        box.extend(s.at_b);
+        if (!(distance(p, box, scale) <= best.distance)) continue;
+        const double m = (s.a + s.b) / 2;
+        const Vec2 at_m = piece.point(m);
+        const double d = (Vec2(at_m - p) * scale).length();
+        if (d <= best.distance) best = {d, piece.curve(), piece.curve_parameter(m)}, found = true;
+        constexpr double fine_enough = 1e-3;
+        if (s.b - s.a < 1e-12 || (box.extent() * scale).length() < fine_enough * best.distance)
+            continue;
+        open.push_back({m, s.b, at_m, s.at_b});
+        open.push_back({s.a, m, s.at_a, at_m});
+    }
+}
+
+} // namespace
+
+TrimRegion::TrimRegion(const SurfaceModel& model, const Face& face) {
+    for (const TrimLoop& loop : model.loops_of(face)) append_loop(model, loop, pieces_);
+    for (const MonotonePiece& piece : pieces_) bounds_.extend(piece.box());
+    build_rows();
+}
+
+void TrimRegion::build_rows() {
+    if (pieces_.empty()) return;
+    std::vector<double> ends;
+    for (const MonotonePiece& piece : pieces_) {
+        ends.push_back(piece.box().lower.y);
+        ends.push_back(piece.box().upper.y);
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    const std::size_t stride = (ends.size() + most_rows - 1) / most_rows;
+    for (std::size_t i = 0; i < ends.size(); i += stride) row_borders_.push_back(ends[i]);
+    row_borders_.back() = ends.back();
+    if (row_borders_.size() == 1) row_borders_.push_back(row_borders_.front());
+
+    std::vector<std::vector<std::uint32_t>> rows(row_borders_.size() - 1);
+    std::vector<std::uint32_t> order(pieces_.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return pieces_[a].box().upper.x > pieces_[b].box().upper.x;
+    });
+    for (const std::uint32_t i : order) {
+        const Box2& box = pieces_[i].box();
+        for (std::size_t r = 0; r < rows.size(); ++r)
+            if (row_borders_[r] <= box.upper.y && box.lower.y <= row_borders_[r + 1])
+                rows[r].push_back(i);
+    }
+    for (const auto& row : rows) {
+        row_begin_.push_back(static_cast<std::uint32_t>(row_pieces_.size()));
+        row_pieces_.insert(row_pieces_.end(), row.begin(), row.end());
+    }
+    row_begin_.push_back(static_cast<std::uint32_t>(row_pieces_.size()));
+}
+
+std::pair<std::size_t, std::size_t> TrimRegion::pieces_between(double lower, double upper) const {
+    if (pieces_.empty() || !(lower <= row_borders_.back() && upper >= row_borders_.front()))
+        return {0, 0};
+    // The last border closes the last row instead of opening another.
+    const auto inner_begin = row_borders_.begin() + 1, inner_end = row_borders_.end() - 1;
+    const auto first = std::upper_bound(inner_begin, inner_end, lower) - inner_begin;
+    const auto last = std::upper_bound(inner_begin, inner_end, upper) - inner_begin;
+    return {row_begin_[static_cast<std::size_t>(first)],
+            row_begin_[static_cast<std::size_t>(last) + 1]};
+}
+
+bool TrimRegion::contains(const Vec2& p) const {
+    if (untrimmed()) return true;
+    const auto [begin, end] = pieces_between(p.y, p.y);
+    bool inside = false;
+    for (std::size_t i = begin; i < end; ++i) {
+        const MonotonePiece& piece = pieces_[row_pieces_[i]];
+        if (!(p.x < piece.box().upper.x)) break;
+        if (piece.crossed_from(p)) inside = !inside;
+    }
+    return inside;
+}
+
+TrimSide TrimRegion::classify(const Box2& box) const {
+    // Rounding of box and curves must not turn a near miss into a proof.
+    const Box2 grown = box.padded(1e-14 * (bounds_.size() + box.size()));
+    const auto [begin, end] = pieces_between(grown.lower.y, grown.upper.y);
+    for (std::size_t i = begin; i < end; ++i)
+        if (pieces_[row_pieces_[i]].touches(grown)) return TrimSide::mixed;
+    return contains(box.center()) ? TrimSide::inside : TrimSide::outside;
+}
+
+std::optional<TrimRegion::NearCurve> TrimRegion::nearest_curve(const Vec2& p, const Vec2& scale,
+                                                               double radius) const {
+    NearCurve best{radius};
+    bool found = false;
+    const double reach = radius / scale.y;
+    const auto [begin, end] = pieces_between(p.y - reach, p.y + reach);
+    for (std::size_t i = begin; i < end; ++i) {
+        const MonotonePiece& piece = pieces_[row_pieces_[i]];
+        if (distance(p, piece.box(), scale) <= best.distance)
+            approach(piece, p, scale, best, found);
+    }
+    return found ? std::optional(best) : std::nullopt;
+}
+
+} // namespace keiko

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/spec/view.h"
+#include "keiko/trace/tracer.h"
+
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// A camera and the name of the view it is.
+struct NamedView {
+    std::string name;
+    Camera camera;
+    double score = 0; ///< share of the picture that shows the part well, about 0 to 1
+};
+
+/// Chooses the view that shows a part well: much of it large in the picture, at incidences that
+/// mirror clearly, and of sheet panels the convex, outer side. Tries the eight level or slightly
+/// raised views, the same from high above, and top, on small pictures; the first of equally good
+/// ones wins. Throws Error for an empty model.
+NamedView best_view(const Tracer& tracer, const SurfaceModel& model, const Framing& framing = {},
+                    const Job& job = {});
+
+/// Up to `count` (at least 1) such views from different sides, the best first; fewer where no
+/// other side shows much.
+std::vector<NamedView> best_views(const Tracer& tracer, const SurfaceModel& model, int count,
+                                  const Framing& framing = {}, const Job& job = {});
+
+} // namespace keiko

@@ -1,0 +1,69 @@
+#include "keiko/placement/candidate_planes.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace keiko {
+namespace {
+
+constexpr std::array<double, 4> distances{0.8, 1.5, 2.5, 4}; ///< in sizes of what is seen
+constexpr double neighbourhood = 0.5; ///< cosine to a direction of those gathered around it
+constexpr int rounds = 8;             ///< of the mean shift
+constexpr double same = 0.985;        ///< cosine of directions that are not worth telling apart
+
+/// Mean direction of the waiting mirrored rays within the neighbourhood of `around`, or of all.
+std::optional<Vec3> mean_direction(const LampField& field, const std::optional<Vec3>& around) {
+    Vec3 sum(0);
+    for (std::size_t i = 0; i < field.samples().size(); ++i) {
+        const ViewSample& s = field.samples()[i];
+        if (!field.waits(i)) continue;
+        if (around && !(s.mirror.direction.dot(*around) > neighbourhood)) continue;
+        sum += s.mirror.direction * s.weight;
+    }
+    if (!(sum.length() > 1e-6 * field.total_weight())) return {};
+    return sum.normalized();
+}
+
+/// Mean shift: climbs to where mirror directions gather.
+std::optional<Vec3> gathered(const LampField& field, const Vec3& start) {
+    std::optional<Vec3> direction = start;
+    for (int round = 0; round < rounds && direction; ++round)
+        direction = mean_direction(field, direction);
+    return direction;
+}
+
+std::vector<Vec3> directions(const LampField& field) {
+    std::vector<Vec3> found{{0, 0, 1}, {0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}};
+    const auto add = [&](const std::optional<Vec3>& direction) {
+        if (direction && std::none_of(found.begin(), found.end(), [&](const Vec3& other) {
+                return other.dot(*direction) > same;
+            }))
+            found.push_back(*direction);
+    };
+    add(mean_direction(field, {}));
+    for (const double z : {1, 0, -1})
+        for (const double y : {-1, 0, 1})
+            for (const double x : {-1, 0, 1})
+                if (x != 0 || y != 0 || z != 0) add(gathered(field, Vec3(x, y, z).normalized()));
+    return found;
+}
+
+PlaneFrame facing(const Vec3& center, const Vec3& direction, double distance) {
+    const Vec3 forward(1, 0, 0), sideways(0, 1, 0);
+    const Vec3& along = std::abs(direction.x) < 0.9 ? forward : sideways;
+    const Vec3 u = (along - direction * direction.dot(along)).normalized();
+    return {center + direction * distance, u, direction.cross(u)};
+}
+
+} // namespace
+
+std::vector<PlaneFrame> candidate_planes(const LampField& field) {
+    std::vector<PlaneFrame> planes;
+    for (const Vec3& direction : directions(field))
+        for (const double distance : distances)
+            planes.push_back(facing(field.centroid(), direction, distance * field.size()));
+    return planes;
+}
+
+} // namespace keiko

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "keiko/placement/lamp_field.h"
+#include "keiko/placement/plane_frame.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// Planes worth trying for the samples that still wait: a ceiling, walls on four sides, and
+/// planes that face what is mirrored (the mean mirror direction, and the directions around which
+/// many are gathered), each at several distances from the middle of what is seen, as multiples of
+/// its size. u is along the vehicle's x axis as far as the plane allows. In a fixed order.
+std::vector<PlaneFrame> candidate_planes(const LampField& field);
+
+} // namespace keiko

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "keiko/math/bounds.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// A place on a plane and what it counts.
+struct WeightedPlace {
+    Vec2 place{0};
+    double weight = 0;
+};
+
+/// How much of the picture is mirrored to which part of a plane: weights on a grid of cells.
+class HitHistogram {
+public:
+    HitHistogram() = default;
+    /// `cells` x `cells` over the weighted quantiles of the places (0.5 to 99.5 % of each
+    /// coordinate, a tenth wider), or over `range`.
+    HitHistogram(std::span<const WeightedPlace> places, int cells);
+    HitHistogram(std::span<const WeightedPlace> places, int cells, const Box2& range);
+
+    const Box2& range() const { return range_; }
+    int width() const { return cells_; }
+    int height() const { return cells_; }
+    /// Weight in the cell of column `u` and row `v`.
+    double at(int u, int v) const { return weights_[index(u, v)]; }
+    /// Of all places, those beside the range too.
+    double total() const { return total_; }
+    /// Each cell the 1-2-1 tent mean of its neighbourhood: for pictures.
+    HitHistogram smoothed() const;
+
+    /// For each share of the total (falling, 0 to 1) a small rectangle that holds it, found by
+    /// taking away the border row or column of least weight per area as long as enough remains.
+    /// A share that the range does not hold gives the whole range.
+    std::vector<Box2> rectangles(std::span<const double> shares) const;
+
+private:
+    std::size_t index(int u, int v) const {
+        return static_cast<std::size_t>(v) * static_cast<std::size_t>(cells_) +
+               static_cast<std::size_t>(u);
+    }
+
+    Box2 range_;
+    int cells_ = 0;
+    std::vector<double> weights_;
+    double total_ = 0;
+};
+
+} // namespace keiko

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "keiko/placement/view_samples.h"
+#include "keiko/tubes/c_plane.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// The samples of a picture and what the lamps placed so far do for each of them.
+class LampField {
+public:
+    explicit LampField(std::vector<ViewSample> samples);
+
+    std::span<const ViewSample> samples() const { return samples_; }
+    /// Of all samples, reached or not.
+    double total_weight() const { return total_weight_; }
+    /// Weighted mean of the places on the surface, and the diagonal of their box, mm.
+    const Vec3& centroid() const { return centroid_; }
+    double size() const { return size_; }
+    /// Number of different (instance, face) pairs, and which one a sample is on.
+    std::size_t region_count() const { return region_count_; }
+    std::uint32_t region(std::size_t sample) const { return regions_[sample]; }
+
+    /// Whether the sample still waits for lamps: not blocked by the body, not hidden from the eye
+    /// by lamps, not reached yet.
+    bool waits(std::size_t sample) const;
+    /// Whether the sample mirrors lamps.
+    bool reached(std::size_t sample) const { return lit_[sample] && !hidden_[sample]; }
+    /// Share of the weight that is reached.
+    double coverage() const;
+
+    /// Takes the lamps of one more plane into account.
+    void place(const CPlane& plane);
+    /// At most about `count` of the samples, evenly taken, nothing placed: for searches.
+    LampField thinned(std::size_t count) const;
+
+private:
+    std::vector<ViewSample> samples_;
+    std::vector<std::uint32_t> regions_;
+    std::vector<bool> lit_, hidden_;
+    double total_weight_ = 0, size_ = 0;
+    Vec3 centroid_{0};
+    std::size_t region_count_ = 0;
+};
+
+/// Cosine of the angle of incidence on a lamp plane below which a mirrored ray does not count.
+constexpr double grazing_cosine = 0.05;
+
+} // namespace keiko

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "keiko/math/bounds.h"
+#include "keiko/patch/ray.h"
+#include "keiko/tubes/c_plane.h"
+
+#include <optional>
+
+namespace keiko {
+
+/// Orthonormal coordinates of a plane that lamps may hang on: u along them, v across, mm.
+struct PlaneFrame {
+    Vec3 origin{0};
+    Vec3 u{1, 0, 0}, v{0, 1, 0};
+
+    Vec3 normal() const { return u.cross(v); }
+    Vec3 at(const Vec2& place) const { return origin + u * place.x + v * place.y; }
+    /// Place of the foot of a point, and its height above the plane.
+    Vec2 place(const Vec3& point) const {
+        return {(point - origin).dot(u), (point - origin).dot(v)};
+    }
+    double height(const Vec3& point) const { return (point - origin).dot(normal()); }
+    /// Turned about its origin from u towards v.
+    PlaneFrame turned(double radians) const;
+};
+
+/// The frame of a C-plane's corner, u and v.
+PlaneFrame frame_of(const CPlane& plane);
+
+/// Where a ray meets a plane.
+struct PlaneHit {
+    Vec2 place{0};
+    double t = 0;
+    double cosine = 0; ///< of the angle of incidence, above 0
+    /// Change of u and v with the picture's x and y, per pixel, where the ray has differentials.
+    struct Gradients {
+        Vec2 u{0}, v{0};
+    };
+    std::optional<Gradients> gradients;
+};
+
+/// Nothing for rays that run away from the plane or along it.
+std::optional<PlaneHit> meet(const PlaneFrame& frame, const Ray& ray);
+
+/// Place where the segment from a to b crosses the plane, if it does.
+std::optional<Vec2> crossing(const PlaneFrame& frame, const Vec3& a, const Vec3& b);
+
+} // namespace keiko

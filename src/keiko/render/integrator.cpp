@@ -1,0 +1,95 @@
+#include "keiko/render/integrator.h"
+
+#include "keiko/fog/transmittance.h"
+#include "keiko/luminance/photometry.h"
+#include "keiko/luminance/visible.h"
+#include "keiko/render/mirror_ray.h"
+#include "keiko/rig/illuminance.h"
+#include "keiko/rig/luminance_along.h"
+#include "keiko/rig/mirrored_luminance.h"
+
+#include <cmath>
+
+namespace keiko {
+
+Integrator::Integrator(const PictureScene& scene, const PictureOptions& options)
+    : scene_(scene), options_(options) {
+    for (const Material& material : scene.materials)
+        coats_.emplace_back(material.diffuse, material.refractive_index);
+}
+
+std::vector<EyeSample> Integrator::follow(std::span<const Ray> eye_rays) const {
+    std::vector<EyeSample> samples(eye_rays.size());
+    std::vector<Path> paths;
+    for (std::size_t i = 0; i < eye_rays.size(); ++i) paths.push_back({eye_rays[i], i, Rgb(1)});
+
+    for (int depth = 0; !paths.empty(); ++depth) {
+        std::vector<Ray> rays;
+        rays.reserve(paths.size());
+        for (const Path& path : paths) rays.push_back(path.ray);
+        const std::vector<std::optional<Hit>> hits = scene_.tracer.nearest(rays);
+
+        std::vector<Path> mirrored;
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            EyeSample& sample = samples[paths[i].sample];
+            if (auto next = advance(std::move(paths[i]), hits[i], depth, sample))
+                mirrored.push_back(std::move(*next));
+        }
+        paths = std::move(mirrored);
+    }
+    return samples;
+}
+
+std::optional<Integrator::Path> Integrator::advance(Path path, const std::optional<Hit>& hit,
+                                                    int depth, EyeSample& sample) const {
+    if (depth == 0) {
+        sample.hit = hit;
+        if (!hit) sample.luminance = scene_.background;
+    } else {
+        see_lamps(path, hit ? hit->t : path.ray.t_max, sample);
+        if (depth == 1 && hit) sample.mirrored_face = hit->face;
+    }
+    if (!hit) return std::nullopt;
+    pass_medium(path, hit->position, sample);
+
+    const double towards = hit->normal.dot(path.ray.direction);
+    const Vec3 normal = towards > 0 ? -hit->normal : hit->normal;
+    const double cosine = std::abs(towards) / path.ray.direction.length();
+    sample.luminance += path.weight * base_luminance(*hit, normal, cosine);
+
+    path.weight *= coats_[hit->instance].mirrored(cosine);
+    if (depth >= options_.max_depth || !(max_channel(path.weight) >= options_.min_weight))
+        return std::nullopt;
+    path.ray = mirror_ray(path.ray, *hit);
+    return path;
+}
+
+void Integrator::see_lamps(Path& path, double t_max, EyeSample& sample) const {
+    const Ray& ray = path.ray;
+    const auto plane = nearest_c_plane(scene_.rig, ray.origin, ray.direction);
+    if (!plane) return;
+    if (!sample.c_plane) sample.c_plane = Vec2(plane->at.u, plane->at.v);
+    const MirroredLight lamps =
+        mirrored_luminance(scene_.rig, ray.origin, ray.direction, ray.differentials, t_max);
+    if (lamps.coverage == 0) return;
+    Rgb seen = lamps.luminance;
+    if (scene_.rig.medium)
+        seen *= transmittance(*scene_.rig.medium, plane->at.t * ray.direction.length());
+    sample.luminance += path.weight * seen;
+    path.weight *= 1 - lamps.coverage;
+}
+
+void Integrator::pass_medium(Path& path, const Vec3& end, EyeSample& sample) const {
+    if (!scene_.rig.medium) return;
+    const Segment leg{path.ray.origin, end};
+    sample.luminance += path.weight * luminance_along(scene_.rig, leg, Rgb(0));
+    path.weight *= transmittance(*scene_.rig.medium, (leg.b - leg.a).length());
+}
+
+Rgb Integrator::base_luminance(const Hit& hit, const Vec3& normal, double cosine) const {
+    const Rgb illuminance =
+        scene_.rig.ambient + direct_illuminance(scene_.rig, hit.position, normal, AllVisible());
+    return lambert_luminance(coats_[hit.instance].base_reflectance_diffuse(cosine), illuminance);
+}
+
+} // namespace keiko

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "keiko/luminance/clear_coat.h"
+#include "keiko/render/picture.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// What one eye ray brings back.
+struct EyeSample {
+    Rgb luminance;               ///< cd/m2
+    std::optional<Hit> hit;      ///< the first surface
+    std::optional<Vec2> c_plane; ///< where its mirrored ray meets the nearest C-plane, mm
+    /// The face that the first mirrored ray meets, or nothing where it leaves the body.
+    std::optional<std::uint32_t> mirrored_face;
+};
+
+/// Follows eye rays over mirror reflections: the clear coat mirrors lamps and the body itself, the
+/// base under it is lit directly. Works on many rays at once, a reflection deeper each pass.
+class Integrator {
+public:
+    Integrator(const PictureScene& scene, const PictureOptions& options);
+
+    /// One sample a ray, in order. Neighbouring rays should stand together.
+    std::vector<EyeSample> follow(std::span<const Ray> eye_rays) const;
+
+private:
+    /// A ray under way and what its light counts in its sample.
+    struct Path {
+        Ray ray;
+        std::size_t sample;
+        Rgb weight;
+    };
+
+    /// Adds what `path` meets to its sample; returns its mirror reflection while that counts.
+    std::optional<Path> advance(Path path, const std::optional<Hit>& hit, int depth,
+                                EyeSample& sample) const;
+    void see_lamps(Path& path, double t_max, EyeSample& sample) const;
+    void pass_medium(Path& path, const Vec3& end, EyeSample& sample) const;
+    Rgb base_luminance(const Hit& hit, const Vec3& normal, double cosine) const;
+
+    const PictureScene& scene_;
+    const PictureOptions& options_;
+    std::vector<ClearCoat> coats_; ///< one an instance
+};
+
+} // namespace keiko

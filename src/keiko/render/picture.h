@@ -1,0 +1,38 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/film/film.h"
+#include "keiko/rig/light_rig.h"
+#include "keiko/spec/camera.h"
+#include "keiko/spec/material.h"
+#include "keiko/trace/tracer.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// What is in a picture; everything is only looked at.
+struct PictureScene {
+    const Tracer& tracer;                ///< built with second_derivatives
+    std::span<const Material> materials; ///< one an instance of the model
+    const LightRig& rig;
+    Rgb background{0}; ///< cd/m2 behind everything
+};
+
+/// How a picture is made.
+struct PictureOptions {
+    std::vector<Aov> aovs;
+    int edge_samples = 4; ///< samples a side of a pixel that holds an outline; 1: one ray a pixel
+    int max_depth = 3;    ///< mirror reflections followed along one ray
+    double min_weight = 1e-3; ///< reflections that count less than this end the path
+};
+
+/// Renders luminance in cd/m2 with the AOVs asked for: one ray a pixel, whose footprint on the
+/// C-plane gives smooth lamp stripes, and `edge_samples`^2 rays where the pixel's neighbourhood
+/// holds an outline, a trim border, a crease or the border of a reflection of the body in itself.
+/// The same bytes for any thread count. Throws Cancelled.
+Film render(const PictureScene& scene, const Camera& camera, const PictureOptions& options,
+            const Job& job = {});
+
+} // namespace keiko

@@ -1,0 +1,91 @@
+#include "keiko/base/parallel.h"
+#include "keiko/render/integrator.h"
+#include "keiko/render/outlines.h"
+#include "keiko/render/pixel_writer.h"
+
+#include <algorithm>
+
+namespace keiko {
+namespace {
+
+constexpr int tile_size = 32;
+
+/// A square piece of the picture, rendered by one thread.
+struct Tile {
+    int x0, y0, x1, y1;
+};
+
+std::vector<Tile> tiles_of(const Camera& camera) {
+    std::vector<Tile> tiles;
+    for (int y = 0; y < camera.height; y += tile_size)
+        for (int x = 0; x < camera.width; x += tile_size)
+            tiles.push_back({x, y, std::min(x + tile_size, camera.width),
+                             std::min(y + tile_size, camera.height)});
+    return tiles;
+}
+
+template <class F>
+void for_each_pixel(const Tile& tile, const F& visit) {
+    for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) visit(x, y);
+}
+
+/// The centres of a pixel's n x n cells as eye rays, each with the footprint of its cell.
+void append_cell_rays(const Camera& camera, int x, int y, int n, std::vector<Ray>& rays) {
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            Ray ray = camera.ray(x + (i + 0.5) / n, y + (j + 0.5) / n);
+            ray.differentials = ray.differentials->scaled(1.0 / n);
+            rays.push_back(ray);
+        }
+}
+
+/// One ray a pixel.
+void render_centres(const Integrator& integrator, const Camera& camera, const Tile& tile,
+                    Film& film, Outlines& outlines) {
+    std::vector<Ray> rays;
+    for_each_pixel(tile, [&](int x, int y) { append_cell_rays(camera, x, y, 1, rays); });
+    const std::vector<EyeSample> samples = integrator.follow(rays);
+    auto sample = samples.begin();
+    for_each_pixel(tile, [&](int x, int y) {
+        write_pixel(film, x, y, *sample);
+        outlines.set(x, y, *sample++);
+    });
+}
+
+/// Replaces the luminance of the pixels that hold an outline by the mean over their cells.
+void refine_outlines(const Integrator& integrator, const Camera& camera, const Tile& tile, int n,
+                     const Outlines& outlines, Film& film) {
+    std::vector<Ray> rays;
+    for_each_pixel(tile, [&](int x, int y) {
+        if (outlines.cross(x, y)) append_cell_rays(camera, x, y, n, rays);
+    });
+    const std::vector<EyeSample> samples = integrator.follow(rays);
+    const auto cells = static_cast<std::size_t>(n * n);
+    std::span<const EyeSample> rest(samples);
+    for_each_pixel(tile, [&](int x, int y) {
+        if (!outlines.cross(x, y)) return;
+        write_mean(film, x, y, rest.first(cells));
+        rest = rest.subspan(cells);
+    });
+}
+
+} // namespace
+
+Film render(const PictureScene& scene, const Camera& camera, const PictureOptions& options,
+            const Job& job) {
+    Film film = blank_film(camera.width, camera.height, options.aovs);
+    Outlines outlines(camera.width, camera.height);
+    const Integrator integrator(scene, options);
+    const std::vector<Tile> tiles = tiles_of(camera);
+    parallel_for(tiles.size(), job, "render", [&](std::size_t i) {
+        render_centres(integrator, camera, tiles[i], film, outlines);
+    });
+    if (options.edge_samples > 1)
+        parallel_for(tiles.size(), job, "outlines", [&](std::size_t i) {
+            refine_outlines(integrator, camera, tiles[i], options.edge_samples, outlines, film);
+        });
+    return film;
+}
+
+} // namespace keiko

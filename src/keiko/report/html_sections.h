@@ -1,0 +1,25 @@
+#pragma once
+
+#include "keiko/report/report.h"
+
+#include <string>
+
+namespace keiko {
+
+// The parts of report.html in the order of the page, each an HTML fragment; empty where there is
+// nothing to tell.
+
+/// What was inspected, the verdict and the counts.
+std::string html_verdict(const Report& report);
+/// The stripe pictures with the places of the worst seams.
+std::string html_pictures(const Report& report);
+/// The worst seams, each with its measures against their limits.
+std::string html_worst_seams(const Report& report);
+/// How much of the surface the lamps reach.
+std::string html_coverage(const Report& report);
+/// Every seam in a table.
+std::string html_all_seams(const Report& report);
+/// The file, what was lost of it and what was repaired.
+std::string html_facts(const Report& report);
+
+} // namespace keiko

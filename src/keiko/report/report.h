@@ -1,0 +1,57 @@
+#pragma once
+
+#include "keiko/inspect/inspection.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// A number put on a picture, pixels from the upper left.
+struct PictureMarker {
+    int number = 0;
+    double x = 0, y = 0;
+};
+
+/// A finished picture and what to say of it.
+struct ReportPicture {
+    std::string title;     ///< e.g. "front"
+    std::string caption;   ///< one sentence, or empty
+    std::string file_name; ///< beside the report, e.g. "front.png"
+    std::string png;       ///< the file's bytes
+    int width = 0, height = 0;
+    std::vector<PictureMarker> markers; ///< the number is the rank of a worst seam, from 1
+};
+
+/// A close-up of one seam.
+struct SeamPicture {
+    std::uint32_t seam = 0; ///< into Inspection::seams
+    ReportPicture picture;
+};
+
+/// How much of the surface the lamps' reflections reach.
+struct CoverageSummary {
+    std::string rig;                    ///< path or name of the rig
+    double covered = 0;                 ///< share of 1
+    std::vector<std::string> unreached; ///< faces or regions, one line each
+};
+
+/// Everything a report tells. Values only: the same report gives the same bytes.
+struct Report {
+    std::string tool_version;
+    Inspection inspection;
+    std::optional<CoverageSummary> coverage;
+    std::vector<ReportPicture> pictures; ///< stripe pictures, in order
+    std::vector<SeamPicture> close_ups;
+};
+
+/// How many seams count as the worst ones, which pictures number and the first screen shows.
+constexpr std::size_t worst_seam_count = 5;
+
+/// Writes report.html (self-contained), report.json and the pictures into the folder, which is
+/// made where it is missing; each file atomically. Throws Error when it cannot be written.
+void write_report(const std::filesystem::path& folder, const Report& report);
+
+} // namespace keiko

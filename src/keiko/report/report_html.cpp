@@ -1,0 +1,45 @@
+#include "keiko/report/report_html.h"
+
+#include "keiko/report/html_sections.h"
+#include "keiko/report/html_text.h"
+#include "keiko/report/report_style.h"
+
+namespace keiko {
+namespace {
+
+std::string footer(const Report& report) {
+    const CriteriaPreset& preset = report.inspection.preset;
+    return "<footer><p>Criteria <b>" + html_escaped(preset.name) +
+           "</b>: " + html_escaped(preset.source) +
+           ".</p><p>Gap: distance between the trimmed borders of the "
+           "two faces. Angle: between their normals; it moves "
+           "the image of a lamp 2 m away by the length beside it. Curvature: across the seam, "
+           "judged where gap "
+           "and angle pass. Seams above " +
+           short_number(preset.feature_angle) +
+           "° are creases: listed, no findings. Undecided: the error bound straddles the limit. "
+           "Lengths in mm, places in the coordinates of the model.</p><p>Keiko " +
+           html_escaped(report.tool_version) + "</p></footer>";
+}
+
+} // namespace
+
+std::string report_html(const Report& report) {
+    const std::string title = html_escaped(report.inspection.facts.source);
+    std::string html =
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<title>Keiko: " +
+        title + "</title>\n<style>";
+    html += report_style;
+    html += "</style>\n</head>\n<body>\n<main>\n";
+    for (const auto section :
+         {html_verdict, html_pictures, html_worst_seams, html_coverage, html_all_seams, html_facts})
+        html += section(report);
+    html += footer(report) + "\n</main>\n<script>";
+    html += report_script;
+    html += "</script>\n</body>\n</html>\n";
+    return html;
+}
+
+} // namespace keiko

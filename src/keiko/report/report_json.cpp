@@ -1,0 +1,199 @@
+#include "keiko/report/report_json.h"
+
+#include "keiko/inspect/curvature_match.h"
+
+#include <nlohmann/json.hpp>
+
+namespace keiko {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Names come from CAD files in any encoding: what is no UTF-8 is replaced, never thrown at.
+std::string text_of(const Json& json) {
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json point(const Vec3& p) {
+    return {p.x, p.y, p.z};
+}
+
+Json worst(const Worst& w) {
+    return {{"value", w.value},
+            {"bound", w.bound},
+            {"limit", w.limit},
+            {"verdict", name_of(w.verdict)},
+            {"place", point(w.place)}};
+}
+
+std::string_view name_of(CurvatureFormula formula) {
+    return formula == CurvatureFormula::alias ? "alias" : "catia";
+}
+
+std::string_view name_of(Severity severity) {
+    switch (severity) {
+        case Severity::note:
+            return "note";
+        case Severity::warning:
+            return "warning";
+        case Severity::error:
+            return "error";
+    }
+    return "";
+}
+
+Json curvature(const CurvatureStep& step) {
+    Json json = worst(step.worst);
+    json["unit"] = step.flat ? "1/mm" : "1";
+    json["formula"] = name_of(step.formula);
+    json["formula_text"] = step.flat ? "|C1-C2|" : formula_text(step.formula);
+    json["mismatch"] = step.mismatch;
+    json["curvatures"] = {step.curvature_a, step.curvature_b};
+    return json;
+}
+
+Json seam_json(const MeasuredSeam& seam) {
+    Json json = {{"faces", seam.faces},
+                 {"face_ids", {seam.id_a, seam.id_b}},
+                 {"instances", {seam.instance_a, seam.instance_b}},
+                 {"verdict", name_of(seam.verdict)},
+                 {"crease", seam.crease},
+                 {"severity", seam.severity},
+                 {"length", seam.length},
+                 {"middle", point(seam.middle)},
+                 {"gap", worst(seam.gap)}};
+    json["angle"] = seam.angle ? worst(*seam.angle) : Json();
+    if (seam.angle) json["angle"]["smallest"] = seam.smallest_angle;
+    json["curvature"] = seam.curvature ? curvature(*seam.curvature) : Json();
+    return json;
+}
+
+Json finding_json(const Finding& finding) {
+    Json json = {{"code", finding.code},   {"rule", finding.rule},         {"seam", finding.seam},
+                 {"faces", finding.faces}, {"quantity", finding.quantity}, {"unit", finding.unit}};
+    if (!finding.formula.empty()) json["formula"] = finding.formula;
+    json.update(worst(finding.worst));
+    json["message"] = finding.message;
+    return json;
+}
+
+Json preset_json(const CriteriaPreset& preset) {
+    Json json = {{"name", preset.name},
+                 {"source", preset.source},
+                 {"gap", preset.gap},
+                 {"angle", preset.angle},
+                 {"curvature", Json()},
+                 {"feature_angle", preset.feature_angle},
+                 {"flat_radius", preset.flat_radius},
+                 {"flat_curvature_change", preset.flat_curvature_change}};
+    if (preset.curvature)
+        json["curvature"] = {{"formula", name_of(preset.curvature->formula)},
+                             {"formula_text", formula_text(preset.curvature->formula)},
+                             {"limit", preset.curvature->limit}};
+    return json;
+}
+
+Json box_json(const Box3& box) {
+    if (box.empty()) return nullptr;
+    return {{"lower", point(box.lower)}, {"upper", point(box.upper)}};
+}
+
+Json model_json(const ModelFacts& facts) {
+    Json json = {{"source", facts.source},
+                 {"file_format", facts.format},
+                 {"unit", facts.unit.empty() ? Json() : Json(facts.unit)},
+                 {"parts", facts.parts},
+                 {"instances", facts.instances},
+                 {"faces", facts.faces},
+                 {"placed_faces", facts.placed_faces},
+                 {"trimmed_faces", facts.trimmed_faces},
+                 {"approximated_faces", facts.approximated_faces},
+                 {"largest_approximation", facts.largest_approximation},
+                 {"patches", facts.patches},
+                 {"rational_patches", facts.rational_patches},
+                 {"surface_kinds", facts.kinds},
+                 {"degrees", Json::array()},
+                 {"bounds", box_json(facts.bounds)},
+                 {"seams", facts.seams},
+                 {"border_length", facts.border_length},
+                 {"free_border_length", facts.free_length},
+                 {"lost_faces", Json::array()},
+                 {"diagnostics", Json::array()}};
+    for (const auto& [degree, count] : facts.degrees)
+        json["degrees"].push_back({{"u", degree[0]}, {"v", degree[1]}, {"patches", count}});
+    for (const LostFace& face : facts.lost_faces)
+        json["lost_faces"].push_back(
+            {{"id", face.id}, {"name", face.name}, {"reason", face.reason}});
+    for (const Diagnostic& d : facts.diagnostics)
+        json["diagnostics"].push_back(
+            {{"severity", name_of(d.severity)}, {"entity", d.entity}, {"message", d.message}});
+    return json;
+}
+
+Json inspection_json_value(const Inspection& inspection) {
+    const SeamCounts& counts = inspection.counts;
+    Json json = {{"verdict", name_of(inspection.verdict)},
+                 {"counts",
+                  {{"fail", counts.fail},
+                   {"undecided", counts.undecided},
+                   {"pass", counts.pass},
+                   {"creases", counts.creases}}},
+                 {"preset", preset_json(inspection.preset)},
+                 {"join", inspection.join},
+                 {"model", model_json(inspection.facts)},
+                 {"worst_seams", worst_seams(inspection, worst_seam_count)},
+                 {"seams", Json::array()},
+                 {"findings", Json::array()}};
+    for (const MeasuredSeam& seam : inspection.seams) json["seams"].push_back(seam_json(seam));
+    for (const Finding& finding : inspection.findings)
+        json["findings"].push_back(finding_json(finding));
+    return json;
+}
+
+Json picture_json(const ReportPicture& picture) {
+    Json markers = Json::array();
+    for (const PictureMarker& m : picture.markers)
+        markers.push_back({{"number", m.number}, {"x", m.x}, {"y", m.y}});
+    return {{"title", picture.title},
+            {"file", picture.file_name},
+            {"width", picture.width},
+            {"height", picture.height},
+            {"markers", markers}};
+}
+
+Json coverage_json(const CoverageSummary& coverage) {
+    return {
+        {"rig", coverage.rig}, {"covered", coverage.covered}, {"unreached", coverage.unreached}};
+}
+
+} // namespace
+
+std::string report_json(const Report& report) {
+    Json json = {{"format", "keiko-report/1"},
+                 {"tool", {{"name", "keiko"}, {"version", report.tool_version}}}};
+    json.update(inspection_json_value(report.inspection));
+    json["coverage"] = report.coverage ? coverage_json(*report.coverage) : Json();
+    json["pictures"] = Json::array();
+    for (const ReportPicture& picture : report.pictures)
+        json["pictures"].push_back(picture_json(picture));
+    json["close_ups"] = Json::array();
+    for (const SeamPicture& close_up : report.close_ups) {
+        json["close_ups"].push_back(picture_json(close_up.picture));
+        json["close_ups"].back()["seam"] = close_up.seam;
+    }
+    return text_of(json);
+}
+
+std::string inspection_json(const Inspection& inspection) {
+    Json json = {{"format", "keiko-inspection/1"}};
+    json.update(inspection_json_value(inspection));
+    return text_of(json);
+}
+
+std::string facts_json(const ModelFacts& facts) {
+    Json json = {{"format", "keiko-model-facts/1"}};
+    json.update(model_json(facts));
+    return text_of(json);
+}
+
+} // namespace keiko

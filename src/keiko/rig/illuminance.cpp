@@ -1,0 +1,85 @@
+#include "keiko/rig/illuminance.h"
+
+#include "keiko/fog/transmittance.h"
+#include "keiko/spotlight/beam_intensity.h"
+#include "keiko/tubes/tube_irradiance.h"
+
+namespace keiko {
+namespace {
+
+/// Pieces of a visible part of a lamp that are attenuated by one distance each.
+constexpr int pieces_in_fog = 8;
+
+/// Answers what one source gives to the point.
+class Receiver {
+public:
+    Receiver(const std::optional<Medium>& medium, const Vec3& point, const Vec3& normal,
+             const Visible& visible)
+        : medium_(medium), point_(point), normal_(normal), visible_(visible) {}
+
+    Rgb operator()(const CPlane& plane) const {
+        const CPlaneFrame frame(plane);
+        Rgb sum;
+        for (int i = 0; i < frame.lamps; ++i) sum += from_lamp(lamp_of(frame, i, plane.luminance));
+        return sum;
+    }
+
+    Rgb operator()(const Spotlight& light) const {
+        const Rgb lx = illuminance(light, point_, normal_);
+        if (lx == Rgb() || visible_.intervals({light.position, light.position}).empty()) return {};
+        return medium_ ? lx * transmittance(*medium_, (light.position - point_).length()) : lx;
+    }
+
+private:
+    Rgb from_lamp(const TubeLamp& lamp) const {
+        if (below_horizon(lamp, point_, normal_)) return {};
+        const IntervalSet seen = visible_.intervals({lamp.a, lamp.b});
+        if (!medium_) return irradiance(lamp, point_, normal_, seen);
+        Rgb sum;
+        for (const ParameterInterval& part : seen) sum += through_medium(lamp, part);
+        return sum;
+    }
+
+    Rgb through_medium(const TubeLamp& lamp, const ParameterInterval& part) const {
+        const Segment axis{lamp.a, lamp.b};
+        const double step = part.length() / pieces_in_fog;
+        Rgb sum;
+        for (int i = 0; i < pieces_in_fog; ++i) {
+            const double begin = part.begin + i * step;
+            const double end = i + 1 < pieces_in_fog ? begin + step : part.end;
+            const double way = (axis.at((begin + end) / 2) - point_).length();
+            sum += irradiance(lamp, point_, normal_, IntervalSet::whole(begin, end)) *
+                   transmittance(*medium_, way);
+        }
+        return sum;
+    }
+
+    const std::optional<Medium>& medium_;
+    const Vec3 &point_, &normal_;
+    const Visible& visible_;
+};
+
+} // namespace
+
+Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& medium,
+                     const Vec3& point, const Vec3& normal, const Visible& visible) {
+    return std::visit(Receiver(medium, point, normal, visible), source);
+}
+
+std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, const Vec3& normal,
+                                       const Visible& visible) {
+    std::vector<Rgb> lx;
+    for (const LightSource& source : rig.sources)
+        lx.push_back(illuminance_from(source, rig.medium, point, normal, visible));
+    return lx;
+}
+
+Rgb direct_illuminance(const LightRig& rig, const Vec3& point, const Vec3& normal,
+                       const Visible& visible) {
+    Rgb sum;
+    for (const LightSource& source : rig.sources)
+        sum += illuminance_from(source, rig.medium, point, normal, visible);
+    return sum;
+}
+
+} // namespace keiko

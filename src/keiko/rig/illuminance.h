@@ -1,0 +1,24 @@
+#pragma once
+
+#include "keiko/luminance/visible.h"
+#include "keiko/rig/light_rig.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// Illuminance in lx from one source at `point` with unit `normal`, through the medium if there is
+/// one. `visible` answers for that point; a source without extent is asked for as the segment
+/// from it to itself. Lamps and beams that cannot reach the point are not asked for at all.
+Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& medium,
+                     const Vec3& point, const Vec3& normal, const Visible& visible);
+
+/// The same from every source of a rig, in its order.
+std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, const Vec3& normal,
+                                       const Visible& visible);
+
+/// Their sum, without the rig's ambient light.
+Rgb direct_illuminance(const LightRig& rig, const Vec3& point, const Vec3& normal,
+                       const Visible& visible);
+
+} // namespace keiko

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "keiko/rig/light_rig.h"
+#include "keiko/tubes/c_plane_lookup.h"
+
+#include <limits>
+
+namespace keiko {
+
+/// What a mirror ray sees of a rig.
+struct MirroredLight {
+    Rgb luminance;        ///< cd/m2, mean over the pixel; darkness between the lamps
+    double coverage = 0;  ///< share of the pixel that lamps fill; what lies behind fills the rest
+    bool resolved = true; ///< false: some stripes are too fine and show their mean
+};
+
+/// The lamps of every C-plane that the ray meets with t up to `t_max` (in lengths of `direction`;
+/// a lamp behind the next surface is not seen), a nearer row before those behind it. With a
+/// `spread` each pixel is integrated in closed form over its footprint on the plane, without one
+/// the ray is a point. Sources without extent are not seen.
+MirroredLight mirrored_luminance(const LightRig& rig, const Vec3& origin, const Vec3& direction,
+                                 const std::optional<RayDifferentials>& spread = {},
+                                 double t_max = std::numeric_limits<double>::infinity(),
+                                 TubeLook look = TubeLook::tube);
+
+/// Where a ray meets the nearest C-plane of a rig, inside its rectangle or not.
+struct RigPlaneHit {
+    std::size_t source = 0; ///< index into LightRig::sources
+    CPlaneHit at;
+};
+std::optional<RigPlaneHit> nearest_c_plane(const LightRig& rig, const Vec3& origin,
+                                           const Vec3& direction);
+
+} // namespace keiko

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "keiko/luminance/visible.h"
+#include "keiko/spotlight/spotlight.h"
+
+namespace keiko {
+
+/// Parts of a segment inside a spotlight's cone, parameters 0 to 1 (physics 8.4). Half angles
+/// of 90 degrees and more leave a dark cone behind the lamp; 180 and more light all of it.
+IntervalSet in_beam(const Spotlight& light, const Segment& segment);
+
+} // namespace keiko

@@ -1,0 +1,224 @@
+#include "keiko/trace/leaf.h"
+
+#include "keiko/trace/flatness.h"
+#include "keiko/trace/subpatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace keiko {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+/// Below this deviation the uniqueness proof goes through for rays up to 60 degrees off the
+/// normal; finer leaves cost more boxes than they save proofs.
+constexpr double flat_enough = 0.1;
+/// Halvings along one parameter: a bent piece gets flat by them, a twisted one (a pole) never
+/// does, and each try costs boxes.
+constexpr int most_halvings = 4, most_halvings_of_twist = 2;
+/// Of a leaf's width: neighbours overlap by this much, so that no ray slips through between them.
+constexpr double overlap = 1e-11;
+/// A leaf so small beside its coordinates' rounding errors is a point; it gets no wider overlap.
+constexpr double widest_overlap = 1e-6;
+
+Box2 face_box(const Patch& patch, const Box2& uv) {
+    Box2 box;
+    box.extend(Vec2(patch.map_u.to_face(uv.lower.x), patch.map_v.to_face(uv.lower.y)));
+    box.extend(Vec2(patch.map_u.to_face(uv.upper.x), patch.map_v.to_face(uv.upper.y)));
+    return box;
+}
+
+Box2 clamped(const Box2& box) {
+    const auto clamp = [](const Vec2& p) {
+        return Vec2(std::clamp(p.x, 0.0, 1.0), std::clamp(p.y, 0.0, 1.0));
+    };
+    return {clamp(box.lower), clamp(box.upper)};
+}
+
+/// Splits one patch; the points are taken relative to `origin_`, the patch's own centre, before
+/// anything is computed with them.
+class PatchSplitter {
+public:
+    PatchSplitter(const SurfaceModel& model, std::uint32_t patch, const TrimRegion& region,
+                  const Box2& face_domain, double reach)
+        : patch_(model.patches[patch]),
+          index_(patch),
+          region_(region),
+          original_(model.patch(patch)),
+          origin_(hull_bounds(original_).center()) {
+        for (const Vec4& p : original_.points) {
+            const Vec3 moved = Vec3(p.x, p.y, p.z) - origin_ * p.w;
+            points_.emplace_back(moved.x, moved.y, moved.z, p.w);
+        }
+        local_ = {original_.degree_u, original_.degree_v, points_};
+        size_ = hull_bounds(local_).size();
+        if (!region.untrimmed()) find_reach(face_domain, reach);
+    }
+
+    LeafSet run() {
+        const std::optional<Box2> start = material_box();
+        if (start) split(*start, 0, 0);
+        if (!start) ++set_.trimmed_away;
+        return std::move(set_);
+    }
+
+private:
+    /// `reach` mm in patch parameters, and on which sides the patch may be continued by it.
+    void find_reach(const Box2& face_domain, double reach) {
+        const Flatness f = flatness(local_);
+        // Where lines run together at a pole, mm say little about parameters; a seam's reach is
+        // not worth more than a share of the patch anyhow.
+        constexpr double widest = 0.01;
+        reach_.x = std::min(widest, reach / std::max(f.length_u, epsilon * size_));
+        reach_.y = std::min(widest, reach / std::max(f.length_v, epsilon * size_));
+        const Box2 own = face_box(patch_, {Vec2(0), Vec2(1)});
+        for (unsigned k = 0; k < 2; ++k) {
+            const ParameterMap& map = k == 0 ? patch_.map_u : patch_.map_v;
+            bool first = own.lower[k] <= face_domain.lower[k];
+            bool last = own.upper[k] >= face_domain.upper[k];
+            if (map.begin > map.end) std::swap(first, last);
+            beyond_.lower[k] = first ? reach_[k] : 0;
+            beyond_.upper[k] = last ? reach_[k] : 0;
+        }
+    }
+
+    /// The patch parameters that the trim curves leave, if any.
+    std::optional<Box2> material_box() const {
+        const Box2 whole{Vec2(0), Vec2(1)};
+        if (region_.untrimmed()) return whole;
+        const Box2 own = face_box(patch_, whole), trim = region_.bounds();
+        Box2 box = whole;
+        for (unsigned k = 0; k < 2; ++k) {
+            const ParameterMap& map = k == 0 ? patch_.map_u : patch_.map_v;
+            const double margin = (own.upper[k] - own.lower[k]) * (reach_[k] + 1e-12);
+            const double low = std::max(own.lower[k], trim.lower[k] - margin);
+            const double high = std::min(own.upper[k], trim.upper[k] + margin);
+            if (!(low <= high)) return std::nullopt;
+            const auto [a, b] = std::minmax(map.to_patch(low), map.to_patch(high));
+            // Slices so thin are all border; cropping to them would gain nothing.
+            if (b - a > 1e-6) box.lower[k] = a, box.upper[k] = b;
+        }
+        return clamped(box);
+    }
+
+    void split(const Box2& box, int halved_u, int halved_v) {
+        const TrimSide side = classify(box);
+        if (side == TrimSide::outside) {
+            ++set_.trimmed_away;
+            return;
+        }
+        const std::vector<Vec4> points = subpatch(local_, box);
+        const Flatness f = flatness({local_.degree_u, local_.degree_v, points});
+        const bool twisted = f.twist > std::max(f.bend_u, f.bend_v);
+        const bool along_u = twisted ? f.length_u >= f.length_v : f.bend_u >= f.bend_v;
+        const int most = twisted ? most_halvings_of_twist : most_halvings;
+        if (f.deviation <= flat_enough || (along_u ? halved_u : halved_v) >= most) {
+            emit(box, side, f);
+            return;
+        }
+        Box2 low = box, high = box;
+        const unsigned axis = along_u ? 0 : 1;
+        low.upper[axis] = high.lower[axis] = box.center()[axis];
+        split(low, halved_u + along_u, halved_v + !along_u);
+        split(high, halved_u + along_u, halved_v + !along_u);
+    }
+
+    TrimSide classify(const Box2& box) const {
+        if (region_.untrimmed()) return TrimSide::inside;
+        const Box2 grown = clamped({box.lower - reach_, box.upper + reach_});
+        Box2 in_face = face_box(patch_, grown);
+        // Beyond the patch's own end there may be a border that the reach still touches.
+        const Box2 own = face_box(patch_, {Vec2(0), Vec2(1)});
+        const Vec2 margin = own.extent() * (reach_ + Vec2(1e-12));
+        in_face = {in_face.lower - margin, in_face.upper + margin};
+        return region_.classify(in_face);
+    }
+
+    void emit(const Box2& share, TrimSide side, const Flatness& f) {
+        Leaf leaf;
+        leaf.patch = index_;
+        leaf.degree_u = static_cast<std::uint16_t>(local_.degree_u);
+        leaf.degree_v = static_cast<std::uint16_t>(local_.degree_v);
+        leaf.trim = side;
+        leaf.first_point = static_cast<std::uint32_t>(set_.points.size());
+        leaf.coefficient_error =
+            epsilon * (8 * origin_.length() + (local_.degree_u + local_.degree_v + 4) * size_ / 2);
+        const auto slip = [&](double length) {
+            return std::min(widest_overlap, overlap + 16 * leaf.coefficient_error / length);
+        };
+        leaf.slip = share.extent() * Vec2(slip(f.length_u), slip(f.length_v));
+        leaf.domain = {share.lower - leaf.slip, share.upper + leaf.slip};
+        for (unsigned k = 0; k < 2; ++k) {
+            if (share.lower[k] <= 0) leaf.domain.lower[k] -= beyond_.lower[k];
+            if (share.upper[k] >= 1) leaf.domain.upper[k] += beyond_.upper[k];
+        }
+        place_points(leaf);
+    }
+
+    void place_points(Leaf& leaf) {
+        std::vector<Vec4> points = subpatch(local_, leaf.domain);
+        const Vec3 middle = hull_bounds({local_.degree_u, local_.degree_v, points}).center();
+        leaf.center = origin_ + middle;
+        leaf.weight = 0;
+        for (Vec4& p : points) {
+            const Vec3 moved = Vec3(p.x, p.y, p.z) - middle * p.w;
+            leaf.radius = std::max(leaf.radius, moved.length() / p.w);
+            leaf.weight = std::max(leaf.weight, p.w);
+            p = {moved.x, moved.y, moved.z, p.w};
+        }
+        set_.points.insert(set_.points.end(), points.begin(), points.end());
+        set_.leaves.push_back(leaf);
+    }
+
+    const Patch& patch_;
+    std::uint32_t index_;
+    const TrimRegion& region_;
+    BezierPatchView original_;
+    Vec3 origin_;
+    std::vector<Vec4> points_;
+    BezierPatchView local_;
+    double size_ = 0;
+    Vec2 reach_{0};                 ///< in patch parameters
+    Box2 beyond_{Vec2(0), Vec2(0)}; ///< by how much the domain goes on past 0 and past 1
+    LeafSet set_;
+};
+
+} // namespace
+
+BezierPatchView LeafSet::view(const Leaf& leaf) const {
+    const std::size_t count = (leaf.degree_u + 1u) * (leaf.degree_v + 1u);
+    return {leaf.degree_u, leaf.degree_v, std::span(points).subspan(leaf.first_point, count)};
+}
+
+void append(LeafSet& all, LeafSet more) {
+    const auto offset = static_cast<std::uint32_t>(all.points.size());
+    for (Leaf& leaf : more.leaves) {
+        leaf.first_point += offset;
+        all.leaves.push_back(leaf);
+    }
+    all.points.insert(all.points.end(), more.points.begin(), more.points.end());
+    all.trimmed_away += more.trimmed_away;
+}
+
+double seam_reach(const SurfaceModel& model, const Face& face, double join) {
+    double reach = 0;
+    for (const TrimLoop& loop : model.loops_of(face))
+        for (const TrimCurve& curve : model.curves_of(loop))
+            if (curve.edge != no_index) reach = std::max(reach, model.edges[curve.edge].tolerance);
+    return std::min(reach, join);
+}
+
+LeafSet make_leaves(const SurfaceModel& model, const Face& face, const TrimRegion& region,
+                    double reach) {
+    Box2 domain;
+    for (const Patch& patch : model.patches_of(face))
+        domain.extend(face_box(patch, {Vec2(0), Vec2(1)}));
+    LeafSet all;
+    for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p)
+        append(all, PatchSplitter(model, p, region, domain, reach).run());
+    return all;
+}
+
+} // namespace keiko

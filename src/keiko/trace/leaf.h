@@ -1,0 +1,52 @@
+#pragma once
+
+#include "keiko/patch/surface_model.h"
+#include "keiko/patch/trim_region.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace keiko {
+
+/// A piece of a patch that is flat enough for rays to be proved unique on it.
+struct Leaf {
+    std::uint32_t patch = 0;
+    std::uint16_t degree_u = 1, degree_v = 1;
+    TrimSide trim = TrimSide::inside; ///< never outside: such leaves are not kept
+    std::uint32_t first_point = 0;    ///< into LeafSet::points
+    /// Patch parameters it covers: a little more than its share, so that no ray slips through
+    /// between neighbours, nor between sewn faces.
+    Box2 domain;
+    /// Patch parameters beyond [0, 1] by which rounding alone may carry a hit; what lies farther
+    /// out can only be a seam hit.
+    Vec2 slip{0};
+    Vec3 center{0};    ///< part coordinates
+    double radius = 0; ///< mm, of the ball about the centre that holds the control points
+    double weight = 1; ///< largest weight
+    double coefficient_error = 0; ///< mm, bound of what making the leaf moved a control point by
+};
+
+/// The leaves of one part, in part coordinates.
+struct LeafSet {
+    std::vector<Leaf> leaves;
+    /// Homogeneous control points relative to the leaf's centre, (w (p - centre), w): in world
+    /// coordinates the terms w * centre would drown the derivatives that the proof looks at.
+    std::vector<Vec4> points;
+    std::size_t trimmed_away = 0;
+
+    BezierPatchView view(const Leaf& leaf) const;
+};
+
+/// Adds the leaves of `more` behind those of `all`.
+void append(LeafSet& all, LeafSet more);
+
+/// How far beyond a trimmed border a hit may still count as on the seam, mm: the largest
+/// tolerance of the face's own edges, at most `join`.
+double seam_reach(const SurfaceModel& model, const Face& face, double join);
+
+/// Splits the patches of a face into leaves, cropped to the face's material and without those
+/// that hold none of it within `reach` mm.
+LeafSet make_leaves(const SurfaceModel& model, const Face& face, const TrimRegion& region,
+                    double reach);
+
+} // namespace keiko

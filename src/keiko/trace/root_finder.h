@@ -1,0 +1,50 @@
+#pragma once
+
+#include "keiko/trace/planar_net.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// A common zero of the two functions of a PlanarNet.
+struct LeafRoot {
+    Vec2 uv;         ///< in the net's own [0, 1]^2
+    Vec2 error;      ///< half the size of the box that holds the exact root
+    bool clipped;    ///< found by clipping down to rounding, not by a uniqueness proof
+    bool tangential; ///< several roots may lie in that box
+};
+
+/// Finds every common zero of f and g in [0, 1]^2: Bezier clipping with preconditioned fat lines,
+/// cut short by Newton's method wherever a box is proved to hold at most one. Sub-boxes are always
+/// cut from the net that was given, so that rounding does not pile up with depth.
+/// Keeps its buffers between calls; not for two threads at once.
+class RootFinder {
+public:
+    /// `clipping_only`: never proves, only clips, as Nishita, Sederberg & Kakimoto 1990.
+    explicit RootFinder(bool clipping_only = false) : clipping_only_(clipping_only) {}
+
+    /// `slack` bounds the error of each coefficient. Valid until the next call; in no order.
+    std::span<const LeafRoot> find(const PlanarNet& net, double slack);
+
+private:
+    /// `net` is the whole net over `box`.
+    void examine(const PlanarNet& net, const Box2& box);
+    /// Halves the box across the axis along which the functions vary most.
+    void split(const Box2& box, const Vec2& variation);
+    /// The box is as narrow as rounding allows, and a zero cannot be ruled out in it.
+    void accept_box(const Box2& box);
+    /// The ray lies in the surface on the whole box: the places where it enters and leaves.
+    void accept_line(const PlanarNet& net, const Box2& box, const Vec2& plane);
+    void add(LeafRoot root);
+    /// Whether two finds are one root, or pieces of one tangency.
+    bool same(const LeafRoot& a, const LeafRoot& b) const;
+
+    bool clipping_only_;
+    const PlanarNet* whole_ = nullptr; ///< of the call that runs
+    double slack_ = 0;
+    std::vector<Box2> open_;
+    std::vector<LeafRoot> roots_;
+};
+
+} // namespace keiko

@@ -1,0 +1,103 @@
+#include "keiko/trace/traced_model.h"
+
+#include "keiko/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace keiko {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Frobenius norm, a bound of the largest stretch that is exact for no map but close for all.
+double stretch(const Affine& map) {
+    double sum = 0;
+    for (const Vec3& row : map.rows) sum += row.dot(row);
+    return std::sqrt(sum);
+}
+
+std::vector<Placement> placements(const SurfaceModel& model,
+                                  const std::vector<std::uint32_t>& first_leaf_of_face) {
+    std::vector<Placement> result;
+    for (const Instance& instance : model.instances) {
+        const Part& part = model.parts[instance.part];
+        const std::uint32_t first = first_leaf_of_face[part.first_face];
+        const std::uint32_t end = first_leaf_of_face[part.first_face + part.face_count];
+        const Affine to_part = instance.transform.inverse();
+        result.push_back({.to_world = instance.transform,
+                          .to_part = to_part,
+                          .identity = instance.transform.is_identity(),
+                          .magnification = stretch(instance.transform),
+                          .reduction = stretch(to_part),
+                          .first_leaf = first,
+                          .leaf_count = end - first});
+    }
+    return result;
+}
+
+} // namespace
+
+TracedModel traced_model(const SurfaceModel& model, double join, const Job& job) {
+    std::vector<std::optional<FaceTrim>> trims(model.faces.size());
+    std::vector<LeafSet> sets(model.faces.size());
+    parallel_for(model.faces.size(), job, "build", [&](std::size_t i) {
+        const Face& face = model.faces[i];
+        trims[i] = FaceTrim{TrimRegion(model, face), seam_reach(model, face, join)};
+        sets[i] = make_leaves(model, face, trims[i]->region, trims[i]->reach);
+    });
+
+    TracedModel traced;
+    std::vector<std::uint32_t> first_leaf;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        first_leaf.push_back(static_cast<std::uint32_t>(traced.leaves.leaves.size()));
+        append(traced.leaves, std::move(sets[i]));
+        traced.faces.push_back(std::move(*trims[i]));
+    }
+    first_leaf.push_back(static_cast<std::uint32_t>(traced.leaves.leaves.size()));
+    for (const Patch& patch : model.patches)
+        traced.patches.push_back({patch.face, patch.map_u, patch.map_v});
+    traced.curves = model.trim_curves;
+    traced.edges = model.edges;
+    traced.placements = placements(model, first_leaf);
+    traced.join = join;
+    return traced;
+}
+
+PartRay TracedModel::to_part(const Placement& placement, const Vec3& origin, const Vec3& direction,
+                             double error) const {
+    if (placement.identity) return part_ray(origin, direction, error);
+    const double rounding =
+        8 * epsilon * (origin.length() + placement.to_world.translation.length());
+    return part_ray(placement.to_part.point(origin), placement.to_part.vector(direction),
+                    (error + rounding) * placement.reduction);
+}
+
+Box3 TracedModel::bounds(const PlacedLeaf& placed) const {
+    const Leaf& leaf = leaves.leaves[placed.leaf];
+    const Placement& placement = placements[placed.instance];
+    Box3 box;
+    for (const Vec4& p : leaves.view(leaf).points) {
+        const Vec3 point = leaf.center + Vec3(p.x, p.y, p.z) / p.w;
+        box.extend(placement.identity ? point : placement.to_world.point(point));
+    }
+    return box;
+}
+
+std::vector<PlacedLeaf> TracedModel::placed_leaves() const {
+    std::vector<PlacedLeaf> placed;
+    for (std::uint32_t i = 0; i < placements.size(); ++i)
+        for (std::uint32_t k = 0; k < placements[i].leaf_count; ++k)
+            placed.push_back({i, placements[i].first_leaf + k});
+    return placed;
+}
+
+std::size_t TracedModel::bytes() const {
+    return leaves.leaves.size() * sizeof(Leaf) + leaves.points.size() * sizeof(Vec4) +
+           patches.size() * sizeof(PatchFrame) + faces.size() * sizeof(FaceTrim) +
+           curves.size() * sizeof(TrimCurve) + edges.size() * sizeof(Edge) +
+           placements.size() * sizeof(Placement);
+}
+
+} // namespace keiko

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/trace/leaf.h"
+#include "keiko/trace/part_ray.h"
+
+#include <optional>
+#include <vector>
+
+namespace keiko {
+
+/// A leaf of a placed part: what the box hierarchy is built of.
+struct PlacedLeaf {
+    std::uint32_t instance = 0, leaf = 0;
+};
+
+/// Where a part is placed.
+struct Placement {
+    Affine to_world, to_part;
+    bool identity = true;
+    double magnification = 1, reduction = 1; ///< bounds of a length's stretch, and of its inverse
+    std::uint32_t first_leaf = 0, leaf_count = 0;
+};
+
+/// A patch's way to its face's parameters.
+struct PatchFrame {
+    std::uint32_t face = 0;
+    ParameterMap map_u, map_v;
+
+    Vec2 to_face(const Vec2& uv) const { return {map_u.to_face(uv.x), map_v.to_face(uv.y)}; }
+};
+
+/// The trim curves of one face.
+struct FaceTrim {
+    TrimRegion region;
+    double reach = 0; ///< mm, as seam_reach
+};
+
+/// All that the tracer keeps of a SurfaceModel.
+struct TracedModel {
+    LeafSet leaves;
+    std::vector<PatchFrame> patches;
+    std::vector<FaceTrim> faces;
+    std::vector<TrimCurve> curves;
+    std::vector<Edge> edges;
+    std::vector<Placement> placements;
+    double join = 0; ///< mm, as TracerOptions::join
+
+    /// The ray seen from a placement. `origin` is any point of it; `error` as in part_ray, world.
+    PartRay to_part(const Placement& placement, const Vec3& origin, const Vec3& direction,
+                    double error) const;
+    /// World box of a placed leaf's control points, mm.
+    Box3 bounds(const PlacedLeaf& placed) const;
+    std::vector<PlacedLeaf> placed_leaves() const;
+    /// Of the arrays, roughly.
+    std::size_t bytes() const;
+};
+
+/// Splits and classifies every face, in parallel; reports stage "build". Throws Cancelled.
+TracedModel traced_model(const SurfaceModel& model, double join, const Job& job);
+
+} // namespace keiko

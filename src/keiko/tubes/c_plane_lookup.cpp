@@ -1,0 +1,99 @@
+#include "keiko/tubes/c_plane_lookup.h"
+
+#include "keiko/tubes/stripe_coverage.h"
+#include "keiko/tubes/tube_hit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace keiko {
+namespace {
+
+/// Sine of the angle to the plane below which a ray counts as parallel (physics 3.2).
+constexpr double parallel = 1e-12;
+
+/// Stripes are given up, and their mean shown, where a pixel spans more pitches.
+constexpr double resolvable_pitches = 4;
+
+/// Derivative of (u, v) by one picture axis: the hit moves with the ray and stays on the plane.
+Vec2 slide(const CPlaneFrame& frame, double t, const Vec3& direction, const Vec3& origin_rate,
+           const Vec3& direction_rate) {
+    const Vec3 d = frame.vector(direction);
+    const Vec3 rate = frame.vector(origin_rate + direction_rate * t);
+    const double t_rate = rate.z / d.z;
+    return {rate.x - d.x * t_rate, rate.y - d.y * t_rate};
+}
+
+/// How far along u the ray runs from a tube's surface to the level of its axis, mm: the mean over
+/// the tube's width, pi / 4 of that over its middle.
+double rim_shift(const CPlaneFrame& frame, const Vec3& direction) {
+    const Vec3 d = frame.vector(direction);
+    return std::numbers::pi / 4 * frame.radius() * d.x / std::hypot(d.y, d.z);
+}
+
+bool point_shines(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
+                  const Vec3& direction, TubeLook look) {
+    if (look == TubeLook::flat) return strip_at(frame, hit.u, hit.v, frame.diameter).has_value();
+    const auto tube = nearest_tube(frame, origin, direction);
+    return tube && !tube->cap;
+}
+
+StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& direction,
+                    const Footprint& footprint, TubeLook look) {
+    const bool round = look == TubeLook::tube;
+    const double width = round ? apparent_diameter(frame, direction) : frame.diameter;
+    const double shift = round ? rim_shift(frame, direction) : 0;
+    const PixelFilter along(footprint.dx.x, footprint.dy.x), across(footprint.dx.y, footprint.dy.y);
+    const bool resolved = across.width() <= resolvable_pitches * frame.pitch;
+    const auto coverage = resolved ? comb_coverage : mean_coverage;
+    const double ends = along.share(shift - hit.u, frame.length + shift - hit.u);
+    return {ends * coverage(frame, width, hit.v, across), resolved};
+}
+
+} // namespace
+
+std::optional<CPlaneHit> c_plane_coordinates(const CPlaneFrame& frame, const Vec3& origin,
+                                             const Vec3& direction) {
+    const Vec3 o = frame.point(origin), d = frame.vector(direction);
+    if (!(std::abs(d.z) > parallel * direction.length())) return {};
+    const double t = -o.z / d.z;
+    if (!(t > 0)) return {};
+    return CPlaneHit{t, o.x + t * d.x, o.y + t * d.y};
+}
+
+std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& origin,
+                                             const Vec3& direction) {
+    return c_plane_coordinates(CPlaneFrame(plane), origin, direction);
+}
+
+Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& direction,
+                       const RayDifferentials& spread) {
+    return {slide(frame, hit.t, direction, spread.origin_dx, spread.direction_dx),
+            slide(frame, hit.t, direction, spread.origin_dy, spread.direction_dy)};
+}
+
+std::optional<int> strip_at(const CPlaneFrame& frame, double u, double v, double width) {
+    if (frame.lamps == 0 || !(u > 0 && u < frame.length)) return {};
+    const double nearest = std::floor((v - frame.first) / frame.pitch + 0.5);
+    const int lamp = static_cast<int>(std::clamp(nearest, 0.0, frame.lamps - 1.0));
+    if (!(std::abs(v - frame.axis(lamp)) < width / 2)) return {};
+    return lamp;
+}
+
+StripeLook look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
+                   const Footprint& footprint, TubeLook look) {
+    const auto hit = c_plane_coordinates(frame, origin, direction);
+    if (!hit) return {};
+    if (footprint.is_point())
+        return {point_shines(frame, *hit, origin, direction, look) ? 1.0 : 0.0, true};
+    return filtered(frame, *hit, direction, footprint, look);
+}
+
+Rgb mirrored_luminance(const CPlane& plane, const Vec3& origin, const Vec3& direction,
+                       const Footprint& footprint, TubeLook look) {
+    return plane.luminance *
+           look_up(CPlaneFrame(plane), origin, direction, footprint, look).coverage;
+}
+
+} // namespace keiko

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "keiko/math/ray_differentials.h"
+#include "keiko/tubes/c_plane_frame.h"
+
+#include <optional>
+
+namespace keiko {
+
+/// Where a ray meets a C-plane, inside its rectangle or not.
+struct CPlaneHit {
+    double t = 0;        ///< in lengths of the ray's direction, > 0
+    double u = 0, v = 0; ///< mm from the corner, along and across the lamps
+};
+
+/// Nothing for a ray that runs away from the plane or within 1e-12 rad of parallel to it.
+std::optional<CPlaneHit> c_plane_coordinates(const CPlaneFrame& frame, const Vec3& origin,
+                                             const Vec3& direction);
+std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& origin,
+                                             const Vec3& direction);
+
+/// A pixel's image on a C-plane: derivatives of (u, v) by the picture's x and y, mm per pixel.
+/// All 0: a point.
+struct Footprint {
+    Vec2 dx{0}, dy{0};
+
+    /// An axis-parallel box of that extent, mm.
+    static Footprint box(double du, double dv) { return {{du, 0}, {0, dv}}; }
+    bool is_point() const { return dx == Vec2(0) && dy == Vec2(0); }
+};
+
+/// The footprint of a ray at its `hit` on the plane, to first order.
+Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& direction,
+                       const RayDifferentials& spread);
+
+/// How lamps look in a mirror: round tubes, or the flat strips of the seed paper ([003]).
+enum class TubeLook { tube, flat };
+
+/// What a mirrored ray, or a pixel of them, sees of a row of lamps.
+struct StripeLook {
+    double coverage = 0;  ///< share of the pixel that lamps fill, 0 to 1
+    bool resolved = true; ///< false: over 4 pitches in a pixel; the coverage is the mean
+};
+
+/// Looks the lamps up on the plane (physics 3.2 to 3.4); both sides of it are seen. A point is
+/// met exactly, dark end caps included; a footprint is integrated in closed form over strips of
+/// the tubes' apparent width, whose ends are shifted by the mean bulge of the rims. What lies
+/// between the lamps and what stands before them is the caller's.
+StripeLook look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
+                   const Footprint& footprint = {}, TubeLook look = TubeLook::tube);
+
+/// Luminance in cd/m2 of the same, darkness between the lamps.
+Rgb mirrored_luminance(const CPlane& plane, const Vec3& origin, const Vec3& direction,
+                       const Footprint& footprint = {}, TubeLook look = TubeLook::tube);
+
+/// The strip that holds the point (u, v), by rising v; nothing between the strips. `width` in mm.
+std::optional<int> strip_at(const CPlaneFrame& frame, double u, double v, double width);
+
+} // namespace keiko

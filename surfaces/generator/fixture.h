@@ -1,0 +1,34 @@
+#pragma once
+
+#include "shape_pool.h"
+
+namespace keiko::fixtures {
+
+/// A fact that holds by construction, beside what evaluating the finished surfaces finds.
+struct GroundTruth {
+    std::string what;
+    std::string unit;
+    double promised;
+    double measured;
+    double tolerance;
+};
+
+/// A STEP model of surfaces/ with what is known about it.
+struct Fixture {
+    std::string file;
+    std::vector<NamedFace> faces;
+    std::vector<GroundTruth> truths;
+};
+
+/// A Bezier patch file of surfaces/ (.bpt: the patch count; for each patch its two degrees, then
+/// the control points, v running fastest).
+struct BptFixture {
+    std::string file;
+    std::vector<Net> patches;
+    std::vector<GroundTruth> truths;
+};
+
+/// Prints the truths of a file. Throws std::runtime_error if a measurement is off.
+void report(const std::string& file, const std::vector<GroundTruth>& truths);
+
+} // namespace keiko::fixtures

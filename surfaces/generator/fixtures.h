@@ -1,0 +1,39 @@
+#pragma once
+
+#include "fixture.h"
+
+namespace keiko::fixtures {
+
+/// The concept car: 185 faces, each one Bezier patch of degree 3 to 5 in both directions. Vehicle
+/// frame in mm: x rearwards, y to the right, z up, ground at z = 0.
+Fixture concept_car();
+
+/// A hood with a power dome, whose edges are soft character lines along x: three biquintic faces.
+Fixture hood();
+
+/// Two faces that meet along a curved seam in the plane x = 0, with one fault of exactly known
+/// size at every point of the seam.
+Fixture seam_g0_gap();
+Fixture seam_g1_angle();
+Fixture seam_g1_only();
+Fixture seam_g2_only();
+
+/// A domed panel with a dent 0.1 mm deep: one control point moved.
+Fixture dent();
+
+/// One patch with one circular hole, with two, and with an island in the hole.
+Fixture trimmed_hole();
+Fixture trimmed_two_holes();
+Fixture trimmed_island();
+
+/// A cap of four patches, each with an edge collapsed in the top.
+Fixture pole();
+
+/// A sphere of radius 100 mm: eight rational biquadratic octants.
+Fixture sphere();
+
+/// Hyperbolic paraboloid and dome in closed form.
+BptFixture saddle();
+BptFixture dome();
+
+} // namespace keiko::fixtures

@@ -1,0 +1,33 @@
+#include "bpt_file.h"
+#include "fixtures.h"
+#include "step_file.h"
+
+#include <cstdio>
+#include <exception>
+
+int main(int argc, char** argv) {
+    using namespace keiko::fixtures;
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: keiko-fixtures DIR\nwrites the models of surfaces/ to DIR\n");
+        return 2;
+    }
+    const std::filesystem::path directory = argv[1];
+    try {
+        for (const auto make :
+             {concept_car, hood, seam_g0_gap, seam_g1_angle, seam_g1_only, seam_g2_only, dent,
+              trimmed_hole, trimmed_two_holes, trimmed_island, pole, sphere}) {
+            const Fixture fixture = make();
+            report(fixture.file, fixture.truths);
+            write_step(directory / fixture.file, fixture.faces);
+        }
+        for (const auto make : {saddle, dome}) {
+            const BptFixture fixture = make();
+            report(fixture.file, fixture.truths);
+            write_bpt(directory / fixture.file, fixture.patches);
+        }
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "keiko-fixtures: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

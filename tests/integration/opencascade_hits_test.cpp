@@ -1,0 +1,164 @@
+#include "keiko/io/load_model.h"
+#include "keiko/trace/tracer.h"
+
+#include "tests/integration/opencascade_tracer.h"
+#include "tests/support/paths.h"
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+using namespace keiko;
+using test::OpenCascadeTracer;
+using test::PeerHit;
+
+namespace {
+
+/// Rays a model; the figure of 20,000 with KEIKO_HIT_RAYS=20000.
+int ray_count() {
+    const char* wanted = std::getenv("KEIKO_HIT_RAYS");
+    return wanted ? std::atoi(wanted) : 2000;
+}
+
+/// Random chords through the model's box, starting well outside.
+std::vector<Ray> random_rays(const Box3& box, int count) {
+    std::mt19937_64 random(20260101);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const auto inside = [&] {
+        return box.lower + box.extent() * Vec3(unit(random), unit(random), unit(random));
+    };
+    std::vector<Ray> rays;
+    while (rays.size() < static_cast<std::size_t>(count)) {
+        const Vec3 a = inside(), b = inside();
+        if ((b - a).length() < 1e-3 * box.size()) continue;
+        Ray ray;
+        ray.direction = (b - a).normalized();
+        ray.origin = a - ray.direction * (2 * box.size());
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
+template <class Hits>
+bool has_hit_at(const Hits& hits, double t, double tolerance) {
+    return std::any_of(hits.begin(), hits.end(),
+                       [&](const auto& hit) { return std::abs(hit.t - t) <= tolerance; });
+}
+
+/// What two implementations said of the same rays.
+struct Agreement {
+    int common = 0;
+    int lost_by_peer = 0; ///< Keiko's hit lies on OpenCASCADE's own face
+    int at_border = 0;    ///< either's hit within the tolerance of a trimmed border
+    int peer_inexact = 0; ///< OpenCASCADE's hit is off its ray or its face
+    int lost = 0, false_hits = 0;
+};
+
+class Comparison {
+public:
+    Comparison(const std::filesystem::path& file, const SurfaceModel& model)
+        : peer_(file), tracer_(model), size_(bounds(model).size()) {}
+
+    void compare(const Ray& ray) {
+        const std::vector<Hit> ours = tracer_.all(ray);
+        const std::vector<PeerHit> theirs = peer_.all(ray);
+        for (const Hit& hit : ours) judge(ray, hit, theirs);
+        for (const PeerHit& hit : theirs)
+            if (!has_hit_at(ours, hit.t, tolerance())) judge_missing(ray, hit, ours);
+    }
+
+    const Agreement& agreement() const { return agreement_; }
+
+private:
+    double tolerance() const { return 1e-7 * size_; }
+
+    void judge(const Ray& ray, const Hit& hit, const std::vector<PeerHit>& theirs) {
+        if (has_hit_at(theirs, hit.t, tolerance())) {
+            ++agreement_.common;
+        } else if ((ray.at(hit.t) - hit.position).length() > tolerance()) {
+            report(ray, hit.t, "hit off its ray");
+            ++agreement_.false_hits;
+        } else if (const double off = peer_.distance(hit.position); off <= tolerance()) {
+            ++agreement_.lost_by_peer;
+        } else if (has(hit.flags, HitFlags::seam)) {
+            ++agreement_.at_border;
+        } else {
+            report(ray, hit.t, "hit off the faces by " + std::to_string(off));
+            ++agreement_.false_hits;
+        }
+    }
+
+    void judge_missing(const Ray& ray, const PeerHit& hit, const std::vector<Hit>& ours) {
+        // OpenCASCADE takes points within the edges' tolerances for material; Keiko's seam band
+        // is not wider. What lies there may go either way.
+        const double band = std::max(hit.tolerance, tolerance());
+        if (hit.on_border || near_border(hit, band))
+            ++agreement_.at_border;
+        else if ((ray.at(hit.t) - hit.position).length() > tolerance() ||
+                 peer_.distance(hit.position) > tolerance() ||
+                 has_hit_at(ours, hit.t, 1e-4 * size_))
+            ++agreement_.peer_inexact;
+        else {
+            report(ray, hit.t, "lost");
+            ++agreement_.lost;
+        }
+    }
+
+    /// Whether a step sideways in the surface leaves the material: probed with parallel rays.
+    bool near_border(const PeerHit& hit, double band) {
+        const Ray probe = probe_towards(hit.position);
+        const auto around = peer_.all(probe);
+        return std::none_of(around.begin(), around.end(), [&](const PeerHit& p) {
+            return (p.position - hit.position).length() <= band && !p.on_border;
+        });
+    }
+
+    Ray probe_towards(const Vec3& point) const {
+        Ray probe;
+        probe.direction = Vec3(0.36, 0.48, 0.8).normalized();
+        probe.origin = point - probe.direction * (2 * size_);
+        return probe;
+    }
+
+    static void report(const Ray& ray, double t, const std::string& what) {
+        std::cout.precision(17);
+        std::cout << what << " at t " << t << ", ray " << ray.origin << " " << ray.direction
+                  << "\n";
+    }
+
+    OpenCascadeTracer peer_;
+    Tracer tracer_;
+    double size_;
+    Agreement agreement_;
+};
+
+class OpenCascadeHits : public testing::TestWithParam<const char*> {};
+
+} // namespace
+
+TEST_P(OpenCascadeHits, NoneIsLostAndNoneIsFalse) {
+    KEIKO_NEEDS_SHARED_MODEL(GetParam());
+    const auto file = test::shared_model(GetParam());
+    const SurfaceModel model = load_model(file, {}, {});
+    Comparison comparison(file, model);
+    for (const Ray& ray : random_rays(bounds(model), ray_count())) comparison.compare(ray);
+    const Agreement& a = comparison.agreement();
+    std::cout << GetParam() << ": " << a.common << " common hits, OpenCASCADE lost "
+              << a.lost_by_peer << ", at borders " << a.at_border << ", OpenCASCADE inexact "
+              << a.peer_inexact << ", lost " << a.lost << ", false " << a.false_hits << "\n";
+    EXPECT_GT(a.common, ray_count() / 20);
+    EXPECT_EQ(a.lost, 0);
+    EXPECT_EQ(a.false_hits, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(RealModels, OpenCascadeHits,
+                         testing::Values("car-front-fender.brep", "car-hood.brep",
+                                         "car-rear-deck-half-panel.brep", "linkrods.step",
+                                         "hammer.igs"),
+                         [](const auto& info) {
+                             std::string name = info.param;
+                             std::replace_if(
+                                 name.begin(), name.end(),
+                                 [](unsigned char c) { return !std::isalnum(c); }, '_');
+                             return name;
+                         });

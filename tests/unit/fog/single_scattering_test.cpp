@@ -1,0 +1,70 @@
+#include "keiko/fog/single_scattering.h"
+
+#include "tests/support/oracle.h"
+#include <gtest/gtest.h>
+
+using namespace keiko;
+
+namespace {
+
+PointEmitter isotropic(const Vec3& position, const Rgb& intensity) {
+    return {position, [intensity](const Vec3&) { return intensity; }};
+}
+
+} // namespace
+
+TEST(SingleScattering, AirlightAgreesWithOracle) {
+    const test::OracleTable table("airlight");
+    test::WorstError worst("L");
+    for (const auto& row : table) {
+        const Medium medium{.extinction = Rgb(row.number("in.sigma")),
+                            .albedo = Rgb(row.number("in.w0"))};
+        // The ray runs along x, the foot of the light at x = 0, the eye at x = -so.
+        const double eye = -row.number("in.so") * 1000;
+        const double begin = row.number("in.x1") * 1000, end = row.number("in.x2") * 1000;
+        const Segment ray{{eye, 0, 0}, {end, 0, 0}};
+        const auto lit = IntervalSet::whole((begin - eye) / (end - eye), 1);
+        const Vec3 light(0, row.number("in.h") * 1000, 0);
+        const Rgb l = scattered_light(medium, ray, lit, isotropic(light, Rgb(row.number("in.I"))));
+        worst.compare(row, l.g, row.number("out.L"), 1e-8);
+    }
+}
+
+TEST(SingleScattering, PartsAddUpAndOrderDoesNotMatter) {
+    const Medium medium{.extinction = {0.01, 0.2, 1}, .albedo = {0.9, 0.5, 0.3}, .phase_k = 20};
+    const Segment ray{{0, 0, 0}, {9000, 300, -200}};
+    const PointEmitter light = isotropic({4000, 800, 900}, {100, 200, 300});
+    const IntervalSet parts({{0.1, 0.35}, {0.5, 0.52}});
+    const Rgb whole = scattered_light(medium, ray, IntervalSet::whole(), light);
+    const Rgb sum = scattered_light(medium, ray, parts, light) +
+                    scattered_light(medium, ray, parts.complement(), light);
+    EXPECT_NEAR(sum.r, whole.r, 1e-8 * whole.r);
+    EXPECT_NEAR(sum.b, whole.b, 1e-7 * whole.b);
+    EXPECT_GT(scattered_light(medium, ray, parts, light).g, 0);
+}
+
+TEST(SingleScattering, FogGlowsTowardsTheLamp) {
+    // Before the lamp the light goes on to the eye nearly straight, behind it it must turn round.
+    const Medium fog{.extinction = Rgb(1e-6), .phase_k = 50};
+    const Segment ray{{0, 0, 0}, {4000, 0, 0}};
+    const PointEmitter light = isotropic({2000, 100, 0}, Rgb(100));
+    const double before = scattered_light(fog, ray, IntervalSet::whole(0, 0.4), light).g;
+    const double behind = scattered_light(fog, ray, IntervalSet::whole(0.6, 1), light).g;
+    EXPECT_GT(before, 0);
+    EXPECT_NEAR(behind / before, 1 / 50.0, 5e-3);
+}
+
+TEST(SingleScattering, IsFiniteThroughTheLampAndZeroWithoutLength) {
+    const Medium medium{.extinction = Rgb(0.1)};
+    const PointEmitter light = isotropic({1000, 0, 0}, Rgb(100));
+    const auto through = [&](double offset) {
+        return scattered_light(medium, {{0, offset, 0}, {2000, offset, 0}}, IntervalSet::whole(),
+                               light)
+            .g;
+    };
+    EXPECT_TRUE(std::isfinite(through(0)));
+    EXPECT_DOUBLE_EQ(through(0), through(1e-6));
+    EXPECT_GT(through(0), through(6));
+    EXPECT_EQ(scattered_light(medium, {Vec3(0), Vec3(0)}, IntervalSet::whole(), light), Rgb());
+    EXPECT_EQ(scattered_light(medium, {Vec3(0), Vec3(1)}, IntervalSet(), light), Rgb());
+}

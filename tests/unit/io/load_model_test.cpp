@@ -1,0 +1,148 @@
+#include "keiko/io/load_model.h"
+
+#include "keiko/base/error.h"
+#include "keiko/io/model_serialization.h"
+
+#include "tests/support/model_builder.h"
+#include "tests/unit/io/temporary_folder.h"
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace keiko {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Looks like a whole STEP file to load_model; fake workers do not read it.
+constexpr const char* step_text = "ISO-10303-21;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n";
+
+struct LoadModel : testing::Test {
+    test::TemporaryFolder folder;
+
+    /// The one line of the error that loading gives, without the folder.
+    std::string reason_for(const std::filesystem::path& path, const LoadOptions& options = {}) {
+        try {
+            load_model(path, options);
+        } catch (const Error& e) {
+            EXPECT_EQ(e.file(), path.string());
+            EXPECT_EQ(e.reason().find('\n'), std::string::npos);
+            return e.reason();
+        }
+        return "loaded";
+    }
+    std::string reason_with_worker(const std::string& script) {
+        LoadOptions options;
+        options.worker = folder.script("worker", script);
+        options.timeout = 300ms;
+        return reason_for(folder.file("part.step", step_text), options);
+    }
+};
+
+TEST_F(LoadModel, FilesThatAreNone) {
+    EXPECT_EQ(reason_for(folder.path() / "absent.step"), "no such file");
+    EXPECT_EQ(reason_for(folder.path()), "is a directory, not a file");
+    EXPECT_EQ(reason_for(folder.file("empty.step", "")), "the file is empty");
+}
+
+TEST_F(LoadModel, ContentCountsNotTheName) {
+    const std::string expected =
+        "not a model file (expected STEP, IGES, BREP, .bpt or teapot text)";
+    EXPECT_EQ(reason_for(folder.file("text.step", "Dear customer,\nplease find enclosed\n")),
+              expected);
+    EXPECT_EQ(reason_for(folder.file("zeros.brep", std::string(5000, '\0'))), expected);
+    const auto named_step = folder.file("patch.step", "1\n1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 2\n");
+    EXPECT_EQ(load_model(named_step).format, "BPT");
+}
+
+TEST_F(LoadModel, FilesCutShort) {
+    EXPECT_EQ(reason_for(folder.file("a.step", "ISO-10303-21;\nHEADER;\n")),
+              "the STEP file is cut short: it has no end");
+    EXPECT_EQ(reason_for(folder.file("a.brep", "DBRep_DrawableShape\n\nCASCADE Topology V1\n")),
+              "the BREP file is cut short: it has no end");
+    const std::string start = std::string(72, ' ') + "S0000001\n";
+    EXPECT_EQ(reason_for(folder.file("a.igs", start)), "the IGES file is cut short: it has no end");
+}
+
+TEST_F(LoadModel, AStepFileOfNothing) {
+    const std::string reason = reason_for(folder.file("a.step", step_text));
+    EXPECT_NE(reason, "loaded");
+}
+
+TEST_F(LoadModel, AMissingWorkerIsTold) {
+    LoadOptions options;
+    options.worker = folder.path() / "none";
+    EXPECT_EQ(reason_for(folder.file("a.step", step_text), options),
+              "cannot be read: no CAD reader at " + options.worker.string());
+}
+
+TEST_F(LoadModel, AWorkerThatCrashes) {
+    EXPECT_EQ(reason_with_worker("kill -SEGV $$"),
+              "the CAD reader crashed on it: Segmentation fault");
+}
+
+TEST_F(LoadModel, AWorkerThatHangsIsKilledWithItsChildren) {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(reason_with_worker("sleep 20"), "the CAD reader did not finish within 0.3 s");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, 5s);
+}
+
+TEST_F(LoadModel, AWorkerThatFails) {
+    EXPECT_EQ(reason_with_worker("echo some chatter >&2; echo libTK.so is missing >&2; exit 127"),
+              "the CAD reader gave no model (exit code 127): libTK.so is missing");
+    EXPECT_EQ(reason_with_worker("exit 0"), "the CAD reader gave no model (exit code 0)");
+    EXPECT_EQ(reason_with_worker("echo error no faces in the file >&3; exit 1"),
+              "no faces in the file");
+    EXPECT_EQ(reason_with_worker("echo model >&3; echo rubbish >&3"),
+              "not a sound serialised model: it does not begin as one");
+}
+
+TEST_F(LoadModel, AnAnswerOfManyPipeBuffersComesThroughWithItsProgress) {
+    test::ModelBuilder builder;
+    for (int i = 0; i < 5000; ++i) builder.plane(Vec3(i, 0, 0), {1, 0, 0}, {0, 1, 0});
+    const std::string bytes = serialize(builder.build());
+    folder.file("answer", "progress 0.25\nmodel\n" + bytes);
+    LoadOptions options;
+    options.worker = folder.script("worker", "echo noise; cat \"$(dirname \"$0\")/answer\" >&3");
+    std::vector<double> fractions;
+    Job job;
+    job.progress = [&](const Progress& p) {
+        EXPECT_EQ(p.stage, "import");
+        fractions.push_back(p.fraction);
+    };
+    const auto path = folder.file("part.step", step_text);
+    const SurfaceModel model = load_model(path, options, job);
+    EXPECT_EQ(model.faces.size(), 5000u);
+    EXPECT_EQ(model.source, path.string());
+    EXPECT_EQ(fractions, (std::vector<double>{0, 0.25, 1}));
+}
+
+TEST_F(LoadModel, CancellingKillsTheWorker) {
+    LoadOptions options;
+    options.worker = folder.script("worker", "sleep 20");
+    std::stop_source stop;
+    Job job;
+    job.stop = stop.get_token();
+    std::jthread later([&] {
+        std::this_thread::sleep_for(100ms);
+        stop.request_stop();
+    });
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_THROW(load_model(folder.file("a.step", step_text), options, job), Cancelled);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, 5s);
+}
+
+TEST_F(LoadModel, TheUnitCanBeOverridden) {
+    const auto path = folder.file("p.bpt", "1\n1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 2\n");
+    LoadOptions options;
+    options.unit = "inch";
+    const SurfaceModel model = load_model(path, options);
+    EXPECT_EQ(evaluate(model.patch(0), {1, 1}, 0).position(), Vec3(25.4, 25.4, 50.8));
+    EXPECT_EQ(model.unit, "inch");
+    EXPECT_EQ(model.diagnostics.size(), 1u);
+    options.unit = "furlong";
+    EXPECT_EQ(reason_for(path, options), "unknown length unit \"furlong\"");
+}
+
+} // namespace
+} // namespace keiko

@@ -1,0 +1,406 @@
+#include "keiko/base/error.h"
+#include "keiko/base/input_file.h"
+#include "keiko/io/material_file.h"
+#include "keiko/io/rig_file.h"
+#include "keiko/io/scene_file.h"
+#include "keiko/io/toml_reader.h"
+
+#include "tests/support/paths.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+namespace keiko {
+namespace {
+namespace fs = std::filesystem;
+
+const std::string head = "format = \"keiko-rig/1\"\n";
+const std::string plane = "[[c_plane]]\norigin = [0, 0, 2000]\nu = [1000, 0, 0]\n";
+const std::string whole_plane = plane + "v = [0, 1200, 0]\n";
+const std::string spot = "[[spotlight]]\nposition = [0, 0, 4000]\naim = [0, 0, 0]\n";
+
+/// The message of the Error that a rig text causes; "" when there is none.
+std::string rig_error(const std::string& text) {
+    try {
+        parse_rig(text, "bad.toml");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+CPlane only_plane(const std::string& text) {
+    return std::get<CPlane>(parse_rig(text, "rig.toml").sources.at(0));
+}
+
+TEST(RigFile, ReadsTheExampleOfTheDesign) {
+    const LightRig rig = parse_rig(head + R"(name = "demo"
+ambient = 20
+[[spotlight]]
+position = [0, 0, 4000]
+aim = [0, 0, 0]
+half_angle = 25
+edge = "mixed"
+q = 0.25
+intensity = 5000
+color = [1, 0.9, 0.8]
+[[c_plane]]
+origin = [-1500, -1000, 2500]
+u = [0, 2000, 0]
+v = [3000, 0, 0]
+lamps = 10
+pitch = 250
+diameter = 38
+luminance = 8000
+color = [1, 1, 0.5]
+[[spotlight]]
+position = [1, 2, 3]
+aim = [0, 0, 0]
+[fog]
+extinction = 0.02
+albedo = [0.9, 0.8, 0.7]
+phase = { kind = "fog", k = 8 }
+ambient = [0.5, 0.5, 0.55]
+)",
+                                   "demo.toml");
+    EXPECT_EQ(rig.name, "demo");
+    EXPECT_EQ(rig.ambient, Rgb(20));
+    ASSERT_EQ(rig.sources.size(), 3u);
+    const auto& first = std::get<Spotlight>(rig.sources[0]); // in the order of the file
+    EXPECT_EQ(first.position, Vec3(0, 0, 4000));
+    EXPECT_EQ(first.half_angle, 25);
+    EXPECT_EQ(first.edge, BeamEdge::mixed);
+    EXPECT_EQ(first.q, 0.25);
+    EXPECT_EQ(first.intensity, Rgb(1, 0.9, 0.8) * 5000.0);
+    const auto& lamps = std::get<CPlane>(rig.sources[1]);
+    EXPECT_EQ(lamps.origin, Vec3(-1500, -1000, 2500));
+    EXPECT_EQ(lamps.u, Vec3(0, 2000, 0));
+    EXPECT_EQ(lamps.v, Vec3(3000, 0, 0));
+    EXPECT_EQ(lamps.lamps, 10);
+    EXPECT_EQ(lamps.spacing(), 250);
+    EXPECT_EQ(lamps.diameter, 38);
+    EXPECT_EQ(lamps.luminance, Rgb(8000, 8000, 4000));
+    EXPECT_EQ(std::get<Spotlight>(rig.sources[2]).position, Vec3(1, 2, 3));
+    EXPECT_EQ(rig.medium.value().extinction, Rgb(0.02));
+    EXPECT_EQ(rig.medium->albedo, Rgb(0.9, 0.8, 0.7));
+    EXPECT_EQ(rig.medium->phase_k, 8);
+    EXPECT_EQ(rig.medium->ambient, Rgb(0.5, 0.5, 0.55));
+}
+
+TEST(RigFile, DefaultsAreThoseOfTheStructs) {
+    const CPlane read = only_plane(head + whole_plane);
+    EXPECT_EQ(read.lamps, CPlane{}.lamps);
+    EXPECT_EQ(read.pitch, 0);
+    EXPECT_EQ(read.spacing(), 100);
+    EXPECT_EQ(read.diameter, CPlane{}.diameter);
+    EXPECT_EQ(read.luminance, CPlane{}.luminance);
+}
+
+TEST(RigFile, LuminousFluxBecomesLuminance) {
+    const CPlane read = only_plane(head + whole_plane + "luminous_flux = 3350\n");
+    const double pi = std::numbers::pi;
+    // M = flux / lateral area, L = M / pi; 1 m long, 26 mm thick.
+    EXPECT_NEAR(read.luminance.g, 3350 / (pi * 0.026 * 1.0) / pi, 1e-8);
+}
+
+TEST(RigFile, VIsMadeOrthogonalToU) {
+    const CPlane read = only_plane(head + plane + "v = [300, 1200, 0]\n");
+    EXPECT_LT((read.v - Vec3(0, 1200, 0)).length(), 1e-9);
+}
+
+TEST(RigFile, AWrittenRigReadsBackBitForBit) {
+    LightRig rig;
+    rig.name = "a \"quoted\" \\ name";
+    rig.ambient = {0.1, 1.0 / 3, 1e-300};
+    CPlane skew;
+    skew.origin = {-0.0, 1e22, 9007199254740993.0};
+    skew.u = Vec3(1, 2, 3).normalized() * 1234.5678901234567;
+    skew.v = skew.u.cross(Vec3(0.3, -0.1, 0.7)).normalized() * std::sqrt(2e6);
+    skew.lamps = 7;
+    skew.pitch = 200.0 / 3;
+    skew.luminance = {9000.1, 8000, 7000};
+    rig.sources = {Spotlight{.position = {1, 2, 3}, .edge = BeamEdge::mixed, .q = 0.3}, skew,
+                   Spotlight{.position = {0.1, 0, 0}, .edge = BeamEdge::sharp}, CPlane{}};
+    rig.medium = Medium{.extinction = {0.1, 0.2, 0.7}, .ambient = Rgb(0.2), .phase_k = 8.1};
+
+    const LightRig back = parse_rig(rig_text(rig), "back.toml");
+    EXPECT_EQ(back.name, rig.name);
+    EXPECT_EQ(back.ambient, rig.ambient);
+    ASSERT_EQ(back.sources.size(), 4u);
+    const auto& plane_back = std::get<CPlane>(back.sources[1]);
+    EXPECT_EQ(plane_back.origin, skew.origin);
+    EXPECT_TRUE(std::signbit(plane_back.origin.x));
+    EXPECT_EQ(plane_back.u, skew.u);
+    EXPECT_EQ(plane_back.v, skew.v);
+    EXPECT_EQ(plane_back.pitch, skew.pitch);
+    EXPECT_EQ(plane_back.luminance, skew.luminance);
+    EXPECT_EQ(std::get<Spotlight>(back.sources[0]).q, 0.3);
+    EXPECT_EQ(std::get<Spotlight>(back.sources[2]).position.x, 0.1);
+    EXPECT_EQ(back.medium->extinction, rig.medium->extinction);
+    EXPECT_EQ(back.medium->phase_k, 8.1);
+    EXPECT_EQ(rig_text(back), rig_text(rig));
+}
+
+TEST(RigFile, RefusesToWriteWhatCannotBeRead) {
+    LightRig rig;
+    rig.sources = {CPlane{.diameter = std::nan("")}};
+    EXPECT_THROW(rig_text(rig), Error);
+}
+
+TEST(RigFile, WritesAFileThatReadsBack) {
+    const fs::path path = fs::path(testing::TempDir()) / "keiko-written-rig.toml";
+    write_rig(path, {"written", {CPlane{}}, Rgb(0), {}});
+    EXPECT_EQ(read_rig(path).name, "written");
+    EXPECT_NE(read_file(path).find("# cd/m2"), std::string::npos);
+    fs::remove(path);
+}
+
+TEST(RigFile, AMisspeltKeyIsNamedWithItsPlace) {
+    EXPECT_EQ(rig_error(head + whole_plane + "lamps = 12\n  ptich = 90\n"),
+              "bad.toml:7:3: unknown key 'c_plane[0].ptich' (did you mean 'pitch'?)");
+    EXPECT_EQ(rig_error(head + "nmae = \"x\"\n" + whole_plane),
+              "bad.toml:2:1: unknown key 'nmae' (did you mean 'name'?)");
+    EXPECT_EQ(rig_error(head + whole_plane + "[fgo]\nextinction = 1\n"),
+              "bad.toml:6:2: unknown key 'fgo' (did you mean 'fog'?)");
+}
+
+TEST(RigFile, AWrongValueIsNamedWithItsPlace) {
+    EXPECT_EQ(rig_error(head + whole_plane + "pitch = 0\n"),
+              "bad.toml:6:9: c_plane[0].pitch: must be above 0, is 0");
+    EXPECT_EQ(rig_error(head + whole_plane + "pitch = \"wide\"\n"),
+              "bad.toml:6:9: c_plane[0].pitch: must be a number");
+    EXPECT_EQ(rig_error(head + whole_plane + "diameter = inf\n"),
+              "bad.toml:6:12: c_plane[0].diameter: must be a finite number");
+    EXPECT_EQ(rig_error(head + whole_plane + "diameter = -1\n"),
+              "bad.toml:6:12: c_plane[0].diameter: must be above 0, is -1");
+    EXPECT_EQ(rig_error(head + whole_plane + "lamps = 0\n"),
+              "bad.toml:6:9: c_plane[0].lamps: must be at least 1 and at most 1000, is 0");
+    EXPECT_EQ(rig_error(head + whole_plane + "lamps = 2.5\n"),
+              "bad.toml:6:9: c_plane[0].lamps: must be a whole number");
+    EXPECT_EQ(rig_error(head + whole_plane + "color = [1, 2]\n"),
+              "bad.toml:6:9: c_plane[0].color: must be an array of 3 numbers");
+    EXPECT_EQ(rig_error(head + plane + "v = [0, nan, 0]\n"),
+              "bad.toml:5:5: c_plane[0].v: must be a finite number");
+    EXPECT_EQ(rig_error(head + plane + "v = [0, 0, 0]\n"),
+              "bad.toml:5:5: c_plane[0].v: must not be a zero vector");
+    EXPECT_EQ(rig_error(head + plane + "v = [2, 0, 0]\n"),
+              "bad.toml:5:5: c_plane[0].v: must not be parallel to u");
+    EXPECT_EQ(rig_error(head + "[[c_plane]]\norigin = [0, 0, 0]\nu = [0, 0, 0]\nv = [1, 0, 0]\n"),
+              "bad.toml:4:5: c_plane[0].u: must not be a zero vector");
+}
+
+TEST(RigFile, WhatIsMissingOrContradictsIsNamed) {
+    EXPECT_EQ(rig_error(head + plane), "bad.toml:2:1: c_plane[0]: 'v' is missing");
+    EXPECT_EQ(rig_error(head + whole_plane + "luminance = 1\nluminous_flux = 2\n"),
+              "bad.toml:7:17: c_plane[0].luminous_flux: give either luminance or luminous_flux, "
+              "not both");
+    EXPECT_EQ(rig_error(head + whole_plane + "diameter = 120\n"),
+              "bad.toml:2:1: c_plane[0].lamps: lamps of diameter 120 mm overlap at a pitch of "
+              "100 mm");
+    EXPECT_EQ(rig_error(head + whole_plane + "pitch = 200\n"),
+              "bad.toml:2:1: c_plane[0].lamps: 12 lamps need 2226 mm, but v is 1200 mm long");
+    EXPECT_EQ(rig_error(head + spot + "q = 0.5\n"),
+              "bad.toml:5:5: spotlight[0].q: belongs to edge = \"mixed\" alone");
+    EXPECT_EQ(rig_error(head + "[[spotlight]]\nposition = [1, 1, 1]\naim = [1, 1, 1]\n"),
+              "bad.toml:4:7: spotlight[0].aim: must differ from position");
+    EXPECT_EQ(rig_error(head + spot + "edge = \"sfot\"\n"),
+              "bad.toml:5:8: spotlight[0].edge: 'sfot' is none of sharp, soft, mixed (did you mean "
+              "'soft'?)");
+    EXPECT_EQ(rig_error(head),
+              "bad.toml:1:1: the rig has no light: neither [[c_plane]] nor [[spotlight]]");
+}
+
+TEST(RigFile, WhatIsNotSupportedYetSaysSo) {
+    EXPECT_EQ(rig_error(head + spot + "pattern = { kind = \"dots\" }\n"),
+              "bad.toml:5:11: spotlight[0].pattern: is not supported yet");
+    EXPECT_EQ(rig_error(head + whole_plane + "[[luminaire]]\nfile = \"a.ies\"\n"),
+              "bad.toml:6:1: luminaire: is not supported yet");
+    EXPECT_EQ(rig_error(head + spot + "edge = \"table\"\n"),
+              "bad.toml:5:8: spotlight[0].edge: 'table' is not supported yet");
+    EXPECT_EQ(
+        rig_error(head + spot + "[fog]\nextinction = 1\nphase.kind = \"henyey-greenstein\"\n"),
+        "bad.toml:7:14: fog.phase.kind: 'henyey-greenstein' is not supported yet");
+}
+
+TEST(RigFile, AForeignOrBrokenFileIsRefused) {
+    EXPECT_EQ(rig_error("format = \"keiko-scene/1\"\n"),
+              "bad.toml:1:10: format: is 'keiko-scene/1'; expected format = \"keiko-rig/1\"");
+    EXPECT_EQ(rig_error(whole_plane),
+              "bad.toml:1:1: the file must begin with format = \"keiko-rig/1\"");
+    EXPECT_TRUE(rig_error(head + "name = \n").starts_with("bad.toml:2:")) << rig_error("name =");
+    EXPECT_TRUE(rig_error(head + "name = 1\nname = 2\n").starts_with("bad.toml:3:"));
+    EXPECT_THROW(read_rig("no-such-rig.toml"), Error);
+}
+
+TEST(RigFile, EveryRigOfTheFolderLoadsAndStandsInItsTable) {
+    const std::string table = read_file(test::repository("lightrigs/README.md"));
+    int rigs = 0;
+    for (const auto& entry : fs::directory_iterator(test::repository("lightrigs"))) {
+        const fs::path& path = entry.path();
+        if (path.extension() != ".toml") continue;
+        const std::string name = path.filename().string();
+        EXPECT_NE(table.find("[" + name + "](" + name + ")"), std::string::npos) << name;
+        if (name == "materials.toml") continue;
+        ++rigs;
+        const LightRig rig = read_rig(path);
+        EXPECT_EQ(rig.name, path.stem().string());
+        EXPECT_FALSE(rig.sources.empty()) << name;
+        EXPECT_EQ(rig_text(parse_rig(rig_text(rig), name)), rig_text(rig)) << name;
+    }
+    EXPECT_GE(rigs, 4);
+}
+
+TEST(MaterialFile, StandardMaterialsAreThoseOfTheRepository) {
+    const auto kept = read_materials(test::repository("lightrigs/materials.toml"));
+    ASSERT_EQ(kept.size(), standard_materials().size());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        EXPECT_EQ(kept[i].name, standard_materials()[i].name);
+        EXPECT_EQ(kept[i].diffuse, standard_materials()[i].diffuse);
+    }
+    EXPECT_EQ(standard_materials().front().name, "black-show-car");
+    EXPECT_EQ(named_material("clay").refractive_index, 1);
+}
+
+TEST(MaterialFile, AnUnknownNameListsTheKnownOnes) {
+    try {
+        named_material("slver");
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("(did you mean 'silver'?)"), std::string::npos) << text;
+        EXPECT_NE(text.find("black-show-car"), std::string::npos) << text;
+    }
+}
+
+TEST(MaterialFile, ImpossiblePaintsAreRefused) {
+    const auto refused = [](const std::string& body) {
+        try {
+            parse_materials("format = \"keiko-materials/1\"\n[[material]]\nname = \"x\"\n" + body,
+                            "m.toml");
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(refused("diffuse = 1.5\n"),
+              "m.toml:4:11: material[0].diffuse: must be at least 0 and at most 1, is 1.5");
+    EXPECT_EQ(refused("diffuse = 0.5\nrefractive_index = 0.9\n"),
+              "m.toml:5:20: material[0].refractive_index: must be at least 1, is 0.9");
+    EXPECT_EQ(refused("diffuse = 0.5\n[[material]]\nname = \"x\"\ndiffuse = 0\n"),
+              "m.toml:6:8: material[1].name: 'x' is there twice");
+}
+
+/// A folder with a scene, a rig and a model file, gone after the test.
+class SceneFile : public testing::Test {
+protected:
+    SceneFile() {
+        fs::create_directories(folder_ / "scenes");
+        write("part.step", "x");
+        write("rig.toml", head + "name = \"kept\"\n" + whole_plane);
+    }
+    ~SceneFile() override { fs::remove_all(folder_); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name) << text;
+    }
+    SceneSpec scene(const std::string& body) const {
+        return parse_scene("format = \"keiko-scene/1\"\n" + body,
+                           (folder_ / "scenes/s.toml").string());
+    }
+    /// The message of the Error of a scene, from the line on.
+    std::string error(const std::string& body) const {
+        try {
+            scene(body);
+        } catch (const Error& e) {
+            return e.where() + ": " + e.reason();
+        }
+        return "";
+    }
+
+    fs::path folder_ = fs::path(testing::TempDir()) /
+                       testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+const std::string model = "[[model]]\nfile = \"../part.step\"\n";
+
+TEST_F(SceneFile, ReadsModelsCameraAndRig) {
+    const SceneSpec read = scene(model + R"(material = "silver"
+transform = { translate = [10, 0, 0], rotate = [0, 0, 1, 90], scale = 2 }
+[[model]]
+file = "../part.step"
+material = { diffuse = [0.1, 0.2, 0.3], refractive_index = 1.4 }
+[camera]
+projection = "orthographic"
+eye = [3000, -2500, 1400]
+target = [0, 0, 600]
+orthographic_height = 1500
+size = [320, 200]
+[rig]
+file = "../rig.toml"
+)");
+    ASSERT_EQ(read.models.size(), 2u);
+    EXPECT_EQ(read.models[0].file, folder_ / "part.step");
+    EXPECT_EQ(read.models[0].material.name, "silver");
+    // Scaled, then turned, then moved.
+    EXPECT_LT((read.models[0].transform.point({1, 0, 0}) - Vec3(10, 2, 0)).length(), 1e-12);
+    EXPECT_EQ(read.models[1].material.diffuse, Rgb(0.1, 0.2, 0.3));
+    EXPECT_TRUE(read.models[1].transform.is_identity());
+    EXPECT_EQ(read.camera.value().projection, Projection::orthographic);
+    EXPECT_EQ(read.camera->orthographic_height, 1500);
+    EXPECT_EQ(read.camera->width, 320);
+    EXPECT_EQ(read.height, 200);
+    EXPECT_EQ(read.rig.value().name, "kept");
+    EXPECT_FALSE(read.view);
+}
+
+TEST_F(SceneFile, DefaultsLeaveTheRigToPlacement) {
+    const SceneSpec read =
+        scene("view = \"high-front\"\nsize = [64, 36]\nbackground = 3\n" + model);
+    EXPECT_EQ(read.view.value(), "high-front");
+    EXPECT_EQ(read.width, 64);
+    EXPECT_EQ(read.models[0].material.name, "black-show-car");
+    EXPECT_FALSE(read.rig);
+    EXPECT_FALSE(read.camera);
+    EXPECT_EQ(read.background, Rgb(3));
+}
+
+TEST_F(SceneFile, LightsMayStandInTheScene) {
+    const SceneSpec read = scene(model + whole_plane + "[fog]\nextinction = 0.1\n");
+    EXPECT_EQ(read.rig.value().sources.size(), 1u);
+    EXPECT_TRUE(read.rig->medium);
+    EXPECT_EQ(error(model + whole_plane + "[rig]\nfile = \"../rig.toml\"\n"),
+              "8:1: rig: give either [rig] or lights in the scene, not both");
+}
+
+TEST_F(SceneFile, OwnMaterialsTakeThePlaceOfTheStandardOnes) {
+    write("paints.toml",
+          "format = \"keiko-materials/1\"\n[[material]]\nname = \"gold\"\ndiffuse = 0.5\n");
+    const std::string own = "materials = \"../paints.toml\"\n";
+    EXPECT_EQ(scene(own + model).models[0].material.name, "gold");
+    EXPECT_EQ(error(own + model + "material = \"silver\"\n"),
+              "5:12: model[0].material: unknown material 'silver'; known are gold");
+}
+
+TEST_F(SceneFile, ErrorsNameTheirPlace) {
+    EXPECT_EQ(error("[[model]]\nfile = \"gone.step\"\n"),
+              "3:8: model[0].file: " + (folder_ / "scenes/gone.step").string() + ": no such file");
+    EXPECT_EQ(error("view = \"fornt\"\n" + model).substr(0, 60),
+              "2:8: view: unknown view 'fornt' (did you mean 'front'?); vie");
+    EXPECT_EQ(error(model + "[camera]\neye = [0, 0, 1]\ntarget = [0, 0, 1]\n"),
+              "6:10: camera.target: must differ from eye");
+    EXPECT_EQ(error(model + "[camera]\neye = [0, 0, 1]\ntarget = [0, 0, 0]\n"),
+              "4:1: camera.up: must not be along the view direction");
+    EXPECT_EQ(error(model + "[camera]\neye = [0, 1, 1]\ntarget = [0, 0, 0]\nsize = [9.5, 4]\n"),
+              "7:8: camera.size: must be whole numbers");
+    EXPECT_EQ(error(model + "[camera]\neye = [0, 1, 1]\ntarget = [0, 0, 0]\nfov = 20\n"),
+              "7:1: unknown key 'camera.fov'");
+    EXPECT_EQ(error(model + "override = []\n"), "4:12: model[0].override: is not supported yet");
+    EXPECT_EQ(error(model + "[ground]\nz = 0\n"), "4:1: ground: is not supported yet");
+    EXPECT_EQ(error("view = \"top\"\n"), "1:1: the scene has no [[model]]");
+}
+
+} // namespace
+} // namespace keiko

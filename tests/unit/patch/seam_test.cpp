@@ -1,0 +1,296 @@
+#include "keiko/patch/seam.h"
+
+#include "keiko/patch/boundary_curves.h"
+
+#include "tests/support/model_builder.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace keiko {
+namespace {
+
+using test::ModelBuilder;
+
+constexpr double join = 0.5;
+const Vec3 along_x(100, 0, 0), up_y(0, 50, 0), down_y(0, -50, 0);
+
+double length_of(const SurfaceModel& model, const BoundaryInterval& i) {
+    return BoundaryCurves(model).curve(i).length(i.begin, i.end);
+}
+
+Vec3 begin_of(const SurfaceModel& model, const BoundaryInterval& i) {
+    return BoundaryCurves(model).curve(i).at(i.begin).position;
+}
+
+Vec3 end_of(const SurfaceModel& model, const BoundaryInterval& i) {
+    return BoundaryCurves(model).curve(i).at(i.end).position;
+}
+
+TEST(PairSeams, JoinsTwoBordersAcrossAGap) {
+    ModelBuilder builder;
+    builder.plane({0, 0.05, 0}, along_x, up_y);
+    builder.plane({0, 0, 0}, along_x, down_y);
+    const SurfaceModel model = builder.build();
+    const auto seams = pair_seams(model, join);
+    ASSERT_EQ(seams.size(), 1u);
+    EXPECT_EQ(seams[0].a, (BoundaryInterval{0, 0, natural_side, 0, 1}));
+    EXPECT_EQ(seams[0].b, (BoundaryInterval{0, 1, natural_side, 0, 1}));
+    EXPECT_FALSE(seams[0].edge.has_value());
+}
+
+TEST(PairSeams, LeavesBordersFurtherApartThanTheJoinDistance) {
+    ModelBuilder builder;
+    builder.plane({0, 0.51, 0}, along_x, up_y);
+    builder.plane({0, 0, 0}, along_x, down_y);
+    EXPECT_TRUE(pair_seams(builder.build(), join).empty());
+    EXPECT_EQ(pair_seams(builder.build(), 0.52).size(), 1u);
+}
+
+TEST(PairSeams, RunsBothSidesTheSameWay) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, along_x, up_y);
+    builder.plane({100, 0, 0}, -along_x, down_y);
+    const SurfaceModel model = builder.build();
+    const auto seams = pair_seams(model, join);
+    ASSERT_EQ(seams.size(), 1u);
+    EXPECT_EQ(seams[0].b.begin, 1);
+    EXPECT_EQ(seams[0].b.end, 0);
+    EXPECT_NEAR((begin_of(model, seams[0].a) - begin_of(model, seams[0].b)).length(), 0, 1e-12);
+    EXPECT_NEAR((end_of(model, seams[0].a) - end_of(model, seams[0].b)).length(), 0, 1e-12);
+}
+
+TEST(PairSeams, SplitsALongBorderAtATJunction) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, along_x, up_y);
+    builder.plane({0, 0, 0}, {37.25, 0, 0}, down_y);
+    builder.plane({37.25, 0, 0}, {62.75, 0, 0}, down_y);
+    const SurfaceModel model = builder.build();
+    const auto seams = pair_seams(model, join);
+    ASSERT_EQ(seams.size(), 3u);
+    EXPECT_EQ(seams[0].a.begin, 0);
+    EXPECT_NEAR(seams[0].a.end, 0.3725, 1e-13);
+    EXPECT_NEAR(seams[1].a.begin, 0.3725, 1e-13);
+    EXPECT_EQ(seams[1].a.end, 1);
+    EXPECT_NEAR(length_of(model, seams[2].a), 50, 1e-11); // the two short ones between themselves
+}
+
+TEST(PairSeams, FindsTheExactEndsOfAPartialOverlap) {
+    ModelBuilder builder;
+    builder.plane({0, 0.02, 0}, along_x, up_y);
+    builder.plane({-40, 0, 0}, along_x, down_y);
+    const SurfaceModel model = builder.build();
+    const auto seams = pair_seams(model, join);
+    ASSERT_EQ(seams.size(), 1u);
+    EXPECT_EQ(seams[0].a.begin, 0);
+    EXPECT_NEAR(seams[0].a.end, 0.6, 1e-12);
+    EXPECT_NEAR(seams[0].b.begin, 0.4, 1e-12);
+    EXPECT_EQ(seams[0].b.end, 1);
+}
+
+TEST(PairSeams, EndsAWedgeWhereItOpensPastTheJoinDistance) {
+    const double angle = 0.01;
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, along_x, up_y);
+    builder.plane({0, 0, 0}, {100 * std::cos(angle), -100 * std::sin(angle), 0}, down_y);
+    const auto seams = pair_seams(builder.build(), join);
+    ASSERT_EQ(seams.size(), 1u);
+    EXPECT_NEAR(seams[0].a.end, join / std::sin(angle) / 100, 1e-9);
+}
+
+TEST(PairSeams, DoesNotTakeCrossingOrTouchingBordersForSeams) {
+    for (const double degrees : {20.0, 45.0, 90.0}) {
+        const double angle = degrees * std::numbers::pi / 180;
+        const Vec3 along(std::cos(angle), std::sin(angle), 0);
+        ModelBuilder crossing;
+        crossing.plane({0, 0, 0}, along_x, up_y);
+        crossing.plane(Vec3(50, 0, 0) - along * 30, along * 60, {0, 0, 40});
+        EXPECT_TRUE(pair_seams(crossing.build(), join).empty()) << degrees;
+        ModelBuilder touching;
+        touching.plane({0, 0, 0}, along_x, up_y);
+        touching.plane({100, 0, 0}, {along.x * 60, -along.y * 60, 0}, {0, 0, 40});
+        EXPECT_TRUE(pair_seams(touching.build(), join).empty()) << degrees;
+    }
+}
+
+TEST(PairSeams, PassesOverTheFarSideOfASliver) {
+    for (const double gap : {0.0, 0.04}) {
+        ModelBuilder builder;
+        builder.plane({0, 0.3 + gap, 0}, along_x, up_y);
+        builder.plane({0, 0, 0}, along_x, {0, 0.3, 0});
+        builder.plane({0, 0, 0}, along_x, down_y);
+        const auto seams = pair_seams(builder.build(), join);
+        ASSERT_EQ(seams.size(), 2u) << gap;
+        EXPECT_EQ(seams[0].a.face, 0u);
+        EXPECT_EQ(seams[0].b.face, 1u);
+        EXPECT_EQ(seams[1].a.face, 1u);
+        EXPECT_EQ(seams[1].b.face, 2u);
+    }
+}
+
+TEST(PairSeams, PassesOverTheNeighbourBehindTheTipOfANeedle) {
+    // Near its tip the needle is narrower than the join distance; a gap of 5 um on one side.
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, {100, 2, 0}, up_y);
+    builder.patch(1, 1, {{0, 0, 0}, {0, 0, 0}, {100, 0, 0}, {100, 2, 0}});
+    builder.plane({0, -0.005, 0}, along_x, down_y);
+    const auto seams = pair_seams(builder.build(), join);
+    ASSERT_EQ(seams.size(), 2u);
+    EXPECT_EQ(seams[0].a.face, 0u);
+    EXPECT_EQ(seams[0].b.face, 1u);
+    EXPECT_EQ(seams[1].a.face, 1u);
+    EXPECT_EQ(seams[1].b.face, 2u);
+}
+
+TEST(PairSeams, KeepsATinyFaceWhoseEdgesAreShorterThanTheJoinDistance) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, along_x, up_y);
+    builder.plane({20, 0, 0}, {0.2, 0, 0}, {0, -0.1, 0});
+    const auto seams = pair_seams(builder.build(), join);
+    ASSERT_EQ(seams.size(), 1u);
+    EXPECT_NEAR(seams[0].a.begin, 0.2, 1e-12);
+    EXPECT_NEAR(seams[0].a.end, 0.202, 1e-12);
+}
+
+TEST(PairSeams, JoinsAPartToItsMirrorImage) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 10}, along_x, up_y);
+    builder.instance({});
+    Affine mirror;
+    mirror.rows[1] = Vec3(0, -1, 0);
+    builder.instance(mirror);
+    const auto seams = pair_seams(builder.build(), join);
+    ASSERT_EQ(seams.size(), 1u);
+    EXPECT_EQ(seams[0].a, (BoundaryInterval{0, 0, natural_side, 0, 1}));
+    EXPECT_EQ(seams[0].b, (BoundaryInterval{1, 0, natural_side, 0, 1}));
+}
+
+const double half_root = std::sqrt(0.5);
+
+/// A quarter of a cylinder about z, in u from `from` quarter turns, in v along z.
+std::vector<Vec4> quarter_cylinder(double radius, double height, int from) {
+    const auto at = [&](double x, double y, double z, double w) {
+        const int turns = from % 4;
+        for (int i = 0; i < turns; ++i) std::swap(x, y), x = -x;
+        return Vec4(radius * x * w, radius * y * w, z * w, w);
+    };
+    return {at(1, 0, 0, 1),         at(1, 0, height, 1),
+            at(1, 1, 0, half_root), at(1, 1, height, half_root),
+            at(0, 1, 0, 1),         at(0, 1, height, 1)};
+}
+
+TEST(PairSeams, JoinsAClosedFaceToItself) {
+    // Four knot spans of one face: the natural side at u lowest meets the one at u highest.
+    NurbsSurface tube{2, 1, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, {0, 0, 1, 1}, {}};
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const auto points = quarter_cylinder(30, 80, quarter);
+        tube.points.insert(tube.points.end(), points.begin() + (quarter == 0 ? 0 : 2),
+                           points.end());
+    }
+    ModelBuilder builder;
+    builder.nurbs(tube);
+    const SurfaceModel model = builder.build();
+    const auto seams = pair_seams(model, join);
+    ASSERT_EQ(seams.size(), 1u);
+    EXPECT_EQ(seams[0].a.face, seams[0].b.face);
+    EXPECT_NEAR(length_of(model, seams[0].a), 80, 1e-10);
+}
+
+TEST(PairSeams, DoesNotTakeANarrowFaceForAClosedOne) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, along_x, {0, 0.3, 0});
+    EXPECT_TRUE(pair_seams(builder.build(), join).empty());
+}
+
+TEST(PairSeams, JoinsBordersOfDifferentParametrisation) {
+    // The rim of a quarter cylinder against the same arc, trimmed out of a plane by a p-curve.
+    ModelBuilder builder;
+    builder.rational_patch(2, 1, quarter_cylinder(30, 80, 0));
+    builder.plane({0, 0, 0}, {100, 0, 0}, {0, 100, 0});
+    const double r = 0.3;
+    builder.loop({{Vec3(0, 0, 1), Vec3(r, 0, 1)},
+                  {Vec3(r, 0, 1), Vec3(r, r, 1) * half_root, Vec3(0, r, 1)},
+                  {Vec3(0, r, 1), Vec3(0, 0, 1)}});
+    const SurfaceModel model = builder.build();
+    const auto seams = pair_seams(model, join);
+    ASSERT_EQ(seams.size(), 1u);
+    EXPECT_EQ(seams[0].b, (BoundaryInterval{0, 1, 1, 0, 1}));
+    EXPECT_NEAR(length_of(model, seams[0].a), 15 * std::numbers::pi, 1e-9);
+}
+
+TEST(PairSeams, SkipsBordersThatArePoints) {
+    // Two octants of a sphere: they share a meridian and, as a point, the pole.
+    const double w = half_root;
+    const std::vector<Vec4> octant{{10, 0, 0, 1},
+                                   {10 * w, 0, 10 * w, w},
+                                   {0, 0, 10, 1},
+                                   {10 * w, 10 * w, 0, w},
+                                   {10 * w * w, 10 * w * w, 10 * w * w, w * w},
+                                   {0, 0, 10 * w, w},
+                                   {0, 10, 0, 1},
+                                   {0, 10 * w, 10 * w, w},
+                                   {0, 0, 10, 1}};
+    std::vector<Vec4> next = octant;
+    for (Vec4& p : next) p = Vec4(-p.y, p.x, p.z, p.w);
+    ModelBuilder builder;
+    builder.rational_patch(2, 2, octant);
+    builder.rational_patch(2, 2, next);
+    const SurfaceModel model = builder.build();
+    const auto seams = pair_seams(model, join);
+    ASSERT_EQ(seams.size(), 1u);
+    EXPECT_NEAR(length_of(model, seams[0].a), 5 * std::numbers::pi, 1e-9);
+}
+
+TEST(PairSeams, ReportsTheEdgeThatTheFileShares) {
+    const auto square = [](std::uint32_t edge, ModelBuilder& builder) {
+        builder.loop({{Vec3(0, 0, 1), Vec3(1, 0, 1)},
+                      {Vec3(1, 0, 1), Vec3(1, 1, 1)},
+                      {Vec3(1, 1, 1), Vec3(0, 1, 1)},
+                      {Vec3(0, 1, 1), Vec3(0, 0, 1)}},
+                     edge);
+    };
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, along_x, up_y);
+    square(7, builder);
+    builder.plane({0, 0, 0}, along_x, down_y);
+    square(7, builder);
+    builder.plane({0, 50, 0}, along_x, up_y);
+    square(8, builder);
+    const auto seams = pair_seams(builder.build(), join);
+    ASSERT_EQ(seams.size(), 2u);
+    EXPECT_EQ(seams[0].edge, 7u);
+    EXPECT_FALSE(seams[1].edge.has_value());
+}
+
+TEST(PairSeams, IsTheSameForAnyNumberOfThreads) {
+    ModelBuilder builder;
+    for (int i = 0; i < 20; ++i)
+        for (int j = 0; j < 20; ++j)
+            builder.plane({i * 10.0, j * 10.01, 0}, {10, 0, 0}, {0, 10, 0});
+    const SurfaceModel model = builder.build();
+    Job one, four;
+    one.threads = 1, four.threads = 4;
+    const auto seams = pair_seams(model, join, one);
+    EXPECT_EQ(seams.size(), 2u * 19 * 20);
+    EXPECT_EQ(pair_seams(model, join, four), seams);
+}
+
+TEST(BoundaryCurves, PointsInwardsAtOuterBordersAndAtHoles) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, {100, 0, 0}, {0, 100, 0});
+    builder.polygon({{0, 0}, {0, 1}, {1, 1}, {1, 0}});                 // clockwise on purpose
+    builder.polygon({{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}}); // anticlockwise hole
+    const SurfaceModel model = builder.build();
+    const BoundaryCurves curves(model);
+    const auto inward = [&](std::uint32_t curve) {
+        return curves.curve({0, 0, curve, 0, 1}).frame(0.5)->inward;
+    };
+    EXPECT_NEAR(inward(0).x, 1, 1e-15); // u = 0
+    EXPECT_NEAR(inward(2).x, -1, 1e-15);
+    EXPECT_NEAR(inward(4).y, -1, 1e-15); // the hole's lower side
+    EXPECT_NEAR(inward(6).y, 1, 1e-15);
+}
+
+} // namespace
+} // namespace keiko

@@ -1,0 +1,180 @@
+#include "keiko/render/integrator.h"
+
+#include "tests/support/model_builder.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace keiko;
+
+namespace {
+
+/// A flat mirror 2 m wide under twelve lamps at 2 m, seen from aside.
+struct Stage {
+    SurfaceModel model;
+    Tracer tracer;
+    std::vector<Material> materials;
+    LightRig rig;
+    Camera camera;
+
+    explicit Stage(SurfaceModel m, double refractive_index = 1.5)
+        : model(std::move(m)),
+          tracer(model, {.second_derivatives = true, .clipping_only = false, .join = 0.5}),
+          materials(model.instances.size()) {
+        for (Material& material : materials) {
+            material.diffuse = Rgb(0.1, 0.2, 0.3);
+            material.refractive_index = refractive_index;
+        }
+        CPlane plane;
+        plane.origin = {-1500, 2500, 2000}; // where the mirror image of the eye looks
+        plane.u = {3000, 0, 0};
+        plane.v = {0, 3000, 0};
+        rig.sources = {plane};
+        camera.eye = {0, -3000, 1500};
+        camera.target = {0, 0, 0};
+        camera.width = 96;
+        camera.height = 54;
+    }
+
+    Film render(PictureOptions options = {}, int threads = 0) const {
+        return keiko::render({tracer, materials, rig, Rgb(7)}, camera, options,
+                             {.progress = {}, .stop = {}, .threads = threads});
+    }
+};
+
+SurfaceModel flat_plate() {
+    test::ModelBuilder builder;
+    builder.plane({-1000, -1000, 0}, {2000, 0, 0}, {0, 2000, 0});
+    return builder.build();
+}
+
+/// A gently domed plate: bicubic, 150 mm high.
+SurfaceModel dome() {
+    test::ModelBuilder builder;
+    std::vector<Vec3> points;
+    for (int i = 0; i <= 3; ++i)
+        for (int j = 0; j <= 3; ++j) {
+            const bool middle = i % 3 != 0 && j % 3 != 0;
+            points.emplace_back(-900 + 600 * i, -900 + 600 * j, middle ? 300 : 0);
+        }
+    builder.patch(3, 3, points);
+    return builder.build();
+}
+
+double mean_luminance(const Film& film, int x0, int y0, int x1, int y1) {
+    double sum = 0;
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) {
+            const float* p = film.color.pixel(x, y);
+            sum += luminance(
+                {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
+        }
+    return sum / ((x1 - x0) * (y1 - y0));
+}
+
+double largest_difference(const Image& a, const Image& b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.values.size(); ++i)
+        largest = std::max(largest, std::abs(static_cast<double>(a.values[i] - b.values[i])));
+    return largest;
+}
+
+} // namespace
+
+TEST(Render, BackgroundAndCoverageWhereNothingIsHit) {
+    const Film film = Stage(flat_plate()).render();
+    EXPECT_EQ(film.color.pixel(0, 0)[1], 7);
+    EXPECT_EQ(film.alpha.pixel(0, 0)[0], 0);
+    EXPECT_EQ(film.alpha.pixel(48, 27)[0], 1);
+}
+
+TEST(Render, WithoutACoatOnlyTheLitBaseIsLeft) {
+    const Stage stage(flat_plate(), 1);
+    const Film film = stage.render();
+    const float* p = film.color.pixel(48, 27);
+    EXPECT_GT(p[0], 0);
+    EXPECT_NEAR(p[1] / p[0], 2, 1e-5); // the base's own colour
+    EXPECT_NEAR(p[2] / p[0], 3, 1e-5);
+}
+
+// Integrating stripes over footprints and sampling them with many rays are two ways to one mean.
+TEST(Render, FootprintsAgreeWithSupersampling) {
+    for (const SurfaceModel& model : {flat_plate(), dome()}) {
+        Stage stage(model);
+        stage.camera.width = 384;
+        stage.camera.height = 216;
+        const Film one = stage.render({.aovs = {}, .edge_samples = 1});
+        constexpr int n = 8;
+        stage.camera.width *= n;
+        stage.camera.height *= n;
+        const Film many = stage.render({.aovs = {}, .edge_samples = 1});
+        double worst = 0, brightest = 0;
+        for (int y = 96; y < 120; ++y)
+            for (int x = 168; x < 216; ++x) {
+                const double mean = mean_luminance(many, n * x, n * y, n * x + n, n * y + n);
+                brightest = std::max(brightest, mean);
+                worst = std::max(worst, std::abs(mean_luminance(one, x, y, x + 1, y + 1) - mean));
+            }
+        EXPECT_GT(brightest, 100);
+        EXPECT_LT(worst, 0.03 * brightest);
+    }
+}
+
+TEST(Render, SameBytesForAnyThreadCount) {
+    const Stage stage(dome());
+    const PictureOptions options{.aovs = {Aov::luminance, Aov::c_plane_uv}};
+    const Film one = stage.render(options, 1), two = stage.render(options, 2);
+    EXPECT_EQ(one.color.values, two.color.values);
+    EXPECT_EQ(one.aovs.at(Aov::c_plane_uv).values, two.aovs.at(Aov::c_plane_uv).values);
+}
+
+TEST(Render, AovsTellOfTheFirstHit) {
+    const Stage stage(flat_plate());
+    const Film film =
+        stage.render({.aovs = {Aov::depth, Aov::normal, Aov::face, Aov::uv, Aov::luminance}});
+    const Ray center = stage.camera.ray(48.5, 27.5);
+    EXPECT_NEAR(film.aovs.at(Aov::depth).pixel(48, 27)[0], -center.origin.z / center.direction.z,
+                1e-2);
+    EXPECT_EQ(film.aovs.at(Aov::normal).pixel(48, 27)[2], 1);
+    EXPECT_EQ(film.aovs.at(Aov::face).pixel(48, 27)[0], 0);
+    EXPECT_EQ(film.aovs.at(Aov::face).pixel(0, 0)[0], -1);
+    EXPECT_TRUE(std::isinf(film.aovs.at(Aov::depth).pixel(0, 0)[0]));
+    EXPECT_NEAR(film.aovs.at(Aov::luminance).pixel(48, 27)[0], mean_luminance(film, 48, 27, 49, 28),
+                1e-3);
+}
+
+TEST(Render, OutlinesAreRefined) {
+    const Stage stage(flat_plate());
+    const Film rough = stage.render({.aovs = {}, .edge_samples = 1});
+    const Film fine = stage.render({.aovs = {}, .edge_samples = 4});
+    int between = 0;
+    for (const float alpha : fine.alpha.values) between += alpha > 0 && alpha < 1 ? 1 : 0;
+    EXPECT_GT(between, 50);
+    EXPECT_GT(largest_difference(rough.alpha, fine.alpha), 0.2);
+}
+
+// Two plates at right angles: the standing one hides the lamps from part of the lying one.
+TEST(Render, TheBodyMirrorsItself) {
+    test::ModelBuilder builder;
+    builder.plane({-1000, -1000, 0}, {2000, 0, 0}, {0, 2000, 0});
+    builder.plane({-1000, 1000, 0}, {2000, 0, 0}, {0, 0, 4000});
+    const Stage corner(builder.build()), alone(flat_plate());
+    const PictureOptions options;
+    const auto follow = [&](const Stage& stage) {
+        const PictureScene scene{stage.tracer, stage.materials, stage.rig, Rgb(0)};
+        std::vector<Ray> rays;
+        for (int y = 20; y < 34; ++y) rays.push_back(stage.camera.ray(48, y));
+        return Integrator(scene, options).follow(rays);
+    };
+    const std::vector<EyeSample> blocked = follow(corner), open = follow(alone);
+    double brightest_blocked = 0, brightest_open = 0;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        ASSERT_TRUE(blocked[i].hit && open[i].hit);
+        EXPECT_EQ(blocked[i].hit->face, 0u);
+        EXPECT_EQ(blocked[i].mirrored_face, 1u);
+        EXPECT_FALSE(open[i].mirrored_face);
+        brightest_blocked = std::max(brightest_blocked, luminance(blocked[i].luminance));
+        brightest_open = std::max(brightest_open, luminance(open[i].luminance));
+    }
+    EXPECT_GT(brightest_open, 10 * brightest_blocked);
+}

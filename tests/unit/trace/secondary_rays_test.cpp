@@ -1,0 +1,104 @@
+#include "keiko/trace/tracer.h"
+
+#include "tests/unit/trace/random_patches.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+using namespace test;
+
+/// Mirror rays of rays from `eye` aimed at random points of one sphere patch, border included.
+struct Mirrored {
+    Hit hit;
+    Ray ray;
+};
+
+std::vector<Mirrored> mirrored(const Tracer& tracer, const SurfaceModel& model, const Vec3& eye,
+                               int count) {
+    Random random(31);
+    std::vector<Mirrored> result;
+    for (int i = 0; i < count; ++i) {
+        Vec2 uv(uniform(random, 0, 1), uniform(random, 0, 1));
+        if (i % 4 == 1) uv.x = i % 8 == 1 ? 0 : 1;
+        if (i % 4 == 2) uv.y = 0.25 * (i % 5);
+        const auto patch = static_cast<std::uint32_t>(i % 8);
+        const Vec3 target = evaluate(model.patch(patch), uv, 0).position();
+        const Ray ray = ray_through(eye, (target - eye).normalized());
+        const auto hit = tracer.nearest(ray);
+        if (!hit) continue;
+        result.push_back(
+            {*hit, excluding(hit->root,
+                             ray_through(hit->position, reflect(ray.direction, hit->normal)))});
+    }
+    return result;
+}
+
+TEST(MirrorRays, LeaveAConvexSurfaceForGood) {
+    const SurfaceModel model = ShapeBuilder().face(sphere(Vec3(0), 20)).model();
+    const Tracer tracer(model);
+    const auto rays = mirrored(tracer, model, Vec3(35, 27, 19), 20000);
+    EXPECT_GT(rays.size(), 19000u);
+    for (const Mirrored& m : rays)
+        EXPECT_FALSE(tracer.any(m.ray)) << m.hit.uv.x << ' ' << m.hit.uv.y;
+}
+
+TEST(MirrorRays, MeetAConcaveSurfaceAgain) {
+    const SurfaceModel model = ShapeBuilder().face(sphere(Vec3(0), 20)).model();
+    const Tracer tracer(model);
+    for (const Vec3& eye : {Vec3(1, 2, 3), Vec3(19.999, 0.1, 0), Vec3(5, 19.36491, 0)}) {
+        for (const Mirrored& m : mirrored(tracer, model, eye, 5000)) {
+            // The chord that leaves at the same angle as it came in.
+            const double chord = 2 * std::abs(m.ray.direction.dot(m.hit.position)) / 20 * 20;
+            const auto next = tracer.nearest(m.ray);
+            ASSERT_TRUE(next);
+            EXPECT_NEAR(next->t, chord, 1e-9 * chord + 1e-7);
+        }
+    }
+}
+
+TEST(MirrorRays, MeetAConcaveSurfaceAgainAtLowAngles) {
+    const SurfaceModel model = ShapeBuilder().face(sphere(Vec3(0), 20)).model();
+    const Tracer tracer(model);
+    Random random(32);
+    for (int i = 0; i < 3000; ++i) {
+        const Vec2 uv(uniform(random, 0, 1), uniform(random, 0, 1));
+        const Vec3 p = evaluate(model.patch(0), uv, 0).position(), out = p.normalized();
+        const auto hit = tracer.nearest(ray_through(Vec3(0), p));
+        ASSERT_TRUE(hit);
+        const Vec3 along = out.cross(random_direction(random)).normalized();
+        const double angle = std::pow(10, -uniform(random, 0, 5));
+        const Ray ray = excluding(
+            hit->root, ray_through(hit->position, along * std::cos(angle) - out * std::sin(angle)));
+        const auto next = tracer.nearest(ray);
+        ASSERT_TRUE(next) << angle;
+        EXPECT_NEAR(next->t / (40 * std::sin(angle)), 1, 1e-5) << angle;
+    }
+}
+
+TEST(ShadowRays, DoNotMeetTheirOwnEnd) {
+    const SurfaceModel model = ShapeBuilder().face(sphere(Vec3(0), 20)).model();
+    const Tracer tracer(model);
+    const Vec3 lamp(35, 27, 19);
+    for (const Mirrored& m : mirrored(tracer, model, lamp, 5000)) {
+        const Ray shadow = excluding(m.hit.root, ray_through(lamp, m.hit.position - lamp, 0, 1));
+        EXPECT_FALSE(tracer.any(shadow));
+        Ray longer = shadow;
+        longer.t_max = 10;
+        EXPECT_TRUE(tracer.any(longer)); // the far side, which is not excluded
+    }
+}
+
+TEST(RootBox, HoldsTheHitAndLittleElse) {
+    const Tracer tracer(ShapeBuilder().face(sphere(Vec3(0), 20)).model());
+    const auto hit = tracer.nearest(ray_through(Vec3(35, 27, 19), Vec3(-35, -26, -18)));
+    ASSERT_TRUE(hit);
+    EXPECT_TRUE(hit->root.uv.contains(hit->uv));
+    EXPECT_EQ(hit->root.patch, hit->patch);
+    EXPECT_LT(hit->root.uv.size(), 1e-7);
+}
+
+} // namespace
+} // namespace keiko
