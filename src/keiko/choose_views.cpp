@@ -21,8 +21,7 @@ std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::str
                                     int automatic, const Job& job) {
     const Framing framing{.width = scene.width, .height = scene.height};
     std::vector<NamedView> views;
-    for (const std::string& name : names)
-        views.push_back(view_by_name(scene, name, framing, job));
+    for (const std::string& name : names) views.push_back(view_by_name(scene, name, framing, job));
     if (!views.empty()) return views;
     if (scene.camera) return {{"scene", *scene.camera}};
     if (scene.view) return {view_by_name(scene, *scene.view, framing, job)};

@@ -1,14 +1,18 @@
 #pragma once
 
+#include "keiko/film/false_color.h"
 #include "keiko/film/image_file.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/io/load_model.h"
 #include "keiko/io/material_file.h"
 #include "keiko/io/rig_file.h"
+#include "keiko/patch/seam.h"
 #include "keiko/placement/best_view.h"
 #include "keiko/placement/place_lamps.h"
 #include "keiko/render/picture.h"
+#include "keiko/report/facts_text.h"
 #include "keiko/report/report.h"
+#include "keiko/report/report_json.h"
 #include "keiko/spec/criteria_preset.h"
 
 #include <filesystem>
@@ -56,8 +60,8 @@ Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
                  const PictureOptions& options = {}, const Job& job = {});
 
 struct InspectOptions {
-    std::vector<std::string> views;             ///< names; empty: three automatic ones
-    std::optional<std::filesystem::path> rig;   ///< none: the scene's own, or else placed
+    std::vector<std::string> views;           ///< names; empty: three automatic ones
+    std::optional<std::filesystem::path> rig; ///< none: the scene's own, or else placed
     CriteriaPreset preset;
     double join = 0.5; ///< mm
     PlacementOptions placement;

@@ -19,7 +19,9 @@ SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const SceneOpti
 
 } // namespace
 
-std::string version() { return KEIKO_VERSION; }
+std::string version() {
+    return KEIKO_VERSION;
+}
 
 Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options,
                  const Job& job) {
@@ -35,9 +37,8 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
     }
     SurfaceModel body = merge(models);
     Tracer tracer(body, {.second_derivatives = true}, job);
-    return {std::move(body), std::move(materials), std::move(tracer), spec.camera,
-            spec.view,       spec.rig,             spec.background,   spec.width,
-            spec.height};
+    return {std::move(body), std::move(materials), std::move(tracer), spec.camera, spec.view,
+            spec.rig,        spec.background,      spec.width,        spec.height};
 }
 
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double t8_diameter = 26;                      ///< mm
 constexpr double least_duty = 0.3, greatest_duty = 0.5; ///< diameter by pitch
-constexpr std::size_t search_samples = 3000;
+constexpr std::size_t search_samples = 2000;
 constexpr int histogram_cells = 128;
 constexpr double histogram_margin = 0.1; ///< of the lamps' rectangle, shown around it
 

@@ -17,7 +17,7 @@ namespace keiko {
 struct PlacementOptions {
     int lamps = 12;           ///< on each plane; 0: as many as give the wanted spacing
     int planes = 3;           ///< at most; one more is taken only where it serves enough
-    double least_gain = 0.08; ///< share of the picture that another plane must add
+    double least_gain = 0.05; ///< share of the picture that another plane must add
     double enough = 0.9;      ///< coverage at which no further plane is looked for
     LampDirection direction = LampDirection::best;
     StripeSpacing spacing; ///< px of a picture 540 high

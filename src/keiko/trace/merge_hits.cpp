@@ -5,21 +5,20 @@
 namespace keiko {
 namespace {
 
-bool same_point(const BorderHit& a, const BorderHit& b, double speed, double join) {
+bool same_point(const BorderHit& a, const BorderHit& b, double speed) {
     if (!(a.at_border && b.at_border) || a.hit.instance != b.hit.instance) return false;
-    const bool seam = has(a.hit.flags, HitFlags::seam) || has(b.hit.flags, HitFlags::seam);
-    const double reach = a.hit.position_bound + b.hit.position_bound + (seam ? join : 0);
+    const double reach = a.hit.position_bound + b.hit.position_bound + a.seam_reach + b.seam_reach;
     return (b.hit.t - a.hit.t) * speed <= reach &&
            (b.hit.position - a.hit.position).length() <= 2 * reach;
 }
 
 } // namespace
 
-std::vector<Hit> merged(std::vector<BorderHit> hits, double speed, double join) {
+std::vector<Hit> merged(std::vector<BorderHit> hits, double speed) {
     std::vector<BorderHit> kept;
     for (BorderHit& next : hits) {
         const auto twin = std::find_if(kept.rbegin(), kept.rend(), [&](const BorderHit& k) {
-            return same_point(k, next, speed, join);
+            return same_point(k, next, speed);
         });
         if (twin == kept.rend())
             kept.push_back(std::move(next));

@@ -6,14 +6,17 @@
 
 namespace keiko {
 
-/// Sorted hits of one ray without the doubles that overlapping borders make: neighbouring hits of
-/// one instance, each at the border of its patch or leaf, closer than their position bounds
-/// together (and, for seam hits, than `join` mm). The one that is not a seam hit is kept, else
-/// the first. `speed` is the length of the ray's direction.
+/// A hit and what tells whether a neighbouring patch or face may have found it too.
 struct BorderHit {
     Hit hit;
-    bool at_border = false;
+    bool at_border = false; ///< of its leaf, or on a leaf that trim curves cross
+    double seam_reach = 0;  ///< mm, of a seam hit: how far from its border it may be
 };
-std::vector<Hit> merged(std::vector<BorderHit> hits, double speed, double join);
+
+/// Sorted hits of one ray without the doubles that overlapping borders make: neighbouring hits of
+/// one instance, each at a border, closer than their position bounds and seam reaches together.
+/// The one that is not a seam hit is kept, else the first. `speed` is the length of the ray's
+/// direction.
+std::vector<Hit> merged(std::vector<BorderHit> hits, double speed);
 
 } // namespace keiko

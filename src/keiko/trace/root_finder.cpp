@@ -191,7 +191,7 @@ void RootFinder::accept_box(const Box2& box) {
         if (const auto root = newton(*whole_, box.center(), grown, slack_))
             return add({root->uv, root->error, false, false});
     // A long box is a stretch of surface that the ray runs along: its two ends are the answers.
-    constexpr double long_box = 1e-6;
+    constexpr double long_box = 1e-2;
     for (unsigned axis = 0; axis < 2; ++axis) {
         if (!(half[axis] > long_box)) continue;
         LeafRoot end{box.center(), half, true, true};

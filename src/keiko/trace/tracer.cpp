@@ -114,7 +114,11 @@ void Tracer::Scene::trace(const Ray& ray, const Visit& visit) const {
 
 BorderHit Tracer::Scene::border_hit(const Candidate& candidate) const {
     const Leaf& leaf = model.leaves.leaves[candidate.placed.leaf];
-    return {evaluated(model, candidate, options.second_derivatives), at_border(leaf, candidate)};
+    const double reach = candidate.seam == no_index
+                             ? 0
+                             : std::min(model.edges[candidate.seam].tolerance, options.join);
+    return {evaluated(model, candidate, options.second_derivatives), at_border(leaf, candidate),
+            reach};
 }
 
 Tracer::Tracer(const SurfaceModel& model, const TracerOptions& options, const Job& job) {
@@ -165,7 +169,7 @@ std::vector<Hit> Tracer::all(const Ray& ray) const {
               [](const Candidate& a, const Candidate& b) { return a.before(b); });
     std::vector<BorderHit> hits;
     for (const Candidate& c : candidates) hits.push_back(scene_->border_hit(c));
-    return merged(std::move(hits), ray.direction.length(), scene_->options.join);
+    return merged(std::move(hits), ray.direction.length());
 }
 
 std::vector<std::optional<Hit>> Tracer::nearest(std::span<const Ray> rays) const {

@@ -134,7 +134,8 @@ TEST(CadPrimitives, TheSeamIsOneEdgeUsedTwice) {
 TEST(CadPrimitives, FaceLocationsMoveThePatches) {
     gp_Trsf move;
     move.SetMirror(gp_Ax2(gp_Pnt(7, 0, 0), gp_Dir(1, 0, 0)));
-    const TopoDS_Shape moved = BRepPrimAPI_MakeTorus(10, 3).Shape().Moved(TopLoc_Location(move));
+    const TopoDS_Shape moved =
+        BRepPrimAPI_MakeTorus(10, 3).Shape().Moved(TopLoc_Location(move), false);
     const SurfaceModel model = converted(moved);
     const BRepAdaptor_Surface surface(faces_of(moved)[0]);
     const Vec2 at = model.face_parameters(0, {0.4, 0.7});
@@ -181,8 +182,12 @@ TEST(CadFiles, ABrepFileOfWiresHasNoFaces) {
 
 TEST(CadFiles, TooLittleMemoryIsOneLine) {
     const test::TemporaryFolder folder;
-    const auto path = folder.path() / "box.brep";
-    BRepTools::Write(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), path.c_str());
+    const auto path = folder.path() / "boxes.brep";
+    TopoDS_Compound many;
+    BRep_Builder builder;
+    builder.MakeCompound(many);
+    for (int i = 0; i < 500; ++i) builder.Add(many, BRepPrimAPI_MakeBox(1, 2, 3 + i).Shape());
+    BRepTools::Write(many, path.c_str());
     LoadOptions options;
     options.memory_limit = 1 << 20;
     EXPECT_THROW(load_model(path, options), Error);

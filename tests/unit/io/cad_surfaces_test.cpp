@@ -1,5 +1,6 @@
 #include "keiko/base/error.h"
 #include "keiko/io/cad/surface_patches.h"
+#include "keiko/math/interval_set.h"
 #include "keiko/patch/bezier_patch.h"
 
 #include <Geom_BSplineCurve.hxx>
@@ -150,7 +151,7 @@ TEST(SurfacePatches, AnOpenSplineIsContinuedALittle) {
 
 TEST(SurfacePatches, TrimmedSurfacesKeepTheirParameters) {
     const Surface torus = new Geom_ToroidalSurface(frame(false), 40, 15);
-    EXPECT_LT(deviation(new Geom_RectangularTrimmedSurface(torus, 1, 3, 2, 4), {{1, 2}, {3, 4}}),
+    EXPECT_LT(deviation(new Geom_RectangularTrimmedSurface(torus, 1.0, 3.0, 2.0, 4.0), {{1, 2}, {3, 4}}),
               1e-14);
 }
 

@@ -67,7 +67,7 @@ TEST_P(ConstructedRoots, AreAllFound) {
             sine = angle;
         }
         // What the ray's own rounding moves it by, across and then along the surface.
-        const double blur = tolerance + 1e-15 * (distance + kind.offset.length()) / sine;
+        const double blur = tolerance + 2e-15 * (distance + kind.offset.length()) / sine;
         EXPECT_TRUE(finds(*tracer, ray, s.position(), blur)) << kind.name << " ray " << i;
         if (i % 5 == 0) {
             EXPECT_TRUE(finds(*clipping, ray, s.position(), blur))

@@ -86,7 +86,10 @@ TEST(Rays, MayRunBackwards) {
 
 TEST(Threads, DoNotChangeAHit) {
     const SurfaceModel model = layers();
-    const Tracer one(model, {}, {.threads = 1}), two(model, {}, {.threads = 2});
+    Job alone, both;
+    alone.threads = 1;
+    both.threads = 2;
+    const Tracer one(model, {}, alone), two(model, {}, both);
     const std::vector<Ray> rays = random_rays(3000);
     const auto batch = one.nearest(std::span<const Ray>(rays));
     const auto batch_all = two.all(std::span<const Ray>(rays));
@@ -124,17 +127,19 @@ TEST(Modes, AgreeOnEveryRay) {
 
 TEST(Build, ReportsProgressAndStops) {
     double last = 0;
-    Job job{.progress = [&](const Progress& p) {
+    Job job;
+    job.progress = [&](const Progress& p) {
         EXPECT_EQ(p.stage, "build");
         last = p.fraction;
-    }};
+    };
     const Tracer tracer(layers(), {}, job);
     EXPECT_EQ(last, 1);
     EXPECT_GT(tracer.statistics().leaves, 0u);
     EXPECT_GT(tracer.statistics().bytes, 0u);
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_THROW(Tracer(layers(), {}, {.stop = stop.get_token()}), Cancelled);
+    job.stop = stop.get_token();
+    EXPECT_THROW(Tracer(layers(), {}, job), Cancelled);
 }
 
 TEST(Build, TakesAnEmptyModel) {

@@ -199,6 +199,8 @@ private:
 } // namespace
 
 opencascade::handle<TDocStd_Document> new_document() {
+    // Names like "SOLID" or "=>[0:1:1:2]" are none.
+    XCAFDoc_ShapeTool::SetAutoNaming(false);
     opencascade::handle<TDocStd_Document> document;
     XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
     return document;

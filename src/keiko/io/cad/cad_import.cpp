@@ -55,6 +55,8 @@ SurfaceModel import_cad_file(const std::filesystem::path& path, ModelFormat form
         convert_document(document, [&](double done) { progress(0.5 + 0.5 * done); });
     if (model.faces.empty() && model.lost_faces.empty())
         throw Error(path.string(), "", "no faces in the file");
+    if (model.parts.size() == 1 && model.parts[0].name.empty())
+        model.parts[0].name = path.stem().string();
     model.source = path.string();
     model.format = std::string(name_of(format));
     return model;

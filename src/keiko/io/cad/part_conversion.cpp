@@ -6,10 +6,12 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 
 #include <algorithm>
+#include <new>
 
 namespace keiko::cad {
 namespace {
@@ -158,6 +160,8 @@ std::string current_failure() {
         throw;
     } catch (const Error& e) {
         text = e.reason();
+    } catch (const Standard_OutOfMemory&) {
+        throw std::bad_alloc();
     } catch (const Standard_Failure& e) {
         const std::string message = e.GetMessageString() ? e.GetMessageString() : "";
         text = std::string("OpenCASCADE: ") + e.DynamicType()->Name() +

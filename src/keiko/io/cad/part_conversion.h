@@ -15,7 +15,8 @@ void append_part(SurfaceModel& model, const CadPart& part, const std::function<v
 /// Number of faces of a shape; one that two solids share counts once.
 std::size_t face_count(const TopoDS_Shape& shape);
 
-/// The reason of the exception being handled, one line.
+/// The reason of the exception being handled, one line. Lack of memory is thrown on: it is not
+/// the fault of one face.
 std::string current_failure();
 
 } // namespace keiko::cad

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "keiko/cli/session.h"
+
+namespace keiko::cli {
+
+/// Each adds one command of `keiko` to the app.
+void add_info(CLI::App& app, Session& session);
+void add_inspect(CLI::App& app, Session& session);
+void add_place(CLI::App& app, Session& session);
+void add_render(CLI::App& app, Session& session);
+
+} // namespace keiko::cli

@@ -1,0 +1,66 @@
+#include "keiko/base/log.h"
+#include "keiko/cli/commands.h"
+#include "keiko/cli/scene_options.h"
+
+#include <iostream>
+#include <memory>
+
+namespace keiko::cli {
+namespace {
+
+struct InspectArguments {
+    SceneArguments scene;
+    InspectOptions options;
+    std::string rig = "auto", preset;
+    std::filesystem::path output = "keiko-out";
+};
+
+void print_summary(const Report& report, const std::filesystem::path& folder) {
+    const SeamCounts& counts = report.inspection.counts;
+    std::cout << name_of(report.inspection.verdict) << ": " << counts.fail << " fail, "
+              << counts.undecided << " undecided, " << counts.pass << " pass, " << counts.creases
+              << " creases; see " << (folder / "report.html").string() << "\n";
+}
+
+int inspect(InspectArguments arguments, const Job& job) {
+    InspectOptions& options = arguments.options;
+    if (!arguments.preset.empty()) options.preset = preset_by_name(arguments.preset);
+    if (arguments.rig != "auto") {
+        options.rig = arguments.rig;
+        read_rig(*options.rig); // a misspelt key is told before the long work
+    }
+    if (std::filesystem::exists(arguments.output) &&
+        !std::filesystem::is_directory(arguments.output))
+        throw Error(arguments.output.string(), "", "is a file, not a folder");
+    const Scene scene = arguments.scene.open(job);
+    for (const LostFace& face : scene.model.lost_faces)
+        log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
+    options.picture.aovs = every_aov();
+    const InspectResult result = inspect_scene(scene, options, job);
+    write_result(arguments.output, result);
+    print_summary(result.report, arguments.output);
+    return result.report.inspection.verdict == Verdict::pass ? exit_pass : exit_findings;
+}
+
+} // namespace
+
+void add_inspect(CLI::App& app, Session& session) {
+    auto arguments = std::make_shared<InspectArguments>();
+    CLI::App& command = *app.add_subcommand(
+        "inspect", "place lamps, render their reflections, measure the seams, write a report");
+    arguments->scene.add_to(command, "MODEL");
+    command.add_option("-o,--output", arguments->output, "folder for the report")
+        ->capture_default_str();
+    command.add_option("--view", arguments->options.views,
+                       "view by name, or auto; may repeat [three automatic ones]");
+    command.add_option("--rig", arguments->rig, "rig file, or auto: place the lamps")
+        ->capture_default_str();
+    command.add_option("--preset", arguments->preset, "limits by name [class-a-outer]");
+    command.add_option("--join", arguments->options.join, "mm within which borders are a seam")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command.footer("Example: keiko inspect fender.step -o out --view three-quarter-front");
+    session.add_command(command, [arguments](const Job& job) { return inspect(*arguments, job); });
+}
+
+} // namespace keiko::cli

@@ -1,0 +1,18 @@
+#include "keiko/cli/commands.h"
+#include "keiko/keiko.h"
+
+int main(int argc, char** argv) {
+    using namespace keiko;
+    cli::Session session;
+    CLI::App app("Keiko judges free-form surfaces by the reflections of parallel lamps.", "keiko");
+    app.set_version_flag("--version", version());
+    app.require_subcommand(1);
+    app.footer(
+        "Exit codes: 0 pass, 1 findings, 2 error, 130 interrupted.\n"
+        "Example: keiko inspect fender.step -o out");
+    cli::add_info(app, session);
+    cli::add_inspect(app, session);
+    cli::add_place(app, session);
+    cli::add_render(app, session);
+    return session.run(app, argc, argv);
+}

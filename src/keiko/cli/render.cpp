@@ -1,0 +1,74 @@
+#include "keiko/cli/commands.h"
+#include "keiko/cli/scene_options.h"
+
+#include <memory>
+
+namespace keiko::cli {
+namespace {
+
+struct RenderArguments {
+    SceneArguments scene;
+    std::filesystem::path output;
+    std::string view, rig = "auto", aovs;
+    bool false_color = false;
+    ToneMapping mapping;
+};
+
+std::vector<Aov> aovs_of(const std::string& list) {
+    if (list.empty()) return {};
+    std::vector<Aov> aovs;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        aovs.push_back(aov_by_name(list.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return aovs;
+}
+
+LightRig rig_of(const Scene& scene, const RenderArguments& arguments, const Camera& camera,
+                const Job& job) {
+    if (arguments.rig != "auto") return read_rig(arguments.rig);
+    if (scene.rig) return *scene.rig;
+    return place_lamps(scene.tracer, scene.model, camera, {}, job).rig;
+}
+
+int render(const RenderArguments& arguments, const Job& job) {
+    require_image_extension(arguments.output);
+    const PictureOptions options{.aovs = aovs_of(arguments.aovs)};
+    if (arguments.rig != "auto") read_rig(arguments.rig);
+    const Scene scene = arguments.scene.open(job);
+    std::vector<std::string> names;
+    if (!arguments.view.empty()) names.push_back(arguments.view);
+    const NamedView view = choose_views(scene, names, 1, job).front();
+    const LightRig rig = rig_of(scene, arguments, view.camera, job);
+    const Film film = render_view(scene, rig, view.camera, options, job);
+    if (arguments.false_color)
+        write_png(arguments.output, false_color(film, {}));
+    else
+        write_film(arguments.output, film, arguments.mapping);
+    return exit_pass;
+}
+
+} // namespace
+
+void add_render(CLI::App& app, Session& session) {
+    auto arguments = std::make_shared<RenderArguments>();
+    CLI::App& command = *app.add_subcommand("render", "render one picture under the lamps");
+    arguments->scene.add_to(command, "MODEL|SCENE");
+    command.add_option("-o,--output", arguments->output, "image.exr (cd/m2, AOVs) or image.png")
+        ->required();
+    command.add_option("--view", arguments->view, "view by name, auto, or scene");
+    command.add_option("--rig", arguments->rig, "rig file, or auto: the scene's, or placed")
+        ->capture_default_str();
+    command.add_option("--aov", arguments->aovs,
+                       "layers of an .exr, comma-separated: luminance, normal, uv, face, patch, "
+                       "depth, c_plane_uv");
+    command.add_flag("--false-color", arguments->false_color,
+                     "luminance from 1 (blue) to 10000 cd/m2 (red), for .png");
+    command.add_option("--ev", arguments->mapping.ev,
+                       "exposure value of a .png [99 % of the body below white]");
+    command.footer("Example: keiko render hood.step -o hood.exr --view front --aov normal,depth");
+    session.add_command(command, [arguments](const Job& job) { return render(*arguments, job); });
+}
+
+} // namespace keiko::cli

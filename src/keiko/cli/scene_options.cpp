@@ -1,0 +1,73 @@
+#include "keiko/cli/scene_options.h"
+
+#include "keiko/base/error.h"
+
+#include <cstdio>
+
+namespace keiko::cli {
+namespace {
+
+struct PictureSize {
+    int width = 0, height = 0;
+};
+
+PictureSize parse_size(const std::string& text) {
+    PictureSize size;
+    int end = 0;
+    constexpr int largest = 16384;
+    if (std::sscanf(text.c_str(), "%dx%d%n", &size.width, &size.height, &end) != 2 ||
+        static_cast<std::size_t>(end) != text.size() || size.width < 1 || size.height < 1 ||
+        size.width > largest || size.height > largest)
+        throw Error("", "--size", "'" + text + "' is not WIDTHxHEIGHT with 1 to 16384 pixels");
+    return size;
+}
+
+} // namespace
+
+void add_load_options(CLI::App& command, SceneArguments& arguments) {
+    command.add_option(
+        "--unit", arguments.options.load.unit,
+        "length unit of the file's numbers, whatever the file says (mm, cm, m, in, ft)");
+    command
+        .add_option("--import-timeout", arguments.import_timeout, "seconds to read one CAD file")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command.add_option("--import-memory", arguments.import_memory, "GiB to read one CAD file")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+}
+
+LoadOptions load_options(const SceneArguments& arguments) {
+    LoadOptions options = arguments.options.load;
+    options.timeout = std::chrono::milliseconds(std::llround(arguments.import_timeout * 1e3));
+    options.memory_limit =
+        static_cast<std::uint64_t>(std::llround(arguments.import_memory * 1073741824.0));
+    return options;
+}
+
+void SceneArguments::add_to(CLI::App& command, const std::string& what) {
+    command.add_option(what, inputs, "model files of one body, or one scene file (.toml)")
+        ->required();
+    command.add_option("--material", options.material, "paint of models that no scene file paints")
+        ->capture_default_str();
+    command.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT [960x540]");
+    add_load_options(command, *this);
+}
+
+Scene SceneArguments::open(const Job& job) const {
+    SceneOptions all = options;
+    all.load = load_options(*this);
+    const PictureSize wanted = size.empty() ? PictureSize{} : parse_size(size);
+    Scene scene = open_scene(inputs, all, job);
+    if (wanted.width > 0) {
+        scene.width = wanted.width;
+        scene.height = wanted.height;
+        if (scene.camera) {
+            scene.camera->width = wanted.width;
+            scene.camera->height = wanted.height;
+        }
+    }
+    return scene;
+}
+
+} // namespace keiko::cli

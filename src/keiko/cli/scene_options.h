@@ -1,0 +1,30 @@
+#pragma once
+
+#include "keiko/keiko.h"
+
+#include <CLI/App.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace keiko::cli {
+
+/// The options of every command that looks at a body.
+struct SceneArguments {
+    std::vector<std::filesystem::path> inputs;
+    SceneOptions options;
+    std::string size;
+    double import_timeout = 120; ///< s
+    double import_memory = 16;   ///< GiB
+
+    /// Adds the inputs (as `what`) and options to a command.
+    void add_to(CLI::App& command, const std::string& what);
+    Scene open(const Job& job) const;
+};
+
+/// Adds only how model files are read.
+void add_load_options(CLI::App& command, SceneArguments& arguments);
+LoadOptions load_options(const SceneArguments& arguments);
+
+} // namespace keiko::cli

@@ -1,0 +1,79 @@
+#include "keiko/base/output_file.h"
+#include "keiko/keiko.h"
+#include "keiko/marked_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace keiko {
+namespace {
+
+struct LightsAndCoverage {
+    LightRig rig;
+    std::optional<CoverageSummary> coverage;
+};
+
+std::string percent(double share) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.1f %%", 100 * share);
+    return text.data();
+}
+
+CoverageSummary summary_of(const SurfaceModel& model, const Placement& placement) {
+    CoverageSummary summary{"rig.toml", placement.coverage, {}};
+    for (const FaceCoverage& face : placement.faces) {
+        constexpr double reached_enough = 0.5, worth_telling = 0.005;
+        if (face.reached >= reached_enough || face.share < worth_telling) continue;
+        summary.unreached.push_back(model.describe(model.faces[face.face]) + ": " +
+                                    percent(face.reached) + " of it reached, " +
+                                    percent(face.share) + " of the pictures");
+    }
+    return summary;
+}
+
+LightsAndCoverage choose_lights(const Scene& scene, const InspectOptions& options,
+                                std::span<const NamedView> views, const Job& job) {
+    if (options.rig) return {read_rig(*options.rig), std::nullopt};
+    if (scene.rig) return {*scene.rig, std::nullopt};
+    std::vector<Camera> cameras;
+    for (const NamedView& view : views) cameras.push_back(view.camera);
+    Placement placement = place_lamps(scene.tracer, scene.model, cameras, options.placement, job);
+    return {placement.rig, summary_of(scene.model, placement)};
+}
+
+} // namespace
+
+InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, const Job& job) {
+    constexpr int automatic_views = 3;
+    const std::vector<NamedView> views = choose_views(scene, options.views, automatic_views, job);
+    InspectResult result;
+    auto [rig, coverage] = choose_lights(scene, options, views, job);
+    result.rig = std::move(rig);
+    result.report.tool_version = version();
+    result.report.coverage = std::move(coverage);
+    result.report.inspection = inspect(scene.model, options.preset, options.join, job);
+    for (const NamedView& view : views) {
+        Film film = render_view(scene, result.rig, view.camera, options.picture, job);
+        result.report.pictures.push_back(marked_picture(
+            view.name, film, markers_in(scene, result.report.inspection, view.camera)));
+        result.films.emplace_back(view.name, std::move(film));
+    }
+    result.report.close_ups =
+        close_ups(scene, result.rig, result.report.inspection, views, options.picture, job);
+    return result;
+}
+
+void write_result(const std::filesystem::path& folder, const InspectResult& result) {
+    std::error_code code;
+    std::filesystem::create_directories(folder, code);
+    if (code) throw Error(folder.string(), "", "cannot make the folder: " + code.message());
+    for (const auto& [name, film] : result.films) {
+        write_film(folder / (name + ".png"), film);
+        write_film(folder / (name + ".exr"), film);
+    }
+    write_rig(folder / "rig.toml", result.rig);
+    write_report(folder, result.report);
+}
+
+} // namespace keiko

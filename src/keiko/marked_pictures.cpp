@@ -1,0 +1,113 @@
+#include "keiko/marked_pictures.h"
+
+#include "keiko/base/units.h"
+#include "keiko/film/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+constexpr int close_up_width = 360, close_up_height = 240;
+
+/// The place that a seam is shown by: that of the quantity that made it severe.
+Vec3 place_of(const MeasuredSeam& seam) {
+    const auto severity = [](const Worst& w) { return w.limit > 0 ? w.value / w.limit : w.value; };
+    const Worst* worst = &seam.gap;
+    if (seam.angle && !seam.crease && severity(*seam.angle) > severity(*worst))
+        worst = &*seam.angle;
+    if (seam.curvature && !seam.crease && severity(seam.curvature->worst) > severity(*worst))
+        worst = &seam.curvature->worst;
+    return worst->place;
+}
+
+/// The hit through which the camera sees a place of the body; nothing where something hides it.
+std::optional<Hit> seen_at(const Scene& scene, const Camera& camera, const Vec3& place) {
+    const auto pixel = project(camera, place);
+    if (!pixel || pixel->x < 0 || pixel->y < 0 || pixel->x >= camera.width ||
+        pixel->y >= camera.height)
+        return std::nullopt;
+    const double near = 1e-3 * scene.tracer.bounds().size();
+    // Borders lie at the rim of what can be hit: look a little beside them, too.
+    for (const Vec2& beside : {Vec2(0, 0), Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
+        const Ray ray = camera.ray(pixel->x + beside.x, pixel->y + beside.y);
+        const auto hit = scene.tracer.nearest(ray);
+        const double depth = (place - ray.origin).dot(ray.direction);
+        if (hit && hit->t > depth - std::max(near, 0.02 * depth)) return hit;
+    }
+    return std::nullopt;
+}
+
+/// How squarely a view looks at a place, 0 to 1; 0 where it is hidden.
+double squareness(const Scene& scene, const Camera& camera, const Vec3& place) {
+    const auto hit = seen_at(scene, camera, place);
+    if (!hit) return 0;
+    return std::abs(hit->normal.dot((place - camera.eye).normalized()));
+}
+
+/// The same eye, turned to the place and zoomed in.
+Camera close_up_camera(const Scene& scene, const Camera& view, const Vec3& place) {
+    Camera camera = view;
+    camera.target = place;
+    camera.width = close_up_width;
+    camera.height = close_up_height;
+    const double height = 0.08 * scene.tracer.bounds().size();
+    const double distance = (place - view.eye).length();
+    camera.vertical_fov = radians_to_degrees(2 * std::atan(height / (2 * distance)));
+    camera.orthographic_height = height;
+    return camera;
+}
+
+} // namespace
+
+std::vector<PictureMarker> markers_in(const Scene& scene, const Inspection& inspection,
+                                      const Camera& camera) {
+    std::vector<PictureMarker> markers;
+    int rank = 0;
+    for (const std::uint32_t index : worst_seams(inspection, worst_seam_count)) {
+        ++rank;
+        const Vec3 place = place_of(inspection.seams[index]);
+        if (!seen_at(scene, camera, place)) continue;
+        const Vec2 pixel = *project(camera, place);
+        markers.push_back({rank, pixel.x, pixel.y});
+    }
+    return markers;
+}
+
+ReportPicture marked_picture(const std::string& view, const Film& film,
+                             const std::vector<PictureMarker>& markers) {
+    Overlay overlay;
+    for (const PictureMarker& marker : markers)
+        overlay.markers.push_back({{marker.x, marker.y}, std::to_string(marker.number)});
+    const Image display = with_overlay(tone_mapped(film), overlay);
+    return {.title = view,
+            .caption = "",
+            .file_name = view + "-marked.png",
+            .png = encode_png(display),
+            .width = display.width,
+            .height = display.height,
+            .markers = markers};
+}
+
+std::vector<SeamPicture> close_ups(const Scene& scene, const LightRig& rig,
+                                   const Inspection& inspection, std::span<const NamedView> views,
+                                   const PictureOptions& options, const Job& job) {
+    std::vector<SeamPicture> pictures;
+    for (const std::uint32_t index : worst_seams(inspection, worst_seam_count)) {
+        const Vec3 place = place_of(inspection.seams[index]);
+        const auto best = std::max_element(
+            views.begin(), views.end(), [&](const NamedView& a, const NamedView& b) {
+                return squareness(scene, a.camera, place) < squareness(scene, b.camera, place);
+            });
+        if (best == views.end() || squareness(scene, best->camera, place) == 0) continue;
+        const Camera camera = close_up_camera(scene, best->camera, place);
+        const Film film = render_view(scene, rig, camera, options, job);
+        const std::string title = "seam " + std::to_string(pictures.size() + 1);
+        pictures.push_back({index, marked_picture(title, film, {})});
+        pictures.back().picture.file_name = "close-up-" + std::to_string(pictures.size()) + ".png";
+    }
+    return pictures;
+}
+
+} // namespace keiko

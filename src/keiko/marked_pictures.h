@@ -1,0 +1,22 @@
+#pragma once
+
+#include "keiko/inspect/inspection.h"
+#include "keiko/keiko.h"
+
+namespace keiko {
+
+/// Where the worst seams of an inspection can be seen in a view: a marker with the seam's rank for
+/// each worst place that is in the picture and not hidden by the body.
+std::vector<PictureMarker> markers_in(const Scene& scene, const Inspection& inspection,
+                                      const Camera& camera);
+
+/// The display picture of a film with its markers drawn, for the report.
+ReportPicture marked_picture(const std::string& view, const Film& film,
+                             const std::vector<PictureMarker>& markers);
+
+/// One picture a worst seam, close by its worst place, from the view that shows it most squarely.
+std::vector<SeamPicture> close_ups(const Scene& scene, const LightRig& rig,
+                                   const Inspection& inspection, std::span<const NamedView> views,
+                                   const PictureOptions& options, const Job& job);
+
+} // namespace keiko

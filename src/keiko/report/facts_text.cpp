@@ -1,0 +1,69 @@
+#include "keiko/report/facts_text.h"
+
+#include <sstream>
+#include <string_view>
+
+namespace keiko {
+namespace {
+
+constexpr int name_width = 12;
+
+std::ostream& begin_line(std::ostream& out, std::string_view name) {
+    out << name;
+    for (std::size_t i = name.size(); i < name_width; ++i) out << ' ';
+    return out;
+}
+
+void write_counts(std::ostream& out, const ModelFacts& facts) {
+    begin_line(out, "parts") << facts.parts << ", placed " << facts.instances << " times\n";
+    begin_line(out, "faces") << facts.faces << ", " << facts.trimmed_faces << " trimmed, "
+                             << facts.lost_faces.size() << " lost";
+    if (facts.approximated_faces > 0)
+        out << ", " << facts.approximated_faces << " approximated to "
+            << facts.largest_approximation << " mm";
+    out << "\n";
+    begin_line(out, "surfaces");
+    std::string_view comma;
+    for (const auto& [kind, count] : facts.kinds) {
+        out << comma << count << " " << kind;
+        comma = ", ";
+    }
+    out << "\n";
+    begin_line(out, "patches") << facts.patches << ", " << facts.rational_patches << " rational\n";
+    begin_line(out, "degrees");
+    comma = "";
+    for (const auto& [degree, count] : facts.degrees) {
+        out << comma << count << " of " << degree[0] << "x" << degree[1];
+        comma = ", ";
+    }
+    out << "\n";
+}
+
+void write_remarks(std::ostream& out, const ModelFacts& facts) {
+    for (const LostFace& face : facts.lost_faces)
+        begin_line(out, "lost") << "face " << face.id << (face.name.empty() ? "" : " ") << face.name
+                                << ": " << face.reason << "\n";
+    for (const Diagnostic& remark : facts.diagnostics) {
+        begin_line(out, remark.severity == Severity::note ? "note" : "warning");
+        out << remark.entity << (remark.entity.empty() ? "" : ": ") << remark.message << "\n";
+    }
+}
+
+} // namespace
+
+std::string facts_text(const ModelFacts& facts) {
+    std::ostringstream out;
+    begin_line(out, "file") << facts.source << "\n";
+    begin_line(out, "format") << facts.format << "\n";
+    begin_line(out, "unit") << (facts.unit.empty() ? "none named, read as mm" : facts.unit) << "\n";
+    write_counts(out, facts);
+    if (!facts.bounds.empty())
+        begin_line(out, "box") << facts.bounds.lower << " to " << facts.bounds.upper << " mm\n";
+    begin_line(out, "seams") << facts.seams << "\n";
+    begin_line(out, "borders") << facts.border_length << " mm, " << facts.free_length
+                               << " mm of them free\n";
+    write_remarks(out, facts);
+    return out.str();
+}
+
+} // namespace keiko
