@@ -4,6 +4,9 @@
 namespace keiko {
 namespace {
 
+/// cd/m2 behind models that no scene file places: trims and outlines of dark paint stand out.
+constexpr double studio_grey = 60;
+
 SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const SceneOptions& options) {
     for (const auto& input : inputs)
         if (input.extension() == ".toml") {
@@ -12,6 +15,7 @@ SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const SceneOpti
             return read_scene(input);
         }
     SceneSpec spec;
+    spec.background = Rgb(studio_grey);
     for (const auto& input : inputs)
         spec.models.push_back({input, {}, named_material(options.material)});
     return spec;

@@ -6,6 +6,7 @@
 #include "keiko/placement/oriented_box.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace keiko {
@@ -15,6 +16,7 @@ constexpr double t8_diameter = 26;                      ///< mm
 constexpr double least_duty = 0.3, greatest_duty = 0.5; ///< diameter by pitch
 constexpr std::size_t search_samples = 2000;
 constexpr int histogram_cells = 128;
+constexpr double worth_a_warning = 0.05; ///< unreached share of the picture's weight on one face
 constexpr double histogram_margin = 0.1; ///< of the lamps' rectangle, shown around it
 
 /// Searches the planes one after the other, on a thinned field.
@@ -114,6 +116,19 @@ std::vector<FaceCoverage> face_coverage(const LampField& field) {
     return faces;
 }
 
+Diagnostics warnings(const SurfaceModel& model, std::span<const FaceCoverage> faces) {
+    const auto percent = [](double share) {
+        return std::to_string(std::lround(share * 100)) + " %";
+    };
+    Diagnostics found;
+    for (const FaceCoverage& face : faces)
+        if (face.share * (1 - face.reached) > worth_a_warning)
+            found.push_back({Severity::warning, model.describe(model.faces[face.face]),
+                             "lamps reach only " + percent(face.reached) + " of it, it is " +
+                                 percent(face.share) + " of what is seen"});
+    return found;
+}
+
 double blocked_share(const LampField& field) {
     double sum = 0;
     for (const ViewSample& s : field.samples())
@@ -153,6 +168,7 @@ Placement place_lamps(const Tracer& tracer, const SurfaceModel& model,
         throw Error("", "placement", "no plane around the body mirrors to the cameras");
     result.coverage = field.coverage();
     result.faces = face_coverage(field);
+    result.diagnostics = warnings(model, result.faces);
     result.candidates = search.take_candidates();
     result.blocked = blocked_share(field);
     return result;

@@ -56,7 +56,7 @@ struct Placement {
     std::vector<FaceCoverage> faces; ///< every face that is seen, the largest unreached part first
     std::vector<PlaneCandidate> candidates; ///< for the first plane, in the order they were tried
     double blocked = 0;                     ///< share of the weight that mirrors the body itself
-    Diagnostics diagnostics;
+    Diagnostics diagnostics; ///< a warning for every face of which a large part is not reached
 };
 
 /// Hangs parallel lamps so that their mirror images cover what the cameras see of the body: the

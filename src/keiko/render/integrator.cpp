@@ -88,7 +88,8 @@ void Integrator::pass_medium(Path& path, const Vec3& end, EyeSample& sample) con
 
 Rgb Integrator::base_luminance(const Hit& hit, const Vec3& normal, double cosine) const {
     const Rgb illuminance =
-        scene_.rig.ambient + direct_illuminance(scene_.rig, hit.position, normal, AllVisible());
+        scene_.rig.ambient +
+        direct_illuminance(scene_.rig, hit.position, normal, AllVisible(), TubeModel::picture);
     return lambert_luminance(coats_[hit.instance].base_reflectance_diffuse(cosine), illuminance);
 }
 

@@ -14,8 +14,8 @@ constexpr int pieces_in_fog = 8;
 class Receiver {
 public:
     Receiver(const std::optional<Medium>& medium, const Vec3& point, const Vec3& normal,
-             const Visible& visible)
-        : medium_(medium), point_(point), normal_(normal), visible_(visible) {}
+             const Visible& visible, TubeModel model)
+        : medium_(medium), point_(point), normal_(normal), visible_(visible), model_(model) {}
 
     Rgb operator()(const CPlane& plane) const {
         const CPlaneFrame frame(plane);
@@ -34,7 +34,7 @@ private:
     Rgb from_lamp(const TubeLamp& lamp) const {
         if (below_horizon(lamp, point_, normal_)) return {};
         const IntervalSet seen = visible_.intervals({lamp.a, lamp.b});
-        if (!medium_) return irradiance(lamp, point_, normal_, seen);
+        if (!medium_) return irradiance(lamp, point_, normal_, seen, model_);
         Rgb sum;
         for (const ParameterInterval& part : seen) sum += through_medium(lamp, part);
         return sum;
@@ -48,7 +48,7 @@ private:
             const double begin = part.begin + i * step;
             const double end = i + 1 < pieces_in_fog ? begin + step : part.end;
             const double way = (axis.at((begin + end) / 2) - point_).length();
-            sum += irradiance(lamp, point_, normal_, IntervalSet::whole(begin, end)) *
+            sum += irradiance(lamp, point_, normal_, IntervalSet::whole(begin, end), model_) *
                    transmittance(*medium_, way);
         }
         return sum;
@@ -57,28 +57,30 @@ private:
     const std::optional<Medium>& medium_;
     const Vec3 &point_, &normal_;
     const Visible& visible_;
+    TubeModel model_;
 };
 
 } // namespace
 
 Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& medium,
-                     const Vec3& point, const Vec3& normal, const Visible& visible) {
-    return std::visit(Receiver(medium, point, normal, visible), source);
+                     const Vec3& point, const Vec3& normal, const Visible& visible,
+                     TubeModel model) {
+    return std::visit(Receiver(medium, point, normal, visible, model), source);
 }
 
 std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, const Vec3& normal,
-                                       const Visible& visible) {
+                                       const Visible& visible, TubeModel model) {
     std::vector<Rgb> lx;
     for (const LightSource& source : rig.sources)
-        lx.push_back(illuminance_from(source, rig.medium, point, normal, visible));
+        lx.push_back(illuminance_from(source, rig.medium, point, normal, visible, model));
     return lx;
 }
 
 Rgb direct_illuminance(const LightRig& rig, const Vec3& point, const Vec3& normal,
-                       const Visible& visible) {
+                       const Visible& visible, TubeModel model) {
     Rgb sum;
     for (const LightSource& source : rig.sources)
-        sum += illuminance_from(source, rig.medium, point, normal, visible);
+        sum += illuminance_from(source, rig.medium, point, normal, visible, model);
     return sum;
 }
 

@@ -2,6 +2,7 @@
 
 #include "keiko/luminance/visible.h"
 #include "keiko/rig/light_rig.h"
+#include "keiko/tubes/tube_irradiance.h"
 
 #include <vector>
 
@@ -11,14 +12,16 @@ namespace keiko {
 /// one. `visible` answers for that point; a source without extent is asked for as the segment
 /// from it to itself. Lamps and beams that cannot reach the point are not asked for at all.
 Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& medium,
-                     const Vec3& point, const Vec3& normal, const Visible& visible);
+                     const Vec3& point, const Vec3& normal, const Visible& visible,
+                     TubeModel model = TubeModel::automatic);
 
 /// The same from every source of a rig, in its order.
 std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, const Vec3& normal,
-                                       const Visible& visible);
+                                       const Visible& visible,
+                                       TubeModel model = TubeModel::automatic);
 
 /// Their sum, without the rig's ambient light.
 Rgb direct_illuminance(const LightRig& rig, const Vec3& point, const Vec3& normal,
-                       const Visible& visible);
+                       const Visible& visible, TubeModel model = TubeModel::automatic);
 
 } // namespace keiko

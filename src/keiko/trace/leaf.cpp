@@ -96,7 +96,7 @@ private:
             const double low = std::max(own.lower[k], trim.lower[k] - margin);
             const double high = std::min(own.upper[k], trim.upper[k] + margin);
             if (!(low <= high)) return std::nullopt;
-            const auto [a, b] = std::minmax(map.to_patch(low), map.to_patch(high));
+            const auto [a, b] = std::minmax({map.to_patch(low), map.to_patch(high)});
             // Slices so thin are all border; cropping to them would gain nothing.
             if (b - a > 1e-6) box.lower[k] = a, box.upper[k] = b;
         }

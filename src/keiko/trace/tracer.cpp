@@ -127,8 +127,8 @@ Tracer::Tracer(const SurfaceModel& model, const TracerOptions& options, const Jo
     TracerStatistics& s = scene_->statistics;
     s.leaves = scene_->leaves.size();
     s.leaves_trimmed_away = scene_->model.leaves.trimmed_away;
-    for (const Leaf& leaf : scene_->model.leaves.leaves)
-        s.leaves_mixed += leaf.trim == TrimSide::mixed;
+    for (const PlacedLeaf& placed : scene_->leaves)
+        s.leaves_mixed += scene_->model.leaves.leaves[placed.leaf].trim == TrimSide::mixed;
     s.bytes = scene_->model.bytes() + scene_->leaves.size() * sizeof(PlacedLeaf);
     s.build_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -9,6 +9,7 @@ namespace keiko {
 /// those of a lamp in ordinary position, by d/D, its diameter over its distance.
 enum class TubeModel {
     automatic, ///< strip up to d/D = 0.04, where its error is 1e-4; cylinder beyond
+    picture,   ///< strip up to d/D = 0.2, where its error is 2.3e-3; cylinder beyond
     seed,      ///< [003] eq. (1) with its indices corrected (2.1): -0.27 d/D
     rectangle, ///< the facing rectangle, exactly (2.2): -0.27 d/D
     line,      ///< the limit of a thin lamp (2.4): -0.26 d/D

@@ -113,9 +113,9 @@ TEST(PlaceLamps, SeveralPlanesServeWhatOneCannot) {
         const Scene scene(sphere ? test::sphere_model(Affine::scale(500))
                                  : test::cylinder_model(cylinder_along_y(400, 3000)),
                           "front");
-        PlacementOptions one = quick();
+        PlacementOptions one;
         one.planes = 1;
-        const Placement single = scene.place(one), several = scene.place(quick());
+        const Placement single = scene.place(one), several = scene.place();
         EXPECT_GT(single.coverage, 0.3);
         EXPECT_GT(several.coverage, single.coverage + 0.15);
         EXPECT_GT(several.coverage, sphere ? 0.7 : 0.85);
@@ -246,6 +246,9 @@ TEST(PlaceLamps, NamesTheFacesThatLampsDoNotReach) {
     EXPECT_NEAR(covered, placed.coverage, 1e-12);
     EXPECT_LE(placed.coverage, 1 - placed.blocked + 1e-9);
     EXPECT_GT(placed.blocked, 0.2);
+    ASSERT_FALSE(placed.diagnostics.empty());
+    EXPECT_EQ(placed.diagnostics[0].entity, "face 1");
+    EXPECT_EQ(placed.diagnostics[0].severity, Severity::warning);
 }
 
 TEST(PlaceLamps, ServesTheChosenFacesAlone) {
@@ -298,6 +301,7 @@ TEST(PlaceLamps, ItsNumbersAreReported) {
     for (const PlaneCandidate& c : placed.candidates)
         EXPECT_LE(c.score.objective(), first.score.objective() * (1 + 1e-12));
     EXPECT_EQ(placed.blocked, 0);
+    EXPECT_TRUE(placed.diagnostics.empty());
 }
 
 TEST(PlaceLamps, RefusesViewsOfNothing) {
