@@ -17,6 +17,6 @@ inline std::filesystem::path shared_model(const std::filesystem::path& name) {
 } // namespace keiko::test
 
 /// Skips, aloud, a test that needs a real CAD file where the collection is absent.
-#define KEIKO_NEEDS_SHARED_MODEL(name)                                    \
-    if (!std::filesystem::exists(keiko::test::shared_model(name)))        \
+#define KEIKO_NEEDS_SHARED_MODEL(name)                             \
+    if (!std::filesystem::exists(keiko::test::shared_model(name))) \
     GTEST_SKIP() << name << " skipped: no ../shared/models beside the project"

@@ -15,8 +15,8 @@ struct Progress {
 /// The last argument of every long function: where progress goes, when to stop, how many
 /// threads to use. A default Job is silent, never stops and uses every core.
 struct Job {
-    std::function<void(const Progress&)> progress; ///< may be empty; calls never overlap
-    std::stop_token stop;
+    std::function<void(const Progress&)> progress{}; ///< may be empty; calls never overlap
+    std::stop_token stop{};
     int threads = 0; ///< 0: as many as there are cores
 
     void report(std::string_view stage, double fraction) const {

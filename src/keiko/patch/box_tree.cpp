@@ -1,7 +1,7 @@
 #include "keiko/patch/box_tree.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 namespace keiko {
 namespace {
@@ -15,8 +15,9 @@ unsigned longest_axis(const Box3& box) {
 
 } // namespace
 
-BoxTree::BoxTree(std::vector<Box3> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
-    std::iota(order_.begin(), order_.end(), 0u);
+BoxTree::BoxTree(std::vector<Box3> boxes) : boxes_(std::move(boxes)) {
+    for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+        if (!boxes_[i].empty() && std::isfinite(boxes_[i].size())) order_.push_back(i);
     if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
 }
 

@@ -10,6 +10,7 @@ namespace keiko {
 /// A binary tree over boxes that answers which of them meet a given one.
 class BoxTree {
 public:
+    /// Empty and infinite boxes overlap nothing.
     explicit BoxTree(std::vector<Box3> boxes);
 
     /// Indices of the boxes that overlap `box`, ascending.

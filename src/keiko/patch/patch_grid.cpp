@@ -19,11 +19,28 @@ std::vector<double> distinct(std::vector<double> breaks) {
     return breaks;
 }
 
+double same_knot(const std::vector<double>& breaks) {
+    return (breaks.back() - breaks.front()) * relative_knot_tolerance;
+}
+
 std::size_t cell_of(const std::vector<double>& breaks, double x, double toward) {
-    const double near = (breaks.back() - breaks.front()) * relative_knot_tolerance;
+    const double near = same_knot(breaks);
     const double probe = x + (toward < 0 ? -near : near);
     const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, probe);
     return static_cast<std::size_t>(above - breaks.begin()) - 1;
+}
+
+/// The cells that a patch covers: several where its neighbours were split further.
+struct CellRange {
+    std::size_t first, last;
+
+    CellRange(const std::vector<double>& breaks, const ParameterMap& map)
+        : first(cell_of(breaks, map.begin, 1)), last(cell_of(breaks, map.end, -1)) {}
+};
+
+/// A patch between two knots that are one knot covers no cell of the grid.
+bool is_sliver(const ParameterMap& map, const std::vector<double>& breaks) {
+    return map.end - map.begin <= same_knot(breaks);
 }
 
 } // namespace
@@ -41,11 +58,13 @@ PatchGrid::PatchGrid(const SurfaceModel& model, const Face& face) : first_patch_
     patches_.assign((breaks_u_.size() - 1) * rows, face.first_patch);
     for (std::uint32_t k = 0; k < face.patch_count; ++k) {
         const Patch& p = model.patches[face.first_patch + k];
-        const std::size_t i = cell_of(breaks_u_, (p.map_u.begin + p.map_u.end) / 2, 0);
-        const std::size_t j = cell_of(breaks_v_, (p.map_v.begin + p.map_v.end) / 2, 0);
-        patches_[i * rows + j] = face.first_patch + k;
         const double size = hull_bounds(model.patch(face.first_patch + k)).size();
         square_sizes_.push_back(size * size);
+        if (is_sliver(p.map_u, breaks_u_) || is_sliver(p.map_v, breaks_v_)) continue;
+        const CellRange us(breaks_u_, p.map_u), vs(breaks_v_, p.map_v);
+        for (std::size_t i = us.first; i <= us.last; ++i)
+            for (std::size_t j = vs.first; j <= vs.last; ++j)
+                patches_[i * rows + j] = face.first_patch + k;
     }
 }
 

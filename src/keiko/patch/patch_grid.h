@@ -7,7 +7,8 @@
 
 namespace keiko {
 
-/// The patches of one face as the grid that they form over the face's parameter plane.
+/// The patches of one face as the grid that they form over the face's parameter plane; a patch
+/// may cover several cells of it, as an adaptive approximation makes them.
 class PatchGrid {
 public:
     PatchGrid(const SurfaceModel& model, const Face& face);

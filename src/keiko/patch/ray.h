@@ -21,8 +21,8 @@ struct Ray {
     Vec3 origin{0}, direction{0, 0, 1};
     double t_min = 0;
     double t_max = std::numeric_limits<double>::infinity();
-    std::optional<RayDifferentials> differentials;
-    std::optional<Root> excluded;
+    std::optional<RayDifferentials> differentials{};
+    std::optional<Root> excluded{};
 
     Vec3 at(double t) const { return origin + direction * t; }
 };

@@ -107,9 +107,9 @@ std::vector<Candidate> SeamPairing::candidates(const BoxTree& tree, double join,
     std::vector<std::vector<Candidate>> found(task_count(borders_.size()));
     const auto search = [&](std::uint32_t a, std::vector<Candidate>& into) {
         const CurvePolyline& polyline = borders_[a].polyline;
-        if (polyline.length <= point_length) return;
+        if (!(polyline.length > point_length)) return;
         for (const std::uint32_t b : tree.overlapping(polyline.box().padded(join))) {
-            if (b <= a || borders_[b].polyline.length <= point_length || !wanted(a, b)) continue;
+            if (b <= a || !(borders_[b].polyline.length > point_length) || !wanted(a, b)) continue;
             for (Stretch& stretch : stretches_alongside(borders_[a], borders_[b], join))
                 into.push_back({a, b, std::move(stretch)});
         }

@@ -5,9 +5,8 @@
 
 namespace keiko {
 
-/// The ray that a mirror surface makes of an eye ray at its hit: from the hit along the mirror
-/// direction, its own root excluded. With differentials, exact from the second derivatives of the
-/// patch, where the eye ray has them and the patch is regular there.
+/// mirror_ray for hits of any tracer: second derivatives that the hit lacks are taken from the
+/// model.
 Ray mirrored_ray(const SurfaceModel& model, const Hit& hit, const Ray& eye_ray);
 
 /// The hit's unit normal on the side the ray comes from.

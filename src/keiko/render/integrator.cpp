@@ -3,10 +3,10 @@
 #include "keiko/fog/transmittance.h"
 #include "keiko/luminance/photometry.h"
 #include "keiko/luminance/visible.h"
-#include "keiko/render/mirror_ray.h"
 #include "keiko/rig/illuminance.h"
 #include "keiko/rig/luminance_along.h"
 #include "keiko/rig/mirrored_luminance.h"
+#include "keiko/trace/mirror_ray.h"
 
 #include <cmath>
 

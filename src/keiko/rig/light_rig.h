@@ -19,7 +19,7 @@ struct LightRig {
     std::string name;
     std::vector<LightSource> sources;
     Rgb ambient{0}; ///< lx of unshadowed ambient illuminance on every surface
-    std::optional<Medium> medium;
+    std::optional<Medium> medium{};
 };
 
 } // namespace keiko

@@ -151,8 +151,9 @@ TEST(SurfacePatches, AnOpenSplineIsContinuedALittle) {
 
 TEST(SurfacePatches, TrimmedSurfacesKeepTheirParameters) {
     const Surface torus = new Geom_ToroidalSurface(frame(false), 40, 15);
-    EXPECT_LT(deviation(new Geom_RectangularTrimmedSurface(torus, 1.0, 3.0, 2.0, 4.0), {{1, 2}, {3, 4}}),
-              1e-14);
+    EXPECT_LT(
+        deviation(new Geom_RectangularTrimmedSurface(torus, 1.0, 3.0, 2.0, 4.0), {{1, 2}, {3, 4}}),
+        1e-14);
 }
 
 TEST(SurfacePatches, OffsetSurfacesAreApproximatedWithinTheStatedTolerance) {

@@ -58,7 +58,8 @@ Vec3 de_casteljau(const RandomPatch& patch, double u, double v) {
 
 TEST(BezierPatch, AgreesWithDeCasteljauUpToDegree25) {
     std::mt19937 random(1);
-    for (const auto& [degree_u, degree_v] : {std::pair{1, 1}, std::pair{3, 3}, {5, 2}, {12, 7}, {25, 25}}) {
+    for (const auto& [degree_u, degree_v] :
+         {std::pair{1, 1}, std::pair{3, 3}, {5, 2}, {12, 7}, {25, 25}}) {
         const RandomPatch patch = random_patch(random, degree_u, degree_v);
         for (const Vec2& uv : {Vec2(0, 0), Vec2(1, 0), Vec2(0.3, 0.8), Vec2(0.999, 0.5)}) {
             const Vec3 error =

@@ -276,6 +276,52 @@ TEST(PairSeams, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(pair_seams(model, join, four), seams);
 }
 
+TEST(PairSeams, ReadsTheWidePatchBesideAKnotSpanOfNoWidth) {
+    // tail-section-assembly.step, face 515: the last knot span is 1e-11 of the domain wide.
+    NurbsSurface strip{1, 1, {0, 0, 1 - 1e-11, 1, 1}, {0, 0, 1, 1}, {}};
+    for (const double x : {0.0, 100 * (1 - 1e-11), 100.0})
+        for (const double y : {0.0, 50.0}) strip.points.emplace_back(x, y, 0, 1);
+    ModelBuilder builder;
+    builder.nurbs(strip);
+    builder.polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    builder.plane({0, 0, 0}, along_x, down_y);
+    const SurfaceModel model = builder.build();
+    const auto seams = pair_seams(model, join);
+    ASSERT_EQ(seams.size(), 1u);
+    EXPECT_NEAR(length_of(model, seams[0].a), 100, 1e-6);
+    EXPECT_NEAR(BoundaryCurves(model).curve(seams[0].a).at(0.25).position.x, 25, 1e-6);
+}
+
+TEST(PatchGrid, FindsThePatchesOfAnAdaptiveSubdivision) {
+    // One half of the square whole, the other in two: storage-jar-offset-surfaces.step.
+    SurfaceModel model;
+    using Kind = ParameterMap::Kind;
+    const auto add = [&](double u0, double u1, double v0, double v1) {
+        model.patches.push_back({0, 0, 1, 1, {Kind::affine, u0, u1}, {Kind::affine, v0, v1}});
+    };
+    model.control_points.assign(4, Vec4(0, 0, 0, 1));
+    add(0, 0.5, 0, 0.5), add(0, 0.5, 0.5, 1), add(0.5, 1, 0, 1);
+    Face face;
+    face.patch_count = 3;
+    const PatchGrid grid(model, face);
+    EXPECT_EQ(grid.locate({0.2, 0.2}, {0, 0}), 0u);
+    EXPECT_EQ(grid.locate({0.2, 0.8}, {0, 0}), 1u);
+    EXPECT_EQ(grid.locate({0.8, 0.2}, {0, 0}), 2u);
+    EXPECT_EQ(grid.locate({0.8, 0.8}, {0, 0}), 2u);
+    EXPECT_EQ(grid.locate({0.5, 0.8}, {-1, 0}), 1u); // on the line: by the side of the material
+    EXPECT_EQ(grid.locate({0.5, 0.8}, {1, 0}), 2u);
+    EXPECT_EQ(grid.locate({0.2, 0.5}, {0, -1}), 0u);
+    EXPECT_EQ(grid.locate({7, 0.2}, {0, 0}), 2u); // outside: the nearest
+}
+
+TEST(PairSeams, PassesOverABorderThatIsNoNumber) {
+    ModelBuilder builder;
+    builder.rational_patch(1, 1, {{0, 0, 0, 0}, {0, 50, 0, 0}, {9, 0, 0, 0}, {9, 50, 0, 0}});
+    builder.plane({0, 0, 0}, along_x, up_y);
+    builder.plane({0, 0, 0}, along_x, down_y);
+    EXPECT_EQ(pair_seams(builder.build(), join).size(), 1u);
+}
+
 TEST(BoundaryCurves, PointsInwardsAtOuterBordersAndAtHoles) {
     ModelBuilder builder;
     builder.plane({0, 0, 0}, {100, 0, 0}, {0, 100, 0});

@@ -1,4 +1,4 @@
-#include "keiko/render/mirror_ray.h"
+#include "keiko/trace/mirror_ray.h"
 
 namespace keiko {
 namespace {
@@ -43,6 +43,13 @@ Vec3 reflect_change(const Vec3& d, const Vec3& n, const Vec3& d_change, const Ve
     return d_change - (n_change * d.dot(n) + n * (d_change.dot(n) + d.dot(n_change))) * 2;
 }
 
+/// At a pole the tangents say nothing about how the normal changes.
+bool regular(const Hit& hit) {
+    constexpr double singular_sine = 1e-9;
+    return hit.dpdu.cross(hit.dpdv).length() >
+           singular_sine * hit.dpdu.length() * hit.dpdv.length();
+}
+
 } // namespace
 
 Ray mirror_ray(const Ray& incoming, const Hit& hit) {
@@ -50,7 +57,7 @@ Ray mirror_ray(const Ray& incoming, const Hit& hit) {
     mirrored.origin = hit.position;
     mirrored.direction = reflect(incoming.direction, hit.normal);
     mirrored.excluded = hit.root;
-    if (!incoming.differentials || !hit.second) return mirrored;
+    if (!incoming.differentials || !hit.second || !regular(hit)) return mirrored;
 
     const RayDifferentials& in = *incoming.differentials;
     const LocalSurface surface(hit);
@@ -61,7 +68,7 @@ Ray mirror_ray(const Ray& incoming, const Hit& hit) {
                                       surface.normal_change(out.origin_dx));
     out.direction_dy = reflect_change(incoming.direction, hit.normal, in.direction_dy,
                                       surface.normal_change(out.origin_dy));
-    // At a pole or an exact silhouette the first order says nothing: no differentials, no blur.
+    // At an exact silhouette the first order says nothing.
     if (is_finite(out.origin_dx) && is_finite(out.origin_dy) && is_finite(out.direction_dx) &&
         is_finite(out.direction_dy))
         mirrored.differentials = out;

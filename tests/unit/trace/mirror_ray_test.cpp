@@ -1,4 +1,4 @@
-#include "keiko/render/mirror_ray.h"
+#include "keiko/trace/mirror_ray.h"
 
 #include "keiko/tubes/c_plane_lookup.h"
 
