@@ -11,17 +11,6 @@ namespace {
 
 constexpr int close_up_width = 360, close_up_height = 240;
 
-/// The place that a seam is shown by: that of the quantity that made it severe.
-Vec3 place_of(const MeasuredSeam& seam) {
-    const auto severity = [](const Worst& w) { return w.limit > 0 ? w.value / w.limit : w.value; };
-    const Worst* worst = &seam.gap;
-    if (seam.angle && !seam.crease && severity(*seam.angle) > severity(*worst))
-        worst = &*seam.angle;
-    if (seam.curvature && !seam.crease && severity(seam.curvature->worst) > severity(*worst))
-        worst = &seam.curvature->worst;
-    return worst->place;
-}
-
 /// The hit through which the camera sees a place of the body; nothing where something hides it.
 std::optional<Hit> seen_at(const Scene& scene, const Camera& camera, const Vec3& place) {
     const auto pixel = project(camera, place);
@@ -67,7 +56,7 @@ std::vector<PictureMarker> markers_in(const Scene& scene, const Inspection& insp
     int rank = 0;
     for (const std::uint32_t index : worst_seams(inspection, worst_seam_count)) {
         ++rank;
-        const Vec3 place = place_of(inspection.seams[index]);
+        const Vec3 place = worst_place(inspection.seams[index]);
         if (!seen_at(scene, camera, place)) continue;
         const Vec2 pixel = *project(camera, place);
         markers.push_back({rank, pixel.x, pixel.y});
@@ -95,7 +84,7 @@ std::vector<SeamPicture> close_ups(const Scene& scene, const LightRig& rig,
                                    const PictureOptions& options, const Job& job) {
     std::vector<SeamPicture> pictures;
     for (const std::uint32_t index : worst_seams(inspection, worst_seam_count)) {
-        const Vec3 place = place_of(inspection.seams[index]);
+        const Vec3 place = worst_place(inspection.seams[index]);
         const auto best = std::max_element(
             views.begin(), views.end(), [&](const NamedView& a, const NamedView& b) {
                 return squareness(scene, a.camera, place) < squareness(scene, b.camera, place);

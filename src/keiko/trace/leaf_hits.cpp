@@ -153,6 +153,14 @@ Vec3 normal_of(const SurfaceDerivatives& s, const Vec2& uv, const BezierPatchVie
         .normalized();
 }
 
+/// How far a small step in parameters moves the point: the second order counted twice, which
+/// covers what follows it.
+double reach_of(const SurfaceDerivatives& s, const Vec2& step) {
+    return s.du().length() * step.x + s.dv().length() * step.y +
+           s.duu().length() * step.x * step.x + 2 * s.duv().length() * step.x * step.y +
+           s.dvv().length() * step.y * step.y;
+}
+
 Box2 root_box(const Vec2& uv, const Vec2& error) {
     // Less would be lost in the rounding of the next ray's own start.
     constexpr double least = 1e-9;
@@ -203,8 +211,8 @@ Hit evaluated(const TracedModel& model, const Candidate& c, bool second_derivati
     const Vec2 error = c.error * extent;
     const double rounding =
         epsilon * (8 * hit.position.length() + 32 * leaf.radius * placement.magnification);
-    hit.position_bound = s.du().length() * (error.x + off.x) + s.dv().length() * (error.y + off.y) +
-                         leaf.coefficient_error * placement.magnification + rounding;
+    hit.position_bound =
+        reach_of(s, error + off) + leaf.coefficient_error * placement.magnification + rounding;
     hit.root = {hit.instance, hit.patch, root_box(uv, error + off)};
     return hit;
 }
