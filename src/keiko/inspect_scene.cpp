@@ -55,7 +55,7 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     result.report.inspection = inspect(scene.model, options.preset, options.join, job);
     for (const NamedView& view : views) {
         Film film = render_view(scene, result.rig, view.camera, options.picture, job);
-        result.report.pictures.push_back(marked_picture(
+        result.report.pictures.push_back(report_picture(
             view.name, film, markers_in(scene, result.report.inspection, view.camera)));
         result.films.emplace_back(view.name, std::move(film));
     }
@@ -68,9 +68,11 @@ void write_result(const std::filesystem::path& folder, const InspectResult& resu
     std::error_code code;
     std::filesystem::create_directories(folder, code);
     if (code) throw Error(folder.string(), "", "cannot make the folder: " + code.message());
-    for (const auto& [name, film] : result.films) {
-        write_film(folder / (name + ".png"), film);
+    for (std::size_t i = 0; i < result.films.size(); ++i) {
+        const auto& [name, film] = result.films[i];
         write_film(folder / (name + ".exr"), film);
+        write_png(folder / (name + "-marked.png"),
+                  marked_image(film, result.report.pictures[i].markers));
     }
     write_rig(folder / "rig.toml", result.rig);
     write_report(folder, result.report);

@@ -64,19 +64,23 @@ std::vector<PictureMarker> markers_in(const Scene& scene, const Inspection& insp
     return markers;
 }
 
-ReportPicture marked_picture(const std::string& view, const Film& film,
+ReportPicture report_picture(const std::string& title, const Film& film,
                              const std::vector<PictureMarker>& markers) {
-    Overlay overlay;
-    for (const PictureMarker& marker : markers)
-        overlay.markers.push_back({{marker.x, marker.y}, std::to_string(marker.number)});
-    const Image display = with_overlay(tone_mapped(film), overlay);
-    return {.title = view,
+    const Image display = tone_mapped(film);
+    return {.title = title,
             .caption = "",
-            .file_name = view + "-marked.png",
+            .file_name = title + ".png",
             .png = encode_png(display),
             .width = display.width,
             .height = display.height,
             .markers = markers};
+}
+
+Image marked_image(const Film& film, const std::vector<PictureMarker>& markers) {
+    Overlay overlay;
+    for (const PictureMarker& marker : markers)
+        overlay.markers.push_back({{marker.x, marker.y}, std::to_string(marker.number)});
+    return with_overlay(tone_mapped(film), overlay);
 }
 
 std::vector<SeamPicture> close_ups(const Scene& scene, const LightRig& rig,
@@ -92,9 +96,8 @@ std::vector<SeamPicture> close_ups(const Scene& scene, const LightRig& rig,
         if (best == views.end() || squareness(scene, best->camera, place) == 0) continue;
         const Camera camera = close_up_camera(scene, best->camera, place);
         const Film film = render_view(scene, rig, camera, options, job);
-        const std::string title = "seam " + std::to_string(pictures.size() + 1);
-        pictures.push_back({index, marked_picture(title, film, {})});
-        pictures.back().picture.file_name = "close-up-" + std::to_string(pictures.size()) + ".png";
+        const std::string title = "close-up-" + std::to_string(pictures.size() + 1);
+        pictures.push_back({index, report_picture(title, film, {})});
     }
     return pictures;
 }

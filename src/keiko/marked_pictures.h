@@ -10,9 +10,12 @@ namespace keiko {
 std::vector<PictureMarker> markers_in(const Scene& scene, const Inspection& inspection,
                                       const Camera& camera);
 
-/// The display picture of a film with its markers drawn, for the report.
-ReportPicture marked_picture(const std::string& view, const Film& film,
+/// The display picture of a film as the report takes it, which draws the markers itself.
+ReportPicture report_picture(const std::string& title, const Film& film,
                              const std::vector<PictureMarker>& markers);
+
+/// The display picture of a film with the markers drawn into it.
+Image marked_image(const Film& film, const std::vector<PictureMarker>& markers);
 
 /// One picture a worst seam, close by its worst place, from the view that shows it most squarely.
 std::vector<SeamPicture> close_ups(const Scene& scene, const LightRig& rig,
