@@ -44,6 +44,10 @@ void approach(const MonotonePiece& piece, const Vec2& p, const Vec2& scale,
         double a, b;
         Vec2 at_a, at_b;
     };
+    // Where the scale is 0 (at a pole) everything is equally near: without an end of its own the
+    // search would visit all of it.
+    constexpr double share_of_distance = 1e-3, share_of_reach = 1e-9;
+    const double least = share_of_reach * best.distance;
     std::vector<Stretch> open{{0, 1, piece.first(), piece.last()}};
     while (!open.empty()) {
         const Stretch s = open.back();
@@ -51,14 +55,13 @@ void approach(const MonotonePiece& piece, const Vec2& p, const Vec2& scale,
         Box2 box;
         box.extend(s.at_a);
         box.extend(s.at_b);
-        if (!(distance(p, box, scale) <= best.distance)) continue;
+        if (!(distance(p, box, scale) < best.distance)) continue;
         const double m = (s.a + s.b) / 2;
         const Vec2 at_m = piece.point(m);
         const double d = (Vec2(at_m - p) * scale).length();
-        if (d <= best.distance) best = {d, piece.curve(), piece.curve_parameter(m)}, found = true;
-        constexpr double fine_enough = 1e-3;
-        if (s.b - s.a < 1e-12 || (box.extent() * scale).length() < fine_enough * best.distance)
-            continue;
+        if (d < best.distance) best = {d, piece.curve(), piece.curve_parameter(m)}, found = true;
+        const double fine_enough = std::max(least, share_of_distance * best.distance);
+        if (s.b - s.a < 1e-12 || (box.extent() * scale).length() <= fine_enough) continue;
         open.push_back({m, s.b, at_m, s.at_b});
         open.push_back({s.a, m, s.at_a, at_m});
     }

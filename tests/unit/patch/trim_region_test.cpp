@@ -234,6 +234,17 @@ TEST_P(Tangles, KnowTheirNearestPoint) {
     }
 }
 
+// At a pole du is 0, and a whole border is equally near: the search once visited all of it.
+TEST(TrimRegion, NearestCurveEndsWhereTheScaleIsZero) {
+    const SurfaceModel model = face_with({circle(Vec2(0), 1, 0.3)});
+    const TrimRegion region = region_of(model);
+    for (const Vec2& scale : {Vec2(0, 1), Vec2(1, 0), Vec2(0, 0)}) {
+        const auto near = region.nearest_curve(Vec2(0, 0.5), scale, 1);
+        ASSERT_TRUE(near);
+        EXPECT_LE(near->distance, 1e-6);
+    }
+}
+
 TEST(TrimRegion, ClosesTinyGapsBetweenCurves) {
     Random random(9);
     Loop loop = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
