@@ -1,7 +1,5 @@
 #include "keiko/keiko.h"
 
-#include <algorithm>
-
 namespace keiko {
 namespace {
 
@@ -16,6 +14,12 @@ NamedView view_by_name(const Scene& scene, const std::string& name, const Framin
 }
 
 } // namespace
+
+void require_view_names(std::span<const std::string> names) {
+    const Box3 any{Vec3(0), Vec3(1)};
+    for (const std::string& name : names)
+        if (name != "auto" && name != "scene") frame_view(name, any);
+}
 
 std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::string> names,
                                     int automatic, const Job& job) {

@@ -35,7 +35,7 @@ struct SceneOptions {
 /// A body ready to be looked at.
 struct Scene {
     SurfaceModel model;
-    std::vector<Material> materials; ///< one an instance of the model
+    std::vector<Material> materials; ///< one a face of the model
     Tracer tracer;
     std::optional<Camera> camera;    ///< as the scene file has it
     std::optional<std::string> view; ///< a named view of the scene file
@@ -54,6 +54,9 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
 /// from different sides, the best first. Throws Error for an unknown name.
 std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::string> names,
                                     int automatic, const Job& job = {});
+
+/// Throws Error for a name that choose_views would refuse for any scene: before the long work.
+void require_view_names(std::span<const std::string> names);
 
 /// Renders one picture of the scene under a rig.
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,

@@ -1,6 +1,10 @@
 #include "keiko/io/scene_file.h"
 #include "keiko/keiko.h"
 
+#include <fnmatch.h>
+
+#include <algorithm>
+
 namespace keiko {
 namespace {
 
@@ -17,8 +21,30 @@ SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const SceneOpti
     SceneSpec spec;
     spec.background = Rgb(studio_grey);
     for (const auto& input : inputs)
-        spec.models.push_back({input, {}, named_material(options.material)});
+        spec.models.push_back({.file = input, .material = named_material(options.material)});
     return spec;
+}
+
+bool names(const PaintOverride& paint, const Face& face) {
+    return std::any_of(paint.faces.begin(), paint.faces.end(), [&](const std::string& pattern) {
+        return fnmatch(pattern.c_str(), face.name.c_str(), 0) == 0;
+    });
+}
+
+const Material& paint_of(const Face& face, const ModelSpec& part) {
+    const Material* paint = &part.material;
+    for (const PaintOverride& other : part.overrides)
+        if (names(other, face)) paint = &other.material;
+    return *paint;
+}
+
+/// An override that paints nothing is a misspelt name.
+void require_matches(const SurfaceModel& model, const ModelSpec& part) {
+    for (const PaintOverride& paint : part.overrides)
+        if (std::none_of(model.faces.begin(), model.faces.end(),
+                         [&](const Face& face) { return names(paint, face); }))
+            throw Error(part.file.string(), "override",
+                        "no face has a name like '" + paint.faces.front() + "'");
 }
 
 } // namespace
@@ -36,7 +62,8 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
         SurfaceModel model = load_model(part.file, options.load, job);
         for (Instance& instance : model.instances)
             instance.transform = part.transform * instance.transform;
-        materials.insert(materials.end(), model.instances.size(), part.material);
+        for (const Face& face : model.faces) materials.push_back(paint_of(face, part));
+        require_matches(model, part);
         models.push_back(std::move(model));
     }
     SurfaceModel body = merge(models);

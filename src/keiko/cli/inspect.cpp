@@ -1,5 +1,6 @@
-#include "keiko/base/log.h"
 #include "keiko/cli/commands.h"
+#include "keiko/cli/number_check.h"
+#include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
 
 #include <iostream>
@@ -29,12 +30,9 @@ int inspect(InspectArguments arguments, const Job& job) {
         options.rig = arguments.rig;
         read_rig(*options.rig); // a misspelt key is told before the long work
     }
-    if (std::filesystem::exists(arguments.output) &&
-        !std::filesystem::is_directory(arguments.output))
-        throw Error(arguments.output.string(), "", "is a file, not a folder");
+    require_place_for_folder(arguments.output);
+    require_view_names(options.views);
     const Scene scene = arguments.scene.open(job);
-    for (const LostFace& face : scene.model.lost_faces)
-        log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
     options.picture.aovs = every_aov();
     const InspectResult result = inspect_scene(scene, options, job);
     write_result(arguments.output, result);
@@ -51,13 +49,15 @@ void add_inspect(CLI::App& app, Session& session) {
     arguments->scene.add_to(command, "MODEL");
     command.add_option("-o,--output", arguments->output, "folder for the report")
         ->capture_default_str();
-    command.add_option("--view", arguments->options.views,
-                       "view by name, or auto; may repeat [three automatic ones]");
+    command
+        .add_option("--view", arguments->options.views,
+                    "view by name, or auto; may repeat [three automatic ones]")
+        ->allow_extra_args(false);
     command.add_option("--rig", arguments->rig, "rig file, or auto: place the lamps")
         ->capture_default_str();
     command.add_option("--preset", arguments->preset, "limits by name [class-a-outer]");
     command.add_option("--join", arguments->options.join, "mm within which borders are a seam")
-        ->check(CLI::PositiveNumber)
+        ->check(number_between(1e-6, 1000))
         ->capture_default_str();
     command.footer("Example: keiko inspect fender.step -o out --view three-quarter-front");
     session.add_command(command, [arguments](const Job& job) { return inspect(*arguments, job); });

@@ -1,6 +1,9 @@
 #include "keiko/cli/commands.h"
+#include "keiko/cli/number_check.h"
+#include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
 
+#include <cctype>
 #include <memory>
 
 namespace keiko::cli {
@@ -25,6 +28,12 @@ std::vector<Aov> aovs_of(const std::string& list) {
     return aovs;
 }
 
+bool is_png(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension == ".png";
+}
+
 LightRig rig_of(const Scene& scene, const RenderArguments& arguments, const Camera& camera,
                 const Job& job) {
     if (arguments.rig != "auto") return read_rig(arguments.rig);
@@ -32,13 +41,22 @@ LightRig rig_of(const Scene& scene, const RenderArguments& arguments, const Came
     return place_lamps(scene.tracer, scene.model, camera, {}, job).rig;
 }
 
-int render(const RenderArguments& arguments, const Job& job) {
+/// False colours are no luminance, which is what an .exr holds.
+void require_output(const RenderArguments& arguments) {
     require_image_extension(arguments.output);
+    if (arguments.false_color && !is_png(arguments.output))
+        throw Error(arguments.output.string(), "", "--false-color makes a .png");
+    require_place_for_file(arguments.output);
+}
+
+int render(const RenderArguments& arguments, const Job& job) {
+    require_output(arguments);
     const PictureOptions options{.aovs = aovs_of(arguments.aovs)};
     if (arguments.rig != "auto") read_rig(arguments.rig);
-    const Scene scene = arguments.scene.open(job);
     std::vector<std::string> names;
     if (!arguments.view.empty()) names.push_back(arguments.view);
+    require_view_names(names);
+    const Scene scene = arguments.scene.open(job);
     const NamedView view = choose_views(scene, names, 1, job).front();
     const LightRig rig = rig_of(scene, arguments, view.camera, job);
     const Film film = render_view(scene, rig, view.camera, options, job);
@@ -65,8 +83,10 @@ void add_render(CLI::App& app, Session& session) {
                        "depth, c_plane_uv");
     command.add_flag("--false-color", arguments->false_color,
                      "luminance from 1 (blue) to 10000 cd/m2 (red), for .png");
-    command.add_option("--ev", arguments->mapping.ev,
-                       "exposure value of a .png [99 % of the body below white]");
+    command
+        .add_option("--ev", arguments->mapping.ev,
+                    "exposure value of a .png [99 % of the body below white]")
+        ->check(number_between(-100, 100));
     command.footer("Example: keiko render hood.step -o hood.exr --view front --aov normal,depth");
     session.add_command(command, [arguments](const Job& job) { return render(*arguments, job); });
 }

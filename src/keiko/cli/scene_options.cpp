@@ -1,6 +1,8 @@
 #include "keiko/cli/scene_options.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/log.h"
+#include "keiko/cli/number_check.h"
 
 #include <cstdio>
 
@@ -30,10 +32,10 @@ void add_load_options(CLI::App& command, SceneArguments& arguments) {
         "length unit of the file's numbers, whatever the file says (mm, cm, m, in, ft)");
     command
         .add_option("--import-timeout", arguments.import_timeout, "seconds to read one CAD file")
-        ->check(CLI::PositiveNumber)
+        ->check(number_between(0.001, 1e6))
         ->capture_default_str();
     command.add_option("--import-memory", arguments.import_memory, "GiB to read one CAD file")
-        ->check(CLI::PositiveNumber)
+        ->check(number_between(0.001, 1e6))
         ->capture_default_str();
 }
 
@@ -59,6 +61,8 @@ Scene SceneArguments::open(const Job& job) const {
     all.load = load_options(*this);
     const PictureSize wanted = size.empty() ? PictureSize{} : parse_size(size);
     Scene scene = open_scene(inputs, all, job);
+    for (const LostFace& face : scene.model.lost_faces)
+        log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
     if (wanted.width > 0) {
         scene.width = wanted.width;
         scene.height = wanted.height;

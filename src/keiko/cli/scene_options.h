@@ -20,6 +20,7 @@ struct SceneArguments {
 
     /// Adds the inputs (as `what`) and options to a command.
     void add_to(CLI::App& command, const std::string& what);
+    /// Opens the scene, and warns of every face that could not be read.
     Scene open(const Job& job) const;
 };
 

@@ -2,18 +2,41 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/log.h"
+#include "keiko/cli/number_check.h"
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <algorithm>
 #include <exception>
+#include <iostream>
 #include <new>
 
 namespace keiko::cli {
+namespace {
+
+/// File names may hold line breaks and worse, which would reach the terminal.
+std::string one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+    return text;
+}
+
+void tell_error(const std::string& reason) {
+    log_error(one_line(reason));
+}
+
+void tell_usage_error(const CLI::App& app, const CLI::ParseError& error) {
+    std::string command = "keiko";
+    for (const CLI::App* sub : app.get_subcommands()) command += " " + sub->get_name();
+    tell_error(std::string(error.what()) + "; see " + command + " --help");
+}
+
+} // namespace
 
 void Session::add_command(CLI::App& command, std::function<int(const Job&)> action) {
     command.add_option("--threads", threads_, "threads to use; 0: one a core")
-        ->check(CLI::NonNegativeNumber)
+        ->check(number_between(0, 1024))
         ->capture_default_str();
     auto* quiet = command.add_flag("-q,--quiet", quiet_, "errors and warnings only");
     command.add_flag("--verbose", verbose_, "tell details on stderr")->excludes(quiet);
@@ -24,7 +47,9 @@ int Session::run(CLI::App& app, int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? exit_pass : exit_error;
+        if (error.get_exit_code() == 0) return app.exit(error); // --help and --version
+        tell_usage_error(app, error);
+        return exit_error;
     }
     set_log_level(quiet_ ? LogLevel::quiet : verbose_ ? LogLevel::verbose : LogLevel::normal);
     try {
@@ -33,11 +58,11 @@ int Session::run(CLI::App& app, int argc, char** argv) {
         log_error("interrupted");
         return exit_interrupted;
     } catch (const Error& error) {
-        log_error(error.what());
+        tell_error(error.what());
     } catch (const std::bad_alloc&) {
         log_error("out of memory");
     } catch (const std::exception& error) {
-        log_error(std::string("internal error: ") + error.what());
+        tell_error(std::string("internal error: ") + error.what());
     }
     return exit_error;
 }
@@ -47,7 +72,9 @@ int Session::run_action() {
     const Job job{.progress = [&](const Progress& progress) { bar.show(progress); },
                   .stop = interrupt_.token(),
                   .threads = threads_};
-    return action_(job);
+    const int exit_code = action_(job);
+    if (!std::cout.flush()) throw Error("", "standard output", "cannot write");
+    return exit_code;
 }
 
 } // namespace keiko::cli

@@ -56,13 +56,26 @@ Material material_of(const TomlTable& model, const std::vector<Material>& known)
     }
 }
 
+PaintOverride override_from(const TomlTable& table, const std::vector<Material>& materials) {
+    table.not_yet({"color", "layer"});
+    PaintOverride paint;
+    paint.faces = table.required("faces", table.texts("faces"));
+    if (paint.faces.empty()) throw table.error("faces", "must name at least one face");
+    if (!table.has("material")) throw table.error("", "has no 'material'");
+    paint.material = material_of(table, materials);
+    table.finish();
+    return paint;
+}
+
 ModelSpec model_from(const TomlTable& table, const std::vector<Material>& materials) {
     ModelSpec model;
     model.file = table.required("file", path_from(table, "file"));
     if (const auto transform = table.table("transform"))
         model.transform = transform_from(*transform);
     model.material = material_of(table, materials);
-    table.not_yet({"override", "unit", "axes"});
+    for (const TomlTable& paint : table.tables("override"))
+        model.overrides.push_back(override_from(paint, materials));
+    table.not_yet({"unit", "axes"});
     table.finish();
     return model;
 }

@@ -162,6 +162,20 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std:
     return result;
 }
 
+std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) const {
+    const Entry* entry = find(key);
+    if (!entry) return {};
+    const auto* array = std::get_if<std::vector<Value>>(&entry->value.content);
+    if (!array) throw mismatch(key, "an array of texts");
+    std::vector<std::string> result;
+    for (const Value& value : *array) {
+        const auto* text = std::get_if<std::string>(&value.content);
+        if (!text) throw mismatch(key, "an array of texts");
+        result.push_back(*text);
+    }
+    return result;
+}
+
 std::optional<Vec3> TomlTable::vector(std::string_view key) const {
     const auto values = numbers(key, 3);
     if (!values) return {};

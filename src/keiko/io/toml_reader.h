@@ -48,6 +48,8 @@ public:
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count,
                                                const TomlLimits& limits = {}) const;
     std::optional<Vec3> vector(std::string_view key) const;
+    /// An array of texts.
+    std::optional<std::vector<std::string>> texts(std::string_view key) const;
     /// One number, for grey, or three.
     std::optional<Rgb> rgb(std::string_view key, const TomlLimits& limits) const;
     std::optional<TomlTable> table(std::string_view key) const;

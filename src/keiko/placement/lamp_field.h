@@ -33,7 +33,7 @@ public:
 
     /// Takes the lamps of one more plane into account.
     void place(const CPlane& plane);
-    /// At most about `count` of the samples, evenly taken, nothing placed: for searches.
+    /// `count` to twice as many of the samples, evenly taken, nothing placed: for searches.
     LampField thinned(std::size_t count) const;
 
 private:

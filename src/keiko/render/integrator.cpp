@@ -8,14 +8,28 @@
 #include "keiko/rig/mirrored_luminance.h"
 #include "keiko/trace/mirror_ray.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keiko {
 
+namespace {
+
+/// mm: where a ray that meets nothing ends, for the medium in between.
+constexpr double far_away = 1e6;
+
+} // namespace
+
 Integrator::Integrator(const PictureScene& scene, const PictureOptions& options)
     : scene_(scene), options_(options) {
-    for (const Material& material : scene.materials)
+    std::vector<Material> paints;
+    for (const Material& material : scene.materials) {
+        const auto known = std::find(paints.begin(), paints.end(), material);
+        paint_of_face_.push_back(static_cast<std::uint32_t>(known - paints.begin()));
+        if (known != paints.end()) continue;
+        paints.push_back(material);
         coats_.emplace_back(material.diffuse, material.refractive_index);
+    }
 }
 
 std::vector<EyeSample> Integrator::follow(std::span<const Ray> eye_rays) const {
@@ -44,12 +58,17 @@ std::optional<Integrator::Path> Integrator::advance(Path path, const std::option
                                                     int depth, EyeSample& sample) const {
     if (depth == 0) {
         sample.hit = hit;
-        if (!hit) sample.luminance = scene_.background;
+        if (hit) sample.paint = paint_of_face_[hit->face];
     } else {
         see_lamps(path, hit ? hit->t : path.ray.t_max, sample);
         if (depth == 1 && hit) sample.mirrored_face = hit->face;
     }
-    if (!hit) return std::nullopt;
+    if (!hit) {
+        const Vec3 end = path.ray.origin + path.ray.direction.normalized() * far_away;
+        pass_medium(path, end, sample);
+        if (depth == 0) sample.luminance += path.weight * scene_.background;
+        return std::nullopt;
+    }
     pass_medium(path, hit->position, sample);
 
     const double towards = hit->normal.dot(path.ray.direction);
@@ -57,7 +76,7 @@ std::optional<Integrator::Path> Integrator::advance(Path path, const std::option
     const double cosine = std::abs(towards) / path.ray.direction.length();
     sample.luminance += path.weight * base_luminance(*hit, normal, cosine);
 
-    path.weight *= coats_[hit->instance].mirrored(cosine);
+    path.weight *= coat(*hit).mirrored(cosine);
     if (depth >= options_.max_depth || !(max_channel(path.weight) >= options_.min_weight))
         return std::nullopt;
     path.ray = mirror_ray(path.ray, *hit);
@@ -90,7 +109,7 @@ Rgb Integrator::base_luminance(const Hit& hit, const Vec3& normal, double cosine
     const Rgb illuminance =
         scene_.rig.ambient +
         direct_illuminance(scene_.rig, hit.position, normal, AllVisible(), TubeModel::picture);
-    return lambert_luminance(coats_[hit.instance].base_reflectance_diffuse(cosine), illuminance);
+    return lambert_luminance(coat(hit).base_reflectance_diffuse(cosine), illuminance);
 }
 
 } // namespace keiko

@@ -16,6 +16,7 @@ struct EyeSample {
     std::optional<Vec2> c_plane; ///< where its mirrored ray meets the nearest C-plane, mm
     /// The face that the first mirrored ray meets, or nothing where it leaves the body.
     std::optional<std::uint32_t> mirrored_face;
+    std::uint32_t paint = 0; ///< faces of one paint share this number
 };
 
 /// Follows eye rays over mirror reflections: the clear coat mirrors lamps and the body itself, the
@@ -41,10 +42,12 @@ private:
     void see_lamps(Path& path, double t_max, EyeSample& sample) const;
     void pass_medium(Path& path, const Vec3& end, EyeSample& sample) const;
     Rgb base_luminance(const Hit& hit, const Vec3& normal, double cosine) const;
+    const ClearCoat& coat(const Hit& hit) const { return coats_[paint_of_face_[hit.face]]; }
 
     const PictureScene& scene_;
     const PictureOptions& options_;
-    std::vector<ClearCoat> coats_; ///< one an instance
+    std::vector<ClearCoat> coats_; ///< one a paint
+    std::vector<std::uint32_t> paint_of_face_;
 };
 
 } // namespace keiko

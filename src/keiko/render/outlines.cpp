@@ -21,13 +21,15 @@ void Outlines::set(int x, int y, const EyeSample& sample) {
     if (!sample.hit) return;
     const Hit& hit = *sample.hit;
     places_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-            static_cast<std::size_t>(x)] = {
-        true, sample.mirrored_face ? *sample.mirrored_face + 1 : 0, hit.position, hit.normal};
+            static_cast<std::size_t>(x)] = {true, sample.paint,
+                                            sample.mirrored_face ? *sample.mirrored_face + 1 : 0,
+                                            hit.position, hit.normal};
 }
 
 bool Outlines::differ(const Place& a, const Place& b) {
     if (a.hit != b.hit) return true;
     if (!a.hit) return false;
+    if (a.paint != b.paint) return true;
     if ((a.mirrored_face == 0) != (b.mirrored_face == 0)) return true;
     // Normals as lines: neighbouring faces may be oriented differently.
     const double turn =

@@ -21,6 +21,7 @@ public:
 private:
     struct Place {
         bool hit = false;
+        std::uint32_t paint = 0;
         std::uint32_t mirrored_face = 0; ///< 0: leaves the body
         Vec3 position{0}, normal{0};
     };

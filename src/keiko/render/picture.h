@@ -15,7 +15,7 @@ namespace keiko {
 /// What is in a picture; everything is only looked at.
 struct PictureScene {
     const Tracer& tracer;                ///< built with second_derivatives
-    std::span<const Material> materials; ///< one an instance of the model
+    std::span<const Material> materials; ///< one a face of the model
     const LightRig& rig;
     Rgb background{0}; ///< cd/m2 behind everything
 };

@@ -12,11 +12,18 @@
 
 namespace keiko {
 
+/// Another paint for some faces of a model.
+struct PaintOverride {
+    std::vector<std::string> faces; ///< names, with * and ? as in file names
+    Material material;
+};
+
 /// A model of a scene and how it is placed and painted.
 struct ModelSpec {
     std::filesystem::path file; ///< absolute, or relative to the working directory
-    Affine transform;
-    Material material;
+    Affine transform{};
+    Material material{};
+    std::vector<PaintOverride> overrides{}; ///< later ones win
 };
 
 /// A scene file's content (keiko-scene/1), every path resolved.

@@ -127,7 +127,7 @@ private:
 
 /// World derivatives by patch parameters from local ones by leaf parameters.
 SurfaceDerivatives world_derivatives(const SurfaceDerivatives& local, const Leaf& leaf,
-                                     const Placement& placement) {
+                                     const PartPlacement& placement) {
     const Vec2 scale = Vec2(1) / leaf.domain.extent();
     SurfaceDerivatives world;
     double power_u = 1;
@@ -145,7 +145,7 @@ SurfaceDerivatives world_derivatives(const SurfaceDerivatives& local, const Leaf
 
 /// The limit normal where there is one, else one across the ray's own leaf.
 Vec3 normal_of(const SurfaceDerivatives& s, const Vec2& uv, const BezierPatchView& leaf,
-               const Placement& placement) {
+               const PartPlacement& placement) {
     if (const auto normal = steady_normal(s, uv)) return *normal;
     const SurfaceDerivatives middle = evaluate(leaf, Vec2(0.5), 1);
     return placement.to_world.vector(middle.du())
@@ -186,7 +186,7 @@ std::span<const Candidate> leaf_hits(const TracedModel& model, const PlacedLeaf&
 
 Hit evaluated(const TracedModel& model, const Candidate& c, bool second_derivatives) {
     const Leaf& leaf = model.leaves.leaves[c.placed.leaf];
-    const Placement& placement = model.placements[c.placed.instance];
+    const PartPlacement& placement = model.placements[c.placed.instance];
     const BezierPatchView points = model.leaves.view(leaf);
     const Vec2 extent = leaf.domain.extent();
     const Vec2 beyond = patch_parameters(leaf, c.uv), uv = clamped(beyond);

@@ -10,27 +10,27 @@ public:
         : normal_(hit.normal),
           su_(hit.dpdu),
           sv_(hit.dpdv),
-          e_(su_.dot(su_)),
-          f_(su_.dot(sv_)),
-          g_(sv_.dot(sv_)) {
+          area_(su_.cross(sv_)) {
         const Vec3 nu = hit.second->duu.cross(sv_) + su_.cross(hit.second->duv);
         const Vec3 nv = hit.second->duv.cross(sv_) + su_.cross(hit.second->dvv);
-        const Vec3 n = su_.cross(sv_);
-        // `normal` may be the reverse of su x sv on mirrored instances.
-        const double scale = (n.dot(normal_) < 0 ? -1 : 1) / n.length();
+        // The caller may have turned the normal to the other side.
+        const double scale = (area_.dot(normal_) < 0 ? -1 : 1) / area_.length();
         normal_du_ = (nu - normal_ * normal_.dot(nu)) * scale;
         normal_dv_ = (nv - normal_ * normal_.dot(nv)) * scale;
     }
 
     /// Change of the unit normal along the tangent vector `step`.
     Vec3 normal_change(const Vec3& step) const {
-        const double a = step.dot(su_), b = step.dot(sv_), determinant = e_ * g_ - f_ * f_;
-        return (normal_du_ * (g_ * a - f_ * b) + normal_dv_ * (e_ * b - f_ * a)) / determinant;
+        // By areas: the determinant of the first form cancels where the tangents are all but
+        // parallel.
+        const double u = step.cross(sv_).dot(area_), v = su_.cross(step).dot(area_);
+        return (normal_du_ * u + normal_dv_ * v) / area_.dot(area_);
     }
 
 private:
-    Vec3 normal_, su_, sv_, normal_du_{0}, normal_dv_{0};
-    double e_, f_, g_;
+    Vec3 normal_, su_, sv_;
+    Vec3 area_; ///< su x sv
+    Vec3 normal_du_{0}, normal_dv_{0};
 };
 
 /// Change of the hit point when the ray changes by (origin_d, direction_d), in the tangent plane.

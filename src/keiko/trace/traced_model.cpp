@@ -18,9 +18,9 @@ double stretch(const Affine& map) {
     return std::sqrt(sum);
 }
 
-std::vector<Placement> placements(const SurfaceModel& model,
+std::vector<PartPlacement> placements(const SurfaceModel& model,
                                   const std::vector<std::uint32_t>& first_leaf_of_face) {
-    std::vector<Placement> result;
+    std::vector<PartPlacement> result;
     for (const Instance& instance : model.instances) {
         const Part& part = model.parts[instance.part];
         const std::uint32_t first = first_leaf_of_face[part.first_face];
@@ -65,7 +65,7 @@ TracedModel traced_model(const SurfaceModel& model, double join, const Job& job)
     return traced;
 }
 
-PartRay TracedModel::to_part(const Placement& placement, const Vec3& origin, const Vec3& direction,
+PartRay TracedModel::to_part(const PartPlacement& placement, const Vec3& origin, const Vec3& direction,
                              double error) const {
     if (placement.identity) return part_ray(origin, direction, error);
     const double rounding =
@@ -76,7 +76,7 @@ PartRay TracedModel::to_part(const Placement& placement, const Vec3& origin, con
 
 Box3 TracedModel::bounds(const PlacedLeaf& placed) const {
     const Leaf& leaf = leaves.leaves[placed.leaf];
-    const Placement& placement = placements[placed.instance];
+    const PartPlacement& placement = placements[placed.instance];
     Box3 box;
     for (const Vec4& p : leaves.view(leaf).points) {
         const Vec3 point = leaf.center + Vec3(p.x, p.y, p.z) / p.w;
@@ -97,7 +97,7 @@ std::size_t TracedModel::bytes() const {
     return leaves.leaves.size() * sizeof(Leaf) + leaves.points.size() * sizeof(Vec4) +
            patches.size() * sizeof(PatchFrame) + faces.size() * sizeof(FaceTrim) +
            curves.size() * sizeof(TrimCurve) + edges.size() * sizeof(Edge) +
-           placements.size() * sizeof(Placement);
+           placements.size() * sizeof(PartPlacement);
 }
 
 } // namespace keiko

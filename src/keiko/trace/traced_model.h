@@ -15,7 +15,7 @@ struct PlacedLeaf {
 };
 
 /// Where a part is placed.
-struct Placement {
+struct PartPlacement {
     Affine to_world, to_part;
     bool identity = true;
     double magnification = 1, reduction = 1; ///< bounds of a length's stretch, and of its inverse
@@ -43,11 +43,11 @@ struct TracedModel {
     std::vector<FaceTrim> faces;
     std::vector<TrimCurve> curves;
     std::vector<Edge> edges;
-    std::vector<Placement> placements;
+    std::vector<PartPlacement> placements;
     double join = 0; ///< mm, as TracerOptions::join
 
     /// The ray seen from a placement. `origin` is any point of it; `error` as in part_ray, world.
-    PartRay to_part(const Placement& placement, const Vec3& origin, const Vec3& direction,
+    PartRay to_part(const PartPlacement& placement, const Vec3& origin, const Vec3& direction,
                     double error) const;
     /// World box of a placed leaf's control points, mm.
     Box3 bounds(const PlacedLeaf& placed) const;

@@ -397,7 +397,13 @@ TEST_F(SceneFile, ErrorsNameTheirPlace) {
               "7:8: camera.size: must be whole numbers");
     EXPECT_EQ(error(model + "[camera]\neye = [0, 1, 1]\ntarget = [0, 0, 0]\nfov = 20\n"),
               "7:1: unknown key 'camera.fov'");
-    EXPECT_EQ(error(model + "override = []\n"), "4:12: model[0].override: is not supported yet");
+    EXPECT_EQ(error(model + "axes = []\n"), "4:8: model[0].axes: is not supported yet");
+    EXPECT_EQ(error(model + "override = [ { faces = [\"a*\", 3], material = \"chrome\" } ]\n"),
+              "4:24: model[0].override[0].faces: must be an array of texts");
+    EXPECT_EQ(error(model + "override = [ { faces = [] , material = \"chrome\" } ]\n"),
+              "4:24: model[0].override[0].faces: must name at least one face");
+    EXPECT_EQ(error(model + "override = [ { faces = [\"a\"], layer = \"x\" } ]\n"),
+              "4:39: model[0].override[0].layer: is not supported yet");
     EXPECT_EQ(error(model + "[ground]\nz = 0\n"), "4:1: ground: is not supported yet");
     EXPECT_EQ(error("view = \"top\"\n"), "1:1: the scene has no [[model]]");
 }

@@ -20,7 +20,7 @@ struct Stage {
     explicit Stage(SurfaceModel m, double refractive_index = 1.5)
         : model(std::move(m)),
           tracer(model, {.second_derivatives = true, .clipping_only = false, .join = 0.5}),
-          materials(model.instances.size()) {
+          materials(model.faces.size()) {
         for (Material& material : materials) {
             material.diffuse = Rgb(0.1, 0.2, 0.3);
             material.refractive_index = refractive_index;

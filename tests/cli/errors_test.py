@@ -1,0 +1,142 @@
+"""Whatever the user gets wrong is told in one clear line, with exit code 2 and nothing written."""
+import os
+import subprocess
+import unittest
+
+from keiko_process import BINARY, SMALL, SOURCE, KeikoTest, surface
+
+SADDLE = surface("saddle.bpt")
+PATCH = "1\n1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 2\n"
+
+
+class Errors(KeikoTest):
+    def fails(self, reason: str, *arguments: str):
+        """The command must end with one line that holds `reason`, and leave the folder alone."""
+        before = self.content()
+        run = self.keiko(*arguments, "-q")
+        self.assertEqual(run.returncode, 2, (arguments, run.stderr))
+        self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
+        self.assertTrue(run.stderr.startswith("keiko: "), run.stderr)
+        self.assertIn(reason, run.stderr)
+        self.assertEqual(run.stdout, "")
+        self.assertEqual(self.content(), before)
+
+    def every_command_fails_on(self, model: str, reason: str):
+        self.fails(reason, "info", model)
+        self.fails(reason, "inspect", model, "-o", "out")
+        self.fails(reason, "place", model, "-o", "rig.toml")
+        self.fails(reason, "render", model, "-o", "picture.png")
+
+    def test_progress_stands_before_the_line_and_nothing_behind(self):
+        run = self.keiko("info", self.write("a.bpt", PATCH.replace("1 1 2", "1 1 x")))
+        self.assertEqual(run.returncode, 2)
+        self.assertRegex(run.stderr, r"\A(keiko: [a-z ]+\n)*keiko: a\.bpt:6: not a finite.*\n\Z")
+
+    def test_a_model_that_is_no_file(self):
+        self.every_command_fails_on("none.step", "none.step: no such file")
+        self.every_command_fails_on(".", ".: is a directory")
+        self.every_command_fails_on(self.write("a.step", ""), "a.step: the file is empty")
+
+    def test_a_model_that_is_none(self):
+        self.every_command_fails_on(self.write("a.step", "Dear customer,\n"),
+                                    "a.step: not a model file")
+
+    def test_a_model_cut_short(self):
+        hood = (SOURCE / "surfaces/hood.step").read_text()
+        self.every_command_fails_on(self.write("half.step", hood[:len(hood) // 2]),
+                                    "half.step: the STEP file is cut short")
+
+    def test_a_model_whose_end_hides_that_it_was_cut(self):
+        hood = (SOURCE / "surfaces/hood.step").read_text()
+        text = hood[:len(hood) // 2] + "\nENDSEC;\nEND-ISO-10303-21;\n"
+        self.every_command_fails_on(self.write("half.step", text), "half.step: ")
+
+    def test_patch_files_with_wrong_lines(self):
+        self.every_command_fails_on(self.write("a.bpt", PATCH.replace("1 1 2", "1 1 nan")),
+                                    'a.bpt:6: not a finite number: "nan"')
+        self.every_command_fails_on(self.write("a.bpt", PATCH.replace("1 0 0\n", "")), "a.bpt:6: ")
+
+    def test_a_file_name_with_a_line_break(self):
+        self.fails("a?b.step: no such file", "info", "a\nb.step")
+
+    def test_a_rig_with_a_misspelt_key(self):
+        rig = (SOURCE / "lightrigs/single-tube.toml").read_text()
+        line = rig[:rig.index("\ndiameter")].count("\n") + 2
+        self.write("rig.toml", rig.replace("\ndiameter", "\n diametre"))
+        reason = f"keiko: rig.toml:{line}:2: unknown key 'c_plane[0].diametre'"
+        self.fails(reason, "render", SADDLE, "-o", "a.png", "--rig", "rig.toml")
+        self.fails(reason, "inspect", SADDLE, "-o", "out", "--rig", "rig.toml")
+
+    def test_a_rig_that_is_missing(self):
+        self.fails("none.toml: no such file", "render", SADDLE, "-o", "a.png", "--rig", "none.toml")
+        self.fails("none.toml: no such file", "inspect", SADDLE, "-o", "o", "--rig", "none.toml")
+
+    def test_a_scene_of_a_missing_model(self):
+        self.write("scene.toml", 'format = "keiko-scene/1"\n[[model]]\nfile = "none.step"\n')
+        for command, output in ("render", "a.png"), ("place", "a.toml"), ("inspect", "out"):
+            self.fails("scene.toml:3:8: model[0].file: none.step: no such file", command,
+                       "scene.toml", "-o", output)
+
+    def test_unknown_names(self):
+        for command, output in ("render", "a.png"), ("place", "a.toml"), ("inspect", "out"):
+            self.fails("unknown view 'sideways'", command, SADDLE, "-o", output, "--view",
+                       "sideways")
+            self.fails("unknown material 'wood'", command, SADDLE, "-o", output, "--material",
+                       "wood")
+        self.fails("unknown preset 'lax'", "inspect", SADDLE, "-o", "out", "--preset", "lax")
+        self.fails('no AOV is called "hue"', "render", SADDLE, "-o", "a.exr", "--aov", "depth,hue")
+        self.fails('unknown length unit "furlong"', "info", SADDLE, "--unit", "furlong")
+
+    def test_wrong_sizes(self):
+        for size in "12", "0x9", "16x-9", "16x9x", "99999x9", "axb", "16 x 9 ":
+            self.fails("--size: ", "render", SADDLE, "-o", "a.png", "--size", size)
+
+    def test_numbers_out_of_range(self):
+        self.fails("--threads: ", "info", SADDLE, "--threads", "-1")
+        self.fails("--threads", "info", SADDLE, "--threads", "1.5")
+        self.fails("--lamps: ", "place", SADDLE, "-o", "a.toml", "--lamps", "65")
+        self.fails("--ev: ", "render", SADDLE, "-o", "a.png", "--ev", "nan")
+        self.fails("--import-timeout: ", "info", SADDLE, "--import-timeout", "1e300")
+
+    def test_a_join_distance_that_would_find_no_seam(self):
+        for join in "nan", "inf", "0", "-1":
+            self.fails("--join: ", "inspect", SADDLE, "-o", "out", "--join", join)
+
+    def test_usage(self):
+        self.fails("--output is required; see keiko render --help", "render", SADDLE)
+        self.fails("--colour", "info", SADDLE, "--colour")
+
+    def test_an_output_of_unknown_kind(self):
+        self.fails("use .exr or .png", "render", SADDLE, "-o", "a.jpeg")
+        self.fails("ends in .toml", "place", SADDLE, "-o", "saddle.bpt")
+        self.fails("--false-color makes a .png", "render", SADDLE, "-o", "a.exr", "--false-color")
+
+    def test_an_output_where_there_is_no_folder(self):
+        self.write("file", "kept")
+        self.fails("no folder none", "render", SADDLE, "-o", "none/a.png")
+        self.fails("no folder none", "place", SADDLE, "-o", "none/a.toml")
+        self.fails("file is a file, not a folder", "render", SADDLE, "-o", "file/a.png")
+        self.fails("file is a file, not a folder", "inspect", SADDLE, "-o", "file")
+        self.fails("file is a file, not a folder", "inspect", SADDLE, "-o", "file/deeper/out")
+        (self.folder / "a.png").mkdir()
+        self.fails("a.png: is a directory, not a file", "render", SADDLE, "-o", "a.png")
+        self.assertEqual((self.folder / "file").read_text(), "kept")
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write anywhere")
+    def test_an_output_folder_without_permission(self):
+        (self.folder / "locked").mkdir(mode=0o500)
+        for command, output in ("render", "a.png"), ("place", "a.toml"), ("inspect", "out"):
+            self.fails("no permission to write in locked", command, SADDLE, "-o",
+                       f"locked/{output}", *SMALL)
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full")
+    def test_standard_output_that_takes_nothing(self):
+        with open("/dev/full", "w") as full:
+            run = subprocess.run([BINARY, "info", SADDLE, "-q"], stdout=full,
+                                 stderr=subprocess.PIPE, text=True)
+        self.assertEqual((run.returncode, run.stderr),
+                         (2, "keiko: standard output: cannot write\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()

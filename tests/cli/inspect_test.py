@@ -1,0 +1,67 @@
+"""`keiko inspect`: verdict, exit code and report."""
+import json
+import re
+import unittest
+
+from keiko_process import SMALL, KeikoTest, surface
+
+ONE_VIEW = ("--view", "high-front", "-q", *SMALL)
+
+
+class Inspect(KeikoTest):
+    def inspect(self, name: str, *arguments: str) -> tuple:
+        """Exit code and report.json."""
+        run = self.keiko("inspect", surface(name), "-o", "out", *ONE_VIEW, *arguments)
+        self.assertEqual(run.stderr, "")
+        self.assertIn("report.html", run.stdout)
+        return run.returncode, json.loads((self.folder / "out/report.json").read_text())
+
+    def test_a_gap_is_a_finding(self):
+        code, report = self.inspect("seam-g0-gap.step")
+        self.assertEqual((code, report["verdict"], len(report["findings"])), (1, "fail", 1))
+        finding = report["findings"][0]
+        self.assertEqual((finding["quantity"], finding["unit"]), ("gap", "mm"))
+        self.assertAlmostEqual(finding["value"], 0.05, delta=1e-9)
+
+    def test_a_jump_beyond_curvature_passes(self):
+        code, report = self.inspect("seam-g2-only.step")
+        self.assertEqual((code, report["verdict"], report["findings"]), (0, "pass", []))
+        self.assertEqual(report["counts"]["pass"], 1)
+
+    def test_the_preset_decides(self):
+        self.assertEqual(self.inspect("seam-g1-angle.step")[0], 1)
+        self.assertEqual(self.inspect("seam-g1-angle.step", "--preset", "engineering")[0], 0)
+
+    def test_every_file_that_the_report_names_is_there(self):
+        report = self.inspect("seam-g0-gap.step")[1]
+        names = [p["file"] for p in report["pictures"] + report["close_ups"]]
+        self.assertGreaterEqual(len(names), 2)
+        for name in names:
+            png = (self.folder / "out" / name).read_bytes()
+            self.assertEqual(png[:4], b"\x89PNG", name)
+        rest = {"high-front.png", "high-front.exr", "rig.toml", "report.html", "report.json"}
+        self.assertEqual({p.name for p in (self.folder / "out").iterdir()}, rest | set(names))
+
+    def test_the_report_needs_no_other_file(self):
+        self.inspect("seam-g0-gap.step")
+        html = (self.folder / "out/report.html").read_text()
+        targets = re.findall(r"""(?:src|href)\s*=\s*["']?([^"'\s>]+)""", html)
+        self.assertTrue(any(t.startswith("data:image/png;base64,") for t in targets))
+        for target in targets:
+            self.assertRegex(target, r"\A(data:|#)")
+        self.assertNotRegex(html, r"@import|url\((?!['\"]?(data:|#))")
+
+    def test_two_runs_give_the_same_files(self):
+        def files():
+            self.inspect("seam-g1-only.step")
+            return {p.name: p.read_bytes() for p in (self.folder / "out").iterdir()}
+        self.assertEqual(files(), files())
+
+    def test_its_rig_lights_a_render(self):
+        self.inspect("seam-g2-only.step")
+        self.succeed("render", surface("seam-g2-only.step"), "-o", "a.png", "--rig",
+                     "out/rig.toml", *ONE_VIEW)
+
+
+if __name__ == "__main__":
+    unittest.main()

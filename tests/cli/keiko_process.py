@@ -1,0 +1,41 @@
+"""Runs the real program in a folder of its own."""
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+BINARY = os.environ["KEIKO_BINARY"]
+SOURCE = Path(os.environ["KEIKO_SOURCE_DIR"])
+SMALL = ("--size", "64x36")
+
+
+def surface(name: str) -> str:
+    return str(SOURCE / "surfaces" / name)
+
+
+class KeikoTest(unittest.TestCase):
+    """Every test runs in an empty working directory."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="keiko-cli-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def keiko(self, *arguments: str, **options) -> subprocess.CompletedProcess:
+        return subprocess.run([BINARY, *arguments], cwd=self.folder, capture_output=True,
+                              text=True, timeout=120, **options)
+
+    def succeed(self, *arguments: str) -> str:
+        """What is printed by a command that must exit with 0 and have nothing to complain of."""
+        run = self.keiko(*arguments)
+        self.assertEqual((run.returncode, run.stderr), (0, ""), arguments)
+        return run.stdout
+
+    def write(self, name: str, text: str) -> str:
+        (self.folder / name).write_text(text)
+        return name
+
+    def content(self) -> list:
+        """Everything in the folder, hidden files too, by relative path."""
+        return sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*"))

@@ -1,0 +1,63 @@
+"""`keiko render` and `keiko place`: the files they write, byte by byte."""
+import struct
+import unittest
+
+from keiko_process import SMALL, KeikoTest, surface
+
+HOOD = surface("hood.step")
+
+
+class Pictures(KeikoTest):
+    def written(self, name: str, *arguments: str) -> bytes:
+        self.succeed("render", HOOD, "-o", name, "-q", *SMALL, *arguments)
+        return (self.folder / name).read_bytes()
+
+    def test_a_png_of_the_size_asked_for(self):
+        png = self.written("a.png")
+        self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(struct.unpack(">II", png[16:24]), (64, 36))
+        self.assertEqual(self.content(), ["a.png"])
+
+    def test_an_exr_with_the_layers_asked_for(self):
+        plain, layers = self.written("a.exr"), self.written("b.exr", "--aov", "normal,depth")
+        for exr in plain, layers:
+            self.assertEqual(exr[:4], b"\x76\x2f\x31\x01")
+        self.assertNotIn(b"normal.X\0", plain)
+        self.assertIn(b"normal.X\0", layers)
+
+    def test_two_runs_and_any_number_of_threads_give_the_same_bytes(self):
+        for name in "png", "exr":
+            first = self.written(f"1.{name}", "--threads", "1")
+            self.assertEqual(first, self.written(f"2.{name}", "--threads", "1"))
+            self.assertEqual(first, self.written(f"3.{name}", "--threads", "2"))
+            self.assertEqual(first, self.written(f"4.{name}"))
+
+    def test_the_view_the_paint_and_the_exposure_count(self):
+        base = ("--view", "front", "--ev", "8")
+        others = (("--view", "top", "--ev", "8"), (*base[:3], "9"), (*base, "--material", "white"),
+                  (*base, "--false-color"))
+        first = self.written("a.png", *base)
+        for other in others:
+            self.assertNotEqual(first, self.written("b.png", *other), other)
+
+    def test_an_old_picture_is_replaced(self):
+        self.write("a.png", "old")
+        self.assertGreater(len(self.written("a.png")), 100)
+
+    def test_a_placed_rig_gives_the_picture_that_auto_gives(self):
+        view = ("--view", "high-front")
+        self.succeed("place", HOOD, "-o", "rig.toml", "-q", *SMALL, *view)
+        self.assertEqual(self.written("a.exr", *view, "--rig", "rig.toml"),
+                         self.written("b.exr", *view))
+        self.assertEqual(self.content(), ["a.exr", "b.exr", "rig.toml"])
+
+    def test_a_scene_file_tells_model_view_and_size(self):
+        self.write("scene.toml", 'format = "keiko-scene/1"\nview = "front"\nsize = [32, 18]\n'
+                                 f'[[model]]\nfile = "{HOOD}"\n')
+        self.succeed("render", "scene.toml", "-o", "a.png", "-q")
+        self.assertEqual(struct.unpack(">II", (self.folder / "a.png").read_bytes()[16:24]),
+                         (32, 18))
+
+
+if __name__ == "__main__":
+    unittest.main()
