@@ -39,7 +39,7 @@ class Inspect(KeikoTest):
         for name in names:
             png = (self.folder / "out" / name).read_bytes()
             self.assertEqual(png[:4], b"\x89PNG", name)
-        rest = {"high-front.png", "high-front.exr", "rig.toml", "report.html", "report.json"}
+        rest = {"high-front-marked.png", "high-front.exr", "rig.toml", "report.html", "report.json"}
         self.assertEqual({p.name for p in (self.folder / "out").iterdir()}, rest | set(names))
 
     def test_the_report_needs_no_other_file(self):

@@ -60,8 +60,8 @@ std::optional<Integrator::Path> Integrator::advance(Path path, const std::option
         sample.hit = hit;
         if (hit) sample.paint = paint_of_face_[hit->face];
     } else {
+        if (depth == 1) note_mirrored(path.ray, hit, sample);
         see_lamps(path, hit ? hit->t : path.ray.t_max, sample);
-        if (depth == 1 && hit) sample.mirrored_face = hit->face;
     }
     if (!hit) {
         const Vec3 end = path.ray.origin + path.ray.direction.normalized() * far_away;
@@ -83,17 +83,26 @@ std::optional<Integrator::Path> Integrator::advance(Path path, const std::option
     return path;
 }
 
+void Integrator::note_mirrored(const Ray& ray, const std::optional<Hit>& hit,
+                               EyeSample& sample) const {
+    if (hit) sample.mirrored_face = hit->face;
+    const auto plane = nearest_c_plane(scene_.rig, ray.origin, ray.direction);
+    if (plane && !(hit && hit->t < plane->at.t)) sample.c_plane = Vec2(plane->at.u, plane->at.v);
+}
+
 void Integrator::see_lamps(Path& path, double t_max, EyeSample& sample) const {
     const Ray& ray = path.ray;
     const auto plane = nearest_c_plane(scene_.rig, ray.origin, ray.direction);
     if (!plane) return;
-    if (!sample.c_plane) sample.c_plane = Vec2(plane->at.u, plane->at.v);
     const MirroredLight lamps =
         mirrored_luminance(scene_.rig, ray.origin, ray.direction, ray.differentials, t_max);
     if (lamps.coverage == 0) return;
     Rgb seen = lamps.luminance;
-    if (scene_.rig.medium)
-        seen *= transmittance(*scene_.rig.medium, plane->at.t * ray.direction.length());
+    if (scene_.rig.medium) {
+        const Segment leg{ray.origin, ray.origin + ray.direction * plane->at.t};
+        seen *= transmittance(*scene_.rig.medium, (leg.b - leg.a).length());
+        seen += lamps.coverage * luminance_along(scene_.rig, leg, Rgb(0));
+    }
     sample.luminance += path.weight * seen;
     path.weight *= 1 - lamps.coverage;
 }

@@ -11,9 +11,11 @@ namespace keiko {
 
 /// What one eye ray brings back.
 struct EyeSample {
-    Rgb luminance;               ///< cd/m2
-    std::optional<Hit> hit;      ///< the first surface
-    std::optional<Vec2> c_plane; ///< where its mirrored ray meets the nearest C-plane, mm
+    Rgb luminance;          ///< cd/m2
+    std::optional<Hit> hit; ///< the first surface
+    /// Where the first mirrored ray meets the nearest C-plane, mm; nothing where the body is in the
+    /// way.
+    std::optional<Vec2> c_plane;
     /// The face that the first mirrored ray meets, or nothing where it leaves the body.
     std::optional<std::uint32_t> mirrored_face;
     std::uint32_t paint = 0; ///< faces of one paint share this number
@@ -39,6 +41,7 @@ private:
     /// Adds what `path` meets to its sample; returns its mirror reflection while that counts.
     std::optional<Path> advance(Path path, const std::optional<Hit>& hit, int depth,
                                 EyeSample& sample) const;
+    void note_mirrored(const Ray& ray, const std::optional<Hit>& hit, EyeSample& sample) const;
     void see_lamps(Path& path, double t_max, EyeSample& sample) const;
     void pass_medium(Path& path, const Vec3& end, EyeSample& sample) const;
     Rgb base_luminance(const Hit& hit, const Vec3& normal, double cosine) const;

@@ -21,8 +21,7 @@ void Outlines::set(int x, int y, const EyeSample& sample) {
     if (!sample.hit) return;
     const Hit& hit = *sample.hit;
     places_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-            static_cast<std::size_t>(x)] = {true, sample.paint,
-                                            sample.mirrored_face ? *sample.mirrored_face + 1 : 0,
+            static_cast<std::size_t>(x)] = {true, sample.paint, sample.mirrored_face.has_value(),
                                             hit.position, hit.normal};
 }
 
@@ -30,7 +29,7 @@ bool Outlines::differ(const Place& a, const Place& b) {
     if (a.hit != b.hit) return true;
     if (!a.hit) return false;
     if (a.paint != b.paint) return true;
-    if ((a.mirrored_face == 0) != (b.mirrored_face == 0)) return true;
+    if (a.mirrors_body != b.mirrors_body) return true;
     // Normals as lines: neighbouring faces may be oriented differently.
     const double turn =
         std::atan2(a.normal.cross(b.normal).length(), std::abs(a.normal.dot(b.normal)));

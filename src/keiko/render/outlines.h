@@ -22,7 +22,7 @@ private:
     struct Place {
         bool hit = false;
         std::uint32_t paint = 0;
-        std::uint32_t mirrored_face = 0; ///< 0: leaves the body
+        bool mirrors_body = false;
         Vec3 position{0}, normal{0};
     };
 

@@ -17,7 +17,7 @@ struct PictureScene {
     const Tracer& tracer;                ///< built with second_derivatives
     std::span<const Material> materials; ///< one a face of the model
     const LightRig& rig;
-    Rgb background{0}; ///< cd/m2 behind everything
+    Rgb background{0}; ///< cd/m2 behind the body, for the eye; it is not mirrored
 };
 
 /// How a picture is made.

@@ -59,7 +59,7 @@ std::string facts_text(const ModelFacts& facts) {
     write_counts(out, facts);
     if (!facts.bounds.empty())
         begin_line(out, "box") << facts.bounds.lower << " to " << facts.bounds.upper << " mm\n";
-    begin_line(out, "seams") << facts.seams << "\n";
+    begin_line(out, "seams") << facts.seams << " pieces\n";
     begin_line(out, "borders") << facts.border_length << " mm, " << facts.free_length
                                << " mm of them free\n";
     write_remarks(out, facts);

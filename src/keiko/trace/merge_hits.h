@@ -14,10 +14,9 @@ struct BorderHit {
 };
 
 /// Sorted hits of one ray without the doubles that overlapping borders make: neighbouring hits of
-/// one instance, each at a border, no farther apart along the ray than their position bounds and seam
-/// reaches together, and in space than twice that.
-/// The one that is not a seam hit is kept, else the first. `speed` is the length of the ray's
-/// direction.
+/// one instance, each at a border, no farther apart along the ray than their position bounds and
+/// seam reaches together, and in space than twice that. The one that is not a seam hit is kept,
+/// else the first. `speed` is the length of the ray's direction.
 std::vector<Hit> merged(std::vector<BorderHit> hits, double speed);
 
 } // namespace keiko

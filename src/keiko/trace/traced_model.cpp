@@ -19,7 +19,7 @@ double stretch(const Affine& map) {
 }
 
 std::vector<PartPlacement> placements(const SurfaceModel& model,
-                                  const std::vector<std::uint32_t>& first_leaf_of_face) {
+                                      const std::vector<std::uint32_t>& first_leaf_of_face) {
     std::vector<PartPlacement> result;
     for (const Instance& instance : model.instances) {
         const Part& part = model.parts[instance.part];
@@ -65,8 +65,8 @@ TracedModel traced_model(const SurfaceModel& model, double join, const Job& job)
     return traced;
 }
 
-PartRay TracedModel::to_part(const PartPlacement& placement, const Vec3& origin, const Vec3& direction,
-                             double error) const {
+PartRay TracedModel::to_part(const PartPlacement& placement, const Vec3& origin,
+                             const Vec3& direction, double error) const {
     if (placement.identity) return part_ray(origin, direction, error);
     const double rounding =
         8 * epsilon * (origin.length() + placement.to_world.translation.length());

@@ -88,6 +88,25 @@ TEST(Render, BackgroundAndCoverageWhereNothingIsHit) {
     EXPECT_EQ(film.alpha.pixel(48, 27)[0], 1);
 }
 
+TEST(Render, DenseFogHidesBodyLampsAndBackgroundAlike) {
+    for (const double refractive_index : {1.5, 30.0}) {
+        Stage stage(flat_plate(), refractive_index);
+        stage.rig.medium = Medium{.extinction = Rgb(50), .ambient = Rgb(3)};
+        const Film film = stage.render();
+        for (int y = 0; y < film.color.height; ++y)
+            for (int x = 0; x < film.color.width; ++x)
+                ASSERT_NEAR(film.color.pixel(x, y)[0], 3, 1e-5) << x << " " << y;
+    }
+}
+
+TEST(Render, ThinFogDimsTheBackground) {
+    Stage stage(flat_plate());
+    stage.rig.medium = Medium{.extinction = Rgb(1e-3), .albedo = Rgb(0), .ambient = Rgb(0)};
+    const Film film = stage.render();
+    EXPECT_EQ(film.alpha.pixel(0, 0)[0], 0);
+    EXPECT_NEAR(film.color.pixel(0, 0)[0], 7 * std::exp(-1.0), 1e-5);
+}
+
 TEST(Render, WithoutACoatOnlyTheLitBaseIsLeft) {
     const Stage stage(flat_plate(), 1);
     const Film film = stage.render();

@@ -115,6 +115,26 @@ TEST(MirrorRay, CarriesTheImageToTheCPlaneWithTheOraclesJacobian) {
     }
 }
 
+TEST(MirrorRay, HasDifferentialsOnlyWhereTheTangentsTellThem) {
+    // A paraboloid z = c (x^2 + y^2) / 2 at its apex, its parameter lines at a small angle.
+    constexpr double c = 0.2;
+    for (const double angle : {1e-3, 1e-5, 1e-7}) {
+        Hit hit;
+        hit.t = 10;
+        hit.normal = {0, 0, 1};
+        hit.dpdu = {1, 0, 0};
+        hit.dpdv = {1, angle, 0};
+        hit.second = SecondDerivatives{{0, 0, c}, {0, 0, c}, {0, 0, c * (1 + angle * angle)}};
+        Ray ray{.origin = {0, 0, 10}, .direction = {0, 0, -1}};
+        ray.differentials = RayDifferentials{.origin_dx = {1, 0, 0}, .origin_dy = {0, 1, 0}};
+        const Ray mirrored = mirror_ray(ray, hit);
+        ASSERT_EQ(mirrored.differentials.has_value(), angle > 1e-6) << angle;
+        if (!mirrored.differentials) continue;
+        EXPECT_LT((mirrored.differentials->direction_dx - Vec3(-2 * c, 0, 0)).length(), 1e-4);
+        EXPECT_LT((mirrored.differentials->direction_dy - Vec3(0, -2 * c, 0)).length(), 1e-4);
+    }
+}
+
 TEST(MirrorRay, ExcludesItsOwnRootAndNeedsNoDifferentials) {
     Hit hit;
     hit.position = {1, 2, 3};
