@@ -12,11 +12,12 @@ namespace fs = std::filesystem;
 
 void write_atomically(const fs::path& target,
                       const std::function<void(const fs::path& temporary)>& write) {
-    if (fs::is_directory(target)) throw Error(target.string(), "", "is a directory, not a file");
+    std::error_code ignored; // whatever is wrong with the target shows when it is written
+    if (fs::is_directory(target, ignored))
+        throw Error(target.string(), "", "is a directory, not a file");
     const fs::path temporary =
         target.parent_path() / ("." + target.stem().string() + "." + std::to_string(getpid()) +
                                 ".tmp" + target.extension().string());
-    std::error_code ignored;
     try {
         write(temporary);
         fs::rename(temporary, target);

@@ -13,8 +13,8 @@ constexpr double radians_to_degrees(double radians) {
     return radians * 180 / std::numbers::pi;
 }
 
-/// Millimetres in one `unit` (mm, cm, m, um, km, in, inch, ft, foot; any case), or nothing for
-/// a name that is no length unit.
+/// Millimetres in one `unit` (um, mm, cm, m, km, mil, in, ft, yd; any case, some spelt out too), or
+/// nothing for a name that is no length unit.
 std::optional<double> millimetres_per(std::string_view unit);
 
 } // namespace keiko

@@ -12,6 +12,11 @@
 namespace keiko {
 namespace {
 
+/// mm; products of a few coordinates up to here stay finite.
+constexpr double largest_coordinate = 1e15;
+/// Weights from its inverse to here keep the digits of the points they are multiplied with.
+constexpr double largest_weight = 1e15;
+
 /// The lines of a file that hold numbers.
 class NumberLines {
 public:
@@ -149,6 +154,11 @@ std::vector<Vec4> read_points(NumberLines& lines, std::size_t count) {
             lines.fail("expected a control point \"x y z\" or \"x y z w\", alike in a patch");
         const double w = columns == 4 ? n[3] : 1;
         if (!(w > 0)) lines.fail("a weight must be above 0");
+        if (!(w <= largest_weight && w >= 1 / largest_weight))
+            lines.fail("a weight must be from 1e-15 to 1e15");
+        for (const double x : {n[0], n[1], n[2]})
+            if (!(std::abs(x) <= largest_coordinate))
+                lines.fail("a coordinate must be from -1e15 to 1e15");
         points.emplace_back(n[0] * w, n[1] * w, n[2] * w, w);
     }
     return points;

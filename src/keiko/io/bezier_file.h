@@ -11,7 +11,8 @@ namespace keiko {
 /// point itself, not multiplied by w), u outer; the first point of a patch decides for all of it.
 /// Blank lines and text after # are skipped; commas count as blanks. Each patch becomes a face
 /// with its border as trim loop. Throws Error with the line for anything else: counts that the
-/// file cannot hold, degrees out of 1 to 25, numbers that are not finite, weights not above 0.
+/// file cannot hold, degrees out of 1 to 25, numbers that are not finite, coordinates
+/// beyond +-1e15, weights beyond 1e-15 to 1e15.
 SurfaceModel read_bezier_file(const std::filesystem::path& path);
 
 /// Reads the classic text of the Newell teapot: the number of patches, 16 vertex numbers (from 1)

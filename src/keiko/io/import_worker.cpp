@@ -71,7 +71,8 @@ std::string failure(const WorkerExit& exit, const LoadOptions& options) {
 SurfaceModel import_in_worker(const fs::path& path, ModelFormat format, const LoadOptions& options,
                               const Job& job) {
     const fs::path worker = worker_path(options);
-    if (!fs::is_regular_file(worker))
+    std::error_code unknown;
+    if (!fs::is_regular_file(worker, unknown))
         throw Error(path.string(), "", "cannot be read: no CAD reader at " + worker.string());
     Answer answer(job);
     const WorkerExit exit = run_worker(

@@ -81,7 +81,8 @@ std::optional<ModelFormat> format_of(const std::string& text) {
 }
 
 bool ends_as_iges(std::string_view tail) {
-    const std::size_t end = tail.find_last_not_of(" \r\n\t\032\0");
+    constexpr std::string_view padding(" \r\n\t\032\0", 6);
+    const std::size_t end = tail.find_last_not_of(padding);
     if (end == std::string_view::npos) return false;
     const std::size_t begin = tail.find_last_of("\r\n", end);
     const std::string_view line = tail.substr(begin == std::string_view::npos ? 0 : begin + 1);

@@ -24,6 +24,11 @@ Rgb color_of(const TomlTable& table) {
     return table.rgb("color", TomlLimits::not_negative()).value_or(Rgb(1));
 }
 
+/// `light` is a product of finite numbers.
+void require_finite(const TomlTable& table, std::string_view key, const Rgb& light) {
+    if (!std::isfinite(light.r + light.g + light.b)) throw table.error(key, "is too bright");
+}
+
 void square_up(const TomlTable& table, CPlane& plane) {
     const double u = plane.u.length(), v = plane.v.length();
     if (!(u > 0)) throw table.error("u", "must not be a zero vector");
@@ -65,6 +70,7 @@ CPlane c_plane_from(const TomlTable& table) {
     if (luminance) plane.luminance = *luminance;
     if (flux) plane.luminance = Rgb(tube_luminance(*flux, plane.diameter, plane.u.length()));
     plane.luminance *= color_of(table);
+    require_finite(table, flux ? "luminous_flux" : "color", plane.luminance);
     table.not_yet({"caps", "on", "reflector"});
     table.finish();
     return plane;
@@ -85,6 +91,7 @@ Spotlight spotlight_from(const TomlTable& table) {
         throw table.error("q", "belongs to edge = \"mixed\" alone");
     spot.intensity = table.rgb("intensity", TomlLimits::not_negative()).value_or(spot.intensity) *
                      color_of(table);
+    require_finite(table, "color", spot.intensity);
     table.not_yet({"reference", "pattern", "shaft", "file"});
     table.finish();
     return spot;
@@ -166,10 +173,16 @@ std::string grey_or_array(const Rgb& c) {
 
 /// A TOML string with the characters escaped that it must not hold.
 std::string toml_string(std::string_view text) {
+    constexpr std::string_view digits = "0123456789ABCDEF";
     std::string result = "\"";
     for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 0x20 || code == 0x7f) {
+            result += {'\\', 'u', '0', '0', digits[code >> 4], digits[code & 15]};
+            continue;
+        }
         if (c == '"' || c == '\\') result += '\\';
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+        result += c;
     }
     return result + "\"";
 }

@@ -44,6 +44,47 @@ std::string place(std::uint32_t line, std::uint32_t column) {
     return std::to_string(line) + ":" + std::to_string(column);
 }
 
+/// Where the string that begins at text[at] ends, after its quote; a string of one line that is
+/// not closed ends with the line.
+std::size_t end_of_string(std::string_view text, std::size_t at) {
+    const char quote = text[at];
+    const std::string three(3, quote);
+    const bool many_lines = text.substr(at, 3) == three;
+    for (std::size_t i = at + (many_lines ? 3 : 1); i < text.size(); ++i) {
+        if (quote == '"' && text[i] == '\\')
+            ++i;
+        else if (many_lines && text.substr(i, 3) == three)
+            return i + 3;
+        else if (!many_lines && (text[i] == quote || text[i] == '\n'))
+            return i + 1;
+    }
+    return text.size();
+}
+
+/// Refuses keys of very many parts (a.b.c...). toml++ limits the depth of values but not of keys,
+/// and it and we walk down a table by recursion, which would overflow the stack.
+void require_shallow_keys(std::string_view text, const std::string& source) {
+    constexpr int most_parts = 100;
+    int parts = 1;
+    std::uint32_t line = 1;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t begin = i;
+        if (text[i] == '"' || text[i] == '\'')
+            i = end_of_string(text, i);
+        else if (text[i] == '#')
+            i = std::min(text.find('\n', i), text.size());
+        else if (text[i++] == '.')
+            ++parts;
+        else if (std::string_view("\n=,[]{}").find(text[begin]) != std::string_view::npos)
+            parts = 1;
+        if (parts > most_parts)
+            throw Error(source, std::to_string(line),
+                        "a key of more than " + std::to_string(most_parts) + " parts");
+        const auto passed = text.substr(begin, i - begin);
+        line += static_cast<std::uint32_t>(std::count(passed.begin(), passed.end(), '\n'));
+    }
+}
+
 } // namespace
 
 TomlTable::Value::Value(const toml::node& node)
@@ -69,6 +110,7 @@ TomlTable::TomlTable(std::shared_ptr<const Document> document, const Value& valu
     : document_(std::move(document)), value_(&value), name_(std::move(name)) {}
 
 TomlTable TomlTable::parse(std::string_view text, const std::string& source) {
+    require_shallow_keys(text, source);
     try {
         const toml::table root = toml::parse(text, source);
         const auto document = std::make_shared<const Document>(Document{source, Value(root)});

@@ -40,17 +40,27 @@ private:
     int number_;
 };
 
+[[noreturn]] void no_pipe() {
+    throw Error("", "", std::string("cannot open a pipe: ") + std::strerror(errno));
+}
+
 /// A pipe whose ends no other child inherits.
 struct Pipe {
     Descriptor read, write;
 
     Pipe() {
         int ends[2];
-        if (pipe2(ends, O_CLOEXEC) != 0)
-            throw Error("", "", std::string("cannot open a pipe: ") + std::strerror(errno));
+        if (pipe2(ends, O_CLOEXEC) != 0) no_pipe();
         read.reset(ends[0]);
-        write.reset(ends[1]);
+        const Descriptor low(ends[1]);
+        // A program that was started with its stdin or stderr closed gets a pipe at their numbers,
+        // which the child then opens anew before it has taken the pipe over.
+        write.reset(fcntl(low.number(), F_DUPFD_CLOEXEC, first_free_in_child));
+        if (!write.open()) no_pipe();
     }
+
+private:
+    static constexpr int first_free_in_child = 4; ///< stdin, stdout, stderr, the answer
 };
 
 /// A started process in a group of its own; killed and reaped at the end of its scope.

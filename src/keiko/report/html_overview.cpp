@@ -39,7 +39,7 @@ std::string figure(const ReportPicture& picture) {
     return html + "</figcaption></figure>\n";
 }
 
-/// "49 faces, 97 seams, class-a-outer: gap 0.01 mm, angle 0.1 degrees, ..."
+/// "class-a-outer: gap 0.01 mm, angle 0.1°, curvature 10 %"
 std::string criteria_line(const Inspection& inspection) {
     const CriteriaPreset& preset = inspection.preset;
     std::string text = html_escaped(preset.name) + ": gap " + short_number(preset.gap) +

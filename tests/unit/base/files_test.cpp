@@ -73,6 +73,16 @@ TEST_F(Files, WritingIntoAMissingFolderNamesTheTarget) {
     }
 }
 
+TEST_F(Files, ATargetThatCannotBeLookedAtIsAnErrorOfThatFile) {
+    const fs::path target = folder_ / std::string(300, 'a');
+    try {
+        write_text_file(target, "text");
+        FAIL() << "nothing thrown";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.file(), target.string());
+    }
+}
+
 TEST(ErrorText, NamesFilePlaceAndReasonOnOneLine) {
     EXPECT_STREQ(Error("rig.toml", "3:1", "unknown key").what(), "rig.toml:3:1: unknown key");
     EXPECT_STREQ(Error("rig.toml", "", "empty").what(), "rig.toml: empty");

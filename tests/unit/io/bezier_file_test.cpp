@@ -52,6 +52,16 @@ TEST(BezierFile, SeveralPatchesOfAnyDegreeWithCommentsAndDosLines) {
     EXPECT_EQ(model.patches[1].degree_v, 2);
 }
 
+TEST(BezierFile, NumbersWhoseProductsWouldOverflowAreRefused) {
+    const std::string coordinate = "a coordinate must be from -1e15 to 1e15";
+    EXPECT_EQ(reason_for("1\n1 1\n0 0 0\n0 1e300 0\n"), "line 4: " + coordinate);
+    EXPECT_EQ(reason_for("1\n1 1\n0 0 0 10\n0 -1e308 0 10\n"), "line 4: " + coordinate);
+    const std::string weight = "a weight must be from 1e-15 to 1e15";
+    EXPECT_EQ(reason_for("1\n1 1\n0 0 0 1e-320\n"), "line 3: " + weight);
+    EXPECT_EQ(reason_for("1\n1 1\n0 0 0 1e300\n"), "line 3: " + weight);
+    EXPECT_EQ(reason_for("1\n1 1\n0 0 0 1e-3\n0 1e6 0 1e3\n1 0 0 1\n1 1 0 1\n"), "");
+}
+
 TEST(BezierFile, ErrorsNameTheLine) {
     EXPECT_EQ(reason_for("1\n1 1\n0 0 0\n0 1 0\n1 0 0\n"),
               "line 6: the file ends where a control point should follow");

@@ -6,6 +6,7 @@
 #include "tests/support/model_builder.h"
 #include "tests/unit/io/temporary_folder.h"
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <thread>
 
@@ -62,6 +63,9 @@ TEST_F(LoadModel, FilesCutShort) {
               "the BREP file is cut short: it has no end");
     const std::string start = std::string(72, ' ') + "S0000001\n";
     EXPECT_EQ(reason_for(folder.file("a.igs", start)), "the IGES file is cut short: it has no end");
+    const std::string padded = start + std::string(72, ' ') + "T0000001\n\032" + std::string(9, 0);
+    EXPECT_NE(reason_for(folder.file("b.igs", padded)),
+              "the IGES file is cut short: it has no end");
 }
 
 TEST_F(LoadModel, AStepFileOfNothing) {
@@ -74,6 +78,19 @@ TEST_F(LoadModel, AMissingWorkerIsTold) {
     options.worker = folder.path() / "none";
     EXPECT_EQ(reason_for(folder.file("a.step", step_text), options),
               "cannot be read: no CAD reader at " + options.worker.string());
+}
+
+TEST_F(LoadModel, TheWorkerAnswersAProgramWhoseStandardStreamsAreClosed) {
+    const int kept[] = {dup(0), dup(1), dup(2)};
+    for (const int stream : {0, 1, 2}) close(stream);
+    const std::string answer = reason_with_worker("echo complaint >&2; echo error answer >&3");
+    const std::string complaint = reason_with_worker("echo complaint >&2");
+    for (const int stream : {0, 1, 2}) {
+        dup2(kept[stream], stream);
+        close(kept[stream]);
+    }
+    EXPECT_EQ(answer, "answer");
+    EXPECT_EQ(complaint, "the CAD reader gave no model (exit code 0): complaint");
 }
 
 TEST_F(LoadModel, AWorkerThatCrashes) {

@@ -106,6 +106,35 @@ TEST(RigFile, LuminousFluxBecomesLuminance) {
     EXPECT_NEAR(read.luminance.g, 3350 / (pi * 0.026 * 1.0) / pi, 1e-8);
 }
 
+TEST(RigFile, LightBeyondTheLargestNumberIsRefused) {
+    EXPECT_EQ(rig_error(head + whole_plane + "luminance = 1e308\ncolor = [10, 1, 1]\n"),
+              "bad.toml:7:9: c_plane[0].color: is too bright");
+    EXPECT_EQ(rig_error(head + whole_plane + "luminous_flux = 1e308\ndiameter = 1e-5\n"),
+              "bad.toml:6:17: c_plane[0].luminous_flux: is too bright");
+}
+
+TEST(RigFile, KeysOfVeryManyPartsAreRefusedBeforeTheyOverflowTheStack) {
+    const auto parts = [](int count) {
+        std::string key = "a";
+        for (int i = 1; i < count; ++i) key += ".a";
+        return key;
+    };
+    const std::string expected = "a key of more than 100 parts";
+    EXPECT_EQ(rig_error(head + parts(200000) + " = 1\n"), "bad.toml:2: " + expected);
+    EXPECT_EQ(rig_error(head + "[" + parts(200000) + "]\n"), "bad.toml:2: " + expected);
+    EXPECT_EQ(rig_error(head + "x = [{" + parts(200000) + " = 1}]\n"), "bad.toml:2: " + expected);
+    EXPECT_EQ(rig_error(head + parts(100) + " = 1\n"), "bad.toml:2:1: unknown key 'a'");
+}
+
+TEST(RigFile, DotsInTextAndCommentsAreNoKeyParts) {
+    const std::string dots(300, '.');
+    for (const std::string& name :
+         {"\"\\\"" + dots + "\"", "'" + dots + "\\'", "\"\"\"\n\"" + dots + "\n\"\"\"",
+          "'''\n'" + dots + "'''", "\"\" # it's " + dots})
+        EXPECT_NO_THROW(parse_rig(head + "name = " + name + "\n" + whole_plane, "dots.toml"))
+            << name;
+}
+
 TEST(RigFile, VIsMadeOrthogonalToU) {
     const CPlane read = only_plane(head + plane + "v = [300, 1200, 0]\n");
     EXPECT_LT((read.v - Vec3(0, 1200, 0)).length(), 1e-9);
@@ -113,7 +142,7 @@ TEST(RigFile, VIsMadeOrthogonalToU) {
 
 TEST(RigFile, AWrittenRigReadsBackBitForBit) {
     LightRig rig;
-    rig.name = "a \"quoted\" \\ name";
+    rig.name = "a \"quoted\" \\ name\nof\x7f 蛍光灯";
     rig.ambient = {0.1, 1.0 / 3, 1e-300};
     CPlane skew;
     skew.origin = {-0.0, 1e22, 9007199254740993.0};
