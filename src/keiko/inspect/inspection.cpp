@@ -30,6 +30,7 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
                    const Job& job) {
     Inspection result;
     result.preset = preset, result.join = join;
+    if (!model.lost_faces.empty()) result.verdict = Verdict::undecided;
     result.pieces = pair_seams(model, join, job);
     result.seams = measure_seams(model, result.pieces, preset, join, job);
     result.facts = model_facts(model, result.pieces, job);

@@ -24,7 +24,8 @@ struct Inspection {
     std::vector<MeasuredSeam> seams;
     std::vector<Finding> findings; ///< failures before undecided, worst first
     SeamCounts counts;
-    Verdict verdict = Verdict::pass; ///< the worst of all seams
+    /// The worst of all seams; never pass where faces were lost, since nobody judged their seams.
+    Verdict verdict = Verdict::pass;
 };
 
 /// Pairs, measures and judges every seam. `join` in mm. Throws Cancelled.

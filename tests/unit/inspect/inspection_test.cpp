@@ -32,6 +32,12 @@ TEST(Inspect, CountsSeamsByVerdict) {
     EXPECT_EQ(result.facts.seams, 5u);
 }
 
+TEST(Inspect, DoesNotPassAModelThatLostFaces) {
+    SurfaceModel model = strips({0, 0});
+    model.lost_faces.push_back({9, "rear", "no surface"});
+    EXPECT_EQ(inspect(model).verdict, Verdict::undecided);
+}
+
 TEST(Inspect, PassesASmoothModelWithoutFindings) {
     const Inspection result = inspect(strips({0, 0.09, 45}));
     EXPECT_EQ(result.verdict, Verdict::pass);
