@@ -53,7 +53,7 @@ double radius_error(const Handle(Geom_BezierSurface) & surface) {
 } // namespace
 
 Fixture sphere() {
-    Fixture fixture{"sphere.step", {}, {}};
+    Fixture fixture{"rational-sphere.step", {}, {}};
     double error = 0.0;
     for (const double sign : {1.0, -1.0})
         for (int turn = 0; turn < 4; ++turn) {

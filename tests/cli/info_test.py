@@ -5,7 +5,7 @@ import unittest
 from keiko_process import KeikoTest, surface
 
 FACES = {"concept-car.step": 185, "dent.step": 1, "dome.bpt": 4, "hood.step": 3, "pole.step": 4,
-         "saddle.bpt": 4, "seam-g0-gap.step": 2, "sphere.step": 8, "trimmed-hole.step": 1,
+         "saddle.bpt": 4, "seam-g0-gap.step": 2, "rational-sphere.step": 8, "trimmed-hole.step": 1,
          "trimmed-island.step": 2, "trimmed-two-holes.step": 1}
 
 
