@@ -34,9 +34,6 @@ void set_log_level(LogLevel level) {
 void log_detail(std::string_view message) {
     logger().debug(message);
 }
-void log_note(std::string_view message) {
-    logger().info(message);
-}
 void log_warning(std::string_view message) {
     logger().warn("warning: {}", message);
 }

@@ -11,8 +11,6 @@ void set_log_level(LogLevel level);
 
 /// A line for whoever asked for --verbose.
 void log_detail(std::string_view message);
-/// A line for every user who did not ask for --quiet.
-void log_note(std::string_view message);
 /// Something the user should know, printed even with --quiet.
 void log_warning(std::string_view message);
 /// The one clear line of a failure.

@@ -24,6 +24,14 @@ PictureSize parse_size(const std::string& text) {
     return size;
 }
 
+void tell_build(const Scene& scene) {
+    const TracerStatistics& built = scene.tracer.statistics();
+    log_detail(std::to_string(scene.model.patches.size()) + " patches in " +
+               std::to_string(built.leaves) + " leaves (" + std::to_string(built.leaves_mixed) +
+               " cut by trims), " + std::to_string(built.bytes) + " bytes, built in " +
+               std::to_string(built.build_seconds) + " s");
+}
+
 } // namespace
 
 void add_load_options(CLI::App& command, SceneArguments& arguments) {
@@ -61,6 +69,7 @@ Scene SceneArguments::open(const Job& job) const {
     all.load = load_options(*this);
     const PictureSize wanted = size.empty() ? PictureSize{} : parse_size(size);
     Scene scene = open_scene(inputs, all, job);
+    tell_build(scene);
     for (const LostFace& face : scene.model.lost_faces)
         log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
     if (wanted.width > 0) {
