@@ -22,20 +22,24 @@ constexpr double pad_in_radii = 16.0 / (1 << 24);
 
 /// Found by the callbacks through the context, and in it by ray.id: Embree may shuffle lanes.
 struct Search : RTCIntersectContext {
-    EmbreeScene::Visitor* const* visitors = nullptr;
+    const RayBlock* rays = nullptr;
+    EmbreeScene::Visitor* visitor = nullptr;
     std::exception_ptr failure;
 };
 
-/// One box for one ray; what is left of the ray.
-float visited(Search& search, unsigned ray, unsigned box, float tfar) {
-    constexpr float stop = -std::numeric_limits<float>::infinity();
-    if (search.failure) return stop;
+/// What is left of a ray for Embree.
+float far_end(const RayBlock& rays, std::size_t lane) {
+    // Infinity stays infinity; any other end is kept at 0 or beyond, where Embree wants it.
+    const double high = rays.high[lane];
+    constexpr double ended = -std::numeric_limits<double>::infinity();
+    return round_up(high == ended ? high : std::max(high, 0.0));
+}
+
+void visit(Search& search, unsigned box, LaneMask lanes) {
     try {
-        const double left = search.visitors[ray]->visit(box);
-        return left < 0 ? stop : std::min(tfar, round_up(left));
+        search.visitor->visit(box, lanes);
     } catch (...) {
         search.failure = std::current_exception();
-        return stop;
     }
 }
 
@@ -53,11 +57,15 @@ void on_bounds(const RTCBoundsFunctionArguments* arguments) {
 void on_intersect(const RTCIntersectFunctionNArguments* arguments) {
     Search& search = *static_cast<Search*>(arguments->context);
     RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
-    for (unsigned lane = 0; lane < arguments->N; ++lane) {
-        if (arguments->valid[lane] == 0) continue;
-        float& tfar = RTCRayN_tfar(rays, arguments->N, lane);
-        tfar = visited(search, RTCRayN_id(rays, arguments->N, lane), arguments->primID, tfar);
-    }
+    LaneMask lanes = 0;
+    for (unsigned i = 0; i < arguments->N; ++i)
+        if (arguments->valid[i] != 0) lanes |= LaneMask{1} << RTCRayN_id(rays, arguments->N, i);
+    if (!search.failure) visit(search, arguments->primID, lanes);
+    for (unsigned i = 0; i < arguments->N; ++i)
+        if (arguments->valid[i] != 0)
+            RTCRayN_tfar(rays, arguments->N, i) =
+                search.failure ? -std::numeric_limits<float>::infinity()
+                               : far_end(*search.rays, RTCRayN_id(rays, arguments->N, i));
 }
 
 } // namespace
@@ -85,10 +93,10 @@ EmbreeScene::EmbreeScene(std::span<const Box3> boxes, int threads)
     center_ = bounds_.empty() ? Vec3(0) : bounds_.center();
     radius_ = bounds_.size() / 2;
     // A single point of a scene still has a box with an inside.
-    const double pad = std::max(radius_ * pad_in_radii, 1e-30);
+    padding_ = std::max(radius_ * pad_in_radii, 1e-30);
     std::vector<Box3> padded;
     for (const Box3& box : boxes)
-        padded.push_back(Box3{box.lower - center_, box.upper - center_}.padded(pad));
+        padded.push_back(Box3{box.lower - center_, box.upper - center_}.padded(padding_));
 
     handles_->device =
         rtcNewDevice(threads > 0 ? ("threads=" + std::to_string(threads)).c_str() : nullptr);
@@ -110,24 +118,57 @@ EmbreeScene::EmbreeScene(std::span<const Box3> boxes, int threads)
 
 EmbreeScene::~EmbreeScene() = default;
 
-void EmbreeScene::trace(const Vec3& start, const Vec3& direction, double length,
-                        Visitor& visitor) const {
+namespace {
+
+/// Lane `lane` of a block as lane `at` of an Embree query of `count` rays.
+void fill(RTCRayN* query, unsigned count, unsigned at, const RayBlock& rays, std::size_t lane,
+          const Vec3& center) {
+    RTCRayN_org_x(query, count, at) = static_cast<float>(rays.start[0][lane] - center.x);
+    RTCRayN_org_y(query, count, at) = static_cast<float>(rays.start[1][lane] - center.y);
+    RTCRayN_org_z(query, count, at) = static_cast<float>(rays.start[2][lane] - center.z);
+    RTCRayN_dir_x(query, count, at) = static_cast<float>(rays.direction[0][lane]);
+    RTCRayN_dir_y(query, count, at) = static_cast<float>(rays.direction[1][lane]);
+    RTCRayN_dir_z(query, count, at) = static_cast<float>(rays.direction[2][lane]);
+    RTCRayN_tnear(query, count, at) = round_down(std::max(rays.low[lane], 0.0));
+    RTCRayN_tfar(query, count, at) = far_end(rays, lane);
+    RTCRayN_time(query, count, at) = 0;
+    RTCRayN_mask(query, count, at) = 0xffffffff;
+    RTCRayN_id(query, count, at) = static_cast<unsigned>(lane);
+    RTCRayN_flags(query, count, at) = 0;
+}
+
+void trace_single(RTCScene scene, Search& search, const Vec3& center) {
+    RTCRayHit query;
+    fill(reinterpret_cast<RTCRayN*>(&query.ray), 1, 0, *search.rays, 0, center);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene, &search, &query);
+}
+
+void trace_packet(RTCScene scene, Search& search, const Vec3& center) {
+    RTCRayHit16 query;
+    alignas(64) int valid[RayBlock::capacity];
+    for (unsigned lane = 0; lane < RayBlock::capacity; ++lane) {
+        valid[lane] = lane < search.rays->count ? -1 : 0;
+        const unsigned from = valid[lane] != 0 ? lane : 0;
+        fill(reinterpret_cast<RTCRayN*>(&query.ray), RayBlock::capacity, lane, *search.rays, from,
+             center);
+        query.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+    }
+    search.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, &search, &query);
+}
+
+} // namespace
+
+void EmbreeScene::trace(const RayBlock& rays, Visitor& visitor) const {
     Search search;
     rtcInitIntersectContext(&search);
-    Visitor* const visitors[] = {&visitor};
-    search.visitors = visitors;
-    const Vec3 local = start - center_;
-    RTCRayHit query{};
-    query.ray.org_x = static_cast<float>(local.x);
-    query.ray.org_y = static_cast<float>(local.y);
-    query.ray.org_z = static_cast<float>(local.z);
-    query.ray.dir_x = static_cast<float>(direction.x);
-    query.ray.dir_y = static_cast<float>(direction.y);
-    query.ray.dir_z = static_cast<float>(direction.z);
-    query.ray.tfar = round_up(length);
-    query.ray.mask = 0xffffffff;
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(handles_->scene, &search, &query);
+    search.rays = &rays;
+    search.visitor = &visitor;
+    if (rays.count == 1)
+        trace_single(handles_->scene, search, center_);
+    else
+        trace_packet(handles_->scene, search, center_);
     if (search.failure) std::rethrow_exception(search.failure);
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "keiko/math/bounds.h"
-#include "keiko/patch/ray.h"
+#include "keiko/trace/ray_block.h"
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace keiko {
 
@@ -13,12 +14,11 @@ namespace keiko {
 /// relative to the scene's centre and padded by what rounding can move a ray or a slab by.
 class EmbreeScene {
 public:
-    /// Answers for one box: what is the largest distance still of interest (as passed to trace
-    /// when nothing was found, less after a hit, negative to stop).
     class Visitor {
     public:
         virtual ~Visitor() = default;
-        virtual double visit(std::uint32_t box) = 0;
+        /// May lower RayBlock::high of the lanes; -infinity ends a lane's search.
+        virtual void visit(std::uint32_t box, LaneMask lanes) = 0;
     };
 
     /// Throws Error when Embree cannot build. `threads` as in Job.
@@ -27,21 +27,24 @@ public:
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-    /// Visits boxes roughly front to back along start + s * direction, s in [0, length].
-    /// `direction` is unit and `start` in or near the ball around the boxes. An exception of the
-    /// visitor ends the search and is rethrown here, for none may cross Embree.
-    void trace(const Vec3& start, const Vec3& direction, double length, Visitor& visitor) const;
+    /// Visits boxes roughly front to back along the rays of a block, for s in [low, high]. The
+    /// starts are in or near the ball around the boxes. A block of several rays goes through as a
+    /// packet. An exception of the visitor ends the search and is rethrown here, for none may
+    /// cross Embree.
+    void trace(const RayBlock& rays, Visitor& visitor) const;
 
     const Box3& bounds() const { return bounds_; }
     const Vec3& center() const { return center_; }
     double radius() const { return radius_; }
+    /// mm that each box was grown by.
+    double padding() const { return padding_; }
 
 private:
     struct Handles;
     std::unique_ptr<Handles> handles_;
     Box3 bounds_;
     Vec3 center_{0};
-    double radius_ = 0;
+    double radius_ = 0, padding_ = 0;
 };
 
 } // namespace keiko

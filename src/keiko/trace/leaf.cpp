@@ -1,6 +1,6 @@
 #include "keiko/trace/leaf.h"
 
-#include "keiko/trace/flatness.h"
+#include "keiko/trace/leaf_polynomial.h"
 #include "keiko/trace/subpatch.h"
 
 #include <algorithm>
@@ -12,9 +12,8 @@ namespace keiko {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// Below this deviation the uniqueness proof goes through for rays up to 60 degrees off the
-/// normal; finer leaves cost more boxes than they save proofs.
-constexpr double flat_enough = 0.1;
+/// Of LeafFrame::contraction. Finer leaves cost more boxes than they save clipping.
+constexpr double flat_enough = 0.9;
 /// Halvings along one parameter: a bent piece gets flat by them, a twisted one (a pole) never
 /// does, and each try costs boxes.
 constexpr int most_halvings = 4, most_halvings_of_twist = 2;
@@ -22,6 +21,16 @@ constexpr int most_halvings = 4, most_halvings_of_twist = 2;
 constexpr double overlap = 1e-11;
 /// A leaf so small beside its coordinates' rounding errors is a point; it gets no wider overlap.
 constexpr double widest_overlap = 1e-6;
+
+/// Of a patch: a trim curve this close to its end is taken to run along it.
+constexpr double border_width = 1e-10;
+
+Vec2 min(const Vec2& a, const Vec2& b) {
+    return {std::min(a.x, b.x), std::min(a.y, b.y)};
+}
+Vec2 max(const Vec2& a, const Vec2& b) {
+    return {std::max(a.x, b.x), std::max(a.y, b.y)};
+}
 
 Box2 face_box(const Patch& patch, const Box2& uv) {
     Box2 box;
@@ -67,12 +76,12 @@ public:
 private:
     /// `reach` mm in patch parameters, and on which sides the patch may be continued by it.
     void find_reach(const Box2& face_domain, double reach) {
-        const Flatness f = flatness(local_);
+        const LeafFrame f = leaf_frame(local_);
         // Where lines run together at a pole, mm say little about parameters; a seam's reach is
         // not worth more than a share of the patch anyhow.
         constexpr double widest = 0.01;
-        reach_.x = std::min(widest, reach / std::max(f.length_u, epsilon * size_));
-        reach_.y = std::min(widest, reach / std::max(f.length_v, epsilon * size_));
+        reach_.x = std::min(widest, reach / std::max(f.length.x, epsilon * size_));
+        reach_.y = std::min(widest, reach / std::max(f.length.y, epsilon * size_));
         const Box2 own = face_box(patch_, {Vec2(0), Vec2(1)});
         for (unsigned k = 0; k < 2; ++k) {
             const ParameterMap& map = k == 0 ? patch_.map_u : patch_.map_v;
@@ -110,11 +119,11 @@ private:
             return;
         }
         const std::vector<Vec4> points = subpatch(local_, box);
-        const Flatness f = flatness({local_.degree_u, local_.degree_v, points});
+        const LeafFrame f = leaf_frame({local_.degree_u, local_.degree_v, points});
         const bool twisted = f.twist > std::max(f.bend_u, f.bend_v);
-        const bool along_u = twisted ? f.length_u >= f.length_v : f.bend_u >= f.bend_v;
+        const bool along_u = twisted ? f.length.x >= f.length.y : f.bend_u >= f.bend_v;
         const int most = twisted ? most_halvings_of_twist : most_halvings;
-        if (f.deviation <= flat_enough || (along_u ? halved_u : halved_v) >= most) {
+        if (f.contraction() <= flat_enough || (along_u ? halved_u : halved_v) >= most) {
             emit(box, side, f);
             return;
         }
@@ -125,6 +134,7 @@ private:
         split(high, halved_u + along_u, halved_v + !along_u);
     }
 
+    /// With all that the reach of a seam adds.
     TrimSide classify(const Box2& box) const {
         if (region_.untrimmed()) return TrimSide::inside;
         const Box2 grown = clamped({box.lower - reach_, box.upper + reach_});
@@ -136,19 +146,28 @@ private:
         return region_.classify(in_face);
     }
 
-    void emit(const Box2& share, TrimSide side, const Flatness& f) {
+    /// Trim curves mostly run along the patch's own ends, where hits are tested for being on the
+    /// patch anyhow.
+    bool is_material(const Box2& box) const {
+        if (region_.untrimmed()) return true;
+        const Box2 core{max(box.lower, Vec2(border_width)), min(box.upper, Vec2(1 - border_width))};
+        return region_.classify(face_box(patch_, core)) == TrimSide::inside;
+    }
+
+    void emit(const Box2& share, TrimSide side, const LeafFrame& f) {
         Leaf leaf;
         leaf.patch = index_;
         leaf.degree_u = static_cast<std::uint16_t>(local_.degree_u);
         leaf.degree_v = static_cast<std::uint16_t>(local_.degree_v);
-        leaf.trim = side;
+        leaf.near_border = side == TrimSide::mixed;
+        leaf.trim = leaf.near_border && is_material(share) ? TrimSide::inside : side;
         leaf.first_point = static_cast<std::uint32_t>(set_.points.size());
         leaf.coefficient_error =
             epsilon * (8 * origin_.length() + (local_.degree_u + local_.degree_v + 4) * size_ / 2);
         const auto slip = [&](double length) {
             return std::min(widest_overlap, overlap + 16 * leaf.coefficient_error / length);
         };
-        leaf.slip = share.extent() * Vec2(slip(f.length_u), slip(f.length_v));
+        leaf.slip = share.extent() * Vec2(slip(f.length.x), slip(f.length.y));
         leaf.domain = {share.lower - leaf.slip, share.upper + leaf.slip};
         for (unsigned k = 0; k < 2; ++k) {
             if (share.lower[k] <= 0) leaf.domain.lower[k] -= beyond_.lower[k];
@@ -168,8 +187,20 @@ private:
             leaf.weight = std::max(leaf.weight, p.w);
             p = {moved.x, moved.y, moved.z, p.w};
         }
+        add_frame({local_.degree_u, local_.degree_v, points});
         set_.points.insert(set_.points.end(), points.begin(), points.end());
         set_.leaves.push_back(leaf);
+    }
+
+    void add_frame(const BezierPatchView& points) {
+        const LeafFrame frame = leaf_frame(points);
+        LeafPolynomial polynomial;
+        polynomial.coefficients.resize(points.points.size());
+        if (frame.regular) polynomial = leaf_polynomial(points, frame);
+        set_.frames.push_back(frame);
+        set_.roundings.push_back(polynomial.rounding);
+        set_.polynomials.insert(set_.polynomials.end(), polynomial.coefficients.begin(),
+                                polynomial.coefficients.end());
     }
 
     const Patch& patch_;
@@ -199,6 +230,9 @@ void append(LeafSet& all, LeafSet more) {
         all.leaves.push_back(leaf);
     }
     all.points.insert(all.points.end(), more.points.begin(), more.points.end());
+    all.frames.insert(all.frames.end(), more.frames.begin(), more.frames.end());
+    all.polynomials.insert(all.polynomials.end(), more.polynomials.begin(), more.polynomials.end());
+    all.roundings.insert(all.roundings.end(), more.roundings.begin(), more.roundings.end());
     all.trimmed_away += more.trimmed_away;
 }
 

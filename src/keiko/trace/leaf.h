@@ -2,6 +2,7 @@
 
 #include "keiko/patch/surface_model.h"
 #include "keiko/patch/trim_region.h"
+#include "keiko/trace/leaf_frame.h"
 
 #include <cstdint>
 #include <vector>
@@ -13,6 +14,7 @@ struct Leaf {
     std::uint32_t patch = 0;
     std::uint16_t degree_u = 1, degree_v = 1;
     TrimSide trim = TrimSide::inside; ///< never outside: such leaves are not kept
+    bool near_border = false;         ///< a trim curve, or its tolerance, touches it
     std::uint32_t first_point = 0;    ///< into LeafSet::points
     /// Patch parameters it covers: a little more than its share, so that no ray slips through
     /// between neighbours, nor between sewn faces.
@@ -24,6 +26,8 @@ struct Leaf {
     double radius = 0; ///< mm, of the ball about the centre that holds the control points
     double weight = 1; ///< largest weight
     double coefficient_error = 0; ///< mm, bound of what making the leaf moved a control point by
+
+    Vec2 patch_parameters(const Vec2& uv) const { return domain.lower + domain.extent() * uv; }
 };
 
 /// The leaves of one part, in part coordinates.
@@ -32,6 +36,11 @@ struct LeafSet {
     /// Homogeneous control points relative to the leaf's centre, (w (p - centre), w): in world
     /// coordinates the terms w * centre would drown the derivatives that the proof looks at.
     std::vector<Vec4> points;
+    /// One a leaf; polynomials as LeafPolynomial, entry for entry beside the points. Both are 0
+    /// for leaves without a regular frame.
+    std::vector<LeafFrame> frames;
+    std::vector<std::array<double, 4>> polynomials;
+    std::vector<std::array<double, 4>> roundings; ///< of the polynomials, one a leaf
     std::size_t trimmed_away = 0;
 
     BezierPatchView view(const Leaf& leaf) const;

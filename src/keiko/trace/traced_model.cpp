@@ -1,6 +1,7 @@
 #include "keiko/trace/traced_model.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/trace/subpatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,19 @@ std::vector<PartPlacement> placements(const SurfaceModel& model,
     return result;
 }
 
+void place_leaves(TracedModel& traced) {
+    for (std::uint32_t i = 0; i < traced.placements.size(); ++i) {
+        const PartPlacement& placement = traced.placements[i];
+        for (std::uint32_t k = 0; k < placement.leaf_count; ++k) {
+            traced.placed.push_back({i, placement.first_leaf + k});
+            traced.hot.push_back(hot_leaf(traced.leaves, placement.first_leaf + k, placement));
+        }
+    }
+    // The records hold all that tracing reads of them.
+    traced.leaves.frames = {};
+    traced.leaves.roundings = {};
+}
+
 } // namespace
 
 TracedModel traced_model(const SurfaceModel& model, double join, const Job& job) {
@@ -62,6 +76,7 @@ TracedModel traced_model(const SurfaceModel& model, double join, const Job& job)
     traced.edges = model.edges;
     traced.placements = placements(model, first_leaf);
     traced.join = join;
+    place_leaves(traced);
     return traced;
 }
 
@@ -74,27 +89,23 @@ PartRay TracedModel::to_part(const PartPlacement& placement, const Vec3& origin,
                     (error + rounding) * placement.reduction);
 }
 
-Box3 TracedModel::bounds(const PlacedLeaf& placed) const {
-    const Leaf& leaf = leaves.leaves[placed.leaf];
-    const PartPlacement& placement = placements[placed.instance];
+Box3 TracedModel::bounds(const PlacedLeaf& at) const {
+    const Leaf& leaf = leaves.leaves[at.leaf];
+    const PartPlacement& placement = placements[at.instance];
     Box3 box;
-    for (const Vec4& p : leaves.view(leaf).points) {
-        const Vec3 point = leaf.center + Vec3(p.x, p.y, p.z) / p.w;
-        box.extend(placement.identity ? point : placement.to_world.point(point));
-    }
+    // A bent leaf's quarters have far smaller hulls than its whole.
+    for (const Vec2& corner : {Vec2(0, 0), Vec2(0.5, 0), Vec2(0, 0.5), Vec2(0.5, 0.5)})
+        for (const Vec4& p : subpatch(leaves.view(leaf), {corner, corner + Vec2(0.5)})) {
+            const Vec3 point = leaf.center + Vec3(p.x, p.y, p.z) / p.w;
+            box.extend(placement.identity ? point : placement.to_world.point(point));
+        }
     return box;
-}
-
-std::vector<PlacedLeaf> TracedModel::placed_leaves() const {
-    std::vector<PlacedLeaf> placed;
-    for (std::uint32_t i = 0; i < placements.size(); ++i)
-        for (std::uint32_t k = 0; k < placements[i].leaf_count; ++k)
-            placed.push_back({i, placements[i].first_leaf + k});
-    return placed;
 }
 
 std::size_t TracedModel::bytes() const {
     return leaves.leaves.size() * sizeof(Leaf) + leaves.points.size() * sizeof(Vec4) +
+           leaves.polynomials.size() * sizeof(leaves.polynomials.front()) +
+           placed.size() * (sizeof(PlacedLeaf) + sizeof(HotLeaf)) +
            patches.size() * sizeof(PatchFrame) + faces.size() * sizeof(FaceTrim) +
            curves.size() * sizeof(TrimCurve) + edges.size() * sizeof(Edge) +
            placements.size() * sizeof(PartPlacement);

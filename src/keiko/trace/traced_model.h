@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/job.h"
-#include "keiko/trace/leaf.h"
+#include "keiko/trace/hot_leaf.h"
 #include "keiko/trace/part_ray.h"
 
 #include <optional>
@@ -44,14 +44,15 @@ struct TracedModel {
     std::vector<TrimCurve> curves;
     std::vector<Edge> edges;
     std::vector<PartPlacement> placements;
-    double join = 0; ///< mm, as TracerOptions::join
+    std::vector<PlacedLeaf> placed; ///< by instance, then by leaf
+    std::vector<HotLeaf> hot;       ///< one for each of `placed`
+    double join = 0;                ///< mm, as TracerOptions::join
 
     /// The ray seen from a placement. `origin` is any point of it; `error` as in part_ray, world.
     PartRay to_part(const PartPlacement& placement, const Vec3& origin, const Vec3& direction,
                     double error) const;
     /// World box of a placed leaf's control points, mm.
-    Box3 bounds(const PlacedLeaf& placed) const;
-    std::vector<PlacedLeaf> placed_leaves() const;
+    Box3 bounds(const PlacedLeaf& at) const;
     /// Of the arrays, roughly.
     std::size_t bytes() const;
 };

@@ -1,23 +1,38 @@
 #include "keiko/trace/tracer.h"
 
-#include "keiko/trace/embree_scene.h"
-#include "keiko/trace/leaf_hits.h"
+#include "keiko/base/parallel.h"
+#include "keiko/trace/block_search.h"
+#include "keiko/trace/evaluated_hit.h"
 #include "keiko/trace/merge_hits.h"
-#include "keiko/trace/traced_model.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 namespace keiko {
 namespace {
 
-std::vector<Box3> boxes_of(const TracedModel& model, const std::vector<PlacedLeaf>& leaves) {
-    std::vector<Box3> boxes;
-    boxes.reserve(leaves.size());
-    for (const PlacedLeaf& leaf : leaves) boxes.push_back(model.bounds(leaf));
+std::vector<Box3> boxes_of(const TracedModel& model, const Job& job) {
+    std::vector<Box3> boxes(model.placed.size());
+    parallel_for(boxes.size(), job, "",
+                 [&](std::size_t i) { boxes[i] = model.bounds(model.placed[i]); });
     return boxes;
+}
+
+BlockSearch& block_search() {
+    thread_local BlockSearch search;
+    return search;
+}
+
+/// Whether rays go through the scene so much together that a packet shares most of its steps.
+bool coherent(std::span<const TracedRay> rays, double radius) {
+    constexpr double widest_turn = 0.1, widest_spread = 0.1;
+    const TracedRay& first = rays.front();
+    return std::all_of(rays.begin(), rays.end(), [&](const TracedRay& ray) {
+        return (ray.direction - first.direction).length2() < widest_turn * widest_turn &&
+               (ray.start - first.start).length2() <
+                   widest_spread * widest_spread * radius * radius;
+    });
 }
 
 } // namespace
@@ -25,111 +40,82 @@ std::vector<Box3> boxes_of(const TracedModel& model, const std::vector<PlacedLea
 struct Tracer::Scene {
     TracerOptions options;
     TracedModel model;
-    std::vector<PlacedLeaf> leaves;
+    std::vector<Box3> leaf_boxes;
     EmbreeScene boxes;
+    LeafKernels kernels = leaf_kernels();
     TracerStatistics statistics;
 
     Scene(const SurfaceModel& source, const TracerOptions& chosen, const Job& job)
         : options(chosen),
           model(traced_model(source, chosen.join, job)),
-          leaves(model.placed_leaves()),
-          boxes(boxes_of(model, leaves), job.threads) {}
+          leaf_boxes(boxes_of(model, job)),
+          boxes(leaf_boxes, job.threads) {
+        if (!options.clipping_only) return;
+        for (HotLeaf& leaf : model.hot) leaf.set_unbounded();
+    }
 
-    template <class Visit>
-    void trace(const Ray& ray, const Visit& visit) const;
-    BorderHit border_hit(const Candidate& candidate) const;
+    SearchScene search_scene() const { return {model, boxes, kernels, options.clipping_only}; }
+    template <class Each>
+    void search(Goal goal, std::span<const Ray> rays, const Each& each) const;
+    BorderHit border_hit(const Crossing& crossing) const;
+    Hit evaluate(const Crossing& crossing) const {
+        return evaluated(model, crossing, options.second_derivatives);
+    }
 };
 
 namespace {
 
-/// The stretch of a ray inside the ball around a scene.
-struct Entry {
-    TracedRay ray;
-    Vec3 direction{0};            ///< unit
-    double begin = 0;             ///< t at the stretch's start
-    double speed = 0, length = 0; ///< mm per unit of t; mm within the ball
-};
-
-std::optional<Entry> enter(const Ray& ray, const EmbreeScene& scene) {
-    const double speed = ray.direction.length();
-    if (!is_finite(ray.origin) || !(speed > 0 && std::isfinite(speed)) || scene.bounds().empty())
-        return std::nullopt;
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    Entry entry;
-    entry.direction = ray.direction / speed;
-    entry.speed = speed;
-    const Vec3 to_center = scene.center() - ray.origin;
-    const double foot = to_center.dot(entry.direction);
-    const Vec3 off = to_center - entry.direction * foot;
-    // Far origins blur the ball's border: whatever may touch it must come in.
-    const double ball = scene.radius() * 1.001 + 64 * epsilon * to_center.length();
-    const double half2 = ball * ball - off.dot(off);
-    if (!(half2 >= 0)) return std::nullopt;
-    const double half = std::sqrt(half2);
-    entry.begin = std::max(ray.t_min, (foot - half) / speed);
-    const double end = std::min(ray.t_max, (foot + half) / speed);
-    if (!(entry.begin <= end)) return std::nullopt;
-    entry.length = (end - entry.begin) * speed;
-    // Not t_min: a hit's t must have the same last bit whatever range it is asked in.
-    const double start = to_center.length() <= ball ? 0 : (foot - half) / speed;
-    entry.ray = {.ray = &ray,
-                 .t_start = start,
-                 .start = ray.at(start),
-                 .error = 2 * epsilon * (ray.origin.length() + std::abs(start) * speed)};
-    return entry;
-}
-
-bool at_border(const Leaf& leaf, const Candidate& candidate) {
+bool at_border(const Leaf& leaf, const Crossing& crossing) {
     constexpr double near = 1e-8;
-    for (const double x : {candidate.uv.x, candidate.uv.y})
+    for (const double x : {crossing.uv.x, crossing.uv.y})
         if (!(x > near && x < 1 - near)) return true;
-    return leaf.trim == TrimSide::mixed;
+    return leaf.near_border;
 }
 
 } // namespace
 
-/// `visit(candidates)` returns the largest t still of interest, -infinity to stop.
-template <class Visit>
-void Tracer::Scene::trace(const Ray& ray, const Visit& visit) const {
-    const std::optional<Entry> entry = enter(ray, boxes);
-    if (!entry) return;
-    struct LeafVisitor final : EmbreeScene::Visitor {
-        const Scene& scene;
-        const Entry& entry;
-        const Visit& visit_hits;
-        double limit = std::numeric_limits<double>::infinity();
-
-        LeafVisitor(const Scene& s, const Entry& e, const Visit& v)
-            : scene(s), entry(e), visit_hits(v) {}
-        double visit(std::uint32_t box) override {
-            limit = visit_hits(leaf_hits(scene.model, scene.leaves[box], entry.ray,
-                                         scene.options.clipping_only, limit));
-            if (limit == -std::numeric_limits<double>::infinity()) return -1;
-            return std::clamp((limit - entry.begin) * entry.speed, 0.0, entry.length);
+/// Calls `each(index, crossings)` for every ray that comes near the scene.
+template <class Each>
+void Tracer::Scene::search(Goal goal, std::span<const Ray> rays, const Each& each) const {
+    if (boxes.bounds().empty()) return;
+    BlockSearch& block = block_search();
+    std::array<TracedRay, RayBlock::capacity> traced;
+    std::array<std::size_t, RayBlock::capacity> index{};
+    for (std::size_t begin = 0; begin < rays.size(); begin += RayBlock::capacity) {
+        std::size_t count = 0;
+        for (std::size_t i = begin; i < std::min(begin + RayBlock::capacity, rays.size()); ++i)
+            if (const auto ray = traced_ray(rays[i], boxes.center(), boxes.radius())) {
+                traced[count] = *ray;
+                index[count++] = i;
+            }
+        if (count == 0) continue;
+        const std::span<const TracedRay> all(traced.data(), count);
+        const std::size_t together = coherent(all, boxes.radius()) ? count : 1;
+        for (std::size_t first = 0; first < count; first += together) {
+            block.run(search_scene(), goal, all.subspan(first, together));
+            for (std::size_t lane = 0; lane < together; ++lane)
+                each(index[first + lane], block.found(lane));
         }
-    };
-    LeafVisitor visitor(*this, *entry, visit);
-    boxes.trace(ray.at(entry->begin), entry->direction, entry->length, visitor);
+    }
 }
 
-BorderHit Tracer::Scene::border_hit(const Candidate& candidate) const {
-    const Leaf& leaf = model.leaves.leaves[candidate.placed.leaf];
-    const double reach = candidate.seam == no_index
+BorderHit Tracer::Scene::border_hit(const Crossing& crossing) const {
+    const Leaf& leaf = model.leaves.leaves[model.placed[crossing.leaf].leaf];
+    const double reach = crossing.seam == no_index
                              ? 0
-                             : std::min(model.edges[candidate.seam].tolerance, options.join);
-    return {evaluated(model, candidate, options.second_derivatives), at_border(leaf, candidate),
-            reach};
+                             : std::min(model.edges[crossing.seam].tolerance, options.join);
+    return {evaluate(crossing), at_border(leaf, crossing), reach};
 }
 
 Tracer::Tracer(const SurfaceModel& model, const TracerOptions& options, const Job& job) {
     const auto begin = std::chrono::steady_clock::now();
     scene_ = std::make_unique<Scene>(model, options, job);
     TracerStatistics& s = scene_->statistics;
-    s.leaves = scene_->leaves.size();
+    s.leaves = scene_->model.placed.size();
     s.leaves_trimmed_away = scene_->model.leaves.trimmed_away;
-    for (const PlacedLeaf& placed : scene_->leaves)
+    for (const PlacedLeaf& placed : scene_->model.placed)
         s.leaves_mixed += scene_->model.leaves.leaves[placed.leaf].trim == TrimSide::mixed;
-    s.bytes = scene_->model.bytes() + scene_->leaves.size() * sizeof(PlacedLeaf);
+    s.bytes = scene_->model.bytes();
     s.build_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -139,58 +125,60 @@ Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
 std::optional<Hit> Tracer::nearest(const Ray& ray) const {
-    std::optional<Candidate> best;
-    scene_->trace(ray, [&](std::span<const Candidate> found) {
-        for (const Candidate& c : found)
-            if (!best || c.before(*best)) best = c;
-        return best ? best->t : std::numeric_limits<double>::infinity();
-    });
-    if (!best) return std::nullopt;
-    return evaluated(scene_->model, *best, scene_->options.second_derivatives);
+    return std::move(nearest(std::span(&ray, 1)).front());
 }
 
 bool Tracer::any(const Ray& ray) const {
-    bool hit = false;
-    scene_->trace(ray, [&](std::span<const Candidate> found) {
-        hit = hit || !found.empty();
-        return hit ? -std::numeric_limits<double>::infinity()
-                   : std::numeric_limits<double>::infinity();
-    });
-    return hit;
+    return any(std::span(&ray, 1)).front();
 }
 
 std::vector<Hit> Tracer::all(const Ray& ray) const {
-    std::vector<Candidate> candidates;
-    scene_->trace(ray, [&](std::span<const Candidate> found) {
-        candidates.insert(candidates.end(), found.begin(), found.end());
-        return std::numeric_limits<double>::infinity();
+    return std::move(all(std::span(&ray, 1)).front());
+}
+
+std::vector<Crossing> Tracer::nearest_crossings(std::span<const Ray> rays) const {
+    std::vector<Crossing> found(rays.size());
+    scene_->search(Goal::nearest, rays, [&](std::size_t i, std::span<const Crossing> crossings) {
+        if (!crossings.empty()) found[i] = crossings.front();
     });
-    std::sort(candidates.begin(), candidates.end(),
-              [](const Candidate& a, const Candidate& b) { return a.before(b); });
-    std::vector<BorderHit> hits;
-    for (const Candidate& c : candidates) hits.push_back(scene_->border_hit(c));
-    return merged(std::move(hits), ray.direction.length());
+    return found;
+}
+
+Hit Tracer::evaluate(const Crossing& crossing) const {
+    return scene_->evaluate(crossing);
 }
 
 std::vector<std::optional<Hit>> Tracer::nearest(std::span<const Ray> rays) const {
-    std::vector<std::optional<Hit>> hits;
-    hits.reserve(rays.size());
-    for (const Ray& ray : rays) hits.push_back(nearest(ray));
+    std::vector<std::optional<Hit>> hits(rays.size());
+    scene_->search(Goal::nearest, rays, [&](std::size_t i, std::span<const Crossing> crossings) {
+        if (!crossings.empty()) hits[i] = scene_->evaluate(crossings.front());
+    });
     return hits;
 }
 
 std::vector<bool> Tracer::any(std::span<const Ray> rays) const {
-    std::vector<bool> hits;
-    hits.reserve(rays.size());
-    for (const Ray& ray : rays) hits.push_back(any(ray));
+    std::vector<bool> hits(rays.size());
+    scene_->search(Goal::any, rays, [&](std::size_t i, std::span<const Crossing> crossings) {
+        hits[i] = !crossings.empty();
+    });
     return hits;
 }
 
 std::vector<std::vector<Hit>> Tracer::all(std::span<const Ray> rays) const {
-    std::vector<std::vector<Hit>> hits;
-    hits.reserve(rays.size());
-    for (const Ray& ray : rays) hits.push_back(all(ray));
+    std::vector<std::vector<Hit>> hits(rays.size());
+    scene_->search(Goal::all, rays, [&](std::size_t i, std::span<const Crossing> crossings) {
+        std::vector<Crossing> sorted(crossings.begin(), crossings.end());
+        std::sort(sorted.begin(), sorted.end(),
+                  [](const Crossing& a, const Crossing& b) { return a.before(b); });
+        std::vector<BorderHit> border_hits;
+        for (const Crossing& c : sorted) border_hits.push_back(scene_->border_hit(c));
+        hits[i] = merged(std::move(border_hits), rays[i].direction.length());
+    });
     return hits;
+}
+
+std::span<const Box3> Tracer::boxes() const {
+    return scene_->leaf_boxes;
 }
 
 const TracerStatistics& Tracer::statistics() const {

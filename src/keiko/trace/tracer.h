@@ -2,7 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/patch/surface_model.h"
-#include "keiko/trace/hit.h"
+#include "keiko/trace/crossing.h"
 
 #include <memory>
 #include <optional>
@@ -54,7 +54,15 @@ public:
     std::vector<bool> any(std::span<const Ray> rays) const;
     std::vector<std::vector<Hit>> all(std::span<const Ray> rays) const;
 
+    /// The first hit of each ray without what costs most of a Hit: one crossing a ray, in order,
+    /// false where there is none.
+    std::vector<Crossing> nearest_crossings(std::span<const Ray> rays) const;
+    /// The hit at a crossing that this tracer found.
+    Hit evaluate(const Crossing& crossing) const;
+
     const TracerStatistics& statistics() const;
+    /// World boxes of the leaves, mm: what the box hierarchy is made of.
+    std::span<const Box3> boxes() const;
     /// World box of the material, mm.
     const Box3& bounds() const;
 

@@ -1,0 +1,205 @@
+#include "keiko/trace/block_search.h"
+
+#include "keiko/trace/clipped_roots.h"
+#include "keiko/trace/narrowed_roots.h"
+#include "keiko/trace/ray_blur.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr LaneMask bit(std::size_t lane) {
+    return LaneMask{1} << lane;
+}
+
+/// Calls `work(lane)` for each lane of a mask.
+template <class Work>
+void for_lanes(LaneMask mask, const Work& work) {
+    for (; mask != 0; mask &= mask - 1) work(static_cast<std::size_t>(std::countr_zero(mask)));
+}
+
+} // namespace
+
+void BlockSearch::run(const SearchScene& scene, Goal goal, std::span<const TracedRay> rays) {
+    scene_ = &scene;
+    goal_ = goal;
+    rays_ = rays;
+    load(rays);
+    scene.boxes.trace(block_, *this);
+    RayBlock::Lanes<double> always;
+    always.fill(infinity);
+    settle(static_cast<LaneMask>((std::uint64_t{1} << rays.size()) - 1), always);
+}
+
+void BlockSearch::load(std::span<const TracedRay> rays) {
+    block_.count = rays.size();
+    for (std::size_t lane = 0; lane < rays.size(); ++lane) {
+        const TracedRay& ray = rays[lane];
+        for (unsigned k = 0; k < 3; ++k) {
+            block_.start[k][lane] = ray.start[k];
+            block_.direction[k][lane] = ray.direction[k];
+        }
+        block_.low[lane] = ray.low;
+        block_.high[lane] = ray.high;
+        // No leaf's frame is centred farther away than across the ball.
+        block_.blur[lane] = ray.error + ray_rounding * 2.5 * scene_->boxes.radius();
+        pending_[lane].clear();
+        found_[lane].clear();
+        doubtful_until_[lane] = infinity;
+    }
+}
+
+void BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
+    const HotLeaf& hot = scene_->model.hot[box];
+    if (block_.count == 1)
+        scene_->kernels.look_single(block_, hot, look_);
+    else
+        scene_->kernels.look(block_, lanes, hot, look_);
+    const LaneMask left = look_.certain | look_.single | look_.undecided;
+    if (left == 0) return;
+    LaneMask in_front = 0;
+    for_lanes(left, [&](std::size_t lane) {
+        if (doubtful_until_[lane] < look_.nearest[lane]) in_front |= bit(lane);
+    });
+    if (in_front != 0) settle(in_front, look_.nearest);
+    for_lanes(left, [&](std::size_t lane) { consider(lane, candidate(lane, box)); });
+}
+
+BlockSearch::Pending BlockSearch::candidate(std::size_t lane, std::uint32_t box) const {
+    Pending c;
+    c.box = box;
+    c.certain = (look_.certain & bit(lane)) != 0 && scene_->model.hot[box].material;
+    c.single = ((look_.certain | look_.single) & bit(lane)) != 0;
+    c.nearest = look_.nearest[lane];
+    c.farthest = look_.farthest[lane];
+    if (!std::isfinite(c.nearest) || !std::isfinite(c.farthest)) {
+        const PlacedLeaf& placed = scene_->model.placed[box];
+        const PartPlacement& at = scene_->model.placements[placed.instance];
+        const Leaf& leaf = scene_->model.leaves.leaves[placed.leaf];
+        const Vec3 center = at.identity ? leaf.center : at.to_world.point(leaf.center);
+        const double foot = (center - rays_[lane].start).dot(rays_[lane].direction);
+        const double reach = 1.000001 * at.magnification * leaf.radius + block_.blur[lane];
+        c.nearest = foot - reach;
+        c.farthest = foot + reach;
+    }
+    return c;
+}
+
+void BlockSearch::consider(std::size_t lane, Pending c) {
+    if (!(c.nearest <= block_.high[lane])) return;
+    const TracedRay& ray = rays_[lane];
+    if (ray.ray->excluded) {
+        const RootCheck check(scene_->model, ray, scene_->model.placed[c.box]);
+        if (c.single && check.meets_excluded_only(c.nearest, c.farthest)) return;
+        c.certain = c.certain && check.clear_of_excluded(c.nearest, c.farthest);
+    }
+    c.certain =
+        c.certain && c.nearest > ray.low + 2 * ray.slack && c.farthest < ray.high - 2 * ray.slack;
+    if (c.certain && goal_ == Goal::any) {
+        found_[lane].push_back({.t = ray.t_at(c.farthest), .leaf = c.box});
+        return end(lane);
+    }
+    if (c.certain && goal_ == Goal::nearest)
+        block_.high[lane] = std::min(block_.high[lane], c.farthest);
+    if (!c.certain && goal_ != Goal::all)
+        doubtful_until_[lane] = std::min(doubtful_until_[lane], c.farthest);
+    pending_[lane].push_back(c);
+}
+
+const BlockSearch::Pending* BlockSearch::first_pending(std::size_t lane, double until) {
+    const Pending* first = nullptr;
+    for (const Pending& p : pending_[lane])
+        if (p.nearest <= block_.high[lane] && p.farthest <= until &&
+            (!first || p.nearest < first->nearest))
+            first = &p;
+    return first;
+}
+
+void BlockSearch::remove_pending(std::size_t lane, std::uint32_t box) {
+    std::vector<Pending>& all = pending_[lane];
+    std::erase_if(all, [&](const Pending& p) { return p.box == box; });
+    doubtful_until_[lane] = infinity;
+    if (goal_ == Goal::all) return;
+    for (const Pending& p : all)
+        if (!p.certain) doubtful_until_[lane] = std::min(doubtful_until_[lane], p.farthest);
+}
+
+void BlockSearch::settle(LaneMask lanes, const RayBlock::Lanes<double>& until) {
+    while (true) {
+        LaneMask together = 0;
+        Pending next;
+        for_lanes(lanes, [&](std::size_t lane) {
+            const Pending* p = first_pending(lane, until[lane]);
+            if (!p)
+                lanes &= ~bit(lane);
+            else if (together == 0)
+                next = *p, together = bit(lane);
+            else if (p->box == next.box && p->single == next.single)
+                together |= bit(lane);
+        });
+        if (together == 0) return;
+        for_lanes(together, [&](std::size_t lane) { remove_pending(lane, next.box); });
+        if (next.single)
+            solve(next.box, together);
+        else
+            for_lanes(together, [&](std::size_t lane) { clip(next.box, lane); });
+    }
+}
+
+void BlockSearch::solve(std::uint32_t box, LaneMask lanes) {
+    const TracedModel& model = scene_->model;
+    const HotLeaf& hot = model.hot[box];
+    const Component4* polynomial = &model.leaves.polynomials[hot.polynomial];
+    if (block_.count == 1)
+        scene_->kernels.solve_single(block_, hot, polynomial, roots_);
+    else
+        scene_->kernels.solve(block_, lanes, hot, polynomial, roots_);
+    const LaneMask failed = roots_.failed & lanes;
+    for_lanes(roots_.found & lanes, [&](std::size_t lane) {
+        accept(lane, {.t = rays_[lane].t_at(roots_.s[lane]),
+                      .leaf = box,
+                      .uv = Vec2(roots_.x[lane] + 1, roots_.y[lane] + 1) * 0.5,
+                      .error = Vec2(roots_.error[lane] * 0.5)});
+    });
+    for_lanes(failed, [&](std::size_t lane) { clip(box, lane); });
+}
+
+void BlockSearch::clip(std::uint32_t box, std::size_t lane) {
+    clipped_.clear();
+    const bool proved = scene_->model.hot[box].regular &&
+                        narrowed_roots(scene_->model, scene_->kernels, box, rays_[lane], clipped_);
+    if (!proved) clipped_roots(scene_->model, box, rays_[lane], scene_->clipping_only, clipped_);
+    for (const Crossing& c : clipped_) accept(lane, c);
+}
+
+void BlockSearch::accept(std::size_t lane, Crossing crossing) {
+    const TracedRay& ray = rays_[lane];
+    if (!(crossing.t >= ray.ray->t_min && crossing.t <= ray.ray->t_max)) return;
+    std::vector<Crossing>& found = found_[lane];
+    if (goal_ != Goal::all && !found.empty() && !crossing.before(found.front())) return;
+    const HotLeaf& hot = scene_->model.hot[crossing.leaf];
+    const bool plain = hot.material && hot.on_patch(2 * crossing.uv.x - 1, 2 * crossing.uv.y - 1);
+    if (ray.ray->excluded || !plain) {
+        const RootCheck check(scene_->model, ray, scene_->model.placed[crossing.leaf]);
+        if (!check.passes(crossing)) return;
+    }
+    if (goal_ != Goal::all) found.clear();
+    found.push_back(crossing);
+    if (goal_ == Goal::any) return end(lane);
+    if (goal_ == Goal::nearest)
+        block_.high[lane] =
+            std::min(block_.high[lane], (crossing.t - ray.t_start) * ray.speed + ray.slack);
+}
+
+void BlockSearch::end(std::size_t lane) {
+    block_.high[lane] = -infinity;
+    pending_[lane].clear();
+    doubtful_until_[lane] = infinity;
+}
+
+} // namespace keiko

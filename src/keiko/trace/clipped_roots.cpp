@@ -1,0 +1,45 @@
+#include "keiko/trace/clipped_roots.h"
+
+#include "keiko/trace/root_finder.h"
+#include "keiko/trace/steady_normal.h"
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// At a pole many parameters give one point: several roots, yet no tangency.
+bool grazes(const BezierPatchView& points, const Vec2& uv, const Vec3& direction) {
+    const auto normal = steady_normal(evaluate(points, uv, 2), uv);
+    constexpr double grazing = 1e-3;
+    return !normal || std::abs(normal->dot(direction)) < grazing;
+}
+
+} // namespace
+
+void clipped_roots(const TracedModel& model, std::uint32_t index, const TracedRay& ray,
+                   bool clipping_only, std::vector<Crossing>& found) {
+    thread_local RootFinder prover(false), clipper(true);
+    const PlacedLeaf& placed = model.placed[index];
+    const Leaf& leaf = model.leaves.leaves[placed.leaf];
+    const PartRay part =
+        model.to_part(model.placements[placed.instance], ray.start, ray.ray->direction, ray.error);
+    if (!near_leaf(part, leaf)) return;
+    const BezierPatchView points = model.leaves.view(leaf);
+    const LeafView view = look_at(part, leaf, points);
+    RootFinder& finder = clipping_only ? clipper : prover;
+    for (const LeafRoot& root : finder.find(view.net, view.slack)) {
+        const Vec3 on_leaf = evaluate(points, root.uv, 0).position();
+        const double along = view.foot + part.direction.dot(on_leaf);
+        Crossing c{.t = ray.t_start + along / part.speed,
+                   .leaf = index,
+                   .uv = root.uv,
+                   .error = root.error};
+        if (root.clipped) c.flags = c.flags | HitFlags::clipped;
+        if (root.tangential && grazes(points, root.uv, part.direction))
+            c.flags = c.flags | HitFlags::tangential;
+        found.push_back(c);
+    }
+}
+
+} // namespace keiko

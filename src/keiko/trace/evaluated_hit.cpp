@@ -1,0 +1,92 @@
+#include "keiko/trace/evaluated_hit.h"
+
+#include "keiko/trace/steady_normal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// World derivatives by patch parameters from local ones by leaf parameters.
+SurfaceDerivatives world_derivatives(const SurfaceDerivatives& local, const Leaf& leaf,
+                                     const PartPlacement& placement) {
+    const Vec2 scale = Vec2(1) / leaf.domain.extent();
+    SurfaceDerivatives world;
+    double power_u = 1;
+    for (std::size_t k = 0; k <= 2; ++k, power_u *= scale.x) {
+        double power = power_u;
+        for (std::size_t l = 0; k + l <= 2; ++l, power *= scale.y) {
+            const Vec3 d = local.d[k][l] * power;
+            world.d[k][l] = placement.identity ? d : placement.to_world.vector(d);
+        }
+    }
+    const Vec3 position = leaf.center + local.position();
+    world.d[0][0] = placement.identity ? position : placement.to_world.point(position);
+    return world;
+}
+
+/// The limit normal where there is one, else one across the ray's own leaf.
+Vec3 normal_of(const SurfaceDerivatives& s, const Vec2& uv, const BezierPatchView& leaf,
+               const PartPlacement& placement) {
+    if (const auto normal = steady_normal(s, uv)) return *normal;
+    const SurfaceDerivatives middle = evaluate(leaf, Vec2(0.5), 1);
+    return placement.to_world.vector(middle.du())
+        .cross(placement.to_world.vector(middle.dv()))
+        .normalized();
+}
+
+/// How far a small step in parameters moves the point: the second order counted twice, which
+/// covers what follows it.
+double reach_of(const SurfaceDerivatives& s, const Vec2& step) {
+    return s.du().length() * step.x + s.dv().length() * step.y +
+           s.duu().length() * step.x * step.x + 2 * s.duv().length() * step.x * step.y +
+           s.dvv().length() * step.y * step.y;
+}
+
+Box2 root_box(const Vec2& uv, const Vec2& error) {
+    // Less would be lost in the rounding of the next ray's own start.
+    constexpr double least = 1e-9;
+    const Vec2 half(std::max(least, 4 * error.x), std::max(least, 4 * error.y));
+    return {uv - half, uv + half};
+}
+
+} // namespace
+Hit evaluated(const TracedModel& model, const Crossing& c, bool second_derivatives) {
+    const PlacedLeaf& placed = model.placed[c.leaf];
+    const Leaf& leaf = model.leaves.leaves[placed.leaf];
+    const PartPlacement& placement = model.placements[placed.instance];
+    const BezierPatchView points = model.leaves.view(leaf);
+    const Vec2 extent = leaf.domain.extent();
+    const Vec2 beyond = leaf.patch_parameters(c.uv);
+    const Vec2 uv(std::clamp(beyond.x, 0.0, 1.0), std::clamp(beyond.y, 0.0, 1.0));
+    const SurfaceDerivatives s =
+        world_derivatives(evaluate(points, (uv - leaf.domain.lower) / extent, 2), leaf, placement);
+
+    Hit hit;
+    hit.t = c.t;
+    hit.instance = placed.instance;
+    hit.patch = leaf.patch;
+    hit.face = model.patches[leaf.patch].face;
+    hit.uv = uv;
+    hit.position = s.position();
+    hit.dpdu = s.du();
+    hit.dpdv = s.dv();
+    hit.normal = normal_of(s, uv, points, placement);
+    if (second_derivatives) hit.second = SecondDerivatives{s.duu(), s.duv(), s.dvv()};
+    hit.flags = c.flags;
+    if (c.seam != no_index) hit.seam = c.seam;
+
+    const Vec2 off(std::abs(beyond.x - uv.x), std::abs(beyond.y - uv.y));
+    const Vec2 error = c.error * extent;
+    const double rounding =
+        epsilon * (8 * hit.position.length() + 32 * leaf.radius * placement.magnification);
+    hit.position_bound =
+        reach_of(s, error + off) + leaf.coefficient_error * placement.magnification + rounding;
+    hit.root = {hit.instance, hit.patch, root_box(uv, error + off)};
+    return hit;
+}
+
+} // namespace keiko

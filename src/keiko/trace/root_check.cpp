@@ -1,0 +1,98 @@
+#include "keiko/trace/root_check.h"
+
+#include "keiko/trace/steady_normal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+Vec2 clamped(const Vec2& uv) {
+    return {std::clamp(uv.x, 0.0, 1.0), std::clamp(uv.y, 0.0, 1.0)};
+}
+
+/// Of the leaf's radius: farther off an end of the ray no rounding carries a root, whatever the
+/// angle.
+constexpr double near_end = 1e-3;
+
+} // namespace
+
+RootCheck::RootCheck(const TracedModel& model, const TracedRay& ray, const PlacedLeaf& placed)
+    : model_(model), ray_(ray), placed_(placed), leaf_(model.leaves.leaves[placed.leaf]) {}
+
+bool RootCheck::passes(Crossing& crossing) const {
+    return !is_excluded(crossing) && is_material(crossing);
+}
+
+bool RootCheck::meets_excluded_only(double nearest, double farthest) const {
+    const std::optional<Root>& root = ray_.ray->excluded;
+    if (!root || root->instance != placed_.instance || root->patch != leaf_.patch ||
+        !leaf_.domain.contains(root->uv.lower) || !leaf_.domain.contains(root->uv.upper))
+        return false;
+    const double room = near_end * leaf_.radius;
+    const auto holds = [&](double s) { return nearest - room <= s && s <= farthest + room; };
+    return holds(-ray_.t_start * ray_.speed) || holds(end());
+}
+
+bool RootCheck::clear_of_excluded(double nearest, double farthest) const {
+    const std::optional<Root>& root = ray_.ray->excluded;
+    if (!root || root->instance != placed_.instance) return true;
+    if (root->patch == leaf_.patch) return false;
+    const double room =
+        2 * near_end * leaf_.radius * model_.placements[placed_.instance].magnification;
+    return nearest > room - ray_.t_start * ray_.speed && farthest < end() - room;
+}
+
+bool RootCheck::is_excluded(const Crossing& c) const {
+    const std::optional<Root>& root = ray_.ray->excluded;
+    if (!root || root->instance != placed_.instance) return false;
+    if (root->patch == leaf_.patch && root->uv.contains(leaf_.patch_parameters(c.uv))) return true;
+    const PartRay part = model_.to_part(model_.placements[placed_.instance], ray_.start,
+                                        ray_.ray->direction, ray_.error);
+    const double from_start = c.t * part.speed;
+    const double from_end = (ray_.ray->t_max - c.t) * part.speed;
+    const double distance = std::min(std::abs(from_start), std::abs(from_end));
+    if (!(distance <= near_end * leaf_.radius)) return false;
+    const auto normal = steady_normal(evaluate(model_.leaves.view(leaf_), c.uv, 2), c.uv);
+    const double sine = normal ? std::abs(normal->dot(part.direction)) : 1;
+    const double rounding =
+        64 * epsilon * (part.origin.length() + leaf_.center.length() + leaf_.radius) +
+        4 * part.error;
+    return distance * sine <= rounding;
+}
+
+bool RootCheck::is_material(Crossing& c) const {
+    const PatchFrame& patch = model_.patches[leaf_.patch];
+    const FaceTrim& trim = model_.faces[patch.face];
+    if (trim.region.untrimmed()) return true;
+    const Vec2 uv = leaf_.patch_parameters(c.uv), inside = clamped(uv);
+    const Vec2 allowed = leaf_.slip + c.error * leaf_.domain.extent();
+    const bool on_patch =
+        std::abs(uv.x - inside.x) <= allowed.x && std::abs(uv.y - inside.y) <= allowed.y;
+    if (on_patch && leaf_.trim == TrimSide::inside) return true;
+    if (on_patch && trim.region.contains(patch.to_face(inside))) return true;
+    return trim.reach > 0 && is_seam(c, uv, trim);
+}
+
+/// Whether a border's own tolerance reaches as far as the place, given beyond it.
+bool RootCheck::is_seam(Crossing& c, const Vec2& uv, const FaceTrim& trim) const {
+    const SurfaceDerivatives s = evaluate(model_.leaves.view(leaf_), c.uv, 1);
+    const PatchFrame& patch = model_.patches[leaf_.patch];
+    const Vec2 per_patch = leaf_.domain.extent(), inside = clamped(uv);
+    const Vec2 slope(patch.map_u.derivative(inside.x), patch.map_v.derivative(inside.y));
+    const Vec2 scale(s.du().length() / std::abs(slope.x * per_patch.x),
+                     s.dv().length() / std::abs(slope.y * per_patch.y));
+    const auto near = trim.region.nearest_curve(patch.to_face(uv), scale, trim.reach);
+    if (!near) return false;
+    const std::uint32_t edge = model_.curves[near->curve].edge;
+    if (edge == no_index) return false;
+    if (!(near->distance <= std::min(model_.edges[edge].tolerance, model_.join))) return false;
+    c.flags = c.flags | HitFlags::seam;
+    c.seam = edge;
+    return true;
+}
+
+} // namespace keiko

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "keiko/trace/crossing.h"
+#include "keiko/trace/traced_model.h"
+#include "keiko/trace/traced_ray.h"
+
+#include <optional>
+
+namespace keiko {
+
+/// The tests that a root on a leaf must pass to be a hit of a ray: that no one excluded it, and
+/// that there is material. Where the ray excludes a root, these are left out: roots on its patch
+/// inside its box; and, on any patch of its instance, roots at either end of the ray where the
+/// end is on the surface to within rounding. The second rule is what keeps a ray that starts on a
+/// patch border from hitting the neighbour's copy of the same point; it is measured across the
+/// surface, so that a concave surface met again at a low angle still counts.
+class RootCheck {
+public:
+    RootCheck(const TracedModel& model, const TracedRay& ray, const PlacedLeaf& placed);
+
+    /// Whether the crossing counts; marks seam hits.
+    bool passes(Crossing& crossing) const;
+    /// Of a ray that meets the leaf at most once, between these distances from its start: whether
+    /// that is the very root it excludes, which lies at one of its ends.
+    bool meets_excluded_only(double nearest, double farthest) const;
+    /// Whether no root between these distances from the start can be an excluded one.
+    bool clear_of_excluded(double nearest, double farthest) const;
+
+private:
+    /// mm from the start to where t is at its largest.
+    double end() const { return (ray_.ray->t_max - ray_.t_start) * ray_.speed; }
+    bool is_excluded(const Crossing& crossing) const;
+    bool is_material(Crossing& crossing) const;
+    bool is_seam(Crossing& crossing, const Vec2& uv, const FaceTrim& trim) const;
+
+    const TracedModel& model_;
+    const TracedRay& ray_;
+    const PlacedLeaf& placed_;
+    const Leaf& leaf_;
+};
+
+} // namespace keiko
