@@ -1,21 +1,30 @@
 #pragma once
 
 #include "keiko/patch/surface_model.h"
+#include "keiko/spec/camera.h"
 #include "keiko/trace/tracer.h"
 
-#include <string>
+#include "tests/bench/ray_set.h"
+
 #include <vector>
 
 namespace keiko::bench {
 
-/// Rays of one kind against one body.
-struct RayClass {
-    std::string name;
-    std::vector<Ray> rays;
-};
+/// The camera that primary rays come from: the best view of the body, of about `rays` pixels.
+Camera bench_camera(const SurfaceModel& model, const Tracer& tracer, std::size_t rays);
 
-/// Primary rays of the best view in rows, the rays that the body mirrors of them, and seeded random
-/// chords through its box.
-std::vector<RayClass> ray_classes(const SurfaceModel& model, const Tracer& tracer);
+/// One ray a pixel, in blocks of 4 x 4 pixels. Their differentials are for a pixel of the same
+/// picture in 1920 x 1080, so that errors in pixels do not depend on the number of rays.
+RaySet primary_rays(const Camera& camera, const Tracer& tracer);
+
+/// What the body mirrors of those rays, in their order, each excluding the root it starts from.
+RaySet mirrored_rays(const RaySet& primary, const Tracer& tracer);
+
+/// Seeded chords between points of the body's box, from outside of it.
+RaySet random_rays(const Tracer& tracer, std::size_t count);
+
+/// All classes: primary, mirrored, random, grazing. `tracer` gives the truth: it must compute
+/// second derivatives.
+std::vector<RaySet> ray_classes(const SurfaceModel& model, const Tracer& tracer, std::size_t count);
 
 } // namespace keiko::bench

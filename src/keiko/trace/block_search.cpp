@@ -17,47 +17,40 @@ constexpr LaneMask bit(std::size_t lane) {
     return LaneMask{1} << lane;
 }
 
+std::size_t first_lane(LaneMask mask) {
+    return static_cast<std::size_t>(std::countr_zero(mask));
+}
+
 /// Calls `work(lane)` for each lane of a mask.
 template <class Work>
 void for_lanes(LaneMask mask, const Work& work) {
-    for (; mask != 0; mask &= mask - 1) work(static_cast<std::size_t>(std::countr_zero(mask)));
+    for (; mask != 0; mask &= mask - 1) work(first_lane(mask));
 }
 
 } // namespace
 
-void BlockSearch::run(const SearchScene& scene, Goal goal, std::span<const TracedRay> rays) {
+void BlockSearch::run(const SearchScene& scene, Goal goal, std::span<const Ray> rays) {
     scene_ = &scene;
     goal_ = goal;
-    rays_ = rays;
-    load(rays);
+    block_.count = rays.size();
+    for (std::size_t lane = 0; lane < rays.size(); ++lane) {
+        block_.rays[lane] = &rays[lane];
+        found_[lane].clear();
+        pending_[lane].clear();
+        doubtful_until_[lane] = infinity;
+    }
+    scene.kernels.enter({scene.boxes.center(), scene.boxes.radius()}, block_);
+    if (block_.active == 0) return;
     scene.boxes.trace(block_, *this);
     RayBlock::Lanes<double> always;
     always.fill(infinity);
-    settle(static_cast<LaneMask>((std::uint64_t{1} << rays.size()) - 1), always);
-}
-
-void BlockSearch::load(std::span<const TracedRay> rays) {
-    block_.count = rays.size();
-    for (std::size_t lane = 0; lane < rays.size(); ++lane) {
-        const TracedRay& ray = rays[lane];
-        for (unsigned k = 0; k < 3; ++k) {
-            block_.start[k][lane] = ray.start[k];
-            block_.direction[k][lane] = ray.direction[k];
-        }
-        block_.low[lane] = ray.low;
-        block_.high[lane] = ray.high;
-        // No leaf's frame is centred farther away than across the ball.
-        block_.blur[lane] = ray.error + ray_rounding * 2.5 * scene_->boxes.radius();
-        pending_[lane].clear();
-        found_[lane].clear();
-        doubtful_until_[lane] = infinity;
-    }
+    settle(block_.active, always);
 }
 
 void BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
     const HotLeaf& hot = scene_->model.hot[box];
-    if (block_.count == 1)
-        scene_->kernels.look_single(block_, hot, look_);
+    if (std::has_single_bit(lanes))
+        scene_->kernels.look_single(block_, first_lane(lanes), hot, look_);
     else
         scene_->kernels.look(block_, lanes, hot, look_);
     const LaneMask left = look_.certain | look_.single | look_.undecided;
@@ -82,7 +75,8 @@ BlockSearch::Pending BlockSearch::candidate(std::size_t lane, std::uint32_t box)
         const PartPlacement& at = scene_->model.placements[placed.instance];
         const Leaf& leaf = scene_->model.leaves.leaves[placed.leaf];
         const Vec3 center = at.identity ? leaf.center : at.to_world.point(leaf.center);
-        const double foot = (center - rays_[lane].start).dot(rays_[lane].direction);
+        const TracedRay ray = block_.ray(lane);
+        const double foot = (center - ray.start).dot(ray.direction);
         const double reach = 1.000001 * at.magnification * leaf.radius + block_.blur[lane];
         c.nearest = foot - reach;
         c.farthest = foot + reach;
@@ -92,16 +86,19 @@ BlockSearch::Pending BlockSearch::candidate(std::size_t lane, std::uint32_t box)
 
 void BlockSearch::consider(std::size_t lane, Pending c) {
     if (!(c.nearest <= block_.high[lane])) return;
-    const TracedRay& ray = rays_[lane];
-    if (ray.ray->excluded) {
+    const bool excluding = block_.rays[lane]->excluded.has_value();
+    if (excluding) {
+        const TracedRay ray = block_.ray(lane);
         const RootCheck check(scene_->model, ray, scene_->model.placed[c.box]);
         if (c.single && check.meets_excluded_only(c.nearest, c.farthest)) return;
         c.certain = c.certain && check.clear_of_excluded(c.nearest, c.farthest);
     }
+    const double room = 2 * block_.slack[lane];
     c.certain =
-        c.certain && c.nearest > ray.low + 2 * ray.slack && c.farthest < ray.high - 2 * ray.slack;
+        c.certain && c.nearest > block_.low[lane] + room && c.farthest < block_.high[lane] - room;
     if (c.certain && goal_ == Goal::any) {
-        found_[lane].push_back({.t = ray.t_at(c.farthest), .leaf = c.box});
+        found_[lane].push_back(
+            {.t = block_.t_start[lane] + c.farthest / block_.speed[lane], .leaf = c.box});
         return end(lane);
     }
     if (c.certain && goal_ == Goal::nearest)
@@ -155,13 +152,13 @@ void BlockSearch::solve(std::uint32_t box, LaneMask lanes) {
     const TracedModel& model = scene_->model;
     const HotLeaf& hot = model.hot[box];
     const Component4* polynomial = &model.leaves.polynomials[hot.polynomial];
-    if (block_.count == 1)
-        scene_->kernels.solve_single(block_, hot, polynomial, roots_);
+    if (std::has_single_bit(lanes))
+        scene_->kernels.solve_single(block_, first_lane(lanes), hot, polynomial, roots_);
     else
         scene_->kernels.solve(block_, lanes, hot, polynomial, roots_);
-    const LaneMask failed = roots_.failed & lanes;
-    for_lanes(roots_.found & lanes, [&](std::size_t lane) {
-        accept(lane, {.t = rays_[lane].t_at(roots_.s[lane]),
+    const LaneMask failed = roots_.failed;
+    for_lanes(roots_.found, [&](std::size_t lane) {
+        accept(lane, {.t = block_.t_start[lane] + roots_.s[lane] / block_.speed[lane],
                       .leaf = box,
                       .uv = Vec2(roots_.x[lane] + 1, roots_.y[lane] + 1) * 0.5,
                       .error = Vec2(roots_.error[lane] * 0.5)});
@@ -171,21 +168,24 @@ void BlockSearch::solve(std::uint32_t box, LaneMask lanes) {
 
 void BlockSearch::clip(std::uint32_t box, std::size_t lane) {
     clipped_.clear();
-    const bool proved = scene_->model.hot[box].regular &&
-                        narrowed_roots(scene_->model, scene_->kernels, box, rays_[lane], clipped_);
-    if (!proved) clipped_roots(scene_->model, box, rays_[lane], scene_->clipping_only, clipped_);
+    const bool proved =
+        scene_->model.hot[box].regular &&
+        narrowed_roots(scene_->model, scene_->kernels, box, block_.ray(lane), clipped_);
+    if (!proved)
+        clipped_roots(scene_->model, box, block_.ray(lane), scene_->clipping_only, clipped_);
     for (const Crossing& c : clipped_) accept(lane, c);
 }
 
 void BlockSearch::accept(std::size_t lane, Crossing crossing) {
-    const TracedRay& ray = rays_[lane];
-    if (!(crossing.t >= ray.ray->t_min && crossing.t <= ray.ray->t_max)) return;
+    const Ray& ray = *block_.rays[lane];
+    if (!(crossing.t >= ray.t_min && crossing.t <= ray.t_max)) return;
     std::vector<Crossing>& found = found_[lane];
     if (goal_ != Goal::all && !found.empty() && !crossing.before(found.front())) return;
     const HotLeaf& hot = scene_->model.hot[crossing.leaf];
     const bool plain = hot.material && hot.on_patch(2 * crossing.uv.x - 1, 2 * crossing.uv.y - 1);
-    if (ray.ray->excluded || !plain) {
-        const RootCheck check(scene_->model, ray, scene_->model.placed[crossing.leaf]);
+    if (ray.excluded || !plain) {
+        const TracedRay traced = block_.ray(lane);
+        const RootCheck check(scene_->model, traced, scene_->model.placed[crossing.leaf]);
         if (!check.passes(crossing)) return;
     }
     if (goal_ != Goal::all) found.clear();
@@ -193,7 +193,8 @@ void BlockSearch::accept(std::size_t lane, Crossing crossing) {
     if (goal_ == Goal::any) return end(lane);
     if (goal_ == Goal::nearest)
         block_.high[lane] =
-            std::min(block_.high[lane], (crossing.t - ray.t_start) * ray.speed + ray.slack);
+            std::min(block_.high[lane],
+                     (crossing.t - block_.t_start[lane]) * block_.speed[lane] + block_.slack[lane]);
 }
 
 void BlockSearch::end(std::size_t lane) {

@@ -20,7 +20,7 @@ struct SearchScene {
     bool clipping_only = false;
 };
 
-/// The search of up to 16 rays at once, as one packet when there are several. A leaf that the
+/// The search of up to 16 rays at once, as one packet when they are coherent. A leaf that the
 /// first look does not rule out is kept for later: a proved root already ends the ray behind it,
 /// and only what may still be the nearest in the end is solved. Keeps its buffers between runs;
 /// not for two threads at once.
@@ -28,7 +28,7 @@ class BlockSearch final : EmbreeScene::Visitor {
 public:
     /// Afterwards found(i) holds the answers for rays[i]: none or one for `nearest` and `any` (for
     /// `any` some hit, with nothing but its leaf), every one in no order for `all`.
-    void run(const SearchScene& scene, Goal goal, std::span<const TracedRay> rays);
+    void run(const SearchScene& scene, Goal goal, std::span<const Ray> rays);
     std::span<const Crossing> found(std::size_t lane) const { return found_[lane]; }
 
 private:
@@ -52,11 +52,10 @@ private:
     void clip(std::uint32_t box, std::size_t lane);
     void accept(std::size_t lane, Crossing crossing);
     void end(std::size_t lane);
-    void load(std::span<const TracedRay> rays);
+    void trace();
 
     const SearchScene* scene_ = nullptr;
     Goal goal_ = Goal::nearest;
-    std::span<const TracedRay> rays_;
     RayBlock block_;
     LeafLook look_;
     LeafRoots roots_;

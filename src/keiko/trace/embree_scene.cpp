@@ -5,6 +5,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -27,12 +28,14 @@ struct Search : RTCIntersectContext {
     std::exception_ptr failure;
 };
 
-/// What is left of a ray for Embree.
-float far_end(const RayBlock& rays, std::size_t lane) {
-    // Infinity stays infinity; any other end is kept at 0 or beyond, where Embree wants it.
-    const double high = rays.high[lane];
-    constexpr double ended = -std::numeric_limits<double>::infinity();
-    return round_up(high == ended ? high : std::max(high, 0.0));
+/// The nearest single numbers that leave no distance out. Ends of 0 and below are kept at 0,
+/// where Embree wants them; a lane that has ended stays so.
+float near_end(double low) {
+    return low > 0 ? static_cast<float>(low) * (1 - 0x1p-23F) : 0.0F;
+}
+float far_end(double high) {
+    if (high > 0) return static_cast<float>(high) * (1 + 0x1p-23F);
+    return high == -std::numeric_limits<double>::infinity() ? static_cast<float>(high) : 0.0F;
 }
 
 void visit(Search& search, unsigned box, LaneMask lanes) {
@@ -56,16 +59,17 @@ void on_bounds(const RTCBoundsFunctionArguments* arguments) {
 
 void on_intersect(const RTCIntersectFunctionNArguments* arguments) {
     Search& search = *static_cast<Search*>(arguments->context);
-    RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
+    const unsigned count = arguments->N;
+    RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, count);
     LaneMask lanes = 0;
-    for (unsigned i = 0; i < arguments->N; ++i)
-        if (arguments->valid[i] != 0) lanes |= LaneMask{1} << RTCRayN_id(rays, arguments->N, i);
+    for (unsigned i = 0; i < count; ++i)
+        if (arguments->valid[i] != 0) lanes |= LaneMask{1} << RTCRayN_id(rays, count, i);
     if (!search.failure) visit(search, arguments->primID, lanes);
-    for (unsigned i = 0; i < arguments->N; ++i)
+    for (unsigned i = 0; i < count; ++i)
         if (arguments->valid[i] != 0)
-            RTCRayN_tfar(rays, arguments->N, i) =
+            RTCRayN_tfar(rays, count, i) =
                 search.failure ? -std::numeric_limits<float>::infinity()
-                               : far_end(*search.rays, RTCRayN_id(rays, arguments->N, i));
+                               : far_end(search.rays->high[RTCRayN_id(rays, count, i)]);
 }
 
 } // namespace
@@ -120,39 +124,48 @@ EmbreeScene::~EmbreeScene() = default;
 
 namespace {
 
-/// Lane `lane` of a block as lane `at` of an Embree query of `count` rays.
-void fill(RTCRayN* query, unsigned count, unsigned at, const RayBlock& rays, std::size_t lane,
-          const Vec3& center) {
-    RTCRayN_org_x(query, count, at) = static_cast<float>(rays.start[0][lane] - center.x);
-    RTCRayN_org_y(query, count, at) = static_cast<float>(rays.start[1][lane] - center.y);
-    RTCRayN_org_z(query, count, at) = static_cast<float>(rays.start[2][lane] - center.z);
-    RTCRayN_dir_x(query, count, at) = static_cast<float>(rays.direction[0][lane]);
-    RTCRayN_dir_y(query, count, at) = static_cast<float>(rays.direction[1][lane]);
-    RTCRayN_dir_z(query, count, at) = static_cast<float>(rays.direction[2][lane]);
-    RTCRayN_tnear(query, count, at) = round_down(std::max(rays.low[lane], 0.0));
-    RTCRayN_tfar(query, count, at) = far_end(rays, lane);
-    RTCRayN_time(query, count, at) = 0;
-    RTCRayN_mask(query, count, at) = 0xffffffff;
-    RTCRayN_id(query, count, at) = static_cast<unsigned>(lane);
-    RTCRayN_flags(query, count, at) = 0;
-}
-
-void trace_single(RTCScene scene, Search& search, const Vec3& center) {
+void trace_single(RTCScene scene, Search& search, const Vec3& center, std::size_t lane) {
+    const RayBlock& rays = *search.rays;
     RTCRayHit query;
-    fill(reinterpret_cast<RTCRayN*>(&query.ray), 1, 0, *search.rays, 0, center);
+    query.ray.org_x = static_cast<float>(rays.start[0][lane] - center.x);
+    query.ray.org_y = static_cast<float>(rays.start[1][lane] - center.y);
+    query.ray.org_z = static_cast<float>(rays.start[2][lane] - center.z);
+    query.ray.dir_x = static_cast<float>(rays.direction[0][lane]);
+    query.ray.dir_y = static_cast<float>(rays.direction[1][lane]);
+    query.ray.dir_z = static_cast<float>(rays.direction[2][lane]);
+    query.ray.tnear = near_end(rays.low[lane]);
+    query.ray.tfar = far_end(rays.high[lane]);
+    query.ray.time = 0;
+    query.ray.mask = 0xffffffff;
+    query.ray.id = static_cast<unsigned>(lane);
+    query.ray.flags = 0;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene, &search, &query);
 }
 
 void trace_packet(RTCScene scene, Search& search, const Vec3& center) {
+    const RayBlock& rays = *search.rays;
     RTCRayHit16 query;
     alignas(64) int valid[RayBlock::capacity];
-    for (unsigned lane = 0; lane < RayBlock::capacity; ++lane) {
-        valid[lane] = lane < search.rays->count ? -1 : 0;
-        const unsigned from = valid[lane] != 0 ? lane : 0;
-        fill(reinterpret_cast<RTCRayN*>(&query.ray), RayBlock::capacity, lane, *search.rays, from,
-             center);
-        query.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+    const auto moved = [](const RayBlock::Lanes<double>& from, double by, float* to) {
+        for (std::size_t i = 0; i < RayBlock::capacity; ++i)
+            to[i] = static_cast<float>(from[i] - by);
+    };
+    moved(rays.start[0], center.x, query.ray.org_x);
+    moved(rays.start[1], center.y, query.ray.org_y);
+    moved(rays.start[2], center.z, query.ray.org_z);
+    moved(rays.direction[0], 0, query.ray.dir_x);
+    moved(rays.direction[1], 0, query.ray.dir_y);
+    moved(rays.direction[2], 0, query.ray.dir_z);
+    for (unsigned i = 0; i < RayBlock::capacity; ++i) {
+        valid[i] = (rays.active >> i & 1) != 0 ? -1 : 0;
+        query.ray.tnear[i] = near_end(rays.low[i]);
+        query.ray.tfar[i] = far_end(rays.high[i]);
+        query.ray.time[i] = 0;
+        query.ray.mask[i] = 0xffffffff;
+        query.ray.id[i] = i;
+        query.ray.flags[i] = 0;
+        query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
     search.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(valid, scene, &search, &query);
@@ -165,10 +178,14 @@ void EmbreeScene::trace(const RayBlock& rays, Visitor& visitor) const {
     rtcInitIntersectContext(&search);
     search.rays = &rays;
     search.visitor = &visitor;
-    if (rays.count == 1)
-        trace_single(handles_->scene, search, center_);
-    else
+    constexpr int fewest_for_packet = 3;
+    if (rays.coherent && std::popcount(rays.active) >= fewest_for_packet) {
         trace_packet(handles_->scene, search, center_);
+    } else {
+        for (LaneMask left = rays.active; left != 0; left &= left - 1)
+            trace_single(handles_->scene, search, center_,
+                         static_cast<std::size_t>(std::countr_zero(left)));
+    }
     if (search.failure) std::rethrow_exception(search.failure);
 }
 

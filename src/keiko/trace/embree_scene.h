@@ -28,7 +28,7 @@ public:
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
     /// Visits boxes roughly front to back along the rays of a block, for s in [low, high]. The
-    /// starts are in or near the ball around the boxes. A block of several rays goes through as a
+    /// starts are in or near the ball around the boxes. A coherent block goes through as a
     /// packet. An exception of the visitor ends the search and is rethrown here, for none may
     /// cross Embree.
     void trace(const RayBlock& rays, Visitor& visitor) const;

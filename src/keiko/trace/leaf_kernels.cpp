@@ -3,6 +3,8 @@
 #include "keiko/trace/ray_blur.h"
 
 #include <algorithm>
+#include <bit>
+#include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "keiko/trace/leaf_kernels.cpp"
@@ -16,6 +18,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// A mask of a vector that begins at `lane`, by lanes of the block.
+template <class D>
+LaneMask lane_bits(D d, hn::Mask<D> mask, std::size_t lane) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, mask, bits);
+    return static_cast<LaneMask>(bits[0]) << lane;
+}
 
 /// A leaf as a ray sees it: the ray meets the plane of the frame at (a, b), moving by (p, q)
 /// for each unit of height.
@@ -78,6 +88,8 @@ private:
     V strip_u_, strip_v_, bend_, reach_, blur_s_;
 };
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// Beyond this the proofs' own rounding would matter.
 constexpr double largest_contraction = 0.95;
 /// 1 / cosine: rays lower over the leaf see a plane that is mostly rounding.
@@ -105,11 +117,7 @@ void look_at(D d, const RayBlock& rays, std::size_t lane, const HotLeaf& leaf, L
     const auto inside = hn::And(within(v.a, v.strip_u(), 0), within(v.b, v.strip_v(), 1));
     hn::Store(near_s, d, result.nearest.data() + lane);
     hn::Store(far_s, d, result.farthest.data() + lane);
-    const auto bits = [&](auto mask) {
-        std::uint8_t b8[8] = {};
-        hn::StoreMaskBits(d, mask, b8);
-        return static_cast<LaneMask>(b8[0]) << lane;
-    };
+    const auto bits = [&](hn::Mask<D> mask) { return lane_bits(d, mask, lane); };
     result.certain |= bits(hn::And(single, inside));
     result.single |= bits(hn::AndNot(inside, single));
     result.undecided |= bits(hn::AndNot(single, left));
@@ -268,31 +276,100 @@ LaneMask solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask wante
     hn::Store(y, d, result.y.data() + lane);
     hn::Store(error, d, result.error.data() + lane);
     hn::Store(s, d, result.s.data() + lane);
-    const auto bits = [&](auto mask) {
-        std::uint8_t b8[8] = {};
-        hn::StoreMaskBits(d, mask, b8);
-        return static_cast<LaneMask>(b8[0]) << lane;
-    };
+    const auto bits = [&](hn::Mask<D> mask) { return lane_bits(d, mask, lane); };
     result.failed |= bits(active);
     return bits(found);
 }
 
+/// The start moved up to the ball; no lane of the result that has no direction, or misses it.
+template <class D>
+LaneMask enter_lanes(D d, const SceneBall& scene, RayBlock& rays, std::size_t lane) {
+    using V = hn::Vec<D>;
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    const auto load = [&](const RayBlock::Lanes<double>& from) {
+        return hn::Load(d, from.data() + lane);
+    };
+    const auto store = [&](V value, RayBlock::Lanes<double>& to) {
+        hn::Store(value, d, to.data() + lane);
+    };
+    const auto set = [&](double x) { return hn::Set(d, x); };
+    const auto dot = [&](const std::array<V, 3>& a, const std::array<V, 3>& b) {
+        return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
+    };
+    const std::array<V, 3> origin{load(rays.start[0]), load(rays.start[1]), load(rays.start[2])};
+    const std::array<V, 3> given{load(rays.direction[0]), load(rays.direction[1]),
+                                 load(rays.direction[2])};
+    const V speed = hn::Sqrt(dot(given, given));
+    std::array<V, 3> direction, to_center, off;
+    for (unsigned k = 0; k < 3; ++k) {
+        direction[k] = hn::Div(given[k], speed);
+        to_center[k] = hn::Sub(set(scene.center[k]), origin[k]);
+    }
+    const V foot = dot(to_center, direction), away = hn::Sqrt(dot(to_center, to_center));
+    for (unsigned k = 0; k < 3; ++k) off[k] = hn::NegMulAdd(direction[k], foot, to_center[k]);
+    // Far origins blur the ball's border: whatever may touch it must come in.
+    const V ball = hn::MulAdd(set(64 * epsilon), away, set(scene.radius * 1.001));
+    const V half_square = hn::NegMulAdd(
+        off[0], off[0],
+        hn::NegMulAdd(off[1], off[1], hn::NegMulAdd(off[2], off[2], hn::Mul(ball, ball))));
+    const V half = hn::Sqrt(half_square);
+    // Not t_min: a hit's t must have the same last bit whatever range it is asked in.
+    const auto inside = hn::Le(away, ball);
+    const V t_start = hn::IfThenZeroElse(inside, hn::Div(hn::Sub(foot, half), speed));
+    for (unsigned k = 0; k < 3; ++k) {
+        store(hn::MulAdd(given[k], t_start, origin[k]), rays.start[k]);
+        store(direction[k], rays.direction[k]);
+    }
+    const V way = hn::Mul(t_start, speed);
+    const V slack = hn::Mul(set(8 * epsilon), hn::Add(away, ball));
+    const V error = hn::Mul(set(2 * epsilon), hn::Add(hn::Sqrt(dot(origin, origin)), hn::Abs(way)));
+    const V t_low = hn::Mul(load(rays.low), speed), t_high = hn::Mul(load(rays.high), speed);
+    const V low = hn::Sub(hn::Sub(hn::Max(t_low, hn::Sub(foot, half)), way), slack);
+    const V high = hn::Add(hn::Sub(hn::Min(t_high, hn::Add(foot, half)), way), slack);
+    store(low, rays.low);
+    store(high, rays.high);
+    store(t_start, rays.t_start);
+    store(speed, rays.speed);
+    store(error, rays.error);
+    store(slack, rays.slack);
+    // No leaf's frame is centred farther away than across the ball.
+    store(hn::Add(error, set(ray_rounding * 2.5 * scene.radius)), rays.blur);
+    return lane_bits(d,
+                     hn::And(hn::And(hn::Gt(speed, hn::Zero(d)), hn::Lt(speed, set(infinity))),
+                             hn::And(hn::Ge(half_square, hn::Zero(d)),
+                                     hn::And(hn::Le(t_low, t_high), hn::Le(low, high)))),
+                     lane);
+}
+
+/// Boxes that may hold roots; a vector may be read or written past the last.
+struct BoxStack {
+    static constexpr std::size_t capacity = 512, margin = 16;
+
+    std::size_t size = 0;
+    alignas(64) std::array<double, capacity + margin> x, y, half_x, half_y;
+};
+
+/// Boxes of one vector.
+template <class V>
+struct Boxes {
+    V x, y, half_x, half_y;
+};
+
 /// What one step makes of a vector of boxes.
+template <class D>
 struct NarrowedBoxes {
-    alignas(64) std::array<double, 8> x, y, half_x, half_y;
-    std::uint8_t left = 0, single = 0, root = 0, poor = 0;
+    Boxes<hn::Vec<D>> boxes;
+    hn::Mask<D> left, single, root, poor;
 };
 
 /// Krawczyk's method: in a box around z of half size r, with J the Jacobian at z, every root is
 /// within J^-1 (K r^2 / 2 + noise) of Newton's z - J^-1 F(z); where |J^-1| K r is below 1 there is
 /// at most one.
 template <class D>
-void narrow_lanes(D d, const PlanePair& planes, const HotLeaf& leaf, const Component4* polynomial,
-                  NarrowedBoxes& b, std::size_t lane) {
+NarrowedBoxes<D> narrowed(D d, const PlanePair& planes, const HotLeaf& leaf,
+                          const Component4* polynomial, const Boxes<hn::Vec<D>>& b) {
     using V = hn::Vec<D>;
-    const V x = hn::Load(d, b.x.data() + lane), y = hn::Load(d, b.y.data() + lane);
-    const V rx = hn::Load(d, b.half_x.data() + lane), ry = hn::Load(d, b.half_y.data() + lane);
-    const Jet<V> at = jet_of(d, leaf, polynomial, x, y);
+    const Jet<V> at = jet_of(d, leaf, polynomial, b.x, b.y);
     const auto seen = [&](const std::array<V, 4>& c, std::size_t plane) {
         const Component4& w = planes.weights[plane];
         return hn::MulAdd(
@@ -303,103 +380,156 @@ void narrow_lanes(D d, const PlanePair& planes, const HotLeaf& leaf, const Compo
     const V f = seen(at.value, 0), g = seen(at.value, 1);
     const V fx = seen(at.by_x, 0), gx = seen(at.by_x, 1);
     const V fy = seen(at.by_y, 0), gy = seen(at.by_y, 1);
-    const V r = hn::Max(rx, ry), half_square = hn::Mul(hn::Mul(hn::Set(d, 0.5), r), r);
+    const V one = hn::Set(d, 1), half = hn::Set(d, 0.5);
+    const V r = hn::Max(b.half_x, b.half_y), half_square = hn::Mul(hn::Mul(half, r), r);
     const auto rest = [&](std::size_t plane) {
         return hn::MulAdd(hn::Set(d, planes.bend[plane]), half_square,
                           hn::Set(d, planes.noise[plane]));
     };
     const V rest_f = rest(0), rest_g = rest(1);
     const auto clear = [&](V value, V by_x, V by_y, V remainder) {
-        return hn::Gt(hn::Abs(value),
-                      hn::MulAdd(hn::Abs(by_x), rx, hn::MulAdd(hn::Abs(by_y), ry, remainder)));
+        return hn::Gt(hn::Abs(value), hn::MulAdd(hn::Abs(by_x), b.half_x,
+                                                 hn::MulAdd(hn::Abs(by_y), b.half_y, remainder)));
     };
-    const V one = hn::Set(d, 1);
     const V scale = hn::Div(one, hn::NegMulAdd(fy, gx, hn::Mul(fx, gy)));
-    const V size = hn::Abs(scale);
-    const V dx = hn::Mul(hn::NegMulAdd(gy, f, hn::Mul(fy, g)), scale);
-    const V dy = hn::Mul(hn::NegMulAdd(fx, g, hn::Mul(gx, f)), scale);
+    const V newton_x = hn::MulAdd(hn::NegMulAdd(gy, f, hn::Mul(fy, g)), scale, b.x);
+    const V newton_y = hn::MulAdd(hn::NegMulAdd(fx, g, hn::Mul(gx, f)), scale, b.y);
     const auto spread = [&](V along_g, V along_f, V first, V second) {
-        return hn::Mul(size,
+        return hn::Mul(hn::Abs(scale),
                        hn::MulAdd(hn::Abs(along_g), first, hn::Mul(hn::Abs(along_f), second)));
     };
+    const auto widest = [&](V first, V second) {
+        return hn::Max(spread(gy, fy, first, second), spread(gx, fx, first, second));
+    };
     const V rest_x = spread(gy, fy, rest_f, rest_g), rest_y = spread(gx, fx, rest_f, rest_g);
-    const V bend_f = hn::Mul(hn::Set(d, planes.bend[0]), r);
-    const V bend_g = hn::Mul(hn::Set(d, planes.bend[1]), r);
-    const V contraction = hn::Max(spread(gy, fy, bend_f, bend_g), spread(gx, fx, bend_f, bend_g));
-    const V noise_f = hn::Set(d, planes.noise[0]), noise_g = hn::Set(d, planes.noise[1]);
-    const V noise = hn::Max(spread(gy, fy, noise_f, noise_g), spread(gx, fx, noise_f, noise_g));
+    const V contraction =
+        widest(hn::Mul(hn::Set(d, planes.bend[0]), r), hn::Mul(hn::Set(d, planes.bend[1]), r));
+    const V noise = widest(hn::Set(d, planes.noise[0]), hn::Set(d, planes.noise[1]));
 
-    const auto single = hn::Lt(contraction, hn::Set(d, largest_contraction));
-    const V low_x = hn::Max(hn::Sub(x, rx), hn::Sub(hn::Add(x, dx), rest_x));
-    const V high_x = hn::Min(hn::Add(x, rx), hn::Add(hn::Add(x, dx), rest_x));
-    const V low_y = hn::Max(hn::Sub(y, ry), hn::Sub(hn::Add(y, dy), rest_y));
-    const V high_y = hn::Min(hn::Add(y, ry), hn::Add(hn::Add(y, dy), rest_y));
+    const V low_x = hn::Max(hn::Sub(b.x, b.half_x), hn::Sub(newton_x, rest_x));
+    const V high_x = hn::Min(hn::Add(b.x, b.half_x), hn::Add(newton_x, rest_x));
+    const V low_y = hn::Max(hn::Sub(b.y, b.half_y), hn::Sub(newton_y, rest_y));
+    const V high_y = hn::Min(hn::Add(b.y, b.half_y), hn::Add(newton_y, rest_y));
+    // Where J is singular Newton says nothing, not even that: the box stays as it was.
+    const auto sane = hn::And(hn::Le(low_x, high_x), hn::Le(low_y, high_y));
     const auto empty = hn::Or(hn::Or(hn::Gt(low_x, high_x), hn::Gt(low_y, high_y)),
                               hn::Or(clear(f, fx, fy, rest_f), clear(g, gx, gy, rest_g)));
-    const V half = hn::Set(d, 0.5);
-    // Where J is singular Newton says nothing: the box stays as it was.
-    const auto sane = hn::And(hn::Le(low_x, high_x), hn::Le(low_y, high_y));
-    const V new_rx = hn::IfThenElse(sane, hn::Mul(half, hn::Sub(high_x, low_x)), rx);
-    const V new_ry = hn::IfThenElse(sane, hn::Mul(half, hn::Sub(high_y, low_y)), ry);
+    const V half_x = hn::IfThenElse(sane, hn::Mul(half, hn::Sub(high_x, low_x)), b.half_x);
+    const V half_y = hn::IfThenElse(sane, hn::Mul(half, hn::Sub(high_y, low_y)), b.half_y);
+    const auto poor = hn::And(hn::Gt(half_x, hn::Mul(hn::Set(d, 0.6), b.half_x)),
+                              hn::Gt(half_y, hn::Mul(hn::Set(d, 0.6), b.half_y)));
+    const auto single = hn::Lt(contraction, hn::Set(d, largest_contraction));
     const auto close = hn::Le(hn::Mul(contraction, r), far_below(d, noise));
-    const auto poor = hn::And(hn::Gt(new_rx, hn::Mul(hn::Set(d, 0.6), rx)),
-                              hn::Gt(new_ry, hn::Mul(hn::Set(d, 0.6), ry)));
-    const auto bits = [&](auto mask) {
-        std::uint8_t b8[8] = {};
-        hn::StoreMaskBits(d, mask, b8);
-        return static_cast<std::uint8_t>(b8[0] << lane);
-    };
     const auto root = hn::And(single, hn::Or(close, poor));
-    b.left = static_cast<std::uint8_t>(b.left | bits(hn::Not(empty)));
-    b.single = static_cast<std::uint8_t>(b.single | bits(single));
-    b.root = static_cast<std::uint8_t>(b.root | bits(root));
-    b.poor = static_cast<std::uint8_t>(b.poor | bits(hn::AndNot(single, poor)));
     // Of a root Newton's own place and bound, not the middle of what two boxes have in common.
-    const auto store_place = [&](V newton, V low, V high, V old, double* to) {
+    const auto place = [&](V newton, V low, V high, V old) {
         const V on_leaf = hn::Min(hn::Max(newton, hn::Neg(one)), one);
         const V middle = hn::IfThenElse(sane, hn::Mul(half, hn::Add(low, high)), old);
-        hn::Store(hn::IfThenElse(root, on_leaf, middle), d, to + lane);
+        return hn::IfThenElse(root, on_leaf, middle);
     };
-    store_place(hn::Add(x, dx), low_x, high_x, x, b.x.data());
-    store_place(hn::Add(y, dy), low_y, high_y, y, b.y.data());
-    hn::Store(hn::IfThenElse(root, rest_x, new_rx), d, b.half_x.data() + lane);
-    hn::Store(hn::IfThenElse(root, rest_y, new_ry), d, b.half_y.data() + lane);
+    return {{place(newton_x, low_x, high_x, b.x), place(newton_y, low_y, high_y, b.y),
+             hn::IfThenElse(root, rest_x, half_x), hn::IfThenElse(root, rest_y, half_y)},
+            hn::Not(empty),
+            single,
+            root,
+            poor};
+}
+
+/// Appends the boxes of a mask to arrays with room for a vector.
+template <class D, class Arrays>
+std::size_t append(D d, const Boxes<hn::Vec<D>>& b, hn::Mask<D> mask, Arrays& to,
+                   std::size_t size) {
+    hn::CompressStore(b.x, mask, d, to.x.data() + size);
+    hn::CompressStore(b.y, mask, d, to.y.data() + size);
+    hn::CompressStore(b.half_x, mask, d, to.half_x.data() + size);
+    hn::CompressStore(b.half_y, mask, d, to.half_y.data() + size);
+    return size + hn::CountTrue(d, mask);
+}
+
+/// Puts what is left of boxes back, those that hardly shrank in two halves.
+template <class D>
+void push(D d, const NarrowedBoxes<D>& n, hn::Mask<D> kept, BoxStack& stack) {
+    using V = hn::Vec<D>;
+    const auto split = hn::AndNot(n.single, n.poor);
+    const auto across = hn::Ge(n.boxes.half_x, n.boxes.half_y);
+    const auto by_x = hn::And(split, across), by_y = hn::AndNot(across, split);
+    const V half = hn::Set(d, 0.5), zero = hn::Zero(d);
+    const V step_x = hn::IfThenElse(by_x, hn::Mul(half, n.boxes.half_x), zero);
+    const V step_y = hn::IfThenElse(by_y, hn::Mul(half, n.boxes.half_y), zero);
+    const V half_x = hn::Sub(n.boxes.half_x, step_x), half_y = hn::Sub(n.boxes.half_y, step_y);
+    const Boxes<V> first{hn::Sub(n.boxes.x, step_x), hn::Sub(n.boxes.y, step_y), half_x, half_y};
+    const Boxes<V> second{hn::Add(n.boxes.x, step_x), hn::Add(n.boxes.y, step_y), half_x, half_y};
+    stack.size = append(d, first, kept, stack, stack.size);
+    stack.size = append(d, second, hn::And(kept, split), stack, stack.size);
+}
+
+/// More boxes than rays need that are not tangent to within rounding.
+constexpr std::size_t most_boxes = 400;
+/// Of the leaf's half size: what is narrower and still undecided is a tangency.
+constexpr double narrowest = 1e-7;
+
+/// One step for the last boxes of a stack; false when it leads nowhere.
+template <class D>
+bool narrow_last(D d, const PlanePair& planes, const HotLeaf& leaf, const Component4* polynomial,
+                 BoxStack& stack, RootBoxes& roots) {
+    const std::size_t count = std::min(stack.size, hn::Lanes(d));
+    stack.size -= count;
+    const auto load = [&](const auto& from) { return hn::LoadU(d, from.data() + stack.size); };
+    const NarrowedBoxes<D> n =
+        narrowed(d, planes, leaf, polynomial,
+                 {load(stack.x), load(stack.y), load(stack.half_x), load(stack.half_y)});
+    const auto left = hn::And(n.left, hn::FirstN(d, count));
+    const auto found = hn::And(left, n.root), kept = hn::AndNot(n.root, left);
+    const auto wide = hn::Gt(hn::Max(n.boxes.half_x, n.boxes.half_y), hn::Set(d, narrowest));
+    if (!hn::AllFalse(d, hn::AndNot(hn::Or(n.single, wide), kept))) return false;
+    if (roots.count + hn::Lanes(d) > RootBoxes::capacity) return false;
+    roots.count = append(d, n.boxes, found, roots, roots.count);
+    push(d, n, kept, stack);
+    return true;
 }
 
 using Wide = hn::CappedTag<double, 8>;
 using One = hn::CappedTag<double, 1>;
 
-std::size_t narrow(const PlanePair& planes, const HotLeaf& leaf, const Component4* polynomial,
-                   std::size_t count, LeafBox* boxes) {
-    NarrowedBoxes b;
-    for (std::size_t i = 0; i < 8; ++i) {
-        const LeafBox& from = boxes[i < count ? i : 0];
-        b.x[i] = from.x;
-        b.y[i] = from.y;
-        b.half_x[i] = from.half_x;
-        b.half_y[i] = from.half_y;
-    }
-    for (std::size_t lane = 0; lane < count; lane += hn::Lanes(Wide()))
-        narrow_lanes(Wide(), planes, leaf, polynomial, b, lane);
-    std::size_t kept = 0;
-    std::array<LeafBox, 16> result;
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto has = [&](std::uint8_t set) { return (set >> i & 1) != 0; };
-        if (!has(b.left)) continue;
-        LeafBox box{b.x[i], b.y[i], b.half_x[i], b.half_y[i], has(b.single), has(b.root)};
-        if (has(b.poor) && !box.root) {
-            double& place = box.half_x >= box.half_y ? box.x : box.y;
-            double& half = box.half_x >= box.half_y ? box.half_x : box.half_y;
-            half /= 2;
-            const double middle = place;
-            place = middle - half;
-            result[kept++] = box;
-            place = middle + half;
+bool find_roots(const PlanePair& planes, const HotLeaf& leaf, const Component4* polynomial,
+                RootBoxes& roots) {
+    BoxStack stack;
+    // A vector full of them, from the first step on.
+    for (const double x : {-0.75, -0.25, 0.25, 0.75})
+        for (const double y : {-0.5, 0.5}) {
+            stack.x[stack.size] = x;
+            stack.y[stack.size] = y;
+            stack.half_x[stack.size] = 0.25;
+            stack.half_y[stack.size++] = 0.5;
         }
-        result[kept++] = box;
+    roots.count = 0;
+    for (std::size_t seen = 0; stack.size > 0; seen += hn::Lanes(Wide()))
+        if (seen > most_boxes || !narrow_last(Wide(), planes, leaf, polynomial, stack, roots))
+            return false;
+    return true;
+}
+
+/// Whether all active rays are close to the first, in direction and in where they start.
+bool are_coherent(const SceneBall& scene, const RayBlock& rays) {
+    constexpr double widest_turn = 0.1, widest_spread = 0.1;
+    const Wide d;
+    const auto first = static_cast<std::size_t>(std::countr_zero(rays.active));
+    const auto limit = [&](double x) { return hn::Set(d, x * x); };
+    for (std::size_t lane = 0; lane < rays.count; lane += hn::Lanes(d)) {
+        const auto apart = [&](const std::array<RayBlock::Lanes<double>, 3>& a) {
+            auto sum = hn::Zero(d);
+            for (unsigned k = 0; k < 3; ++k) {
+                const auto off = hn::Sub(hn::Load(d, a[k].data() + lane), hn::Set(d, a[k][first]));
+                sum = hn::MulAdd(off, off, sum);
+            }
+            return sum;
+        };
+        const auto close = hn::And(hn::Lt(apart(rays.direction), limit(widest_turn)),
+                                   hn::Lt(apart(rays.start), limit(widest_spread * scene.radius)));
+        const LaneMask here = ((LaneMask{1} << hn::Lanes(d)) - 1) << lane;
+        if ((rays.active & here & ~lane_bits(d, close, lane)) != 0) return false;
     }
-    std::copy_n(result.begin(), kept, boxes);
-    return kept;
+    return true;
 }
 
 /// Calls `work(first lane)` for each vector that has a lane in the mask.
@@ -411,6 +541,28 @@ void for_vectors(LaneMask mask, const Work& work) {
         if ((mask >> lane & all) != 0) work(lane);
 }
 
+void enter(const SceneBall& scene, RayBlock& rays) {
+    for (std::size_t lane = 0; lane < rays.count; ++lane) {
+        const Ray& ray = *rays.rays[lane];
+        for (unsigned k = 0; k < 3; ++k) {
+            rays.start[k][lane] = ray.origin[k];
+            rays.direction[k][lane] = ray.direction[k];
+        }
+        rays.low[lane] = ray.t_min;
+        rays.high[lane] = ray.t_max;
+    }
+    if (rays.count == 1) {
+        rays.active = enter_lanes(One(), scene, rays, 0);
+        return;
+    }
+    const auto used = static_cast<LaneMask>((std::uint64_t{1} << rays.count) - 1);
+    rays.active = 0;
+    for_vectors(used,
+                [&](std::size_t lane) { rays.active |= enter_lanes(Wide(), scene, rays, lane); });
+    rays.active &= used;
+    rays.coherent = rays.active != 0 && are_coherent(scene, rays);
+}
+
 void look(const RayBlock& rays, LaneMask mask, const HotLeaf& leaf, LeafLook& result) {
     result.certain = result.single = result.undecided = 0;
     for_vectors(mask, [&](std::size_t lane) { look_at(Wide(), rays, lane, leaf, result); });
@@ -419,9 +571,9 @@ void look(const RayBlock& rays, LaneMask mask, const HotLeaf& leaf, LeafLook& re
     result.undecided &= mask;
 }
 
-void look_single(const RayBlock& rays, const HotLeaf& leaf, LeafLook& result) {
+void look_single(const RayBlock& rays, std::size_t lane, const HotLeaf& leaf, LeafLook& result) {
     result.certain = result.single = result.undecided = 0;
-    look_at(One(), rays, 0, leaf, result);
+    look_at(One(), rays, lane, leaf, result);
 }
 
 void solve(const RayBlock& rays, LaneMask mask, const HotLeaf& leaf, const Component4* polynomial,
@@ -432,14 +584,14 @@ void solve(const RayBlock& rays, LaneMask mask, const HotLeaf& leaf, const Compo
     });
 }
 
-void solve_single(const RayBlock& rays, const HotLeaf& leaf, const Component4* polynomial,
-                  LeafRoots& result) {
+void solve_single(const RayBlock& rays, std::size_t lane, const HotLeaf& leaf,
+                  const Component4* polynomial, LeafRoots& result) {
     result.found = result.failed = 0;
-    result.found = solve_lanes(One(), rays, 0, 1, leaf, polynomial, result);
+    result.found = solve_lanes(One(), rays, lane, LaneMask{1} << lane, leaf, polynomial, result);
 }
 
 LeafKernels kernels() {
-    return {hwy::TargetName(HWY_TARGET), look, look_single, solve, solve_single, narrow};
+    return {hwy::TargetName(HWY_TARGET), enter, look, look_single, solve, solve_single, find_roots};
 }
 
 } // namespace keiko::HWY_NAMESPACE

@@ -34,29 +34,33 @@ struct PlanePair {
     std::array<double, 2> noise{}; ///< bounds of the functions' errors
 };
 
-/// A rectangle of a leaf's [-1, 1]^2.
-struct LeafBox {
-    double x = 0, y = 0, half_x = 1, half_y = 1;
-    bool single = false; ///< holds at most one root
-    bool root = false;   ///< holds exactly one, and is as narrow as rounding lets it be
+/// Roots of a ray on a leaf: rectangles of the leaf's [-1, 1]^2 that hold one each, and are as
+/// narrow as rounding lets them be. The same root may stand in two of them.
+struct RootBoxes {
+    static constexpr std::size_t capacity = 128;
+
+    std::size_t count = 0;
+    alignas(64) std::array<double, capacity> x, y, half_x, half_y;
 };
 
-/// The two tests of a ray block against one leaf, made for one instruction set. On any of them,
+/// The tests of rays against one leaf, made for one instruction set. On any of them,
 /// and whatever stands in the other lanes, a ray gets the same bits.
 struct LeafKernels {
     const char* name; ///< of the instruction set
+    /// Makes traced rays of the rays of a block, and its masks; `count` and `rays` are given.
+    void (*enter)(const SceneBall&, RayBlock&);
     /// Stage 0 of docs/theory/intersector.md for the lanes of a mask.
     void (*look)(const RayBlock&, LaneMask, const HotLeaf&, LeafLook&);
-    /// The same for a block of a single ray.
-    void (*look_single)(const RayBlock&, const HotLeaf&, LeafLook&);
+    /// The same for a single lane.
+    void (*look_single)(const RayBlock&, std::size_t lane, const HotLeaf&, LeafLook&);
     /// Newton's method with a proved bound, for lanes that `look` called certain or single, on
     /// the leaf's coefficients.
     void (*solve)(const RayBlock&, LaneMask, const HotLeaf&, const Component4*, LeafRoots&);
-    void (*solve_single)(const RayBlock&, const HotLeaf&, const Component4*, LeafRoots&);
-    /// One step of Krawczyk's method in each of up to 8 boxes: what is left of them, each in one
-    /// piece or in two, replaces them. Requires room for 16.
-    std::size_t (*narrow)(const PlanePair&, const HotLeaf&, const Component4*, std::size_t count,
-                          LeafBox* boxes);
+    void (*solve_single)(const RayBlock&, std::size_t lane, const HotLeaf&, const Component4*,
+                         LeafRoots&);
+    /// All roots by Krawczyk's method in boxes, many side by side. False when boxes stay undecided
+    /// down to where only clipping helps, as near a tangency.
+    bool (*find_roots)(const PlanePair&, const HotLeaf&, const Component4*, RootBoxes&);
 };
 
 /// The widest that this processor has.

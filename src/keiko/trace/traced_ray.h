@@ -2,8 +2,6 @@
 
 #include "keiko/patch/ray.h"
 
-#include <optional>
-
 namespace keiko {
 
 /// A ray as it is traced: its start moved up to the ball around the scene, so that what single
@@ -21,8 +19,5 @@ struct TracedRay {
 
     double t_at(double s) const { return t_start + s / speed; }
 };
-
-/// Nothing when the ray misses the ball, or has no direction.
-std::optional<TracedRay> traced_ray(const Ray& ray, const Vec3& center, double radius);
 
 } // namespace keiko

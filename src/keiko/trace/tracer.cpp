@@ -24,17 +24,6 @@ BlockSearch& block_search() {
     return search;
 }
 
-/// Whether rays go through the scene so much together that a packet shares most of its steps.
-bool coherent(std::span<const TracedRay> rays, double radius) {
-    constexpr double widest_turn = 0.1, widest_spread = 0.1;
-    const TracedRay& first = rays.front();
-    return std::all_of(rays.begin(), rays.end(), [&](const TracedRay& ray) {
-        return (ray.direction - first.direction).length2() < widest_turn * widest_turn &&
-               (ray.start - first.start).length2() <
-                   widest_spread * widest_spread * radius * radius;
-    });
-}
-
 } // namespace
 
 struct Tracer::Scene {
@@ -54,7 +43,6 @@ struct Tracer::Scene {
         for (HotLeaf& leaf : model.hot) leaf.set_unbounded();
     }
 
-    SearchScene search_scene() const { return {model, boxes, kernels, options.clipping_only}; }
     template <class Each>
     void search(Goal goal, std::span<const Ray> rays, const Each& each) const;
     BorderHit border_hit(const Crossing& crossing) const;
@@ -74,28 +62,16 @@ bool at_border(const Leaf& leaf, const Crossing& crossing) {
 
 } // namespace
 
-/// Calls `each(index, crossings)` for every ray that comes near the scene.
+/// Calls `each(index, crossings)` for every ray.
 template <class Each>
 void Tracer::Scene::search(Goal goal, std::span<const Ray> rays, const Each& each) const {
     if (boxes.bounds().empty()) return;
     BlockSearch& block = block_search();
-    std::array<TracedRay, RayBlock::capacity> traced;
-    std::array<std::size_t, RayBlock::capacity> index{};
+    const SearchScene scene{model, boxes, kernels, options.clipping_only};
     for (std::size_t begin = 0; begin < rays.size(); begin += RayBlock::capacity) {
-        std::size_t count = 0;
-        for (std::size_t i = begin; i < std::min(begin + RayBlock::capacity, rays.size()); ++i)
-            if (const auto ray = traced_ray(rays[i], boxes.center(), boxes.radius())) {
-                traced[count] = *ray;
-                index[count++] = i;
-            }
-        if (count == 0) continue;
-        const std::span<const TracedRay> all(traced.data(), count);
-        const std::size_t together = coherent(all, boxes.radius()) ? count : 1;
-        for (std::size_t first = 0; first < count; first += together) {
-            block.run(search_scene(), goal, all.subspan(first, together));
-            for (std::size_t lane = 0; lane < together; ++lane)
-                each(index[first + lane], block.found(lane));
-        }
+        const std::size_t count = std::min(RayBlock::capacity, rays.size() - begin);
+        block.run(scene, goal, rays.subspan(begin, count));
+        for (std::size_t lane = 0; lane < count; ++lane) each(begin + lane, block.found(lane));
     }
 }
 

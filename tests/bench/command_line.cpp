@@ -1,0 +1,59 @@
+#include "tests/bench/command_line.h"
+
+#include "tests/support/paths.h"
+#include <CLI/CLI.hpp>
+
+namespace keiko::bench {
+namespace {
+
+void add_trace(CLI::App& app, TraceOptions& options) {
+    CLI::App* trace = app.add_subcommand("trace", "rays against Keiko and its peers (the default)");
+    trace->add_option("--scene", options.scenes, "scene names or model files [all]");
+    trace->add_option("--rays", options.rays, "rays of each class")
+        ->check(CLI::Range(16, 100000000))
+        ->capture_default_str();
+    trace->add_option("--slow-rays", options.slow_rays, "the same for OpenCASCADE")
+        ->check(CLI::Range(1, 100000000))
+        ->capture_default_str();
+    trace->add_option("--rounds", options.rounds, "interleaved rounds; medians are taken")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    trace->add_option("--finest", options.finest, "one more mesh, of this deflection in mm")
+        ->check(CLI::Range(1e-6, 1e3));
+    trace->add_option("--most-triangles", options.most_triangles, "of the per-span grid")
+        ->capture_default_str();
+    trace->add_option("--json", options.json, "file to write all numbers to");
+    trace->add_option("--markdown", options.markdown,
+                      "page to put the tables into, between its markers");
+}
+
+} // namespace
+
+Command parse_command_line(int argc, char** argv) {
+    Command command;
+    CLI::App app("Keiko's benchmarks", "./dev bench");
+    app.require_subcommand(1);
+    add_trace(app, command.trace);
+    CLI::App* picture = app.add_subcommand(
+        "picture", "the same stripes from meshes and from the surface, side by side");
+    command.picture.output = test::repository("docs/images/mesh-or-surface.png");
+    picture->add_option("-o,--output", command.picture.output,
+                        "PNG file to write [docs/images/mesh-or-surface.png]");
+
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const bool asks_help = !words.empty() && (words[0] == "--help" || words[0] == "-h");
+    if (!asks_help && (words.empty() || words[0].starts_with("-")))
+        words.insert(words.begin(), "trace");
+    std::vector<std::string> reversed(words.rbegin(), words.rend()); // as CLI11 wants them
+    try {
+        app.parse(reversed);
+    } catch (const CLI::ParseError& error) {
+        command.group = Group::help;
+        command.exit_code = app.exit(error) == 0 ? 0 : 2;
+        return command;
+    }
+    command.group = app.got_subcommand("picture") ? Group::picture : Group::trace;
+    return command;
+}
+
+} // namespace keiko::bench

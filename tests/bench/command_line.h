@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace keiko::bench {
+
+struct TraceOptions {
+    std::vector<std::string> scenes{};        ///< names or model files; none: all
+    std::size_t rays = 100000;                ///< of each class
+    std::size_t slow_rays = 1000;             ///< of each class for OpenCASCADE
+    int rounds = 5;                           ///< interleaved; medians are taken
+    double finest = 0;                        ///< mm, one more mesh; 0: none
+    std::size_t most_triangles = 8000000;     ///< of a grid that looks for a zebra error
+    std::filesystem::path json{}, markdown{}; ///< files to write; empty: none
+};
+
+struct PictureOptions {
+    std::filesystem::path output{};
+};
+
+enum class Group { trace, picture, help };
+
+struct Command {
+    Group group = Group::trace;
+    TraceOptions trace{};
+    PictureOptions picture{};
+    int exit_code = 0; ///< of help and usage errors
+};
+
+/// Reads the command line; what it cannot use is told on stderr. Without a group: trace.
+Command parse_command_line(int argc, char** argv);
+
+} // namespace keiko::bench

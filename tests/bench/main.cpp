@@ -1,0 +1,52 @@
+#include "tests/bench/command_line.h"
+#include "tests/bench/markdown.h"
+#include "tests/bench/mesh_or_surface.h"
+#include "tests/bench/results_json.h"
+#include "tests/bench/targets.h"
+#include "tests/bench/trace_benchmark.h"
+#include "tests/bench/trace_tables.h"
+
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+using namespace keiko::bench;
+
+void print(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
+}
+
+void trace(const TraceOptions& options) {
+    const TraceResults results = run_trace_benchmark(options);
+    print(conditions_of(results) + "\n");
+    for (const std::string& name : results.skipped)
+        print("skipped, its file is not there: " + name + "\n");
+    for (const SceneResult& scene : results.scenes)
+        print("\n" + title_of(scene) + "\n\n" + text_of(cost_table(scene)) + "\n" +
+              text_of(rate_table(scene)));
+    print("\ntargets\n\n" + text_of(target_table(results)));
+    if (!options.json.empty()) write_json(options.json, results);
+    if (!options.markdown.empty()) update_page(options.markdown, "trace", markdown_of(results));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const Command command = parse_command_line(argc, argv);
+    try {
+        switch (command.group) {
+            case Group::trace:
+                trace(command.trace);
+                return 0;
+            case Group::picture:
+                draw_mesh_or_surface(command.picture.output);
+                return 0;
+            case Group::help:
+                return command.exit_code;
+        }
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "keiko_bench: %s\n", error.what());
+    }
+    return 2;
+}
