@@ -13,7 +13,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// Of LeafFrame::contraction. Finer leaves cost more boxes than they save clipping.
-constexpr double flat_enough = 0.9;
+constexpr double flat_enough = 0.65;
 /// Halvings along one parameter: a bent piece gets flat by them, a twisted one (a pole) never
 /// does, and each try costs boxes.
 constexpr int most_halvings = 4, most_halvings_of_twist = 2;

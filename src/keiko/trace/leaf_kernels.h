@@ -43,6 +43,11 @@ struct RootBoxes {
     alignas(64) std::array<double, capacity> x, y, half_x, half_y;
 };
 
+/// A homogeneous surface and its derivatives by its parameters.
+struct HomogeneousJet {
+    alignas(32) Component4 value, du, dv, duu, duv, dvv;
+};
+
 /// The tests of rays against one leaf, made for one instruction set. On any of them,
 /// and whatever stands in the other lanes, a ray gets the same bits.
 struct LeafKernels {
@@ -58,9 +63,12 @@ struct LeafKernels {
     void (*solve)(const RayBlock&, LaneMask, const HotLeaf&, const Component4*, LeafRoots&);
     void (*solve_single)(const RayBlock&, std::size_t lane, const HotLeaf&, const Component4*,
                          LeafRoots&);
-    /// All roots by Krawczyk's method in boxes, many side by side. False when boxes stay undecided
-    /// down to where only clipping helps, as near a tangency.
-    bool (*find_roots)(const PlanePair&, const HotLeaf&, const Component4*, RootBoxes&);
+    /// All roots in a part of the leaf by Krawczyk's method in boxes, many side by side. False when
+    /// boxes stay undecided down to where only clipping helps, as near a tangency.
+    bool (*find_roots)(const PlanePair&, const HotLeaf&, const Component4*, const Box2& where,
+                       RootBoxes&);
+    /// Of control points, to second order. Requires degrees of at least 1.
+    HomogeneousJet (*evaluate)(const BezierPatchView&, const Vec2&);
 };
 
 /// The widest that this processor has.

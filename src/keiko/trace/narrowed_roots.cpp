@@ -40,8 +40,10 @@ bool narrowed_roots(const TracedModel& model, const LeafKernels& kernels, std::u
     const HotLeaf& leaf = model.hot[placed];
     const Component4* polynomial = &model.leaves.polynomials[leaf.polynomial];
     const FrameRay seen = frame_ray(ray, leaf);
+    const Box2 where = reachable(seen, leaf);
+    if (where.empty()) return true;
     RootBoxes roots;
-    if (!kernels.find_roots(seen.planes, leaf, polynomial, roots)) return false;
+    if (!kernels.find_roots(seen.planes, leaf, polynomial, where, roots)) return false;
     for (std::size_t i = 0; i < roots.count; ++i) {
         if (!is_new(roots, i)) continue;
         const Component4 c = evaluate(leaf, polynomial, roots.x[i], roots.y[i]);

@@ -47,7 +47,7 @@ struct Tracer::Scene {
     void search(Goal goal, std::span<const Ray> rays, const Each& each) const;
     BorderHit border_hit(const Crossing& crossing) const;
     Hit evaluate(const Crossing& crossing) const {
-        return evaluated(model, crossing, options.second_derivatives);
+        return evaluated(model, kernels, crossing, options.second_derivatives);
     }
 };
 

@@ -32,7 +32,8 @@ struct TracerStatistics {
 /// Finds where rays meet the trimmed surfaces of a model: Bezier clipping (Nishita, Sederberg,
 /// Kakimoto 1990) on sub-patches under Embree, finished by Newton in double precision, trimmed by
 /// the exact p-curves. Immutable after construction; every query may be called from any thread,
-/// and gives the same bits for any thread count.
+/// and gives the same bits for any thread count, and whatever rays are asked for together. A ray
+/// whose direction is not between 1e-140 and 1e150 long hits nothing.
 class Tracer {
 public:
     /// Keeps its own copy of what it needs of `model`. Throws Cancelled.

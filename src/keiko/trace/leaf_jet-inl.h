@@ -1,0 +1,110 @@
+// Compiled once for each instruction set by leaf_kernels.cpp.
+#if defined(KEIKO_TRACE_LEAF_JET_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KEIKO_TRACE_LEAF_JET_INL_H
+#undef KEIKO_TRACE_LEAF_JET_INL_H
+#else
+#define KEIKO_TRACE_LEAF_JET_INL_H
+#endif
+
+#include "keiko/trace/lanes-inl.h"
+#include "keiko/trace/leaf_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace keiko::HWY_NAMESPACE {
+
+/// Value and first derivatives of the components at (x, y).
+template <class V>
+struct Jet {
+    std::array<V, 4> value, by_x, by_y;
+};
+
+template <class D, bool rational>
+Jet<hn::Vec<D>> jet(D d, const HotLeaf& leaf, const Component4* polynomial, hn::Vec<D> x,
+                    hn::Vec<D> y) {
+    using V = hn::Vec<D>;
+    constexpr std::size_t used = rational ? 4 : 3;
+    const std::size_t columns = leaf.degree_v + 1u;
+    Jet<V> jet;
+    for (std::size_t i = leaf.degree_u + 1u; i-- > 0;) {
+        const Component4* row = polynomial + i * columns;
+        std::array<V, used> value, slope;
+        for (std::size_t c = 0; c < used; ++c) {
+            value[c] = hn::Set(d, row[columns - 1][c]);
+            slope[c] = hn::Zero(d);
+        }
+        for (std::size_t j = columns - 1; j-- > 0;)
+            for (std::size_t c = 0; c < used; ++c) {
+                slope[c] = hn::MulAdd(slope[c], y, value[c]);
+                value[c] = hn::MulAdd(value[c], y, hn::Set(d, row[j][c]));
+            }
+        for (std::size_t c = 0; c < used; ++c) {
+            if (i == leaf.degree_u) {
+                jet.by_x[c] = hn::Zero(d);
+                jet.value[c] = value[c];
+                jet.by_y[c] = slope[c];
+            } else {
+                jet.by_x[c] = hn::MulAdd(jet.by_x[c], x, jet.value[c]);
+                jet.value[c] = hn::MulAdd(jet.value[c], x, value[c]);
+                jet.by_y[c] = hn::MulAdd(jet.by_y[c], x, slope[c]);
+            }
+        }
+    }
+    return jet;
+}
+
+/// The same for one ray, the components side by side.
+struct SingleJet {
+    alignas(32) std::array<double, 4> value, by_x, by_y;
+};
+
+SingleJet single_jet(const HotLeaf& leaf, const Component4* polynomial, double at_x, double at_y) {
+    const hn::CappedTag<double, 4> d;
+    const std::size_t columns = leaf.degree_v + 1u;
+    const auto x = hn::Set(d, at_x), y = hn::Set(d, at_y);
+    SingleJet jet;
+    for (std::size_t c = 0; c < 4; c += hn::Lanes(d)) {
+        auto total = hn::Zero(d), by_x = hn::Zero(d), by_y = hn::Zero(d);
+        for (std::size_t i = leaf.degree_u + 1u; i-- > 0;) {
+            const Component4* row = polynomial + i * columns;
+            auto value = hn::LoadU(d, row[columns - 1].data() + c), slope = hn::Zero(d);
+            for (std::size_t j = columns - 1; j-- > 0;) {
+                slope = hn::MulAdd(slope, y, value);
+                value = hn::MulAdd(value, y, hn::LoadU(d, row[j].data() + c));
+            }
+            by_x = hn::MulAdd(by_x, x, total);
+            total = hn::MulAdd(total, x, value);
+            by_y = hn::MulAdd(by_y, x, slope);
+        }
+        hn::Store(total, d, jet.value.data() + c);
+        hn::Store(by_x, d, jet.by_x.data() + c);
+        hn::Store(by_y, d, jet.by_y.data() + c);
+    }
+    return jet;
+}
+
+/// Jets of many lanes, all on one leaf.
+template <class D>
+Jet<hn::Vec<D>> jet_of(D d, const HotLeaf& leaf, const Component4* polynomial, hn::Vec<D> x,
+                       hn::Vec<D> y) {
+    using V = hn::Vec<D>;
+    Jet<V> result;
+    if constexpr (hn::MaxLanes(D()) == 1) {
+        const SingleJet one = single_jet(leaf, polynomial, hn::GetLane(x), hn::GetLane(y));
+        for (std::size_t c = 0; c < 4; ++c) {
+            result.value[c] = hn::Set(d, one.value[c]);
+            result.by_x[c] = hn::Set(d, one.by_x[c]);
+            result.by_y[c] = hn::Set(d, one.by_y[c]);
+        }
+        return result;
+    }
+    if (leaf.rational) return jet<D, true>(d, leaf, polynomial, x, y);
+    result = jet<D, false>(d, leaf, polynomial, x, y);
+    result.value[3] = hn::Set(d, 1);
+    result.by_x[3] = result.by_y[3] = hn::Zero(d);
+    return result;
+}
+
+} // namespace keiko::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,84 @@
+// Compiled once for each instruction set by leaf_kernels.cpp.
+#if defined(KEIKO_TRACE_NEWTON_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KEIKO_TRACE_NEWTON_INL_H
+#undef KEIKO_TRACE_NEWTON_INL_H
+#else
+#define KEIKO_TRACE_NEWTON_INL_H
+#endif
+
+#include "keiko/trace/leaf_jet-inl.h"
+#include "keiko/trace/leaf_view-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace keiko::HWY_NAMESPACE {
+
+/// Newton needs three steps from the plane; what takes more is in trouble.
+constexpr int most_steps = 8;
+/// What Newton's remainder may add to a root, in the frame's unit: rounding is usually far smaller
+/// than its bound, and one more step costs little.
+template <class D>
+hn::Vec<D> far_below(D d, hn::Vec<D> noise) {
+    return hn::MulAdd(hn::Set(d, 1e-3), noise, hn::Set(d, 2e-14));
+}
+
+/// Newton's method on F = w X - p w Z - a w and G likewise, clamped to the leaf. With c the
+/// contraction, the root is within |F| / (1 - c) of the place; a step leaves at most half the
+/// bend times the square of that, over 1 - c. A place that far outside the leaf has no root.
+template <class D>
+LaneMask solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask wanted,
+                     const HotLeaf& leaf, const Component4* polynomial, LeafRoots& result) {
+    const View<D> v(d, rays, lane, leaf);
+    const auto one = hn::Set(d, 1), zero = hn::Zero(d);
+    const auto clamped = [&](auto t) { return hn::Min(hn::Max(t, hn::Neg(one)), one); };
+    const auto regain = hn::Div(one, hn::Sub(one, v.contraction));
+    const auto noise = hn::Mul(hn::Max(v.blur_u, v.blur_v), regain);
+    const auto enough = far_below(d, noise);
+    const auto half_bend = hn::Mul(hn::Mul(hn::Set(d, 0.5), v.bend()), regain);
+    std::uint8_t start_bits[8] = {static_cast<std::uint8_t>(wanted >> lane)};
+    auto active = hn::LoadMaskBits(d, start_bits);
+    auto found = hn::FirstN(d, 0);
+    auto x = clamped(v.a), y = clamped(v.b);
+    auto error = zero, s = zero;
+    for (int i = 0; i < most_steps && !hn::AllFalse(d, active); ++i) {
+        const auto at = jet_of(d, leaf, polynomial, x, y);
+        const auto seen = [&](const auto& c, auto turn, auto place, std::size_t own) {
+            return hn::NegMulAdd(place, c[3], hn::NegMulAdd(turn, c[2], c[own]));
+        };
+        const auto f = seen(at.value, v.p, v.a, 0), g = seen(at.value, v.q, v.b, 1);
+        const auto fx = seen(at.by_x, v.p, v.a, 0), gx = seen(at.by_x, v.q, v.b, 1);
+        const auto fy = seen(at.by_y, v.p, v.a, 0), gy = seen(at.by_y, v.q, v.b, 1);
+        const auto scale = hn::Div(one, hn::NegMulAdd(fy, gx, hn::Mul(fx, gy)));
+        const auto dx = hn::Mul(hn::NegMulAdd(gy, f, hn::Mul(fy, g)), scale);
+        const auto dy = hn::Mul(hn::NegMulAdd(fx, g, hn::Mul(gx, f)), scale);
+        const auto off = hn::MulAdd(hn::Max(hn::Abs(f), hn::Abs(g)), regain, noise);
+        const auto remainder = hn::Mul(half_bend, hn::Mul(off, off));
+        const auto bound = hn::Add(remainder, noise);
+        const auto limit = hn::Add(one, bound);
+        const auto next_x = hn::Add(x, dx), next_y = hn::Add(y, dy);
+        const auto inside = hn::And(hn::Le(hn::Abs(next_x), limit), hn::Le(hn::Abs(next_y), limit));
+        const auto done = hn::And(hn::And(active, inside), hn::Le(remainder, enough));
+        const auto outside = hn::Or(hn::Gt(hn::Abs(next_x), limit), hn::Gt(hn::Abs(next_y), limit));
+
+        const auto weight = hn::MulAdd(at.by_y[3], dy, hn::MulAdd(at.by_x[3], dx, at.value[3]));
+        const auto height = hn::MulAdd(at.by_y[2], dy, hn::MulAdd(at.by_x[2], dx, at.value[2]));
+        const auto here = hn::MulAdd(hn::Div(height, weight), v.step, v.depth);
+        x = hn::IfThenElse(active, clamped(next_x), x);
+        y = hn::IfThenElse(active, clamped(next_y), y);
+        error = hn::IfThenElse(done, bound, error);
+        s = hn::IfThenElse(done, here, s);
+        found = hn::Or(found, done);
+        active = hn::AndNot(hn::Or(done, outside), active);
+    }
+    hn::Store(x, d, result.x.data() + lane);
+    hn::Store(y, d, result.y.data() + lane);
+    hn::Store(error, d, result.error.data() + lane);
+    hn::Store(s, d, result.s.data() + lane);
+    const auto bits = [&](hn::Mask<D> mask) { return lane_bits(d, mask, lane); };
+    result.failed |= bits(active);
+    return bits(found);
+}
+
+} // namespace keiko::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
