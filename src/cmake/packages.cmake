@@ -28,6 +28,14 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
   INTERFACE_LINK_LIBRARIES "${OPENIMAGEIO_UTIL_LIBRARY};Imath::Imath"
   INTERFACE_INCLUDE_DIRECTORIES ${OPENIMAGEIO_INCLUDE_DIR})
 
+# Debian's OpenSubdiv config insists on static libraries that the -dev package does not bring.
+find_library(OPENSUBDIV_LIBRARY osdCPU REQUIRED)
+find_path(OPENSUBDIV_INCLUDE_DIR opensubdiv/bfr/surface.h REQUIRED)
+add_library(OpenSubdiv::osdCPU UNKNOWN IMPORTED)
+set_target_properties(OpenSubdiv::osdCPU PROPERTIES
+  IMPORTED_LOCATION ${OPENSUBDIV_LIBRARY}
+  INTERFACE_INCLUDE_DIRECTORIES ${OPENSUBDIV_INCLUDE_DIR})
+
 # OpenCASCADE's headers are warning-rich: hand them on as system headers, data exchange and all.
 add_library(keiko_occt INTERFACE)
 target_include_directories(keiko_occt SYSTEM INTERFACE ${OpenCASCADE_INCLUDE_DIR})

@@ -1,22 +1,12 @@
 #include "bpt_file.h"
 
-#include <charconv>
+#include "digits.h"
+
 #include <fstream>
 #include <stdexcept>
 #include <string>
 
 namespace keiko::fixtures {
-namespace {
-
-/// The shortest text that reads back as the same number, with a decimal point in any locale.
-std::string digits(double value) {
-    char buffer[32];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value + 0.0).ptr;
-    return {buffer, end};
-}
-
-} // namespace
-
 void write_bpt(const std::filesystem::path& file, const std::vector<Net>& patches) {
     std::ofstream out(file, std::ios::binary);
     out << patches.size() << '\n';

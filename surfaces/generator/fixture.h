@@ -28,6 +28,20 @@ struct BptFixture {
     std::vector<GroundTruth> truths;
 };
 
+/// The cage of a subdivision surface in surfaces/ (.obj).
+struct CageFixture {
+    struct Face {
+        std::string group;
+        std::vector<int> corners; ///< vertices, from 0
+    };
+
+    std::string file;
+    std::vector<gp_XYZ> vertices;
+    std::vector<Face> faces;
+    std::vector<std::string> tags; ///< after the "t"
+    std::vector<GroundTruth> truths;
+};
+
 /// Prints the truths of a file. Throws std::runtime_error if a measurement is off.
 void report(const std::string& file, const std::vector<GroundTruth>& truths);
 

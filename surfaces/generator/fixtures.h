@@ -36,4 +36,10 @@ Fixture sphere();
 BptFixture saddle();
 BptFixture dome();
 
+/// Cages of subdivision surfaces: a cube with sharp and semi-sharp edges, an open panel of
+/// triangles, quads, a pentagon and a hexagon with a hole, and an icosahedron for Loop's scheme.
+CageFixture cage_cube();
+CageFixture cage_panel();
+CageFixture cage_icosahedron();
+
 } // namespace keiko::fixtures

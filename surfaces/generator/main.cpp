@@ -1,5 +1,6 @@
 #include "bpt_file.h"
 #include "fixtures.h"
+#include "obj_file.h"
 #include "step_file.h"
 
 #include <cstdio>
@@ -24,6 +25,11 @@ int main(int argc, char** argv) {
             const BptFixture fixture = make();
             report(fixture.file, fixture.truths);
             write_bpt(directory / fixture.file, fixture.patches);
+        }
+        for (const auto make : {cage_cube, cage_panel, cage_icosahedron}) {
+            const CageFixture fixture = make();
+            report(fixture.file, fixture.truths);
+            write_obj(directory / fixture.file, fixture);
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "keiko-fixtures: %s\n", error.what());

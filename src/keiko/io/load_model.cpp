@@ -5,6 +5,7 @@
 #include "keiko/io/bezier_file.h"
 #include "keiko/io/import_worker.h"
 #include "keiko/io/model_format.h"
+#include "keiko/io/subdivision/subdivision_model.h"
 
 namespace keiko {
 namespace {
@@ -16,6 +17,8 @@ SurfaceModel read_model(const std::filesystem::path& path, ModelFormat format,
             return read_bezier_file(path);
         case ModelFormat::teapot:
             return read_teapot_file(path);
+        case ModelFormat::cage:
+            return read_subdivision_file(path, job);
         default:
             return import_in_worker(path, format, options, job);
     }

@@ -24,7 +24,8 @@ struct LoadOptions {
 };
 
 /// Reads a model file, its kind told by its content: STEP, IGES and BREP through a worker process,
-/// because OpenCASCADE aborts on some files; .bpt and the teapot text directly. Lengths come back
+/// because OpenCASCADE aborts on some files; .bpt, the teapot text and the cages of OBJ files
+/// directly. Lengths come back
 /// in mm. Reports progress as "import". Throws Error, one line naming the file and the reason,
 /// when it cannot be read, holds no faces, or the worker crashes, hangs or needs too much memory;
 /// Cancelled when the job is stopped. Faces that could not be converted are in lost_faces.

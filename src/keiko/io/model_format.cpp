@@ -4,6 +4,7 @@
 #include "keiko/base/input_file.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -72,11 +73,30 @@ std::optional<ModelFormat> patch_text(const std::string& text) {
     return std::nullopt;
 }
 
+/// The first statement of an OBJ file is one of these. OBJ has no signature, so a vertex, or
+/// a keyword that nothing else begins with, must do.
+bool is_obj(const std::string& text) {
+    constexpr std::array keywords{"mtllib", "usemtl", "vt", "vn", "vp", "f"};
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) {
+        line = line.substr(0, line.find('#'));
+        std::istringstream words(line);
+        std::string word, rest;
+        if (!(words >> word)) continue;
+        std::getline(words, rest);
+        if (word == "v") return numbers_on(rest) >= 3;
+        if (std::find(keywords.begin(), keywords.end(), word) != keywords.end()) return true;
+        if (word != "g" && word != "o" && word != "s" && word != "t") return false;
+    }
+    return false;
+}
+
 std::optional<ModelFormat> format_of(const std::string& text) {
     if (contains(std::string_view(text).substr(0, 1024), "ISO-10303-21")) return ModelFormat::step;
     if (contains(text, "DBRep_DrawableShape") || contains(text, "CASCADE Topology"))
         return ModelFormat::brep;
     if (is_iges(text)) return ModelFormat::iges;
+    if (is_obj(text)) return ModelFormat::cage;
     return patch_text(text);
 }
 
@@ -129,6 +149,8 @@ std::string_view name_of(ModelFormat format) {
             return "BREP";
         case ModelFormat::bezier:
             return "BPT";
+        case ModelFormat::cage:
+            return "OBJ";
         case ModelFormat::teapot:
             break;
     }
@@ -139,8 +161,9 @@ ModelFormat detect_model_format(const fs::path& path) {
     require_readable_file(path);
     const auto format = format_of(first_bytes(path));
     if (!format)
-        throw Error(path.string(), "",
-                    "not a model file (expected STEP, IGES, BREP, .bpt or teapot text)");
+        throw Error(
+            path.string(), "",
+            "not a model file (expected STEP, IGES, BREP, .bpt, teapot text or an OBJ cage)");
     if (cut_short(path, *format))
         throw Error(path.string(), "",
                     "the " + std::string(name_of(*format)) + " file is cut short: it has no end");

@@ -11,10 +11,11 @@ enum class ModelFormat {
     iges,   ///< 80-column IGES
     brep,   ///< OpenCASCADE's text BREP
     bezier, ///< .bpt: a count, then degrees and control points of each patch
+    cage,   ///< OBJ: vertices and faces, the cage of a subdivision surface
     teapot  ///< the classic teapot text: a count, index lists, a count, vertices
 };
 
-/// "STEP", "IGES", "BREP", "BPT", "teapot text".
+/// "STEP", "IGES", "BREP", "BPT", "OBJ", "teapot text".
 std::string_view name_of(ModelFormat format);
 
 /// Throws Error when the file cannot be read, or is of no kind that Keiko knows, or is cut short

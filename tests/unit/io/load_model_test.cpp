@@ -48,12 +48,16 @@ TEST_F(LoadModel, FilesThatAreNone) {
 
 TEST_F(LoadModel, ContentCountsNotTheName) {
     const std::string expected =
-        "not a model file (expected STEP, IGES, BREP, .bpt or teapot text)";
+        "not a model file (expected STEP, IGES, BREP, .bpt, teapot text or an OBJ cage)";
     EXPECT_EQ(reason_for(folder.file("text.step", "Dear customer,\nplease find enclosed\n")),
               expected);
     EXPECT_EQ(reason_for(folder.file("zeros.brep", std::string(5000, '\0'))), expected);
     const auto named_step = folder.file("patch.step", "1\n1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 2\n");
     EXPECT_EQ(load_model(named_step).format, "BPT");
+    const std::string cage = "# a cage\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    EXPECT_EQ(load_model(folder.file("cage.txt", cage)).format, "OBJ");
+    EXPECT_EQ(reason_for(folder.file("empty.obj", "v 0 0 0\n")),
+              "no faces in the file (an OBJ file needs v and f)");
 }
 
 TEST_F(LoadModel, FilesCutShort) {

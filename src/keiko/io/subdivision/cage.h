@@ -1,0 +1,68 @@
+#pragma once
+
+#include "keiko/base/diagnostics.h"
+#include "keiko/math/vec.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace keiko::subdivision {
+
+enum class Scheme { catmull_clark, loop };
+
+/// What the limit surface does where the cage ends.
+enum class BoundaryRule {
+    none,           ///< faces at a border carry no surface unless the border is a crease
+    edge_only,      ///< the border is a cubic spline; corners are round
+    edge_and_corner ///< vertices of one face alone are interpolated as well
+};
+
+/// How the sharpness of a crease becomes less from level to level.
+enum class CreaseMethod { uniform, chaikin };
+
+/// Weights of triangles in the Catmull-Clark scheme.
+enum class TriangleRule { catmull_clark, smooth };
+
+/// Sharpness from which an edge or a vertex stays sharp for ever.
+constexpr double infinite_sharpness = 10;
+
+struct CageFace {
+    std::uint32_t first_corner = 0, corner_count = 0; ///< into Cage::corners
+    std::uint32_t line = 0;                           ///< of the file
+    std::uint32_t group = 0, material = 0;            ///< into Cage::names
+    bool hole = false;
+};
+
+struct CageCrease {
+    std::uint32_t a = 0, b = 0; ///< vertices of the edge
+    double sharpness = 0;       ///< from 0
+    std::uint32_t line = 0;     ///< of the file
+};
+
+struct CageCorner {
+    std::uint32_t vertex = 0;
+    double sharpness = 0; ///< from 0
+};
+
+/// A control mesh with its tags, as the file has it.
+struct Cage {
+    Scheme scheme = Scheme::catmull_clark;
+    BoundaryRule boundary = BoundaryRule::edge_only;
+    CreaseMethod crease_method = CreaseMethod::uniform;
+    TriangleRule triangles = TriangleRule::catmull_clark;
+
+    std::vector<Vec3> vertices;
+    std::vector<std::uint32_t> corners; ///< vertices of the faces, one face after the other
+    std::vector<CageFace> faces;
+    std::vector<CageCrease> creases;
+    std::vector<CageCorner> sharp_corners;
+    std::vector<std::string> names{""}; ///< of groups and materials; the first is none
+    Diagnostics diagnostics;
+
+    std::uint32_t corner(const CageFace& face, std::uint32_t k) const {
+        return corners[face.first_corner + k % face.corner_count];
+    }
+};
+
+} // namespace keiko::subdivision
