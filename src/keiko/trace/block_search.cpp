@@ -128,42 +128,72 @@ void BlockSearch::remove_pending(std::size_t lane, std::uint32_t box) {
 
 void BlockSearch::settle(LaneMask lanes, const RayBlock::Lanes<double>& until) {
     while (true) {
-        LaneMask together = 0;
-        Pending next;
+        LaneMask single = 0, other = 0;
+        RayBlock::Lanes<std::uint32_t> boxes;
         for_lanes(lanes, [&](std::size_t lane) {
             const Pending* p = first_pending(lane, until[lane]);
-            if (!p)
+            if (!p) {
                 lanes &= ~bit(lane);
-            else if (together == 0)
-                next = *p, together = bit(lane);
-            else if (p->box == next.box && p->single == next.single)
-                together |= bit(lane);
+                return;
+            }
+            boxes[lane] = p->box;
+            (p->single ? single : other) |= bit(lane);
         });
-        if (together == 0) return;
-        for_lanes(together, [&](std::size_t lane) { remove_pending(lane, next.box); });
-        if (next.single)
-            solve(next.box, together);
-        else
-            for_lanes(together, [&](std::size_t lane) { clip(next.box, lane); });
+        if (lanes == 0) return;
+        for_lanes(lanes, [&](std::size_t lane) { remove_pending(lane, boxes[lane]); });
+        for_lanes(other, [&](std::size_t lane) { clip(boxes[lane], lane); });
+        while (single != 0) {
+            const LaneMask together = alike(single, boxes);
+            solve(together, boxes);
+            single &= ~together;
+        }
     }
 }
 
-void BlockSearch::solve(std::uint32_t box, LaneMask lanes) {
+LaneMask BlockSearch::alike(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& boxes) const {
+    const std::vector<HotLeaf>& leaves = scene_->model.hot;
+    const HotLeaf& first = leaves[boxes[first_lane(lanes)]];
+    const bool gathers = first.coefficients() <= largest_gathered;
+    LaneMask same = 0;
+    for_lanes(lanes, [&](std::size_t lane) {
+        const HotLeaf& leaf = leaves[boxes[lane]];
+        const bool fits = leaf.degree_u == first.degree_u && leaf.degree_v == first.degree_v &&
+                          leaf.rational == first.rational;
+        if (&leaf == &first || (gathers && fits)) same |= bit(lane);
+    });
+    return same;
+}
+
+void BlockSearch::find_single_roots(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& boxes) {
     const TracedModel& model = scene_->model;
-    const HotLeaf& hot = model.hot[box];
-    const Component4* polynomial = &model.leaves.polynomials[hot.polynomial];
-    if (std::has_single_bit(lanes))
-        scene_->kernels.solve_single(block_, first_lane(lanes), hot, polynomial, roots_);
+    const Component4* polynomials = model.leaves.polynomials.data();
+    RayBlock::Lanes<const HotLeaf*> leaves;
+    bool one_leaf = true;
+    const HotLeaf& first = model.hot[boxes[first_lane(lanes)]];
+    for_lanes(lanes, [&](std::size_t lane) {
+        leaves[lane] = &model.hot[boxes[lane]];
+        one_leaf = one_leaf && leaves[lane] == &first;
+    });
+    const LeafKernels& kernels = scene_->kernels;
+    if (!one_leaf)
+        kernels.solve_gathered(block_, lanes, leaves, polynomials, roots_);
+    else if (std::has_single_bit(lanes))
+        kernels.solve_single(block_, first_lane(lanes), first, polynomials + first.polynomial,
+                             roots_);
     else
-        scene_->kernels.solve(block_, lanes, hot, polynomial, roots_);
+        kernels.solve(block_, lanes, first, polynomials + first.polynomial, roots_);
+}
+
+void BlockSearch::solve(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& boxes) {
+    find_single_roots(lanes, boxes);
     const LaneMask failed = roots_.failed;
     for_lanes(roots_.found, [&](std::size_t lane) {
         accept(lane, {.t = block_.t_start[lane] + roots_.s[lane] / block_.speed[lane],
-                      .leaf = box,
+                      .leaf = boxes[lane],
                       .uv = Vec2(roots_.x[lane] + 1, roots_.y[lane] + 1) * 0.5,
                       .error = Vec2(roots_.error[lane] * 0.5)});
     });
-    for_lanes(failed, [&](std::size_t lane) { clip(box, lane); });
+    for_lanes(failed, [&](std::size_t lane) { clip(boxes[lane], lane); });
 }
 
 void BlockSearch::clip(std::uint32_t box, std::size_t lane) {

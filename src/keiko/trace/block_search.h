@@ -48,7 +48,11 @@ private:
     /// Takes the nearest pending leaf that ends before `until`, nothing when there is none.
     const Pending* first_pending(std::size_t lane, double until);
     void remove_pending(std::size_t lane, std::uint32_t box);
-    void solve(std::uint32_t box, LaneMask lanes);
+    /// Those of the lanes that can be solved together with the first.
+    LaneMask alike(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& boxes) const;
+    /// Each lane's single root on its own leaf.
+    void solve(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& boxes);
+    void find_single_roots(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& boxes);
     void clip(std::uint32_t box, std::size_t lane);
     void accept(std::size_t lane, Crossing crossing);
     void end(std::size_t lane);

@@ -38,10 +38,10 @@ struct NarrowedBoxes {
 /// within J^-1 (K r^2 / 2 + noise) of Newton's z - J^-1 F(z); where |J^-1| K r is below 1 there is
 /// at most one.
 template <class D>
-NarrowedBoxes<D> narrowed(D d, const PlanePair& planes, const HotLeaf& leaf,
-                          const Component4* polynomial, const Boxes<hn::Vec<D>>& b) {
+NarrowedBoxes<D> narrowed(D d, const PlanePair& planes, const SameLeaf& leaf,
+                          const Boxes<hn::Vec<D>>& b) {
     using V = hn::Vec<D>;
-    const Jet<V> at = jet_of(d, leaf, polynomial, b.x, b.y);
+    const Jet<V> at = jet_of(d, leaf, b.x, b.y);
     const auto seen = [&](const std::array<V, 4>& c, std::size_t plane) {
         const Component4& w = planes.weights[plane];
         return hn::MulAdd(
@@ -142,14 +142,13 @@ constexpr double narrowest = 1e-7;
 
 /// One step for the last boxes of a stack; false when it leads nowhere.
 template <class D>
-bool narrow_last(D d, const PlanePair& planes, const HotLeaf& leaf, const Component4* polynomial,
-                 BoxStack& stack, RootBoxes& roots) {
+bool narrow_last(D d, const PlanePair& planes, const SameLeaf& leaf, BoxStack& stack,
+                 RootBoxes& roots) {
     const std::size_t count = std::min(stack.size, hn::Lanes(d));
     stack.size -= count;
     const auto load = [&](const auto& from) { return hn::LoadU(d, from.data() + stack.size); };
-    const NarrowedBoxes<D> n =
-        narrowed(d, planes, leaf, polynomial,
-                 {load(stack.x), load(stack.y), load(stack.half_x), load(stack.half_y)});
+    const NarrowedBoxes<D> n = narrowed(
+        d, planes, leaf, {load(stack.x), load(stack.y), load(stack.half_x), load(stack.half_y)});
     const auto left = hn::And(n.left, hn::FirstN(d, count));
     const auto found = hn::And(left, n.root), kept = hn::AndNot(n.root, left);
     const auto wide = hn::Gt(hn::Max(n.boxes.half_x, n.boxes.half_y), hn::Set(d, narrowest));
@@ -182,7 +181,7 @@ bool find_roots(const PlanePair& planes, const HotLeaf& leaf, const Component4* 
     fill(stack, where);
     roots.count = 0;
     for (std::size_t seen = 0; stack.size > 0; seen += hn::Lanes(Wide()))
-        if (seen > most_boxes || !narrow_last(Wide(), planes, leaf, polynomial, stack, roots))
+        if (seen > most_boxes || !narrow_last(Wide(), planes, {leaf, polynomial}, stack, roots))
             return false;
     return true;
 }

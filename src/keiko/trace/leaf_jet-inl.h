@@ -6,8 +6,7 @@
 #define KEIKO_TRACE_LEAF_JET_INL_H
 #endif
 
-#include "keiko/trace/lanes-inl.h"
-#include "keiko/trace/leaf_kernels.h"
+#include "keiko/trace/leaves-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
@@ -18,27 +17,25 @@ struct Jet {
     std::array<V, 4> value, by_x, by_y;
 };
 
-template <class D, bool rational>
-Jet<hn::Vec<D>> jet(D d, const HotLeaf& leaf, const Component4* polynomial, hn::Vec<D> x,
-                    hn::Vec<D> y) {
+template <bool rational, class D, class Leaves>
+Jet<hn::Vec<D>> jet(D d, const Leaves& leaves, hn::Vec<D> x, hn::Vec<D> y) {
     using V = hn::Vec<D>;
     constexpr std::size_t used = rational ? 4 : 3;
-    const std::size_t columns = leaf.degree_v + 1u;
+    const std::size_t columns = leaves.shape().degree_v + 1u, last = leaves.shape().degree_u;
     Jet<V> jet;
-    for (std::size_t i = leaf.degree_u + 1u; i-- > 0;) {
-        const Component4* row = polynomial + i * columns;
+    for (std::size_t i = last + 1; i-- > 0;) {
         std::array<V, used> value, slope;
         for (std::size_t c = 0; c < used; ++c) {
-            value[c] = hn::Set(d, row[columns - 1][c]);
+            value[c] = leaves.coefficient(d, i * columns + columns - 1, c);
             slope[c] = hn::Zero(d);
         }
         for (std::size_t j = columns - 1; j-- > 0;)
             for (std::size_t c = 0; c < used; ++c) {
                 slope[c] = hn::MulAdd(slope[c], y, value[c]);
-                value[c] = hn::MulAdd(value[c], y, hn::Set(d, row[j][c]));
+                value[c] = hn::MulAdd(value[c], y, leaves.coefficient(d, i * columns + j, c));
             }
         for (std::size_t c = 0; c < used; ++c) {
-            if (i == leaf.degree_u) {
+            if (i == last) {
                 jet.by_x[c] = hn::Zero(d);
                 jet.value[c] = value[c];
                 jet.by_y[c] = slope[c];
@@ -82,25 +79,25 @@ SingleJet single_jet(const HotLeaf& leaf, const Component4* polynomial, double a
     return jet;
 }
 
-/// Jets of many lanes, all on one leaf.
-template <class D>
-Jet<hn::Vec<D>> jet_of(D d, const HotLeaf& leaf, const Component4* polynomial, hn::Vec<D> x,
-                       hn::Vec<D> y) {
-    using V = hn::Vec<D>;
-    Jet<V> result;
-    if constexpr (hn::MaxLanes(D()) == 1) {
-        const SingleJet one = single_jet(leaf, polynomial, hn::GetLane(x), hn::GetLane(y));
-        for (std::size_t c = 0; c < 4; ++c) {
-            result.value[c] = hn::Set(d, one.value[c]);
-            result.by_x[c] = hn::Set(d, one.by_x[c]);
-            result.by_y[c] = hn::Set(d, one.by_y[c]);
-        }
-        return result;
-    }
-    if (leaf.rational) return jet<D, true>(d, leaf, polynomial, x, y);
-    result = jet<D, false>(d, leaf, polynomial, x, y);
+/// Jets of all lanes.
+template <class D, class Leaves>
+Jet<hn::Vec<D>> jet_of(D d, const Leaves& leaves, hn::Vec<D> x, hn::Vec<D> y) {
+    if (leaves.shape().rational) return jet<true>(d, leaves, x, y);
+    Jet<hn::Vec<D>> result = jet<false>(d, leaves, x, y);
     result.value[3] = hn::Set(d, 1);
     result.by_x[3] = result.by_y[3] = hn::Zero(d);
+    return result;
+}
+
+inline Jet<hn::Vec<One>> jet_of(One d, const SameLeaf& leaves, hn::Vec<One> x, hn::Vec<One> y) {
+    const SingleJet one =
+        single_jet(leaves.leaf, leaves.polynomial, hn::GetLane(x), hn::GetLane(y));
+    Jet<hn::Vec<One>> result;
+    for (std::size_t c = 0; c < 4; ++c) {
+        result.value[c] = hn::Set(d, one.value[c]);
+        result.by_x[c] = hn::Set(d, one.by_x[c]);
+        result.by_y[c] = hn::Set(d, one.by_y[c]);
+    }
     return result;
 }
 

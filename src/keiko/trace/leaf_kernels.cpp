@@ -1,5 +1,7 @@
 #include "keiko/trace/leaf_kernels.h"
 
+#include <bit>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "keiko/trace/leaf_kernels.cpp"
 // First: it includes this file once for each instruction set.
@@ -35,14 +37,31 @@ void solve(const RayBlock& rays, LaneMask mask, const HotLeaf& leaf, const Compo
            LeafRoots& result) {
     result.found = result.failed = 0;
     for_vectors(mask, [&](std::size_t lane) {
-        result.found |= solve_lanes(Wide(), rays, lane, mask, leaf, polynomial, result);
+        result.found |= solve_lanes(Wide(), rays, lane, mask, SameLeaf{leaf, polynomial}, result);
     });
 }
 
 void solve_single(const RayBlock& rays, std::size_t lane, const HotLeaf& leaf,
                   const Component4* polynomial, LeafRoots& result) {
     result.found = result.failed = 0;
-    result.found = solve_lanes(One(), rays, lane, LaneMask{1} << lane, leaf, polynomial, result);
+    result.found =
+        solve_lanes(One(), rays, lane, LaneMask{1} << lane, SameLeaf{leaf, polynomial}, result);
+}
+
+void solve_gathered(const RayBlock& rays, LaneMask mask,
+                    const RayBlock::Lanes<const HotLeaf*>& leaves, const Component4* polynomials,
+                    LeafRoots& result) {
+    result.found = result.failed = 0;
+    for_vectors(mask, [&](std::size_t lane) {
+        const auto any = static_cast<std::size_t>(std::countr_zero(mask >> lane));
+        std::array<const HotLeaf*, GatheredLeaves::lanes> here;
+        for (std::size_t i = 0; i < here.size(); ++i) {
+            const bool wanted = lane + i < RayBlock::capacity && (mask >> (lane + i) & 1) != 0;
+            here[i] = leaves[lane + (wanted ? i : any)];
+        }
+        result.found |=
+            solve_lanes(Wide(), rays, lane, mask, GatheredLeaves(here, polynomials), result);
+    });
 }
 
 LeafKernels kernels() {
@@ -52,6 +71,7 @@ LeafKernels kernels() {
             look_single,
             solve,
             solve_single,
+            solve_gathered,
             find_roots,
             evaluate};
 }

@@ -86,6 +86,11 @@ LeafPolynomial leaf_polynomial(const BezierPatchView& leaf, const LeafFrame& fra
         }
         polynomial.coefficients.push_back(to);
     }
+    // Without weights the kernels take 1 for granted.
+    if (!leaf.rational()) {
+        for (auto& c : polynomial.coefficients) c[3] = 0;
+        polynomial.coefficients.front()[3] = 1;
+    }
     // In the frame: 5 roundings in double of numbers up to the size of a point's offset. The sums:
     // one rounding a term. Horner: two a step, and one when a coefficient was stored.
     const double terms = static_cast<double>(rows + columns);

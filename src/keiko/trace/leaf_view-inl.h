@@ -6,8 +6,7 @@
 #define KEIKO_TRACE_LEAF_VIEW_INL_H
 #endif
 
-#include "keiko/trace/lanes-inl.h"
-#include "keiko/trace/leaf_kernels.h"
+#include "keiko/trace/leaves-inl.h"
 #include "keiko/trace/ray_blur.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -26,42 +25,57 @@ struct View {
     V blur_u, blur_v; ///< of a and b, with all that the leaf's own blur adds
     V contraction;    ///< of LeafFrame, for this ray
 
-    View(D d, const RayBlock& rays, std::size_t lane, const HotLeaf& leaf) {
+    template <class Leaves>
+    View(D d, const RayBlock& rays, std::size_t lane, const Leaves& leaves) {
         const auto load = [&](const RayBlock::Lanes<double>& from) {
             return hn::Load(d, from.data() + lane);
         };
-        const auto set = [&](double x) { return hn::Set(d, x); };
-        const V o0 = hn::Sub(load(rays.start[0]), set(leaf.center[0]));
-        const V o1 = hn::Sub(load(rays.start[1]), set(leaf.center[1]));
-        const V o2 = hn::Sub(load(rays.start[2]), set(leaf.center[2]));
+        const auto get = [&](const auto& read) { return leaves.number(d, read); };
+        const auto away = [&](std::size_t k) {
+            return hn::Sub(load(rays.start[k]), get([k](const HotLeaf& h) { return h.center[k]; }));
+        };
+        const V o0 = away(0), o1 = away(1), o2 = away(2);
         const V d0 = load(rays.direction[0]), d1 = load(rays.direction[1]);
         const V d2 = load(rays.direction[2]);
-        const auto row = [&](const std::array<double, 3>& r, V x, V y, V z) {
-            return hn::MulAdd(set(r[2]), z, hn::MulAdd(set(r[1]), y, hn::Mul(set(r[0]), x)));
+        const auto row = [&](std::size_t r, V x, V y, V z) {
+            const auto entry = [&](std::size_t k) {
+                return get([r, k](const HotLeaf& h) { return h.rows[r][k]; });
+            };
+            return hn::MulAdd(entry(2), z, hn::MulAdd(entry(1), y, hn::Mul(entry(0), x)));
         };
-        step = hn::Div(set(1), row(leaf.rows[2], d0, d1, d2));
-        const V height = row(leaf.rows[2], o0, o1, o2);
-        p = hn::Mul(row(leaf.rows[0], d0, d1, d2), step);
-        q = hn::Mul(row(leaf.rows[1], d0, d1, d2), step);
-        a = hn::NegMulAdd(height, p, row(leaf.rows[0], o0, o1, o2));
-        b = hn::NegMulAdd(height, q, row(leaf.rows[1], o0, o1, o2));
+        step = hn::Div(hn::Set(d, 1), row(2, d0, d1, d2));
+        const V height = row(2, o0, o1, o2);
+        p = hn::Mul(row(0, d0, d1, d2), step);
+        q = hn::Mul(row(1, d0, d1, d2), step);
+        a = hn::NegMulAdd(height, p, row(0, o0, o1, o2));
+        b = hn::NegMulAdd(height, q, row(1, o0, o1, o2));
         depth = hn::Neg(hn::Mul(height, step));
-        steep = hn::Mul(hn::Abs(step), set(leaf.row_length[2]));
 
-        const V pp = hn::Abs(p), qq = hn::Abs(q);
-        const V blur =
-            hn::MulAdd(set(ray_rounding), hn::Abs(depth), hn::Add(load(rays.blur), set(leaf.blur)));
-        blur_u = hn::Mul(blur, hn::MulAdd(pp, set(leaf.row_length[2]), set(leaf.row_length[0])));
-        blur_v = hn::Mul(blur, hn::MulAdd(qq, set(leaf.row_length[2]), set(leaf.row_length[1])));
-        blur_s_ = hn::Mul(blur, steep);
-        const auto mixed = [&](const std::array<double, 4>& e, std::size_t own, V turn, V at) {
-            return hn::MulAdd(hn::Abs(at), set(e[3]), hn::MulAdd(turn, set(e[2]), set(e[own])));
+        const auto length = [&](std::size_t k) {
+            return get([k](const HotLeaf& h) { return h.row_length[k]; });
         };
-        contraction = hn::Max(mixed(leaf.slope, 0, pp, a), mixed(leaf.slope, 1, qq, b));
-        strip_u_ = hn::Add(mixed(leaf.value, 0, pp, a), blur_u);
-        strip_v_ = hn::Add(mixed(leaf.value, 1, qq, b), blur_v);
-        bend_ = hn::Max(mixed(leaf.bend, 0, pp, a), mixed(leaf.bend, 1, qq, b));
-        reach_ = hn::MulAdd(hn::Abs(step), set(leaf.height), blur_s_);
+        const V pp = hn::Abs(p), qq = hn::Abs(q), length_n = length(2);
+        steep = hn::Mul(hn::Abs(step), length_n);
+        const V blur =
+            hn::MulAdd(hn::Set(d, ray_rounding), hn::Abs(depth),
+                       hn::Add(load(rays.blur), get([](const HotLeaf& h) { return h.blur; })));
+        blur_u = hn::Mul(blur, hn::MulAdd(pp, length_n, length(0)));
+        blur_v = hn::Mul(blur, hn::MulAdd(qq, length_n, length(1)));
+        const auto mixed = [&](auto bounds, std::size_t own, V turn, V at) {
+            const auto entry = [&](std::size_t k) {
+                return get([bounds, k](const HotLeaf& h) { return (h.*bounds)[k]; });
+            };
+            return hn::MulAdd(hn::Abs(at), entry(3), hn::MulAdd(turn, entry(2), entry(own)));
+        };
+        const auto larger = [&](auto bounds) {
+            return hn::Max(mixed(bounds, 0, pp, a), mixed(bounds, 1, qq, b));
+        };
+        contraction = larger(&HotLeaf::slope);
+        bend_ = larger(&HotLeaf::bend);
+        strip_u_ = hn::Add(mixed(&HotLeaf::value, 0, pp, a), blur_u);
+        strip_v_ = hn::Add(mixed(&HotLeaf::value, 1, qq, b), blur_v);
+        reach_ = hn::MulAdd(hn::Abs(step), get([](const HotLeaf& h) { return h.height; }),
+                            hn::Mul(blur, steep));
     }
 
     /// Half widths of the strips around (a, b) that a root lies in, and of the range of s.
@@ -71,7 +85,7 @@ struct View {
     V bend() const { return bend_; }
 
 private:
-    V strip_u_, strip_v_, bend_, reach_, blur_s_;
+    V strip_u_, strip_v_, bend_, reach_;
 };
 
 /// Beyond this the proofs' own rounding would matter.
@@ -81,7 +95,7 @@ constexpr double steepest = 1e6;
 
 template <class D>
 void look_at(D d, const RayBlock& rays, std::size_t lane, const HotLeaf& leaf, LeafLook& result) {
-    const View<D> v(d, rays, lane, leaf);
+    const View<D> v(d, rays, lane, SameLeaf{leaf, nullptr});
     const auto one = hn::Set(d, 1);
     const auto near_s = hn::Sub(v.depth, v.reach()), far_s = hn::Add(v.depth, v.reach());
     const auto low = hn::Load(d, rays.low.data() + lane);

@@ -24,10 +24,10 @@ hn::Vec<D> far_below(D d, hn::Vec<D> noise) {
 /// Newton's method on F = w X - p w Z - a w and G likewise, clamped to the leaf. With c the
 /// contraction, the root is within |F| / (1 - c) of the place; a step leaves at most half the
 /// bend times the square of that, over 1 - c. A place that far outside the leaf has no root.
-template <class D>
+template <class D, class Leaves>
 LaneMask solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask wanted,
-                     const HotLeaf& leaf, const Component4* polynomial, LeafRoots& result) {
-    const View<D> v(d, rays, lane, leaf);
+                     const Leaves& leaves, LeafRoots& result) {
+    const View<D> v(d, rays, lane, leaves);
     const auto one = hn::Set(d, 1), zero = hn::Zero(d);
     const auto clamped = [&](auto t) { return hn::Min(hn::Max(t, hn::Neg(one)), one); };
     const auto regain = hn::Div(one, hn::Sub(one, v.contraction));
@@ -40,7 +40,7 @@ LaneMask solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask wante
     auto x = clamped(v.a), y = clamped(v.b);
     auto error = zero, s = zero;
     for (int i = 0; i < most_steps && !hn::AllFalse(d, active); ++i) {
-        const auto at = jet_of(d, leaf, polynomial, x, y);
+        const auto at = jet_of(d, leaves, x, y);
         const auto seen = [&](const auto& c, auto turn, auto place, std::size_t own) {
             return hn::NegMulAdd(place, c[3], hn::NegMulAdd(turn, c[2], c[own]));
         };

@@ -74,7 +74,8 @@ LaneMask enter_lanes(D d, const SceneBall& scene, RayBlock& rays, std::size_t la
     // No leaf's frame is centred farther away than across the ball.
     store(hn::Add(error, set(ray_rounding * 2.5 * scene.radius)), rays.blur);
     return lane_bits(d,
-                     hn::And(hn::And(hn::Gt(speed, set(shortest_direction)), hn::Lt(speed, set(longest_direction))),
+                     hn::And(hn::And(hn::Gt(speed, set(shortest_direction)),
+                                     hn::Lt(speed, set(longest_direction))),
                              hn::And(hn::Ge(half_square, hn::Zero(d)),
                                      hn::And(hn::Le(t_low, t_high), hn::Le(low, high)))),
                      lane);
