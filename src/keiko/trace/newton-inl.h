@@ -22,8 +22,11 @@ hn::Vec<D> far_below(D d, hn::Vec<D> noise) {
 }
 
 /// Newton's method on F = w X - p w Z - a w and G likewise, clamped to the leaf. With c the
-/// contraction, the root is within |F| / (1 - c) of the place; a step leaves at most half the
-/// bend times the square of that, over 1 - c. A place that far outside the leaf has no root.
+/// contraction, a root on the leaf is within r = |F| / (1 - c) of the place z, and within 2; with J
+/// the Jacobian at z, m a bound of its inverse, K the bend and s = |J^-1 F(z)| the step, within
+/// m K r^2 / 2 of where the step leads. Hence r <= s + m K r^2 / 2, and where m K r < 1 that leaves
+/// the smaller solution, r <= s (1 + 2 h) with h = m K s <= 1/2 (Kantorovich). No root is on the
+/// leaf when the step leads farther off it than the bound.
 template <class D, class Leaves>
 LaneMask solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask wanted,
                      const Leaves& leaves, LeafRoots& result) {
@@ -33,7 +36,7 @@ LaneMask solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask wante
     const auto regain = hn::Div(one, hn::Sub(one, v.contraction));
     const auto noise = hn::Mul(hn::Max(v.blur_u, v.blur_v), regain);
     const auto enough = far_below(d, noise);
-    const auto half_bend = hn::Mul(hn::Mul(hn::Set(d, 0.5), v.bend()), regain);
+    const auto two = hn::Set(d, 2), half = hn::Set(d, 0.5);
     std::uint8_t start_bits[8] = {static_cast<std::uint8_t>(wanted >> lane)};
     auto active = hn::LoadMaskBits(d, start_bits);
     auto found = hn::FirstN(d, 0);
@@ -50,8 +53,18 @@ LaneMask solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask wante
         const auto scale = hn::Div(one, hn::NegMulAdd(fy, gx, hn::Mul(fx, gy)));
         const auto dx = hn::Mul(hn::NegMulAdd(gy, f, hn::Mul(fy, g)), scale);
         const auto dy = hn::Mul(hn::NegMulAdd(fx, g, hn::Mul(gx, f)), scale);
-        const auto off = hn::MulAdd(hn::Max(hn::Abs(f), hn::Abs(g)), regain, noise);
-        const auto remainder = hn::Mul(half_bend, hn::Mul(off, off));
+        const auto sum = [](auto first, auto second) {
+            return hn::Add(hn::Abs(first), hn::Abs(second));
+        };
+        const auto inverse = hn::Mul(hn::Abs(scale), hn::Max(sum(gy, fy), sum(gx, fx)));
+        const auto bend = hn::Mul(inverse, v.bend());
+        const auto far = hn::Min(hn::MulAdd(hn::Max(hn::Abs(f), hn::Abs(g)), regain, noise), two);
+        const auto step = hn::Add(hn::Max(hn::Abs(dx), hn::Abs(dy)), noise);
+        const auto h = hn::Mul(bend, step);
+        const auto near = hn::MulAdd(hn::Mul(two, h), step, step);
+        const auto smaller = hn::And(hn::Lt(hn::Mul(bend, far), one), hn::Le(h, half));
+        const auto off = hn::IfThenElse(smaller, hn::Min(far, near), far);
+        const auto remainder = hn::Mul(hn::Mul(half, bend), hn::Mul(off, off));
         const auto bound = hn::Add(remainder, noise);
         const auto limit = hn::Add(one, bound);
         const auto next_x = hn::Add(x, dx), next_y = hn::Add(y, dy);

@@ -92,6 +92,7 @@ Tracer::Tracer(const SurfaceModel& model, const TracerOptions& options, const Jo
     for (const PlacedLeaf& placed : scene_->model.placed)
         s.leaves_mixed += scene_->model.leaves.leaves[placed.leaf].trim == TrimSide::mixed;
     s.bytes = scene_->model.bytes();
+    s.instruction_set = scene_->kernels.name;
     s.build_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }

@@ -27,6 +27,7 @@ struct TracerStatistics {
     std::size_t leaves = 0, leaves_trimmed_away = 0, leaves_mixed = 0;
     std::size_t bytes = 0; ///< of Keiko's own records
     double build_seconds = 0;
+    const char* instruction_set = ""; ///< that the kernels were chosen for
 };
 
 /// Finds where rays meet the trimmed surfaces of a model: Bezier clipping (Nishita, Sederberg,
