@@ -53,6 +53,7 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     result.report.tool_version = version();
     result.report.coverage = std::move(coverage);
     result.report.inspection = inspect(scene.model, options.preset, options.join, job);
+    result.report.inspection.facts.tracing = trace_facts(scene.tracer.statistics());
     for (const NamedView& view : views) {
         Film film = render_view(scene, result.rig, view.camera, options.picture, job);
         result.report.pictures.push_back(report_picture(

@@ -30,7 +30,18 @@ std::string version();
 struct SceneOptions {
     LoadOptions load;
     std::string material = "black-show-car"; ///< of models that no scene file paints
+    bool clipping_only = false;              ///< trace by Bezier clipping alone, see TracerOptions
 };
+
+struct FactsOptions {
+    LoadOptions load;
+    double join = 0.5;    ///< mm, within which two borders count as a seam
+    bool tracing = false; ///< build the tracer too, and tell what it takes
+};
+
+/// Reads a model file and tells what is in it.
+ModelFacts file_facts(const std::filesystem::path& file, const FactsOptions& options = {},
+                      const Job& job = {});
 
 /// A body ready to be looked at.
 struct Scene {

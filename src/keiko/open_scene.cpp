@@ -67,7 +67,7 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
         models.push_back(std::move(model));
     }
     SurfaceModel body = merge(models);
-    Tracer tracer(body, {.second_derivatives = true}, job);
+    Tracer tracer(body, {.second_derivatives = true, .clipping_only = options.clipping_only}, job);
     return {std::move(body), std::move(materials), std::move(tracer), spec.camera, spec.view,
             spec.rig,        spec.background,      spec.width,        spec.height};
 }

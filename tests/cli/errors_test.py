@@ -26,6 +26,7 @@ class Errors(KeikoTest):
         self.fails(reason, "inspect", model, "-o", "out")
         self.fails(reason, "place", model, "-o", "rig.toml")
         self.fails(reason, "render", model, "-o", "picture.png")
+        self.fails(reason, "trace", model)
 
     def file_fails(self, model: str, reason: str):
         self.fails(reason, "render", model, "-o", "picture.png")

@@ -25,6 +25,42 @@ class Info(KeikoTest):
         self.assertRegex(text, rf"(?m)^faces\s+{facts['faces']}\b")
         self.assertRegex(text, rf"(?m)^patches\s+{facts['patches']}\b")
 
+    def test_the_json_lists_parts_and_faces(self):
+        facts = self.facts("hood.step")
+        self.assertEqual((facts["format"], facts["file_format"]), ("keiko-model-facts/1", "STEP"))
+        self.assertEqual((facts["millimetres_per_unit"], facts["join"], facts["seams"]), (1, 0.5, 2))
+        parts, faces = facts["part_list"], facts["face_list"]
+        self.assertEqual((len(parts), len(faces)), (facts["parts"], facts["faces"]))
+        self.assertEqual(sum(p["patches"] for p in parts), facts["patches"])
+        self.assertEqual(sum(f["patches"] for f in faces), facts["patches"])
+        self.assertEqual(sum(p["instances"] for p in parts), facts["instances"])
+        self.assertEqual([f["id"] for f in faces], [1, 2, 3])
+        self.assertEqual({tuple(f["degree"]) for f in faces}, {(5, 5)})
+        self.assertEqual(len({f["name"] for f in faces}), 3)
+        self.assertEqual((facts["edges"], facts["degenerate_edges"]), (12, 0))
+        self.assertEqual(facts["remarks"], {"notes": 0, "warnings": 0, "errors": 0})
+
+    def test_what_was_done_to_the_file_is_listed_and_counted(self):
+        run = self.keiko("info", surface("saddle.bpt"), "--json", "-q", "--unit", "in")
+        facts = json.loads(run.stdout)
+        self.assertEqual((facts["unit"], facts["millimetres_per_unit"]), ("in", 25.4))
+        self.assertEqual(facts["remarks"]["notes"], 1)
+        self.assertEqual([d["severity"] for d in facts["diagnostics"]], ["note"])
+
+    def test_verbose_tells_what_ray_tracing_takes(self):
+        plain = self.keiko("info", surface("hood.step"))
+        self.assertNotIn("tracing", plain.stdout)
+        self.assertNotIn("keiko: build\n", plain.stderr)
+        self.assertIsNone(self.facts("hood.step")["tracing"])
+        text = self.keiko("info", surface("hood.step"), "--verbose").stdout
+        self.assertRegex(text, r"(?m)^tracing +\d+ leaves, \d+ cut by trims, \d+ trimmed away, "
+                               r"\d+ bytes, built in [\d.e-]+ ms$")
+        tracing = json.loads(self.keiko("info", surface("trimmed-hole.step"), "--json",
+                                        "--verbose").stdout)["tracing"]
+        self.assertGreater(tracing["build_milliseconds"], 0)
+        self.assertTrue(0 < tracing["mixed_leaves"] <= tracing["leaves"])
+        self.assertGreater(tracing["bytes"], tracing["leaves"])
+
     def test_a_unit_given_by_hand_scales_the_model(self):
         plain = self.facts("saddle.bpt")["bounds"]["upper"]
         inches = json.loads(self.succeed("info", surface("saddle.bpt"), "--json", "-q", "--unit",

@@ -57,6 +57,23 @@ class Inspect(KeikoTest):
             return {p.name: p.read_bytes() for p in (self.folder / "out").iterdir()}
         self.assertEqual(files(), files())
 
+    def test_the_report_is_the_same_for_any_thread_count_and_tells_no_time(self):
+        def reports(threads: str):
+            tracing = self.inspect("trimmed-hole.step", "--threads", threads)[1]["model"]["tracing"]
+            self.assertEqual(set(tracing), {"leaves", "mixed_leaves", "trimmed_away_leaves",
+                                            "bytes"})
+            return [(self.folder / "out" / n).read_bytes() for n in ("report.json", "report.html")]
+        self.assertEqual(reports("1"), reports("3"))
+
+    def test_verbose_tells_how_hits_were_found(self):
+        view = ("-o", "out", "--view", "high-front", *SMALL, "--verbose")
+        run = self.keiko("inspect", surface("seam-g2-only.step"), *view)
+        self.assertRegex(run.stderr, r"(?m)^keiko: picture of \d+ hits: [\d.]+ % unique")
+        run = self.keiko("inspect", surface("seam-g2-only.step"), *view, "--intersector",
+                         "clipping")
+        self.assertRegex(run.stderr, r"(?m)^keiko: picture of \d+ hits: 0.00 % unique")
+        self.assertEqual(run.returncode, 0)
+
     def test_its_rig_lights_a_render(self):
         self.inspect("seam-g2-only.step")
         self.succeed("render", surface("seam-g2-only.step"), "-o", "a.png", "--rig",

@@ -1,9 +1,11 @@
 #include "keiko/base/parallel.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 
 namespace keiko {
@@ -53,6 +55,38 @@ void parallel_for(std::size_t count, const Job& job, std::string_view stage,
             },
             tbb::simple_partitioner{});
     });
+}
+
+void parallel_stream(std::size_t slots, const Job& job, const StreamStages& stages) {
+    std::size_t begun = 0;
+    std::atomic<bool> enough = false;
+    // At most `slots` are under way and they are written in order: the next one is free again.
+    const auto read = [&](tbb::flow_control& control) -> std::size_t {
+        job.check();
+        const std::size_t slot = begun++ % slots;
+        if (enough || !stages.read(slot)) control.stop();
+        return slot;
+    };
+    const auto work = [&](std::size_t slot) {
+        if (!enough) stages.work(slot);
+        return slot;
+    };
+    const auto write = [&](std::size_t slot) {
+        job.check();
+        if (!enough && !stages.write(slot)) enough = true;
+    };
+    using tbb::filter_mode;
+    tbb::task_arena arena(arena_size(job.threads));
+    arena.execute([&] {
+        tbb::parallel_pipeline(
+            slots, tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, read) &
+                       tbb::make_filter<std::size_t, std::size_t>(filter_mode::parallel, work) &
+                       tbb::make_filter<std::size_t, void>(filter_mode::serial_in_order, write));
+    });
+}
+
+std::size_t thread_count(const Job& job) {
+    return static_cast<std::size_t>(arena_size(job.threads));
 }
 
 } // namespace keiko

@@ -15,4 +15,20 @@ namespace keiko {
 void parallel_for(std::size_t count, const Job& job, std::string_view stage,
                   const std::function<void(std::size_t)>& body);
 
+/// What parallel_stream does with each of its slots, buffers that the caller owns.
+struct StreamStages {
+    std::function<bool(std::size_t slot)> read;  ///< fills it; false: there is no more
+    std::function<void(std::size_t slot)> work;  ///< on any thread, several at once
+    std::function<bool(std::size_t slot)> write; ///< in the order of reading; false: enough
+};
+
+/// Streams through `slots` buffers: reads one, works on it while others are read, writes it before
+/// it is read again, so that memory stays constant however long the stream is. Reading and writing
+/// never overlap themselves. The first exception is rethrown; throws Cancelled when the job is
+/// stopped.
+void parallel_stream(std::size_t slots, const Job& job, const StreamStages& stages);
+
+/// How many threads `job` gets.
+std::size_t thread_count(const Job& job);
+
 } // namespace keiko

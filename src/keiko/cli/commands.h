@@ -9,5 +9,6 @@ void add_info(CLI::App& app, Session& session);
 void add_inspect(CLI::App& app, Session& session);
 void add_place(CLI::App& app, Session& session);
 void add_render(CLI::App& app, Session& session);
+void add_trace(CLI::App& app, Session& session);
 
 } // namespace keiko::cli

@@ -14,5 +14,6 @@ int main(int argc, char** argv) {
     cli::add_inspect(app, session);
     cli::add_place(app, session);
     cli::add_render(app, session);
+    cli::add_trace(app, session);
     return session.run(app, argc, argv);
 }

@@ -54,6 +54,7 @@ void add_place(CLI::App& app, Session& session) {
     CLI::App& command =
         *app.add_subcommand("place", "hang lamps where the body mirrors them into the eye");
     arguments->scene.add_to(command, "MODEL|SCENE");
+    arguments->scene.add_picture_size(command);
     command.add_option("-o,--output", arguments->output, "rig file to write")->required();
     command.add_option("--view", arguments->views, "view by name, or auto; may repeat [auto]")
         ->allow_extra_args(false);

@@ -60,13 +60,23 @@ void SceneArguments::add_to(CLI::App& command, const std::string& what) {
         ->required();
     command.add_option("--material", options.material, "paint of models that no scene file paints")
         ->capture_default_str();
-    command.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT [960x540]");
+    command
+        .add_option("--intersector", intersector,
+                    "proving: rays meet surfaces with proof, fast; clipping: Bezier clipping "
+                    "alone, to check it by")
+        ->check(CLI::IsMember({"proving", "clipping"}))
+        ->capture_default_str();
     add_load_options(command, *this);
+}
+
+void SceneArguments::add_picture_size(CLI::App& command) {
+    command.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT [960x540]");
 }
 
 Scene SceneArguments::open(const Job& job) const {
     SceneOptions all = options;
     all.load = load_options(*this);
+    all.clipping_only = intersector == "clipping";
     const PictureSize wanted = size.empty() ? PictureSize{} : parse_size(size);
     Scene scene = open_scene(inputs, all, job);
     tell_build(scene);

@@ -14,12 +14,14 @@ namespace keiko::cli {
 struct SceneArguments {
     std::vector<std::filesystem::path> inputs;
     SceneOptions options;
-    std::string size;
+    std::string size, intersector = "proving";
     double import_timeout = 120; ///< s
     double import_memory = 16;   ///< GiB
 
     /// Adds the inputs (as `what`) and options to a command.
     void add_to(CLI::App& command, const std::string& what);
+    /// Adds the size of the pictures that a command makes.
+    void add_picture_size(CLI::App& command);
     /// Opens the scene, and warns of every face that could not be read.
     Scene open(const Job& job) const;
 };

@@ -22,6 +22,8 @@ public:
     /// Parses the command line and runs the command. Returns the exit code; one line on stderr
     /// tells every error.
     int run(CLI::App& app, int argc, char** argv);
+    /// Whether --verbose was given.
+    bool verbose() const { return verbose_; }
 
 private:
     int run_action();

@@ -33,7 +33,7 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     if (!model.lost_faces.empty()) result.verdict = Verdict::undecided;
     result.pieces = pair_seams(model, join, job);
     result.seams = measure_seams(model, result.pieces, preset, join, job);
-    result.facts = model_facts(model, result.pieces, job);
+    result.facts = model_facts(model, result.pieces, join, job);
     result.facts.seams = result.seams.size();
     for (std::uint32_t i = 0; i < result.seams.size(); ++i) {
         count(result.seams[i], result.counts);

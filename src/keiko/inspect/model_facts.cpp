@@ -1,6 +1,7 @@
 #include "keiko/inspect/model_facts.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/base/units.h"
 #include "keiko/math/interval_set.h"
 #include "keiko/patch/boundary_curves.h"
 
@@ -71,20 +72,78 @@ void count_faces(const SurfaceModel& model, ModelFacts& facts) {
         facts.placed_faces += model.parts[instance.part].face_count;
 }
 
+FaceFacts face_facts(const SurfaceModel& model, const Face& face) {
+    FaceFacts facts{.id = face.id,
+                    .part = face.part,
+                    .name = face.name,
+                    .layer = face.layer,
+                    .surface_kind = face.surface_kind,
+                    .color = face.color,
+                    .patches = face.patch_count,
+                    .loops = face.loop_count,
+                    .approximated = face.approximated};
+    for (std::uint32_t i = 0; i < face.patch_count; ++i) {
+        const BezierPatchView patch = model.patch(face.first_patch + i);
+        facts.degree = {std::max(facts.degree[0], patch.degree_u),
+                        std::max(facts.degree[1], patch.degree_v)};
+        facts.rational |= patch.rational();
+    }
+    return facts;
+}
+
+std::vector<PartFacts> part_list(const SurfaceModel& model) {
+    std::vector<PartFacts> list;
+    for (const Part& part : model.parts) {
+        PartFacts facts{.name = part.name, .faces = part.face_count};
+        for (std::uint32_t i = 0; i < part.face_count; ++i)
+            facts.patches += model.faces[part.first_face + i].patch_count;
+        list.push_back(std::move(facts));
+    }
+    for (const Instance& instance : model.instances) {
+        ++list[instance.part].instances;
+        list[instance.part].mirrored_instances += instance.transform.mirrored();
+    }
+    return list;
+}
+
+void count_edges(const SurfaceModel& model, ModelFacts& facts) {
+    facts.edges = model.edges.size();
+    for (const Edge& edge : model.edges) {
+        facts.degenerate_edges += edge.degenerate;
+        facts.largest_edge_tolerance = std::max(facts.largest_edge_tolerance, edge.tolerance);
+    }
+}
+
+RemarkCounts count_remarks(const Diagnostics& diagnostics) {
+    RemarkCounts counts;
+    for (const Diagnostic& remark : diagnostics) {
+        counts.notes += remark.severity == Severity::note;
+        counts.warnings += remark.severity == Severity::warning;
+        counts.errors += remark.severity == Severity::error;
+    }
+    return counts;
+}
+
 } // namespace
 
-ModelFacts model_facts(const SurfaceModel& model, std::span<const Seam> seams, const Job& job) {
+ModelFacts model_facts(const SurfaceModel& model, std::span<const Seam> seams, double join,
+                       const Job& job) {
     ModelFacts facts;
     facts.source = model.source, facts.format = model.format, facts.unit = model.unit;
+    facts.millimetres_per_unit = model.unit.empty() ? 1 : millimetres_per(model.unit);
     facts.parts = model.parts.size(), facts.instances = model.instances.size();
     count_faces(model, facts);
     count_patches(model, facts);
+    count_edges(model, facts);
+    facts.part_list = part_list(model);
+    for (const Face& face : model.faces) facts.face_list.push_back(face_facts(model, face));
     facts.bounds = bounds(model);
-    facts.seams = seams.size();
+    facts.seams = seams.size(), facts.join = join;
     const Lengths lengths = border_lengths(model, seams, job);
     facts.border_length = lengths.whole, facts.free_length = lengths.free;
     facts.lost_faces = model.lost_faces;
     facts.diagnostics = model.diagnostics;
+    facts.remarks = count_remarks(model.diagnostics);
     return facts;
 }
 

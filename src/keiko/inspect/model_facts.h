@@ -1,22 +1,51 @@
 #pragma once
 
 #include "keiko/base/job.h"
+#include "keiko/inspect/trace_facts.h"
 #include "keiko/math/bounds.h"
 #include "keiko/patch/seam.h"
 
 #include <array>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace keiko {
 
+/// A part of a model file.
+struct PartFacts {
+    std::string name;
+    std::size_t faces = 0, patches = 0;
+    std::size_t instances = 0, mirrored_instances = 0;
+};
+
+/// A face of a model file.
+struct FaceFacts {
+    std::uint32_t id = 0;   ///< as Face::id
+    std::uint32_t part = 0; ///< index of its part, from 0
+    std::string name, layer, surface_kind;
+    std::optional<Rgb> color;
+    std::size_t patches = 0, loops = 0;
+    std::array<int, 2> degree{}; ///< the largest of its patches, u and v
+    bool rational = false;       ///< one of its patches, at least
+    double approximated = 0;     ///< as Face::approximated
+};
+
+/// How many remarks of each severity the import made.
+struct RemarkCounts {
+    std::size_t notes = 0, warnings = 0, errors = 0;
+};
+
 /// What is in a model file.
 struct ModelFacts {
     std::string source, format;
     std::string unit; ///< of the file; empty: it names none and is read as mm
+    std::optional<double> millimetres_per_unit; ///< nothing for a unit that Keiko does not know
     std::size_t parts = 0, instances = 0, faces = 0, placed_faces = 0;
+    std::vector<PartFacts> part_list; ///< in the order of the model
+    std::vector<FaceFacts> face_list; ///< in the order of the model
     std::size_t patches = 0, trimmed_faces = 0;
     std::size_t rational_patches = 0;
     std::size_t approximated_faces = 0;
@@ -24,14 +53,20 @@ struct ModelFacts {
     std::map<std::string, std::size_t> kinds;          ///< faces of each surface kind
     std::map<std::array<int, 2>, std::size_t> degrees; ///< patches of each degree u x v
     Box3 bounds;                                       ///< world, mm, of the control points
+    std::size_t edges = 0, degenerate_edges = 0; ///< as the file shares them; the latter are points
+    double largest_edge_tolerance = 0;           ///< mm, as the file claims
     std::size_t seams = 0;
+    double join = 0;          ///< mm, within which two borders count as a seam
     double border_length = 0; ///< mm, of all borders of all placed faces
     double free_length = 0;   ///< mm, of borders that meet no other
     std::vector<LostFace> lost_faces;
-    Diagnostics diagnostics; ///< healing among them
+    Diagnostics diagnostics;           ///< healing among them
+    RemarkCounts remarks;              ///< of the diagnostics
+    std::optional<TraceFacts> tracing; ///< when a tracer was built
 };
 
-/// `seams`: those of pair_seams.
-ModelFacts model_facts(const SurfaceModel& model, std::span<const Seam> seams, const Job& job = {});
+/// `seams`: those of pair_seams for `join` mm.
+ModelFacts model_facts(const SurfaceModel& model, std::span<const Seam> seams, double join,
+                       const Job& job = {});
 
 } // namespace keiko

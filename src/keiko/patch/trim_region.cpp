@@ -37,17 +37,33 @@ double distance(const Vec2& p, const Box2& box, const Vec2& scale) {
     return std::hypot(dx, dy);
 }
 
+/// A part of a piece between two of its parameters.
+struct Stretch {
+    double a, b;
+    Vec2 at_a, at_b;
+
+    /// Share of the chord from a to b at which it is nearest to `p`.
+    double foot(const Vec2& p, const Vec2& scale) const {
+        const Vec2 chord = (at_b - at_a) * scale;
+        const double square = chord.length2();
+        return square > 0 ? std::clamp(chord.dot((p - at_a) * scale) / square, 0.0, 1.0) : 0;
+    }
+};
+
 /// Nearest point of a piece by branch and bound on the boxes of its stretches; tightens `best`.
-void approach(const MonotonePiece& piece, const Vec2& p, const Vec2& scale,
-              TrimRegion::NearCurve& best, bool& found) {
-    struct Stretch {
-        double a, b;
-        Vec2 at_a, at_b;
-    };
+bool approach(const MonotonePiece& piece, const Vec2& p, const Vec2& scale,
+              TrimRegion::NearCurve& best) {
     // Where the scale is 0 (at a pole) everything is equally near: without an end of its own the
     // search would visit all of it.
     constexpr double share_of_distance = 1e-3, share_of_reach = 1e-9;
+    // So short a stretch is its chord to within rounding.
+    constexpr double straight = 1e-9;
     const double least = share_of_reach * best.distance;
+    bool found = false;
+    const auto tighten = [&](const Vec2& at, double t) {
+        const double d = (Vec2(at - p) * scale).length();
+        if (d < best.distance) best = {d, piece.curve(), piece.curve_parameter(t)}, found = true;
+    };
     std::vector<Stretch> open{{0, 1, piece.first(), piece.last()}};
     while (!open.empty()) {
         const Stretch s = open.back();
@@ -56,15 +72,20 @@ void approach(const MonotonePiece& piece, const Vec2& p, const Vec2& scale,
         box.extend(s.at_a);
         box.extend(s.at_b);
         if (!(distance(p, box, scale) < best.distance)) continue;
+        if (s.b - s.a < straight) {
+            const double share = s.foot(p, scale);
+            tighten(s.at_a + (s.at_b - s.at_a) * share, s.a + (s.b - s.a) * share);
+            continue;
+        }
         const double m = (s.a + s.b) / 2;
         const Vec2 at_m = piece.point(m);
-        const double d = (Vec2(at_m - p) * scale).length();
-        if (d < best.distance) best = {d, piece.curve(), piece.curve_parameter(m)}, found = true;
+        tighten(at_m, m);
         const double fine_enough = std::max(least, share_of_distance * best.distance);
-        if (s.b - s.a < 1e-12 || (box.extent() * scale).length() <= fine_enough) continue;
+        if ((box.extent() * scale).length() <= fine_enough) continue;
         open.push_back({m, s.b, at_m, s.at_b});
         open.push_back({s.a, m, s.at_a, at_m});
     }
+    return found;
 }
 
 } // namespace
@@ -72,7 +93,18 @@ void approach(const MonotonePiece& piece, const Vec2& p, const Vec2& scale,
 TrimRegion::TrimRegion(const SurfaceModel& model, const Face& face) {
     for (const TrimLoop& loop : model.loops_of(face)) append_loop(model, loop, pieces_);
     for (const MonotonePiece& piece : pieces_) bounds_.extend(piece.box());
+    list_edges(model);
     build_rows();
+}
+
+void TrimRegion::list_edges(const SurfaceModel& model) {
+    for (const MonotonePiece& piece : pieces_) {
+        const std::uint32_t edge = model.trim_curves[piece.curve()].edge;
+        piece_edges_.push_back({edge, edge == no_index ? 0 : model.edges[edge].tolerance});
+        if (edge != no_index) edges_.push_back(edge);
+    }
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
 }
 
 void TrimRegion::build_rows() {
@@ -149,9 +181,35 @@ std::optional<TrimRegion::NearCurve> TrimRegion::nearest_curve(const Vec2& p, co
     for (std::size_t i = begin; i < end; ++i) {
         const MonotonePiece& piece = pieces_[row_pieces_[i]];
         if (distance(p, piece.box(), scale) <= best.distance)
-            approach(piece, p, scale, best, found);
+            found |= approach(piece, p, scale, best);
     }
     return found ? std::optional(best) : std::nullopt;
+}
+
+std::optional<TrimRegion::NearEdge> TrimRegion::nearest_edge(
+    const Vec2& p, const Vec2& scale, double most, std::span<const std::uint32_t> among) const {
+    std::optional<NearEdge> best;
+    const double reach = most / scale.y;
+    const auto [begin, end] = pieces_between(p.y - reach, p.y + reach);
+    for (std::size_t i = begin; i < end; ++i) {
+        const MonotonePiece& piece = pieces_[row_pieces_[i]];
+        const PieceEdge& own = piece_edges_[row_pieces_[i]];
+        const double radius = std::min(best ? best->distance : most, own.tolerance);
+        if (!(distance(p, piece.box(), scale) <= radius)) continue;
+        if (!among.empty() && !std::binary_search(among.begin(), among.end(), own.edge)) continue;
+        NearCurve near{radius};
+        if (approach(piece, p, scale, near)) best = NearEdge{near.distance, own.edge};
+    }
+    return best;
+}
+
+bool TrimRegion::may_be_near_edge(const Box2& around) const {
+    const auto [begin, end] = pieces_between(around.lower.y, around.upper.y);
+    for (std::size_t i = begin; i < end; ++i) {
+        const Box2& box = pieces_[row_pieces_[i]].box();
+        if (piece_edges_[row_pieces_[i]].tolerance > 0 && box.overlaps(around)) return true;
+    }
+    return false;
 }
 
 } // namespace keiko

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace keiko {
@@ -34,6 +35,21 @@ public:
     };
     std::optional<NearCurve> nearest_curve(const Vec2& face_parameters, const Vec2& scale,
                                            double radius) const;
+    /// The nearest point of an edge's curves that lies within the edge's own tolerance (at most
+    /// `most` mm), measured in the same way; only of the edges of the sorted `among`, when it is
+    /// not empty. Curves without an edge, or of an edge too tight, hide none behind them.
+    struct NearEdge {
+        double distance = 0;           ///< about mm
+        std::uint32_t edge = no_index; ///< into SurfaceModel::edges
+    };
+    std::optional<NearEdge> nearest_edge(const Vec2& face_parameters, const Vec2& scale,
+                                         double most,
+                                         std::span<const std::uint32_t> among = {}) const;
+    /// Whether nearest_edge may find a place in the box, of face parameters: by the boxes of the
+    /// curves, much quicker.
+    bool may_be_near_edge(const Box2& around) const;
+    /// Edges of the face's loops, sorted.
+    std::span<const std::uint32_t> edges() const { return edges_; }
     /// True for a face without loops.
     bool untrimmed() const { return pieces_.empty(); }
     /// Box of all trim curves in face parameters; empty for a face without loops.
@@ -44,8 +60,17 @@ private:
     /// `upper`, as [begin, end) of row_pieces_. A piece may occur in several rows.
     std::pair<std::size_t, std::size_t> pieces_between(double lower, double upper) const;
     void build_rows();
+    void list_edges(const SurfaceModel& model);
+
+    /// Of one of pieces_.
+    struct PieceEdge {
+        std::uint32_t edge = no_index;
+        double tolerance = 0; ///< mm; 0 without an edge
+    };
 
     std::vector<MonotonePiece> pieces_;
+    std::vector<PieceEdge> piece_edges_;
+    std::vector<std::uint32_t> edges_;
     Box2 bounds_;
     // Rows of constant v between neighbouring entries of row_borders_; row r holds the pieces
     // row_pieces_[row_begin_[r]] .. row_pieces_[row_begin_[r + 1] - 1], those that reach

@@ -69,6 +69,7 @@ std::optional<Integrator::Path> Integrator::advance(Path path, const std::option
         if (depth == 0) sample.luminance += path.weight * scene_.background;
         return std::nullopt;
     }
+    sample.paths.count(*hit);
     pass_medium(path, hit->position, sample);
 
     const double towards = hit->normal.dot(path.ray.direction);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/luminance/clear_coat.h"
+#include "keiko/render/path_counts.h"
 #include "keiko/render/picture.h"
 
 #include <optional>
@@ -19,6 +20,7 @@ struct EyeSample {
     /// The face that the first mirrored ray meets, or nothing where it leaves the body.
     std::optional<std::uint32_t> mirrored_face;
     std::uint32_t paint = 0; ///< faces of one paint share this number
+    PathCounts paths;        ///< of its hits, the mirrored rays' too
 };
 
 /// Follows eye rays over mirror reflections: the clear coat mirrors lamps and the body itself, the

@@ -1,3 +1,4 @@
+#include "keiko/base/log.h"
 #include "keiko/base/parallel.h"
 #include "keiko/render/integrator.h"
 #include "keiko/render/outlines.h"
@@ -40,9 +41,15 @@ void append_cell_rays(const Camera& camera, int x, int y, int n, std::vector<Ray
         }
 }
 
+PathCounts paths_of(std::span<const EyeSample> samples) {
+    PathCounts counts;
+    for (const EyeSample& sample : samples) counts += sample.paths;
+    return counts;
+}
+
 /// One ray a pixel.
-void render_centres(const Integrator& integrator, const Camera& camera, const Tile& tile,
-                    Film& film, Outlines& outlines) {
+PathCounts render_centres(const Integrator& integrator, const Camera& camera, const Tile& tile,
+                          Film& film, Outlines& outlines) {
     std::vector<Ray> rays;
     for_each_pixel(tile, [&](int x, int y) { append_cell_rays(camera, x, y, 1, rays); });
     const std::vector<EyeSample> samples = integrator.follow(rays);
@@ -51,11 +58,12 @@ void render_centres(const Integrator& integrator, const Camera& camera, const Ti
         write_pixel(film, x, y, *sample);
         outlines.set(x, y, *sample++);
     });
+    return paths_of(samples);
 }
 
 /// Replaces the luminance of the pixels that hold an outline by the mean over their cells.
-void refine_outlines(const Integrator& integrator, const Camera& camera, const Tile& tile, int n,
-                     const Outlines& outlines, Film& film) {
+PathCounts refine_outlines(const Integrator& integrator, const Camera& camera, const Tile& tile,
+                           int n, const Outlines& outlines, Film& film) {
     std::vector<Ray> rays;
     for_each_pixel(tile, [&](int x, int y) {
         if (outlines.cross(x, y)) append_cell_rays(camera, x, y, n, rays);
@@ -68,6 +76,7 @@ void refine_outlines(const Integrator& integrator, const Camera& camera, const T
         write_mean(film, x, y, rest.first(cells));
         rest = rest.subspan(cells);
     });
+    return paths_of(samples);
 }
 
 } // namespace
@@ -78,13 +87,18 @@ Film render(const PictureScene& scene, const Camera& camera, const PictureOption
     Outlines outlines(camera.width, camera.height);
     const Integrator integrator(scene, options);
     const std::vector<Tile> tiles = tiles_of(camera);
+    std::vector<PathCounts> paths(tiles.size());
     parallel_for(tiles.size(), job, "render", [&](std::size_t i) {
-        render_centres(integrator, camera, tiles[i], film, outlines);
+        paths[i] += render_centres(integrator, camera, tiles[i], film, outlines);
     });
     if (options.edge_samples > 1)
         parallel_for(tiles.size(), job, "outlines", [&](std::size_t i) {
-            refine_outlines(integrator, camera, tiles[i], options.edge_samples, outlines, film);
+            paths[i] +=
+                refine_outlines(integrator, camera, tiles[i], options.edge_samples, outlines, film);
         });
+    PathCounts sum;
+    for (const PathCounts& tile : paths) sum += tile;
+    log_detail("picture of " + path_text(sum));
     return film;
 }
 

@@ -49,6 +49,14 @@ void write_remarks(std::ostream& out, const ModelFacts& facts) {
     }
 }
 
+void write_tracing(std::ostream& out, const TraceFacts& facts) {
+    begin_line(out, "tracing") << facts.leaves << " leaves, " << facts.mixed_leaves
+                               << " cut by trims, " << facts.trimmed_away_leaves
+                               << " trimmed away, " << facts.bytes << " bytes";
+    if (facts.build_milliseconds) out << ", built in " << *facts.build_milliseconds << " ms";
+    out << "\n";
+}
+
 } // namespace
 
 std::string facts_text(const ModelFacts& facts) {
@@ -59,9 +67,13 @@ std::string facts_text(const ModelFacts& facts) {
     write_counts(out, facts);
     if (!facts.bounds.empty())
         begin_line(out, "box") << facts.bounds.lower << " to " << facts.bounds.upper << " mm\n";
-    begin_line(out, "seams") << facts.seams << " pieces\n";
+    begin_line(out, "edges") << facts.edges << ", " << facts.degenerate_edges
+                             << " degenerate, tolerances up to " << facts.largest_edge_tolerance
+                             << " mm\n";
+    begin_line(out, "seams") << facts.seams << " pieces within " << facts.join << " mm\n";
     begin_line(out, "borders") << facts.border_length << " mm, " << facts.free_length
                                << " mm of them free\n";
+    if (facts.tracing) write_tracing(out, *facts.tracing);
     write_remarks(out, facts);
     return out.str();
 }

@@ -36,6 +36,13 @@ std::string box_text(const Box3& box) {
            place_text(box.upper);
 }
 
+std::string tracing_text(const TraceFacts& facts) {
+    constexpr double mebibyte = 1 << 20;
+    return std::to_string(facts.leaves) + " leaves, " + std::to_string(facts.mixed_leaves) +
+           " cut by trims, " + fixed_number(static_cast<double>(facts.bytes) / mebibyte, 2) +
+           " MiB";
+}
+
 std::string lost_faces(const ModelFacts& facts) {
     std::string html = "<ul>";
     for (const LostFace& face : facts.lost_faces)
@@ -79,6 +86,7 @@ std::string html_facts(const Report& report) {
                                 fixed_number(facts.free_length, 1) + " mm meet no other face");
     html += fact("seams", "within " + short_number(report.inspection.join) +
                               " mm: " + std::to_string(report.inspection.seams.size()));
+    if (facts.tracing) html += fact("ray tracing", tracing_text(*facts.tracing));
     if (!facts.lost_faces.empty()) html += fact("lost faces", lost_faces(facts));
     html += fact("healing", remarks(facts));
     return html + "</dl></section>\n";

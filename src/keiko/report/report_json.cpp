@@ -1,22 +1,10 @@
 #include "keiko/report/report_json.h"
 
 #include "keiko/inspect/curvature_match.h"
-
-#include <nlohmann/json.hpp>
+#include "keiko/report/json_text.h"
 
 namespace keiko {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// Names come from CAD files in any encoding: what is no UTF-8 is replaced, never thrown at.
-std::string text_of(const Json& json) {
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-Json point(const Vec3& p) {
-    return {p.x, p.y, p.z};
-}
 
 Json worst(const Worst& w) {
     return {{"value", w.value},
@@ -28,18 +16,6 @@ Json worst(const Worst& w) {
 
 std::string_view name_of(CurvatureFormula formula) {
     return formula == CurvatureFormula::alias ? "alias" : "catia";
-}
-
-std::string_view name_of(Severity severity) {
-    switch (severity) {
-        case Severity::note:
-            return "note";
-        case Severity::warning:
-            return "warning";
-        case Severity::error:
-            return "error";
-    }
-    return "";
 }
 
 Json curvature(const CurvatureStep& step) {
@@ -90,43 +66,6 @@ Json preset_json(const CriteriaPreset& preset) {
         json["curvature"] = {{"formula", name_of(preset.curvature->formula)},
                              {"formula_text", formula_text(preset.curvature->formula)},
                              {"limit", preset.curvature->limit}};
-    return json;
-}
-
-Json box_json(const Box3& box) {
-    if (box.empty()) return nullptr;
-    return {{"lower", point(box.lower)}, {"upper", point(box.upper)}};
-}
-
-Json model_json(const ModelFacts& facts) {
-    Json json = {{"source", facts.source},
-                 {"file_format", facts.format},
-                 {"unit", facts.unit.empty() ? Json() : Json(facts.unit)},
-                 {"parts", facts.parts},
-                 {"instances", facts.instances},
-                 {"faces", facts.faces},
-                 {"placed_faces", facts.placed_faces},
-                 {"trimmed_faces", facts.trimmed_faces},
-                 {"approximated_faces", facts.approximated_faces},
-                 {"largest_approximation", facts.largest_approximation},
-                 {"patches", facts.patches},
-                 {"rational_patches", facts.rational_patches},
-                 {"surface_kinds", facts.kinds},
-                 {"degrees", Json::array()},
-                 {"bounds", box_json(facts.bounds)},
-                 {"seams", facts.seams},
-                 {"border_length", facts.border_length},
-                 {"free_border_length", facts.free_length},
-                 {"lost_faces", Json::array()},
-                 {"diagnostics", Json::array()}};
-    for (const auto& [degree, count] : facts.degrees)
-        json["degrees"].push_back({{"u", degree[0]}, {"v", degree[1]}, {"patches", count}});
-    for (const LostFace& face : facts.lost_faces)
-        json["lost_faces"].push_back(
-            {{"id", face.id}, {"name", face.name}, {"reason", face.reason}});
-    for (const Diagnostic& d : facts.diagnostics)
-        json["diagnostics"].push_back(
-            {{"severity", name_of(d.severity)}, {"entity", d.entity}, {"message", d.message}});
     return json;
 }
 
@@ -187,12 +126,6 @@ std::string report_json(const Report& report) {
 std::string inspection_json(const Inspection& inspection) {
     Json json = {{"format", "keiko-inspection/1"}};
     json.update(inspection_json_value(inspection));
-    return text_of(json);
-}
-
-std::string facts_json(const ModelFacts& facts) {
-    Json json = {{"format", "keiko-model-facts/1"}};
-    json.update(model_json(facts));
     return text_of(json);
 }
 

@@ -46,6 +46,21 @@ Box2 clamped(const Box2& box) {
     return {clamp(box.lower), clamp(box.upper)};
 }
 
+/// Bounds, in parameters of the leaf, of how far apart along u and along v two places may be that
+/// are `distance` mm apart by the tangents anywhere on the leaf.
+Vec2 farthest_apart(const LeafFrame& f, double distance) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (!f.regular) return Vec2(infinity);
+    const auto bound = [&](const ComponentBounds& own, const Vec3& row) {
+        // X = (x + e) / w, so X_x = (1 + e_x - X w_x) / w.
+        const double farthest = (1 + own.value) / (1 - f.w.value);
+        const double least = (1 - own.slope - farthest * f.w.slope) / (1 + f.w.value);
+        const bool known = f.w.value < 1 && least > 0;
+        return known ? 0.5 * distance * row.length() / least * (1 + 1e-9) : infinity;
+    };
+    return {bound(f.u, f.rows[0]), bound(f.v, f.rows[1])};
+}
+
 /// Splits one patch; the points are taken relative to `origin_`, the patch's own centre, before
 /// anything is computed with them.
 class PatchSplitter {
@@ -56,6 +71,7 @@ public:
           index_(patch),
           region_(region),
           original_(model.patch(patch)),
+          reach_in_mm_(reach),
           origin_(hull_bounds(original_).center()) {
         for (const Vec4& p : original_.points) {
             const Vec3 moved = Vec3(p.x, p.y, p.z) - origin_ * p.w;
@@ -187,13 +203,14 @@ private:
             leaf.weight = std::max(leaf.weight, p.w);
             p = {moved.x, moved.y, moved.z, p.w};
         }
-        add_frame({local_.degree_u, local_.degree_v, points});
+        add_frame(leaf, {local_.degree_u, local_.degree_v, points});
         set_.points.insert(set_.points.end(), points.begin(), points.end());
         set_.leaves.push_back(leaf);
     }
 
-    void add_frame(const BezierPatchView& points) {
+    void add_frame(Leaf& leaf, const BezierPatchView& points) {
         const LeafFrame frame = leaf_frame(points);
+        leaf.seam_reach = leaf.domain.extent() * farthest_apart(frame, reach_in_mm_);
         LeafPolynomial polynomial;
         polynomial.coefficients.resize(points.points.size());
         if (frame.regular) polynomial = leaf_polynomial(points, frame);
@@ -207,6 +224,7 @@ private:
     std::uint32_t index_;
     const TrimRegion& region_;
     BezierPatchView original_;
+    double reach_in_mm_;
     Vec3 origin_;
     std::vector<Vec4> points_;
     BezierPatchView local_;

@@ -22,6 +22,9 @@ struct Leaf {
     /// Patch parameters beyond [0, 1] by which rounding alone may carry a hit; what lies farther
     /// out can only be a seam hit.
     Vec2 slip{0};
+    /// Bound of the face's seam reach in patch parameters anywhere on the leaf; infinite where mm
+    /// say nothing about parameters, as at a pole.
+    Vec2 seam_reach{0};
     Vec3 center{0};    ///< part coordinates
     double radius = 0; ///< mm, of the ball about the centre that holds the control points
     double weight = 1; ///< largest weight

@@ -1,22 +1,29 @@
 #pragma once
 
-#include "keiko/trace/hit.h"
+#include "keiko/trace/border_hit.h"
 
 #include <vector>
 
 namespace keiko {
 
-/// A hit and what tells whether a neighbouring patch or face may have found it too.
-struct BorderHit {
-    Hit hit;
-    bool at_border = false; ///< of its leaf, or on a leaf that trim curves cross
-    double seam_reach = 0;  ///< mm, of a seam hit: how far from its border it may be
-};
-
-/// Sorted hits of one ray without the doubles that overlapping borders make: neighbouring hits of
-/// one instance, each at a border, no farther apart along the ray than their position bounds and
-/// seam reaches together, and in space than twice that. The one that is not a seam hit is kept,
-/// else the first. `speed` is the length of the ray's direction.
-std::vector<Hit> merged(std::vector<BorderHit> hits, double speed);
+/// Sorted hits of one ray without the doubles that overlapping borders make. Two hits of an
+/// instance are one
+/// - as copies: neighbouring leaves overlap by rounding, so that both may find what lies between
+///   them. Each is at an end of its leaf or patch, or on a leaf that trim curves cross; they are
+///   no farther apart, measured across the surface, than their position bounds; and they are not
+///   both proved to be on their own shares of one face, for then they are two;
+/// - as one crossing of a seam: faces need to meet only within their edge's tolerance, so a ray
+///   may cross both near it, or one beyond its border. Both are crossed in the same sense (in or
+///   out), with no hit of the other sense between them; no farther apart across the surface than
+///   three tolerances (both borders and both hits may be off by one each, twice in one direction);
+///   one is within tolerance of an edge of the other's face, or each is near an edge.
+/// The two sides of a thin sheet are crossed in opposite senses and so stay two, however thin.
+/// Faces that the file turns against each other at a seam look the same: there a seam may be
+/// counted twice.
+/// The hit that is not a seam hit is kept, else the one on its own share, else one whose surface
+/// the ray meets at more than twice the angle, else the first; its bound is widened to cover both
+/// unless it alone is the true one.
+std::vector<Hit> merged(std::vector<BorderHit> hits, const TracedModel& model,
+                        const Vec3& direction);
 
 } // namespace keiko

@@ -2,46 +2,54 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace keiko {
 namespace {
 
 /// Newton is at its goal here long before; a start that needs more is a bad one.
 constexpr int most_steps = 12;
+/// Of the square: a bound above this says nothing.
+constexpr double poor_bound = 0.1;
+
+/// Bound of the error of f and g at a place: of the coefficients, and of evaluating.
+double noise(const Preconditioned& p) {
+    double largest = 0;
+    for (std::size_t i = 0; i < p.net.size(); ++i)
+        largest = std::max({largest, std::abs(p.net.f[i]), std::abs(p.net.g[i])});
+    const double steps = 4.0 * (p.net.degree_u + p.net.degree_v + 1);
+    return std::max(p.slack_f, p.slack_g) +
+           std::numeric_limits<double>::epsilon() * steps * largest;
+}
+
+double residual(const PlanarPoint& point) {
+    return std::max(std::abs(point.value.x), std::abs(point.value.y));
+}
 
 } // namespace
 
-std::optional<NewtonRoot> newton(const PlanarNet& net, const Vec2& start, const Box2& box,
-                                 double slack) {
-    const Vec2 leeway = box.extent() * 0.5;
-    const Box2 near{box.lower - leeway, box.upper + leeway};
+std::optional<NewtonRoot> newton(const Preconditioned& p, const Vec2& start) {
+    const double reach = 1 - contraction(p), blur = noise(p);
+    if (!(reach > 0.05)) return std::nullopt;
     Vec2 uv = start;
+    PlanarPoint here = evaluate(p.net, uv);
     for (int i = 0; i < most_steps; ++i) {
-        const PlanarPoint p = evaluate(net, uv);
-        const double scale = 1 / p.determinant();
-        const Vec2 step((p.dv.y * p.value.x - p.dv.x * p.value.y) * scale,
-                        (p.du.x * p.value.y - p.du.y * p.value.x) * scale);
-        uv -= step;
-        if (!near.contains(uv)) return std::nullopt;
-
-        // What rounding of the coefficients can move the root by.
-        const double blur = 2 * slack * std::abs(scale);
-        const Vec2 noise(blur * (std::abs(p.dv.x) + std::abs(p.dv.y)) + 4e-16,
-                         blur * (std::abs(p.du.x) + std::abs(p.du.y)) + 4e-16);
-        // A step of a share s of the box leaves about C s^2 of it, where C is the change of the
-        // derivatives over the box against their least value; 64 is on the safe side of any box
-        // that passes the uniqueness test and is not at its edge.
-        const Vec2 extent = box.extent();
-        const double share = std::max(std::abs(step.x) / extent.x, std::abs(step.y) / extent.y);
-        const Vec2 remaining = extent * (64 * share * share);
-        if (!(remaining.x <= noise.x && remaining.y <= noise.y)) continue;
-
-        const Vec2 error = noise + remaining;
-        const Box2 grown{box.lower - error, box.upper + error};
-        if (!grown.contains(uv)) return std::nullopt;
-        return NewtonRoot{uv, error};
+        const double scale = 1 / here.determinant();
+        const Vec2 next = uv - Vec2((here.dv.y * here.value.x - here.dv.x * here.value.y) * scale,
+                                    (here.du.x * here.value.y - here.du.y * here.value.x) * scale);
+        if (!(next.x > -0.5 && next.x < 1.5 && next.y > -0.5 && next.y < 1.5)) return std::nullopt;
+        const PlanarPoint there = evaluate(p.net, next);
+        // What no longer gains on rounding is as good as it gets.
+        if (!(residual(there) < residual(here))) break;
+        uv = next;
+        here = there;
     }
-    return std::nullopt;
+    // Above rounding it has not settled: another clip will say more.
+    if (!(residual(here) <= 2 * blur)) return std::nullopt;
+    const double error = (residual(here) + blur) / reach;
+    const Box2 grown{Vec2(-error), Vec2(1 + error)};
+    if (!(error < poor_bound) || !grown.contains(uv)) return std::nullopt;
+    return NewtonRoot{uv, Vec2(error)};
 }
 
 } // namespace keiko

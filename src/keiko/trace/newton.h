@@ -1,21 +1,20 @@
 #pragma once
 
-#include "keiko/trace/planar_net.h"
+#include "keiko/trace/preconditioner.h"
 
 #include <optional>
 
 namespace keiko {
 
-/// Where Newton's method came to rest.
+/// A root with a bound of its error.
 struct NewtonRoot {
     Vec2 uv;
     Vec2 error; ///< bound of the distance to the exact root, by rounding and by the last step
 };
 
-/// Newton's method for f = g = 0 in double precision from `start`; nothing when it leaves `box`
-/// (by more than the root's own error) or does not settle. `slack` bounds the error of a
-/// coefficient of the net.
-std::optional<NewtonRoot> newton(const PlanarNet& net, const Vec2& start, const Box2& box,
-                                 double slack);
+/// Newton's method for f = g = 0 from `start` in double precision, for a net that has at most one
+/// root, in [0, 1]^2. Nothing when it leaves the square, or when its place cannot be proved to be
+/// close to a root: the bound comes from what f and g are there, not from how small a step was.
+std::optional<NewtonRoot> newton(const Preconditioned& p, const Vec2& start);
 
 } // namespace keiko

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace keiko {
 namespace {
@@ -29,6 +30,16 @@ Range derivative_range(const double* c, const PlanarNet& net, bool along_u, doub
     const double degree = along_u ? net.degree_u : net.degree_v;
     return {degree * (low - 2 * slack), degree * (high + 2 * slack)};
 }
+
+struct Jacobian {
+    Range fu, fv, gu, gv;
+
+    explicit Jacobian(const Preconditioned& p)
+        : fu(derivative_range(p.net.f.data(), p.net, true, p.slack_f)),
+          fv(derivative_range(p.net.f.data(), p.net, false, p.slack_f)),
+          gu(derivative_range(p.net.g.data(), p.net, true, p.slack_g)),
+          gv(derivative_range(p.net.g.data(), p.net, false, p.slack_g)) {}
+};
 
 } // namespace
 
@@ -63,12 +74,16 @@ Preconditioned preconditioned(const PlanarNet& net, double slack) {
 
 bool at_most_one_root(const Preconditioned& p) {
     if (!p.regular) return false;
-    const Range fu = derivative_range(p.net.f.data(), p.net, true, p.slack_f);
-    const Range gv = derivative_range(p.net.g.data(), p.net, false, p.slack_g);
-    if (!(fu.low > 0 && gv.low > 0)) return false;
-    const Range fv = derivative_range(p.net.f.data(), p.net, false, p.slack_f);
-    const Range gu = derivative_range(p.net.g.data(), p.net, true, p.slack_g);
-    return fu.low * gv.low > fv.magnitude() * gu.magnitude();
+    const Jacobian j(p);
+    return j.fu.low > 0 && j.gv.low > 0 &&
+           j.fu.low * j.gv.low > j.fv.magnitude() * j.gu.magnitude();
+}
+
+double contraction(const Preconditioned& p) {
+    if (!p.regular) return std::numeric_limits<double>::infinity();
+    const Jacobian j(p);
+    const auto from_one = [](const Range& r) { return Range{r.low - 1, r.high - 1}.magnitude(); };
+    return std::max(from_one(j.fu) + j.fv.magnitude(), from_one(j.gv) + j.gu.magnitude());
 }
 
 } // namespace keiko

@@ -22,4 +22,8 @@ Preconditioned preconditioned(const PlanarNet& net, double slack);
 /// value form, as in Moore & Jones 1977).
 bool at_most_one_root(const Preconditioned& p);
 
+/// Bound of how far the Jacobian is from the identity on [0, 1]^2, in the maximum norm. Below 1 a
+/// root is no farther from a place than the larger of |f|, |g| there over one less the bound.
+double contraction(const Preconditioned& p);
+
 } // namespace keiko

@@ -11,6 +11,7 @@
 
 #include <hwy/cache_control.h>
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -61,6 +62,7 @@ LaneMask enter_lanes(D d, const SceneBall& scene, RayBlock& rays, std::size_t la
     }
     const V way = hn::Mul(t_start, speed);
     const V slack = hn::Mul(set(8 * epsilon), hn::Add(away, ball));
+    const V ball_size = set(std::max(scene.radius, 1e-30));
     const V error = hn::Mul(set(2 * epsilon), hn::Add(hn::Sqrt(dot(origin, origin)), hn::Abs(way)));
     const V t_low = hn::Mul(load(rays.low), speed), t_high = hn::Mul(load(rays.high), speed);
     const V low = hn::Sub(hn::Sub(hn::Max(t_low, hn::Sub(foot, half)), way), slack);
@@ -73,12 +75,17 @@ LaneMask enter_lanes(D d, const SceneBall& scene, RayBlock& rays, std::size_t la
     store(slack, rays.slack);
     // No leaf's frame is centred farther away than across the ball.
     store(hn::Add(error, set(ray_rounding * 2.5 * scene.radius)), rays.blur);
-    return lane_bits(d,
-                     hn::And(hn::And(hn::Gt(speed, set(shortest_direction)),
-                                     hn::Lt(speed, set(longest_direction))),
-                             hn::And(hn::Ge(half_square, hn::Zero(d)),
-                                     hn::And(hn::Le(t_low, t_high), hn::Le(low, high)))),
-                     lane);
+    const auto and_all = [](auto first, auto... rest) {
+        ((first = hn::And(first, rest)), ...);
+        return first;
+    };
+    // From so far off that rounding blurs the start by the size of the scene, nothing can be told.
+    return lane_bits(
+        d,
+        and_all(hn::Gt(speed, set(shortest_direction)), hn::Lt(speed, set(longest_direction)),
+                hn::Le(error, ball_size), hn::Ge(half_square, hn::Zero(d)), hn::Le(t_low, t_high),
+                hn::Le(low, high)),
+        lane);
 }
 
 /// Whether all active rays are close to the first, in direction and in where they start.

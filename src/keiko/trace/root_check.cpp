@@ -77,21 +77,31 @@ bool RootCheck::is_material(Crossing& c) const {
     return trim.reach > 0 && is_seam(c, uv, trim);
 }
 
+/// A first look for rays through windows: no more than some comparisons.
+bool RootCheck::may_be_near_edge(const Vec2& uv, const FaceTrim& trim) const {
+    constexpr double widest = 0.01;
+    const Vec2& reach = leaf_.seam_reach;
+    if (!(reach.x < widest && reach.y < widest)) return true;
+    const PatchFrame& patch = model_.patches[leaf_.patch];
+    Box2 around;
+    around.extend(patch.to_face(uv - reach));
+    around.extend(patch.to_face(uv + reach));
+    return trim.region.may_be_near_edge(around);
+}
+
 /// Whether a border's own tolerance reaches as far as the place, given beyond it.
 bool RootCheck::is_seam(Crossing& c, const Vec2& uv, const FaceTrim& trim) const {
+    if (!may_be_near_edge(uv, trim)) return false;
     const SurfaceDerivatives s = evaluate(model_.leaves.view(leaf_), c.uv, 1);
     const PatchFrame& patch = model_.patches[leaf_.patch];
     const Vec2 per_patch = leaf_.domain.extent(), inside = clamped(uv);
     const Vec2 slope(patch.map_u.derivative(inside.x), patch.map_v.derivative(inside.y));
     const Vec2 scale(s.du().length() / std::abs(slope.x * per_patch.x),
                      s.dv().length() / std::abs(slope.y * per_patch.y));
-    const auto near = trim.region.nearest_curve(patch.to_face(uv), scale, trim.reach);
+    const auto near = trim.region.nearest_edge(patch.to_face(uv), scale, trim.reach);
     if (!near) return false;
-    const std::uint32_t edge = model_.curves[near->curve].edge;
-    if (edge == no_index) return false;
-    if (!(near->distance <= std::min(model_.edges[edge].tolerance, model_.join))) return false;
     c.flags = c.flags | HitFlags::seam;
-    c.seam = edge;
+    c.seam = near->edge;
     return true;
 }
 

@@ -31,6 +31,7 @@ private:
     double end() const { return (ray_.ray->t_max - ray_.t_start) * ray_.speed; }
     bool is_excluded(const Crossing& crossing) const;
     bool is_material(Crossing& crossing) const;
+    bool may_be_near_edge(const Vec2& uv, const FaceTrim& trim) const;
     bool is_seam(Crossing& crossing, const Vec2& uv, const FaceTrim& trim) const;
 
     const TracedModel& model_;

@@ -23,6 +23,9 @@ constexpr int most_boxes = 20000;
 
 /// Of the domain: a narrower box may look flat only because it is narrow.
 constexpr double thinnest_for_line = 1e-3;
+/// Half sizes, of the domain: what rounding hides in a longer box is no point, but a stretch of
+/// surface that the ray runs along.
+constexpr double long_box = 1e-2;
 
 const Box2 whole_domain{Vec2(0), Vec2(1)};
 
@@ -130,6 +133,7 @@ std::span<const LeafRoot> RootFinder::find(const PlanarNet& net, double slack) {
     whole_ = &net;
     slack_ = slack;
     roots_.clear();
+    stretches_.clear();
     open_.assign(1, whole_domain);
     for (int count = 0; !open_.empty(); ++count) {
         const Box2 box = open_.back();
@@ -141,6 +145,7 @@ std::span<const LeafRoot> RootFinder::find(const PlanarNet& net, double slack) {
         else
             examine(restricted(net, box), box);
     }
+    split_lines();
     // A tangency reaches on where rounding has just let go of it.
     for (LeafRoot& root : roots_)
         if (root.tangential) root.error *= 4;
@@ -160,8 +165,9 @@ void RootFinder::examine(const PlanarNet& net, const Box2& box) {
     if (c.empty()) return;
     const Box2 inner = inner_box(box, c);
     if (!clipping_only_ && at_most_one_root(p))
-        if (const auto root = newton(*whole_, inner.center(), box, slack_))
-            return add({root->uv, root->error, false, false});
+        if (const auto root = newton(p, Vec2(c.u.begin + c.u.end, c.v.begin + c.v.end) * 0.5))
+            return add(
+                {box.lower + box.extent() * root->uv, box.extent() * root->error, false, false});
 
     if (c.u.length() <= poor_clip || c.v.length() <= poor_clip)
         open_.push_back(inner);
@@ -186,29 +192,23 @@ void RootFinder::accept_box(const Box2& box) {
     constexpr double wider = 64;
     const Vec2 half = box.extent() * 0.5 + Vec2(4e-16);
     const Box2 grown{box.center() - half * wider, box.center() + half * wider};
-    const bool single = at_most_one_root(preconditioned(restricted(*whole_, grown), slack_));
+    const Preconditioned wide = preconditioned(restricted(*whole_, grown), slack_);
+    const bool single = at_most_one_root(wide);
     if (single && !clipping_only_)
-        if (const auto root = newton(*whole_, box.center(), grown, slack_))
-            return add({root->uv, root->error, false, false});
-    // A long box is a stretch of surface that the ray runs along: its two ends are the answers.
-    constexpr double long_box = 1e-2;
-    for (unsigned axis = 0; axis < 2; ++axis) {
-        if (!(half[axis] > long_box)) continue;
-        LeafRoot end{box.center(), half, true, true};
-        end.error[axis] = 4e-16;
-        for (const double at : {box.lower[axis], box.upper[axis]}) {
-            end.uv[axis] = at;
-            add(end);
-        }
-        return;
-    }
-    add({box.center(), half, true, !single});
+        if (const auto root = newton(wide, Vec2(0.5)))
+            return add({grown.lower + grown.extent() * root->uv, grown.extent() * root->error,
+                        false, false});
+    const LeafRoot root{box.center(), half, true, !single};
+    if (std::max(half.x, half.y) > long_box) stretches_.push_back(root);
+    add(root);
 }
 
 void RootFinder::accept_line(const PlanarNet& net, const Box2& box, const Vec2& plane) {
     const std::size_t rows = net.rows(), columns = net.columns();
     // Across the plane nothing happens; in it, the other combination tells where the ray runs.
     const auto along = [&](std::size_t i) { return plane.x * net.g[i] - plane.y * net.f[i]; };
+    Box2 line;
+    std::vector<LeafRoot> ends;
     const auto edge = [&](std::size_t first, std::size_t step, std::size_t count, unsigned axis,
                           double across) {
         std::vector<double> c;
@@ -220,13 +220,47 @@ void RootFinder::accept_line(const PlanarNet& net, const Box2& box, const Vec2& 
             Vec2 inside;
             inside[axis] = t;
             inside[1 - axis] = across;
-            add({box.lower + box.extent() * inside, Vec2(1e-12), true, true});
+            ends.push_back({box.lower + box.extent() * inside, Vec2(1e-12), true, true});
+            line.extend(ends.back().uv);
         }
     };
     edge(0, columns, rows, 0, 0);
     edge(columns - 1, columns, rows, 0, 1);
     edge(0, 1, columns, 1, 0);
     edge((rows - 1) * columns, 1, columns, 1, 1);
+    if (ends.empty()) return;
+    if (box != whole_domain) {
+        ends.assign(1, {line.center(), line.extent() * 0.5 + Vec2(1e-12), true, true});
+        stretches_.push_back(ends.front());
+    }
+    for (const LeafRoot& end : ends) add(end);
+}
+
+/// Of a stretch that crosses the whole domain, what counts is where the ray enters and leaves it.
+/// Any other stretch is one tangency, however long rounding makes it.
+void RootFinder::split_lines() {
+    if (stretches_.empty()) return;
+    constexpr double rounding = 1e-12;
+    std::vector<LeafRoot> ends;
+    std::erase_if(roots_, [&](const LeafRoot& root) {
+        for (unsigned axis = 0; axis < 2; ++axis) {
+            if (!(root.uv[axis] - root.error[axis] <= rounding &&
+                  root.uv[axis] + root.error[axis] >= 1 - rounding))
+                continue;
+            for (const LeafRoot& s : stretches_)
+                for (const double at : {0.0, 1.0}) {
+                    if (!(std::abs(s.uv[axis] - at) <= s.error[axis] + rounding)) continue;
+                    LeafRoot end = s;
+                    end.uv[axis] = at;
+                    end.error[axis] = 4e-16;
+                    end.tangential = true;
+                    ends.push_back(end);
+                }
+            return true;
+        }
+        return false;
+    });
+    for (const LeafRoot& end : ends) add(end);
 }
 
 bool RootFinder::same(const LeafRoot& a, const LeafRoot& b) const {

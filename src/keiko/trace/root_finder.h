@@ -36,6 +36,7 @@ private:
     void accept_box(const Box2& box);
     /// The ray lies in the surface on the whole box: the places where it enters and leaves.
     void accept_line(const PlanarNet& net, const Box2& box, const Vec2& plane);
+    void split_lines();
     void add(LeafRoot root);
     /// Whether two finds are one root, or pieces of one tangency.
     bool same(const LeafRoot& a, const LeafRoot& b) const;
@@ -45,6 +46,8 @@ private:
     double slack_ = 0;
     std::vector<Box2> open_;
     std::vector<LeafRoot> roots_;
+    /// Of roots_, before they were united: those too long for points.
+    std::vector<LeafRoot> stretches_;
 };
 
 } // namespace keiko

@@ -71,7 +71,8 @@ TracedModel traced_model(const SurfaceModel& model, double join, const Job& job)
     }
     first_leaf.push_back(static_cast<std::uint32_t>(traced.leaves.leaves.size()));
     for (const Patch& patch : model.patches)
-        traced.patches.push_back({patch.face, patch.map_u, patch.map_v});
+        traced.patches.push_back(
+            {patch.face, patch.map_u, patch.map_v, model.faces[patch.face].reversed});
     traced.curves = model.trim_curves;
     traced.edges = model.edges;
     traced.placements = placements(model, first_leaf);

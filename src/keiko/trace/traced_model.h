@@ -26,6 +26,7 @@ struct PartPlacement {
 struct PatchFrame {
     std::uint32_t face = 0;
     ParameterMap map_u, map_v;
+    bool reversed = false; ///< as Face::reversed
 
     Vec2 to_face(const Vec2& uv) const { return {map_u.to_face(uv.x), map_v.to_face(uv.y)}; }
 };

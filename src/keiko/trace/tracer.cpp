@@ -45,22 +45,10 @@ struct Tracer::Scene {
 
     template <class Each>
     void search(Goal goal, std::span<const Ray> rays, const Each& each) const;
-    BorderHit border_hit(const Crossing& crossing) const;
     Hit evaluate(const Crossing& crossing) const {
         return evaluated(model, kernels, crossing, options.second_derivatives);
     }
 };
-
-namespace {
-
-bool at_border(const Leaf& leaf, const Crossing& crossing) {
-    constexpr double near = 1e-8;
-    for (const double x : {crossing.uv.x, crossing.uv.y})
-        if (!(x > near && x < 1 - near)) return true;
-    return leaf.near_border;
-}
-
-} // namespace
 
 /// Calls `each(index, crossings)` for every ray.
 template <class Each>
@@ -73,14 +61,6 @@ void Tracer::Scene::search(Goal goal, std::span<const Ray> rays, const Each& eac
         block.run(scene, goal, rays.subspan(begin, count));
         for (std::size_t lane = 0; lane < count; ++lane) each(begin + lane, block.found(lane));
     }
-}
-
-BorderHit Tracer::Scene::border_hit(const Crossing& crossing) const {
-    const Leaf& leaf = model.leaves.leaves[model.placed[crossing.leaf].leaf];
-    const double reach = crossing.seam == no_index
-                             ? 0
-                             : std::min(model.edges[crossing.seam].tolerance, options.join);
-    return {evaluate(crossing), at_border(leaf, crossing), reach};
 }
 
 Tracer::Tracer(const SurfaceModel& model, const TracerOptions& options, const Job& job) {
@@ -148,8 +128,10 @@ std::vector<std::vector<Hit>> Tracer::all(std::span<const Ray> rays) const {
         std::sort(sorted.begin(), sorted.end(),
                   [](const Crossing& a, const Crossing& b) { return a.before(b); });
         std::vector<BorderHit> border_hits;
-        for (const Crossing& c : sorted) border_hits.push_back(scene_->border_hit(c));
-        hits[i] = merged(std::move(border_hits), rays[i].direction.length());
+        for (const Crossing& c : sorted)
+            border_hits.push_back(
+                border_hit(scene_->model, c, scene_->evaluate(c), rays[i].direction));
+        hits[i] = merged(std::move(border_hits), scene_->model, rays[i].direction);
     });
     return hits;
 }

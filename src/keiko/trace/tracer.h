@@ -34,7 +34,8 @@ struct TracerStatistics {
 /// Kakimoto 1990) on sub-patches under Embree, finished by Newton in double precision, trimmed by
 /// the exact p-curves. Immutable after construction; every query may be called from any thread,
 /// and gives the same bits for any thread count, and whatever rays are asked for together. A ray
-/// whose direction is not between 1e-140 and 1e150 long hits nothing.
+/// whose direction is not between 1e-140 and 1e150 long hits nothing, nor does one from so far off
+/// that rounding blurs its start by the size of the model.
 class Tracer {
 public:
     /// Keeps its own copy of what it needs of `model`. Throws Cancelled.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -52,4 +53,54 @@ TEST(ParallelFor, HandsOnWhatTheBodyThrows) {
                                   if (i == 7) throw std::domain_error("seven");
                               }),
                  std::domain_error);
+}
+
+namespace {
+
+/// Sends the numbers below `count` through three slots, squared on the way.
+std::vector<int> squares(int count, const Job& job, int most = 1000000) {
+    std::vector<int> slots(3), written;
+    int next = 0;
+    parallel_stream(slots.size(), job,
+                    {.read =
+                         [&](std::size_t slot) {
+                             if (next == count) return false;
+                             slots[slot] = next++;
+                             return true;
+                         },
+                     .work = [&](std::size_t slot) { slots[slot] *= slots[slot]; },
+                     .write =
+                         [&](std::size_t slot) {
+                             written.push_back(slots[slot]);
+                             return static_cast<int>(written.size()) < most;
+                         }});
+    return written;
+}
+
+} // namespace
+
+TEST(ParallelStream, WritesInTheOrderOfReadingForAnyThreadCount) {
+    std::vector<int> expected(1000);
+    for (int i = 0; i < 1000; ++i) expected[static_cast<std::size_t>(i)] = i * i;
+    for (const int threads : {0, 1, 2, 5})
+        EXPECT_EQ(squares(1000, {.progress = {}, .stop = {}, .threads = threads}), expected);
+    EXPECT_TRUE(squares(0, {}).empty());
+}
+
+TEST(ParallelStream, EndsWhenTheWriterHasEnough) {
+    EXPECT_EQ(squares(1000, {}, 4), (std::vector<int>{0, 1, 4, 9}));
+}
+
+TEST(ParallelStream, HandsOnWhatAStageThrowsAndStopsWhenAsked) {
+    const auto refuse = [](std::size_t) -> bool { throw std::domain_error("no"); };
+    const auto agree = [](std::size_t) { return true; };
+    const auto nothing = [](std::size_t) {};
+    EXPECT_THROW(parallel_stream(2, {}, {.read = refuse, .work = nothing, .write = agree}),
+                 std::domain_error);
+    EXPECT_THROW(parallel_stream(2, {}, {.read = agree, .work = nothing, .write = refuse}),
+                 std::domain_error);
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_THROW(squares(10, {.progress = {}, .stop = source.get_token(), .threads = 0}),
+                 Cancelled);
 }

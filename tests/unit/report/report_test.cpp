@@ -3,6 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/units.h"
+#include "keiko/report/facts_text.h"
 #include "keiko/report/report_html.h"
 #include "keiko/report/report_json.h"
 
@@ -91,6 +92,33 @@ TEST(ReportJson, ServesInfoAndCheckWithTheSameKeys) {
     EXPECT_EQ(info["format"], "keiko-model-facts/1");
     EXPECT_EQ(info["faces"], check["model"]["faces"]);
     EXPECT_TRUE(info["unit"].is_null());
+    EXPECT_EQ(info["millimetres_per_unit"], 1);
+    EXPECT_EQ(info["part_list"][0]["faces"], info["faces"]);
+    EXPECT_EQ(info["face_list"].size(), info["faces"]);
+    EXPECT_EQ(info["face_list"][1]["name"], "A&B");
+    EXPECT_EQ(info["remarks"]["notes"], 1);
+    EXPECT_FALSE(check["model"].contains("face_list"));
+}
+
+TEST(ReportJson, TellsOfTheTracerWhereThereWasOne) {
+    Report traced = report();
+    EXPECT_TRUE(nlohmann::json::parse(report_json(traced))["model"]["tracing"].is_null());
+    traced.inspection.facts.tracing =
+        trace_facts({.leaves = 9, .leaves_mixed = 2, .bytes = 1 << 20, .build_seconds = 3});
+    const auto tracing = nlohmann::json::parse(report_json(traced))["model"]["tracing"];
+    EXPECT_EQ(tracing["leaves"], 9);
+    EXPECT_EQ(tracing["mixed_leaves"], 2);
+    EXPECT_FALSE(tracing.contains("build_milliseconds"));
+    EXPECT_NE(report_html(traced).find("9 leaves, 2 cut by trims, 1.00 MiB"), std::string::npos);
+}
+
+TEST(FactsText, TellsTheBuildTimeOfATracer) {
+    ModelFacts facts = report().inspection.facts;
+    EXPECT_EQ(facts_text(facts).find("tracing"), std::string::npos);
+    facts.tracing = timed_trace_facts({.leaves = 9, .bytes = 512, .build_seconds = 0.25});
+    EXPECT_NE(facts_text(facts).find("9 leaves, 0 cut by trims, 0 trimmed away, 512 bytes, built "
+                                     "in 250 ms"),
+              std::string::npos);
 }
 
 TEST(ReportHtml, TellsTheFirstScreenInOrder) {

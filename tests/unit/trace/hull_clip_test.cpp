@@ -1,14 +1,9 @@
 #include "keiko/trace/hull_clip.h"
 
-#include "keiko/trace/planar_net.h"
-
-#include "tests/unit/trace/random_patches.h"
 #include <gtest/gtest.h>
 
 namespace keiko {
 namespace {
-
-using namespace test;
 
 TEST(HullClip, CutsALinearFunctionDownToItsZero) {
     const double net[] = {-1, -1, 3, 3}; // 4 u - 1
@@ -35,25 +30,6 @@ TEST(HullClip, SlackWidensTheInterval) {
     const ParameterInterval u = hull_clip(net, 2, 2, Axis::u, 0.1);
     EXPECT_NEAR(u.begin, 0.45, 1e-14);
     EXPECT_NEAR(u.end, 0.55, 1e-14);
-}
-
-TEST(HullClip, NeverCutsAwayARoot) {
-    Random random(1);
-    for (int i = 0; i < 20000; ++i) {
-        PlanarNet net;
-        net.degree_u = 1 + i % 6;
-        net.degree_v = 1 + i / 6 % 5;
-        for (std::size_t k = 0; k < net.size(); ++k)
-            net.f[k] = uniform(random, -1, 1), net.g[k] = 0;
-        const Vec2 root(uniform(random, 0, 1), uniform(random, 0, 1));
-        const double value = evaluate(net, root).value.x;
-        for (std::size_t k = 0; k < net.size(); ++k) net.f[k] -= value;
-        const std::span<const double> f(net.f.data(), net.size());
-        const ParameterInterval u = hull_clip(f, net.rows(), net.columns(), Axis::u, 1e-15);
-        const ParameterInterval v = hull_clip(f, net.rows(), net.columns(), Axis::v, 1e-15);
-        ASSERT_TRUE(u.begin <= root.x && root.x <= u.end) << i;
-        ASSERT_TRUE(v.begin <= root.y && root.y <= v.end) << i;
-    }
 }
 
 } // namespace

@@ -2,25 +2,12 @@
 
 #include "keiko/patch/ray.h"
 
+#include "tests/support/random.h"
 #include "tests/unit/trace/shapes.h"
 
 #include <cmath>
-#include <random>
 
 namespace keiko::test {
-
-using Random = std::mt19937_64;
-
-inline double uniform(Random& random, double low, double high) {
-    return low + (high - low) * std::uniform_real_distribution<double>(0, 1)(random);
-}
-
-inline Vec3 random_direction(Random& random) {
-    for (;;) {
-        const Vec3 v(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
-        if (v.length2() > 0.01 && v.length2() < 1) return v.normalized();
-    }
-}
 
 inline Ray ray_through(const Vec3& origin, const Vec3& direction, double t_min = 0,
                        double t_max = std::numeric_limits<double>::infinity()) {

@@ -1,0 +1,153 @@
+#include "keiko/ray_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+constexpr std::size_t piece = 1 << 16; ///< bytes: some 700 rays
+constexpr std::array<std::string_view, 6> fields{"ox", "oy", "oz", "dx", "dy", "dz"};
+
+/// Why a line is no ray, of which field.
+struct Refusal {
+    std::string_view field;
+    std::string reason;
+};
+
+std::string_view without_blanks(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(" \t");
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+/// Shortened, so that an error stays one line of a terminal.
+std::string quoted(std::string_view text) {
+    constexpr std::size_t shown = 24;
+    return "\"" + std::string(text.substr(0, shown)) + (text.size() > shown ? "...\"" : "\"");
+}
+
+std::optional<std::string> read_number(std::string_view text, double& number) {
+    if (text.empty()) return "is empty";
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (code == std::errc::result_out_of_range) return "is beyond all doubles: " + quoted(text);
+    if (code != std::errc{} || end != text.data() + text.size())
+        return "is not a number: " + quoted(text);
+    if (!std::isfinite(number)) return "is not finite: " + quoted(text);
+    return std::nullopt;
+}
+
+double largest_component(const Vec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// What no tracing could make sense of.
+std::optional<Refusal> refusal_of(const Ray& ray) {
+    // Doubles beyond it are more than 0.1 mm apart.
+    constexpr double farthest = 1e15;
+    // Squares of what lies outside are no numbers.
+    constexpr double shortest = 1e-100, longest = 1e100;
+    if (largest_component(ray.origin) > farthest) return Refusal{"ox,oy,oz", "lies beyond 1e15 mm"};
+    const double length = largest_component(ray.direction);
+    if (length == 0) return Refusal{"dx,dy,dz", "is no direction: all are 0"};
+    if (length < shortest || length > longest)
+        return Refusal{"dx,dy,dz", "has a length beyond 1e-100 to 1e100"};
+    return std::nullopt;
+}
+
+Refusal wrong_count(std::string_view line, std::size_t count) {
+    const std::string got = without_blanks(line).empty() ? "an empty line"
+                            : count == 1                 ? "1 field"
+                                                         : std::to_string(count) + " fields";
+    return {"", "expected " + std::string(ray_header) + ", got " + got};
+}
+
+std::optional<Refusal> read_ray(std::string_view line, Ray& ray) {
+    if (line.size() > longest_ray_line)
+        return Refusal{"", "longer than " + std::to_string(longest_ray_line) + " characters"};
+    const auto count = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
+    if (count != fields.size()) return wrong_count(line, count);
+    std::array<double, 6> numbers{};
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const std::size_t end = std::min(line.find(','), line.size());
+        if (auto reason = read_number(without_blanks(line.substr(0, end)), numbers[i]))
+            return Refusal{fields[i], std::move(*reason)};
+        line.remove_prefix(std::min(end + 1, line.size()));
+    }
+    ray.origin = Vec3(numbers[0], numbers[1], numbers[2]);
+    ray.direction = Vec3(numbers[3], numbers[4], numbers[5]);
+    return refusal_of(ray);
+}
+
+Error fault_at(std::uint64_t line, const Refusal& refusal) {
+    const std::string field(refusal.field);
+    return {"standard input", std::to_string(line),
+            field.empty() ? refusal.reason : field + " " + refusal.reason};
+}
+
+} // namespace
+
+/// Reads up to the end of a line; false where nothing is left.
+bool RayLineReader::fill(std::string& text) {
+    text.swap(rest_);
+    rest_.clear();
+    while (!ended_) {
+        const std::size_t kept = text.size();
+        text.resize(kept + piece);
+        const std::size_t got = source_(std::span(text).subspan(kept));
+        text.resize(kept + got);
+        ended_ = got == 0;
+        const std::size_t last = text.rfind('\n');
+        if (last == std::string::npos && text.size() <= longest_ray_line) continue;
+        if (last != std::string::npos && !ended_) {
+            rest_.assign(text, last + 1);
+            text.resize(last + 1);
+        }
+        break;
+    }
+    return !text.empty();
+}
+
+void RayLineReader::drop_header(RayLines& lines) {
+    std::string_view text = lines.text;
+    if (!text.starts_with(ray_header)) return;
+    text.remove_prefix(ray_header.size());
+    if (text.starts_with('\r')) text.remove_prefix(1);
+    if (!text.empty() && !text.starts_with('\n')) return;
+    text.remove_prefix(std::min<std::size_t>(1, text.size()));
+    lines.text.erase(0, lines.text.size() - text.size());
+    lines.first_line = 2;
+}
+
+bool RayLineReader::read(RayLines& lines) {
+    if (!fill(lines.text)) return false;
+    lines.first_line = next_line_, lines.first_ray = next_ray_;
+    if (next_line_ == 1) drop_header(lines);
+    const auto count =
+        static_cast<std::uint64_t>(std::count(lines.text.begin(), lines.text.end(), '\n'));
+    next_line_ = lines.first_line + count;
+    next_ray_ += count;
+    return true;
+}
+
+ParsedRays rays_of(const RayLines& lines) {
+    ParsedRays parsed;
+    std::string_view text = lines.text;
+    for (std::uint64_t number = lines.first_line; !text.empty(); ++number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        Ray ray;
+        if (const auto refusal = read_ray(line, ray)) {
+            parsed.fault = fault_at(number, *refusal);
+            break;
+        }
+        parsed.rays.push_back(ray);
+    }
+    return parsed;
+}
+
+} // namespace keiko

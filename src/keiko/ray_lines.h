@@ -1,0 +1,62 @@
+#pragma once
+
+#include "keiko/base/error.h"
+#include "keiko/patch/ray.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keiko {
+
+/// Where a stream of bytes comes from: fills the front of the span with what there is, at least
+/// one byte, and returns how many; 0: the end.
+using ByteSource = std::function<std::size_t(std::span<char>)>;
+
+/// The columns of a line of rays, which its first line may name.
+constexpr std::string_view ray_header = "ox,oy,oz,dx,dy,dz";
+/// Bytes; six numbers need less than 200.
+constexpr std::size_t longest_ray_line = 1024;
+
+/// Whole lines of a file of rays.
+struct RayLines {
+    std::string text;
+    std::uint64_t first_line = 1; ///< number of its first line in the file
+    std::uint64_t first_ray = 0;  ///< number of its first ray
+};
+
+/// Cuts a stream into pieces of whole lines, one piece for what one read brings, so that who sends
+/// a ray and waits is answered. Leaves out the first line where it is `ray_header`.
+class RayLineReader {
+public:
+    explicit RayLineReader(ByteSource source) : source_(std::move(source)) {}
+
+    /// Fills `lines` anew; false at the end. A line beyond the longest comes in several pieces,
+    /// the first of which rays_of refuses.
+    bool read(RayLines& lines);
+
+private:
+    bool fill(std::string& text);
+    void drop_header(RayLines& lines);
+
+    ByteSource source_;
+    std::string rest_; ///< the beginning of a line
+    std::uint64_t next_line_ = 1, next_ray_ = 0;
+    bool ended_ = false;
+};
+
+/// The rays of some lines, up to the first that is none.
+struct ParsedRays {
+    std::vector<Ray> rays;
+    std::optional<Error> fault; ///< names the line and the field
+};
+
+/// One ray a line: six finite decimal numbers between commas, blanks around them or not; the origin
+/// within 1e15 mm of zero, the direction no zero vector.
+ParsedRays rays_of(const RayLines& lines);
+
+} // namespace keiko

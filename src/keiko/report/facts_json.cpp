@@ -1,0 +1,135 @@
+#include "keiko/report/json_text.h"
+#include "keiko/report/report_json.h"
+
+namespace keiko {
+namespace {
+
+std::string_view name_of(Severity severity) {
+    switch (severity) {
+        case Severity::note:
+            return "note";
+        case Severity::warning:
+            return "warning";
+        case Severity::error:
+            return "error";
+    }
+    return "";
+}
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json();
+}
+
+Json box_json(const Box3& box) {
+    if (box.empty()) return nullptr;
+    return {{"lower", point(box.lower)}, {"upper", point(box.upper)}};
+}
+
+Json tracing_json(const TraceFacts& facts) {
+    Json json = {{"leaves", facts.leaves},
+                 {"mixed_leaves", facts.mixed_leaves},
+                 {"trimmed_away_leaves", facts.trimmed_away_leaves},
+                 {"bytes", facts.bytes}};
+    if (facts.build_milliseconds) json["build_milliseconds"] = *facts.build_milliseconds;
+    return json;
+}
+
+Json part_json(const PartFacts& part) {
+    return {{"name", part.name},
+            {"faces", part.faces},
+            {"patches", part.patches},
+            {"instances", part.instances},
+            {"mirrored_instances", part.mirrored_instances}};
+}
+
+Json face_json(const FaceFacts& face) {
+    Json json = {{"id", face.id},
+                 {"name", face.name},
+                 {"part", face.part},
+                 {"layer", face.layer},
+                 {"color", Json()},
+                 {"surface_kind", face.surface_kind},
+                 {"patches", face.patches},
+                 {"degree", face.degree},
+                 {"rational", face.rational},
+                 {"loops", face.loops},
+                 {"approximated", face.approximated}};
+    if (face.color) json["color"] = {face.color->r, face.color->g, face.color->b};
+    return json;
+}
+
+Json lost_face_json(const LostFace& face) {
+    return {{"id", face.id}, {"name", face.name}, {"reason", face.reason}};
+}
+
+Json remark_json(const Diagnostic& remark) {
+    return {{"severity", name_of(remark.severity)},
+            {"entity", remark.entity},
+            {"message", remark.message}};
+}
+
+template <class List, class Of>
+Json array_of(const List& list, const Of& json_of) {
+    Json array = Json::array();
+    for (const auto& item : list) array.push_back(json_of(item));
+    return array;
+}
+
+Json degree_json(const std::pair<const std::array<int, 2>, std::size_t>& degree) {
+    return {{"u", degree.first[0]}, {"v", degree.first[1]}, {"patches", degree.second}};
+}
+
+} // namespace
+
+std::string text_of(const Json& json) {
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json point(const Vec3& p) {
+    return {p.x, p.y, p.z};
+}
+
+Json model_json(const ModelFacts& facts) {
+    const RemarkCounts& remarks = facts.remarks;
+    Json json = {
+        {"source", facts.source},
+        {"file_format", facts.format},
+        {"unit", facts.unit.empty() ? Json() : Json(facts.unit)},
+        {"millimetres_per_unit", or_null(facts.millimetres_per_unit)},
+        {"parts", facts.parts},
+        {"instances", facts.instances},
+        {"part_list", array_of(facts.part_list, part_json)},
+        {"faces", facts.faces},
+        {"placed_faces", facts.placed_faces},
+        {"trimmed_faces", facts.trimmed_faces},
+        {"approximated_faces", facts.approximated_faces},
+        {"largest_approximation", facts.largest_approximation},
+        {"patches", facts.patches},
+        {"rational_patches", facts.rational_patches},
+        {"surface_kinds", facts.kinds},
+        {"degrees", array_of(facts.degrees, degree_json)},
+        {"bounds", box_json(facts.bounds)},
+        {"edges", facts.edges},
+        {"degenerate_edges", facts.degenerate_edges},
+        {"largest_edge_tolerance", facts.largest_edge_tolerance},
+        {"join", facts.join},
+        {"seams", facts.seams},
+        {"border_length", facts.border_length},
+        {"free_border_length", facts.free_length},
+        {"lost_faces", array_of(facts.lost_faces, lost_face_json)},
+        {"remarks",
+         {{"notes", remarks.notes}, {"warnings", remarks.warnings}, {"errors", remarks.errors}}},
+        {"diagnostics", array_of(facts.diagnostics, remark_json)}};
+    json["tracing"] = facts.tracing ? tracing_json(*facts.tracing) : Json();
+    return json;
+}
+
+std::string facts_json(const ModelFacts& facts) {
+    Json json = {{"format", "keiko-model-facts/1"}};
+    json.update(model_json(facts));
+    json["face_list"] = array_of(facts.face_list, face_json);
+    return text_of(json);
+}
+
+} // namespace keiko

@@ -1,0 +1,133 @@
+#include "keiko/trace_rays.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/hit_columns.h"
+#include "keiko/render/integrator.h"
+
+namespace keiko {
+namespace {
+
+/// A piece of the stream on its way from lines to rows.
+struct Piece {
+    RayLines lines;
+    std::string rows;
+    std::optional<Error> fault;
+    std::uint64_t rays = 0;
+    PathCounts hits;
+};
+
+/// Follows rays and writes what they hit.
+class RowWriter {
+public:
+    RowWriter(const Scene& scene, const TraceOptions& options)
+        : tracer_(scene.tracer),
+          columns_(hit_columns(options.columns)),
+          all_(options.all),
+          light_(light_column(columns_).has_value()),
+          rig_(scene.rig.value_or(LightRig{})),
+          picture_{scene.tracer, scene.materials, rig_, scene.background},
+          integrator_(picture_, picture_options_) {}
+    RowWriter(const RowWriter&) = delete;
+    RowWriter& operator=(const RowWriter&) = delete;
+
+    std::string header() const { return (all_ ? "ray," : "") + header_of(columns_) + "\n"; }
+
+    /// Fills rows, rays, hits and fault from the lines.
+    void work(Piece& piece) const;
+
+private:
+    void write_first(Piece& piece, std::span<const Ray> rays) const;
+    void write_seen(Piece& piece, std::span<const Ray> rays) const;
+    void write_all(Piece& piece, std::span<const Ray> rays) const;
+    void write(Piece& piece, const std::optional<Hit>& hit, const Rgb& luminance) const;
+
+    const Tracer& tracer_;
+    std::vector<HitColumn> columns_;
+    bool all_, light_;
+    LightRig rig_;
+    PictureScene picture_;
+    PictureOptions picture_options_;
+    Integrator integrator_;
+};
+
+void RowWriter::work(Piece& piece) const {
+    ParsedRays parsed = rays_of(piece.lines);
+    piece.fault = std::move(parsed.fault);
+    piece.rays = parsed.rays.size();
+    piece.rows.clear();
+    piece.hits = {};
+    if (all_) return write_all(piece, parsed.rays);
+    if (light_) return write_seen(piece, parsed.rays);
+    write_first(piece, parsed.rays);
+}
+
+void RowWriter::write(Piece& piece, const std::optional<Hit>& hit, const Rgb& luminance) const {
+    if (!hit) return append_empty_row(piece.rows, columns_);
+    piece.hits.count(*hit);
+    append_row(piece.rows, columns_, *hit, luminance);
+}
+
+void RowWriter::write_first(Piece& piece, std::span<const Ray> rays) const {
+    for (const std::optional<Hit>& hit : tracer_.nearest(rays)) write(piece, hit, Rgb());
+}
+
+void RowWriter::write_seen(Piece& piece, std::span<const Ray> rays) const {
+    for (const EyeSample& sample : integrator_.follow(rays))
+        write(piece, sample.hit, sample.luminance);
+}
+
+void RowWriter::write_all(Piece& piece, std::span<const Ray> rays) const {
+    std::uint64_t number = piece.lines.first_ray;
+    const auto write_numbered = [&](const std::optional<Hit>& hit) {
+        append_number(piece.rows, number);
+        piece.rows += ',';
+        write(piece, hit, Rgb());
+    };
+    for (const std::vector<Hit>& hits : tracer_.all(rays)) {
+        for (const Hit& hit : hits) write_numbered(hit);
+        if (hits.empty()) write_numbered(std::nullopt);
+        ++number;
+    }
+}
+
+void require_rig(const Scene& scene, const TraceOptions& options) {
+    const auto light = light_column(hit_columns(options.columns));
+    if (light && !scene.rig)
+        throw Error("", "--out", "the column \"" + *light + "\" needs a scene file with a rig");
+}
+
+} // namespace
+
+void require_columns(const TraceOptions& options) {
+    const auto light = light_column(hit_columns(options.columns));
+    if (light && options.all) {
+        throw Error("", "--out",
+                    "the column \"" + *light + "\" is that of the first hit; without --all");
+    }
+}
+
+TraceCounts trace_rays(const Scene& scene, const ByteSource& rays, const ByteSink& hits,
+                       const TraceOptions& options, const Job& job) {
+    require_columns(options);
+    require_rig(scene, options);
+    const RowWriter writer(scene, options);
+    TraceCounts counts;
+    if (!hits(writer.header())) return counts;
+    RayLineReader reader(rays);
+    std::vector<Piece> pieces(2 * thread_count(job) + 1);
+    const auto write = [&](std::size_t slot) {
+        const Piece& piece = pieces[slot];
+        counts.rays += piece.rays;
+        counts.hits += piece.hits;
+        if (!piece.rows.empty() && !hits(piece.rows)) return false;
+        if (piece.fault) throw *piece.fault;
+        return true;
+    };
+    parallel_stream(pieces.size(), job,
+                    {.read = [&](std::size_t slot) { return reader.read(pieces[slot].lines); },
+                     .work = [&](std::size_t slot) { writer.work(pieces[slot]); },
+                     .write = write});
+    return counts;
+}
+
+} // namespace keiko

@@ -1,0 +1,206 @@
+"""`keiko trace`: rays from standard input, hits to standard output."""
+import csv
+import io
+import json
+import math
+import signal
+import subprocess
+import time
+import unittest
+
+from keiko_process import BINARY, KeikoTest, surface
+
+SADDLE = surface("saddle.bpt")  # z = (x^2 - y^2) / 400 over +-100 mm
+SPHERE = surface("rational-sphere.step")  # radius 100 mm about the origin
+HEADER = "ox,oy,oz,dx,dy,dz\n"
+DOWN = "3,7,200,0,0,-1\n"
+MISS = "500,0,200,0,0,-1\n"
+
+
+def rays_down(count: int) -> str:
+    """Rays down onto the saddle and beside it."""
+    lines = (f"{-110 + 220 * (i % 97) / 97!r},{-110 + 220 * (i % 89) / 89!r},200,0,0,-1\n"
+             for i in range(count))
+    return "".join(lines)
+
+
+class Trace(KeikoTest):
+    def trace(self, rays: str, *arguments: str) -> str:
+        run = self.keiko("trace", *arguments, "-q", input=rays)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        return run.stdout
+
+    def rows(self, rays: str, *arguments: str) -> list:
+        return list(csv.DictReader(io.StringIO(self.trace(rays, *arguments))))
+
+    def fails(self, reason: str, rays: str, *arguments: str) -> str:
+        run = self.keiko("trace", *arguments, "-q", input=rays)
+        self.assertEqual((run.returncode, run.stderr.count("\n")), (2, 1), run.stderr)
+        self.assertIn(reason, run.stderr)
+        return run.stdout
+
+    def start(self, *arguments: str, **options) -> subprocess.Popen:
+        process = subprocess.Popen([BINARY, "trace", *arguments, "-q"], text=True,
+                                   stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, **options)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        return process
+
+    def test_a_row_for_each_ray_in_order(self):
+        for header in "", HEADER:
+            text = self.trace(header + DOWN + MISS + DOWN.strip(), SADDLE)
+            lines = text.split("\n")
+            self.assertEqual(lines[0], "t,face,u,v,x,y,z,nx,ny,nz")
+            self.assertEqual(lines[2], ",,,,,,,,,")
+            self.assertEqual((lines[1], lines[4]), (lines[3], ""))
+        row = self.rows(DOWN, SADDLE)[0]
+        self.assertAlmostEqual(float(row["t"]), 200.1, delta=1e-10)
+        self.assertAlmostEqual(float(row["z"]), -0.1, delta=1e-10)
+
+    def test_every_column_of_a_sphere(self):
+        columns = "t,instance,face,patch,u,v,x,y,z,nx,ny,nz,k1,k2,bound,flags"
+        row = self.rows("20,30,500,0,0,-2\n", SPHERE, "--out", columns)[0]
+        self.assertEqual(",".join(row), columns)
+        height = math.sqrt(100**2 - 20**2 - 30**2)
+        self.assertAlmostEqual(float(row["t"]), (500 - height) / 2, delta=1e-9)
+        position = [float(row[c]) for c in "xyz"]
+        outwards = math.copysign(1, float(row["nz"]))
+        for component, normal in zip(position, ("nx", "ny", "nz")):
+            self.assertAlmostEqual(float(row[normal]), outwards * component / 100, delta=1e-9)
+        for curvature in "k1", "k2":
+            self.assertAlmostEqual(float(row[curvature]), -outwards / 100, delta=1e-9)
+        self.assertLess(float(row["bound"]), 1e-6)
+        self.assertIn(row["flags"].split("|")[0], ("unique", "clipped", "tangential"))
+
+    def test_all_hits_are_led_by_the_number_of_their_ray(self):
+        text = self.trace(HEADER + MISS + "20,30,500,0,0,-1\n" + MISS, SPHERE, "--all", "--out",
+                          "instance,z")
+        lines = text.splitlines()
+        self.assertEqual((lines[0], lines[1], lines[4]), ("ray,instance,z", "0,,", "2,,"))
+        first, second = (line.split(",") for line in lines[2:4])
+        self.assertEqual((len(lines), first[0], second[0]), (5, "1", "1"))
+        self.assertAlmostEqual(float(first[2]), -float(second[2]), delta=1e-9)
+
+    def test_indices_are_those_of_info(self):
+        hood = surface("hood.step")
+        facts = json.loads(self.succeed("info", hood, "--json", "-q"))
+        row = self.rows("600,0,3000,0,0,-1\n", hood, "--out", "face,instance")[0]
+        face = facts["face_list"][int(row["face"])]
+        self.assertEqual(face["part"], int(row["instance"]))
+        self.assertEqual(face["name"], "dome")
+
+    def test_the_luminance_of_a_scene_with_a_rig(self):
+        scene = surface("hood-scene.toml")
+        row = self.rows("600,0,3000,0,0,-1\n", scene, "--out", "luminance,r,g,b")[0]
+        red, green, blue = (float(row[c]) for c in "rgb")
+        self.assertGreater(float(row["luminance"]), 0)
+        self.assertAlmostEqual(float(row["luminance"]),
+                               0.2126 * red + 0.7152 * green + 0.0722 * blue, delta=1e-9)
+
+    def test_luminance_is_refused_without_a_rig(self):
+        self.fails('--out: the column "luminance" needs a scene file with a rig', DOWN, SADDLE,
+                   "--out", "t,luminance")
+        self.fails('--out: the column "r" is that of the first hit', DOWN,
+                   surface("hood-scene.toml"), "--out", "r", "--all")
+
+    def test_the_clipping_intersector_agrees(self):
+        rays = rays_down(2000)
+        plain = self.rows(rays, SADDLE, "--out", "x,y,z,bound,flags")
+        clipped = self.rows(rays, SADDLE, "--out", "x,y,z,bound,flags", "--intersector", "clipping")
+        for a, b in zip(plain, clipped):
+            self.assertEqual(a["x"] == "", b["x"] == "")
+            if not a["x"]:
+                continue
+            self.assertTrue(b["flags"].startswith("clipped"))
+            bound = float(a["bound"]) + float(b["bound"])
+            self.assertLessEqual(math.dist([float(a[c]) for c in "xyz"],
+                                           [float(b[c]) for c in "xyz"]), bound)
+
+    def test_the_same_bytes_for_any_thread_count(self):
+        rays = rays_down(20000)
+        expected = self.trace(rays, SADDLE, "--threads", "1")
+        self.assertEqual(expected.count("\n"), 20001)
+        for threads in "0", "2", "7":
+            self.assertEqual(self.trace(rays, SADDLE, "--threads", threads), expected)
+
+    def test_a_malformed_line_is_named_after_the_rows_before_it(self):
+        rows = self.fails("standard input:4: dy is not a number: \"a\"",
+                          HEADER + DOWN + MISS + "1,2,3,4,a,6\n" + DOWN, SADDLE, "--out", "face")
+        self.assertEqual(rows.count("\n"), 3)
+        for line, reason in (("1,2,3,4,5", "got 5 fields"), ("", "got an empty line"),
+                             ("1,2,3,4,5,inf", "dz is not finite"), ("1,2,3,0,0,0", "no direction"),
+                             ("1e300,2,3,4,5,6", "beyond 1e15 mm"), (HEADER[:-1], "ox is not a")):
+            self.fails("standard input:2: ", DOWN + line + "\n", SADDLE)
+            self.fails(reason, DOWN + line + "\n", SADDLE)
+
+    def test_unknown_columns_and_intersectors(self):
+        self.fails('--out: no column is called "hue"', DOWN, SADDLE, "--out", "t,hue")
+        self.fails("--intersector: ", DOWN, SADDLE, "--intersector", "newton")
+
+    def test_verbose_tells_how_hits_were_found(self):
+        run = self.keiko("trace", SADDLE, "--verbose", "--out", "t", input=DOWN + MISS)
+        self.assertRegex(run.stderr,
+                         r"(?m)^keiko: 2 rays, 1 hits: [\d.]+ % unique, [\d.]+ % clipped, "
+                         r"[\d.]+ % tangential$")
+        self.assertEqual(run.stdout.count("\n"), 3)
+
+    def test_who_sends_a_ray_and_waits_is_answered(self):
+        process = self.start(SADDLE, "--out", "instance")
+        self.assertEqual(process.stdout.readline(), "instance\n")
+        for ray, answer in (DOWN, "0\n"), (MISS, "\n"), (DOWN, "0\n"):
+            process.stdin.write(ray)
+            process.stdin.flush()
+            self.assertEqual(process.stdout.readline(), answer)
+
+    def test_ends_quietly_when_nobody_reads(self):
+        process = self.start(SADDLE)
+        process.stdout.close()
+        try:
+            for _ in range(1000):
+                process.stdin.write(DOWN * 100)
+                process.stdin.flush()
+        except BrokenPipeError:
+            pass
+        process.wait(timeout=30)
+        self.assertEqual((process.returncode, process.stderr.read()), (0, ""))
+
+    def interrupt(self, process: subprocess.Popen):
+        start = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        process.wait(timeout=30)
+        self.assertEqual((process.returncode, process.stderr.read()), (130, "keiko: interrupted\n"))
+        self.assertLess(time.monotonic() - start, 5)
+
+    def test_interrupted_while_it_waits_for_rays(self):
+        process = self.start(SADDLE)
+        process.stdout.readline()
+        self.interrupt(process)
+
+    def test_interrupted_while_nobody_takes_its_rows(self):
+        rays = self.write("rays.csv", rays_down(50000))
+        with open(self.folder / rays) as file:
+            process = subprocess.Popen([BINARY, "trace", SADDLE, "-q"], text=True, stdin=file,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        process.stdout.readline()
+        time.sleep(0.5)
+        self.interrupt(process)
+
+    def test_memory_does_not_grow_with_the_rays(self):
+        def peak(count: int) -> int:
+            rays = self.write("rays.csv", rays_down(1000) * (count // 1000))
+            script = f"import resource, subprocess, sys\nfile = open({rays!r})\n" \
+                     f"subprocess.run([{BINARY!r}, 'trace', {SADDLE!r}, '-q'], stdin=file, " \
+                     "stdout=subprocess.DEVNULL, check=True)\n" \
+                     "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)"
+            run = subprocess.run(["python3", "-c", script], cwd=self.folder, text=True,
+                                 capture_output=True, check=True)
+            return int(run.stdout)
+        few, many = peak(50_000), peak(400_000)
+        self.assertLess(many - few, 8192, (few, many))  # KiB
+
+
+if __name__ == "__main__":
+    unittest.main()

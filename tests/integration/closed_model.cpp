@@ -1,0 +1,160 @@
+#include "tests/integration/closed_model.h"
+
+#include "keiko/patch/differential_geometry.h"
+
+#include "tests/support/ray_class.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+namespace keiko::test {
+namespace {
+
+bool is_tangential(const std::vector<Hit>& hits) {
+    return std::any_of(hits.begin(), hits.end(),
+                       [](const Hit& hit) { return has(hit.flags, HitFlags::tangential); });
+}
+
+/// Point of a p-curve, by Bernstein sums.
+Vec2 point_of(const BezierCurveView& curve, double t) {
+    const int degree = static_cast<int>(curve.points.size()) - 1;
+    const auto rows = bernstein_derivatives(degree, t, 0);
+    Vec3 sum(0);
+    for (std::size_t i = 0; i < curve.points.size(); ++i) sum += curve.points[i] * rows[0][i];
+    return {sum.x / sum.z, sum.y / sum.z};
+}
+
+/// The face's patch that holds a place of its parameters.
+std::optional<std::uint32_t> patch_with(const SurfaceModel& model, const Face& face,
+                                        const Vec2& place) {
+    for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p) {
+        const Patch& patch = model.patches[p];
+        Box2 domain;
+        domain.extend(Vec2(patch.map_u.begin, patch.map_v.begin));
+        domain.extend(Vec2(patch.map_u.end, patch.map_v.end));
+        if (domain.padded(1e-9 * domain.size()).contains(place)) return p;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::string ClosureCounts::text() const {
+    std::ostringstream out;
+    out << rays << " rays, " << hits << " hits, tangential " << tangential << ", edge-on "
+        << edge_on << ", leaks " << leaks << ", doubled " << doubled << ", unclear " << unclear
+        << "; " << aimed << " aimed at edges and vertices, lost " << aimed_lost;
+    return out.str();
+}
+
+ClosedModel::ClosedModel(SurfaceModel model)
+    : model_(std::move(model)), tracer_(model_), size_(bounds(model_).size()) {
+    for (std::uint32_t i = 0; i < model_.instances.size(); ++i) {
+        const Part& part = model_.parts[model_.instances[i].part];
+        for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f)
+            for (const TrimLoop& loop : model_.loops_of(model_.faces[f]))
+                for (std::uint32_t c = 0; c < loop.curve_count; ++c) {
+                    const std::uint32_t edge = model_.trim_curves[loop.first_curve + c].edge;
+                    if (edge == no_index || model_.edges[edge].degenerate) continue;
+                    borders_.push_back({i, f, loop.first_curve + c});
+                    tolerance_ = std::max(tolerance_, model_.edges[edge].tolerance);
+                }
+    }
+}
+
+Ray ClosedModel::random_ray(Random& random) const {
+    const Box3& box = tracer_.bounds();
+    const auto inside = [&] {
+        return box.lower + box.extent() * Vec3(uniform(random, 0, 1), uniform(random, 0, 1),
+                                               uniform(random, 0, 1));
+    };
+    Ray ray;
+    do ray.direction = inside() - inside();
+    while (!(ray.direction.length() > 1e-3 * size_));
+    ray.direction.normalize();
+    ray.origin = inside() - ray.direction * (2 * size_);
+    return ray;
+}
+
+std::optional<EdgePoint> ClosedModel::random_edge_point(Random& random) const {
+    const BorderCurve& border = borders_[pick(random, borders_.size())];
+    const double t = random() % 4 == 0 ? 0 : uniform(random, 0, 1);
+    const Face& face = model_.faces[border.face];
+    const Vec2 place = point_of(model_.trim_curve(border.curve), t);
+    const auto patch = patch_with(model_, face, place);
+    if (!patch) return std::nullopt;
+    const Patch& maps = model_.patches[*patch];
+    const Vec2 uv(std::clamp(maps.map_u.to_patch(place.x), 0.0, 1.0),
+                  std::clamp(maps.map_v.to_patch(place.y), 0.0, 1.0));
+    const SurfaceDerivatives s = evaluate(model_.patch(*patch), uv, 2);
+    const auto normal = unit_normal(s, uv);
+    if (!normal) return std::nullopt;
+    const Affine& to_world = model_.instances[border.instance].transform;
+    return EdgePoint{to_world.point(s.position()), to_world.normal(*normal).normalized()};
+}
+
+void ClosedModel::count_parity(const Ray& ray, ClosureCounts& counts) const {
+    const std::vector<Hit> hits = tracer_.all(ray);
+    ++counts.rays;
+    counts.hits += hits.size();
+    if (is_tangential(hits))
+        ++counts.tangential;
+    else if (hits.size() % 2 != 0)
+        classify_odd(ray, hits.size(), counts);
+}
+
+/// Four parallel rays, farther off than the edges' tolerance: where the ray passes an edge seen
+/// edge-on, some of them hit twice what others miss; where it slips through a seam, all of them
+/// have the hit that it lacks.
+void ClosedModel::classify_odd(const Ray& ray, std::size_t hits, ClosureCounts& counts) const {
+    const Vec3 helper = std::abs(ray.direction.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+    const Vec3 a = ray.direction.cross(helper).normalized(), b = ray.direction.cross(a);
+    const double away = 4 * tolerance_ + 1e-7 * size_;
+    std::size_t more = 0, less = 0, odd = 0;
+    for (const Vec3& side : {a, -a, b, -b}) {
+        Ray beside = ray;
+        beside.origin += side * away;
+        const std::size_t count = tracer_.all(beside).size();
+        odd += count % 2;
+        more += count == hits + 1;
+        less += count + 1 == hits;
+    }
+    if (more == 4)
+        report("leak", ray), ++counts.leaks;
+    else if (less == 4)
+        report("doubled hit", ray), ++counts.doubled;
+    else if (odd > 0)
+        report("unclear", ray), ++counts.unclear;
+    else
+        ++counts.edge_on;
+}
+
+void ClosedModel::count_aimed(const EdgePoint& point, Random& random, ClosureCounts& counts) const {
+    constexpr double flattest = 0.05; // sine of the angle to the surface
+    Ray ray;
+    do ray.direction = random_direction(random);
+    while (!(std::abs(ray.direction.dot(point.normal)) > flattest));
+    ray.origin = point.position - ray.direction * (2 * size_);
+    const std::vector<Hit> hits = tracer_.all(ray);
+    ++counts.aimed;
+    // The hit may be on the neighbour's side of the edge, or of another edge that ends here. A
+    // surface that passes the point within d mm is met by a ray through the point no farther
+    // off than d over the sine of the angle between them: the neighbour may be met at a lower angle
+    // than the face that was aimed at.
+    if (std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) {
+            const double sine = std::min(flattest, std::abs(hit.normal.dot(ray.direction)));
+            return (hit.position - point.position).length() * sine <= 2 * tolerance_ + 1e-9 * size_;
+        }))
+        return;
+    ++counts.aimed_lost;
+    report("lost at an edge", ray);
+}
+
+void ClosedModel::report(const char* what, const Ray& ray) const {
+    std::cout << what << ": " << exact_text(ray) << "\n";
+}
+
+} // namespace keiko::test

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "keiko/trace/tracer.h"
+
+#include "tests/support/random.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keiko::test {
+
+/// What came of rays against a closed model.
+struct ClosureCounts {
+    std::size_t rays = 0, hits = 0;
+    std::size_t tangential = 0; ///< a hit is flagged: one touch may count once or twice
+    std::size_t edge_on = 0;    ///< along an edge's outline, where parallel rays beside it differ
+    std::size_t leaks = 0;      ///< all rays around have one more hit
+    std::size_t doubled = 0;    ///< all rays around have one hit less
+    std::size_t unclear = 0;    ///< odd, and so are rays around it
+    std::size_t aimed = 0, aimed_lost = 0;
+
+    std::string text() const;
+};
+
+/// A point of a shared edge, or the vertex where it begins, and the surface there.
+struct EdgePoint {
+    Vec3 position{0}, normal{0}; ///< world
+};
+
+/// A model that encloses a volume: whatever enters must leave again.
+class ClosedModel {
+public:
+    explicit ClosedModel(SurfaceModel model);
+
+    /// A chord through the model's box, from well outside.
+    Ray random_ray(Random& random) const;
+    /// Nothing where the surface has no normal.
+    std::optional<EdgePoint> random_edge_point(Random& random) const;
+
+    void count_parity(const Ray& ray, ClosureCounts& counts) const;
+    /// A ray through the point from anywhere that is not nearly in the surface: it must hit there.
+    void count_aimed(const EdgePoint& point, Random& random, ClosureCounts& counts) const;
+
+private:
+    void classify_odd(const Ray& ray, std::size_t hits, ClosureCounts& counts) const;
+    void report(const char* what, const Ray& ray) const;
+
+    SurfaceModel model_;
+    Tracer tracer_;
+    double size_ = 0;      ///< mm
+    double tolerance_ = 0; ///< mm, the largest of all edges
+    struct BorderCurve {
+        std::uint32_t instance, face, curve;
+    };
+    std::vector<BorderCurve> borders_;
+};
+
+} // namespace keiko::test

@@ -1,0 +1,74 @@
+#include "keiko/io/load_model.h"
+
+#include "tests/integration/closed_model.h"
+#include "tests/integration/closed_shells.h"
+#include "tests/support/long_run.h"
+#include "tests/support/paths.h"
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+namespace keiko {
+namespace {
+
+using namespace test;
+
+std::string test_name(const testing::TestParamInfo<const char*>& tested) {
+    std::string name = tested.param;
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    return name;
+}
+
+void expect_closed(const std::filesystem::path& file) {
+    const ClosedModel model(load_model(file));
+    const std::size_t count = ray_count(10'000, 1'000'000);
+    Random random(1);
+    ClosureCounts counts;
+    for (std::size_t i = 0; i < count; ++i) {
+        model.count_parity(model.random_ray(random), counts);
+        if (const auto point = model.random_edge_point(random))
+            model.count_aimed(*point, random, counts);
+    }
+    std::cout << file.filename().string() << ": " << counts.text() << "\n";
+    EXPECT_GT(counts.hits, counts.rays / 4);
+    EXPECT_GT(counts.aimed, count / 2);
+    EXPECT_EQ(counts.leaks, 0u);
+    EXPECT_EQ(counts.doubled, 0u);
+    EXPECT_EQ(counts.unclear, 0u);
+    EXPECT_EQ(counts.aimed_lost, 0u);
+}
+
+class ClosedSolids : public testing::TestWithParam<const char*> {};
+
+TEST_P(ClosedSolids, AreLeftAsOftenAsEntered) {
+    KEIKO_NEEDS_SHARED_MODEL(GetParam());
+    const auto file = shared_model(GetParam());
+    ASSERT_TRUE(closed_by_opencascade(file));
+    expect_closed(file);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    RealModels, ClosedSolids,
+    testing::Values("assembly-as1-oc-214.step", "assembly-coloured-bolt-faces.step",
+                    "box-with-nurbs-sphere.step", "bspline-cylinder-degree-13.brep",
+                    "bspline-sphere-degree-10.brep", "cube-10x10-nurbs.igs", "cube-unit-in.step",
+                    "cube-unit-mm.step", "die-cast-housing-degree-5.step", "extruder-drive.step",
+                    "linkrods.step", "nist-pmi-2.step", "nist-pmi-6-inch.step",
+                    "pump-bottom-degree-11.brep", "pump-carter.step", "screw.step", "sphere.step",
+                    "storage-jar-offset-surfaces.step", "submarine-in-far-field.step",
+                    "suspension-control-arm.step", "torus.brep"),
+    test_name);
+
+class ClosedFixtures : public testing::TestWithParam<const char*> {};
+
+/// Eight octants that share no edge in the file but meet exactly.
+TEST_P(ClosedFixtures, AreLeftAsOftenAsEntered) {
+    expect_closed(repository("surfaces") / GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, ClosedFixtures, testing::Values("rational-sphere.step"),
+                         test_name);
+
+} // namespace
+} // namespace keiko

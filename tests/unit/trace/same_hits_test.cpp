@@ -1,0 +1,159 @@
+#include "keiko/trace/tracer.h"
+
+#include "tests/support/ray_class.h"
+#include "tests/unit/trace/random_surfaces.h"
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <thread>
+
+namespace keiko {
+namespace {
+
+using namespace test;
+
+bool same_bits(const Hit& a, const Hit& b) {
+    const bool second =
+        a.second.has_value() == b.second.has_value() &&
+        (!a.second || (a.second->duu == b.second->duu && a.second->duv == b.second->duv &&
+                       a.second->dvv == b.second->dvv));
+    return a.t == b.t && a.instance == b.instance && a.face == b.face && a.patch == b.patch &&
+           a.uv == b.uv && a.position == b.position && a.normal == b.normal && a.dpdu == b.dpdu &&
+           a.dpdv == b.dpdv && second && a.position_bound == b.position_bound &&
+           a.flags == b.flags && a.seam == b.seam && a.root.uv == b.root.uv;
+}
+
+bool same_bits(const std::vector<Hit>& a, const std::vector<Hit>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const Hit& x, const Hit& y) { return same_bits(x, y); });
+}
+
+bool same_bits(const std::optional<Hit>& a, const std::optional<Hit>& b) {
+    return a.has_value() == b.has_value() && (!a || same_bits(*a, *b));
+}
+
+/// Layers of sheets, trimmed and rational ones among them.
+SurfaceModel stack() {
+    Random random(111);
+    ShapeBuilder builder;
+    for (int i = 0; i < 8; ++i) {
+        const SurfaceKind kind{.degree_u = 1 + i,
+                               .degree_v = 3,
+                               .spans_u = 1 + i % 3,
+                               .spans_v = 2,
+                               .rough = 15,
+                               .weights = 1.0 + i % 4,
+                               .offset = Vec3(0, 0, 12.0 * i)};
+        builder.face(patches_of(random_nurbs(random, kind)),
+                     i % 2 == 0 ? std::vector<LoopData>{} : random_loops(random));
+    }
+    return builder.model();
+}
+
+/// Coherent and incoherent rays, grazing ones, and some that cannot hit.
+std::vector<Ray> mixed_rays() {
+    Random random(112);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 1024; ++i) {
+        const Vec3 eye(0, -300, 400), target(-50 + i % 32 * 3.1, -50 + i / 32 * 3.1, 40);
+        rays.push_back(ray_through(eye, target - eye));
+    }
+    for (int i = 0; i < 3000; ++i) {
+        const Vec3 direction = random_direction(random);
+        const Vec3 target(uniform(random, -60, 60), uniform(random, -60, 60),
+                          uniform(random, -20, 110));
+        rays.push_back(ray_through(target - direction * uniform(random, 0, 400), direction));
+        if (i % 7 == 0) rays.back().direction.z = 0;
+        if (i % 50 == 0) rays.back().direction.x = std::numeric_limits<double>::quiet_NaN();
+        if (i % 11 == 0) rays.back().t_max = uniform(random, 0, 400);
+    }
+    return rays;
+}
+
+class SameHits : public testing::Test {
+protected:
+    const SurfaceModel model_ = stack();
+    const Tracer tracer_{model_, {.second_derivatives = true}};
+    const std::vector<Ray> rays_ = mixed_rays();
+    const std::vector<std::optional<Hit>> nearest_ = tracer_.nearest(std::span<const Ray>(rays_));
+    const std::vector<std::vector<Hit>> all_ = tracer_.all(std::span<const Ray>(rays_));
+    const std::vector<bool> any_ = tracer_.any(std::span<const Ray>(rays_));
+};
+
+TEST_F(SameHits, OfASpanAndOfSingleRays) {
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        ASSERT_TRUE(same_bits(tracer_.nearest(rays_[i]), nearest_[i])) << i;
+        ASSERT_TRUE(same_bits(tracer_.all(rays_[i]), all_[i])) << i;
+        ASSERT_EQ(tracer_.any(rays_[i]), any_[i]) << i;
+        ASSERT_EQ(any_[i], nearest_[i].has_value()) << i;
+        ASSERT_EQ(any_[i], !all_[i].empty()) << i;
+        hits += all_[i].size();
+    }
+    EXPECT_GT(hits, rays_.size());
+}
+
+TEST_F(SameHits, InAnyOrderOfTheRays) {
+    std::vector<std::size_t> order(rays_.size());
+    std::iota(order.begin(), order.end(), 0u);
+    Random random(113);
+    for (int round = 0; round < 3; ++round) {
+        std::shuffle(order.begin(), order.end(), random);
+        std::vector<Ray> shuffled;
+        for (const std::size_t i : order) shuffled.push_back(rays_[i]);
+        const auto nearest = tracer_.nearest(std::span<const Ray>(shuffled));
+        const auto all = tracer_.all(std::span<const Ray>(shuffled));
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            ASSERT_TRUE(same_bits(nearest[i], nearest_[order[i]])) << i;
+            ASSERT_TRUE(same_bits(all[i], all_[order[i]])) << i;
+        }
+    }
+}
+
+/// Spans of all lengths about the width of a packet, starting anywhere.
+TEST_F(SameHits, InSpansOfAnyLength) {
+    std::size_t first = 0;
+    for (std::size_t length = 0; length <= 70; ++length) {
+        const auto part = std::span<const Ray>(rays_).subspan(first, length);
+        const auto nearest = tracer_.nearest(part);
+        ASSERT_EQ(nearest.size(), length);
+        for (std::size_t i = 0; i < length; ++i)
+            ASSERT_TRUE(same_bits(nearest[i], nearest_[first + i])) << length << ' ' << i;
+        first += length;
+    }
+}
+
+TEST_F(SameHits, ForAnyNumberOfThreads) {
+    for (const int threads : {1, 2, 3, 7}) {
+        Job job;
+        job.threads = threads;
+        const Tracer built(model_, {.second_derivatives = true}, job);
+        std::vector<std::optional<Hit>> found(rays_.size());
+        std::vector<std::jthread> team;
+        for (int t = 0; t < threads; ++t)
+            team.emplace_back([&, t] {
+                for (auto i = static_cast<std::size_t>(t); i < rays_.size();
+                     i += static_cast<std::size_t>(threads))
+                    found[i] = built.nearest(rays_[i]);
+            });
+        team.clear();
+        for (std::size_t i = 0; i < rays_.size(); ++i)
+            ASSERT_TRUE(same_bits(found[i], nearest_[i])) << threads << ' ' << i;
+    }
+}
+
+/// A part of a ray has the same hits as the whole ray has there, to the bit.
+TEST_F(SameHits, InAnyPartOfARay) {
+    for (std::size_t i = 0; i < rays_.size(); i += 3) {
+        if (all_[i].size() < 2) continue;
+        Ray part = rays_[i];
+        part.t_min = all_[i][1].t;
+        const std::vector<Hit> rest = tracer_.all(part);
+        ASSERT_FALSE(rest.empty()) << i;
+        EXPECT_TRUE(same_bits(rest.front(), all_[i][1])) << i;
+    }
+}
+
+} // namespace
+} // namespace keiko
