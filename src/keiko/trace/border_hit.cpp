@@ -44,6 +44,7 @@ BorderHit border_hit(const TracedModel& model, const Crossing& crossing, Hit hit
         // What goes on past the patch's end is a neighbour's, too.
         if (!inside) result.own = false;
         if (!(uv[k] >= own.lower[k] && uv[k] <= own.upper[k])) result.at_end = true;
+        if (!(crossing.uv[k] >= 0 && crossing.uv[k] <= 1)) result.beyond = true;
     }
     result.hit = std::move(hit);
     return result;

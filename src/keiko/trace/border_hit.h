@@ -12,6 +12,7 @@ struct BorderHit {
     Vec2 uv{0};                    ///< of that leaf
     double sine = 0;     ///< of the angle to the surface; above 0 where the ray leaves the face
     bool at_end = false; ///< of its leaf or its patch, where the next one may have found it
+    bool beyond = false; ///< its place is off its leaf, if by no more than the error
     bool own = true;     ///< beyond doubt on that share of the face that no other leaf answers for
 };
 

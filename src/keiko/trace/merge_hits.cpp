@@ -62,7 +62,8 @@ private:
     bool are_copies(const BorderHit& a, const BorderHit& b) const {
         if (!(apart(a, b) * std::min(sine(a), sine(b)) <= bounds(a, b))) return false;
         if (a.hit.face == b.hit.face) {
-            if (!(a.at_end && b.at_end) || (a.own && b.own)) return false;
+            const bool ends = (a.at_end && b.at_end) || a.beyond || b.beyond;
+            if (!ends || (a.own && b.own)) return false;
             return a.leaf != b.leaf || meet_around(a, b);
         }
         const auto at_border = [&](const BorderHit& x) { return x.at_end || leaf(x).near_border; };
