@@ -3,6 +3,8 @@
 #include "tests/support/paths.h"
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
+
 namespace keiko::bench {
 namespace {
 
@@ -22,9 +24,17 @@ void add_trace(CLI::App& app, TraceOptions& options) {
         ->check(CLI::Range(1e-6, 1e3));
     trace->add_option("--most-triangles", options.most_triangles, "of the per-span grid")
         ->capture_default_str();
-    trace->add_option("--json", options.json, "file to write all numbers to");
-    trace->add_option("--markdown", options.markdown,
-                      "page to put the tables into, between its markers");
+    // Told now, not after ten minutes.
+    const auto in_folder = [](const std::string& file) {
+        const auto folder = std::filesystem::absolute(file).parent_path();
+        return std::filesystem::is_directory(folder) ? std::string()
+                                                     : folder.string() + " is not a folder";
+    };
+    trace->add_option("--json", options.json, "file to write all numbers to")->check(in_folder);
+    trace
+        ->add_option("--markdown", options.markdown,
+                     "page to put the tables into, between its markers")
+        ->check(CLI::ExistingFile);
 }
 
 } // namespace
@@ -33,6 +43,7 @@ Command parse_command_line(int argc, char** argv) {
     Command command;
     CLI::App app("Keiko's benchmarks", "./dev bench");
     app.require_subcommand(1);
+    app.footer("Without a group: trace. ./dev bench trace --help tells its options.");
     add_trace(app, command.trace);
     CLI::App* picture = app.add_subcommand(
         "picture", "the same stripes from meshes and from the surface, side by side");

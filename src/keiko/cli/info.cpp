@@ -24,7 +24,7 @@ int info(const InfoArguments& arguments, bool verbose, const Job& job) {
 void add_info(CLI::App& app, Session& session) {
     auto arguments = std::make_shared<InfoArguments>();
     CLI::App& command = *app.add_subcommand("info", "tell what is in a model file");
-    command.add_option("MODEL", arguments->scene.inputs, "a STEP, IGES, BREP or .bpt file")
+    command.add_option("MODEL", arguments->scene.inputs, "a STEP, IGES, BREP, .bpt or .obj file")
         ->required()
         ->expected(1);
     command.add_flag("--json", arguments->json, "machine-readable, with every part and face");

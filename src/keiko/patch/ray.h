@@ -22,6 +22,7 @@ struct Ray {
     double t_min = 0;
     double t_max = std::numeric_limits<double>::infinity();
     std::optional<RayDifferentials> differentials{};
+    /// Must be a root of this very ray, at t = 0 or at t_max: where it starts, or where it ends.
     std::optional<Root> excluded{};
 
     Vec3 at(double t) const { return origin + direction * t; }

@@ -27,7 +27,8 @@ struct SearchScene {
 class BlockSearch final : EmbreeScene::Visitor {
 public:
     /// Afterwards found(i) holds the answers for rays[i]: none or one for `nearest` and `any` (for
-    /// `any` some hit, with nothing but its leaf), every one in no order for `all`.
+    /// `any` some hit, with its leaf and a distance that it is not beyond), every one in no order
+    /// for `all`.
     void run(const SearchScene& scene, Goal goal, std::span<const Ray> rays);
     std::span<const Crossing> found(std::size_t lane) const { return found_[lane]; }
 
@@ -56,7 +57,6 @@ private:
     void clip(std::uint32_t box, std::size_t lane);
     void accept(std::size_t lane, Crossing crossing);
     void end(std::size_t lane);
-    void trace();
 
     const SearchScene* scene_ = nullptr;
     Goal goal_ = Goal::nearest;

@@ -15,10 +15,9 @@
 namespace keiko {
 namespace {
 
-/// In units of the scene's radius R, single precision costs: half an ulp of R for the start, of
-/// 2 R for the way along the rounded direction in each coordinate, and the slab test
-/// (b - o) * (1 / d) some 4 roundings of values up to 2 R: 0.5 + 1 + 8 ulps of 2^-24 R. Taken
-/// up to the next power of two.
+/// In units of 2^-24 R, with R the scene's radius, single precision costs: 1 for the start, 2 for
+/// the way of up to 2 R along the rounded direction, and the slab test (b - o) * (1 / d) some 4
+/// roundings of values up to 2 R, 8. Taken up to the next power of two.
 constexpr double pad_in_radii = 16.0 / (1 << 24);
 
 /// Found by the callbacks through the context, and in it by ray.id: Embree may shuffle lanes.
@@ -96,11 +95,15 @@ EmbreeScene::EmbreeScene(std::span<const Box3> boxes, int threads)
     for (const Box3& box : boxes) bounds_.extend(box);
     center_ = bounds_.empty() ? Vec3(0) : bounds_.center();
     radius_ = bounds_.size() / 2;
-    // A single point of a scene still has a box with an inside.
-    padding_ = std::max(radius_ * pad_in_radii, 1e-30);
+    // Embree drops larger boxes without a word.
+    constexpr double largest = 1e18;
+    if (!(radius_ < largest)) throw Error("", "model", "it is larger than 1e18 mm");
+    // Rounding of the boxes as they came; and a single point still has a box with an inside.
+    const double came = 8 * std::numeric_limits<double>::epsilon() * (center_.length() + radius_);
+    const double padding = std::max(radius_ * pad_in_radii + came, 1e-30);
     std::vector<Box3> padded;
     for (const Box3& box : boxes)
-        padded.push_back(Box3{box.lower - center_, box.upper - center_}.padded(padding_));
+        padded.push_back(Box3{box.lower - center_, box.upper - center_}.padded(padding));
 
     handles_->device =
         rtcNewDevice(threads > 0 ? ("threads=" + std::to_string(threads)).c_str() : nullptr);

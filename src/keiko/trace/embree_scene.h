@@ -21,7 +21,8 @@ public:
         virtual void visit(std::uint32_t box, LaneMask lanes) = 0;
     };
 
-    /// Throws Error when Embree cannot build. `threads` as in Job.
+    /// Throws Error when Embree cannot build, or the scene is too large for it. `threads` as in
+    /// Job.
     EmbreeScene(std::span<const Box3> boxes, int threads);
     ~EmbreeScene();
     EmbreeScene(const EmbreeScene&) = delete;
@@ -36,15 +37,13 @@ public:
     const Box3& bounds() const { return bounds_; }
     const Vec3& center() const { return center_; }
     double radius() const { return radius_; }
-    /// mm that each box was grown by.
-    double padding() const { return padding_; }
 
 private:
     struct Handles;
     std::unique_ptr<Handles> handles_;
     Box3 bounds_;
     Vec3 center_{0};
-    double radius_ = 0, padding_ = 0;
+    double radius_ = 0;
 };
 
 } // namespace keiko

@@ -87,8 +87,9 @@ Hit evaluated(const TracedModel& model, const LeafKernels& kernels, const Crossi
 
     const Vec2 off(std::abs(beyond.x - uv.x), std::abs(beyond.y - uv.y));
     const Vec2 error = c.error * extent;
+    const double steps = 8 + 4.0 * (leaf.degree_u + leaf.degree_v);
     const double rounding =
-        epsilon * (8 * hit.position.length() + 32 * leaf.radius * placement.magnification);
+        epsilon * (8 * hit.position.length() + steps * leaf.radius * placement.magnification);
     hit.position_bound =
         reach_of(s, error + off) + leaf.coefficient_error * placement.magnification + rounding;
     hit.root = {hit.instance, hit.patch, root_box(uv, error + off)};

@@ -2,6 +2,7 @@
 
 #include "keiko/trace/traced_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -31,12 +32,12 @@ void set_patch_ends(HotLeaf& hot, const Leaf& leaf) {
 }
 
 /// mm: what the polynomial's rounding amounts to across a row, the weight's counted with a place
-/// up to 1.25 half leaves out (farther out no ray is called single).
+/// up to 2 half leaves out: where the contraction is below 1, a root on the leaf has |a| < 2.
 double polynomial_blur(const std::array<double, 4>& rounding,
                        const std::array<double, 3>& row_length) {
     double blur = 0;
     for (std::size_t k = 0; k < 3; ++k)
-        blur = std::max(blur, (rounding[k] + 1.25 * rounding[3]) / row_length[k]);
+        blur = std::max(blur, (rounding[k] + 2 * rounding[3]) / row_length[k]);
     return blur;
 }
 
@@ -54,7 +55,6 @@ HotLeaf hot_leaf(const LeafSet& leaves, std::uint32_t index, const PartPlacement
     const Leaf& leaf = leaves.leaves[index];
     const LeafFrame& frame = leaves.frames[index];
     HotLeaf hot;
-    hot.leaf = index;
     hot.degree_u = static_cast<std::uint8_t>(leaf.degree_u);
     hot.degree_v = static_cast<std::uint8_t>(leaf.degree_v);
     hot.polynomial = leaf.first_point;
@@ -80,7 +80,8 @@ HotLeaf hot_leaf(const LeafSet& leaves, std::uint32_t index, const PartPlacement
         hot.row_length[k] = used.length() * (1 + 4 * epsilon);
     }
     // The stored centre and rows miss the exact ones by some roundings of what they are made of,
-    // the centre's in world size, the rows' in the leaf's.
+    // the centre's in world size, the rows' in the leaf's; there also a control point's five on
+    // its way into the frame, and one where an affine part was taken off.
     const double size = placement.magnification * (leaf.radius + frame.center.length());
     const double away = center.length() + placement.to_world.translation.length() +
                         placement.magnification * leaf.center.length();

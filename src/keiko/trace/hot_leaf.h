@@ -16,7 +16,6 @@ struct alignas(64) HotLeaf {
     double height = 0; ///< bound of |Z|
     /// Of the deviations e_u, e_v, e_n, e_w of LeafFrame.
     std::array<double, 4> value{}, slope{}, bend{};
-    std::uint32_t leaf = 0;       ///< into LeafSet::leaves
     std::uint32_t polynomial = 0; ///< where its coefficients begin in LeafSet::polynomials
     std::uint8_t degree_u = 1, degree_v = 1;
     bool regular = false;  ///< the bounds mean something
@@ -35,6 +34,8 @@ struct alignas(64) HotLeaf {
 };
 
 struct PartPlacement;
+
+static_assert(sizeof(HotLeaf) == 320);
 
 /// The record of a leaf at a placement.
 HotLeaf hot_leaf(const LeafSet& leaves, std::uint32_t leaf, const PartPlacement& placement);

@@ -55,8 +55,11 @@ NarrowedBoxes<D> narrowed(D d, const PlanePair& planes, const SameLeaf& leaf,
     const V one = hn::Set(d, 1), half = hn::Set(d, 0.5);
     const V r = hn::Max(b.half_x, b.half_y), half_square = hn::Mul(hn::Mul(half, r), r);
     const auto rest = [&](std::size_t plane) {
+        // As in newton-inl.h, for the rounding of the Jacobian.
+        const V noise = hn::Set(d, planes.noise[plane]);
+        const V turned = hn::Mul(noise, hn::Set(d, degrees_of(leaf.shape())));
         return hn::MulAdd(hn::Set(d, planes.bend[plane]), half_square,
-                          hn::Set(d, planes.noise[plane]));
+                          hn::MulAdd(turned, r, noise));
     };
     const V rest_f = rest(0), rest_g = rest(1);
     const auto clear = [&](V value, V by_x, V by_y, V remainder) {
@@ -152,6 +155,8 @@ bool narrow_last(D d, const PlanePair& planes, const SameLeaf& leaf, BoxStack& s
     const auto left = hn::And(n.left, hn::FirstN(d, count));
     const auto found = hn::And(left, n.root), kept = hn::AndNot(n.root, left);
     const auto wide = hn::Gt(hn::Max(n.boxes.half_x, n.boxes.half_y), hn::Set(d, narrowest));
+    const auto vague = hn::Gt(hn::Max(n.boxes.half_x, n.boxes.half_y), hn::Set(d, widest_root));
+    if (!hn::AllFalse(d, hn::And(found, vague))) return false;
     if (!hn::AllFalse(d, hn::AndNot(hn::Or(n.single, wide), kept))) return false;
     if (roots.count + hn::Lanes(d) > RootBoxes::capacity) return false;
     roots.count = append(d, n.boxes, found, roots, roots.count);

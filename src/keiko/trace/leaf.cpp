@@ -12,7 +12,7 @@ namespace keiko {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// Of LeafFrame::contraction. Finer leaves cost more boxes than they save clipping.
+/// Of LeafFrame::contraction. Finer leaves cost more boxes than they save steps.
 constexpr double flat_enough = 0.65;
 /// Halvings along one parameter: a bent piece gets flat by them, a twisted one (a pole) never
 /// does, and each try costs boxes.
@@ -194,6 +194,12 @@ private:
 
     void place_points(Leaf& leaf) {
         std::vector<Vec4> points = subpatch(local_, leaf.domain);
+        if (!weights_hold(points)) {
+            // Past the patch's end the weights run down to zero: there is no surface to go on with.
+            leaf.domain = {max(leaf.domain.lower, Vec2(0) - leaf.slip),
+                           min(leaf.domain.upper, Vec2(1) + leaf.slip)};
+            points = subpatch(local_, leaf.domain);
+        }
         const Vec3 middle = hull_bounds({local_.degree_u, local_.degree_v, points}).center();
         leaf.center = origin_ + middle;
         leaf.weight = 0;
@@ -206,6 +212,13 @@ private:
         add_frame(leaf, {local_.degree_u, local_.degree_v, points});
         set_.points.insert(set_.points.end(), points.begin(), points.end());
         set_.leaves.push_back(leaf);
+    }
+
+    /// False where going on past the patch has made a weight far smaller than any on it.
+    bool weights_hold(const std::vector<Vec4>& points) const {
+        const auto lighter = [](const Vec4& a, const Vec4& b) { return a.w < b.w; };
+        const double least = std::min_element(points_.begin(), points_.end(), lighter)->w;
+        return std::min_element(points.begin(), points.end(), lighter)->w > least / 2;
     }
 
     void add_frame(Leaf& leaf, const BezierPatchView& points) {

@@ -9,7 +9,8 @@
 
 namespace keiko {
 
-/// A piece of a patch that is flat enough for rays to be proved unique on it.
+/// A piece of a patch, split until most rays are proved to meet it at most once; near a pole that
+/// cannot be had.
 struct Leaf {
     std::uint32_t patch = 0;
     std::uint16_t degree_u = 1, degree_v = 1;

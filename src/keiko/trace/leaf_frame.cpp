@@ -91,7 +91,7 @@ void balance(const BezierPatchView& leaf, LeafFrame& frame) {
         determinant;
 }
 
-/// Sine over cosine of 60 degrees.
+/// Tangent of 60 degrees.
 constexpr double steepest = 1.7320508075688772;
 /// A ray that meets the leaf at all meets the frame's plane not much farther out than this.
 constexpr double farthest = 1.25;

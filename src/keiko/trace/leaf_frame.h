@@ -18,7 +18,9 @@ struct ComponentBounds {
 /// 1, its homogeneous components are there
 ///   w X = x + e_u(x, y),  w Y = y + e_v(x, y),  w Z = e_n(x, y),  w = 1 + e_w(x, y).
 struct LeafFrame {
-    bool regular = false; ///< the mean tangents span a plane; else only `bend_*` have a meaning
+    /// The mean tangents span a plane; else only `length`, `bend_u`, `bend_v` and `twist` mean
+    /// anything.
+    bool regular = false;
     Vec3 center{0};
     std::array<Vec3, 3> rows{Vec3(0), Vec3(0), Vec3(0)};
     Vec2 length{0};          ///< mm, mean of the edges along u and along v
@@ -28,9 +30,10 @@ struct LeafFrame {
     /// What halving u flattens, what halving v does, and what both must share.
     double bend_u = 0, bend_v = 0, twist = 0;
 
-    /// For rays up to 60 degrees off the frame's normal: bound of how far the function whose zero
-    /// is sought, preconditioned by the frame, is from the identity (docs/theory/intersector.md).
-    /// Below 1 each such ray has at most one root. Infinite for a frame that is not regular.
+    /// For rays up to 60 degrees off the frame's normal: estimate of how far the function whose
+    /// zero is sought, preconditioned by the frame, is from the identity. It only guides the
+    /// splitting; the proof is made ray by ray (docs/theory/intersector.md). Infinite for a frame
+    /// that is not regular.
     double contraction() const;
 };
 

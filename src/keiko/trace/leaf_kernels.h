@@ -37,8 +37,9 @@ struct PlanePair {
     std::array<double, 2> noise{}; ///< bounds of the functions' errors
 };
 
-/// Roots of a ray on a leaf: rectangles of the leaf's [-1, 1]^2 that hold one each, and are as
-/// narrow as rounding lets them be. The same root may stand in two of them.
+/// Roots of a ray on a leaf: places of its [-1, 1]^2 with bounds of their errors, as small as
+/// rounding lets them be. Each was the only one in a box; the same root may stand in two of them,
+/// found from either side of the boxes' common border.
 struct RootBoxes {
     static constexpr std::size_t capacity = 128;
 

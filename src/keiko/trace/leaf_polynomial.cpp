@@ -1,5 +1,6 @@
 #include "keiko/trace/leaf_polynomial.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -91,8 +92,7 @@ LeafPolynomial leaf_polynomial(const BezierPatchView& leaf, const LeafFrame& fra
         for (auto& c : polynomial.coefficients) c[3] = 0;
         polynomial.coefficients.front()[3] = 1;
     }
-    // In the frame: 5 roundings in double of numbers up to the size of a point's offset. The sums:
-    // one rounding a term. Horner: two a step, and one when a coefficient was stored.
+    // The sums: one rounding a term. Horner: two a step, and one when a coefficient was stored.
     const double terms = static_cast<double>(rows + columns);
     for (std::size_t c = 0; c < 4; ++c)
         polynomial.rounding[c] = extended_epsilon * terms * u.magnitude * v.magnitude * largest[c] +

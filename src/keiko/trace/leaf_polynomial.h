@@ -11,7 +11,8 @@ namespace keiko {
 struct LeafPolynomial {
     std::vector<std::array<double, 4>> coefficients;
     /// Bound of the error of any component when evaluated by Horner's scheme in double precision
-    /// within [-1, 1]^2, fused or not: by making the coefficients and by using them.
+    /// within [-1, 1]^2, fused or not: by the change to powers and by using them. (What turning the
+    /// control points into the frame costs is in HotLeaf::blur.)
     std::array<double, 4> rounding{};
 };
 

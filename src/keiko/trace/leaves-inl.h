@@ -32,7 +32,7 @@ struct SameLeaf {
 /// A leaf for each lane, all of the same degrees and all rational or none.
 class GatheredLeaves {
 public:
-    static constexpr std::size_t lanes = 8;
+    static constexpr std::size_t lanes = hn::MaxLanes(Wide());
 
     /// `polynomials` is where coefficients of leaves begin.
     GatheredLeaves(const std::array<const HotLeaf*, lanes>& leaves, const Component4* polynomials)

@@ -70,13 +70,17 @@ private:
         return at_border(a) && at_border(b) && same_sense(a, b);
     }
 
+    /// Whether one of them ended in a box without a proof.
+    static bool clipped(const BorderHit& a, const BorderHit& b) {
+        return has(a.hit.flags, HitFlags::clipped) || has(b.hit.flags, HitFlags::clipped);
+    }
+
     /// On one leaf: whether the hits are at opposite ends, which may be closed on each other, or
     /// where clipping could not tell, as on a side that is collapsed into a point.
     static bool meet_around(const BorderHit& a, const BorderHit& b) {
         constexpr double far = 0.5;
         const Vec2 off = b.uv - a.uv;
-        return std::abs(off.x) > far || std::abs(off.y) > far ||
-               has(a.hit.flags, HitFlags::clipped) || has(b.hit.flags, HitFlags::clipped);
+        return std::abs(off.x) > far || std::abs(off.y) > far || clipped(a, b);
     }
 
     bool cross_one_seam(const BorderHit& a, const BorderHit& b) const {

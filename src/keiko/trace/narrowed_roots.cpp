@@ -2,7 +2,9 @@
 
 #include "keiko/trace/plane_pair.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace keiko {
 namespace {
@@ -20,17 +22,36 @@ Component4 evaluate(const HotLeaf& leaf, const Component4* polynomial, double x,
     return total;
 }
 
-/// Whether two boxes hold one root: each was proved to hold no second.
-bool same(const RootBoxes& roots, std::size_t a, std::size_t b) {
+enum class Likeness { apart, same, unclear };
+
+/// Whether two places are one root, found twice. Where their bounds overlap but neither place is
+/// within the other's, no one can tell.
+Likeness likeness(const RootBoxes& roots, std::size_t a, std::size_t b) {
     constexpr double rounding = 1e-14;
-    return std::abs(roots.x[a] - roots.x[b]) <= roots.half_x[a] + roots.half_x[b] + rounding &&
-           std::abs(roots.y[a] - roots.y[b]) <= roots.half_y[a] + roots.half_y[b] + rounding;
+    const double x = std::abs(roots.x[a] - roots.x[b]), y = std::abs(roots.y[a] - roots.y[b]);
+    const auto within = [&](double reach_x, double reach_y) {
+        return x <= reach_x + rounding && y <= reach_y + rounding;
+    };
+    if (!within(roots.half_x[a] + roots.half_x[b], roots.half_y[a] + roots.half_y[b]))
+        return Likeness::apart;
+    const bool inside = within(std::max(roots.half_x[a], roots.half_x[b]),
+                               std::max(roots.half_y[a], roots.half_y[b]));
+    return inside ? Likeness::same : Likeness::unclear;
 }
 
-bool is_new(const RootBoxes& roots, std::size_t index) {
-    for (std::size_t i = 0; i < index; ++i)
-        if (same(roots, i, index)) return false;
-    return true;
+/// The first finds of each root; nothing when two cannot be told apart.
+std::optional<std::vector<std::size_t>> distinct(const RootBoxes& roots) {
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < roots.count; ++i) {
+        bool known = false;
+        for (const std::size_t k : kept) {
+            const Likeness alike = likeness(roots, k, i);
+            if (alike == Likeness::unclear) return std::nullopt;
+            known = known || alike == Likeness::same;
+        }
+        if (!known) kept.push_back(i);
+    }
+    return kept;
 }
 
 } // namespace
@@ -44,8 +65,9 @@ bool narrowed_roots(const TracedModel& model, const LeafKernels& kernels, std::u
     if (where.empty()) return true;
     RootBoxes roots;
     if (!kernels.find_roots(seen.planes, leaf, polynomial, where, roots)) return false;
-    for (std::size_t i = 0; i < roots.count; ++i) {
-        if (!is_new(roots, i)) continue;
+    const auto kept = distinct(roots);
+    if (!kept) return false;
+    for (const std::size_t i : *kept) {
         const Component4 c = evaluate(leaf, polynomial, roots.x[i], roots.y[i]);
         found.push_back({.t = ray.t_at(seen.s_at(Vec3(c[0], c[1], c[2]) / c[3])),
                          .leaf = placed,

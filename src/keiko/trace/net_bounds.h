@@ -26,7 +26,7 @@ struct NetBounds {
 };
 
 /// By the convex hulls of the four quadrants' coefficients: for a parabola over the whole these
-/// are exact where the hull of the whole is three times too wide. Rounding is included.
+/// are exact where the hull of the whole is twice too wide. Rounding is included.
 NetBounds net_bounds(const BernsteinNet& net);
 
 } // namespace keiko

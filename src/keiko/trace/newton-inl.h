@@ -14,6 +14,13 @@ namespace keiko::HWY_NAMESPACE {
 
 /// Newton needs three steps from the plane; what takes more is in trouble.
 constexpr int most_steps = 8;
+/// Of half a leaf: a bound beyond this is no place; clipping has to tell what is there.
+constexpr double widest_root = 1e-3;
+
+inline double degrees_of(const HotLeaf& leaf) {
+    return static_cast<double>(leaf.degree_u) + static_cast<double>(leaf.degree_v);
+}
+
 /// What Newton's remainder may add to a root, in the frame's unit: rounding is usually far smaller
 /// than its bound, and one more step costs little.
 template <class D>
@@ -36,7 +43,8 @@ LaneMask solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask wante
     const auto regain = hn::Div(one, hn::Sub(one, v.contraction));
     const auto noise = hn::Mul(hn::Max(v.blur_u, v.blur_v), regain);
     const auto enough = far_below(d, noise);
-    const auto two = hn::Set(d, 2), half = hn::Set(d, 0.5);
+    const auto two = hn::Set(d, 2), half = hn::Set(d, 0.5), widest = hn::Set(d, widest_root);
+    const auto degrees = hn::Set(d, degrees_of(leaves.shape()));
     std::uint8_t start_bits[8] = {static_cast<std::uint8_t>(wanted >> lane)};
     auto active = hn::LoadMaskBits(d, start_bits);
     auto found = hn::FirstN(d, 0);
@@ -65,11 +73,13 @@ LaneMask solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask wante
         const auto smaller = hn::And(hn::Lt(hn::Mul(bend, far), one), hn::Le(h, half));
         const auto off = hn::IfThenElse(smaller, hn::Min(far, near), far);
         const auto remainder = hn::Mul(hn::Mul(half, bend), hn::Mul(off, off));
-        const auto bound = hn::Add(remainder, noise);
+        // The Jacobian is rounded, too: by the noise, times the degrees, over the way to the root.
+        const auto bound = hn::Add(remainder, hn::MulAdd(hn::Mul(noise, degrees), off, noise));
         const auto limit = hn::Add(one, bound);
         const auto next_x = hn::Add(x, dx), next_y = hn::Add(y, dy);
         const auto inside = hn::And(hn::Le(hn::Abs(next_x), limit), hn::Le(hn::Abs(next_y), limit));
-        const auto done = hn::And(hn::And(active, inside), hn::Le(remainder, enough));
+        const auto settled = hn::And(hn::Le(remainder, enough), hn::Lt(bound, widest));
+        const auto done = hn::And(hn::And(active, inside), settled);
         const auto outside = hn::Or(hn::Gt(hn::Abs(next_x), limit), hn::Gt(hn::Abs(next_y), limit));
 
         const auto weight = hn::MulAdd(at.by_y[3], dy, hn::MulAdd(at.by_x[3], dx, at.value[3]));

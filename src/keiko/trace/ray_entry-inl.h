@@ -9,8 +9,6 @@
 #include "keiko/trace/lanes-inl.h"
 #include "keiko/trace/ray_blur.h"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -114,7 +112,6 @@ bool are_coherent(const SceneBall& scene, const RayBlock& rays) {
 void enter(const SceneBall& scene, RayBlock& rays) {
     for (std::size_t lane = 0; lane < rays.count; ++lane) {
         const Ray& ray = *rays.rays[lane];
-        hwy::Prefetch(&ray + RayBlock::capacity); // most likely the next block
         for (unsigned k = 0; k < 3; ++k) {
             rays.start[k][lane] = ray.origin[k];
             rays.direction[k][lane] = ray.direction[k];
@@ -122,6 +119,7 @@ void enter(const SceneBall& scene, RayBlock& rays) {
         rays.low[lane] = ray.t_min;
         rays.high[lane] = ray.t_max;
     }
+    rays.coherent = false;
     if (rays.count == 1) {
         rays.active = enter_lanes(One(), scene, rays, 0);
         return;

@@ -81,12 +81,28 @@ Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
+std::optional<Hit> Tracer::hit_of(const Ray& ray, const Crossing& crossing) const {
+    if (!crossing) return std::nullopt;
+    if (!has(crossing.flags, HitFlags::seam)) return scene_->evaluate(crossing);
+    std::vector<Hit> hits = all(ray);
+    return hits.empty() ? std::nullopt : std::optional(std::move(hits.front()));
+}
+
 std::optional<Hit> Tracer::nearest(const Ray& ray) const {
-    return std::move(nearest(std::span(&ray, 1)).front());
+    Crossing first;
+    scene_->search(Goal::nearest, std::span(&ray, 1),
+                   [&](std::size_t, std::span<const Crossing> crossings) {
+                       if (!crossings.empty()) first = crossings.front();
+                   });
+    return hit_of(ray, first);
 }
 
 bool Tracer::any(const Ray& ray) const {
-    return any(std::span(&ray, 1)).front();
+    bool hit = false;
+    scene_->search(
+        Goal::any, std::span(&ray, 1),
+        [&](std::size_t, std::span<const Crossing> crossings) { hit = !crossings.empty(); });
+    return hit;
 }
 
 std::vector<Hit> Tracer::all(const Ray& ray) const {
@@ -106,10 +122,10 @@ Hit Tracer::evaluate(const Crossing& crossing) const {
 }
 
 std::vector<std::optional<Hit>> Tracer::nearest(std::span<const Ray> rays) const {
-    std::vector<std::optional<Hit>> hits(rays.size());
-    scene_->search(Goal::nearest, rays, [&](std::size_t i, std::span<const Crossing> crossings) {
-        if (!crossings.empty()) hits[i] = scene_->evaluate(crossings.front());
-    });
+    const std::vector<Crossing> crossings = nearest_crossings(rays);
+    std::vector<std::optional<Hit>> hits;
+    hits.reserve(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) hits.push_back(hit_of(rays[i], crossings[i]));
     return hits;
 }
 

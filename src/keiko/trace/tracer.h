@@ -30,12 +30,12 @@ struct TracerStatistics {
     const char* instruction_set = ""; ///< that the kernels were chosen for
 };
 
-/// Finds where rays meet the trimmed surfaces of a model: Bezier clipping (Nishita, Sederberg,
-/// Kakimoto 1990) on sub-patches under Embree, finished by Newton in double precision, trimmed by
-/// the exact p-curves. Immutable after construction; every query may be called from any thread,
-/// and gives the same bits for any thread count, and whatever rays are asked for together. A ray
-/// whose direction is not between 1e-140 and 1e150 long hits nothing, nor does one from so far off
-/// that rounding blurs its start by the size of the model.
+/// Finds where rays meet the trimmed surfaces of a model: sub-patches under Embree, on which roots
+/// are proved and found by Newton's method or, where that fails, by Bezier clipping (Nishita,
+/// Sederberg, Kakimoto 1990); trimmed by the exact p-curves. Immutable after construction; every
+/// query may be called from any thread, and gives the same bits for any thread count, and whatever
+/// rays are asked for together. A ray whose direction is not between 1e-140 and 1e150 long hits
+/// nothing, nor does one from so far off that rounding blurs its start by the size of the model.
 class Tracer {
 public:
     /// Keeps its own copy of what it needs of `model`. Throws Cancelled.
@@ -45,7 +45,9 @@ public:
     Tracer(Tracer&&) noexcept;
     Tracer& operator=(Tracer&&) noexcept;
 
-    /// The first hit with t in [t_min, t_max], or nothing.
+    /// The first hit with t in [t_min, t_max], or nothing: the first of all(), but where two faces
+    /// overlap within their edge's tolerance it is the one met first, where all() may keep the
+    /// other.
     std::optional<Hit> nearest(const Ray& ray) const;
     /// Whether there is a hit with t in [t_min, t_max].
     bool any(const Ray& ray) const;
@@ -57,8 +59,8 @@ public:
     std::vector<bool> any(std::span<const Ray> rays) const;
     std::vector<std::vector<Hit>> all(std::span<const Ray> rays) const;
 
-    /// The first hit of each ray without what costs most of a Hit: one crossing a ray, in order,
-    /// false where there is none.
+    /// The first crossing of each ray, in order, false where there is none: nearest() without what
+    /// costs most. Near a seam it may be the neighbour's, flagged so, where nearest() has the hit.
     std::vector<Crossing> nearest_crossings(std::span<const Ray> rays) const;
     /// The hit at a crossing that this tracer found.
     Hit evaluate(const Crossing& crossing) const;
@@ -70,6 +72,9 @@ public:
     const Box3& bounds() const;
 
 private:
+    /// The hit at a ray's nearest crossing; within the band of a seam, the one that all() keeps.
+    std::optional<Hit> hit_of(const Ray& ray, const Crossing& crossing) const;
+
     struct Scene;
     std::unique_ptr<Scene> scene_;
 };

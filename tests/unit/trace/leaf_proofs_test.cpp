@@ -1,6 +1,7 @@
 #include "keiko/trace/leaf_frame.h"
 #include "keiko/trace/leaf_kernels.h"
 #include "keiko/trace/leaf_polynomial.h"
+#include "keiko/trace/narrowed_roots.h"
 #include "keiko/trace/root_finder.h"
 #include "keiko/trace/traced_model.h"
 
@@ -8,6 +9,7 @@
 #include "tests/unit/trace/random_patches.h"
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -109,8 +111,22 @@ std::vector<Vec2> clipped(const TracedModel& model, std::uint32_t index, const T
 }
 
 struct Claims {
-    int certain = 0, single = 0, undecided = 0, missed = 0, failed = 0;
+    int certain = 0, single = 0, undecided = 0, missed = 0, failed = 0, narrowed = 0;
 };
+
+/// What boxes find on a leaf that the first look says nothing of is what clipping finds there.
+void check_narrowed(const TracedModel& model, const LeafKernels& kernels, std::uint32_t leaf,
+                    const TracedRay& ray, const std::vector<Vec2>& roots, Claims& claims) {
+    std::vector<Crossing> found;
+    if (!model.hot[leaf].regular || !narrowed_roots(model, kernels, leaf, ray, found)) return;
+    ++claims.narrowed;
+    EXPECT_EQ(found.size(), roots.size());
+    for (const Crossing& c : found)
+        EXPECT_TRUE(std::any_of(roots.begin(), roots.end(), [&](const Vec2& uv) {
+            return std::abs(uv.x - c.uv.x) <= c.error.x + 1e-12 &&
+                   std::abs(uv.y - c.uv.y) <= c.error.y + 1e-12;
+        }));
+}
 
 /// What the first look proves of one ray is true by clipping, and Newton finds the same place.
 void check_claims(const TracedModel& model, const LeafKernels& kernels, const SceneBall& ball,
@@ -126,6 +142,7 @@ void check_claims(const TracedModel& model, const LeafKernels& kernels, const Sc
         const std::vector<Vec2> roots = clipped(model, i, block.ray(0));
         if (look.undecided != 0) {
             ++claims.undecided;
+            check_narrowed(model, kernels, i, block.ray(0), roots, claims);
             continue;
         }
         if (look.certain == 0 && look.single == 0) {
@@ -178,6 +195,7 @@ TEST(LeafKernels, ProveWhatClippingFinds) {
         EXPECT_GT(claims.single, 500);
         EXPECT_GT(claims.missed, 10000);
         EXPECT_LT(claims.undecided, claims.certain);
+        EXPECT_GT(claims.narrowed, claims.undecided * 9 / 10);
         // Mostly rays that pass the leaf just outside; clipping takes over.
         EXPECT_LT(claims.failed, (claims.certain + claims.single) / 50);
     }
