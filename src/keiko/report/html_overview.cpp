@@ -83,10 +83,9 @@ std::string html_coverage(const Report& report) {
     if (!report.coverage) return "";
     const CoverageSummary& coverage = *report.coverage;
     const double share = std::clamp(coverage.covered, 0.0, 1.0);
-    std::string html =
-        "<section><h2>Coverage</h2><div class=\"card coverage\"><b>" + percent(share) +
-        "</b> of the surface in view mirrors the lamps of " + html_escaped(coverage.rig) +
-        "<div class=\"bar\"><i style=\"width:" + fixed_number(share * 100, 2) + "%\"></i></div>";
+    std::string html = "<section><h2>Coverage</h2><div class=\"card coverage\"><b>" +
+                       percent(share) + "</b> of the surface in view mirrors the lamps of " +
+                       html_escaped(coverage.rig) + html_bar(share);
     if (coverage.unreached.empty())
         html += "<div class=\"soft\">Nothing was left out.</div>";
     else

@@ -18,11 +18,9 @@ std::string tone_of(const MeasuredSeam& seam) {
 /// One measure against its limit, with a bar that is full at the limit.
 std::string measure(std::string_view label, std::string_view tone, const std::string& value,
                     const std::string& note, double share_of_limit) {
-    const double width = 100 * std::clamp(share_of_limit, 0.0, 1.0);
     return "<div class=\"measure " + std::string(tone) + "\"><span class=\"soft\">" +
-           std::string(label) + "</span> <b>" + value +
-           "</b><div class=\"bar\"><i style=\"width:" + fixed_number(width, 1) +
-           "%\"></i></div><span class=\"soft small\">" + note + "</span></div>";
+           std::string(label) + "</span> <b>" + value + "</b>" + html_bar(share_of_limit) +
+           "<span class=\"soft small\">" + note + "</span></div>";
 }
 
 std::string gap_measure(const Worst& gap) {

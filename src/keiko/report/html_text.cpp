@@ -72,6 +72,11 @@ std::string fixed_number(double value, int decimals) {
     return formatted("%.*f", decimals, value);
 }
 
+std::string html_bar(double share) {
+    const double width = share > 0 ? 100 * std::min(share, 1.0) : 0;
+    return "<div class=\"bar\"><i style=\"width:" + formatted("%.*f", 2, width) + "%\"></i></div>";
+}
+
 std::string short_number(double value, int digits) {
     return std::isfinite(value) ? formatted("%.*g", digits, value) : "–";
 }

@@ -15,6 +15,9 @@ std::string html_escaped(std::string_view text);
 /// below half the last decimal but not 0 is told as "< 0.001"; no number as a dash.
 std::string fixed_number(double value, int decimals);
 
+/// A bar that is full at a share of 1, empty at 0 or where there is no number.
+std::string html_bar(double share);
+
 /// A number with so many significant digits, in the shorter of the usual notations.
 std::string short_number(double value, int digits = 3);
 

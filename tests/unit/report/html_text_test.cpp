@@ -39,6 +39,16 @@ TEST(FixedNumber, TellsASmallValueFromNone) {
     EXPECT_EQ(fixed_number(std::numeric_limits<double>::quiet_NaN(), 3), "–");
 }
 
+TEST(HtmlBar, IsAlwaysAWidthThatBrowsersKnow) {
+    const auto bar = [](const std::string& width) {
+        return "<div class=\"bar\"><i style=\"width:" + width + "%\"></i></div>";
+    };
+    EXPECT_EQ(html_bar(0.25), bar("25.00"));
+    EXPECT_EQ(html_bar(1e-9), bar("0.00"));
+    EXPECT_EQ(html_bar(7), bar("100.00"));
+    EXPECT_EQ(html_bar(std::numeric_limits<double>::quiet_NaN()), bar("0.00"));
+}
+
 TEST(PlaceText, HasNoNegativeZero) {
     EXPECT_EQ(place_text({-0.01, 12.345, -7}), "0.0, 12.3, -7.0");
 }

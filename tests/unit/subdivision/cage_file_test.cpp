@@ -5,6 +5,8 @@
 #include "tests/unit/io/temporary_folder.h"
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace keiko::subdivision {
 namespace {
 
@@ -45,6 +47,10 @@ TEST_F(CageFile, GroupsAndMaterialsNameTheirFaces) {
     EXPECT_EQ(cage.names[cage.faces[0].group], "hood left");
     EXPECT_EQ(cage.names[cage.faces[1].group], "glass");
     EXPECT_EQ(cage.names[cage.faces[1].material], "paint");
+}
+
+TEST_F(CageFile, VerticesOfNoFaceAreNotPartOfItsSize) {
+    EXPECT_DOUBLE_EQ(read(square + "v 1e9 1e9 1e9\n").size(), std::sqrt(2));
 }
 
 TEST_F(CageFile, Tags) {

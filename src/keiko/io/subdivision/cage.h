@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/diagnostics.h"
-#include "keiko/math/vec.h"
+#include "keiko/math/bounds.h"
 
 #include <cstdint>
 #include <string>
@@ -60,6 +60,13 @@ struct Cage {
     std::vector<std::string> names{""}; ///< of groups and materials; the first is none
     Diagnostics diagnostics;
 
+    /// Diagonal of the box around the faces, in units of the file; vertices of no face do not
+    /// count.
+    double size() const {
+        Box3 box;
+        for (const std::uint32_t vertex : corners) box.extend(vertices[vertex]);
+        return box.size();
+    }
     std::uint32_t corner(const CageFace& face, std::uint32_t k) const {
         return corners[face.first_corner + k % face.corner_count];
     }

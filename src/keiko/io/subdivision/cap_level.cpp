@@ -17,12 +17,6 @@ int last_sharp_level(const Cage& cage) {
     return static_cast<int>(std::ceil(most));
 }
 
-double size_of(const Cage& cage) {
-    Box3 box;
-    for (const Vec3& p : cage.vertices) box.extend(p);
-    return box.size();
-}
-
 } // namespace
 
 std::uint32_t base_faces(const Cage& cage, const CageFace& face) {
@@ -32,7 +26,7 @@ std::uint32_t base_faces(const Cage& cage, const CageFace& face) {
 CapChoice choose_caps(const Cage& cage, const Job& job) {
     std::size_t count = 0;
     for (const CageFace& face : cage.faces) count += base_faces(cage, face);
-    const CapTolerance tolerance{cap_distance_tolerance * size_of(cage), cap_angle_tolerance};
+    const CapTolerance tolerance{cap_distance_tolerance * cage.size(), cap_angle_tolerance};
     // Levels that make so few patches that they are worth a try.
     const int first = std::max(4, last_sharp_level(cage));
     auto table = std::make_unique<LimitTable>(cage, first);

@@ -106,9 +106,7 @@ void append_remarks(const Cage& cage, const CapChoice& choice, SurfaceModel& mod
     model.diagnostics = cage.diagnostics;
     CapError worst;
     for (const CapError& error : choice.errors) worst.extend(error);
-    Box3 box;
-    for (const Vec3& p : cage.vertices) box.extend(p);
-    const double size = box.size(), widest = widest_cap(*choice.table);
+    const double size = cage.size(), widest = widest_cap(*choice.table);
     if (!(widest > 0)) return;
     char text[200];
     std::snprintf(text, sizeof text,
