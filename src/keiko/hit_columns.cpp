@@ -40,18 +40,15 @@ void append_digits(std::string& text, Number number) {
 PrincipalCurvatures curvatures_of(const Hit& hit) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     if (!hit.second) return {unknown, unknown};
-    SurfaceDerivatives s;
-    s.d[0][0] = hit.position;
-    s.d[1][0] = hit.dpdu, s.d[0][1] = hit.dpdv;
-    s.d[2][0] = hit.second->duu, s.d[1][1] = hit.second->duv, s.d[0][2] = hit.second->dvv;
-    return principal_curvatures(s, hit.normal);
+    return principal_curvatures(derivatives_of(hit), hit.normal);
 }
 
 void append_value(std::string& text, double number) {
     if (std::isfinite(number)) append_digits(text, number);
 }
 
-void append_field(std::string& text, HitColumn column, const Hit& hit, const Rgb& seen) {
+void append_field(std::string& text, HitColumn column, const Hit& hit,
+                  const PrincipalCurvatures& bent, const Rgb& seen) {
     switch (column) {
         case HitColumn::t:
             return append_value(text, hit.t);
@@ -78,9 +75,9 @@ void append_field(std::string& text, HitColumn column, const Hit& hit, const Rgb
         case HitColumn::nz:
             return append_value(text, hit.normal.z);
         case HitColumn::k1:
-            return append_value(text, curvatures_of(hit).k1);
+            return append_value(text, bent.k1);
         case HitColumn::k2:
-            return append_value(text, curvatures_of(hit).k2);
+            return append_value(text, bent.k2);
         case HitColumn::bound:
             return append_value(text, hit.position_bound);
         case HitColumn::flags:
@@ -138,8 +135,12 @@ std::string flag_words(HitFlags flags) {
 
 void append_row(std::string& text, const std::vector<HitColumn>& columns, const Hit& hit,
                 const Rgb& luminance) {
+    const bool asks_curvature = std::any_of(columns.begin(), columns.end(), [](HitColumn c) {
+        return c == HitColumn::k1 || c == HitColumn::k2;
+    });
+    const PrincipalCurvatures bent = asks_curvature ? curvatures_of(hit) : PrincipalCurvatures{};
     for (const HitColumn column : columns) {
-        append_field(text, column, hit, luminance);
+        append_field(text, column, hit, bent, luminance);
         text += ',';
     }
     text.back() = '\n';

@@ -36,6 +36,21 @@ struct Bounds {
             if (!(lower[i] <= other.upper[i] && other.lower[i] <= upper[i])) return false;
         return true;
     }
+    /// The point of the box nearest to `p`; requires a box that is not empty.
+    V nearest(const V& p) const {
+        V result = p;
+        for (unsigned i = 0; i < V::dimensions(); ++i)
+            result[i] = std::clamp(p[i], lower[i], upper[i]);
+        return result;
+    }
+    Bounds intersection(const Bounds& other) const {
+        Bounds both;
+        for (unsigned i = 0; i < V::dimensions(); ++i) {
+            both.lower[i] = std::max(lower[i], other.lower[i]);
+            both.upper[i] = std::min(upper[i], other.upper[i]);
+        }
+        return both;
+    }
     void extend(const V& p) {
         for (unsigned i = 0; i < V::dimensions(); ++i) {
             lower[i] = std::min(lower[i], p[i]);
@@ -54,6 +69,9 @@ struct Bounds {
 
 using Box2 = Bounds<Vec2>;
 using Box3 = Bounds<Vec3>;
+
+/// The parameters of a patch.
+inline const Box2 unit_square{Vec2(0), Vec2(1)};
 
 /// Nearest float not above / not below `x`: boxes handed to single precision only ever grow.
 inline float round_down(double x) {

@@ -6,14 +6,6 @@
 namespace keiko {
 namespace {
 
-/// One step of the triangle: row of degree n from the row of degree n - 1.
-void raise_degree(BernsteinRow& row, int n, double t) {
-    const auto at = [&](int i) -> double& { return row[static_cast<std::size_t>(i)]; };
-    at(n) = t * at(n - 1);
-    for (int i = n - 1; i > 0; --i) at(i) = (1 - t) * at(i) + t * at(i - 1);
-    at(0) *= 1 - t;
-}
-
 /// Row of degree n holding a (k-1)-th derivative of degree n - 1: d/dt B_i^n = n (B_{i-1} - B_i).
 void differentiate(BernsteinRow& row, int n) {
     const auto at = [&](int i) -> double& { return row[static_cast<std::size_t>(i)]; };
@@ -30,7 +22,7 @@ std::array<BernsteinRow, 4> bernstein_derivatives(int degree, double t, int orde
     BernsteinRow row{};
     row[0] = 1;
     for (int n = 0; n <= degree; ++n) {
-        if (n > 0) raise_degree(row, n, t);
+        if (n > 0) raise_degree(row, static_cast<std::size_t>(n), t);
         const int k = degree - n;
         if (k > order) continue;
         BernsteinRow derived = row;

@@ -98,7 +98,7 @@ void BlockSearch::consider(std::size_t lane, Pending c) {
         c.certain && c.nearest > block_.low[lane] + room && c.farthest < block_.high[lane] - room;
     if (c.certain && goal_ == Goal::any) {
         found_[lane].push_back(
-            {.t = block_.t_start[lane] + c.farthest / block_.speed[lane], .leaf = c.box});
+            {.t = block_.t_at(lane, c.farthest), .leaf = c.box});
         return end(lane);
     }
     if (c.certain && goal_ == Goal::nearest)
@@ -188,7 +188,7 @@ void BlockSearch::solve(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& bo
     find_single_roots(lanes, boxes);
     const LaneMask failed = roots_.failed;
     for_lanes(roots_.found, [&](std::size_t lane) {
-        accept(lane, {.t = block_.t_start[lane] + roots_.s[lane] / block_.speed[lane],
+        accept(lane, {.t = block_.t_at(lane, roots_.s[lane]),
                       .leaf = boxes[lane],
                       .uv = Vec2(roots_.x[lane] + 1, roots_.y[lane] + 1) * 0.5,
                       .error = Vec2(roots_.error[lane] * 0.5)});

@@ -67,7 +67,7 @@ Hit evaluated(const TracedModel& model, const LeafKernels& kernels, const Crossi
     const BezierPatchView points = model.leaves.view(leaf);
     const Vec2 extent = leaf.domain.extent();
     const Vec2 beyond = leaf.patch_parameters(c.uv);
-    const Vec2 uv(std::clamp(beyond.x, 0.0, 1.0), std::clamp(beyond.y, 0.0, 1.0));
+    const Vec2 uv = unit_square.nearest(beyond);
     const HomogeneousJet jet = kernels.evaluate(points, (uv - leaf.domain.lower) / extent);
     const SurfaceJet s = in_world(projected(jet, model.hot[c.leaf].rational), leaf, placement);
 

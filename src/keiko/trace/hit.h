@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/patch/bezier_patch.h"
 #include "keiko/patch/ray.h"
 
 #include <cstdint>
@@ -42,5 +43,14 @@ struct Hit {
 
     Root root; ///< certified box of this root, to exclude it from secondary rays
 };
+
+/// Position and derivatives by patch parameters. Requires `second`.
+inline SurfaceDerivatives derivatives_of(const Hit& hit) {
+    SurfaceDerivatives s;
+    s.d[0][0] = hit.position;
+    s.d[1][0] = hit.dpdu, s.d[0][1] = hit.dpdv;
+    s.d[2][0] = hit.second->duu, s.d[1][1] = hit.second->duv, s.d[0][2] = hit.second->dvv;
+    return s;
+}
 
 } // namespace keiko

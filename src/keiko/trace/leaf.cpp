@@ -25,25 +25,11 @@ constexpr double widest_overlap = 1e-6;
 /// Of a patch: a trim curve this close to its end is taken to run along it.
 constexpr double border_width = 1e-10;
 
-Vec2 min(const Vec2& a, const Vec2& b) {
-    return {std::min(a.x, b.x), std::min(a.y, b.y)};
-}
-Vec2 max(const Vec2& a, const Vec2& b) {
-    return {std::max(a.x, b.x), std::max(a.y, b.y)};
-}
-
 Box2 face_box(const Patch& patch, const Box2& uv) {
     Box2 box;
     box.extend(Vec2(patch.map_u.to_face(uv.lower.x), patch.map_v.to_face(uv.lower.y)));
     box.extend(Vec2(patch.map_u.to_face(uv.upper.x), patch.map_v.to_face(uv.upper.y)));
     return box;
-}
-
-Box2 clamped(const Box2& box) {
-    const auto clamp = [](const Vec2& p) {
-        return Vec2(std::clamp(p.x, 0.0, 1.0), std::clamp(p.y, 0.0, 1.0));
-    };
-    return {clamp(box.lower), clamp(box.upper)};
 }
 
 /// Bounds, in parameters of the leaf, of how far apart along u and along v two places may be that
@@ -59,6 +45,12 @@ Vec2 farthest_apart(const LeafFrame& f, double distance) {
         return known ? 0.5 * distance * row.length() / least * (1 + 1e-9) : infinity;
     };
     return {bound(f.u, f.rows[0]), bound(f.v, f.rows[1])};
+}
+
+double least_weight(const std::vector<Vec4>& points) {
+    return std::min_element(points.begin(), points.end(), [](const Vec4& a, const Vec4& b) {
+               return a.w < b.w;
+           })->w;
 }
 
 /// Splits one patch; the points are taken relative to `origin_`, the patch's own centre, before
@@ -79,6 +71,7 @@ public:
         }
         local_ = {original_.degree_u, original_.degree_v, points_};
         size_ = hull_bounds(local_).size();
+        least_weight_ = least_weight(points_);
         if (!region.untrimmed()) find_reach(face_domain, reach);
     }
 
@@ -98,7 +91,7 @@ private:
         constexpr double widest = 0.01;
         reach_.x = std::min(widest, reach / std::max(f.length.x, epsilon * size_));
         reach_.y = std::min(widest, reach / std::max(f.length.y, epsilon * size_));
-        const Box2 own = face_box(patch_, {Vec2(0), Vec2(1)});
+        const Box2 own = face_box(patch_, unit_square);
         for (unsigned k = 0; k < 2; ++k) {
             const ParameterMap& map = k == 0 ? patch_.map_u : patch_.map_v;
             bool first = own.lower[k] <= face_domain.lower[k];
@@ -111,10 +104,9 @@ private:
 
     /// The patch parameters that the trim curves leave, if any.
     std::optional<Box2> material_box() const {
-        const Box2 whole{Vec2(0), Vec2(1)};
-        if (region_.untrimmed()) return whole;
-        const Box2 own = face_box(patch_, whole), trim = region_.bounds();
-        Box2 box = whole;
+        Box2 box = unit_square;
+        if (region_.untrimmed()) return box;
+        const Box2 own = face_box(patch_, box), trim = region_.bounds();
         for (unsigned k = 0; k < 2; ++k) {
             const ParameterMap& map = k == 0 ? patch_.map_u : patch_.map_v;
             const double margin = (own.upper[k] - own.lower[k]) * (reach_[k] + 1e-12);
@@ -125,7 +117,7 @@ private:
             // Slices so thin are all border; cropping to them would gain nothing.
             if (b - a > 1e-6) box.lower[k] = a, box.upper[k] = b;
         }
-        return clamped(box);
+        return box.intersection(unit_square);
     }
 
     void split(const Box2& box, int halved_u, int halved_v) {
@@ -153,10 +145,10 @@ private:
     /// With all that the reach of a seam adds.
     TrimSide classify(const Box2& box) const {
         if (region_.untrimmed()) return TrimSide::inside;
-        const Box2 grown = clamped({box.lower - reach_, box.upper + reach_});
+        const Box2 grown = unit_square.intersection({box.lower - reach_, box.upper + reach_});
         Box2 in_face = face_box(patch_, grown);
         // Beyond the patch's own end there may be a border that the reach still touches.
-        const Box2 own = face_box(patch_, {Vec2(0), Vec2(1)});
+        const Box2 own = face_box(patch_, unit_square);
         const Vec2 margin = own.extent() * (reach_ + Vec2(1e-12));
         in_face = {in_face.lower - margin, in_face.upper + margin};
         return region_.classify(in_face);
@@ -166,7 +158,7 @@ private:
     /// patch anyhow.
     bool is_material(const Box2& box) const {
         if (region_.untrimmed()) return true;
-        const Box2 core{max(box.lower, Vec2(border_width)), min(box.upper, Vec2(1 - border_width))};
+        const Box2 core = box.intersection(unit_square.padded(-border_width));
         return region_.classify(face_box(patch_, core)) == TrimSide::inside;
     }
 
@@ -196,8 +188,7 @@ private:
         std::vector<Vec4> points = subpatch(local_, leaf.domain);
         if (!weights_hold(points)) {
             // Past the patch's end the weights run down to zero: there is no surface to go on with.
-            leaf.domain = {max(leaf.domain.lower, Vec2(0) - leaf.slip),
-                           min(leaf.domain.upper, Vec2(1) + leaf.slip)};
+            leaf.domain = leaf.domain.intersection({Vec2(0) - leaf.slip, Vec2(1) + leaf.slip});
             points = subpatch(local_, leaf.domain);
         }
         const Vec3 middle = hull_bounds({local_.degree_u, local_.degree_v, points}).center();
@@ -216,9 +207,7 @@ private:
 
     /// False where going on past the patch has made a weight far smaller than any on it.
     bool weights_hold(const std::vector<Vec4>& points) const {
-        const auto lighter = [](const Vec4& a, const Vec4& b) { return a.w < b.w; };
-        const double least = std::min_element(points_.begin(), points_.end(), lighter)->w;
-        return std::min_element(points.begin(), points.end(), lighter)->w > least / 2;
+        return least_weight(points) > least_weight_ / 2;
     }
 
     void add_frame(Leaf& leaf, const BezierPatchView& points) {
@@ -241,7 +230,7 @@ private:
     Vec3 origin_;
     std::vector<Vec4> points_;
     BezierPatchView local_;
-    double size_ = 0;
+    double size_ = 0, least_weight_ = 0;
     Vec2 reach_{0};                 ///< in patch parameters
     Box2 beyond_{Vec2(0), Vec2(0)}; ///< by how much the domain goes on past 0 and past 1
     LeafSet set_;
@@ -279,7 +268,7 @@ LeafSet make_leaves(const SurfaceModel& model, const Face& face, const TrimRegio
                     double reach) {
     Box2 domain;
     for (const Patch& patch : model.patches_of(face))
-        domain.extend(face_box(patch, {Vec2(0), Vec2(1)}));
+        domain.extend(face_box(patch, unit_square));
     LeafSet all;
     for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p)
         append(all, PatchSplitter(model, p, region, domain, reach).run());

@@ -137,9 +137,8 @@ private:
         if (!(own.reach > 0) || !leaf(a).near_border) return std::nullopt;
         const PatchFrame& patch = model_.patches[a.hit.patch];
         const double stretch = model_.placements[a.hit.instance].magnification;
-        const Vec2 scale(
-            a.hit.dpdu.length() / (stretch * std::abs(patch.map_u.derivative(a.hit.uv.x))),
-            a.hit.dpdv.length() / (stretch * std::abs(patch.map_v.derivative(a.hit.uv.y))));
+        const Vec2 lengths = Vec2(a.hit.dpdu.length(), a.hit.dpdv.length()) / stretch;
+        const Vec2 scale = patch.lengths_in_face(a.hit.uv, lengths);
         const auto near = own.region.nearest_edge(patch.to_face(a.hit.uv), scale, own.reach, among);
         return near ? std::optional(near->edge) : std::nullopt;
     }

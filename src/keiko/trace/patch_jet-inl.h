@@ -20,11 +20,11 @@ public:
     BasisJet(std::size_t degree, double t) {
         value[0] = 1;
         std::size_t n = 0;
-        while (n + 2 < degree) raise(++n, t);
+        while (n + 2 < degree) raise_degree(value, ++n, t);
         // The row of degree n becomes the second derivative, the next one the first.
         if (n + 2 == degree) {
             difference_twice(n, static_cast<double>(degree * (degree - 1)));
-            raise(++n, t);
+            raise_degree(value, ++n, t);
         } else {
             second[0] = second[1] = 0;
         }
@@ -32,16 +32,10 @@ public:
         first[0] = -factor * value[0];
         for (std::size_t i = 1; i < degree; ++i) first[i] = factor * (value[i - 1] - value[i]);
         first[degree] = factor * value[degree - 1];
-        raise(degree, t);
+        raise_degree(value, degree, t);
     }
 
 private:
-    /// The row of degree n from that of degree n - 1.
-    void raise(std::size_t n, double t) {
-        value[n] = t * value[n - 1];
-        for (std::size_t i = n - 1; i > 0; --i) value[i] = (1 - t) * value[i] + t * value[i - 1];
-        value[0] *= 1 - t;
-    }
     void difference_twice(std::size_t n, double factor) {
         for (std::size_t i = 0; i <= n + 2; ++i) {
             const double here = i <= n ? value[i] : 0,

@@ -30,7 +30,7 @@ struct Basis {
             return row[static_cast<std::size_t>(i)];
         };
         at(value, 0) = 1;
-        for (int n = 1; n < degree; ++n) raise(n, t);
+        for (int n = 1; n < degree; ++n) raise_degree(value, static_cast<std::size_t>(n), t);
         if (degree == 0) {
             at(derivative, 0) = 0;
             return;
@@ -39,15 +39,7 @@ struct Basis {
         for (int i = 1; i < degree; ++i)
             at(derivative, i) = degree * (at(value, i - 1) - at(value, i));
         at(derivative, degree) = degree * at(value, degree - 1);
-        raise(degree, t);
-    }
-
-private:
-    void raise(int n, double t) {
-        auto* v = value.data();
-        v[n] = t * v[n - 1];
-        for (int i = n - 1; i > 0; --i) v[i] = (1 - t) * v[i] + t * v[i - 1];
-        v[0] *= 1 - t;
+        raise_degree(value, static_cast<std::size_t>(degree), t);
     }
 };
 

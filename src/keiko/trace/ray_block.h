@@ -26,6 +26,7 @@ struct alignas(64) RayBlock {
     /// Whether they go through the scene so much together that a packet shares most of its steps.
     bool coherent = false;
 
+    double t_at(std::size_t lane, double s) const { return t_start[lane] + s / speed[lane]; }
     TracedRay ray(std::size_t lane) const {
         return {rays[lane],
                 Vec3(start[0][lane], start[1][lane], start[2][lane]),

@@ -10,10 +10,6 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-Vec2 clamped(const Vec2& uv) {
-    return {std::clamp(uv.x, 0.0, 1.0), std::clamp(uv.y, 0.0, 1.0)};
-}
-
 /// Of the leaf's radius: farther off an end of the ray no rounding carries a root, whatever the
 /// angle.
 constexpr double near_end = 1e-3;
@@ -68,7 +64,7 @@ bool RootCheck::is_material(Crossing& c) const {
     const PatchFrame& patch = model_.patches[leaf_.patch];
     const FaceTrim& trim = model_.faces[patch.face];
     if (trim.region.untrimmed()) return true;
-    const Vec2 uv = leaf_.patch_parameters(c.uv), inside = clamped(uv);
+    const Vec2 uv = leaf_.patch_parameters(c.uv), inside = unit_square.nearest(uv);
     const Vec2 allowed = leaf_.slip + c.error * leaf_.domain.extent();
     const bool on_patch =
         std::abs(uv.x - inside.x) <= allowed.x && std::abs(uv.y - inside.y) <= allowed.y;
@@ -94,10 +90,8 @@ bool RootCheck::is_seam(Crossing& c, const Vec2& uv, const FaceTrim& trim) const
     if (!may_be_near_edge(uv, trim)) return false;
     const SurfaceDerivatives s = evaluate(model_.leaves.view(leaf_), c.uv, 1);
     const PatchFrame& patch = model_.patches[leaf_.patch];
-    const Vec2 per_patch = leaf_.domain.extent(), inside = clamped(uv);
-    const Vec2 slope(patch.map_u.derivative(inside.x), patch.map_v.derivative(inside.y));
-    const Vec2 scale(s.du().length() / std::abs(slope.x * per_patch.x),
-                     s.dv().length() / std::abs(slope.y * per_patch.y));
+    const Vec2 lengths = Vec2(s.du().length(), s.dv().length()) / leaf_.domain.extent();
+    const Vec2 scale = patch.lengths_in_face(unit_square.nearest(uv), lengths);
     const auto near = trim.region.nearest_edge(patch.to_face(uv), scale, trim.reach);
     if (!near) return false;
     c.flags = c.flags | HitFlags::seam;

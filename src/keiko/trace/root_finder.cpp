@@ -27,7 +27,6 @@ constexpr double thinnest_for_line = 1e-3;
 /// surface that the ray runs along.
 constexpr double long_box = 1e-2;
 
-const Box2 whole_domain{Vec2(0), Vec2(1)};
 
 struct Extremes {
     double low, high;
@@ -134,13 +133,13 @@ std::span<const LeafRoot> RootFinder::find(const PlanarNet& net, double slack) {
     slack_ = slack;
     roots_.clear();
     stretches_.clear();
-    open_.assign(1, whole_domain);
+    open_.assign(1, unit_square);
     for (int count = 0; !open_.empty(); ++count) {
         const Box2 box = open_.back();
         open_.pop_back();
         if (count >= most_boxes)
             accept_box(box);
-        else if (box == whole_domain)
+        else if (box == unit_square)
             examine(net, box);
         else
             examine(restricted(net, box), box);
@@ -229,7 +228,7 @@ void RootFinder::accept_line(const PlanarNet& net, const Box2& box, const Vec2& 
     edge(0, 1, columns, 1, 0);
     edge((rows - 1) * columns, 1, columns, 1, 1);
     if (ends.empty()) return;
-    if (box != whole_domain) {
+    if (box != unit_square) {
         ends.assign(1, {line.center(), line.extent() * 0.5 + Vec2(1e-12), true, true});
         stretches_.push_back(ends.front());
     }

@@ -73,7 +73,6 @@ TracedModel traced_model(const SurfaceModel& model, double join, const Job& job)
     for (const Patch& patch : model.patches)
         traced.patches.push_back(
             {patch.face, patch.map_u, patch.map_v, model.faces[patch.face].reversed});
-    traced.curves = model.trim_curves;
     traced.edges = model.edges;
     traced.placements = placements(model, first_leaf);
     traced.join = join;
@@ -108,7 +107,7 @@ std::size_t TracedModel::bytes() const {
            leaves.polynomials.size() * sizeof(leaves.polynomials.front()) +
            placed.size() * (sizeof(PlacedLeaf) + sizeof(HotLeaf)) +
            patches.size() * sizeof(PatchFrame) + faces.size() * sizeof(FaceTrim) +
-           curves.size() * sizeof(TrimCurve) + edges.size() * sizeof(Edge) +
+           edges.size() * sizeof(Edge) +
            placements.size() * sizeof(PartPlacement);
 }
 

@@ -4,6 +4,7 @@
 #include "keiko/trace/hot_leaf.h"
 #include "keiko/trace/part_ray.h"
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,11 @@ struct PatchFrame {
     bool reversed = false; ///< as Face::reversed
 
     Vec2 to_face(const Vec2& uv) const { return {map_u.to_face(uv.x), map_v.to_face(uv.y)}; }
+    /// mm in a unit of each of the face's parameters, from those in a unit of the patch's.
+    Vec2 lengths_in_face(const Vec2& uv, const Vec2& lengths) const {
+        return {lengths.x / std::abs(map_u.derivative(uv.x)),
+                lengths.y / std::abs(map_v.derivative(uv.y))};
+    }
 };
 
 /// The trim curves of one face.
@@ -42,7 +48,6 @@ struct TracedModel {
     LeafSet leaves;
     std::vector<PatchFrame> patches;
     std::vector<FaceTrim> faces;
-    std::vector<TrimCurve> curves;
     std::vector<Edge> edges;
     std::vector<PartPlacement> placements;
     std::vector<PlacedLeaf> placed; ///< by instance, then by leaf

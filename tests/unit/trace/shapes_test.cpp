@@ -12,10 +12,7 @@ namespace {
 using namespace test;
 
 PrincipalCurvatures curvatures(const Hit& hit) {
-    SurfaceDerivatives s;
-    s.d[1][0] = hit.dpdu, s.d[0][1] = hit.dpdv;
-    s.d[2][0] = hit.second->duu, s.d[1][1] = hit.second->duv, s.d[0][2] = hit.second->dvv;
-    return principal_curvatures(s, hit.normal);
+    return principal_curvatures(derivatives_of(hit), hit.normal);
 }
 
 TEST(Sphere, HasExactDistanceNormalAndCurvature) {
