@@ -1,6 +1,7 @@
 #include "tests/integration/closed_model.h"
 
 #include "keiko/patch/differential_geometry.h"
+#include "keiko/patch/seam_gap.h"
 
 #include "tests/support/ray_class.h"
 
@@ -60,9 +61,10 @@ ClosedModel::ClosedModel(SurfaceModel model)
                     const std::uint32_t edge = model_.trim_curves[loop.first_curve + c].edge;
                     if (edge == no_index || model_.edges[edge].degenerate) continue;
                     borders_.push_back({i, f, loop.first_curve + c});
-                    tolerance_ = std::max(tolerance_, model_.edges[edge].tolerance);
                 }
     }
+    for (const SeamGap& gap : seam_gaps(model_, TracerOptions().join, {}))
+        widest_seam_ = std::max(widest_seam_, gap.width);
 }
 
 Ray ClosedModel::random_ray(Random& random) const {
@@ -106,30 +108,44 @@ void ClosedModel::count_parity(const Ray& ray, ClosureCounts& counts) const {
         classify_odd(ray, hits.size(), counts);
 }
 
-/// Four parallel rays, farther off than the edges' tolerance: where the ray passes an edge seen
-/// edge-on, some of them hit twice what others miss; where it slips through a seam, all of them
-/// have the hit that it lacks.
-void ClosedModel::classify_odd(const Ray& ray, std::size_t hits, ClosureCounts& counts) const {
+std::array<std::size_t, 4> ClosedModel::hits_beside(const Ray& ray, double away) const {
     const Vec3 helper = std::abs(ray.direction.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 a = ray.direction.cross(helper).normalized(), b = ray.direction.cross(a);
-    const double away = 4 * tolerance_ + 1e-7 * size_;
-    std::size_t more = 0, less = 0, odd = 0;
-    for (const Vec3& side : {a, -a, b, -b}) {
+    std::array<std::size_t, 4> hits{};
+    const std::array<Vec3, 4> sides{a, -a, b, -b};
+    for (std::size_t i = 0; i < 4; ++i) {
         Ray beside = ray;
-        beside.origin += side * away;
-        const std::size_t count = tracer_.all(beside).size();
-        odd += count % 2;
-        more += count == hits + 1;
-        less += count + 1 == hits;
+        beside.origin += sides[i] * away;
+        hits[i] = tracer_.all(beside).size();
     }
-    if (more == 4)
+    return hits;
+}
+
+/// By four parallel rays around it. Where the ray passes an edge seen edge-on, they are crossed an
+/// even number of times, but not all the same number: what lies within the seam is
+/// there or not. Where the ray slips through a seam, all of them have the hit that it lacks.
+void ClosedModel::classify_odd(const Ray& ray, std::size_t hits, ClosureCounts& counts) const {
+    const double rounding = 1e-7 * size_;
+    for (const double away : {widest_seam_ / 8, widest_seam_, 4 * widest_seam_}) {
+        const auto beside = hits_beside(ray, away + rounding);
+        const bool even =
+            std::all_of(beside.begin(), beside.end(), [](std::size_t n) { return n % 2 == 0; });
+        const auto [least, most] = std::minmax_element(beside.begin(), beside.end());
+        if (even && *least != *most) {
+            ++counts.edge_on;
+            return;
+        }
+    }
+    const auto beside = hits_beside(ray, 4 * widest_seam_ + rounding);
+    const auto all = [&](std::size_t n) {
+        return std::count(beside.begin(), beside.end(), n) == 4;
+    };
+    if (all(hits + 1))
         report("leak", ray), ++counts.leaks;
-    else if (less == 4)
+    else if (all(hits - 1))
         report("doubled hit", ray), ++counts.doubled;
-    else if (odd > 0)
-        report("unclear", ray), ++counts.unclear;
     else
-        ++counts.edge_on;
+        report("unclear", ray), ++counts.unclear;
 }
 
 void ClosedModel::count_aimed(const EdgePoint& point, Random& random, ClosureCounts& counts) const {
@@ -143,10 +159,11 @@ void ClosedModel::count_aimed(const EdgePoint& point, Random& random, ClosureCou
     // The hit may be on the neighbour's side of the edge, or of another edge that ends here. A
     // surface that passes the point within d mm is met by a ray through the point no farther
     // off than d over the sine of the angle between them: the neighbour may be met at a lower angle
-    // than the face that was aimed at.
+    // than the face that was aimed at. What all() takes for one crossing is up to two widths apart.
     if (std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) {
             const double sine = std::min(flattest, std::abs(hit.normal.dot(ray.direction)));
-            return (hit.position - point.position).length() * sine <= 2 * tolerance_ + 1e-9 * size_;
+            return (hit.position - point.position).length() * sine <=
+                   2 * widest_seam_ + 1e-9 * size_;
         }))
         return;
     ++counts.aimed_lost;

@@ -4,6 +4,7 @@
 
 #include "tests/support/random.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,10 +15,10 @@ namespace keiko::test {
 struct ClosureCounts {
     std::size_t rays = 0, hits = 0;
     std::size_t tangential = 0; ///< a hit is flagged: one touch may count once or twice
-    std::size_t edge_on = 0;    ///< along an edge's outline, where parallel rays beside it differ
-    std::size_t leaks = 0;      ///< all rays around have one more hit
-    std::size_t doubled = 0;    ///< all rays around have one hit less
-    std::size_t unclear = 0;    ///< odd, and so are rays around it
+    std::size_t edge_on = 0; ///< along an edge's outline, where parallel rays beside it differ by 2
+    std::size_t leaks = 0;   ///< all rays around have one more hit
+    std::size_t doubled = 0; ///< all rays around have one hit less
+    std::size_t unclear = 0; ///< odd, and none of these
     std::size_t aimed = 0, aimed_lost = 0;
 
     std::string text() const;
@@ -43,13 +44,15 @@ public:
     void count_aimed(const EdgePoint& point, Random& random, ClosureCounts& counts) const;
 
 private:
+    /// Numbers of hits of four rays parallel to it, so far off in mm.
+    std::array<std::size_t, 4> hits_beside(const Ray& ray, double away) const;
     void classify_odd(const Ray& ray, std::size_t hits, ClosureCounts& counts) const;
     void report(const char* what, const Ray& ray) const;
 
     SurfaceModel model_;
     Tracer tracer_;
-    double size_ = 0;      ///< mm
-    double tolerance_ = 0; ///< mm, the largest of all edges
+    double size_ = 0;        ///< mm
+    double widest_seam_ = 0; ///< mm
     struct BorderCurve {
         std::uint32_t instance, face, curve;
     };

@@ -129,7 +129,7 @@ std::vector<std::size_t> RayScene::neighbours(std::size_t placed, const Vec2& uv
 
 /// The band beside a trim curve is the edge's own tolerance plus what a hit may be off: rounding
 /// of some units in the last place of the coordinates across the ray, which the angle stretches
-/// along the surface; and no less than what TrimRegion::nearest_curve resolves, 1e-12 of a curve.
+/// along the surface, as it does the tolerance.
 TrimSide RayScene::side_of(const PlacedPatch& placed, const ExactRoot& root) const {
     const Patch& patch = model_.patches[placed.patch];
     const TrimRegion& region = regions_[patch.face];
@@ -137,17 +137,18 @@ TrimSide RayScene::side_of(const PlacedPatch& placed, const ExactRoot& root) con
     const Vec2 uv(std::clamp(static_cast<double>(root.u), 0.0, 1.0),
                   std::clamp(static_cast<double>(root.v), 0.0, 1.0));
     const ExactPatch::Point p = placed.exact.at(root.u, root.v);
-    const Vec2 scale(static_cast<double>(p.du.length()) / std::abs(patch.map_u.derivative(uv.x)),
-                     static_cast<double>(p.dv.length()) / std::abs(patch.map_v.derivative(uv.y)));
-    double band = 1e-11 * size_ + 64 * epsilon * (size_ + shortened(root.position).length()) /
-                                      std::abs(static_cast<double>(root.sine));
+    const ParameterMetric metric(shortened(p.du) / patch.map_u.derivative(uv.x),
+                                 shortened(p.dv) / patch.map_v.derivative(uv.y));
+    const double sine = std::abs(static_cast<double>(root.sine));
+    double band = 1e-11 * size_ + 64 * epsilon * (size_ + shortened(root.position).length()) / sine;
     const Face& face = model_.faces[patch.face];
     for (const TrimLoop& loop : model_.loops_of(face))
         for (const TrimCurve& curve : model_.curves_of(loop))
             if (curve.edge != no_index)
-                band = std::max(band, 1.01 * model_.edges[curve.edge].tolerance + 1e-9 * size_);
+                band =
+                    std::max(band, 1.01 * model_.edges[curve.edge].tolerance / sine + 1e-9 * size_);
     const Vec2 place = model_.face_parameters(placed.patch, uv);
-    if (region.nearest_curve(place, scale, band)) return TrimSide::mixed;
+    if (region.nearest_curve(place, metric, band)) return TrimSide::mixed;
     return region.contains(place) ? TrimSide::inside : TrimSide::outside;
 }
 

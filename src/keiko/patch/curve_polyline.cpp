@@ -71,6 +71,13 @@ Box3 CurvePolyline::box() const {
     return result.padded(deviation);
 }
 
+double CurvePolyline::distance(const Vec3& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        least = std::min(least, distance_to_segment(points[i], points[i + 1], p));
+    return least;
+}
+
 double CurvePolyline::nearest(const Vec3& p) const {
     double best = std::numeric_limits<double>::infinity(), best_t = 0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {

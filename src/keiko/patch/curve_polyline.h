@@ -15,6 +15,7 @@ struct CurvePolyline {
     double turn = 0;          ///< radians, about the largest angle between curve and its chord
 
     Box3 box() const; ///< of the curve
+    double distance(const Vec3& p) const;
     /// Parameter of about the point of the curve that is nearest to p.
     double nearest(const Vec3& p) const;
 };

@@ -30,39 +30,33 @@ void append_loop(const SurfaceModel& model, const TrimLoop& loop,
         pieces.push_back(connector(last.last(), pieces[begin].first(), last.curve(), 1));
 }
 
-/// Distance of a point to a box, both in scaled parameters.
-double distance(const Vec2& p, const Box2& box, const Vec2& scale) {
-    const double dx = std::max({box.lower.x - p.x, 0.0, p.x - box.upper.x}) * scale.x;
-    const double dy = std::max({box.lower.y - p.y, 0.0, p.y - box.upper.y}) * scale.y;
-    return std::hypot(dx, dy);
-}
-
 /// A part of a piece between two of its parameters.
 struct Stretch {
     double a, b;
     Vec2 at_a, at_b;
 
     /// Share of the chord from a to b at which it is nearest to `p`.
-    double foot(const Vec2& p, const Vec2& scale) const {
-        const Vec2 chord = (at_b - at_a) * scale;
-        const double square = chord.length2();
-        return square > 0 ? std::clamp(chord.dot((p - at_a) * scale) / square, 0.0, 1.0) : 0;
+    double foot(const Vec2& p, const ParameterMetric& metric) const {
+        const Vec2 chord = at_b - at_a;
+        const double square = metric.dot(chord, chord);
+        return square > 0 ? std::clamp(metric.dot(chord, p - at_a) / square, 0.0, 1.0) : 0;
     }
 };
 
 /// Nearest point of a piece by branch and bound on the boxes of its stretches; tightens `best`.
-bool approach(const MonotonePiece& piece, const Vec2& p, const Vec2& scale,
+bool approach(const MonotonePiece& piece, const Vec2& p, const ParameterMetric& metric,
               TrimRegion::NearCurve& best) {
-    // Where the scale is 0 (at a pole) everything is equally near: without an end of its own the
-    // search would visit all of it.
+    // Where steps have no length (at a pole) everything is equally near: without an end of its own
+    // the search would visit all of it.
     constexpr double share_of_distance = 1e-3, share_of_reach = 1e-9;
     // So short a stretch is its chord to within rounding.
     constexpr double straight = 1e-9;
     const double least = share_of_reach * best.distance;
     bool found = false;
     const auto tighten = [&](const Vec2& at, double t) {
-        const double d = (Vec2(at - p) * scale).length();
-        if (d < best.distance) best = {d, piece.curve(), piece.curve_parameter(t)}, found = true;
+        const double d = metric.length(at - p);
+        if (d < best.distance)
+            best = {d, piece.curve(), piece.curve_parameter(t), at}, found = true;
     };
     std::vector<Stretch> open{{0, 1, piece.first(), piece.last()}};
     while (!open.empty()) {
@@ -71,9 +65,9 @@ bool approach(const MonotonePiece& piece, const Vec2& p, const Vec2& scale,
         Box2 box;
         box.extend(s.at_a);
         box.extend(s.at_b);
-        if (!(distance(p, box, scale) < best.distance)) continue;
+        if (!(metric.distance(p, box) < best.distance)) continue;
         if (s.b - s.a < straight) {
-            const double share = s.foot(p, scale);
+            const double share = s.foot(p, metric);
             tighten(s.at_a + (s.at_b - s.at_a) * share, s.a + (s.b - s.a) * share);
             continue;
         }
@@ -81,7 +75,7 @@ bool approach(const MonotonePiece& piece, const Vec2& p, const Vec2& scale,
         const Vec2 at_m = piece.point(m);
         tighten(at_m, m);
         const double fine_enough = std::max(least, share_of_distance * best.distance);
-        if ((box.extent() * scale).length() <= fine_enough) continue;
+        if (metric.across(box.extent()) <= fine_enough) continue;
         open.push_back({m, s.b, at_m, s.at_b});
         open.push_back({s.a, m, s.at_a, at_m});
     }
@@ -90,17 +84,22 @@ bool approach(const MonotonePiece& piece, const Vec2& p, const Vec2& scale,
 
 } // namespace
 
-TrimRegion::TrimRegion(const SurfaceModel& model, const Face& face) {
+TrimRegion::TrimRegion(const SurfaceModel& model, const Face& face,
+                       std::span<const double> seam_widths) {
     for (const TrimLoop& loop : model.loops_of(face)) append_loop(model, loop, pieces_);
     for (const MonotonePiece& piece : pieces_) bounds_.extend(piece.box());
-    list_edges(model);
+    list_edges(model, seam_widths);
     build_rows();
 }
 
-void TrimRegion::list_edges(const SurfaceModel& model) {
+void TrimRegion::list_edges(const SurfaceModel& model, std::span<const double> seam_widths) {
+    const auto width = [&](std::uint32_t curve, std::uint32_t edge) {
+        if (edge == no_index) return 0.0;
+        return seam_widths.empty() ? model.edges[edge].tolerance : seam_widths[curve];
+    };
     for (const MonotonePiece& piece : pieces_) {
         const std::uint32_t edge = model.trim_curves[piece.curve()].edge;
-        piece_edges_.push_back({edge, edge == no_index ? 0 : model.edges[edge].tolerance});
+        piece_edges_.push_back({edge, width(piece.curve(), edge)});
         if (edge != no_index) edges_.push_back(edge);
     }
     std::sort(edges_.begin(), edges_.end());
@@ -172,33 +171,35 @@ TrimSide TrimRegion::classify(const Box2& box) const {
     return contains(box.center()) ? TrimSide::inside : TrimSide::outside;
 }
 
-std::optional<TrimRegion::NearCurve> TrimRegion::nearest_curve(const Vec2& p, const Vec2& scale,
+std::optional<TrimRegion::NearCurve> TrimRegion::nearest_curve(const Vec2& p,
+                                                               const ParameterMetric& metric,
                                                                double radius) const {
     NearCurve best{radius};
     bool found = false;
-    const double reach = radius / scale.y;
+    const double reach = radius / metric.least().y;
     const auto [begin, end] = pieces_between(p.y - reach, p.y + reach);
     for (std::size_t i = begin; i < end; ++i) {
         const MonotonePiece& piece = pieces_[row_pieces_[i]];
-        if (distance(p, piece.box(), scale) <= best.distance)
-            found |= approach(piece, p, scale, best);
+        if (metric.distance(p, piece.box()) <= best.distance)
+            found |= approach(piece, p, metric, best);
     }
     return found ? std::optional(best) : std::nullopt;
 }
 
 std::optional<TrimRegion::NearEdge> TrimRegion::nearest_edge(
-    const Vec2& p, const Vec2& scale, double most, std::span<const std::uint32_t> among) const {
+    const Vec2& p, const ParameterMetric& metric, double most,
+    std::span<const std::uint32_t> among) const {
     std::optional<NearEdge> best;
-    const double reach = most / scale.y;
+    const double reach = most / metric.least().y;
     const auto [begin, end] = pieces_between(p.y - reach, p.y + reach);
     for (std::size_t i = begin; i < end; ++i) {
         const MonotonePiece& piece = pieces_[row_pieces_[i]];
         const PieceEdge& own = piece_edges_[row_pieces_[i]];
-        const double radius = std::min(best ? best->distance : most, own.tolerance);
-        if (!(distance(p, piece.box(), scale) <= radius)) continue;
+        const double radius = std::min(best ? best->at.distance : most, own.width);
+        if (!(metric.distance(p, piece.box()) <= radius)) continue;
         if (!among.empty() && !std::binary_search(among.begin(), among.end(), own.edge)) continue;
         NearCurve near{radius};
-        if (approach(piece, p, scale, near)) best = NearEdge{near.distance, own.edge};
+        if (approach(piece, p, metric, near)) best = NearEdge{near, own.edge};
     }
     return best;
 }
@@ -207,7 +208,7 @@ bool TrimRegion::may_be_near_edge(const Box2& around) const {
     const auto [begin, end] = pieces_between(around.lower.y, around.upper.y);
     for (std::size_t i = begin; i < end; ++i) {
         const Box2& box = pieces_[row_pieces_[i]].box();
-        if (piece_edges_[row_pieces_[i]].tolerance > 0 && box.overlaps(around)) return true;
+        if (piece_edges_[row_pieces_[i]].width > 0 && box.overlaps(around)) return true;
     }
     return false;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/patch/monotone_piece.h"
+#include "keiko/patch/parameter_metric.h"
 #include "keiko/patch/surface_model.h"
 
 #include <cstdint>
@@ -19,30 +20,33 @@ enum class TrimSide { inside, outside, mixed };
 /// the file's curves do not quite meet, a straight piece joins their ends.
 class TrimRegion {
 public:
-    TrimRegion(const SurfaceModel& model, const Face& face);
+    /// `seam_widths`, a trim curve of the model: how far beyond it nearest_edge looks, mm; without
+    /// them that is the edges' tolerances.
+    TrimRegion(const SurfaceModel& model, const Face& face,
+               std::span<const double> seam_widths = {});
 
     /// Whether the point of the parameter plane is material. Points on a curve itself may go
     /// either way.
     bool contains(const Vec2& face_parameters) const;
     /// inside or outside when no trim curve can touch the box.
     TrimSide classify(const Box2& box) const;
-    /// The nearest point of any trim curve within `radius` of the point (both measured after
-    /// scaling u and v by `scale`: lengths of du and dv in mm), or nothing.
+    /// The nearest point of any trim curve within `radius` mm of the point, or nothing.
     struct NearCurve {
-        double distance = 0;            ///< scaled, i.e. about mm
+        double distance = 0;            ///< by the metric, i.e. about mm
         std::uint32_t curve = no_index; ///< into SurfaceModel::trim_curves
         double t = 0;                   ///< on that curve
+        Vec2 place{0};                  ///< face parameters of it
     };
-    std::optional<NearCurve> nearest_curve(const Vec2& face_parameters, const Vec2& scale,
-                                           double radius) const;
-    /// The nearest point of an edge's curves that lies within the edge's own tolerance (at most
-    /// `most` mm), measured in the same way; only of the edges of the sorted `among`, when it is
-    /// not empty. Curves without an edge, or of an edge too tight, hide none behind them.
+    std::optional<NearCurve> nearest_curve(const Vec2& face_parameters,
+                                           const ParameterMetric& metric, double radius) const;
+    /// The nearest point of an edge's curves that lies within that curve's seam width (at most
+    /// `most` mm) by the metric; only of the edges of the sorted `among`, when it is not empty.
+    /// Curves without an edge, or of a seam too narrow, hide none behind them.
     struct NearEdge {
-        double distance = 0;           ///< about mm
+        NearCurve at;
         std::uint32_t edge = no_index; ///< into SurfaceModel::edges
     };
-    std::optional<NearEdge> nearest_edge(const Vec2& face_parameters, const Vec2& scale,
+    std::optional<NearEdge> nearest_edge(const Vec2& face_parameters, const ParameterMetric& metric,
                                          double most,
                                          std::span<const std::uint32_t> among = {}) const;
     /// Whether nearest_edge may find a place in the box, of face parameters: by the boxes of the
@@ -60,12 +64,12 @@ private:
     /// `upper`, as [begin, end) of row_pieces_. A piece may occur in several rows.
     std::pair<std::size_t, std::size_t> pieces_between(double lower, double upper) const;
     void build_rows();
-    void list_edges(const SurfaceModel& model);
+    void list_edges(const SurfaceModel& model, std::span<const double> seam_widths);
 
     /// Of one of pieces_.
     struct PieceEdge {
         std::uint32_t edge = no_index;
-        double tolerance = 0; ///< mm; 0 without an edge
+        double width = 0; ///< mm; 0 without an edge
     };
 
     std::vector<MonotonePiece> pieces_;

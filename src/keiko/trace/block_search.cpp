@@ -97,8 +97,7 @@ void BlockSearch::consider(std::size_t lane, Pending c) {
     c.certain =
         c.certain && c.nearest > block_.low[lane] + room && c.farthest < block_.high[lane] - room;
     if (c.certain && goal_ == Goal::any) {
-        found_[lane].push_back(
-            {.t = block_.t_at(lane, c.farthest), .leaf = c.box});
+        found_[lane].push_back({.t = block_.t_at(lane, c.farthest), .leaf = c.box});
         return end(lane);
     }
     if (c.certain && goal_ == Goal::nearest)

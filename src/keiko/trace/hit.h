@@ -18,7 +18,7 @@ struct SecondDerivatives {
 enum class HitFlags : std::uint32_t {
     none = 0,
     tangential = 1, ///< the ray touches; two roots may have been taken for one
-    seam = 2,       ///< in the tolerance band of a trimmed border
+    seam = 2,       ///< beyond a trimmed border, before the neighbour's: see SeamGap
     clipped = 4     ///< finished by clipping, not by the uniqueness proof
 };
 constexpr HitFlags operator|(HitFlags a, HitFlags b) {

@@ -48,9 +48,9 @@ Vec2 farthest_apart(const LeafFrame& f, double distance) {
 }
 
 double least_weight(const std::vector<Vec4>& points) {
-    return std::min_element(points.begin(), points.end(), [](const Vec4& a, const Vec4& b) {
-               return a.w < b.w;
-           })->w;
+    return std::min_element(points.begin(), points.end(),
+                            [](const Vec4& a, const Vec4& b) { return a.w < b.w; })
+        ->w;
 }
 
 /// Splits one patch; the points are taken relative to `origin_`, the patch's own centre, before
@@ -256,19 +256,10 @@ void append(LeafSet& all, LeafSet more) {
     all.trimmed_away += more.trimmed_away;
 }
 
-double seam_reach(const SurfaceModel& model, const Face& face, double join) {
-    double reach = 0;
-    for (const TrimLoop& loop : model.loops_of(face))
-        for (const TrimCurve& curve : model.curves_of(loop))
-            if (curve.edge != no_index) reach = std::max(reach, model.edges[curve.edge].tolerance);
-    return std::min(reach, join);
-}
-
 LeafSet make_leaves(const SurfaceModel& model, const Face& face, const TrimRegion& region,
                     double reach) {
     Box2 domain;
-    for (const Patch& patch : model.patches_of(face))
-        domain.extend(face_box(patch, unit_square));
+    for (const Patch& patch : model.patches_of(face)) domain.extend(face_box(patch, unit_square));
     LeafSet all;
     for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p)
         append(all, PatchSplitter(model, p, region, domain, reach).run());

@@ -53,10 +53,6 @@ struct LeafSet {
 /// Adds the leaves of `more` behind those of `all`.
 void append(LeafSet& all, LeafSet more);
 
-/// How far beyond a trimmed border a hit may still count as on the seam, mm: the largest
-/// tolerance of the face's own edges, at most `join`.
-double seam_reach(const SurfaceModel& model, const Face& face, double join);
-
 /// Splits the patches of a face into leaves, cropped to the face's material and without those
 /// that hold none of it within `reach` mm.
 LeafSet make_leaves(const SurfaceModel& model, const Face& face, const TrimRegion& region,

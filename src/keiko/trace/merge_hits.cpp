@@ -1,5 +1,7 @@
 #include "keiko/trace/merge_hits.h"
 
+#include "keiko/trace/seam_width.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -62,7 +64,9 @@ private:
     bool are_copies(const BorderHit& a, const BorderHit& b) const {
         if (!(apart(a, b) * std::min(sine(a), sine(b)) <= bounds(a, b))) return false;
         if (a.hit.face == b.hit.face) {
-            const bool ends = (a.at_end && b.at_end) || a.beyond || b.beyond;
+            const bool ends = (a.at_end && b.at_end) || a.beyond || b.beyond ||
+                              ((a.at_end || b.at_end) && clipped(a, b) && same_sense(a, b) &&
+                               apart(a, b) <= bounds(a, b));
             if (!ends || (a.own && b.own)) return false;
             return a.leaf != b.leaf || meet_around(a, b);
         }
@@ -93,9 +97,10 @@ private:
         const double off_a = off_surface(a, away), off_b = off_surface(b, away);
         if (near_a && near_b)
             return std::min(off_a, off_b) <=
-                   off_seam(std::max(tolerance(*near_a), tolerance(*near_b)), a, b);
-        return (near_a && off_b <= off_seam(shared_tolerance(a, b), a, b)) ||
-               (near_b && off_a <= off_seam(shared_tolerance(b, a), a, b));
+                   off_seam(std::max(model_.seam_widths[*near_a], model_.seam_widths[*near_b]), a,
+                            b);
+        return (near_a && off_b <= off_seam(joint_width(a, b), a, b)) ||
+               (near_b && off_a <= off_seam(joint_width(b, a), a, b));
     }
 
     /// How far from the hit's surface the ray is, so far along it from the hit: by the angle, and
@@ -115,31 +120,30 @@ private:
         return away * std::abs(a.sine) + 0.5 * turning * away * away;
     }
 
-    static double off_seam(double tolerance, const BorderHit& a, const BorderHit& b) {
-        return 3 * tolerance + bounds(a, b);
+    static double off_seam(double width, const BorderHit& a, const BorderHit& b) {
+        return 2 * width + bounds(a, b);
     }
 
-    double tolerance(std::uint32_t edge) const {
-        return std::min(model_.edges[edge].tolerance, model_.join);
-    }
-
-    /// Of the edge of both faces that the first hit is near, or less than nothing.
-    double shared_tolerance(const BorderHit& at, const BorderHit& other) const {
+    /// Of the seam that the first hit is near, if that may be one with the other's face; or less
+    /// than nothing. Beyond its own border a hit stands for any face that the ray may meet there.
+    double joint_width(const BorderHit& at, const BorderHit& other) const {
         if (at.hit.face == other.hit.face) return -infinity;
+        if (at.hit.seam) return model_.seam_widths[*at.hit.seam];
         const auto edge = near_edge(at, trim(other).region.edges());
-        return edge ? tolerance(*edge) : -infinity;
+        return edge ? model_.seam_widths[*edge] : -infinity;
     }
 
-    /// An edge that the hit is within tolerance of.
+    /// An edge within whose seam the hit is.
     std::optional<std::uint32_t> near_edge(const BorderHit& a,
                                            std::span<const std::uint32_t> among = {}) const {
         const FaceTrim& own = trim(a);
         if (!(own.reach > 0) || !leaf(a).near_border) return std::nullopt;
         const PatchFrame& patch = model_.patches[a.hit.patch];
-        const double stretch = model_.placements[a.hit.instance].magnification;
-        const Vec2 lengths = Vec2(a.hit.dpdu.length(), a.hit.dpdv.length()) / stretch;
-        const Vec2 scale = patch.lengths_in_face(a.hit.uv, lengths);
-        const auto near = own.region.nearest_edge(patch.to_face(a.hit.uv), scale, own.reach, among);
+        const Affine& to_part = model_.placements[a.hit.instance].to_part;
+        const ParameterMetric width =
+            seam_width(patch, a.hit.uv, to_part.vector(a.hit.dpdu), to_part.vector(a.hit.dpdv),
+                       to_part.vector(direction_).normalized());
+        const auto near = own.region.nearest_edge(patch.to_face(a.hit.uv), width, own.reach, among);
         return near ? std::optional(near->edge) : std::nullopt;
     }
 

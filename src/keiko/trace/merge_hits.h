@@ -9,14 +9,15 @@ namespace keiko {
 /// Sorted hits of one ray without the doubles that overlapping borders make. Two hits of an
 /// instance are one
 /// - as copies: neighbouring leaves overlap by rounding, so that both may find what lies between
-///   them. Each is at an end of its leaf or patch, or on a leaf that trim curves cross; they are
-///   no farther apart, measured across the surface, than their position bounds; and they are not
-///   both proved to be on their own shares of one face, for then they are two;
-/// - as one crossing of a seam: faces need to meet only within their edge's tolerance, so a ray
-///   may cross both near it, or one beyond its border. Both are crossed in the same sense (in or
-///   out), with no hit of the other sense between them; no farther apart across the surface than
-///   three tolerances (both borders and both hits may be off by one each, twice in one direction);
-///   one is within tolerance of an edge of the other's face, or each is near an edge.
+///   them. Each is at an end of its leaf or patch, or on a leaf that trim curves cross, or one
+///   ended in a box without a proof and they are crossed in the same sense; they are no farther
+///   apart, measured across the surface, than their position bounds; and they are not both proved
+///   to be on their own shares of one face, for then they are two;
+/// - as one crossing of a seam: faces need to meet only within its width, so a ray may cross both
+///   near it, or one beyond its border. Both are crossed in the same sense (in or out), with no
+///   hit of the other sense between them; no farther apart across the surface than two widths
+///   (three gaps: both borders and both hits may be off by one each, twice in one direction); one
+///   is beyond its own border or near an edge of the other's face, or each is near an edge.
 /// The two sides of a thin sheet are crossed in opposite senses and so stay two, however thin.
 /// Faces that the file turns against each other at a seam look the same: there a seam may be
 /// counted twice.

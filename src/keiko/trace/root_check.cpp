@@ -1,5 +1,6 @@
 #include "keiko/trace/root_check.h"
 
+#include "keiko/trace/seam_width.h"
 #include "keiko/trace/steady_normal.h"
 
 #include <algorithm>
@@ -42,12 +43,16 @@ bool RootCheck::clear_of_excluded(double nearest, double farthest) const {
     return nearest > room - ray_.t_start * ray_.speed && farthest < end() - room;
 }
 
+PartRay RootCheck::part_ray() const {
+    return model_.to_part(model_.placements[placed_.instance], ray_.start, ray_.ray->direction,
+                          ray_.error);
+}
+
 bool RootCheck::is_excluded(const Crossing& c) const {
     const std::optional<Root>& root = ray_.ray->excluded;
     if (!root || root->instance != placed_.instance) return false;
     if (root->patch == leaf_.patch && root->uv.contains(leaf_.patch_parameters(c.uv))) return true;
-    const PartRay part = model_.to_part(model_.placements[placed_.instance], ray_.start,
-                                        ray_.ray->direction, ray_.error);
+    const PartRay part = part_ray();
     const double from_start = c.t * part.speed;
     const double from_end = (ray_.ray->t_max - c.t) * part.speed;
     const double distance = std::min(std::abs(from_start), std::abs(from_end));
@@ -85,15 +90,27 @@ bool RootCheck::may_be_near_edge(const Vec2& uv, const FaceTrim& trim) const {
     return trim.region.may_be_near_edge(around);
 }
 
-/// Whether a border's own tolerance reaches as far as the place, given beyond it.
+/// A place of the face in the part, relative to the leaf's centre.
+Vec3 RootCheck::point(const Vec2& in_face) const {
+    const PatchFrame& patch = model_.patches[leaf_.patch];
+    const Vec2 uv(patch.map_u.to_patch(in_face.x), patch.map_v.to_patch(in_face.y));
+    const Vec2 own = (uv - leaf_.domain.lower) / leaf_.domain.extent();
+    return evaluate(model_.leaves.view(leaf_), own, 0).position();
+}
+
+/// Whether the place, beyond a border, is in the gap to the neighbour's.
 bool RootCheck::is_seam(Crossing& c, const Vec2& uv, const FaceTrim& trim) const {
     if (!may_be_near_edge(uv, trim)) return false;
     const SurfaceDerivatives s = evaluate(model_.leaves.view(leaf_), c.uv, 1);
     const PatchFrame& patch = model_.patches[leaf_.patch];
-    const Vec2 lengths = Vec2(s.du().length(), s.dv().length()) / leaf_.domain.extent();
-    const Vec2 scale = patch.lengths_in_face(unit_square.nearest(uv), lengths);
-    const auto near = trim.region.nearest_edge(patch.to_face(uv), scale, trim.reach);
+    const PartRay part = part_ray();
+    const Vec2 extent = leaf_.domain.extent();
+    const ParameterMetric width = seam_width(patch, unit_square.nearest(uv), s.du() / extent.x,
+                                             s.dv() / extent.y, part.direction);
+    const auto near = trim.region.nearest_edge(patch.to_face(uv), width, trim.reach);
     if (!near) return false;
+    const Vec3 off = s.position() - point(near->at.place);
+    if (!model_.seam_gaps[near->at.curve].holds(near->at.t, off, part.direction)) return false;
     c.flags = c.flags | HitFlags::seam;
     c.seam = near->edge;
     return true;

@@ -29,6 +29,8 @@ public:
 private:
     /// mm from the start to where t is at its largest.
     double end() const { return (ray_.ray->t_max - ray_.t_start) * ray_.speed; }
+    PartRay part_ray() const;
+    Vec3 point(const Vec2& in_face) const;
     bool is_excluded(const Crossing& crossing) const;
     bool is_material(Crossing& crossing) const;
     bool may_be_near_edge(const Vec2& uv, const FaceTrim& trim) const;

@@ -1,6 +1,7 @@
 #include "keiko/trace/traced_model.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/trace/seam_width.h"
 #include "keiko/trace/subpatch.h"
 
 #include <algorithm>
@@ -38,6 +39,22 @@ std::vector<PartPlacement> placements(const SurfaceModel& model,
     return result;
 }
 
+double widest_seam(const SurfaceModel& model, const Face& face, const std::vector<SeamGap>& gaps) {
+    double widest = 0;
+    for (const TrimLoop& loop : model.loops_of(face))
+        for (std::uint32_t c = loop.first_curve; c < loop.first_curve + loop.curve_count; ++c)
+            widest = std::max(widest, gaps[c].width);
+    return widest;
+}
+
+std::vector<double> edge_widths(const SurfaceModel& model, const std::vector<SeamGap>& gaps) {
+    std::vector<double> widths(model.edges.size());
+    for (std::size_t c = 0; c < gaps.size(); ++c)
+        if (const std::uint32_t edge = model.trim_curves[c].edge; edge != no_index)
+            widths[edge] = std::max(widths[edge], gaps[c].width);
+    return widths;
+}
+
 void place_leaves(TracedModel& traced) {
     for (std::uint32_t i = 0; i < traced.placements.size(); ++i) {
         const PartPlacement& placement = traced.placements[i];
@@ -54,12 +71,15 @@ void place_leaves(TracedModel& traced) {
 } // namespace
 
 TracedModel traced_model(const SurfaceModel& model, double join, const Job& job) {
+    std::vector<SeamGap> gaps = seam_gaps(model, join, job);
+    std::vector<double> widths;
+    for (const SeamGap& gap : gaps) widths.push_back(gap.width);
     std::vector<std::optional<FaceTrim>> trims(model.faces.size());
     std::vector<LeafSet> sets(model.faces.size());
     parallel_for(model.faces.size(), job, "build", [&](std::size_t i) {
         const Face& face = model.faces[i];
-        trims[i] = FaceTrim{TrimRegion(model, face), seam_reach(model, face, join)};
-        sets[i] = make_leaves(model, face, trims[i]->region, trims[i]->reach);
+        trims[i] = FaceTrim{TrimRegion(model, face, widths), widest_seam(model, face, gaps)};
+        sets[i] = make_leaves(model, face, trims[i]->region, seam_depth * trims[i]->reach);
     });
 
     TracedModel traced;
@@ -73,9 +93,9 @@ TracedModel traced_model(const SurfaceModel& model, double join, const Job& job)
     for (const Patch& patch : model.patches)
         traced.patches.push_back(
             {patch.face, patch.map_u, patch.map_v, model.faces[patch.face].reversed});
-    traced.edges = model.edges;
+    traced.seam_widths = edge_widths(model, gaps);
+    traced.seam_gaps = std::move(gaps);
     traced.placements = placements(model, first_leaf);
-    traced.join = join;
     place_leaves(traced);
     return traced;
 }
@@ -107,7 +127,7 @@ std::size_t TracedModel::bytes() const {
            leaves.polynomials.size() * sizeof(leaves.polynomials.front()) +
            placed.size() * (sizeof(PlacedLeaf) + sizeof(HotLeaf)) +
            patches.size() * sizeof(PatchFrame) + faces.size() * sizeof(FaceTrim) +
-           edges.size() * sizeof(Edge) +
+           seam_gaps.size() * sizeof(SeamGap) + seam_widths.size() * sizeof(double) +
            placements.size() * sizeof(PartPlacement);
 }
 

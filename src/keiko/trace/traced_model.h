@@ -1,10 +1,10 @@
 #pragma once
 
 #include "keiko/base/job.h"
+#include "keiko/patch/seam_gap.h"
 #include "keiko/trace/hot_leaf.h"
 #include "keiko/trace/part_ray.h"
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -30,17 +30,12 @@ struct PatchFrame {
     bool reversed = false; ///< as Face::reversed
 
     Vec2 to_face(const Vec2& uv) const { return {map_u.to_face(uv.x), map_v.to_face(uv.y)}; }
-    /// mm in a unit of each of the face's parameters, from those in a unit of the patch's.
-    Vec2 lengths_in_face(const Vec2& uv, const Vec2& lengths) const {
-        return {lengths.x / std::abs(map_u.derivative(uv.x)),
-                lengths.y / std::abs(map_v.derivative(uv.y))};
-    }
 };
 
 /// The trim curves of one face.
 struct FaceTrim {
     TrimRegion region;
-    double reach = 0; ///< mm, as seam_reach
+    double reach = 0; ///< mm, the widest seam of its borders
 };
 
 /// All that the tracer keeps of a SurfaceModel.
@@ -48,11 +43,11 @@ struct TracedModel {
     LeafSet leaves;
     std::vector<PatchFrame> patches;
     std::vector<FaceTrim> faces;
-    std::vector<Edge> edges;
+    std::vector<SeamGap> seam_gaps;  ///< by trim curve
+    std::vector<double> seam_widths; ///< by edge, the widest of its curves, mm
     std::vector<PartPlacement> placements;
     std::vector<PlacedLeaf> placed; ///< by instance, then by leaf
     std::vector<HotLeaf> hot;       ///< one for each of `placed`
-    double join = 0;                ///< mm, as TracerOptions::join
 
     /// The ray seen from a placement. `origin` is any point of it; `error` as in part_ray, world.
     PartRay to_part(const PartPlacement& placement, const Vec3& origin, const Vec3& direction,

@@ -17,8 +17,8 @@ struct TracerOptions {
     /// Pure Bezier clipping without the uniqueness short cut, as Nishita, Sederberg and
     /// Kakimoto 1990 have it: the second implementation that the default must agree with.
     bool clipping_only = false;
-    /// mm: a hit this close outside a trimmed border still counts, flagged as seam, so that
-    /// sewn faces do not leak; capped by the tolerance of the border's own edge.
+    /// mm: the widest gap between the borders of two faces that share an edge in which a hit still
+    /// counts, flagged as seam, so that sewn faces do not leak; see SeamGap.
     double join = 0.5;
 };
 
@@ -46,7 +46,7 @@ public:
     Tracer& operator=(Tracer&&) noexcept;
 
     /// The first hit with t in [t_min, t_max], or nothing: the first of all(), but where two faces
-    /// overlap within their edge's tolerance it is the one met first, where all() may keep the
+    /// overlap within their seam's width it is the one met first, where all() may keep the
     /// other.
     std::optional<Hit> nearest(const Ray& ray) const;
     /// Whether there is a hit with t in [t_min, t_max].

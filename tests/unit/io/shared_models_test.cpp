@@ -92,7 +92,7 @@ int disagreements(const SurfaceModel& model, const Face& face, const TopoDS_Face
         const Vec2 at(box.lower.x + extent.x * unit(random), box.lower.y + extent.y * unit(random));
         if (!covered(model, face, at)) continue;
         // The classifier works on polygons: it may be wrong by their sagitta.
-        if (material.nearest_curve(at, {1 / extent.x, 1 / extent.y}, 5e-3)) continue;
+        if (material.nearest_curve(at, ParameterMetric(Vec2(1) / extent), 5e-3)) continue;
         const TopAbs_State state = classifier.Perform(gp_Pnt2d(at.x, at.y), false);
         if (state == TopAbs_IN || state == TopAbs_OUT)
             different += (state == TopAbs_IN) != material.contains(at);

@@ -121,7 +121,7 @@ TEST(TrimRegion, WithoutLoopsIsEverywhere) {
     EXPECT_TRUE(region.untrimmed());
     EXPECT_TRUE(region.contains(Vec2(17, -3)));
     EXPECT_EQ(region.classify({Vec2(0), Vec2(1)}), TrimSide::inside);
-    EXPECT_FALSE(region.nearest_curve(Vec2(0.5), Vec2(1), 10));
+    EXPECT_FALSE(region.nearest_curve(Vec2(0.5), ParameterMetric(Vec2(1)), 10));
 }
 
 TEST(TrimRegion, KnowsTheInsideOfARingToTheLastDigits) {
@@ -225,12 +225,12 @@ TEST_P(Tangles, KnowTheirNearestPoint) {
     for (int i = 0; i < 200; ++i) {
         const Vec2 p(uniform(random, 0, 1), uniform(random, 0, 1));
         const double expected = outline.distance(p);
-        const auto near = region.nearest_curve(p, Vec2(10, 10), 20);
+        const auto near = region.nearest_curve(p, ParameterMetric(Vec2(10)), 20);
         ASSERT_TRUE(near);
         EXPECT_NEAR(near->distance, 10 * expected, 1e-2 * expected + 1e-5);
         const Vec2 foot = evaluate(model.trim_curve(near->curve), near->t, 0)[0];
         EXPECT_NEAR((foot - p).length() * 10, near->distance, 1e-9);
-        EXPECT_FALSE(region.nearest_curve(p, Vec2(10, 10), 9 * expected));
+        EXPECT_FALSE(region.nearest_curve(p, ParameterMetric(Vec2(10)), 9 * expected));
     }
 }
 
@@ -239,7 +239,7 @@ TEST(TrimRegion, NearestCurveEndsWhereTheScaleIsZero) {
     const SurfaceModel model = face_with({circle(Vec2(0), 1, 0.3)});
     const TrimRegion region = region_of(model);
     for (const Vec2& scale : {Vec2(0, 1), Vec2(1, 0), Vec2(0, 0)}) {
-        const auto near = region.nearest_curve(Vec2(0, 0.5), scale, 1);
+        const auto near = region.nearest_curve(Vec2(0, 0.5), ParameterMetric(scale), 1);
         ASSERT_TRUE(near);
         EXPECT_LE(near->distance, 1e-6);
     }

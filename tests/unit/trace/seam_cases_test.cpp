@@ -1,6 +1,7 @@
 #include "keiko/trace/tracer.h"
 
 #include "tests/unit/trace/random_patches.h"
+#include "tests/unit/trace/squares.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,25 +11,6 @@ namespace keiko {
 namespace {
 
 using namespace test;
-
-/// Two squares that share an edge along x = 0, apart by `gap` (negative: they overlap) and the
-/// second folded up by `fold` rad about the edge.
-SurfaceModel pair(double gap, double tolerance, double fold) {
-    ShapeBuilder builder;
-    const std::uint32_t edge = builder.edge(tolerance), rim = builder.edge(0);
-    for (const double side : {-1.0, 1.0}) {
-        const double inner = side * gap / 2, outer = side * 10;
-        const double lift = side > 0 ? std::sin(fold) : 0, reach = side > 0 ? std::cos(fold) : 1;
-        const double low = std::min(inner, outer), high = std::max(inner, outer);
-        PatchData patch = rectangle(low, high, -10, 10, 0);
-        for (Vec4& p : patch.points) p = Vec4(p.x * reach, p.y, p.x * lift, 1);
-        LoopData border{line({outer, -10}, {outer, 10}, rim), line({outer, 10}, {inner, 10}, rim),
-                        line({inner, 10}, {inner, -10}, edge),
-                        line({inner, -10}, {outer, -10}, rim)};
-        builder.face({patch}, {border});
-    }
-    return builder.model();
-}
 
 /// Slanted rays across the seam, more of them the nearer to it.
 std::vector<Ray> across_seam(int count) {
@@ -46,7 +28,7 @@ std::vector<Ray> across_seam(int count) {
 TEST(Gaps, WithinToleranceLetNoRayThrough) {
     for (const double gap : {1e-3, 1e-6, 0.0})
         for (const double fold : {0.0, 0.2, -0.5}) {
-            const SurfaceModel model = pair(gap, 2e-3, fold);
+            const SurfaceModel model = squares(gap, 2e-3, fold);
             const Tracer tracer(model), clipping(model, {.clipping_only = true});
             for (const Ray& ray : across_seam(5000))
                 for (const Tracer* each : {&tracer, &clipping}) {
@@ -59,7 +41,7 @@ TEST(Gaps, WithinToleranceLetNoRayThrough) {
 /// Where the sheets overlap within the tolerance a ray meets both: it is one hit.
 TEST(Overlaps, WithinToleranceCountOnce) {
     for (const double overlap : {1e-3, 1e-6}) {
-        const SurfaceModel model = pair(-overlap, 2e-3, 0);
+        const SurfaceModel model = squares(-overlap, 2e-3, 0);
         const Tracer tracer(model), clipping(model, {.clipping_only = true});
         for (const Ray& ray : across_seam(5000))
             for (const Tracer* each : {&tracer, &clipping})
@@ -71,7 +53,7 @@ TEST(Overlaps, WithinToleranceCountOnce) {
 /// lower the ray, the farther apart along it are the two hits that are one.
 TEST(Overlaps, SeenAtALowAngleCountOnce) {
     constexpr double tolerance = 2e-3;
-    SurfaceModel model = pair(-tolerance / 2, tolerance, 0);
+    SurfaceModel model = squares(-tolerance / 2, tolerance, 0);
     const Patch& lifted = model.patches[1];
     for (std::size_t i = 0; i < 4; ++i)
         model.control_points[lifted.first_point + i].z += tolerance / 2;
@@ -109,7 +91,7 @@ TEST(ThinSheets, AreTwoHitsWithinToleranceOfTheirEdges) {
 }
 
 TEST(Gaps, BeyondToleranceLetRaysThrough) {
-    const Tracer tracer(pair(1e-2, 1e-3, 0));
+    const Tracer tracer(squares(1e-2, 1e-3, 0));
     for (const double x : {0.0, 1e-3, -3e-3, 3.9e-3})
         EXPECT_FALSE(tracer.any(ray_through(Vec3(x, 1, 5), Vec3(0, 0, -1)))) << x;
     for (const double x : {5.1e-3, -6e-3, 1.0})
@@ -146,7 +128,7 @@ TEST(Vertices, AreTightWhereACurveWithoutAnEdgeEnds) {
 
 /// A seam hit lies within its bound of where the ray meets the gap.
 TEST(Seams, HitsSayHowFarOffTheyAre) {
-    const Tracer tracer(pair(1e-3, 2e-3, 0));
+    const Tracer tracer(squares(1e-3, 2e-3, 0));
     Random random(132);
     for (int i = 0; i < 2000; ++i) {
         const double x = uniform(random, -4.9e-4, 4.9e-4);

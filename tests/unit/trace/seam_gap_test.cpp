@@ -1,0 +1,109 @@
+#include "keiko/patch/seam_gap.h"
+
+#include "keiko/trace/tracer.h"
+
+#include "tests/unit/trace/random_patches.h"
+#include "tests/unit/trace/squares.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+using namespace test;
+
+/// Of the squares' edge, by side.
+std::vector<SeamGap> gaps_of(const SurfaceModel& model, double join = 0.5) {
+    std::vector<SeamGap> result;
+    const std::vector<SeamGap> all = seam_gaps(model, join, {});
+    for (std::size_t c = 0; c < all.size(); ++c)
+        if (model.trim_curves[c].edge == squares_edge) result.push_back(all[c]);
+    return result;
+}
+
+TEST(SeamGap, IsMeasuredWhateverTheFileClaims) {
+    for (const double claimed : {1e-7, 2e-3, 0.1}) {
+        const std::vector<SeamGap> gaps = gaps_of(squares(1e-4, claimed, 0.3));
+        ASSERT_EQ(gaps.size(), 2u);
+        for (std::size_t side = 0; side < 2; ++side) {
+            EXPECT_GT(gaps[side].width, 1e-4);
+            EXPECT_LT(gaps[side].width, 2e-4);
+            // From the left square to the right one, which is folded up, and back.
+            ASSERT_FALSE(gaps[side].samples.empty());
+            const Vec3 across = Vec3(5e-5 * (1 + std::cos(0.3)), 0, 5e-5 * std::sin(0.3));
+            for (const SeamGap::Sample& s : gaps[side].samples)
+                EXPECT_LT((s.across - across * (side == 0 ? 1 : -1)).length(), 1e-12);
+        }
+    }
+}
+
+TEST(SeamGap, WiderThanTheFileAndReasonSayIsNoSeam) {
+    for (const SeamGap& gap : gaps_of(squares(0.1, 1e-3, 0))) {
+        EXPECT_EQ(gap.width, 1e-3);
+        EXPECT_TRUE(gap.samples.empty());
+    }
+    for (const SeamGap& gap : gaps_of(squares(0.1, 0.2, 0), 0.05)) EXPECT_LE(gap.width, 0.05);
+}
+
+TEST(SeamGap, OfBordersThatMeetIsOnlyRounding) {
+    for (const SeamGap& gap : gaps_of(squares(0, 0.1, 0.3))) {
+        EXPECT_LT(gap.width, 1e-6);
+        EXPECT_TRUE(gap.samples.empty());
+    }
+}
+
+/// The file claims 1e-7 mm of a gap of 1e-4.
+TEST(Gaps, ThatTheFileUnderstatesAreTight) {
+    const SurfaceModel model = squares(1e-4, 1e-7, 0.1);
+    const Tracer tracer(model), clipping(model, {.clipping_only = true});
+    for (int i = 0; i <= 100; ++i) {
+        const Vec3 target((i - 50) * 1e-6, 0.17 * (i - 50), 0);
+        const Ray ray = ray_through(target + Vec3(1, 2, 5), Vec3(-1, -2, -5));
+        for (const Tracer* each : {&tracer, &clipping}) EXPECT_EQ(each->all(ray).size(), 1u) << i;
+    }
+}
+
+/// A ray through the gap meets the squares' planes the farther off the lower it comes.
+TEST(Gaps, AreTightForLowRays) {
+    const SurfaceModel model = squares(1e-3, 2e-3, 0);
+    const Tracer tracer(model), clipping(model, {.clipping_only = true});
+    for (const double slope : {1.0, 0.3, 0.12})
+        for (int i = 1; i < 20; ++i) {
+            const Vec3 target((i - 10) * 5e-5, 0.3 * i, 0);
+            const Ray ray = ray_through(target + Vec3(0.3, 1, slope) * 5, Vec3(-0.3, -1, -slope));
+            for (const Tracer* each : {&tracer, &clipping})
+                EXPECT_EQ(each->all(ray).size(), 1u) << slope << ' ' << i;
+        }
+}
+
+/// A roof whose ridge is closed, of which the file claims 0.1 mm: what passes above passes.
+TEST(Folds, ThatAreClosedStopNothingBeyondThem) {
+    const SurfaceModel model = squares(0, 0.1, -1);
+    const Tracer tracer(model), clipping(model, {.clipping_only = true});
+    for (const double above : {1e-6, 1e-3, 0.05}) {
+        const double ridge = above;
+        const Ray ray = ray_through(Vec3(-5, 1, ridge + 5 * 0.2), Vec3(1, 0, -0.2));
+        for (const Tracer* each : {&tracer, &clipping}) EXPECT_EQ(each->all(ray).size(), 0u);
+    }
+}
+
+/// A roof whose right side ends a little short of the ridge: a ray under the left side's border
+/// and over the right side's enters and leaves; one over both passes.
+TEST(Folds, ThatAreOpenAreCrossedAnEvenNumberOfTimes) {
+    constexpr double gap = 1e-2;
+    const SurfaceModel model = squares(gap, 2e-2, -1.2);
+    const Tracer tracer(model), clipping(model, {.clipping_only = true});
+    Random random(5);
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 target(uniform(random, -0.02, 0.02), uniform(random, -5, 5),
+                          uniform(random, -0.02, 0.02));
+        const double slope = -std::tan(0.6) + uniform(random, -0.3, 0.3);
+        const Ray ray = ray_through(target - Vec3(5, 0, 5 * slope), Vec3(1, 0.1, slope));
+        for (const Tracer* each : {&tracer, &clipping})
+            EXPECT_EQ(each->all(ray).size() % 2, 0u) << i << ' ' << target << ' ' << slope;
+    }
+}
+
+} // namespace
+} // namespace keiko
