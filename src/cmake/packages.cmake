@@ -8,6 +8,10 @@ find_package(hwy REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
+if(KEIKO_FUZZ)
+  # Compiled along from its headers, so that the fuzzer sees the paths through it.
+  set_target_properties(tomlplusplus::tomlplusplus PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+endif()
 find_package(OpenCASCADE REQUIRED)
 
 # Debian's Imath config insists on the Python bindings, which the -dev package does not bring.

@@ -1,5 +1,7 @@
 #include "keiko/ray_lines.h"
 
+#include "keiko/base/error_text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -23,19 +25,13 @@ std::string_view without_blanks(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-/// Shortened, so that an error stays one line of a terminal.
-std::string quoted(std::string_view text) {
-    constexpr std::size_t shown = 24;
-    return "\"" + std::string(text.substr(0, shown)) + (text.size() > shown ? "...\"" : "\"");
-}
-
 std::optional<std::string> read_number(std::string_view text, double& number) {
     if (text.empty()) return "is empty";
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (code == std::errc::result_out_of_range) return "is beyond all doubles: " + quoted(text);
+    if (code == std::errc::result_out_of_range) return "is beyond all doubles: " + in_quotes(text);
     if (code != std::errc{} || end != text.data() + text.size())
-        return "is not a number: " + quoted(text);
-    if (!std::isfinite(number)) return "is not finite: " + quoted(text);
+        return "is not a number: " + in_quotes(text);
+    if (!std::isfinite(number)) return "is not finite: " + in_quotes(text);
     return std::nullopt;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "keiko/base/error_text.h"
+
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,7 +13,7 @@ namespace keiko {
 class Error : public std::runtime_error {
 public:
     Error(std::string file, std::string where, std::string reason)
-        : std::runtime_error(one_line(file, where, reason)),
+        : std::runtime_error(line_of(file, where, reason)),
           file_(std::move(file)),
           where_(std::move(where)),
           reason_(std::move(reason)) {}
@@ -21,11 +23,11 @@ public:
     const std::string& reason() const { return reason_; }
 
 private:
-    static std::string one_line(const std::string& file, const std::string& where,
-                                const std::string& reason) {
+    static std::string line_of(const std::string& file, const std::string& where,
+                               const std::string& reason) {
         std::string line = file;
         if (!where.empty()) line += line.empty() ? where : ":" + where;
-        return line.empty() ? reason : line + ": " + reason;
+        return one_line(line.empty() ? reason : line + ": " + reason);
     }
 
     std::string file_, where_, reason_;

@@ -14,6 +14,9 @@ void require_readable_file(const fs::path& path) {
     if (status.type() == fs::file_type::not_found) throw Error(path.string(), "", "no such file");
     if (code) throw Error(path.string(), "", "cannot read: " + code.message());
     if (fs::is_directory(status)) throw Error(path.string(), "", "is a directory, not a file");
+    // Some devices never end.
+    if (!fs::is_regular_file(status) && !fs::is_fifo(status))
+        throw Error(path.string(), "", "is a device, not a file");
     const std::ifstream in(path, std::ios::binary);
     if (!in) throw Error(path.string(), "", "cannot read: permission denied");
     if (fs::is_regular_file(status) && fs::file_size(path, code) == 0)

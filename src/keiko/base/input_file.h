@@ -5,8 +5,8 @@
 
 namespace keiko {
 
-/// The whole content of a file. Throws Error naming the path when it is missing, a directory,
-/// unreadable or empty.
+/// The whole content of a file. Throws Error naming the path when it is missing, a directory, a
+/// device, unreadable or empty.
 std::string read_file(const std::filesystem::path& path);
 
 /// Throws the same errors as read_file, without reading.

@@ -1,26 +1,19 @@
 #include "keiko/cli/session.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/error_text.h"
 #include "keiko/base/log.h"
 #include "keiko/cli/number_check.h"
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
 
 namespace keiko::cli {
 namespace {
-
-/// File names may hold line breaks and worse, which would reach the terminal.
-std::string one_line(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
-    return text;
-}
 
 void tell_error(const std::string& reason) {
     log_error(one_line(reason));

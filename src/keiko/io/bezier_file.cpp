@@ -1,6 +1,7 @@
 #include "keiko/io/bezier_file.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
 #include "keiko/io/model_format.h"
 
@@ -93,7 +94,7 @@ private:
         const auto [end, code] =
             std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (code != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-            fail("not a finite number: \"" + std::string(word) + "\"");
+            fail("not a finite number: " + in_quotes(word));
         return value;
     }
 

@@ -1,7 +1,7 @@
 #include "keiko/io/import_worker.h"
 
 #include "keiko/base/error.h"
-#include "keiko/io/model_serialization.h"
+#include "keiko/io/worker_answer.h"
 #include "keiko/io/worker_process.h"
 
 #include <cstdlib>
@@ -12,37 +12,6 @@ namespace keiko {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Takes the worker's answer apart as it comes in.
-class Answer {
-public:
-    explicit Answer(const Job& job) : job_(job) {}
-
-    void receive(std::string_view bytes) {
-        buffer_.append(bytes);
-        while (!has_model_) {
-            const std::size_t end = buffer_.find('\n');
-            if (end == std::string::npos) return;
-            take_line(buffer_.substr(0, end));
-            buffer_.erase(0, end + 1);
-        }
-    }
-    bool has_model() const { return has_model_; }
-    const std::string& model() const { return buffer_; }
-    const std::string& error() const { return error_; }
-
-private:
-    void take_line(const std::string& line) {
-        if (line == "model") has_model_ = true;
-        if (line.starts_with("error ")) error_ = line.substr(6);
-        if (line.starts_with("progress "))
-            job_.report("import", std::strtod(line.c_str() + 9, nullptr));
-    }
-
-    const Job& job_;
-    std::string buffer_, error_;
-    bool has_model_ = false;
-};
 
 fs::path worker_path(const LoadOptions& options) {
     if (!options.worker.empty()) return options.worker;
@@ -74,14 +43,14 @@ SurfaceModel import_in_worker(const fs::path& path, ModelFormat format, const Lo
     std::error_code unknown;
     if (!fs::is_regular_file(worker, unknown))
         throw Error(path.string(), "", "cannot be read: no CAD reader at " + worker.string());
-    Answer answer(job);
+    WorkerAnswer answer(path.string(), options.memory_limit, job);
     const WorkerExit exit = run_worker(
         worker, {path.string(), std::string(name_of(format)), std::to_string(options.memory_limit)},
         options.timeout, [&](std::string_view bytes) { answer.receive(bytes); }, job);
-    if (!answer.error().empty()) throw Error(path.string(), "", answer.error());
-    if (exit.timed_out || exit.signal != 0 || exit.code != 0 || !answer.has_model())
+    const bool ended_well = !exit.timed_out && exit.signal == 0 && exit.code == 0;
+    if (answer.reason().empty() && !(ended_well && answer.has_model()))
         throw Error(path.string(), "", failure(exit, options));
-    return deserialize(answer.model(), path.string());
+    return answer.model();
 }
 
 } // namespace keiko

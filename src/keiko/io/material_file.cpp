@@ -1,5 +1,6 @@
 #include "keiko/io/material_file.h"
 
+#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
 #include "keiko/io/toml_reader.h"
 #include "keiko/spec/suggestion.h"
@@ -30,7 +31,7 @@ std::vector<Material> parse_materials(std::string_view text, const std::string& 
         if (material.name.empty()) throw table.error("name", "a material of a file needs a name");
         if (std::any_of(materials.begin(), materials.end(),
                         [&](const Material& other) { return other.name == material.name; }))
-            throw table.error("name", "'" + material.name + "' is there twice");
+            throw table.error("name", "'" + shortened(material.name) + "' is there twice");
         materials.push_back(std::move(material));
     }
     root.finish();
@@ -55,7 +56,7 @@ const Material& find_material(std::string_view name, const std::vector<Material>
         names.push_back(material.name);
     }
     throw Error("", "",
-                "unknown material '" + std::string(name) + "'" + did_you_mean(name, names) +
+                "unknown material '" + shortened(name) + "'" + did_you_mean(name, names) +
                     "; known are " + comma_list(names));
 }
 

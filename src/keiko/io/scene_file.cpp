@@ -1,5 +1,6 @@
 #include "keiko/io/scene_file.h"
 
+#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/units.h"
 #include "keiko/io/material_file.h"
@@ -25,7 +26,7 @@ std::optional<fs::path> path_from(const TomlTable& table, std::string_view key) 
     try {
         require_readable_file(path);
     } catch (const Error& error) {
-        throw table.error(key, error.what());
+        throw table.error(key, shortened(error.what()));
     }
     return path;
 }
@@ -142,7 +143,7 @@ void take_eye(const TomlTable& root, SceneSpec& scene) {
     scene.view = root.text("view");
     const auto& names = view_names();
     if (scene.view && std::find(names.begin(), names.end(), *scene.view) == names.end())
-        throw root.error("view", "unknown view '" + *scene.view + "'" +
+        throw root.error("view", "unknown view '" + shortened(*scene.view) + "'" +
                                      did_you_mean(*scene.view, names) + "; views are " +
                                      comma_list(names));
     const auto camera = root.table("camera");

@@ -1,6 +1,8 @@
 #include "keiko/io/toml_reader.h"
 
+#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/io/toml_guard.h"
 #include "keiko/spec/suggestion.h"
 
 #include <toml++/toml.h>
@@ -44,47 +46,6 @@ std::string place(std::uint32_t line, std::uint32_t column) {
     return std::to_string(line) + ":" + std::to_string(column);
 }
 
-/// Where the string that begins at text[at] ends, after its quote; a string of one line that is
-/// not closed ends with the line.
-std::size_t end_of_string(std::string_view text, std::size_t at) {
-    const char quote = text[at];
-    const std::string three(3, quote);
-    const bool many_lines = text.substr(at, 3) == three;
-    for (std::size_t i = at + (many_lines ? 3 : 1); i < text.size(); ++i) {
-        if (quote == '"' && text[i] == '\\')
-            ++i;
-        else if (many_lines && text.substr(i, 3) == three)
-            return i + 3;
-        else if (!many_lines && (text[i] == quote || text[i] == '\n'))
-            return i + 1;
-    }
-    return text.size();
-}
-
-/// Refuses keys of very many parts (a.b.c...). toml++ limits the depth of values but not of keys,
-/// and it and we walk down a table by recursion, which would overflow the stack.
-void require_shallow_keys(std::string_view text, const std::string& source) {
-    constexpr int most_parts = 100;
-    int parts = 1;
-    std::uint32_t line = 1;
-    for (std::size_t i = 0; i < text.size();) {
-        const std::size_t begin = i;
-        if (text[i] == '"' || text[i] == '\'')
-            i = end_of_string(text, i);
-        else if (text[i] == '#')
-            i = std::min(text.find('\n', i), text.size());
-        else if (text[i++] == '.')
-            ++parts;
-        else if (std::string_view("\n=,[]{}").find(text[begin]) != std::string_view::npos)
-            parts = 1;
-        if (parts > most_parts)
-            throw Error(source, std::to_string(line),
-                        "a key of more than " + std::to_string(most_parts) + " parts");
-        const auto passed = text.substr(begin, i - begin);
-        line += static_cast<std::uint32_t>(std::count(passed.begin(), passed.end(), '\n'));
-    }
-}
-
 } // namespace
 
 TomlTable::Value::Value(const toml::node& node)
@@ -110,14 +71,14 @@ TomlTable::TomlTable(std::shared_ptr<const Document> document, const Value& valu
     : document_(std::move(document)), value_(&value), name_(std::move(name)) {}
 
 TomlTable TomlTable::parse(std::string_view text, const std::string& source) {
-    require_shallow_keys(text, source);
+    require_parsable_toml(text, source);
     try {
         const toml::table root = toml::parse(text, source);
         const auto document = std::make_shared<const Document>(Document{source, Value(root)});
         return {document, document->root, ""};
     } catch (const toml::parse_error& error) {
         const toml::source_position at = error.source().begin;
-        throw Error(source, place(at.line, at.column), std::string(error.description()));
+        throw Error(source, place(at.line, at.column), shortened(error.description()));
     }
 }
 
@@ -188,8 +149,8 @@ std::optional<std::size_t> TomlTable::choice(
     const auto found = std::find(choices.begin(), choices.end(), *typed);
     if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
     const std::vector<std::string> words(choices.begin(), choices.end());
-    throw error(key,
-                "'" + *typed + "' is none of " + comma_list(words) + did_you_mean(*typed, words));
+    throw error(key, "'" + shortened(*typed) + "' is none of " + comma_list(words) +
+                         did_you_mean(*typed, words));
 }
 
 std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std::size_t count,
@@ -258,7 +219,8 @@ void TomlTable::require_format(std::string_view expected) const {
     const std::string wanted = "format = \"" + std::string(expected) + "\"";
     const std::optional<std::string> given = text("format");
     if (!given) throw error("", "the file must begin with " + wanted);
-    if (*given != expected) throw error("format", "is '" + *given + "'; expected " + wanted);
+    if (*given != expected)
+        throw error("format", "is '" + shortened(*given) + "'; expected " + wanted);
 }
 
 void TomlTable::not_yet(std::initializer_list<std::string_view> keys) const {
@@ -274,8 +236,9 @@ void TomlTable::finish() const {
             first = &entry;
     }
     if (!first) return;
-    throw Error(document_->source.string(), place(first->line, first->column),
-                "unknown key '" + path_of(first->key) + "'" + did_you_mean(first->key, asked_));
+    throw Error(
+        document_->source.string(), place(first->line, first->column),
+        "unknown key '" + shortened(path_of(first->key)) + "'" + did_you_mean(first->key, asked_));
 }
 
 Error TomlTable::error(std::string_view key, const std::string& reason) const {

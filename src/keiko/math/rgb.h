@@ -17,14 +17,14 @@ struct Rgb {
     constexpr Rgb& operator*=(const Rgb& o) { return *this = *this * o; }
     constexpr Rgb& operator*=(double s) { return *this = *this * s; }
 
-    friend constexpr Rgb operator+(const Rgb& a, const Rgb& b) {
-        return {a.r + b.r, a.g + b.g, a.b + b.b};
+    friend constexpr Rgb operator+(const Rgb& left, const Rgb& right) {
+        return {left.r + right.r, left.g + right.g, left.b + right.b};
     }
-    friend constexpr Rgb operator-(const Rgb& a, const Rgb& b) {
-        return {a.r - b.r, a.g - b.g, a.b - b.b};
+    friend constexpr Rgb operator-(const Rgb& left, const Rgb& right) {
+        return {left.r - right.r, left.g - right.g, left.b - right.b};
     }
-    friend constexpr Rgb operator*(const Rgb& a, const Rgb& b) {
-        return {a.r * b.r, a.g * b.g, a.b * b.b};
+    friend constexpr Rgb operator*(const Rgb& left, const Rgb& right) {
+        return {left.r * right.r, left.g * right.g, left.b * right.b};
     }
     friend constexpr Rgb operator*(const Rgb& a, double s) { return {a.r * s, a.g * s, a.b * s}; }
     friend constexpr Rgb operator*(double s, const Rgb& a) { return a * s; }

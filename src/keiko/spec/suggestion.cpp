@@ -1,5 +1,7 @@
 #include "keiko/spec/suggestion.h"
 
+#include "keiko/base/error_text.h"
+
 #include <algorithm>
 #include <cctype>
 #include <vector>
@@ -38,13 +40,13 @@ std::string did_you_mean(std::string_view typed, std::span<const std::string> ca
     for (const std::string& candidate : candidates)
         if (const std::size_t d = edit_distance(typed, candidate); d < least)
             least = d, nearest = &candidate;
-    return nearest ? " (did you mean '" + *nearest + "'?)" : "";
+    return nearest ? " (did you mean '" + shortened(*nearest) + "'?)" : "";
 }
 
 std::string comma_list(std::span<const std::string> words) {
     std::string list;
     for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-    return list;
+    return shortened(list);
 }
 
 } // namespace keiko

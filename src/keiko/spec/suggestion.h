@@ -10,7 +10,7 @@ namespace keiko {
 /// Of equally near ones the first.
 std::string did_you_mean(std::string_view typed, std::span<const std::string> candidates);
 
-/// "a, b, c"
+/// "a, b, c"; of very many words the beginning.
 std::string comma_list(std::span<const std::string> words);
 
 } // namespace keiko

@@ -41,6 +41,7 @@ std::string reason_of(const fs::path& path) {
 TEST_F(Files, ReadingSaysWhyItCannot) {
     EXPECT_EQ(reason_of(folder_ / "missing.step"), "no such file");
     EXPECT_EQ(reason_of(folder_), "is a directory, not a file");
+    EXPECT_EQ(reason_of("/dev/zero"), "is a device, not a file");
     std::ofstream(folder_ / "empty.step").close();
     EXPECT_EQ(reason_of(folder_ / "empty.step"), "the file is empty");
 }

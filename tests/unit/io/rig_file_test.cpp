@@ -1,6 +1,7 @@
+#include "keiko/io/rig_file.h"
+
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
-#include "keiko/io/rig_file.h"
 #include "keiko/io/toml_reader.h"
 
 #include "tests/support/paths.h"
@@ -122,6 +123,27 @@ TEST(RigFile, KeysOfVeryManyPartsAreRefusedBeforeTheyOverflowTheStack) {
     EXPECT_EQ(rig_error(head + "[" + parts(200000) + "]\n"), "bad.toml:2: " + expected);
     EXPECT_EQ(rig_error(head + "x = [{" + parts(200000) + " = 1}]\n"), "bad.toml:2: " + expected);
     EXPECT_EQ(rig_error(head + parts(100) + " = 1\n"), "bad.toml:2:1: unknown key 'a'");
+}
+
+TEST(RigFile, CharactersBeyondAsciiStandInQuotesAndCommentsAlone) {
+    const std::string bare = "a character beyond ASCII that is not in quotes";
+    EXPECT_EQ(rig_error(head + "u = [7000, 0, \xcd\xa2"), "bad.toml:2: " + bare);
+    EXPECT_EQ(rig_error(head + "\u00fc = 1\n"), "bad.toml:2: " + bare);
+    EXPECT_EQ(rig_error(head + "# \u00fc\nname = \"\u00fc\"\nx = '\u00fc'\n"),
+              "bad.toml:4:1: unknown key 'x'");
+    EXPECT_EQ(rig_error("\xef\xbb\xbf" + head + "x = 1\n"), "bad.toml:2:1: unknown key 'x'");
+}
+
+TEST(RigFile, AJoinedLineOfAStringBeginsInAscii) {
+    const std::string joined = "a character beyond ASCII follows a backslash at the end of a line";
+    EXPECT_EQ(rig_error(head + "name = \"\"\"a\\\n \u00a7\"\"\"\n"), "bad.toml:3: " + joined);
+    EXPECT_EQ(rig_error(head + "name = \"\"\"\u00a7\\\n a\u00a7\"\"\"\nx = 1\n"),
+              "bad.toml:4:1: unknown key 'x'");
+}
+
+TEST(RigFile, ErrorsStayShortHoweverLongAKeyIs) {
+    EXPECT_EQ(rig_error(head + std::string(5000, 'x') + " = 1\n"),
+              "bad.toml:2:1: unknown key '" + std::string(300, 'x') + "...'");
 }
 
 TEST(RigFile, DotsInTextAndCommentsAreNoKeyParts) {

@@ -13,7 +13,7 @@
 #include <string>
 
 // keiko-import FILE FORMAT MEMORY_LIMIT, started by load_model: reads a CAD file with OpenCASCADE
-// and answers on file descriptor 3 (stdout when that is closed), as import_worker.h says.
+// and answers on file descriptor 3 (stdout when that is closed), as worker_answer.h says.
 
 namespace {
 

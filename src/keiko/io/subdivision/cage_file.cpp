@@ -1,5 +1,6 @@
 #include "keiko/io/subdivision/cage_file.h"
 
+#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
 #include "keiko/io/subdivision/cage_lines.h"
 #include "keiko/io/subdivision/cage_tags.h"
@@ -61,7 +62,7 @@ private:
         if (in_list(skipped, kind)) return;
         if (in_list(free_form, kind))
             lines_.fail(s.line, "free-form geometry is not supported: only the faces of a cage");
-        lines_.fail(s.line, "not an OBJ statement: \"" + std::string(kind.substr(0, 40)) + "\"");
+        lines_.fail(s.line, "not an OBJ statement: " + in_quotes(kind));
     }
 
     void take_vertex(const Statement& s) {
@@ -101,7 +102,7 @@ private:
         const std::size_t slash = word.find('/');
         if (slash != std::string_view::npos &&
             word.substr(slash).find_first_not_of("/-+0123456789") != std::string_view::npos)
-            lines_.fail(s.line, "not a corner v/vt/vn: \"" + std::string(word.substr(0, 40)) + '"');
+            lines_.fail(s.line, "not a corner v/vt/vn: " + in_quotes(word));
         const long number = lines_.whole(s, word.substr(0, slash));
         const auto count = static_cast<long>(cage_.vertices.size());
         const long index = number < 0 ? count + number : number - 1;

@@ -1,5 +1,7 @@
 #include "keiko/io/subdivision/cage_lines.h"
 
+#include "keiko/base/error_text.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -16,15 +18,6 @@ bool read_whole_word(std::string_view word, Number& value) {
     const std::string_view digits = without_plus(word);
     const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     return code == std::errc() && end == digits.data() + digits.size();
-}
-
-/// A word as an error may show it.
-std::string quoted(std::string_view word) {
-    constexpr std::size_t longest = 40;
-    std::string shown(word.substr(0, longest));
-    for (char& c : shown)
-        if (c < ' ' || c > '~') c = '?';
-    return '"' + shown + (word.size() > longest ? "...\"" : "\"");
 }
 
 } // namespace
@@ -62,13 +55,14 @@ void CageLines::append_words(std::string_view line, Statement& statement) const 
 double CageLines::number(const Statement& statement, std::string_view word) const {
     double value = 0;
     if (!read_whole_word(word, value) || !std::isfinite(value))
-        fail(statement.line, "not a finite number: " + quoted(word));
+        fail(statement.line, "not a finite number: " + in_quotes(word));
     return value;
 }
 
 long CageLines::whole(const Statement& statement, std::string_view word) const {
     long value = 0;
-    if (!read_whole_word(word, value)) fail(statement.line, "not a whole number: " + quoted(word));
+    if (!read_whole_word(word, value))
+        fail(statement.line, "not a whole number: " + in_quotes(word));
     return value;
 }
 

@@ -1,5 +1,7 @@
 #include "keiko/io/subdivision/cage_tags.h"
 
+#include "keiko/base/error_text.h"
+
 #include <algorithm>
 #include <array>
 
@@ -44,7 +46,7 @@ public:
             scheme(tag);
         else if (std::find(texture_tags.begin(), texture_tags.end(), tag.name) ==
                  texture_tags.end())
-            lines_.fail(tag.line, "unknown tag \"" + tag.name.substr(0, 40) + '"');
+            lines_.fail(tag.line, "unknown tag " + in_quotes(tag.name));
     }
 
     /// Without a tag, triangles alone make a Loop cage.

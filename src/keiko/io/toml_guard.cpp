@@ -1,0 +1,99 @@
+#include "keiko/io/toml_guard.h"
+
+#include "keiko/base/error.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace keiko {
+namespace {
+
+/// toml++ limits the depth of values, but not that of keys a.b.c.
+constexpr int most_parts = 100;
+
+bool beyond_ascii(char c) {
+    return static_cast<unsigned char>(c) >= 0x80;
+}
+
+bool is_any_of(std::string_view characters, char c) {
+    return characters.find(c) != std::string_view::npos;
+}
+
+/// Walks over a text, from strings and comments to the characters between them.
+class TomlWalk {
+public:
+    TomlWalk(std::string_view text, const std::string& source) : text_(text), source_(source) {
+        constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+        if (text.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
+    }
+
+    void walk() {
+        while (at_ < text_.size()) {
+            const char c = text_[at_];
+            if (c == '"' || c == '\'')
+                skip_string();
+            else if (c == '#')
+                at_ = std::min(text_.find('\n', at_), text_.size());
+            else
+                take(c);
+        }
+    }
+
+private:
+    void take(char c) {
+        if (beyond_ascii(c)) fail("a character beyond ASCII that is not in quotes");
+        if (c == '.' && ++parts_ > most_parts)
+            fail("a key of more than " + std::to_string(most_parts) + " parts");
+        if (is_any_of("\n=,[]{}", c)) parts_ = 1;
+        ++at_;
+    }
+
+    /// Past the closing quote; a string of one line that is not closed ends with the line.
+    void skip_string() {
+        const char quote = text_[at_];
+        const std::string three(3, quote);
+        const bool many_lines = text_.substr(at_, 3) == three;
+        for (at_ += many_lines ? 3 : 1; at_ < text_.size();) {
+            const char c = text_[at_];
+            if (quote == '"' && c == '\\') {
+                skip_escape(many_lines);
+            } else if (many_lines && text_.substr(at_, 3) == three) {
+                at_ += 3;
+                return;
+            } else {
+                ++at_;
+                if (!many_lines && (c == quote || c == '\n')) return;
+            }
+        }
+    }
+
+    void skip_escape(bool many_lines) {
+        const std::size_t next =
+            std::min(text_.find_first_not_of(" \t\r\n", at_ + 1), text_.size());
+        const bool joins_lines = many_lines && next > at_ + 1;
+        if (joins_lines && next < text_.size() && beyond_ascii(text_[next])) {
+            at_ = next;
+            fail("a character beyond ASCII follows a backslash at the end of a line");
+        }
+        at_ = joins_lines ? next : std::min(at_ + 2, text_.size());
+    }
+
+    [[noreturn]] void fail(const std::string& reason) const {
+        const auto line =
+            1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
+        throw Error(source_, std::to_string(line), reason);
+    }
+
+    std::string_view text_;
+    const std::string& source_;
+    std::size_t at_ = 0;
+    int parts_ = 1;
+};
+
+} // namespace
+
+void require_parsable_toml(std::string_view text, const std::string& source) {
+    TomlWalk(text, source).walk();
+}
+
+} // namespace keiko

@@ -1,0 +1,13 @@
+// Bezier patches: the classic text of the teapot
+#include "keiko/io/bezier_file.h"
+
+#include "tests/fuzz/memory_file.h"
+#include "tests/fuzz/sound_model.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace keiko;
+    static const fuzz::MemoryFile file;
+    file.write(fuzz::text_of(data, size));
+    fuzz::accepts([] { fuzz::require_sound(read_teapot_file(file.path())); });
+    return 0;
+}
