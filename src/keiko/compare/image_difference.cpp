@@ -15,7 +15,7 @@ std::string size_text(const Image& image) {
 
 double distance(float a, float b) {
     if (a == b || (std::isnan(a) && std::isnan(b))) return 0; // infinite depths are equal
-    const double difference = std::abs(double{a} - double{b});
+    const double difference = std::abs(static_cast<double>(a) - static_cast<double>(b));
     return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
 }
 

@@ -27,7 +27,6 @@ constexpr double thinnest_for_line = 1e-3;
 /// surface that the ray runs along.
 constexpr double long_box = 1e-2;
 
-
 struct Extremes {
     double low, high;
 };

@@ -1,5 +1,6 @@
-#include "keiko/base/error.h"
 #include "keiko/io/material_file.h"
+
+#include "keiko/base/error.h"
 
 #include "tests/support/paths.h"
 #include <gtest/gtest.h>

@@ -1,7 +1,8 @@
+#include "keiko/io/scene_file.h"
+
 #include "keiko/base/error.h"
 #include "keiko/io/material_file.h"
 #include "keiko/io/rig_file.h"
-#include "keiko/io/scene_file.h"
 
 #include <gtest/gtest.h>
 
