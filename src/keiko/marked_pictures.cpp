@@ -21,7 +21,7 @@ std::optional<Hit> seen_at(const Scene& scene, const Camera& camera, const Vec3&
     // Borders lie at the rim of what can be hit: look a little beside them, too.
     for (const Vec2& beside : {Vec2(0, 0), Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
         const Ray ray = camera.ray(pixel->x + beside.x, pixel->y + beside.y);
-        const auto hit = scene.tracer.nearest(ray);
+        auto hit = scene.tracer.nearest(ray);
         const double depth = (place - ray.origin).dot(ray.direction);
         if (hit && hit->t > depth - std::max(near, 0.02 * depth)) return hit;
     }

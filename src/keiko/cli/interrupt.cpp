@@ -19,7 +19,7 @@ sigset_t handled_signals() {
 }
 
 /// Waits for signals so that no code runs in a signal handler.
-void wait_for_signals(const std::stop_token& end, std::stop_source work) {
+void wait_for_signals(const std::stop_token& end, std::stop_source& work) {
     const sigset_t set = handled_signals();
     constexpr timespec poll{0, 20'000'000};
     while (!end.stop_requested()) {
@@ -34,8 +34,8 @@ void wait_for_signals(const std::stop_token& end, std::stop_source work) {
 Interrupt::Interrupt() {
     const sigset_t set = handled_signals();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
-    waiter_ =
-        std::jthread([work = source_](const std::stop_token& end) { wait_for_signals(end, work); });
+    waiter_ = std::jthread(
+        [work = source_](const std::stop_token& end) mutable { wait_for_signals(end, work); });
 }
 
 } // namespace keiko::cli

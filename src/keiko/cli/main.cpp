@@ -1,7 +1,10 @@
 #include "keiko/cli/commands.h"
 #include "keiko/keiko.h"
 
-int main(int argc, char** argv) {
+#include <cstdio>
+#include <exception>
+
+int main(int argc, char** argv) try {
     using namespace keiko;
     cli::Session session;
     CLI::App app("Keiko judges free-form surfaces by the reflections of parallel lamps.", "keiko");
@@ -16,4 +19,7 @@ int main(int argc, char** argv) {
     cli::add_render(app, session);
     cli::add_trace(app, session);
     return session.run(app, argc, argv);
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "keiko: %s\n", error.what());
+    return keiko::cli::exit_error;
 }

@@ -31,11 +31,11 @@ void require_place_for_folder(const fs::path& folder) {
     if (folder.empty()) throw Error("", "--output", "names no folder");
     fs::path there = folder;
     std::error_code ignored;
-    while (!fs::exists(there, ignored))
-        there = there.has_relative_path() && there != there.parent_path() &&
-                        !there.parent_path().empty()
-                    ? there.parent_path()
-                    : fs::path(".");
+    while (!fs::exists(there, ignored)) {
+        const fs::path above = there.parent_path();
+        const bool higher = there.has_relative_path() && there != above && !above.empty();
+        there = higher ? above : fs::path(".");
+    }
     require_writable(there, folder);
 }
 

@@ -15,7 +15,7 @@ std::string size_text(const Image& image) {
 
 double distance(float a, float b) {
     if (a == b || (std::isnan(a) && std::isnan(b))) return 0; // infinite depths are equal
-    const double difference = std::abs(static_cast<double>(a) - static_cast<double>(b));
+    const double difference = std::abs(double{a} - double{b});
     return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
 }
 
@@ -40,6 +40,7 @@ std::vector<ChannelDifference> image_difference(const Image& a, const Image& b) 
         throw Error("", "",
                     "pictures of " + size_text(a) + " and " + size_text(b) + " cannot be compared");
     std::vector<ChannelDifference> result;
+    result.reserve(static_cast<std::size_t>(a.channels));
     for (int c = 0; c < a.channels; ++c) result.push_back(channel_difference(a, b, c));
     return result;
 }

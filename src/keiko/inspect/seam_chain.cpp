@@ -76,6 +76,7 @@ std::vector<std::vector<std::uint32_t>> seam_chains(const BoundaryCurves& curves
     std::map<std::uint32_t, std::vector<std::uint32_t>> chains;
     for (std::uint32_t i = 0; i < seams.size(); ++i) chains[sets.find(i)].push_back(i);
     std::vector<std::vector<std::uint32_t>> result;
+    result.reserve(chains.size());
     for (auto& [first, pieces] : chains) result.push_back(std::move(pieces));
     return result;
 }

@@ -145,6 +145,7 @@ std::vector<std::optional<SeamExtreme>> seam_extremes(const SeamProbe& probe,
                                                       int cells) {
     std::vector<Cell> shared = first_cells(probe, cells);
     std::vector<std::optional<SeamExtreme>> result;
+    result.reserve(questions.size());
     for (const SeamQuestion& question : questions)
         result.push_back(ExtremeSearch(probe, shared, question).run());
     return result;

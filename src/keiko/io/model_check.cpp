@@ -28,7 +28,8 @@ bool sound(const ParameterMap& map) {
 bool sound(const Patch& p, const SurfaceModel& m) {
     return p.face < m.faces.size() && valid_degree(p.degree_u) && valid_degree(p.degree_v) &&
            sound(p.map_u) && sound(p.map_v) &&
-           in_range(p.first_point, (p.degree_u + 1u) * (p.degree_v + 1u), m.control_points.size());
+           in_range(p.first_point, (p.degree_u + std::uint64_t{1}) * (p.degree_v + 1u),
+                    m.control_points.size());
 }
 
 bool sound(const TrimCurve& c, const SurfaceModel& m) {

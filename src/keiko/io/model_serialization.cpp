@@ -24,12 +24,10 @@ struct Writer {
 
     template <class T>
     void operator()(const T& value) {
-        if constexpr (std::is_same_v<T, bool>) {
+        if constexpr (std::is_same_v<T, bool> || std::is_enum_v<T>) {
             out.put(static_cast<std::uint8_t>(value));
         } else if constexpr (std::is_arithmetic_v<T>) {
             out.put(value);
-        } else if constexpr (std::is_enum_v<T>) {
-            out.put(static_cast<std::uint8_t>(value));
         } else {
             std::apply([this](const auto&... member) { ((*this)(member), ...); }, members(value));
         }

@@ -15,7 +15,8 @@ struct BezierPatchView {
     std::span<const Vec4> points;
 
     const Vec4& point(int i, int j) const {
-        return points[static_cast<std::size_t>(i * (degree_v + 1) + j)];
+        const int index = i * (degree_v + 1) + j;
+        return points[static_cast<std::size_t>(index)];
     }
     /// Whether any two weights differ.
     bool rational() const;

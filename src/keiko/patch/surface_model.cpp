@@ -4,7 +4,7 @@ namespace keiko {
 
 BezierPatchView SurfaceModel::patch(std::uint32_t index) const {
     const Patch& p = patches[index];
-    const std::size_t count = (p.degree_u + 1u) * (p.degree_v + 1u);
+    const std::size_t count = (p.degree_u + std::size_t{1}) * (p.degree_v + std::size_t{1});
     return {p.degree_u, p.degree_v, std::span(control_points).subspan(p.first_point, count)};
 }
 

@@ -49,7 +49,7 @@ Box2 quantile_range(std::span<const WeightedPlace> places) {
 class SummedArea {
 public:
     explicit SummedArea(const HitHistogram& h) : width_(h.width()) {
-        sums_.assign(static_cast<std::size_t>((width_ + 1) * (h.height() + 1)), 0);
+        sums_.assign(index(width_, h.height()) + 1, 0);
         for (int v = 0; v < h.height(); ++v)
             for (int u = 0; u < width_; ++u)
                 sum(u + 1, v + 1) = h.at(u, v) + sum(u, v + 1) + sum(u + 1, v) - sum(u, v);
@@ -60,7 +60,10 @@ public:
     }
 
 private:
-    std::size_t index(int u, int v) const { return static_cast<std::size_t>(v * (width_ + 1) + u); }
+    std::size_t index(int u, int v) const {
+        const int place = v * (width_ + 1) + u;
+        return static_cast<std::size_t>(place);
+    }
     double& sum(int u, int v) { return sums_[index(u, v)]; }
     double sum(int u, int v) const { return sums_[index(u, v)]; }
 

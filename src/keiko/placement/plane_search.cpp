@@ -110,9 +110,9 @@ LampRectangle PlaneSearch::best_at(double angle) const {
 }
 
 LampRectangle PlaneSearch::best() const {
-    const LampRectangle along = best_at(0);
+    LampRectangle along = best_at(0);
     if (demand_.direction == LampDirection::along) return along;
-    const LampRectangle across = best_at(std::numbers::pi / 2);
+    LampRectangle across = best_at(std::numbers::pi / 2);
     if (demand_.direction == LampDirection::across) return across;
     LampRectangle best = across.score.objective() > along.score.objective() ? across : along;
     const double to_beat = best.score.objective() * worth_being_aslant;

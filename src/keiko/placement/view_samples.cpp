@@ -63,6 +63,7 @@ private:
 
     void mark_blocked(std::vector<ViewSample>& samples) const {
         std::vector<Ray> mirrored;
+        mirrored.reserve(samples.size());
         for (const ViewSample& s : samples) mirrored.push_back(s.mirror);
         const std::vector<bool> blocked = tracer_.any(mirrored);
         for (std::size_t i = 0; i < samples.size(); ++i) samples[i].blocked = blocked[i];

@@ -24,7 +24,9 @@ struct alignas(64) HotLeaf {
     /// Where the patch ends, in x and y: a leaf may go on beyond it, for seams.
     std::array<double, 2> patch_low{}, patch_high{};
 
-    std::size_t coefficients() const { return (degree_u + 1u) * (degree_v + 1u); }
+    std::size_t coefficients() const {
+        return (degree_u + std::size_t{1}) * (degree_v + std::size_t{1});
+    }
     bool on_patch(double x, double y) const {
         return patch_low[0] <= x && x <= patch_high[0] && patch_low[1] <= y && y <= patch_high[1];
     }

@@ -239,7 +239,7 @@ private:
 } // namespace
 
 BezierPatchView LeafSet::view(const Leaf& leaf) const {
-    const std::size_t count = (leaf.degree_u + 1u) * (leaf.degree_v + 1u);
+    const std::size_t count = (leaf.degree_u + std::size_t{1}) * (leaf.degree_v + std::size_t{1});
     return {leaf.degree_u, leaf.degree_v, std::span(points).subspan(leaf.first_point, count)};
 }
 

@@ -43,9 +43,8 @@ using Coefficients = std::vector<std::array<long double, 4>>;
 std::array<long double, 4> in_frame(const Vec4& p, const LeafFrame& frame) {
     const Vec3 moved = Vec3(p.x, p.y, p.z) - frame.center * p.w;
     std::array<long double, 4> c{};
-    for (std::size_t k = 0; k < 3; ++k)
-        c[k] = static_cast<long double>(frame.weight_scale * frame.rows[k].dot(moved));
-    c[3] = static_cast<long double>(frame.weight_scale * p.w);
+    for (std::size_t k = 0; k < 3; ++k) c[k] = frame.weight_scale * frame.rows[k].dot(moved);
+    c[3] = frame.weight_scale * p.w;
     return c;
 }
 

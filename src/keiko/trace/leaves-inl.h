@@ -37,7 +37,7 @@ public:
     /// `polynomials` is where coefficients of leaves begin.
     GatheredLeaves(const std::array<const HotLeaf*, lanes>& leaves, const Component4* polynomials)
         : leaves_(leaves) {
-        const std::size_t count = (shape().degree_u + 1u) * (shape().degree_v + 1u);
+        const std::size_t count = shape().coefficients();
         const std::size_t used = shape().rational ? 4 : 3;
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const Component4* from = polynomials + leaves[lane]->polynomial;

@@ -8,7 +8,7 @@ namespace keiko {
 
 /// Bernstein coefficients, u outer, of a function of (x, y) over [-1, 1]^2.
 struct BernsteinNet {
-    static constexpr std::size_t capacity = (max_degree + 1) * (max_degree + 1);
+    static constexpr std::size_t capacity = std::size_t{max_degree + 1} * (max_degree + 1);
 
     std::size_t rows, columns;
     std::array<double, capacity> c; ///< beyond rows * columns undefined

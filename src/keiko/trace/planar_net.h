@@ -11,7 +11,7 @@ namespace keiko {
 /// distances to two planes through the ray times the weight. The ray meets the leaf where both
 /// are zero. The weight needs no division: where it is positive, it has no say in the zeros.
 struct PlanarNet {
-    static constexpr std::size_t capacity = (max_degree + 1) * (max_degree + 1);
+    static constexpr std::size_t capacity = std::size_t{max_degree + 1} * (max_degree + 1);
 
     int degree_u, degree_v;
     /// u outer; entries beyond the degrees are undefined, for nets are made by the million.

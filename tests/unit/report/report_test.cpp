@@ -80,7 +80,7 @@ TEST(ReportJson, KeepsNumbersInFullPrecision) {
 TEST(ReportJson, SurvivesNamesThatAreNoUtf8) {
     Report broken = report();
     broken.inspection.seams[0].faces = "K\xfcgel";
-    EXPECT_NO_THROW(nlohmann::json::parse(report_json(broken)));
+    EXPECT_TRUE(nlohmann::json::accept(report_json(broken)));
 }
 
 TEST(ReportJson, ServesInfoAndCheckWithTheSameKeys) {

@@ -53,6 +53,41 @@ TEST_F(SubdivisionModel, ACageWithoutSurfaceIsAnError) {
     }
 }
 
+/// A square grid of `size` quads a side whose inner edges have creases by Chaikin's rule.
+std::string creased_grid(int size, double sharpness) {
+    std::string text = "t creasemethod 0/0/1 chaikin\n";
+    const int width = size + 1;
+    for (int i = 0; i < width * width; ++i)
+        text += "v " + std::to_string(i % width) + " " + std::to_string(i / width) + " 0\n";
+    for (int i = 0; i < size * size; ++i) {
+        const int first = i / size * width + i % size + 1;
+        for (const int corner : {first, first + 1, first + width + 1, first + width})
+            text += (corner == first ? "f " : " ") + std::to_string(corner);
+        text += "\n";
+    }
+    for (int k = 1; k < size; ++k)
+        for (const int step : {1, width}) {
+            text += "t crease " + std::to_string(width) + "/1/0";
+            for (int i = 0; i < width; ++i)
+                text += " " + std::to_string(k * (width + 1 - step) + i * step);
+            text += " " + std::to_string(sharpness) + "\n";
+        }
+    return text;
+}
+
+TEST_F(SubdivisionModel, CreasesThatWouldFillTheMemoryAreRefused) {
+    try {
+        load(creased_grid(24, 9.9));
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.reason(),
+                  "its semi-sharp creases need more than 4000000 points; make them fewer or less "
+                  "sharp");
+    }
+    EXPECT_NO_THROW(load(creased_grid(24, 2)));
+    EXPECT_NO_THROW(load(creased_grid(2, 9.9)));
+}
+
 TEST_F(SubdivisionModel, PatchesFillTheFaceParameters) {
     const SurfaceModel model = load(house + "t crease 2/1/0 2 3 2.5\n");
     for (const Face& face : model.faces) {

@@ -34,7 +34,7 @@ Vec3 CapTilt::offset(double u, double v, bool triangle) const {
     return normal * -(slope_x * rise(x) * ease(y) + slope_y * rise(y) * ease(x));
 }
 
-IrregularPoints::IrregularPoints(std::vector<IrregularPoint> points) {
+IrregularPoints::IrregularPoints(const std::vector<IrregularPoint>& points) {
     for (const IrregularPoint& p : points) sorted_.emplace_back(p.position.dot(direction), p);
     std::stable_sort(sorted_.begin(), sorted_.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -26,7 +26,7 @@ struct CapTilt {
 /// Finds irregular points by their place.
 class IrregularPoints {
 public:
-    explicit IrregularPoints(std::vector<IrregularPoint> points);
+    explicit IrregularPoints(const std::vector<IrregularPoint>& points);
 
     /// The one within `reach` whose normal is nearest to `normal`, if any.
     const IrregularPoint* find(const Vec3& place, const Vec3& normal, double reach) const;

@@ -25,6 +25,15 @@ Far::Options table_options(const Cage& cage, int level) {
 
 } // namespace
 
+std::vector<int> LimitTable::points_by_level(const Cage& cage, int level) {
+    const auto refiner = make_refiner(cage);
+    refiner->RefineAdaptive(table_options(cage, level).GetRefineAdaptiveOptions());
+    std::vector<int> counts(static_cast<std::size_t>(level) + 1, 0);
+    for (int l = 0; l < refiner->GetNumLevels(); ++l)
+        counts[static_cast<std::size_t>(l)] = refiner->GetLevel(l).GetNumVertices();
+    return counts;
+}
+
 LimitTable::LimitTable(const Cage& cage, int level)
     : triangular_(cage.scheme == Scheme::loop), refiner_(make_refiner(cage)) {
     const Far::Options options = table_options(cage, level);
@@ -93,7 +102,7 @@ void LimitTable::tilt_caps(const Value* last_level) {
             continue;
         points.push_back({position[i].v, normal.normalized()});
     }
-    const IrregularPoints search(std::move(points));
+    const IrregularPoints search(points);
     first_tilt_ = position_of(irregular.front());
     for (const Index index : irregular) tilts_.push_back(tilt_of(index, search));
 }
@@ -117,7 +126,7 @@ CapTilt LimitTable::tilt_of(Index index, const IrregularPoints& points) const {
         const std::array<Vec3, 4> along = triangular_ ? std::array<Vec3, 4>{u, v - u, -v, Vec3(0)}
                                                       : std::array<Vec3, 4>{u, v, -u, -v};
         // Along the border that begins in this corner, and back along the one that ends in it.
-        const Vec3 out = along[k], back = -along[(k + corners - 1) % corners];
+        const Vec3 &out = along[k], back = -along[(k + corners - 1) % corners];
         return {static_cast<int>(k), n, out.dot(n), back.dot(n)};
     }
     return {};

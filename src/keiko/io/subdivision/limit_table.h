@@ -48,6 +48,9 @@ class LimitTable {
 public:
     LimitTable(const Cage& cage, int level);
 
+    /// How many points refining a cage makes on each level down to `level`.
+    static std::vector<int> points_by_level(const Cage& cage, int level);
+
     struct Index {
         int array = 0, patch = 0;
     };
@@ -76,8 +79,10 @@ private:
     struct Value {
         Vec3 v;
         Value() : v(0) {}
+        // NOLINTBEGIN(readability-identifier-naming): OpenSubdiv calls them by these names.
         void Clear() { v = Vec3(0); }
         void AddWithWeight(const Value& other, double weight) { v += other.v * weight; }
+        // NOLINTEND(readability-identifier-naming)
     };
 
     void add_local_points(std::size_t first);

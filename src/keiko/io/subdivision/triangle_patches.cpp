@@ -124,7 +124,8 @@ private:
             static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(inner_.size()))));
         for (std::size_t i = 0; i < inner_.size(); ++i) {
             const Vec2 cell = inside.extent() / static_cast<double>(side);
-            const Vec2 corner = Vec2(static_cast<double>(i % side), static_cast<double>(i / side));
+            const std::size_t row = i / side, column = i % side;
+            const Vec2 corner = Vec2(static_cast<double>(column), static_cast<double>(row));
             patches_[inner_[i]].box = {inside.lower + cell * corner,
                                        inside.lower + cell * (corner + Vec2(1))};
         }
