@@ -1,5 +1,7 @@
 #include "keiko/base/parallel.h"
 
+#include "keiko/base/happens_before.h"
+
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
@@ -7,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <vector>
 
 namespace keiko {
 namespace {
@@ -41,40 +44,52 @@ int arena_size(int threads) {
 void parallel_for(std::size_t count, const Job& job, std::string_view stage,
                   const std::function<void(std::size_t)>& body) {
     StageProgress progress(job, stage, count);
+    HappensBefore start, end;
+    start.before();
     tbb::task_arena arena(arena_size(job.threads));
     arena.execute([&] {
         // simple_partitioner: one task an index, so that a stop request is seen soon.
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, count, 1),
             [&](const tbb::blocked_range<std::size_t>& range) {
+                start.after();
                 for (std::size_t i = range.begin(); i != range.end(); ++i) {
                     job.check();
                     body(i);
                     progress.one_done();
                 }
+                end.before();
             },
             tbb::simple_partitioner{});
     });
+    end.after();
 }
 
 void parallel_stream(std::size_t slots, const Job& job, const StreamStages& stages) {
     std::size_t begun = 0;
     std::atomic<bool> enough = false;
+    HappensBefore reads, writes;
+    std::vector<HappensBefore> stages_of(slots);
     // At most `slots` are under way and they are written in order: the next one is free again.
     const auto read = [&](tbb::flow_control& control) -> std::size_t {
+        const Turn turn(reads);
         job.check();
         const std::size_t slot = begun++ % slots;
+        const Turn stage(stages_of[slot]);
         if (enough || !stages.read(slot)) control.stop();
         return slot;
     };
     const auto work = [&](std::size_t slot) {
+        const Turn stage(stages_of[slot]);
         if (!enough) stages.work(slot);
         return slot;
     };
     const auto write = [&](std::size_t slot) {
+        const Turn turn(writes), stage(stages_of[slot]);
         job.check();
         if (!enough && !stages.write(slot)) enough = true;
     };
+    reads.before();
     using tbb::filter_mode;
     tbb::task_arena arena(arena_size(job.threads));
     arena.execute([&] {
@@ -83,6 +98,8 @@ void parallel_stream(std::size_t slots, const Job& job, const StreamStages& stag
                        tbb::make_filter<std::size_t, std::size_t>(filter_mode::parallel, work) &
                        tbb::make_filter<std::size_t, void>(filter_mode::serial_in_order, write));
     });
+    reads.after(), writes.after();
+    for (HappensBefore& stages_done : stages_of) stages_done.after();
 }
 
 std::size_t thread_count(const Job& job) {

@@ -69,7 +69,7 @@ PathCounts refine_outlines(const Integrator& integrator, const Camera& camera, c
         if (outlines.cross(x, y)) append_cell_rays(camera, x, y, n, rays);
     });
     const std::vector<EyeSample> samples = integrator.follow(rays);
-    const auto cells = static_cast<std::size_t>(n * n);
+    const auto cells = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
     std::span<const EyeSample> rest(samples);
     for_each_pixel(tile, [&](int x, int y) {
         if (!outlines.cross(x, y)) return;

@@ -79,6 +79,9 @@ int main(int argc, char** argv) {
     } catch (const std::exception& e) {
         std::fprintf(out, "error %s\n", e.what());
         code = 1;
+    } catch (...) {
+        std::fputs("error OpenCASCADE failed on it\n", out);
+        code = 1;
     }
     std::fflush(out);
     // Skips OpenCASCADE's own clean-up, which costs time and crashes after some files.

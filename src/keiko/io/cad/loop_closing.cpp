@@ -131,6 +131,7 @@ std::vector<Chain> close_around(std::vector<Chain> around, const ParameterSpace&
     if (around.size() > 1)
         for (const Chain& chain : around) far = std::min(far, tight_bounds(chain).lower[1 - axis]);
     std::vector<Chain> loops;
+    loops.reserve(around.size());
     for (Chain& chain : around) loops.push_back(closed_over(std::move(chain), far, axis));
     return loops;
 }

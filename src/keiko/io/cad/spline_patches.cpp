@@ -32,7 +32,7 @@ NurbsSurface nurbs_surface(const Geom_BSplineSurface& s) {
 }
 
 opencascade::handle<Geom_BSplineSurface> not_periodic(const Geom_BSplineSurface& s) {
-    const auto copy = opencascade::handle<Geom_BSplineSurface>::DownCast(s.Copy());
+    auto copy = opencascade::handle<Geom_BSplineSurface>::DownCast(s.Copy());
     if (copy->IsUPeriodic()) copy->SetUNotPeriodic();
     if (copy->IsVPeriodic()) copy->SetVNotPeriodic();
     return copy;
