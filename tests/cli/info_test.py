@@ -17,7 +17,8 @@ class Info(KeikoTest):
         for name, faces in FACES.items():
             facts = self.facts(name)
             self.assertEqual((facts["faces"], facts["placed_faces"]), (faces, faces), name)
-            self.assertEqual((facts["lost_faces"], facts["diagnostics"]), ([], []), name)
+            self.assertEqual((facts["lost_faces"], facts["repairs"], facts["diagnostics"]),
+                             ([], [], []), name)
 
     def test_the_text_tells_the_same(self):
         text = self.succeed("info", surface("hood.step"), "-q")

@@ -114,6 +114,17 @@ void count_edges(const SurfaceModel& model, ModelFacts& facts) {
     }
 }
 
+std::map<RepairKind, RepairTotal> total_repairs(const std::vector<Repair>& repairs) {
+    std::map<RepairKind, RepairTotal> totals;
+    for (const Repair& repair : repairs) {
+        RepairTotal& total = totals[repair.kind];
+        total.count += repair.count;
+        ++total.faces;
+        total.size = std::max(total.size, repair.size);
+    }
+    return totals;
+}
+
 RemarkCounts count_remarks(const Diagnostics& diagnostics) {
     RemarkCounts counts;
     for (const Diagnostic& remark : diagnostics) {
@@ -142,6 +153,8 @@ ModelFacts model_facts(const SurfaceModel& model, std::span<const Seam> seams, d
     const Lengths lengths = border_lengths(model, seams, job);
     facts.border_length = lengths.whole, facts.free_length = lengths.free;
     facts.lost_faces = model.lost_faces;
+    facts.repairs = model.repairs;
+    facts.repair_totals = total_repairs(model.repairs);
     facts.diagnostics = model.diagnostics;
     facts.remarks = count_remarks(model.diagnostics);
     return facts;

@@ -38,6 +38,12 @@ struct RemarkCounts {
     std::size_t notes = 0, warnings = 0, errors = 0;
 };
 
+/// All repairs of one kind in a file.
+struct RepairTotal {
+    std::size_t count = 0, faces = 0;
+    double size = 0; ///< mm, of the largest
+};
+
 /// What is in a model file.
 struct ModelFacts {
     std::string source, format;
@@ -60,7 +66,9 @@ struct ModelFacts {
     double border_length = 0; ///< mm, of all borders of all placed faces
     double free_length = 0;   ///< mm, of borders that meet no other
     std::vector<LostFace> lost_faces;
-    Diagnostics diagnostics;           ///< healing among them
+    std::vector<Repair> repairs; ///< one a face and kind, by face
+    std::map<RepairKind, RepairTotal> repair_totals;
+    Diagnostics diagnostics;           ///< other remarks of the import
     RemarkCounts remarks;              ///< of the diagnostics
     std::optional<TraceFacts> tracing; ///< when a tracer was built
 };

@@ -9,13 +9,15 @@ namespace keiko {
 namespace {
 
 constexpr std::string_view magic = "KEIKO-SM";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 
 template <class T>
 constexpr std::uint8_t last_value = 0;
 template <>
 constexpr std::uint8_t last_value<ParameterMap::Kind> =
     static_cast<std::uint8_t>(ParameterMap::Kind::hyperbolic);
+template <>
+constexpr std::uint8_t last_value<RepairKind> = static_cast<std::uint8_t>(RepairKind::by_reader);
 template <>
 constexpr std::uint8_t last_value<Severity> = static_cast<std::uint8_t>(Severity::error);
 

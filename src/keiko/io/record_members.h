@@ -56,13 +56,16 @@ auto members(Is<Instance> auto& i) {
 auto members(Is<LostFace> auto& f) {
     return std::tie(f.id, f.name, f.reason);
 }
+auto members(Is<Repair> auto& r) {
+    return std::tie(r.face, r.kind, r.count, r.size, r.detail);
+}
 auto members(Is<Diagnostic> auto& d) {
     return std::tie(d.severity, d.entity, d.message);
 }
 auto members(Is<SurfaceModel> auto& m) {
     return std::tie(m.source, m.format, m.unit, m.control_points, m.trim_points, m.patches,
                     m.trim_curves, m.trim_loops, m.faces, m.edges, m.parts, m.instances,
-                    m.lost_faces, m.diagnostics);
+                    m.lost_faces, m.repairs, m.diagnostics);
 }
 
 } // namespace keiko

@@ -6,6 +6,7 @@
 #include "keiko/patch/bezier_curve.h"
 #include "keiko/patch/bezier_patch.h"
 #include "keiko/patch/parameter_map.h"
+#include "keiko/patch/repair.h"
 
 #include <cstdint>
 #include <optional>
@@ -96,7 +97,8 @@ struct SurfaceModel {
     std::vector<Part> parts;
     std::vector<Instance> instances;
     std::vector<LostFace> lost_faces;
-    Diagnostics diagnostics; ///< remarks of the import, healing among them
+    std::vector<Repair> repairs; ///< by face, in the order of the faces
+    Diagnostics diagnostics;     ///< other remarks of the import
 
     BezierPatchView patch(std::uint32_t index) const;
     BezierCurveView trim_curve(std::uint32_t index) const;

@@ -63,6 +63,23 @@ Json lost_face_json(const LostFace& face) {
     return {{"id", face.id}, {"name", face.name}, {"reason", face.reason}};
 }
 
+Json repair_json(const Repair& repair) {
+    Json json = {{"face", repair.face},
+                 {"kind", name_of(repair.kind)},
+                 {"count", repair.count},
+                 {"size", repair.size}};
+    if (!repair.detail.empty()) json["detail"] = repair.detail;
+    return json;
+}
+
+Json repair_totals_json(const std::map<RepairKind, RepairTotal>& totals) {
+    Json json = Json::object();
+    for (const auto& [kind, total] : totals)
+        json[std::string(name_of(kind))] = {
+            {"count", total.count}, {"faces", total.faces}, {"size", total.size}};
+    return json;
+}
+
 Json remark_json(const Diagnostic& remark) {
     return {{"severity", name_of(remark.severity)},
             {"entity", remark.entity},
@@ -118,6 +135,8 @@ Json model_json(const ModelFacts& facts) {
         {"border_length", facts.border_length},
         {"free_border_length", facts.free_length},
         {"lost_faces", array_of(facts.lost_faces, lost_face_json)},
+        {"repair_totals", repair_totals_json(facts.repair_totals)},
+        {"repairs", array_of(facts.repairs, repair_json)},
         {"remarks",
          {{"notes", remarks.notes}, {"warnings", remarks.warnings}, {"errors", remarks.errors}}},
         {"diagnostics", array_of(facts.diagnostics, remark_json)}};

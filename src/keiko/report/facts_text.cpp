@@ -39,10 +39,32 @@ void write_counts(std::ostream& out, const ModelFacts& facts) {
     out << "\n";
 }
 
+/// ", up to 0.01 mm", or nothing for a kind without size.
+void write_size(std::ostream& out, double millimetres) {
+    if (millimetres > 0) out << ", up to " << millimetres << " mm";
+}
+
+void write_repairs(std::ostream& out, const ModelFacts& facts) {
+    for (const auto& [kind, total] : facts.repair_totals) {
+        begin_line(out, "repairs") << total.count << " × " << text_of(kind) << " on " << total.faces
+                                   << (total.faces == 1 ? " face" : " faces");
+        write_size(out, total.size);
+        out << "\n";
+    }
+    for (const Repair& repair : facts.repairs) {
+        begin_line(out, "repair") << "face " << repair.face << ": " << text_of(repair.kind);
+        if (!repair.detail.empty()) out << ": " << repair.detail;
+        if (repair.count > 1) out << ", " << repair.count << " times";
+        write_size(out, repair.size);
+        out << "\n";
+    }
+}
+
 void write_remarks(std::ostream& out, const ModelFacts& facts) {
     for (const LostFace& face : facts.lost_faces)
         begin_line(out, "lost") << "face " << face.id << (face.name.empty() ? "" : " ") << face.name
                                 << ": " << face.reason << "\n";
+    if (!facts.repair_totals.empty()) write_repairs(out, facts);
     for (const Diagnostic& remark : facts.diagnostics) {
         begin_line(out, remark.severity == Severity::note ? "note" : "warning");
         out << remark.entity << (remark.entity.empty() ? "" : ": ") << remark.message << "\n";

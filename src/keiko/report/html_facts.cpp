@@ -52,8 +52,29 @@ std::string lost_faces(const ModelFacts& facts) {
     return html + "</ul>";
 }
 
+std::string size_text(double millimetres) {
+    return millimetres > 0 ? short_number(millimetres) : "";
+}
+
+std::string repairs(const ModelFacts& facts) {
+    if (facts.repairs.empty()) return "nothing had to be repaired";
+    std::string html = "<ul>";
+    for (const auto& [kind, total] : facts.repair_totals)
+        html += "<li>" + std::to_string(total.count) + " × " + std::string(text_of(kind)) + " on " +
+                std::to_string(total.faces) + (total.faces == 1 ? " face" : " faces") +
+                (total.size > 0 ? ", up to " + size_text(total.size) + " mm" : "") + "</li>";
+    html +=
+        "</ul><details><summary>by face</summary><table><thead><tr><th>face</th>"
+        "<th class=\"left\">repair</th><th>times</th><th>largest mm</th></tr></thead><tbody>";
+    for (const Repair& repair : facts.repairs)
+        html += "<tr><td>" + std::to_string(repair.face) + "</td><td class=\"left\">" +
+                std::string(text_of(repair.kind)) +
+                (repair.detail.empty() ? "" : ": " + html_escaped(repair.detail)) + "</td><td>" +
+                std::to_string(repair.count) + "</td><td>" + size_text(repair.size) + "</td></tr>";
+    return html + "</tbody></table></details>";
+}
+
 std::string remarks(const ModelFacts& facts) {
-    if (facts.diagnostics.empty()) return "nothing had to be repaired";
     std::string html = "<ul>";
     for (const Diagnostic& d : facts.diagnostics)
         html += "<li>" + html_escaped(d.entity) + (d.entity.empty() ? "" : ": ") +
@@ -88,7 +109,8 @@ std::string html_facts(const Report& report) {
                               " mm: " + std::to_string(report.inspection.seams.size()));
     if (facts.tracing) html += fact("ray tracing", tracing_text(*facts.tracing));
     if (!facts.lost_faces.empty()) html += fact("lost faces", lost_faces(facts));
-    html += fact("healing", remarks(facts));
+    html += fact("repairs", repairs(facts));
+    if (!facts.diagnostics.empty()) html += fact("remarks", remarks(facts));
     return html + "</dl></section>\n";
 }
 

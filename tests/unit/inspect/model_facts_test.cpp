@@ -67,6 +67,8 @@ TEST(ModelFacts, ListsPartsFacesEdgesAndRemarks) {
     model.unit = "in";
     model.faces[1].name = "sill", model.faces[1].color = Rgb(1, 0, 0);
     model.edges = {{.tolerance = 1e-3}, {.tolerance = 2e-3, .degenerate = true}};
+    model.repairs = {{1, RepairKind::gap_bridged, 2, 0.5, ""},
+                     {2, RepairKind::gap_bridged, 1, 0.25, ""}};
     model.diagnostics = {{Severity::note, "", "a"}, {Severity::note, "", "b"}};
     const ModelFacts facts = model_facts(model, {}, 0.25);
     ASSERT_EQ(facts.part_list.size(), 1u);
@@ -83,6 +85,10 @@ TEST(ModelFacts, ListsPartsFacesEdgesAndRemarks) {
     EXPECT_EQ(facts.degenerate_edges, 1u);
     EXPECT_EQ(facts.largest_edge_tolerance, 2e-3);
     EXPECT_EQ(facts.remarks.notes, 2u);
+    const RepairTotal& gaps = facts.repair_totals.at(RepairKind::gap_bridged);
+    EXPECT_EQ(gaps.count, 3u);
+    EXPECT_EQ(gaps.faces, 2u);
+    EXPECT_EQ(gaps.size, 0.5);
     EXPECT_EQ(facts.millimetres_per_unit, 25.4);
     EXPECT_EQ(facts.join, 0.25);
 }

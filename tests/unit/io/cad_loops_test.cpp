@@ -1,5 +1,6 @@
 #include "keiko/base/error.h"
 #include "keiko/io/cad/loop_closing.h"
+#include "keiko/io/cad/loop_directions.h"
 #include "keiko/patch/trim_region.h"
 
 #include "tests/support/model_builder.h"
@@ -41,34 +42,64 @@ TrimRegion region(const std::vector<Chain>& loops) {
 }
 
 TEST(WireChain, UsesAWholePeriodOffAreMoved) {
-    std::vector<std::string> notes;
+    RepairLog log;
     const auto chains = chain_wire({line({5, 0}, {7, 0}, 0), line({7 - turn, 0}, {7 - turn, 1}, 1),
                                     line({7, 1}, {5, 1}, 2), line({5 + turn, 1}, {5 + turn, 0}, 3)},
-                                   cylinder(), notes);
+                                   cylinder(), log);
     ASSERT_EQ(chains.size(), 1u);
     EXPECT_EQ(chains[0].size(), 4u);
     EXPECT_NEAR(begin_of({chains[0][1]}).x, 7, 1e-12);
     EXPECT_NEAR(end_of(chains[0]).x, 5, 1e-12);
-    EXPECT_EQ(notes.size(), 1u);
+    EXPECT_EQ(log.count(RepairKind::p_curve_moved), 2u);
 }
 
 TEST(WireChain, UsesInAnyOrderAreSorted) {
-    std::vector<std::string> notes;
+    RepairLog log;
     const auto chains = chain_wire({line({0, 0}, {1, 0}, 0), line({1, 1}, {0, 1}, 2),
                                     line({1, 0}, {1, 1}, 1), line({0, 1}, {0, 0}, 3)},
-                                   {}, notes);
+                                   {}, log);
     ASSERT_EQ(chains.size(), 1u);
     ASSERT_EQ(chains[0].size(), 4u);
     for (std::uint32_t i = 0; i < 4; ++i) EXPECT_EQ(chains[0][i].edge, i);
 }
 
 TEST(WireChain, GapsAreBridgedAndTold) {
-    std::vector<std::string> notes;
+    RepairLog log;
     auto chains = chain_wire(
-        {line({0, 0}, {1, 0}, 0), line({1, 0.01}, {0, 1}, 1), line({0, 1}, {0, 0}, 2)}, {}, notes);
+        {line({0, 0}, {1, 0}, 0), line({1, 0.01}, {0, 1}, 1), line({0, 1}, {0, 0}, 2)}, {}, log);
     EXPECT_EQ(chains[0].size(), 4u);
     EXPECT_EQ(chains[0][1].edge, no_index);
-    EXPECT_EQ(notes, std::vector<std::string>{"gap of 0.01 of the face between p-curves bridged"});
+    ASSERT_EQ(log.repairs().size(), 1u);
+    EXPECT_EQ(log.repairs()[0].kind, RepairKind::gap_bridged);
+    EXPECT_DOUBLE_EQ(log.repairs()[0].size, 0.01);
+}
+
+TEST(WireChain, ASeamThatMeetsItselfAtAPoleGetsThePole) {
+    // A sphere whose wire is its seam alone: up on one side, down on the other.
+    const double pole = std::numbers::pi / 2;
+    RepairLog log;
+    const auto chains =
+        chain_wire({line({turn, -pole}, {turn, pole}, 0), line({0, pole}, {0, -pole}, 0)},
+                   cylinder(-pole, pole), log);
+    ASSERT_EQ(chains.size(), 1u);
+    EXPECT_EQ(log.count(RepairKind::degenerate_edge_added), 2u);
+    const TrimRegion material = region(close_loops(chains, cylinder(-pole, pole), log).loops);
+    for (const double v : {-1.5, 0.0, 1.5})
+        for (const double u : {0.1, 3.0, 6.2}) EXPECT_TRUE(material.contains({u, v}));
+}
+
+TEST(LoopDirections, AreToldByNesting) {
+    const auto square = [](double low, double high, bool clockwise) {
+        Chain chain = line({low, low}, {high, low}, 0);
+        chain.push_back(connector({high, low}, {high, high}));
+        chain.push_back(connector({high, high}, {low, high}));
+        chain.push_back(connector({low, high}, {low, low}));
+        if (clockwise) reverse(chain);
+        return chain;
+    };
+    EXPECT_EQ(backward_loops({square(0, 9, false), square(1, 8, true), square(2, 7, false)}), 0u);
+    EXPECT_EQ(backward_loops({square(0, 9, true)}), 1u);
+    EXPECT_EQ(backward_loops({square(0, 9, false), square(1, 8, false)}), 1u);
 }
 
 TEST(TightBounds, FollowTheCurveNotItsHull) {
@@ -79,10 +110,9 @@ TEST(TightBounds, FollowTheCurveNotItsHull) {
 
 TEST(CloseLoops, TwoCirclesAroundACylinderBoundABand) {
     for (const double start : {0.0, 2.0, -5.0}) {
-        std::vector<std::string> notes;
-        const ClosedLoops closed =
-            close_loops({line({0, 1}, {turn, 1}, 0), line({start + turn, 3}, {start, 3}, 1)},
-                        cylinder(), notes);
+        RepairLog log;
+        const ClosedLoops closed = close_loops(
+            {line({0, 1}, {turn, 1}, 0), line({start + turn, 3}, {start, 3}, 1)}, cylinder(), log);
         ASSERT_EQ(closed.loops.size(), 1u);
         EXPECT_NEAR(closed.domain.extent().x, turn, 1e-9);
         EXPECT_NEAR(closed.domain.lower.y, 1, 1e-12);
@@ -97,19 +127,19 @@ TEST(CloseLoops, TwoCirclesAroundACylinderBoundABand) {
 }
 
 TEST(CloseLoops, ALoneCircleClosesOverThePoleOnItsLeft) {
-    std::vector<std::string> notes;
+    RepairLog log;
     const double pole = std::numbers::pi / 2;
-    const auto north = close_loops({line({0, 0.5}, {turn, 0.5}, 0)}, cylinder(-pole, pole), notes);
+    const auto north = close_loops({line({0, 0.5}, {turn, 0.5}, 0)}, cylinder(-pole, pole), log);
     EXPECT_TRUE(region(north.loops).contains({3, 1}));
     EXPECT_FALSE(region(north.loops).contains({3, 0}));
-    const auto south = close_loops({line({turn, 0.5}, {0, 0.5}, 0)}, cylinder(-pole, pole), notes);
+    const auto south = close_loops({line({turn, 0.5}, {0, 0.5}, 0)}, cylinder(-pole, pole), log);
     EXPECT_TRUE(region(south.loops).contains({3, -1}));
     EXPECT_FALSE(region(south.loops).contains({3, 1}));
 }
 
 TEST(CloseLoops, ALoneCircleOnAnInfiniteCylinderBoundsNothing) {
-    std::vector<std::string> notes;
-    EXPECT_THROW(close_loops({line({0, 1}, {turn, 1}, 0)}, cylinder(), notes), Error);
+    RepairLog log;
+    EXPECT_THROW(close_loops({line({0, 1}, {turn, 1}, 0)}, cylinder(), log), Error);
 }
 
 TEST(CloseLoops, AHoleIsMovedToItsFaceAndDoubledAcrossTheSeam) {
@@ -122,9 +152,9 @@ TEST(CloseLoops, AHoleIsMovedToItsFaceAndDoubledAcrossTheSeam) {
     Chain outer;
     const Vec2 corners[] = {{0, 0}, {turn, 0}, {turn, 5}, {0, 5}, {0, 0}};
     for (int i = 0; i < 4; ++i) outer.push_back(connector(corners[i], corners[i + 1]));
-    std::vector<std::string> notes;
+    RepairLog log;
     const ClosedLoops closed =
-        close_loops({outer, square(turn + 2, 1), square(-0.5, 3)}, cylinder(), notes);
+        close_loops({outer, square(turn + 2, 1), square(-0.5, 3)}, cylinder(), log);
     EXPECT_EQ(closed.loops.size(), 4u);
     EXPECT_NEAR(closed.domain.upper.x, turn, 1e-9);
     const TrimRegion material = region(closed.loops);
@@ -135,10 +165,10 @@ TEST(CloseLoops, AHoleIsMovedToItsFaceAndDoubledAcrossTheSeam) {
 }
 
 TEST(CloseLoops, WithoutLoopsTheFaceIsItsNaturalDomain) {
-    std::vector<std::string> notes;
+    RepairLog log;
     ParameterSpace space;
     space.natural = {{1, 2}, {3, 4}};
-    const ClosedLoops closed = close_loops({}, space, notes);
+    const ClosedLoops closed = close_loops({}, space, log);
     EXPECT_TRUE(closed.loops.empty());
     EXPECT_EQ(closed.domain, space.natural);
 }

@@ -1,9 +1,8 @@
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
-#include "keiko/io/cad/cad_import.h"
 #include "keiko/io/load_model.h"
-#include "keiko/patch/trim_region.h"
 
+#include "tests/unit/io/converted_shape.h"
 #include "tests/unit/io/temporary_folder.h"
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
@@ -35,36 +34,12 @@
 namespace keiko::cad {
 namespace {
 
-SurfaceModel converted(const TopoDS_Shape& shape) {
-    CadDocument document;
-    document.parts.push_back({shape, "part", {}});
-    document.instances.push_back({0, "part", {}});
-    return convert_document(document);
-}
-
 std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
     TopTools_IndexedMapOfShape map;
     TopExp::MapShapes(shape, TopAbs_FACE, map);
     std::vector<TopoDS_Face> faces;
     for (int i = 1; i <= map.Extent(); ++i) faces.push_back(TopoDS::Face(map(i)));
     return faces;
-}
-
-/// Area of the material of a face by midpoint sampling of its patches.
-double area(const SurfaceModel& model, const Face& face) {
-    constexpr int count = 120;
-    const TrimRegion material(model, face);
-    double sum = 0;
-    for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p)
-        for (int i = 0; i < count; ++i)
-            for (int j = 0; j < count; ++j) {
-                const Vec2 uv((i + 0.5) / count, (j + 0.5) / count);
-                if (!material.untrimmed() && !material.contains(model.face_parameters(p, uv)))
-                    continue;
-                const SurfaceDerivatives s = evaluate(model.patch(p), uv, 1);
-                sum += s.du().cross(s.dv()).length() / (count * count);
-            }
-    return sum;
 }
 
 /// Patches on the surface, p-curves on the borders, area and edges of a shape.
@@ -74,6 +49,7 @@ void expect_faithful(const TopoDS_Shape& shape) {
     ASSERT_EQ(model.faces.size(), faces.size());
     EXPECT_TRUE(model.lost_faces.empty());
     EXPECT_TRUE(model.diagnostics.empty()) << model.diagnostics.front().message;
+    EXPECT_TRUE(model.repairs.empty()) << text_of(model.repairs.front().kind);
     const double size = bounds(model).size();
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const Face& face = model.faces[f];

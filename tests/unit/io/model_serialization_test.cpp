@@ -25,6 +25,7 @@ SurfaceModel full_model() {
     model.trim_curves[0].edge = 0;
     model.patches[0].map_u = {ParameterMap::Kind::circular, 0.5, 1.5};
     model.lost_faces.push_back({2, "lost", "an infinite plane"});
+    model.repairs.push_back({1, RepairKind::gap_bridged, 3, 0.25, "words"});
     model.diagnostics.push_back({Severity::warning, "face 1", "remark"});
     return model;
 }
@@ -54,6 +55,7 @@ TEST(ModelSerialization, RoundTripIsByteExact) {
     EXPECT_EQ(back.patches[0].map_u, (ParameterMap{ParameterMap::Kind::circular, 0.5, 1.5}));
     EXPECT_EQ(back.instances[0].transform, full_model().instances[0].transform);
     EXPECT_TRUE(back.edges[0].degenerate);
+    EXPECT_EQ(back.repairs[0].kind, RepairKind::gap_bridged);
 }
 
 TEST(ModelSerialization, AnEmptyModelSurvives) {
@@ -106,7 +108,7 @@ TEST(ModelSerialization, ErrorsNameFileAndReasonInOneLine) {
               "model.bin: not a sound serialised model: it does not begin as one");
     std::string bytes = serialize({});
     bytes[8] = 9;
-    EXPECT_NE(reason_for(bytes).find("its version is 9, not 1"), std::string::npos);
+    EXPECT_NE(reason_for(bytes).find("its version is 9, not 2"), std::string::npos);
 }
 
 TEST(ModelSerialization, NumbersThatAreNotFiniteAreRefused) {

@@ -29,7 +29,9 @@ SurfaceModel model() {
     result.source = "door <left>.step";
     result.faces[1].name = "A&B";
     result.lost_faces.push_back({7, "rear", "no surface"});
-    result.diagnostics.push_back({Severity::note, "face 2", "loop closed"});
+    result.repairs.push_back({2, RepairKind::loop_closed, 1, 0.25, ""});
+    result.repairs.push_back({2, RepairKind::by_reader, 3, 0, "a <seam> added"});
+    result.diagnostics.push_back({Severity::note, "face 2", "invalid in the file"});
     return result;
 }
 
@@ -44,6 +46,15 @@ Report report() {
     picture.file_name = "seam-1.png", picture.markers.clear();
     result.close_ups.push_back({0, picture});
     return result;
+}
+
+TEST(ReportJson, ListsRepairsByFaceAndKind) {
+    const auto json = nlohmann::json::parse(report_json(report()))["model"];
+    ASSERT_EQ(json["repairs"].size(), 2u);
+    EXPECT_EQ(json["repairs"][0],
+              (nlohmann::json{{"face", 2}, {"kind", "loop_closed"}, {"count", 1}, {"size", 0.25}}));
+    EXPECT_EQ(json["repairs"][1]["detail"], "a <seam> added");
+    EXPECT_EQ(json["repair_totals"]["by_reader"]["count"], 3);
 }
 
 TEST(ReportJson, HoldsVerdictCountsAndMeasures) {
@@ -127,7 +138,8 @@ TEST(ReportHtml, TellsTheFirstScreenInOrder) {
     for (const char* text :
          {"<header class=\"card head fail\">", "seams fail", "undecided", "creases", "not covered",
           "Reflections", "Worst seams", "0.0400 mm", "0.300°", "Coverage", "87.5 %", "All seams",
-          "lost faces", "healing", "loop closed"}) {
+          "lost faces", "repairs", "1 × open loop closed on 1 face, up to 0.25 mm",
+          "a &lt;seam&gt; added", "invalid in the file"}) {
         const std::size_t next = html.find(text, at);
         ASSERT_NE(next, std::string::npos) << text;
         at = next;

@@ -25,6 +25,8 @@ struct CadPart {
     TopoDS_Shape shape;
     std::string name;
     std::function<FaceAttributes(const TopoDS_Shape& face)> attributes_of; ///< may be empty
+    std::function<std::vector<std::string>(const TopoDS_Shape& face)>
+        remarks_on{}; ///< may be empty
 };
 
 /// A placed part.

@@ -2,6 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/io/cad/curve_spans.h"
+#include "keiko/io/cad/loop_directions.h"
 #include "keiko/io/cad/surface_patches.h"
 
 #include <BRepTools_WireExplorer.hxx>
@@ -17,6 +18,7 @@
 #include <TopoDS_Wire.hxx>
 
 #include <cmath>
+#include <optional>
 
 namespace keiko::cad {
 namespace {
@@ -36,6 +38,10 @@ ParameterSpace parameter_space(const TopoDS_Face& face) {
     if (const auto cone = opencascade::handle<Geom_ConicalSurface>::DownCast(surface))
         space.apex_v = -cone->RefRadius() / std::sin(cone->SemiAngle());
     if (surface->IsKind(STANDARD_TYPE(Geom_SphericalSurface))) space.continuation = 0;
+    space.point = [surface](const Vec2& at) {
+        const gp_Pnt p = surface->Value(at.x, at.y);
+        return Vec3(p.X(), p.Y(), p.Z());
+    };
     return space;
 }
 
@@ -47,6 +53,17 @@ std::vector<TopoDS_Edge> ordered_edges(const TopoDS_Wire& wire, const TopoDS_Fac
     for (BRepTools_WireExplorer e(wire, face); e.More() && chained.size() <= all.size(); e.Next())
         chained.push_back(e.Current());
     return chained.size() == all.size() ? chained : all;
+}
+
+/// mm, of an edge that is wholly within its own tolerance of a point, but no degenerate one.
+std::optional<double> tiny_size(const TopoDS_Edge& edge) {
+    double first = 0, last = 0;
+    const auto curve = BRep_Tool::Curve(edge, first, last);
+    if (curve.IsNull() || BRep_Tool::Degenerated(edge)) return std::nullopt;
+    const gp_Pnt begin = curve->Value(first);
+    const double size = std::max(begin.Distance(curve->Value((first + last) / 2)),
+                                 begin.Distance(curve->Value(last)));
+    return size <= BRep_Tool::Tolerance(edge) ? std::optional(size) : std::nullopt;
 }
 
 bool bounds_material(const TopoDS_Edge& edge) {
@@ -70,12 +87,13 @@ public:
         set_scale(wires);
         std::vector<Chain> chains;
         for (auto& uses : wires)
-            for (Chain& chain : chain_wire(std::move(uses), space_, result_.notes))
+            for (Chain& chain : chain_wire(std::move(uses), space_, result_.log))
                 chains.push_back(std::move(chain));
-        ClosedLoops closed = close_loops(std::move(chains), space_, result_.notes);
+        ClosedLoops closed = close_loops(std::move(chains), space_, result_.log);
         result_.loops = std::move(closed.loops);
         result_.domain = closed.domain;
-        add_counted_notes();
+        for (std::size_t i = backward_loops(result_.loops); i > 0; --i)
+            result_.log.add(RepairKind::loop_runs_backwards);
         return std::move(result_);
     }
 
@@ -85,7 +103,7 @@ private:
         bool only_points = true;
         for (const TopoDS_Edge& edge : ordered_edges(wire, face_)) {
             if (!bounds_material(edge)) {
-                ++skipped_;
+                result_.log.add(RepairKind::edge_dropped);
                 continue;
             }
             uses.push_back(edge_use(edge));
@@ -93,7 +111,7 @@ private:
         }
         // A vertex loop bounds nothing unless it runs around a pole.
         if (only_points && !uses.empty() && !runs_around(uses)) {
-            result_.notes.push_back("a loop that is only a point bounds nothing");
+            result_.log.add(RepairKind::point_loop_dropped);
             return {};
         }
         return uses;
@@ -110,7 +128,10 @@ private:
         double first = 0, last = 0;
         const CurveHandle curve = p_curve(edge, number, first, last);
         const auto converted = curve_spans(curve, first, last);
-        approximated_ = std::max(approximated_, converted.approximated);
+        if (converted.approximated > 0)
+            result_.log.add(RepairKind::p_curve_approximated,
+                            length_of(converted.approximated, curve->Value(first)));
+        if (const auto size = tiny_size(edge)) result_.log.add(RepairKind::tiny_edge, *size);
         Chain chain;
         for (const auto& span : converted.spans) chain.push_back({span.points, number});
         if (edge.Orientation() == TopAbs_REVERSED) reverse(chain);
@@ -121,15 +142,17 @@ private:
     CurveHandle p_curve(const TopoDS_Edge& edge, std::uint32_t number, double& first,
                         double& last) {
         CurveHandle curve = BRep_Tool::CurveOnSurface(edge, face_, first, last);
-        if (curve.IsNull()) {
+        const bool built = curve.IsNull();
+        if (built) {
             ShapeFix_Edge().FixAddPCurve(edge, face_, used_twice(edge), BRep_Tool::Tolerance(edge));
             curve = BRep_Tool::CurveOnSurface(edge, face_, first, last);
-            ++projected_;
         }
         if (curve.IsNull())
             throw Error("", "",
                         "edge " + std::to_string(number + 1) +
                             " has no p-curve and none could be projected");
+        if (built)
+            result_.log.add(RepairKind::p_curve_built, p_curve_error(edge, curve, first, last));
         if (!(first < last))
             throw Error("", "",
                         "edge " + std::to_string(number + 1) + " has an empty parameter range");
@@ -152,23 +175,34 @@ private:
         space_.scale = {extent.x > 0 ? extent.x : 1, extent.y > 0 ? extent.y : 1};
     }
 
-    void add_counted_notes() {
-        if (skipped_ > 0)
-            result_.notes.push_back(std::to_string(skipped_) +
-                                    " internal or external edges left out");
-        if (projected_ > 0)
-            result_.notes.push_back(std::to_string(projected_) + " missing p-curves projected");
-        if (approximated_ > 0)
-            result_.notes.push_back("p-curves approximated within " +
-                                    std::to_string(approximated_) + " of a parameter");
+    /// mm of a length in parameters at a place.
+    double length_of(double parameters, const gp_Pnt2d& at) const {
+        const Vec2 from(at.X(), at.Y());
+        return std::max(space_.distance(from, from + Vec2(parameters, 0)),
+                        space_.distance(from, from + Vec2(0, parameters)));
+    }
+
+    /// Largest distance in mm of a p-curve's image from the edge's curve in space.
+    double p_curve_error(const TopoDS_Edge& edge, const CurveHandle& curve, double first,
+                         double last) const {
+        double first_3d = 0, last_3d = 0, worst = 0;
+        const auto in_space = BRep_Tool::Curve(edge, first_3d, last_3d);
+        if (in_space.IsNull()) return 0;
+        constexpr int places = 32;
+        for (int i = 0; i <= places; ++i) {
+            const double share = double(i) / places;
+            const gp_Pnt2d at = curve->Value(first + (last - first) * share);
+            const gp_Pnt p = in_space->Value(first_3d + (last_3d - first_3d) * share);
+            worst = std::max(worst,
+                             (space_.point({at.X(), at.Y()}) - Vec3(p.X(), p.Y(), p.Z())).length());
+        }
+        return worst;
     }
 
     TopoDS_Face face_;
     EdgeTable& edges_;
     ParameterSpace space_;
     FaceLoops result_;
-    int skipped_ = 0, projected_ = 0;
-    double approximated_ = 0;
 };
 
 } // namespace

@@ -28,7 +28,7 @@ struct FaceLoops {
     std::vector<Chain> loops;
     Box2 domain;                          ///< what the patches must cover
     std::vector<std::uint32_t> edge_uses; ///< one entry a use, a seam twice
-    std::vector<std::string> notes;       ///< what had to be repaired
+    RepairLog log;                        ///< what had to be repaired
 };
 
 /// Converts the wires of a face. Edges that miss their p-curve get one by projection. Throws

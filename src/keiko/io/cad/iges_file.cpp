@@ -1,6 +1,7 @@
 #include "keiko/base/error.h"
 #include "keiko/io/cad/assembly.h"
 #include "keiko/io/cad/cad_files.h"
+#include "keiko/io/cad/reader_remarks.h"
 
 #include <IFSelect_ReturnStatus.hxx>
 #include <IGESCAFControl_Reader.hxx>
@@ -66,6 +67,8 @@ CadDocument read_iges_file(const std::filesystem::path& path) {
     document.unit = file_unit(reader);
     note_untranslated(reader, document.diagnostics);
     read_assembly(source, {}, document);
+    const auto remarks = reader_remarks(reader.WS(), document.diagnostics);
+    for (CadPart& part : document.parts) part.remarks_on = remarks;
     return document;
 }
 

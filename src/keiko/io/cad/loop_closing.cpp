@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
 
 namespace keiko::cad {
 namespace {
@@ -88,11 +87,10 @@ Chain closed_over(Chain chain, double far, unsigned axis) {
 }
 
 /// The band between two chains that run once around, as one loop.
-Chain band(Chain a, Chain b, const ParameterSpace& space, unsigned axis,
-           std::vector<std::string>& notes) {
+Chain band(Chain a, Chain b, const ParameterSpace& space, unsigned axis, RepairLog& log) {
     if (turns(a, space, axis) == turns(b, space, axis)) {
         reverse(b);
-        notes.push_back("two wires around the surface run the same way; one was reversed");
+        log.add(RepairKind::wire_reversed);
     }
     const unsigned other = 1 - axis;
     // Material is on the left, so along u the rising chain is the lower border; along v the upper.
@@ -119,14 +117,13 @@ double far_side(const Chain& chain, const ParameterSpace& space, unsigned axis) 
 
 /// Loops of the chains that run around along `axis`.
 std::vector<Chain> close_around(std::vector<Chain> around, const ParameterSpace& space,
-                                unsigned axis, std::vector<std::string>& notes) {
+                                unsigned axis, RepairLog& log) {
     if (around.empty()) return {};
-    notes.push_back(std::to_string(around.size()) +
-                    " wires around the surface without a seam were closed");
+    for (std::size_t i = 0; i < around.size(); ++i) log.add(RepairKind::wire_around_closed);
     const double low = lower_end(around.front(), axis);
     for (Chain& chain : around) move_to_window(chain, low, space, axis);
     if (around.size() == 2)
-        return {band(std::move(around[0]), std::move(around[1]), space, axis, notes)};
+        return {band(std::move(around[0]), std::move(around[1]), space, axis, log)};
     double far = around.size() == 1 ? far_side(around.front(), space, axis) : Box2::infinity;
     if (around.size() > 1)
         for (const Chain& chain : around) far = std::min(far, tight_bounds(chain).lower[1 - axis]);
@@ -136,13 +133,11 @@ std::vector<Chain> close_around(std::vector<Chain> around, const ParameterSpace&
     return loops;
 }
 
-Chain closed_directly(Chain chain, const ParameterSpace& space, std::vector<std::string>& notes) {
-    const Vec2 gap = begin_of(chain) - end_of(chain);
-    if (const double size = space.relative(gap); size > small_gap) {
-        std::ostringstream text;
-        text << "loop open by " << size << " of the face closed by a straight line";
-        notes.push_back(text.str());
-        chain.push_back(connector(end_of(chain), begin_of(chain)));
+Chain closed_directly(Chain chain, const ParameterSpace& space, RepairLog& log) {
+    const Vec2 end = end_of(chain), begin = begin_of(chain);
+    if (space.relative(begin - end) > small_gap) {
+        log.add(RepairKind::loop_closed, space.distance(end, begin));
+        chain.push_back(connector(end, begin));
     }
     return chain;
 }
@@ -176,8 +171,7 @@ std::vector<Chain> placed_in(const Box2& box, Chain loop, const ParameterSpace& 
 }
 
 /// Moves all loops to where the largest lies.
-ClosedLoops gathered(std::vector<Chain> loops, const ParameterSpace& space,
-                     std::vector<std::string>& notes) {
+ClosedLoops gathered(std::vector<Chain> loops, const ParameterSpace& space, RepairLog& log) {
     const auto area = [](const Chain& loop) {
         const Vec2 extent = tight_bounds(loop).extent();
         return extent.x * extent.y;
@@ -198,13 +192,32 @@ ClosedLoops gathered(std::vector<Chain> loops, const ParameterSpace& space,
     }
     if (crosses) {
         result.domain = box;
-        notes.push_back("a loop across the seam was doubled");
+        log.add(RepairKind::loop_doubled);
     }
     return result;
 }
 
+/// How far, in mm, the loops go beyond the surface's domain: of the ends and middles of their
+/// curves the farthest.
+double way_out(const std::vector<Chain>& loops, const ParameterSpace& space) {
+    double worst = 0;
+    for (const Chain& loop : loops)
+        for (const LoopCurve& curve : loop)
+            for (const double t : {0.0, 0.5}) {
+                const Vec2 at = evaluate(BezierCurveView{curve.points}, t, 0)[0];
+                Vec2 inside = at;
+                for (unsigned axis = 0; axis < 2; ++axis)
+                    if (!(space.period[axis] > 0))
+                        inside[axis] = std::clamp(at[axis], space.natural.lower[axis],
+                                                  space.natural.upper[axis]);
+                if (inside != at) worst = std::max(worst, space.distance(inside, at));
+            }
+    return worst;
+}
+
 /// A box that goes only a little beyond the surface's domain; what lies beyond is told.
-Box2 near_natural(Box2 box, const ParameterSpace& space, std::vector<std::string>& notes) {
+Box2 near_natural(Box2 box, const std::vector<Chain>& loops, const ParameterSpace& space,
+                  RepairLog& log) {
     double outside = 0;
     for (unsigned axis = 0; axis < 2; ++axis) {
         if (space.period[axis] > 0) continue;
@@ -216,19 +229,16 @@ Box2 near_natural(Box2 box, const ParameterSpace& space, std::vector<std::string
         box.lower[axis] = std::max(box.lower[axis], lower);
         box.upper[axis] = std::min(box.upper[axis], upper);
     }
-    if (outside > small_gap) {
-        std::ostringstream text;
-        text << "p-curves leave the surface's domain by " << outside << " of the face; it was "
-             << (outside <= space.continuation ? "continued" : "cut off");
-        notes.push_back(text.str());
-    }
+    if (outside > small_gap)
+        log.add(outside <= space.continuation ? RepairKind::surface_continued
+                                              : RepairKind::loops_cut_off,
+                way_out(loops, space));
     return box;
 }
 
 } // namespace
 
-ClosedLoops close_loops(std::vector<Chain> chains, const ParameterSpace& space,
-                        std::vector<std::string>& notes) {
+ClosedLoops close_loops(std::vector<Chain> chains, const ParameterSpace& space, RepairLog& log) {
     std::vector<Chain> loops;
     std::vector<Chain> around[2];
     for (Chain& chain : chains) {
@@ -238,14 +248,14 @@ ClosedLoops close_loops(std::vector<Chain> chains, const ParameterSpace& space,
         else if (v != 0)
             around[1].push_back(std::move(chain));
         else
-            loops.push_back(closed_directly(std::move(chain), space, notes));
+            loops.push_back(closed_directly(std::move(chain), space, log));
     }
     for (unsigned axis = 0; axis < 2; ++axis)
-        for (Chain& loop : close_around(std::move(around[axis]), space, axis, notes))
+        for (Chain& loop : close_around(std::move(around[axis]), space, axis, log))
             loops.push_back(std::move(loop));
     if (loops.empty()) return {{}, space.natural};
-    ClosedLoops result = gathered(std::move(loops), space, notes);
-    result.domain = near_natural(result.domain, space, notes);
+    ClosedLoops result = gathered(std::move(loops), space, log);
+    result.domain = near_natural(result.domain, result.loops, space, log);
     return result;
 }
 

@@ -14,9 +14,8 @@ struct ClosedLoops {
 /// chains once around a periodic surface are paired to a band, or closed along the pole or border
 /// on their left; small openings are bridged; loops are moved by whole periods to where the
 /// largest lies, and doubled where they cross its border. Without chains the natural domain is
-/// the face. What was done is added to `notes`. Throws Error for a chain around an infinite
+/// the face. What was done is added to `log`. Throws Error for a chain around an infinite
 /// surface that bounds nothing.
-ClosedLoops close_loops(std::vector<Chain> chains, const ParameterSpace& space,
-                        std::vector<std::string>& notes);
+ClosedLoops close_loops(std::vector<Chain> chains, const ParameterSpace& space, RepairLog& log);
 
 } // namespace keiko::cad

@@ -47,16 +47,24 @@ private:
         const std::string entity = model_.describe(face);
         try {
             const ConvertedFace converted = convert_face(shape, edges_);
-            for (const std::string& note : converted.trim.notes)
-                model_.diagnostics.push_back({Severity::note, entity, note});
-            if (converted.approximated > 0)
-                model_.diagnostics.push_back({Severity::warning, entity,
-                                              face.surface_kind + " surface approximated within " +
-                                                  std::to_string(converted.approximated) + " mm"});
+            append_repairs(shape, face.id, converted);
             append(face, converted);
         } catch (...) {
             model_.lost_faces.push_back({face.id, face.name, current_failure()});
             model_.diagnostics.push_back({Severity::error, entity, "lost: " + current_failure()});
+        }
+    }
+
+    void append_repairs(const TopoDS_Face& shape, std::uint32_t id,
+                        const ConvertedFace& converted) {
+        RepairLog log = converted.trim.log;
+        if (converted.approximated > 0)
+            log.add(RepairKind::surface_approximated, converted.approximated);
+        if (part_.remarks_on)
+            for (const std::string& remark : part_.remarks_on(shape)) log.add_remark(remark);
+        for (Repair repair : log.repairs()) {
+            repair.face = id;
+            model_.repairs.push_back(std::move(repair));
         }
     }
 

@@ -1,6 +1,7 @@
 #include "keiko/base/error.h"
 #include "keiko/io/cad/assembly.h"
 #include "keiko/io/cad/cad_files.h"
+#include "keiko/io/cad/reader_remarks.h"
 
 #include <IFSelect_ReturnStatus.hxx>
 #include <Interface_InterfaceModel.hxx>
@@ -73,6 +74,8 @@ CadDocument read_step_file(const std::filesystem::path& path) {
     CadDocument document;
     document.unit = file_unit(reader);
     read_assembly(source, face_names(reader, document.diagnostics), document);
+    const auto remarks = reader_remarks(reader.Reader().WS(), document.diagnostics);
+    for (CadPart& part : document.parts) part.remarks_on = remarks;
     return document;
 }
 

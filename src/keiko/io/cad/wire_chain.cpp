@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <span>
 
 namespace keiko::cad {
 namespace {
@@ -55,27 +55,37 @@ double worst_gap(const std::vector<Chain>& uses, const ParameterSpace& space) {
     return worst;
 }
 
+/// Whether two uses of one edge meet a whole period apart: at a pole whose own edge is missing.
+bool missing_pole(const Chain& from, const Chain& to, const ParameterSpace& space) {
+    const Vec2 gap = end_of(from) - begin_of(to);
+    const std::uint32_t edge = from.back().edge;
+    return edge != no_index && edge == to.front().edge &&
+           space.relative(whole_periods(gap, space.period)) > small_gap &&
+           gap_after_shift(end_of(from), begin_of(to), space) <= small_gap;
+}
+
 /// Joins uses in their order into one chain.
-Chain joined(std::vector<Chain> uses, const ParameterSpace& space,
-             std::vector<std::string>& notes) {
+Chain joined(std::vector<Chain> uses, const ParameterSpace& space, RepairLog& log) {
+    const bool pole_at_end = uses.size() > 1 && missing_pole(uses.back(), uses.front(), space);
     Chain chain = std::move(uses.front());
-    int shifted = 0;
-    double bridged = 0;
     for (Chain& use : std::span(uses).subspan(1)) {
+        const bool pole = missing_pole(chain, use, space);
         const Vec2 offset = whole_periods(end_of(chain) - begin_of(use), space.period);
-        if (offset != Vec2(0)) shift(use, offset), ++shifted;
-        const Vec2 from = end_of(chain), to = begin_of(use);
-        if (const double gap = space.relative(to - from); gap > small_gap) {
-            bridged = std::max(bridged, gap);
-            chain.push_back(connector(from, to));
+        if (offset != Vec2(0) && !pole) {
+            shift(use, offset);
+            log.add(RepairKind::p_curve_moved);
         }
+        const Vec2 from = end_of(chain), to = begin_of(use);
+        if (pole)
+            log.add(RepairKind::degenerate_edge_added);
+        else if (space.relative(to - from) > small_gap)
+            log.add(RepairKind::gap_bridged, space.distance(from, to));
+        if (space.relative(to - from) > small_gap) chain.push_back(connector(from, to));
         chain.insert(chain.end(), use.begin(), use.end());
     }
-    if (shifted > 0) notes.push_back(std::to_string(shifted) + " p-curves moved by a whole period");
-    if (bridged > 0) {
-        std::ostringstream text;
-        text << "gap of " << bridged << " of the face between p-curves bridged";
-        notes.push_back(text.str());
+    if (pole_at_end && end_of(chain) != begin_of(chain)) {
+        chain.push_back(connector(end_of(chain), begin_of(chain)));
+        log.add(RepairKind::degenerate_edge_added);
     }
     return chain;
 }
@@ -107,6 +117,10 @@ std::vector<std::vector<Chain>> sorted(std::vector<Chain> uses, const ParameterS
 
 double ParameterSpace::relative(const Vec2& gap) const {
     return std::max(std::abs(gap.x) / scale.x, std::abs(gap.y) / scale.y);
+}
+
+double ParameterSpace::distance(const Vec2& a, const Vec2& b) const {
+    return point ? (point(b) - point(a)).length() : (b - a).length();
 }
 
 Vec2 begin_of(const Chain& chain) {
@@ -141,20 +155,22 @@ Box2 tight_bounds(const Chain& chain) {
 }
 
 std::vector<Chain> chain_wire(std::vector<Chain> uses, const ParameterSpace& space,
-                              std::vector<std::string>& notes) {
+                              RepairLog& log) {
     if (uses.empty()) return {};
     std::vector<Chain> chains;
     if (!(worst_gap(uses, space) > small_gap)) {
-        chains.push_back(joined(std::move(uses), space, notes));
+        chains.push_back(joined(std::move(uses), space, log));
         return chains;
     }
     auto rings = sorted(uses, space);
     double worst_sorted = 0;
     for (const auto& ring : rings) worst_sorted = std::max(worst_sorted, worst_gap(ring, space));
-    if (!(worst_sorted < worst_gap(uses, space))) rings = {std::move(uses)};
-    for (auto& ring : rings) chains.push_back(joined(std::move(ring), space, notes));
-    if (chains.size() > 1)
-        notes.push_back("a wire of " + std::to_string(chains.size()) + " separate loops");
+    if (worst_sorted < worst_gap(uses, space))
+        log.add(RepairKind::edges_sorted);
+    else
+        rings = {std::move(uses)};
+    for (auto& ring : rings) chains.push_back(joined(std::move(ring), space, log));
+    if (chains.size() > 1) log.add(RepairKind::wire_split);
     return chains;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "keiko/io/cad/repair_log.h"
 #include "keiko/math/bounds.h"
 #include "keiko/patch/surface_model.h"
 
 #include <cstdint>
-#include <string>
+#include <functional>
 #include <vector>
 
 namespace keiko::cad {
@@ -29,9 +30,13 @@ struct ParameterSpace {
     /// How far, relative to `scale`, patches may be continued beyond the natural domain to follow
     /// p-curves that leave it: not at all over the pole of a sphere.
     double continuation = 0.01;
+    /// A point of the surface, mm; empty: the parameter plane itself.
+    std::function<Vec3(const Vec2&)> point;
 
     /// Size of a gap relative to the face.
     double relative(const Vec2& gap) const;
+    /// Distance in mm between two places of the surface.
+    double distance(const Vec2& a, const Vec2& b) const;
 };
 
 Vec2 begin_of(const Chain& chain);
@@ -47,9 +52,9 @@ Box2 tight_bounds(const Chain& chain);
 constexpr double small_gap = 1e-6;
 
 /// The edge uses of one wire joined into chains (one as a rule). Uses a whole period off are
-/// moved; when the given order does not chain, the uses are sorted by where they begin. Remaining
-/// gaps are bridged by connectors. What was done is added to `notes`.
-std::vector<Chain> chain_wire(std::vector<Chain> uses, const ParameterSpace& space,
-                              std::vector<std::string>& notes);
+/// moved, except the two uses of one edge that meet at a pole, where the side along the pole is
+/// missing; when the given order does not chain, the uses are sorted by where they begin.
+/// Remaining gaps are bridged by connectors. What was done is added to `log`.
+std::vector<Chain> chain_wire(std::vector<Chain> uses, const ParameterSpace& space, RepairLog& log);
 
 } // namespace keiko::cad
