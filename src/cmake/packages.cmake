@@ -35,6 +35,9 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
 # Debian's OpenSubdiv config insists on static libraries that the -dev package does not bring.
 find_library(OPENSUBDIV_LIBRARY osdCPU REQUIRED)
 find_path(OPENSUBDIV_INCLUDE_DIR opensubdiv/bfr/surface.h REQUIRED)
+file(STRINGS ${OPENSUBDIV_INCLUDE_DIR}/opensubdiv/version.h OpenSubdiv_VERSION
+  REGEX "define OPENSUBDIV_VERSION_NUMBER")
+string(REGEX REPLACE ".* ([0-9]+)$" "\\1" OpenSubdiv_VERSION "${OpenSubdiv_VERSION}")
 add_library(OpenSubdiv::osdCPU UNKNOWN IMPORTED)
 set_target_properties(OpenSubdiv::osdCPU PROPERTIES
   IMPORTED_LOCATION ${OPENSUBDIV_LIBRARY}

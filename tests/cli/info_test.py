@@ -62,6 +62,18 @@ class Info(KeikoTest):
         self.assertTrue(0 < tracing["mixed_leaves"] <= tracing["leaves"])
         self.assertGreater(tracing["bytes"], tracing["leaves"])
 
+    def test_a_model_kept_in_the_cache_comes_back_the_same(self):
+        first = self.keiko("info", surface("hood.step"), "--json", "--cache", "kept/models")
+        self.assertEqual(first.returncode, 0, first.stderr)
+        kept = list((self.folder / "kept" / "models").iterdir())
+        self.assertEqual([entry.suffix for entry in kept], [".keiko-model"])
+        second = self.keiko("info", surface("hood.step"), "--json", "--cache", "kept/models")
+        self.assertEqual(second.stdout, first.stdout)
+        kept[0].write_bytes(b"damaged")
+        third = self.keiko("info", surface("hood.step"), "--json", "--cache", "kept/models")
+        self.assertEqual(third.stdout, first.stdout)
+        self.assertGreater(kept[0].stat().st_size, 100)
+
     def test_a_unit_given_by_hand_scales_the_model(self):
         plain = self.facts("saddle.bpt")["bounds"]["upper"]
         inches = json.loads(self.succeed("info", surface("saddle.bpt"), "--json", "-q", "--unit",

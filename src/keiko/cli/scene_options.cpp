@@ -38,13 +38,14 @@ void add_load_options(CLI::App& command, SceneArguments& arguments) {
     command.add_option(
         "--unit", arguments.options.load.unit,
         "length unit of the file's numbers, whatever the file says (mm, cm, m, in, ft)");
-    command
-        .add_option("--import-timeout", arguments.import_timeout, "seconds to read one CAD file")
+    command.add_option("--import-timeout", arguments.import_timeout, "seconds to read one model")
         ->check(number_between(0.001, 1e6))
         ->capture_default_str();
-    command.add_option("--import-memory", arguments.import_memory, "GiB to read one CAD file")
+    command.add_option("--import-memory", arguments.import_memory, "GiB to read one model")
         ->check(number_between(0.001, 1e6))
         ->capture_default_str();
+    command.add_option("--cache", arguments.options.load.cache,
+                       "folder that keeps models as they were read, for the next time");
 }
 
 LoadOptions load_options(const SceneArguments& arguments) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace keiko {
@@ -24,7 +25,14 @@ public:
         put(static_cast<std::uint64_t>(text.size()));
         bytes_.append(text);
     }
+    void put_bytes(std::string_view bytes) { bytes_.append(bytes); }
+    /// Writes over a value that was put before.
+    void replace(std::size_t at, std::uint64_t value) {
+        std::memcpy(&bytes_[at], &value, sizeof value);
+    }
+    void reserve(std::size_t size) { bytes_.reserve(size); }
     const std::string& bytes() const { return bytes_; }
+    std::string take() && { return std::move(bytes_); }
 
 private:
     std::string bytes_;

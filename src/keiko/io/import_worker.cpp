@@ -13,13 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path worker_path(const LoadOptions& options) {
-    if (!options.worker.empty()) return options.worker;
-    if (const char* named = std::getenv("KEIKO_IMPORT"); named && *named) return named;
-    std::error_code none;
-    return fs::read_symlink("/proc/self/exe", none).parent_path() / "keiko-import";
-}
-
 std::string seconds(std::chrono::milliseconds duration) {
     std::ostringstream text;
     text << static_cast<double>(duration.count()) / 1000 << " s";
@@ -28,21 +21,27 @@ std::string seconds(std::chrono::milliseconds duration) {
 
 /// The one line about a worker that did not answer.
 std::string failure(const WorkerExit& exit, const LoadOptions& options) {
-    if (exit.timed_out) return "the CAD reader did not finish within " + seconds(options.timeout);
-    if (exit.signal != 0)
-        return std::string("the CAD reader crashed on it: ") + strsignal(exit.signal);
-    return "the CAD reader gave no model (exit code " + std::to_string(exit.code) + ")" +
+    if (exit.timed_out) return "the reader did not finish within " + seconds(options.timeout);
+    if (exit.signal != 0) return std::string("the reader crashed on it: ") + strsignal(exit.signal);
+    return "the reader gave no model (exit code " + std::to_string(exit.code) + ")" +
            (exit.last_complaint.empty() ? "" : ": " + exit.last_complaint);
 }
 
 } // namespace
+
+fs::path worker_path(const LoadOptions& options) {
+    if (!options.worker.empty()) return options.worker;
+    if (const char* named = std::getenv("KEIKO_IMPORT"); named && *named) return named;
+    std::error_code none;
+    return fs::read_symlink("/proc/self/exe", none).parent_path() / "keiko-import";
+}
 
 SurfaceModel import_in_worker(const fs::path& path, ModelFormat format, const LoadOptions& options,
                               const Job& job) {
     const fs::path worker = worker_path(options);
     std::error_code unknown;
     if (!fs::is_regular_file(worker, unknown))
-        throw Error(path.string(), "", "cannot be read: no CAD reader at " + worker.string());
+        throw Error(path.string(), "", "cannot be read: no reader at " + worker.string());
     WorkerAnswer answer(path.string(), options.memory_limit, job);
     const WorkerExit exit = run_worker(
         worker, {path.string(), std::string(name_of(format)), std::to_string(options.memory_limit)},

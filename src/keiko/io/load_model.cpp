@@ -4,11 +4,23 @@
 #include "keiko/base/units.h"
 #include "keiko/io/bezier_file.h"
 #include "keiko/io/import_worker.h"
+#include "keiko/io/model_cache.h"
 #include "keiko/io/model_format.h"
-#include "keiko/io/subdivision/subdivision_model.h"
 
 namespace keiko {
 namespace {
+
+/// From the cache, or else from the worker.
+SurfaceModel import_cached(const std::filesystem::path& path, ModelFormat format,
+                           const LoadOptions& options, const Job& job) {
+    if (options.cache.empty()) return import_in_worker(path, format, options, job);
+    const ModelCache cache(options.cache);
+    const std::string key = ModelCache::key(path, format, worker_path(options));
+    if (auto known = cache.find(key)) return std::move(*known);
+    SurfaceModel model = import_in_worker(path, format, options, job);
+    cache.keep(key, model);
+    return model;
+}
 
 SurfaceModel read_model(const std::filesystem::path& path, ModelFormat format,
                         const LoadOptions& options, const Job& job) {
@@ -17,10 +29,8 @@ SurfaceModel read_model(const std::filesystem::path& path, ModelFormat format,
             return read_bezier_file(path);
         case ModelFormat::teapot:
             return read_teapot_file(path);
-        case ModelFormat::cage:
-            return read_subdivision_file(path, job);
         default:
-            return import_in_worker(path, format, options, job);
+            return import_cached(path, format, options, job);
     }
 }
 

@@ -14,21 +14,24 @@ namespace keiko {
 struct LoadOptions {
     /// Length unit to read the file's numbers in, whatever the file says; empty: believe it.
     std::string unit;
-    /// The worker that reads CAD files; empty: $KEIKO_IMPORT, else `keiko-import` beside the
-    /// running program.
+    /// The worker that reads CAD files and cages; empty: $KEIKO_IMPORT, else `keiko-import` beside
+    /// the running program.
     std::filesystem::path worker;
     /// How long the worker may take.
     std::chrono::milliseconds timeout = std::chrono::seconds(120);
     /// How much address space the worker may use, bytes; 0: no limit.
     std::uint64_t memory_limit = 16ull << 30;
+    /// Folder in which models are kept as the worker made them, for the next time; made where it
+    /// is missing. Empty: none.
+    std::filesystem::path cache;
 };
 
-/// Reads a model file, its kind told by its content: STEP, IGES and BREP through a worker process,
-/// because OpenCASCADE aborts on some files; .bpt, the teapot text and the cages of OBJ files
-/// directly. Lengths come back
-/// in mm. Reports progress as "import". Throws Error, one line naming the file and the reason,
-/// when it cannot be read, holds no faces, or the worker crashes, hangs or needs too much memory;
-/// Cancelled when the job is stopped. Faces that could not be converted are in lost_faces.
+/// Reads a model file, its kind told by its content: STEP, IGES, BREP and the cages of OBJ files
+/// through a worker process, because OpenCASCADE aborts on some files; .bpt and the teapot text
+/// directly. Lengths come back in mm. Reports progress as "import". Throws Error, one line naming
+/// the file and the reason, when it cannot be read, holds no faces, or the worker crashes, hangs or
+/// needs too much memory; Cancelled when the job is stopped. Faces that could not be converted are
+/// in lost_faces.
 SurfaceModel load_model(const std::filesystem::path& path, const LoadOptions& options = {},
                         const Job& job = {});
 

@@ -9,7 +9,7 @@ namespace keiko {
 namespace {
 
 constexpr std::string_view magic = "KEIKO-SM";
-constexpr std::uint32_t version = 2;
+constexpr std::size_t header_size = 8 + 4 + 8 + 8; ///< magic, version, checksum, length
 
 template <class T>
 constexpr std::uint8_t last_value = 0;
@@ -102,9 +102,9 @@ struct Reader {
 std::string_view checked_payload(std::string_view bytes) {
     if (bytes.substr(0, magic.size()) != magic) throw DamagedBytes("it does not begin as one");
     ByteReader header(bytes.substr(magic.size()));
-    if (const auto found = header.take<std::uint32_t>(); found != version)
+    if (const auto found = header.take<std::uint32_t>(); found != model_serialization_version)
         throw DamagedBytes("its version is " + std::to_string(found) + ", not " +
-                           std::to_string(version));
+                           std::to_string(model_serialization_version));
     const auto sum = header.take<std::uint64_t>();
     const std::size_t size = header.take_count(1);
     if (size != header.remaining()) throw DamagedBytes("bytes follow its end");
@@ -116,13 +116,22 @@ std::string_view checked_payload(std::string_view bytes) {
 } // namespace
 
 std::string serialize(const SurfaceModel& model) {
-    Writer payload;
-    payload(model);
-    ByteWriter header;
-    header.put(version);
-    header.put(checksum(payload.out.bytes()));
-    header.put(std::string_view(payload.out.bytes()));
-    return std::string(magic) + header.bytes();
+    // The payload is written where it stays: a large model has no room for a second copy.
+    Writer writer;
+    writer.out.reserve(header_size + model.control_points.size() * sizeof(Vec4) +
+                       model.patches.size() * least_size<Patch> +
+                       model.trim_points.size() * sizeof(Vec3));
+    writer.out.put_bytes(magic);
+    writer.out.put(model_serialization_version);
+    const std::size_t sum_at = writer.out.bytes().size();
+    writer.out.put(std::uint64_t{0});
+    writer.out.put(std::uint64_t{0});
+    writer(model);
+    const std::string_view payload = std::string_view(writer.out.bytes()).substr(header_size);
+    const std::uint64_t sum = checksum(payload), size = payload.size();
+    writer.out.replace(sum_at, sum);
+    writer.out.replace(sum_at + sizeof sum, size);
+    return std::move(writer.out).take();
 }
 
 SurfaceModel deserialize(std::string_view bytes, const std::string& file) {

@@ -2,10 +2,14 @@
 
 #include "keiko/patch/surface_model.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace keiko {
+
+/// Rises with every change of what is written.
+constexpr std::uint32_t model_serialization_version = 2;
 
 /// A model as bytes, the same bytes for the same model: docs/model-serialization.md.
 std::string serialize(const SurfaceModel& model);

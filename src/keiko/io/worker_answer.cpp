@@ -39,11 +39,13 @@ void WorkerAnswer::receive(std::string_view bytes) {
 
 void WorkerAnswer::take_line() {
     const std::string_view line = line_;
-    constexpr std::string_view progress = "progress ", error = "error ";
+    constexpr std::string_view progress = "progress ", error = "error ", where = "where ";
     if (line == "model") {
         has_model_ = true;
     } else if (line.starts_with(error)) {
         reason_ = shortened(line.substr(error.size()));
+    } else if (line.starts_with(where)) {
+        where_ = shortened(line.substr(where.size()));
     } else {
         const auto share =
             line.starts_with(progress) ? share_of(line.substr(progress.size())) : std::nullopt;
@@ -53,13 +55,13 @@ void WorkerAnswer::take_line() {
 }
 
 SurfaceModel WorkerAnswer::model() const {
-    if (!reason_.empty()) throw Error(file_, "", reason_);
+    if (!reason_.empty()) throw Error(file_, where_, reason_);
     if (!has_model_) fail("it ends before the model");
     return deserialize(model_, file_);
 }
 
 void WorkerAnswer::fail(const std::string& reason) const {
-    throw Error(file_, "", "the CAD reader's answer is damaged: " + reason);
+    throw Error(file_, "", "the reader's answer is damaged: " + reason);
 }
 
 } // namespace keiko

@@ -10,8 +10,9 @@
 namespace keiko {
 
 /// Takes apart what the worker writes, as it comes in: lines "progress FRACTION", then either
-/// "error REASON" or "model" and the serialised model up to the end. The worker is not trusted:
-/// whatever it writes, nothing but an Error naming `file` comes of it.
+/// "error REASON", after a line "where PLACE" if it is known, or "model" and the serialised model
+/// up to the end. The worker is not trusted: whatever it writes, nothing but an Error naming `file`
+/// comes of it.
 class WorkerAnswer {
 public:
     /// `most_bytes` of a model are taken; 0: any number. Progress goes to `job` as "import".
@@ -35,7 +36,7 @@ private:
     std::string file_;
     std::uint64_t most_bytes_;
     const Job& job_;
-    std::string line_, reason_, model_;
+    std::string line_, reason_, where_, model_;
     bool has_model_ = false;
 };
 

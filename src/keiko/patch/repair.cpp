@@ -15,6 +15,7 @@ constexpr std::array words{
     Words{"p_curve_approximated", "p-curve approximated"},
     Words{"p_curve_moved", "p-curve moved by a whole period"},
     Words{"edges_sorted", "edges of a wire sorted"},
+    Words{"edge_reversed", "edge that ran against its wire reversed"},
     Words{"edge_dropped", "edge that bounds nothing left out"},
     Words{"tiny_edge", "edge shorter than its tolerance kept"},
     Words{"degenerate_edge_added", "missing edge at a pole added"},

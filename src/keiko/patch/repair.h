@@ -12,6 +12,7 @@ enum class RepairKind : std::uint8_t {
     p_curve_approximated,  ///< of a kind that has no rational form
     p_curve_moved,         ///< by whole periods of the surface
     edges_sorted,          ///< of a wire whose order did not chain
+    edge_reversed,         ///< it ran against its wire
     edge_dropped,          ///< inside or outside of the face: it bounds no material
     tiny_edge,             ///< shorter than its own tolerance; kept as it is
     degenerate_edge_added, ///< the side of the face at a pole was missing

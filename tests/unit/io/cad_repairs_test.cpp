@@ -121,6 +121,14 @@ TEST(CadRepairs, AGapBetweenEdgesIsBridgedAndMeasured) {
     EXPECT_NEAR(gap.size, 0.01, 1e-12);
 }
 
+TEST(CadRepairs, AnEdgeThatRunsAgainstItsWireIsReversed) {
+    expect_repaired(
+        FaceMaker(plane())
+            .wire({{{0, 0}, {10, 0}}, {{10, 5}, {10, 0}}, {{10, 5}, {0, 5}}, {{0, 5}, {0, 0}}})
+            .face(),
+        50, RepairKind::edge_reversed);
+}
+
 TEST(CadRepairs, AnOpenLoopIsClosedAndMeasured) {
     const Repair closed = expect_repaired(
         FaceMaker(plane())

@@ -81,7 +81,7 @@ TEST_F(LoadModel, AMissingWorkerIsTold) {
     LoadOptions options;
     options.worker = folder.path() / "none";
     EXPECT_EQ(reason_for(folder.file("a.step", step_text), options),
-              "cannot be read: no CAD reader at " + options.worker.string());
+              "cannot be read: no reader at " + options.worker.string());
 }
 
 TEST_F(LoadModel, TheWorkerAnswersAProgramWhoseStandardStreamsAreClosed) {
@@ -94,24 +94,23 @@ TEST_F(LoadModel, TheWorkerAnswersAProgramWhoseStandardStreamsAreClosed) {
         close(kept[stream]);
     }
     EXPECT_EQ(answer, "answer");
-    EXPECT_EQ(complaint, "the CAD reader gave no model (exit code 0): complaint");
+    EXPECT_EQ(complaint, "the reader gave no model (exit code 0): complaint");
 }
 
 TEST_F(LoadModel, AWorkerThatCrashes) {
-    EXPECT_EQ(reason_with_worker("kill -SEGV $$"),
-              "the CAD reader crashed on it: Segmentation fault");
+    EXPECT_EQ(reason_with_worker("kill -SEGV $$"), "the reader crashed on it: Segmentation fault");
 }
 
 TEST_F(LoadModel, AWorkerThatHangsIsKilledWithItsChildren) {
     const auto start = std::chrono::steady_clock::now();
-    EXPECT_EQ(reason_with_worker("sleep 20"), "the CAD reader did not finish within 0.3 s");
+    EXPECT_EQ(reason_with_worker("sleep 20"), "the reader did not finish within 0.3 s");
     EXPECT_LT(std::chrono::steady_clock::now() - start, 5s);
 }
 
 TEST_F(LoadModel, AWorkerThatFails) {
     EXPECT_EQ(reason_with_worker("echo some chatter >&2; echo libTK.so is missing >&2; exit 127"),
-              "the CAD reader gave no model (exit code 127): libTK.so is missing");
-    EXPECT_EQ(reason_with_worker("exit 0"), "the CAD reader gave no model (exit code 0)");
+              "the reader gave no model (exit code 127): libTK.so is missing");
+    EXPECT_EQ(reason_with_worker("exit 0"), "the reader gave no model (exit code 0)");
     EXPECT_EQ(reason_with_worker("echo error no faces in the file >&3; exit 1"),
               "no faces in the file");
     EXPECT_EQ(reason_with_worker("echo model >&3; echo rubbish >&3"),

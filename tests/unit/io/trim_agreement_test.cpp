@@ -28,7 +28,8 @@ void print(const TrimDisagreement& d) {
         d.ours ? "material" : "hole", d.ours == d.curves_agree_with_us ? "material" : "hole");
 }
 
-/// Where Keiko and OpenCASCADE disagree the file's own curves must be on Keiko's side.
+/// Where Keiko and OpenCASCADE disagree the file's own curves must be on Keiko's side. On a face
+/// that OpenCASCADE's check calls invalid they may be open, and then bound nothing by themselves.
 TEST(TrimAgreement, WithOpenCascadesClassifierOnEveryModel) {
     KEIKO_NEEDS_SHARED_MODEL("MANIFEST.tsv");
     const std::size_t samples = test::ray_count(500, 100'000);
@@ -37,16 +38,17 @@ TEST(TrimAgreement, WithOpenCascadesClassifierOnEveryModel) {
         const auto path = test::shared_model(row.file);
         const CadDocument document = read_document(path, detect_model_format(path));
         const TrimTally tally = compare_trims(document, convert_document(document), samples);
-        std::size_t theirs = 0;
+        std::size_t theirs = 0, open = 0;
         for (const TrimDisagreement& d : tally.disagreements) {
             constexpr std::size_t shown = 2;
             theirs += d.curves_agree_with_us;
-            if (!d.curves_agree_with_us || theirs <= shown) print(d);
+            open += !d.curves_agree_with_us && !d.valid_face;
+            if (theirs + open <= shown || (!d.curves_agree_with_us && d.valid_face)) print(d);
         }
-        const std::size_t ours = tally.disagreements.size() - theirs;
+        const std::size_t ours = tally.disagreements.size() - theirs - open;
         // tests/model_table.py reads this line.
-        std::printf("trims\t%s\t%zu\t%zu\t%zu\t%zu\n", row.file.c_str(), tally.samples,
-                    tally.at_border + tally.undecided, ours, theirs);
+        std::printf("trims\t%s\t%zu\t%zu\t%zu\t%zu\t%zu\n", row.file.c_str(), tally.samples,
+                    tally.at_border + tally.undecided, ours, theirs, open);
         std::fflush(stdout);
         EXPECT_EQ(ours, 0u) << row.file;
         EXPECT_LE(100 * (tally.at_border + tally.undecided), tally.samples) << row.file;

@@ -31,7 +31,7 @@ std::string serialised_model() {
     return serialize(builder.build());
 }
 
-const std::string damaged = "the CAD reader's answer is damaged: ";
+const std::string damaged = "the reader's answer is damaged: ";
 
 TEST(WorkerAnswer, AModelAfterItsProgress) {
     EXPECT_EQ(outcome_of("progress 0\nprogress 0.250\nprogress 1\nmodel\n" + serialised_model()),
@@ -50,6 +50,19 @@ TEST(WorkerAnswer, TheReasonOfTheWorkerIsKeptToALine) {
     EXPECT_EQ(outcome_of("error no faces in the file\n"), "no faces in the file");
     EXPECT_EQ(outcome_of("error a\tb\x1b[2J\n"), "a?b?[2J");
     EXPECT_EQ(outcome_of("error " + std::string(2000, 'x') + "\n"), std::string(300, 'x') + "...");
+}
+
+TEST(WorkerAnswer, ThePlaceOfAReasonIsKept) {
+    const Job job;
+    WorkerAnswer answer("cage.obj", no_limit, job);
+    answer.receive("where 12:3\nerror no number\n");
+    try {
+        answer.model();
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.where(), "12:3");
+        EXPECT_EQ(error.reason(), "no number");
+    }
 }
 
 TEST(WorkerAnswer, LinesThatAreNoneAreDamage) {

@@ -55,6 +55,13 @@ double worst_gap(const std::vector<Chain>& uses, const ParameterSpace& space) {
     return worst;
 }
 
+double sum_of_gaps(const std::vector<Chain>& uses, const ParameterSpace& space) {
+    double sum = 0;
+    for (std::size_t i = 0; i < uses.size(); ++i)
+        sum += gap_after_shift(end_of(uses[i]), begin_of(uses[(i + 1) % uses.size()]), space);
+    return sum;
+}
+
 /// Whether two uses of one edge meet a whole period apart: at a pole whose own edge is missing.
 bool missing_pole(const Chain& from, const Chain& to, const ParameterSpace& space) {
     const Vec2 gap = end_of(from) - begin_of(to);
@@ -113,6 +120,21 @@ std::vector<std::vector<Chain>> sorted(std::vector<Chain> uses, const ParameterS
     return rings;
 }
 
+/// Reverses uses one by one wherever that makes the widest gap smaller and the others no wider;
+/// returns how many.
+int reverse_backward_uses(std::vector<Chain>& ring, const ParameterSpace& space) {
+    int reversed = 0;
+    for (std::size_t i = 0; i < ring.size() && ring.size() > 1; ++i) {
+        const double before = worst_gap(ring, space), sum_before = sum_of_gaps(ring, space);
+        reverse(ring[i]);
+        if (worst_gap(ring, space) < before && sum_of_gaps(ring, space) < sum_before)
+            ++reversed;
+        else
+            reverse(ring[i]);
+    }
+    return reversed;
+}
+
 } // namespace
 
 double ParameterSpace::relative(const Vec2& gap) const {
@@ -169,7 +191,11 @@ std::vector<Chain> chain_wire(std::vector<Chain> uses, const ParameterSpace& spa
         log.add(RepairKind::edges_sorted);
     else
         rings = {std::move(uses)};
-    for (auto& ring : rings) chains.push_back(joined(std::move(ring), space, log));
+    for (auto& ring : rings) {
+        for (int i = reverse_backward_uses(ring, space); i > 0; --i)
+            log.add(RepairKind::edge_reversed);
+        chains.push_back(joined(std::move(ring), space, log));
+    }
     if (chains.size() > 1) log.add(RepairKind::wire_split);
     return chains;
 }

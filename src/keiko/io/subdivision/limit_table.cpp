@@ -20,6 +20,8 @@ Far::Options table_options(const Cage& cage, int level) {
     options.generateLegacySharpCornerPatches = false;
     options.SetEndCapType(Far::Options::ENDCAP_GREGORY_BASIS);
     options.SetPatchPrecision<double>();
+    options.generateVaryingTables = false;
+    options.generateVaryingLocalPoints = false;
     return options;
 }
 
@@ -34,31 +36,32 @@ std::vector<int> LimitTable::points_by_level(const Cage& cage, int level) {
     return counts;
 }
 
-LimitTable::LimitTable(const Cage& cage, int level)
-    : triangular_(cage.scheme == Scheme::loop), refiner_(make_refiner(cage)) {
+LimitTable::LimitTable(const Cage& cage, int level) : triangular_(cage.scheme == Scheme::loop) {
+    // The refined mesh is most of the memory, and not needed once its points are known.
+    const std::unique_ptr<osd::Far::TopologyRefiner> refiner = make_refiner(cage);
     const Far::Options options = table_options(cage, level);
     has_creases_ = options.useSingleCreasePatch;
-    refiner_->RefineAdaptive(options.GetRefineAdaptiveOptions());
-    table_.reset(Far::Create(*refiner_, options));
+    refiner->RefineAdaptive(options.GetRefineAdaptiveOptions());
+    table_.reset(Far::Create(*refiner, options));
     if (!table_) throw Error("", "", "OpenSubdiv gives no patches for the cage");
     map_ = std::make_unique<osd::Far::PatchMap>(*table_);
 
     Box3 box;
     for (const Vec3& p : cage.vertices) box.extend(p);
     center_ = box.center();
-    const auto total = static_cast<std::size_t>(refiner_->GetNumVerticesTotal());
+    const auto total = static_cast<std::size_t>(refiner->GetNumVerticesTotal());
     points_.resize(total + static_cast<std::size_t>(table_->GetNumLocalPoints()));
     for (std::size_t i = 0; i < cage.vertices.size(); ++i)
         points_[i].v = cage.vertices[i] - center_;
-    const osd::Far::PrimvarRefinerReal<double> values(*refiner_);
+    const osd::Far::PrimvarRefinerReal<double> values(*refiner);
     Value* from = points_.data();
-    for (int l = 1; l < refiner_->GetNumLevels(); ++l) {
-        Value* to = from + refiner_->GetLevel(l - 1).GetNumVertices();
+    for (int l = 1; l < refiner->GetNumLevels(); ++l) {
+        Value* to = from + refiner->GetLevel(l - 1).GetNumVertices();
         values.Interpolate(l, from, to);
         from = to;
     }
     add_local_points(total);
-    tilt_caps(from);
+    tilt_caps(*refiner, from);
 }
 
 /// The control points of caps. OpenSubdiv's weights for them carry single precision here and there:
@@ -80,7 +83,7 @@ void LimitTable::add_local_points(std::size_t first) {
 }
 
 /// The limit masks hold at the irregular vertices of the last level: all their faces are there.
-void LimitTable::tilt_caps(const Value* last_level) {
+void LimitTable::tilt_caps(const osd::Far::TopologyRefiner& refiner, const Value* last_level) {
     std::size_t count = 0;
     for (int array = 0; array < table_->GetNumPatchArrays(); ++array) {
         first_in_array_.push_back(count);
@@ -89,10 +92,10 @@ void LimitTable::tilt_caps(const Value* last_level) {
     const std::vector<Index> irregular = caps();
     if (irregular.empty()) return;
 
-    const osd::Far::TopologyLevel& last = refiner_->GetLevel(refiner_->GetMaxLevel());
+    const osd::Far::TopologyLevel& last = refiner.GetLevel(refiner.GetMaxLevel());
     const auto size = static_cast<std::size_t>(last.GetNumVertices());
     std::vector<Value> position(size), du(size), dv(size);
-    osd::Far::PrimvarRefinerReal<double>(*refiner_).Limit(last_level, position, du, dv);
+    osd::Far::PrimvarRefinerReal<double>(refiner).Limit(last_level, position, du, dv);
     std::vector<IrregularPoint> points;
     for (std::size_t i = 0; i < size; ++i) {
         const auto vertex = static_cast<int>(i);

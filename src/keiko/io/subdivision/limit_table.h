@@ -86,7 +86,7 @@ private:
     };
 
     void add_local_points(std::size_t first);
-    void tilt_caps(const Value* last_level);
+    void tilt_caps(const osd::Far::TopologyRefiner& refiner, const Value* last_level);
     CapTilt tilt_of(Index index, const IrregularPoints& points) const;
     LimitPoint evaluate_table(Index index, double u, double v) const;
     /// Among all patches.
@@ -95,7 +95,6 @@ private:
 
     bool triangular_, has_creases_ = false;
     Vec3 center_{0};
-    std::unique_ptr<osd::Far::TopologyRefiner> refiner_;
     std::unique_ptr<osd::Far::PatchTable> table_;
     std::unique_ptr<osd::Far::PatchMap> map_;
     std::vector<Value> points_;

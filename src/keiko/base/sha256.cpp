@@ -1,0 +1,77 @@
+#include "keiko/base/sha256.h"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+namespace keiko {
+namespace {
+
+using Block = std::array<unsigned char, 64>;
+using State = std::array<std::uint32_t, 8>;
+
+/// FIPS 180-4, section 4.2.2: from the cube roots of the first 64 primes.
+constexpr std::array<std::uint32_t, 64> round_constants{
+    0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
+    0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
+    0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
+    0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
+    0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
+    0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
+    0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
+    0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
+
+void take_block(State& state, const unsigned char* bytes) {
+    std::array<std::uint32_t, 64> w{};
+    for (std::size_t t = 0; t < 16; ++t)
+        for (std::size_t k = 0; k < 4; ++k) w[t] = w[t] << 8 | bytes[4 * t + k];
+    for (std::size_t t = 16; t < 64; ++t) {
+        const std::uint32_t a = w[t - 15], b = w[t - 2];
+        w[t] = (std::rotr(b, 17) ^ std::rotr(b, 19) ^ b >> 10) + w[t - 7] +
+               (std::rotr(a, 7) ^ std::rotr(a, 18) ^ a >> 3) + w[t - 16];
+    }
+    auto [a, b, c, d, e, f, g, h] = state;
+    for (std::size_t t = 0; t < 64; ++t) {
+        const std::uint32_t one = h + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) +
+                                  ((e & f) ^ (~e & g)) + round_constants[t] + w[t];
+        const std::uint32_t two =
+            (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) + ((a & b) ^ (a & c) ^ (b & c));
+        h = g, g = f, f = e, e = d + one, d = c, c = b, b = a, a = one + two;
+    }
+    const State next{a, b, c, d, e, f, g, h};
+    for (std::size_t i = 0; i < state.size(); ++i) state[i] += next[i];
+}
+
+/// What follows the last whole block: a one, zeros, the length in bits.
+void take_rest(State& state, std::string_view rest, std::uint64_t total_bits) {
+    Block block{};
+    for (std::size_t i = 0; i < rest.size(); ++i) block[i] = static_cast<unsigned char>(rest[i]);
+    block[rest.size()] = 0x80;
+    constexpr std::size_t length_at = 56;
+    if (rest.size() >= length_at) {
+        take_block(state, block.data());
+        block.fill(0);
+    }
+    for (std::size_t k = 0; k < 8; ++k)
+        block[length_at + k] = static_cast<unsigned char>(total_bits >> (56 - 8 * k));
+    take_block(state, block.data());
+}
+
+} // namespace
+
+std::string sha256_hex(std::string_view bytes) {
+    State state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+    const std::uint64_t bits = 8 * std::uint64_t{bytes.size()};
+    constexpr std::size_t block_size = 64;
+    for (; bytes.size() >= block_size; bytes.remove_prefix(block_size))
+        take_block(state, reinterpret_cast<const unsigned char*>(bytes.data()));
+    take_rest(state, bytes, bits);
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string hex;
+    for (const std::uint32_t word : state)
+        for (int shift = 28; shift >= 0; shift -= 4) hex += digits[word >> shift & 15];
+    return hex;
+}
+
+} // namespace keiko
