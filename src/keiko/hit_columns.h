@@ -15,7 +15,7 @@ namespace keiko {
 enum class HitColumn {
     t,        ///< in lengths of the ray's direction
     instance, ///< index of the placed part, from 0
-    face,     ///< index of the face in the model, from 0
+    face,     ///< number of the face, as reports tell it
     patch,    ///< index of the patch in the model, from 0
     u,
     v, ///< patch parameters, 0 to 1

@@ -74,7 +74,13 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
 
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
                  const PictureOptions& options, const Job& job) {
-    return render({scene.tracer, scene.materials, rig, scene.background}, camera, options, job);
+    Film film =
+        render({scene.tracer, scene.materials, rig, scene.background}, camera, options, job);
+    if (const auto layer = film.aovs.find(Aov::face); layer != film.aovs.end())
+        for (float& value : layer->second.values)
+            if (value >= 0)
+                value = static_cast<float>(scene.model.faces[static_cast<std::size_t>(value)].id);
+    return film;
 }
 
 } // namespace keiko

@@ -21,6 +21,7 @@ class RowWriter {
 public:
     RowWriter(const Scene& scene, const TraceOptions& options)
         : tracer_(scene.tracer),
+          faces_(scene.model.faces),
           columns_(hit_columns(options.columns)),
           all_(options.all),
           light_(light_column(columns_).has_value()),
@@ -42,6 +43,7 @@ private:
     void write(Piece& piece, const std::optional<Hit>& hit, const Rgb& luminance) const;
 
     const Tracer& tracer_;
+    std::span<const Face> faces_;
     std::vector<HitColumn> columns_;
     bool all_, light_;
     LightRig rig_;
@@ -64,7 +66,9 @@ void RowWriter::work(Piece& piece) const {
 void RowWriter::write(Piece& piece, const std::optional<Hit>& hit, const Rgb& luminance) const {
     if (!hit) return append_empty_row(piece.rows, columns_);
     piece.hits.count(*hit);
-    append_row(piece.rows, columns_, *hit, luminance);
+    Hit told = *hit;
+    told.face = faces_[hit->face].id;
+    append_row(piece.rows, columns_, told, luminance);
 }
 
 void RowWriter::write_first(Piece& piece, std::span<const Ray> rays) const {

@@ -37,6 +37,18 @@ void add_trace(CLI::App& app, TraceOptions& options) {
         ->check(CLI::ExistingFile);
 }
 
+void add_load(CLI::App& app, LoadOptions& options) {
+    CLI::App* load = app.add_subcommand("load", "loading model files beside OpenCASCADE's reading");
+    load->add_option("FILE", options.files, "model files [the large ones of ../shared/models]")
+        ->check(CLI::ExistingFile);
+    load->add_option("--rounds", options.rounds, "interleaved rounds; the least time counts")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    load->add_option("--markdown", options.markdown,
+                     "page to put the table into, between its markers")
+        ->check(CLI::ExistingFile);
+}
+
 } // namespace
 
 Command parse_command_line(int argc, char** argv) {
@@ -45,6 +57,7 @@ Command parse_command_line(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer("Without a group: trace. ./dev bench trace --help tells its options.");
     add_trace(app, command.trace);
+    add_load(app, command.load);
     CLI::App* picture = app.add_subcommand(
         "picture", "the same stripes from meshes and from the surface, side by side");
     command.picture.output = test::repository("docs/images/mesh-or-surface.png");
@@ -63,7 +76,9 @@ Command parse_command_line(int argc, char** argv) {
         command.exit_code = app.exit(error) == 0 ? 0 : 2;
         return command;
     }
-    command.group = app.got_subcommand("picture") ? Group::picture : Group::trace;
+    command.group = app.got_subcommand("picture") ? Group::picture
+                    : app.got_subcommand("load")  ? Group::load
+                                                  : Group::trace;
     return command;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/bench/load_benchmark.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,12 +22,13 @@ struct PictureOptions {
     std::filesystem::path output{};
 };
 
-enum class Group { trace, picture, help };
+enum class Group { trace, picture, load, help };
 
 struct Command {
     Group group = Group::trace;
     TraceOptions trace{};
     PictureOptions picture{};
+    LoadOptions load{};
     int exit_code = 0; ///< of help and usage errors
 };
 

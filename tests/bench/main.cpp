@@ -30,6 +30,12 @@ void trace(const TraceOptions& options) {
     if (!options.markdown.empty()) update_page(options.markdown, "trace", markdown_of(results));
 }
 
+void load(const LoadOptions& options) {
+    const std::string table = load_table(run_load_benchmark(options));
+    print(table);
+    if (!options.markdown.empty()) update_page(options.markdown, "load", table);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -41,6 +47,9 @@ int main(int argc, char** argv) {
                 return 0;
             case Group::picture:
                 draw_mesh_or_surface(command.picture.output);
+                return 0;
+            case Group::load:
+                load(command.load);
                 return 0;
             case Group::help:
                 return command.exit_code;

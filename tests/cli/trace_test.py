@@ -86,7 +86,7 @@ class Trace(KeikoTest):
         hood = surface("hood.step")
         facts = json.loads(self.succeed("info", hood, "--json", "-q"))
         row = self.rows("600,0,3000,0,0,-1\n", hood, "--out", "face,instance")[0]
-        face = facts["face_list"][int(row["face"])]
+        face = next(f for f in facts["face_list"] if f["id"] == int(row["face"]))
         self.assertEqual(face["part"], int(row["instance"]))
         self.assertEqual(face["name"], "dome")
 

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 namespace keiko {
 namespace fs = std::filesystem;
@@ -29,6 +30,20 @@ std::string read_file(const fs::path& path) {
     std::string content{std::istreambuf_iterator<char>(in), {}};
     if (in.bad()) throw Error(path.string(), "", "cannot read");
     return content;
+}
+
+std::string without_byte_order_mark(std::string text, const fs::path& path) {
+    using namespace std::string_view_literals;
+    for (const std::string_view mark : {"\xff\xfe"sv, "\xfe\xff"sv, "\0\0\xfe\xff"sv})
+        if (text.starts_with(mark))
+            throw Error(path.string(), "", "is text in UTF-16 or UTF-32: save it as UTF-8");
+    constexpr std::string_view utf8 = "\xef\xbb\xbf";
+    if (text.starts_with(utf8)) text.erase(0, utf8.size());
+    return text;
+}
+
+std::string read_text_file(const fs::path& path) {
+    return without_byte_order_mark(read_file(path), path);
 }
 
 } // namespace keiko

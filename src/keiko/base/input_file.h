@@ -9,6 +9,13 @@ namespace keiko {
 /// device, unreadable or empty.
 std::string read_file(const std::filesystem::path& path);
 
+/// The same of a text file, without a byte order mark. Throws Error also for UTF-16 and UTF-32.
+std::string read_text_file(const std::filesystem::path& path);
+
+/// A byte order mark of UTF-8 taken off the front of a text. Throws Error naming `path` for a text
+/// in UTF-16 or UTF-32.
+std::string without_byte_order_mark(std::string text, const std::filesystem::path& path);
+
 /// Throws the same errors as read_file, without reading.
 void require_readable_file(const std::filesystem::path& path);
 

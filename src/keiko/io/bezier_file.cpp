@@ -22,7 +22,7 @@ constexpr double largest_weight = 1e15;
 class NumberLines {
 public:
     explicit NumberLines(const std::filesystem::path& path)
-        : file_(path.string()), text_(read_file(path)) {}
+        : file_(path.string()), text_(read_text_file(path)) {}
 
     /// Numbers of the next line that has any; an error at the end of the file.
     std::vector<double> next(const char* wanted) {

@@ -159,7 +159,7 @@ std::string_view name_of(ModelFormat format) {
 
 ModelFormat detect_model_format(const fs::path& path) {
     require_readable_file(path);
-    const auto format = format_of(first_bytes(path));
+    const auto format = format_of(without_byte_order_mark(first_bytes(path), path));
     if (!format)
         throw Error(
             path.string(), "",

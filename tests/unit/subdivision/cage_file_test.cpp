@@ -99,6 +99,20 @@ TEST_F(CageFile, WrongStatementsAreToldWithTheirLine) {
     EXPECT_EQ(reason("v 0 0 0\n"), ": no faces in the file (an OBJ file needs v and f)");
 }
 
+TEST_F(CageFile, TheByteOrderMarkOfUtf8IsNoStatement) {
+    EXPECT_EQ(read("\xef\xbb\xbf" + square).faces.size(), 1u);
+}
+
+TEST_F(CageFile, FacesWithoutAreaAreRemarkedUponAndNeverAlone) {
+    const std::string line = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 4 0 0\nf 1 2 3 4\n";
+    EXPECT_EQ(reason(line), ": no face of the cage has an area: it is no surface");
+    EXPECT_EQ(reason("v 5 5 5\nv 5 5 5\nv 5 5 5\nf 1 2 3\n"),
+              ": no face of the cage has an area: it is no surface");
+    const Cage cage = read(line + "v 0 1 0\nv 1 1 0\nf 2 1 5 6\n");
+    ASSERT_EQ(cage.diagnostics.size(), 1u);
+    EXPECT_EQ(cage.diagnostics[0].message, "1 face of the cage without area (lines 5)");
+}
+
 TEST_F(CageFile, WrongTagsAreToldWithTheirLine) {
     EXPECT_EQ(reason(square + "t crease\n"), "6: a tag needs a name and INTEGERS/FLOATS/STRINGS");
     EXPECT_EQ(reason(square + "t crease 2/1 0 1 2\n"),
@@ -127,9 +141,12 @@ TEST_F(CageFile, ACreaseThatIsNoEdgeIsRemarkedUpon) {
 
 TEST_F(CageFile, NonManifoldEdgesAreRefused) {
     EXPECT_EQ(reason(square + "v 0 0 1\nv 1 0 1\nf 2 1 5 6\nf 1 2 6 5\n"),
-              "9: the edge between vertices 1 and 2 is not manifold: the face of line 5 runs the "
-              "same way along it");
-    EXPECT_EQ(reason(square + "f 1 2 3 4\n").substr(0, 9), "6: the ed");
+              "9: the edge between vertices 1 and 2 has 3 faces (lines 5, 8, 9): a surface has two "
+              "there at most");
+    EXPECT_EQ(
+        reason(square + "f 1 2 3 4\n"),
+        "6: the faces of lines 5, 6 run the same way along the edge between vertices 1 and 2: "
+        "one of them is turned over");
 }
 
 TEST_F(CageFile, FansThatTouchInOneVertexGetSharpCorners) {

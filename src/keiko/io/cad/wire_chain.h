@@ -54,7 +54,8 @@ constexpr double small_gap = 1e-6;
 /// The edge uses of one wire joined into chains (one as a rule). Uses a whole period off are
 /// moved, except the two uses of one edge that meet at a pole, where the side along the pole is
 /// missing; when the given order does not chain, the uses are sorted by where they begin, and
-/// those that run against the others reversed. Remaining gaps are bridged by connectors. What was done is added to `log`.
+/// those that run against the others reversed. Remaining gaps are bridged by connectors. What was
+/// done is added to `log`.
 std::vector<Chain> chain_wire(std::vector<Chain> uses, const ParameterSpace& space, RepairLog& log);
 
 } // namespace keiko::cad

@@ -2,6 +2,7 @@
 
 #include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/io/subdivision/cage_areas.h"
 #include "keiko/io/subdivision/cage_lines.h"
 #include "keiko/io/subdivision/cage_tags.h"
 #include "keiko/io/subdivision/manifold.h"
@@ -39,7 +40,7 @@ std::string joined(const Statement& statement) {
 class CageReader {
 public:
     explicit CageReader(const std::filesystem::path& path)
-        : lines_(path.string(), read_file(path)) {}
+        : lines_(path.string(), read_text_file(path)) {}
 
     Cage read() {
         Statement statement;
@@ -48,6 +49,7 @@ public:
             throw Error(lines_.file(), "", "no faces in the file (an OBJ file needs v and f)");
         apply(tags_, lines_, cage_);
         make_manifold(cage_, lines_);
+        check_areas(cage_, lines_);
         return std::move(cage_);
     }
 

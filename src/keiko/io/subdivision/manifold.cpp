@@ -34,6 +34,8 @@ public:
 
 private:
     void collect_half_edges();
+    /// Tells why the edge from a to b cannot be: too many faces, or one turned over.
+    [[noreturn]] void refuse(std::uint32_t a, std::uint32_t b, std::uint32_t line) const;
     /// Drops creases that are no edges; remembers the others by a corner that splitting keeps.
     void find_creases();
     /// A copy for every fan of faces around a vertex but the first.
@@ -57,12 +59,27 @@ void Manifold::collect_half_edges() {
             face_line_.push_back(face.line);
             const std::uint32_t a = cage_.corners[corner], b = cage_.corner(face, k + 1);
             const auto [known, fresh] = half_edges_.try_emplace(key(a, b), corner);
-            if (!fresh)
-                lines_.fail(face.line, edge_name(a, b) + " is not manifold: the face of line " +
-                                           std::to_string(face_line_[known->second]) +
-                                           " runs the same way along it");
+            if (!fresh) refuse(a, b, face.line);
         }
     }
+}
+
+void Manifold::refuse(std::uint32_t a, std::uint32_t b, std::uint32_t line) const {
+    std::size_t count = 0;
+    std::string lines;
+    for (const CageFace& face : cage_.faces)
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+            const std::uint32_t from = cage_.corner(face, k), to = cage_.corner(face, k + 1);
+            if (!(from == a && to == b) && !(from == b && to == a)) continue;
+            constexpr std::size_t most_told = 8;
+            if (++count <= most_told)
+                lines += (lines.empty() ? "" : ", ") + std::to_string(face.line);
+        }
+    const std::string edge = edge_name(a, b);
+    lines_.fail(line, count > 2 ? edge + " has " + std::to_string(count) + " faces (lines " +
+                                      lines + "): a surface has two there at most"
+                                : "the faces of lines " + lines + " run the same way along " +
+                                      edge + ": one of them is turned over");
 }
 
 void Manifold::find_creases() {
