@@ -10,13 +10,12 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <new>
 #include <string>
 
-// keiko-import FILE FORMAT MEMORY_LIMIT, started by load_model: reads a CAD file with OpenCASCADE
-// or a cage with OpenSubdiv and answers on file descriptor 3 (stdout when that is closed), as
-// worker_answer.h says.
+// keiko-import FILE FORMAT MEMORY_LIMIT THREADS, started by load_model: reads a CAD file with
+// OpenCASCADE or a cage with OpenSubdiv and answers on file descriptor 3 (stdout when that is
+// closed), as worker_answer.h says.
 
 namespace {
 
@@ -49,23 +48,22 @@ ModelFormat format_named(const std::string& name) {
     throw Error("", "", "keiko-import: unknown format " + name);
 }
 
-SurfaceModel read(const std::string& file, ModelFormat format,
-                  const std::function<void(double)>& progress) {
-    if (format != ModelFormat::cage) return cad::import_cad_file(file, format, progress);
-    Job job;
-    job.progress = [&](const Progress& part) { progress(part.fraction); };
-    return read_subdivision_file(file, job);
+SurfaceModel read(const std::string& file, ModelFormat format, const Job& job) {
+    return format == ModelFormat::cage ? read_subdivision_file(file, job)
+                                       : cad::import_cad_file(file, format, job);
 }
 
-void answer(std::FILE* out, const std::string& file, const std::string& format) {
+void answer(std::FILE* out, const std::string& file, const std::string& format, int threads) {
     double told = 0;
-    const auto progress = [&](double done) {
-        if (done < told + 0.02) return;
-        told = done;
-        std::fprintf(out, "progress %.3f\n", done);
+    Job job;
+    job.threads = threads;
+    job.progress = [&](const Progress& progress) {
+        if (progress.fraction < told + 0.02) return;
+        told = progress.fraction;
+        std::fprintf(out, "progress %.3f\n", told);
         std::fflush(out);
     };
-    const std::string bytes = serialize(read(file, format_named(format), progress));
+    const std::string bytes = serialize(read(file, format_named(format), job));
     std::fputs("model\n", out);
     std::fwrite(bytes.data(), 1, bytes.size(), out);
 }
@@ -73,15 +71,15 @@ void answer(std::FILE* out, const std::string& file, const std::string& format) 
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) {
-        std::fputs("usage: keiko-import FILE STEP|IGES|BREP|OBJ MEMORY_LIMIT\n", stderr);
+    if (argc != 5) {
+        std::fputs("usage: keiko-import FILE STEP|IGES|BREP|OBJ MEMORY_LIMIT THREADS\n", stderr);
         return 2;
     }
     limit_resources(argv[3]);
     std::FILE* out = answer_stream();
     int code = 0;
     try {
-        answer(out, argv[1], argv[2]);
+        answer(out, argv[1], argv[2], std::atoi(argv[4]));
     } catch (const Error& e) {
         if (!e.where().empty()) std::fprintf(out, "where %s\n", e.where().c_str());
         std::fprintf(out, "error %s\n", e.reason().c_str());

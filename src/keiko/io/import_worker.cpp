@@ -44,7 +44,9 @@ SurfaceModel import_in_worker(const fs::path& path, ModelFormat format, const Lo
         throw Error(path.string(), "", "cannot be read: no reader at " + worker.string());
     WorkerAnswer answer(path.string(), options.memory_limit, job);
     const WorkerExit exit = run_worker(
-        worker, {path.string(), std::string(name_of(format)), std::to_string(options.memory_limit)},
+        worker,
+        {path.string(), std::string(name_of(format)), std::to_string(options.memory_limit),
+         std::to_string(job.threads)},
         options.timeout, [&](std::string_view bytes) { answer.receive(bytes); }, job);
     const bool ended_well = !exit.timed_out && exit.signal == 0 && exit.code == 0;
     if (answer.reason().empty() && !(ended_well && answer.has_model()))

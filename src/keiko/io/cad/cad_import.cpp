@@ -2,6 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/io/cad/cad_files.h"
+#include "keiko/io/cad/face_check.h"
 #include "keiko/io/cad/part_conversion.h"
 
 #include <Message.hxx>
@@ -30,8 +31,7 @@ CadDocument read_document(const std::filesystem::path& path, ModelFormat format)
     }
 }
 
-SurfaceModel convert_document(const CadDocument& document,
-                              const std::function<void(double)>& progress) {
+SurfaceModel convert_document(const CadDocument& document, const Job& job) {
     std::size_t total = 0, done = 0;
     for (const CadPart& part : document.parts) total += face_count(part.shape);
     SurfaceModel model;
@@ -39,20 +39,21 @@ SurfaceModel convert_document(const CadDocument& document,
     model.diagnostics = document.diagnostics;
     for (const CadPart& part : document.parts)
         append_part(model, part, [&] {
-            if (progress) progress(static_cast<double>(++done) / static_cast<double>(total));
+            constexpr double read = 0.5, converted = 0.8;
+            job.report("import", read + (converted - read) * static_cast<double>(++done) /
+                                            static_cast<double>(total));
         });
     for (const CadInstance& instance : document.instances)
         model.instances.push_back(
             {static_cast<std::uint32_t>(instance.part), instance.name, instance.transform});
+    for (Diagnostic& note : invalid_faces(document, job))
+        model.diagnostics.push_back(std::move(note));
     return model;
 }
 
 SurfaceModel import_cad_file(const std::filesystem::path& path, ModelFormat format,
-                             const std::function<void(double)>& progress) {
-    const CadDocument document = read_document(path, format);
-    progress(0.5);
-    SurfaceModel model =
-        convert_document(document, [&](double done) { progress(0.5 + 0.5 * done); });
+                             const Job& job) {
+    SurfaceModel model = convert_document(read_document(path, format), job);
     if (model.faces.empty() && model.lost_faces.empty())
         throw Error(path.string(), "", "no faces in the file");
     if (model.parts.size() == 1 && model.parts[0].name.empty())

@@ -19,7 +19,7 @@ BezierPatchView view(const SurfacePatch& patch) {
 
 /// Largest distance between the patches and the CAD surface at points inside each patch.
 double largest_deviation(const std::vector<SurfacePatch>& patches, const Geom_Surface& surface) {
-    constexpr double places[] = {0, 0.3, 0.77, 1};
+    constexpr double places[] = {0, 0.37, 1};
     double worst = 0;
     for (const SurfacePatch& patch : patches)
         for (const double u : places)

@@ -3,7 +3,6 @@
 #include "keiko/base/error.h"
 #include "keiko/io/cad/face_conversion.h"
 
-#include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
@@ -37,13 +36,11 @@ public:
         }
         model_.parts.push_back({part_.name, first_face, size32(model_.faces) - first_face});
         write_edges();
-        note_invalid(faces);
     }
 
 private:
     void write_face(const TopoDS_Face& shape) {
         Face face = described(shape);
-        ids_.push_back(face.id);
         const std::string entity = model_.describe(face);
         try {
             const ConvertedFace converted = convert_face(shape, edges_);
@@ -126,28 +123,11 @@ private:
         }
     }
 
-    /// What OpenCASCADE itself thinks of the faces: a hint where to look when a picture is odd.
-    void note_invalid(const TopTools_IndexedMapOfShape& faces) {
-        try {
-            const BRepCheck_Analyzer analyzer(part_.shape);
-            if (analyzer.IsValid()) return;
-            for (int i = 1; i <= faces.Extent(); ++i)
-                if (!analyzer.IsValid(faces(i)))
-                    model_.diagnostics.push_back(
-                        {Severity::note,
-                         "face " + std::to_string(ids_[static_cast<std::size_t>(i - 1)]),
-                         "invalid in the file, says OpenCASCADE's check"});
-        } catch (...) {
-            model_.diagnostics.push_back(
-                {Severity::note, part_.name, "could not be checked: " + current_failure()});
-        }
-    }
-
     SurfaceModel& model_;
     const CadPart& part_;
     std::uint32_t first_edge_;
     EdgeTable edges_;
-    std::vector<std::uint32_t> edge_uses_, ids_;
+    std::vector<std::uint32_t> edge_uses_;
 };
 
 } // namespace

@@ -8,8 +8,8 @@
 namespace keiko::cad {
 
 /// Appends a part with all its faces, numbered on from those already there, to `model`. A face
-/// that cannot be converted goes to the lost ones with its reason; repairs are listed and invalid
-/// faces noted. `face_done` is called after each face.
+/// that cannot be converted goes to the lost ones with its reason; repairs are listed. `face_done`
+/// is called after each face.
 void append_part(SurfaceModel& model, const CadPart& part, const std::function<void()>& face_done);
 
 /// Number of faces of a shape; one that two solids share counts once.
