@@ -2,6 +2,7 @@
 
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
+#include "keiko/io/lamp_models.h"
 #include "keiko/io/toml_reader.h"
 #include "keiko/luminance/photometry.h"
 
@@ -68,10 +69,15 @@ CPlane c_plane_from(const TomlTable& table) {
     if (luminance && flux)
         throw table.error("luminous_flux", "give either luminance or luminous_flux, not both");
     if (luminance) plane.luminance = *luminance;
-    if (flux) plane.luminance = Rgb(tube_luminance(*flux, plane.diameter, plane.u.length()));
+    if (const auto caps = table.choice("caps", {"dark", "luminous"}))
+        plane.luminous_caps = *caps == 1;
+    if (flux)
+        plane.luminance =
+            Rgb(tube_luminance(*flux, plane.diameter, plane.u.length(), plane.luminous_caps));
     plane.luminance *= color_of(table);
     require_finite(table, flux ? "luminous_flux" : "color", plane.luminance);
-    table.not_yet({"caps", "on", "reflector"});
+    take_lamp_models(table, plane);
+    table.not_yet({"on", "reflector"});
     table.finish();
     return plane;
 }
@@ -201,6 +207,10 @@ std::string table_text(const CPlane& plane) {
     text += line("lamps", std::to_string(plane.lamps));
     if (plane.pitch > 0) text += line("pitch", number(plane.pitch), "mm from axis to axis");
     text += line("diameter", number(plane.diameter), "mm");
+    if (plane.luminous_caps) text += line("caps", toml_string("luminous"));
+    if (plane.diffuse != CPlane{}.diffuse)
+        text += line("diffuse", toml_string(word_of(plane.diffuse)));
+    if (plane.mirror != CPlane{}.mirror) text += line("mirror", toml_string(word_of(plane.mirror)));
     return text + line("luminance", grey_or_array(plane.luminance), "cd/m2");
 }
 

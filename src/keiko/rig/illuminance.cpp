@@ -2,6 +2,7 @@
 
 #include "keiko/fog/transmittance.h"
 #include "keiko/spotlight/beam_intensity.h"
+#include "keiko/tubes/comb_irradiance.h"
 #include "keiko/tubes/tube_irradiance.h"
 
 namespace keiko {
@@ -19,9 +20,18 @@ public:
 
     Rgb operator()(const CPlane& plane) const {
         const CPlaneFrame frame(plane);
-        Rgb sum;
-        for (int i = 0; i < frame.lamps; ++i) sum += from_lamp(lamp_of(frame, i, plane.luminance));
-        return sum;
+        const TubeModel model = plane.diffuse == TubeModel::automatic ? model_ : plane.diffuse;
+        const CombIrradiance comb(frame, point_, normal_, model);
+        Rgb solid_angle;
+        for (int i = 0; i < frame.lamps; ++i) {
+            const TubeLamp lamp = lamp_of(frame, i, plane.luminance);
+            if (below_horizon(lamp, point_, normal_)) continue;
+            const Segment axis{lamp.a, lamp.b};
+            const IntervalSet seen = visible_.intervals(axis);
+            solid_angle +=
+                medium_ ? through_medium(comb, i, axis, seen) : Rgb(comb.solid_angle(i, seen));
+        }
+        return plane.luminance * solid_angle;
     }
 
     Rgb operator()(const Spotlight& light) const {
@@ -31,25 +41,19 @@ public:
     }
 
 private:
-    Rgb from_lamp(const TubeLamp& lamp) const {
-        if (below_horizon(lamp, point_, normal_)) return {};
-        const IntervalSet seen = visible_.intervals({lamp.a, lamp.b});
-        if (!medium_) return irradiance(lamp, point_, normal_, seen, model_);
+    /// The lamp in pieces, each seen through the medium along one distance.
+    Rgb through_medium(const CombIrradiance& comb, int lamp, const Segment& axis,
+                       const IntervalSet& seen) const {
         Rgb sum;
-        for (const ParameterInterval& part : seen) sum += through_medium(lamp, part);
-        return sum;
-    }
-
-    Rgb through_medium(const TubeLamp& lamp, const ParameterInterval& part) const {
-        const Segment axis{lamp.a, lamp.b};
-        const double step = part.length() / pieces_in_fog;
-        Rgb sum;
-        for (int i = 0; i < pieces_in_fog; ++i) {
-            const double begin = part.begin + i * step;
-            const double end = i + 1 < pieces_in_fog ? begin + step : part.end;
-            const double way = (axis.at((begin + end) / 2) - point_).length();
-            sum += irradiance(lamp, point_, normal_, IntervalSet::whole(begin, end), model_) *
-                   transmittance(*medium_, way);
+        for (const ParameterInterval& part : seen) {
+            const double step = part.length() / pieces_in_fog;
+            for (int i = 0; i < pieces_in_fog; ++i) {
+                const double begin = part.begin + i * step;
+                const double end = i + 1 < pieces_in_fog ? begin + step : part.end;
+                const double way = (axis.at((begin + end) / 2) - point_).length();
+                sum += transmittance(*medium_, way) *
+                       comb.solid_angle(lamp, IntervalSet::whole(begin, end));
+            }
         }
         return sum;
     }

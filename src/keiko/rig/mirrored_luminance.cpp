@@ -41,16 +41,16 @@ std::vector<PlaneOnRay> planes_on(const LightRig& rig, const Vec3& origin, const
 } // namespace
 
 MirroredLight mirrored_luminance(const LightRig& rig, const Vec3& origin, const Vec3& direction,
-                                 const std::optional<RayDifferentials>& spread, double t_max,
-                                 TubeLook look) {
+                                 const std::optional<RayDifferentials>& spread, double t_max) {
     MirroredLight light;
     for (const PlaneOnRay& plane : planes_on(rig, origin, direction)) {
         if (!(plane.hit.t <= t_max)) break;
         const Footprint footprint =
             spread ? footprint_on(plane.frame, plane.hit, direction, *spread) : Footprint();
-        const StripeLook row = look_up(plane.frame, origin, direction, footprint, look);
+        const CPlane& source = std::get<CPlane>(rig.sources[plane.source]);
+        const StripeLook row = look_up(plane.frame, origin, direction, footprint, source.mirror);
         const double share = (1 - light.coverage) * row.coverage;
-        light.luminance += std::get<CPlane>(rig.sources[plane.source]).luminance * share;
+        light.luminance += source.luminance * share;
         light.coverage += share;
         light.resolved = light.resolved && (row.resolved || row.coverage == 0);
     }

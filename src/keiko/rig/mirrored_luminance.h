@@ -17,11 +17,10 @@ struct MirroredLight {
 /// The lamps of every C-plane that the ray meets with t up to `t_max` (in lengths of `direction`;
 /// a lamp behind the next surface is not seen), a nearer row before those behind it. With a
 /// `spread` each pixel is integrated in closed form over its footprint on the plane, without one
-/// the ray is a point. Sources without extent are not seen.
+/// the ray is a point. Each row looks as its `mirror` says. Sources without extent are not seen.
 MirroredLight mirrored_luminance(const LightRig& rig, const Vec3& origin, const Vec3& direction,
                                  const std::optional<RayDifferentials>& spread = {},
-                                 double t_max = std::numeric_limits<double>::infinity(),
-                                 TubeLook look = TubeLook::tube);
+                                 double t_max = std::numeric_limits<double>::infinity());
 
 /// Where a ray meets the nearest C-plane of a rig, inside its rectangle or not.
 struct RigPlaneHit {

@@ -2,6 +2,7 @@
 
 #include "keiko/math/rgb.h"
 #include "keiko/math/vec.h"
+#include "keiko/tubes/tube_model.h"
 
 namespace keiko {
 
@@ -12,9 +13,12 @@ struct CPlane {
     Vec3 u{1000, 0, 0}; ///< edge along the lamps, mm; its length is the lamp length
     Vec3 v{0, 1000, 0}; ///< edge across the lamps, mm; made orthogonal to u on reading
     int lamps = 12;
-    double pitch = 0;     ///< mm from axis to axis; 0: |v| / lamps. The comb is centred in v
-    double diameter = 26; ///< mm
-    Rgb luminance{9000};  ///< cd/m2 of the tube's surface, colour included
+    double pitch = 0;           ///< mm from axis to axis; 0: |v| / lamps. The comb is centred in v
+    double diameter = 26;       ///< mm
+    Rgb luminance{9000};        ///< cd/m2 of the tube's surface, colour included
+    bool luminous_caps = false; ///< whether the tubes' end discs shine like the rest
+    TubeModel diffuse = TubeModel::automatic; ///< what lights surfaces
+    TubeLook mirror = TubeLook::tube;         ///< what mirrors show
 
     double spacing() const { return pitch > 0 ? pitch : v.length() / lamps; }
 };

@@ -14,12 +14,14 @@ struct CPlaneFrame {
     double pitch = 0;  ///< mm
     double diameter = 0;
     int lamps = 0;
+    bool luminous_caps = false;
 
     explicit CPlaneFrame(const CPlane& plane)
         : origin(plane.origin),
           length(plane.u.length()),
           diameter(plane.diameter),
-          lamps(plane.lamps > 0 ? plane.lamps : 0) {
+          lamps(plane.lamps > 0 ? plane.lamps : 0),
+          luminous_caps(plane.luminous_caps) {
         u = plane.u / length;
         const Vec3 across = plane.v - u * u.dot(plane.v);
         const double width = across.length();

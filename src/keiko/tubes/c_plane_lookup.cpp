@@ -32,23 +32,54 @@ double rim_shift(const CPlaneFrame& frame, const Vec3& direction) {
     return std::numbers::pi / 4 * frame.radius() * d.x / std::hypot(d.y, d.z);
 }
 
+bool tube_shines(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction) {
+    const auto tube = nearest_tube(frame, origin, direction);
+    return tube && (!tube->cap || frame.luminous_caps);
+}
+
 bool point_shines(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
                   const Vec3& direction, TubeLook look) {
     if (look == TubeLook::flat) return strip_at(frame, hit.u, hit.v, frame.diameter).has_value();
-    const auto tube = nearest_tube(frame, origin, direction);
-    return tube && !tube->cap;
+    return tube_shines(frame, origin, direction);
+}
+
+/// The ends of the lamps as they look on the plane, mm along u: the near ends of dark-capped tubes
+/// hide behind their rims, luminous caps add to both.
+struct Ends {
+    double begin, end;
+};
+Ends ends_of(const CPlaneFrame& frame, const Vec3& direction, bool round) {
+    if (!round) return {0, frame.length};
+    const double shift = rim_shift(frame, direction);
+    if (frame.luminous_caps) return {-std::abs(shift), frame.length + std::abs(shift)};
+    return {shift, frame.length + shift};
+}
+
+/// The mean over a grid of parallel rays through the footprint.
+StripeLook sampled(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
+                   const Footprint& footprint) {
+    constexpr int side = 16;
+    int lit = 0;
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+            const Vec2 offset =
+                footprint.dx * ((i + 0.5) / side - 0.5) + footprint.dy * ((j + 0.5) / side - 0.5);
+            const Vec3 from = origin + frame.u * offset.x + frame.v * offset.y;
+            lit += tube_shines(frame, from, direction) ? 1 : 0;
+        }
+    return {lit / static_cast<double>(side * side), true};
 }
 
 StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& direction,
                     const Footprint& footprint, TubeLook look) {
     const bool round = look == TubeLook::tube;
     const double width = round ? apparent_diameter(frame, direction) : frame.diameter;
-    const double shift = round ? rim_shift(frame, direction) : 0;
     const PixelFilter along(footprint.dx.x, footprint.dy.x), across(footprint.dx.y, footprint.dy.y);
     const bool resolved = across.width() <= resolvable_pitches * frame.pitch;
     const auto coverage = resolved ? comb_coverage : mean_coverage;
-    const double ends = along.share(shift - hit.u, frame.length + shift - hit.u);
-    return {ends * coverage(frame, width, hit.v, across), resolved};
+    const Ends ends = ends_of(frame, direction, round);
+    const double lengthwise = along.share(ends.begin - hit.u, ends.end - hit.u);
+    return {lengthwise * coverage(frame, width, hit.v, across), resolved};
 }
 
 } // namespace
@@ -87,6 +118,7 @@ StripeLook look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& dir
     if (!hit) return {};
     if (footprint.is_point())
         return {point_shines(frame, *hit, origin, direction, look) ? 1.0 : 0.0, true};
+    if (look == TubeLook::exact) return sampled(frame, origin, direction, footprint);
     return filtered(frame, *hit, direction, footprint, look);
 }
 

@@ -33,9 +33,6 @@ struct Footprint {
 Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& direction,
                        const RayDifferentials& spread);
 
-/// How lamps look in a mirror: round tubes, or the flat strips of the seed paper ([003]).
-enum class TubeLook { tube, flat };
-
 /// What a mirrored ray, or a pixel of them, sees of a row of lamps.
 struct StripeLook {
     double coverage = 0;  ///< share of the pixel that lamps fill, 0 to 1
@@ -43,9 +40,10 @@ struct StripeLook {
 };
 
 /// Looks the lamps up on the plane (physics 3.2 to 3.4); both sides of it are seen. A point is
-/// met exactly, dark end caps included; a footprint is integrated in closed form over strips of
-/// the tubes' apparent width, whose ends are shifted by the mean bulge of the rims. What lies
-/// between the lamps and what stands before them is the caller's.
+/// met exactly, end caps included; a footprint is integrated in closed form over strips of the
+/// tubes' apparent width, whose ends are shifted by the mean bulge of the rims, or (exact) is the
+/// mean over 256 parallel rays. What lies between the lamps and what stands before them is the
+/// caller's.
 StripeLook look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
                    const Footprint& footprint = {}, TubeLook look = TubeLook::tube);
 

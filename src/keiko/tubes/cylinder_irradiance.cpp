@@ -1,11 +1,12 @@
 #include "keiko/tubes/cylinder_irradiance.h"
 
+#include "keiko/math/interval_set.h"
 #include "keiko/math/quadrature.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 // Key: a half-plane through the line parallel to the axis through the point has the wedge angle
 // psi from the direction of the axis, sin psi = (R / D) sin t; with t everything is smooth up to
@@ -19,28 +20,28 @@ constexpr double pi = std::numbers::pi;
 /// Nodes per smooth piece: 16 reach rounding for d/D up to 1 (physics 2.4).
 constexpr int nodes = 16;
 
-/// Outer variables at which the integrand has a kink, sorted, with the ends of the range.
+/// Outer variables at which the integrand has a kink, with the ends of the range.
 class Pieces {
 public:
-    Pieces() { ends_[0] = -pi / 2, ends_[1] = pi / 2; }
+    explicit Pieces(const TubeView& view) : sine_limit_(view.radius / view.distance) {}
 
     /// Adds the half-plane with the tangent y / x, if it meets the tube.
-    void split_at(double y, double x, double sine_limit) {
-        const double sine = std::copysign(y, x * y) / std::hypot(x, y) / sine_limit;
-        if (std::abs(sine) < 1) ends_[count_++] = std::asin(sine);
+    void split_at(double y, double x) {
+        const double sine = std::copysign(y, x * y) / std::hypot(x, y) / sine_limit_;
+        if (std::abs(sine) < 1) ends_.push_back(std::asin(sine));
     }
     template <class F>
     double integrate(const F& f) {
-        std::sort(ends_.begin(), std::next(ends_.begin(), static_cast<std::ptrdiff_t>(count_)));
+        std::sort(ends_.begin(), ends_.end());
         double sum = 0;
-        for (std::size_t i = 0; i + 1 < count_; ++i)
+        for (std::size_t i = 0; i + 1 < ends_.size(); ++i)
             if (ends_[i] < ends_[i + 1]) sum += keiko::integrate(f, ends_[i], ends_[i + 1], nodes);
         return sum;
     }
 
 private:
-    std::array<double, 8> ends_{};
-    std::size_t count_ = 2;
+    double sine_limit_;
+    std::vector<double> ends_{-pi / 2, pi / 2};
 };
 
 /// Where the tangent plane crosses the rim at x: a chord of the circle. At most two places.
@@ -50,23 +51,30 @@ void split_at_rim(Pieces& pieces, const TubeView& view, double x) {
     const double cosine = (view.distance * n_towards - view.n_along * x) / lever;
     if (!(std::abs(cosine) < 1)) return;
     const double middle = std::atan2(view.n_sideways, n_towards), half = std::acos(cosine);
-    for (const double phi : {middle - half, middle + half}) {
-        pieces.split_at(view.radius * std::sin(phi), view.distance - view.radius * std::cos(phi),
-                        view.radius / view.distance);
-    }
+    for (const double phi : {middle - half, middle + half})
+        pieces.split_at(view.radius * std::sin(phi), view.distance - view.radius * std::cos(phi));
 }
 
 /// Where the tangent plane crosses a radial cut through the axis at x.
 void split_at_cut(Pieces& pieces, const TubeView& view, double x) {
     const double height = view.n_lamp * view.distance + view.n_along * x;
-    pieces.split_at(-height, view.n_sideways * view.distance, view.radius / view.distance);
+    pieces.split_at(-height, view.n_sideways * view.distance);
 }
 
-Pieces pieces_of(const TubeView& view, const VisiblePart& part) {
-    Pieces pieces;
-    pieces.split_at(-view.n_lamp, view.n_sideways, view.radius / view.distance);
+/// At the half-planes that touch another tube.
+void split_at_tangents(Pieces& pieces, const TubeView& view, const HidingTube& tube) {
+    const double half = std::asin(view.radius / tube.distance);
+    for (const double angle : {tube.angle - half, tube.angle + half})
+        pieces.split_at(std::sin(angle), std::cos(angle));
+}
+
+Pieces pieces_of(const TubeView& view, const VisiblePart& part,
+                 std::span<const HidingTube> hiding) {
+    Pieces pieces(view);
+    pieces.split_at(-view.n_lamp, view.n_sideways);
     part.begins ? split_at_rim(pieces, view, part.begin) : split_at_cut(pieces, view, part.begin);
     part.ends ? split_at_rim(pieces, view, part.end) : split_at_cut(pieces, view, part.end);
+    for (const HidingTube& tube : hiding) split_at_tangents(pieces, view, tube);
     return pieces;
 }
 
@@ -80,9 +88,29 @@ double arc_integral(double al, double nz, double low, double high) {
     return (al * (span + std::cos(sum) * std::sin(span)) + nz * std::sin(sum) * std::sin(span)) / 2;
 }
 
+/// The elevations that tubes nearer than `near` take in the half-plane psi, in any order.
+std::vector<ParameterInterval> hidden_elevations(const TubeView& view,
+                                                 std::span<const HidingTube> hiding, double psi,
+                                                 double near) {
+    std::vector<ParameterInterval> hidden;
+    for (const HidingTube& tube : hiding) {
+        const double across = tube.distance * std::sin(psi - tube.angle);
+        const double middle = tube.distance * std::cos(psi - tube.angle);
+        if (!(std::abs(across) < view.radius) || !(middle > 0)) continue;
+        const double half = std::sqrt((view.radius - across) * (view.radius + across));
+        const double front = middle - half, back = middle + half;
+        if (!(front < near)) continue;
+        const double begin = view.x_a, end = view.x_a + view.length;
+        hidden.push_back({std::min(std::atan2(begin, front), std::atan2(begin, back)),
+                          std::max(std::atan2(end, front), std::atan2(end, back))});
+    }
+    return hidden;
+}
+
 } // namespace
 
-double cylinder_solid_angle(const TubeView& view, const VisiblePart& part) {
+double cylinder_solid_angle(const TubeView& view, const VisiblePart& part,
+                            std::span<const HidingTube> hiding) {
     const double sine_limit = view.radius / view.distance;
     const auto slice = [&](double t) {
         const double sine = sine_limit * std::sin(t);
@@ -92,9 +120,17 @@ double cylinder_solid_angle(const TubeView& view, const VisiblePart& part) {
         const double low = std::atan2(part.begin, part.begins ? near : cut);
         const double high = std::atan2(part.end, part.ends ? near : cut);
         const double al = view.n_lamp * cosine + view.n_sideways * sine;
-        return arc_integral(al, view.n_along, low, high) * sine_limit * std::cos(t) / cosine;
+        double lit = 0;
+        if (hiding.empty()) {
+            lit = arc_integral(al, view.n_along, low, high);
+        } else {
+            const IntervalSet hidden(hidden_elevations(view, hiding, std::asin(sine), near));
+            for (const ParameterInterval& open : hidden.complement(low, high))
+                lit += arc_integral(al, view.n_along, open.begin, open.end);
+        }
+        return lit * sine_limit * std::cos(t) / cosine;
     };
-    return pieces_of(view, part).integrate(slice);
+    return pieces_of(view, part, hiding).integrate(slice);
 }
 
 } // namespace keiko

@@ -1,13 +1,11 @@
 #include "keiko/tubes/flat_tube_models.h"
 
+#include "keiko/luminance/line_irradiance.h"
 #include "keiko/luminance/polygon_irradiance.h"
-#include "keiko/math/interval_set.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 namespace keiko {
 namespace {
@@ -24,23 +22,16 @@ double strip(const TubeView& view, double begin, double end, double half_width) 
     return projected_solid_angle(strip_corners(view, begin, end, half_width), Vec3(0), view.normal);
 }
 
-/// What of the axis lies above the tangent plane.
-std::optional<ParameterInterval> above_horizon(const TubeView& view, const VisiblePart& part) {
-    double begin = part.begin, end = part.end;
-    const double height = view.n_lamp * view.distance; // of the foot
-    if (view.n_along > 0) begin = std::max(begin, -height / view.n_along);
-    if (view.n_along < 0) end = std::min(end, -height / view.n_along);
-    if (view.n_along == 0 && !(height > 0)) return {};
-    if (!(begin < end)) return {};
-    return ParameterInterval{begin, end};
+LinePiece piece_of(const TubeView& view, const VisiblePart& part) {
+    return {part.begin, part.end, view.distance, view.n_along, view.n_lamp};
 }
 
 } // namespace
 
 double seed_solid_angle(const TubeView& view, const VisiblePart& part) {
-    const auto axis = above_horizon(view, part);
-    if (!axis) return 0;
-    const auto corners = strip_corners(view, axis->begin, axis->end, view.radius);
+    const LinePiece axis = above_horizon(piece_of(view, part));
+    if (!(axis.begin < axis.end)) return 0;
+    const auto corners = strip_corners(view, axis.begin, axis.end, view.radius);
     const double long_side = angle_between(corners[0], corners[1]);
     const double width = 2 * view.radius;
     const std::array<double, 4> angles{long_side, width / corners[1].length(), long_side,
@@ -67,15 +58,9 @@ double strip_solid_angle(const TubeView& view, const VisiblePart& part) {
 }
 
 double line_solid_angle(const TubeView& view, const VisiblePart& part) {
-    const auto axis = above_horizon(view, part);
-    if (!axis) return 0;
-    const double h = view.distance, x1 = axis->begin, x2 = axis->end;
-    const double length = x2 - x1, r12 = (h * h + x1 * x1) * (h * h + x2 * x2);
-    // (2.4), in products so that nothing cancels when the part is short or the point far along.
-    const double across =
-        length * (h * h - x1 * x2) / r12 + std::atan2(length * h, h * h + x1 * x2) / h;
-    const double along = h * length * (x1 + x2) / r12;
-    return view.radius * (view.n_lamp * across + view.n_along * along);
+    const LinePiece axis = above_horizon(piece_of(view, part));
+    if (!(axis.begin < axis.end)) return 0;
+    return 2 * view.radius * cosine_line_integral(axis);
 }
 
 } // namespace keiko

@@ -10,7 +10,7 @@ namespace keiko {
 struct TubeHit {
     double t = 0;     ///< in lengths of the ray's direction
     int lamp = 0;     ///< index by rising v
-    bool cap = false; ///< on an end disc, which is dark
+    bool cap = false; ///< on an end disc
 };
 
 /// The first capped cylinder of the comb that the ray enters at t > 0, tubes that hide each other

@@ -1,9 +1,9 @@
 #include "keiko/tubes/tube_irradiance.h"
 
+#include "keiko/luminance/disc_irradiance.h"
 #include "keiko/tubes/cylinder_irradiance.h"
 #include "keiko/tubes/flat_tube_models.h"
-
-#include <algorithm>
+#include "keiko/tubes/tube_view.h"
 
 namespace keiko {
 namespace {
@@ -35,21 +35,35 @@ double solid_angle_of(const VisiblePart& part, const TubeView& view, TubeModel m
     }
 }
 
+bool has_caps(TubeModel model) {
+    return model != TubeModel::seed && model != TubeModel::rectangle && model != TubeModel::line;
+}
+
 } // namespace
+
+double cap_solid_angle(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
+                       const IntervalSet& visible) {
+    if (!lamp.luminous_caps || visible.empty()) return 0;
+    const double length = (lamp.b - lamp.a).length();
+    if (!(length > 0)) return 0;
+    const Vec3 along = (lamp.b - lamp.a) / length;
+    const double x = along.dot(point - lamp.a);
+    const bool before = x < 0 && visible[0].begin <= 0;
+    const bool behind = x > length && visible[visible.size() - 1].end >= 1;
+    if (!before && !behind) return 0;
+    return projected_solid_angle(Disc{before ? lamp.a : lamp.b, along, lamp.diameter / 2}, point,
+                                 normal);
+}
 
 double projected_solid_angle(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
                              const IntervalSet& visible, TubeModel model) {
     if (below_horizon(lamp, point, normal)) return 0;
+    const double caps = has_caps(model) ? cap_solid_angle(lamp, point, normal, visible) : 0;
     const auto view = view_of(lamp, point, normal);
-    if (!view) return 0;
-    double sum = 0;
-    for (const ParameterInterval& interval : visible) {
-        const double begin = std::max(interval.begin, 0.0), end = std::min(interval.end, 1.0);
-        if (!(begin < end)) continue;
-        const VisiblePart part{view->x_at(begin), view->x_at(end), begin == 0, end == 1};
-        sum += solid_angle_of(part, *view, chosen(model, *view));
-    }
-    return sum;
+    if (!view) return caps;
+    return caps + sum_over_parts(*view, visible, [&](const VisiblePart& part) {
+               return solid_angle_of(part, *view, chosen(model, *view));
+           });
 }
 
 } // namespace keiko

@@ -6,17 +6,19 @@
 
 namespace keiko {
 
-/// A straight matt tube: `luminance` is the same in every direction. Its end caps are dark.
+/// A straight matt tube: `luminance` is the same in every direction.
 struct TubeLamp {
-    Vec3 a{0}, b{0};     ///< ends of the axis, mm
-    double diameter = 0; ///< mm
-    Rgb luminance;       ///< cd/m2 of the lateral surface
+    Vec3 a{0}, b{0};            ///< ends of the axis, mm
+    double diameter = 0;        ///< mm
+    Rgb luminance;              ///< cd/m2 of the lateral surface
+    bool luminous_caps = false; ///< whether the end discs shine alike; else they are dark
 };
 
 /// Lamp `index`, 0 to lamps - 1, of the comb.
 inline TubeLamp lamp_of(const CPlaneFrame& frame, int index, const Rgb& luminance) {
     const double across = frame.axis(index);
-    return {frame.at(0, across), frame.at(frame.length, across), frame.diameter, luminance};
+    return {frame.at(0, across), frame.at(frame.length, across), frame.diameter, luminance,
+            frame.luminous_caps};
 }
 
 /// All lamps of a C-plane by rising v.

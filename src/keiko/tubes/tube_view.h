@@ -1,7 +1,9 @@
 #pragma once
 
+#include "keiko/math/interval_set.h"
 #include "keiko/tubes/tube_lamp.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace keiko {
@@ -54,5 +56,18 @@ struct VisiblePart {
     double begin = 0, end = 0;
     bool begins = true, ends = true;
 };
+
+/// Sum of `f` over the parts of a lamp that belong to visible intervals of its axis, parameters 0
+/// to 1.
+template <class F>
+auto sum_over_parts(const TubeView& view, const IntervalSet& visible, const F& f) {
+    decltype(f(VisiblePart{})) sum{};
+    for (const ParameterInterval& interval : visible) {
+        const double begin = std::max(interval.begin, 0.0), end = std::min(interval.end, 1.0);
+        if (begin < end)
+            sum += f(VisiblePart{view.x_at(begin), view.x_at(end), begin == 0, end == 1});
+    }
+    return sum;
+}
 
 } // namespace keiko

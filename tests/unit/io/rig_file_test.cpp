@@ -302,5 +302,42 @@ TEST(RigFile, EveryRigOfTheFolderLoadsAndStandsInItsTable) {
     EXPECT_GE(rigs, 4);
 }
 
+TEST(RigFile, NamesWhatLampsAreTakenFor) {
+    EXPECT_EQ(only_plane(head + whole_plane).diffuse, TubeModel::automatic);
+    const CPlane seed = only_plane(head + whole_plane + "fidelity = \"seed\"\n");
+    EXPECT_EQ(seed.diffuse, TubeModel::seed);
+    EXPECT_EQ(seed.mirror, TubeLook::flat);
+    const CPlane mixed =
+        only_plane(head + whole_plane + "fidelity = \"exact\"\ndiffuse = \"line\"\n");
+    EXPECT_EQ(mixed.diffuse, TubeModel::line);
+    EXPECT_EQ(mixed.mirror, TubeLook::exact);
+    EXPECT_EQ(rig_error(head + whole_plane + "diffuse = \"stripe\"\n"),
+              "bad.toml:6:11: c_plane[0].diffuse: 'stripe' is none of automatic, strip, cylinder, "
+              "rectangle, line, seed (did you mean 'strip'?)");
+}
+
+TEST(RigFile, LuminousCapsShareTheFlux) {
+    const std::string lamp = whole_plane + "luminous_flux = 3350\n";
+    const CPlane dark = only_plane(head + lamp);
+    const CPlane lit = only_plane(head + lamp + "caps = \"luminous\"\n");
+    EXPECT_FALSE(dark.luminous_caps);
+    EXPECT_TRUE(lit.luminous_caps);
+    EXPECT_NEAR(dark.luminance.g / lit.luminance.g, 1 + 26.0 / 2000, 1e-12);
+}
+
+TEST(RigFile, WrittenLampsKeepTheirCapsAndModels) {
+    for (const auto model : {TubeModel::automatic, TubeModel::strip, TubeModel::cylinder,
+                             TubeModel::rectangle, TubeModel::line, TubeModel::seed}) {
+        for (const auto look : {TubeLook::tube, TubeLook::flat, TubeLook::exact}) {
+            LightRig rig;
+            rig.sources = {CPlane{.luminous_caps = true, .diffuse = model, .mirror = look}};
+            const CPlane back = only_plane(rig_text(rig));
+            EXPECT_TRUE(back.luminous_caps);
+            EXPECT_EQ(back.diffuse, model);
+            EXPECT_EQ(back.mirror, look);
+        }
+    }
+}
+
 } // namespace
 } // namespace keiko

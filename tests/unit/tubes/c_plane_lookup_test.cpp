@@ -131,6 +131,36 @@ TEST(CPlaneLookup, EndsOfTubesAreSeenWhereTheirRimsAre) {
     EXPECT_GT(error(TubeLook::flat), 0.1);
 }
 
+TEST(CPlaneLookup, ExactIsTheMeanOfManyRaysOverEveryEnd) {
+    for (const bool caps : {false, true}) {
+        CPlane plane = ceiling;
+        plane.luminous_caps = caps;
+        const CPlaneFrame row(plane);
+        for (const double u : {-5.0, 1003.0}) {
+            const Vec3 direction(0.8, 0.3, 1), from = row.at(u, row.axis(6)) - direction * 2000;
+            const RayDifferentials spread = pixel_of(70, 0.3);
+            const auto hit = c_plane_coordinates(row, from, direction);
+            const Footprint footprint = footprint_on(row, *hit, direction, spread);
+            int lit = 0;
+            constexpr int side = 300;
+            for (int j = 0; j < side; ++j)
+                for (int i = 0; i < side; ++i) {
+                    const double x = (i + 0.5) / side - 0.5, y = (j + 0.5) / side - 0.5;
+                    const Vec3 d = direction + spread.direction_dx * x + spread.direction_dy * y;
+                    const auto tube = nearest_tube(row, from, d);
+                    lit += tube && (caps || !tube->cap);
+                }
+            const double mean = lit / static_cast<double>(side * side);
+            EXPECT_GT(mean, 0.05);
+            const auto coverage = [&](TubeLook look) {
+                return look_up(row, from, direction, footprint, look).coverage;
+            };
+            EXPECT_NEAR(coverage(TubeLook::exact), mean, 0.01) << caps << " " << u;
+            EXPECT_NEAR(coverage(TubeLook::tube), mean, 0.03) << caps << " " << u;
+        }
+    }
+}
+
 TEST(CPlaneLookup, RowLooksClosedAtGrazingAngles) {
     const Vec3 direction(0, 1, 0.05), origin = Vec3(0, 0, 2000) - direction * 1000;
     EXPECT_EQ(look_up(frame, origin, direction).coverage, 1);
