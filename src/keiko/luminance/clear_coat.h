@@ -1,37 +1,56 @@
 #pragma once
 
+#include "keiko/luminance/directional_albedo.h"
 #include "keiko/luminance/fresnel.h"
 #include "keiko/math/rgb.h"
 
+#include <memory>
+
 namespace keiko {
 
-/// Matt paint under a smooth clear coat of index `n` >= 1 (physics 5.3): light that enters is
-/// refracted, scattered by the base and partly thrown back by the coat from within.
+/// Matt paint under a clear coat of index `n` >= 1 (physics 5.7): light that enters is refracted,
+/// scattered by the base and partly thrown back by the coat from within.
 class ClearCoat {
 public:
-    ClearCoat(const Rgb& base_reflectance, double n) : n_(n) {
-        const double inner = fresnel_mean(1 / n), n2 = n * n;
-        scale_ = {base_reflectance.r / (n2 * (1 - base_reflectance.r * inner)),
-                  base_reflectance.g / (n2 * (1 - base_reflectance.g * inner)),
-                  base_reflectance.b / (n2 * (1 - base_reflectance.b * inner))};
+    /// Under a smooth coat.
+    ClearCoat(const Rgb& base_reflectance, double n)
+        : ClearCoat(base_reflectance, n, fresnel_mean(n)) {}
+    /// Under a rough one that throws back what `outside` tells.
+    ClearCoat(const Rgb& base_reflectance, double n, std::shared_ptr<const AlbedoTable> outside)
+        : ClearCoat(base_reflectance, n, outside->mean().g) {
+        rough_ = std::move(outside);
     }
 
-    /// Share of the light that the coat mirrors, by the cosine of the angle of incidence.
-    double mirrored(double cosine) const { return fresnel_dielectric(cosine, n_); }
+    /// Share of the light that the coat throws back, by the cosine of the angle of incidence.
+    double mirrored(double cosine) const {
+        return rough_ ? (*rough_)(cosine).g : fresnel_dielectric(cosine, n_);
+    }
+    /// The rest.
+    double entering(double cosine) const { return 1 - mirrored(cosine); }
 
-    /// What takes the place of the reflectance in Lambert's rho E / pi, seen under
-    /// `cosine_view` with the light coming in under `cosine_light`.
+    /// What takes the place of the reflectance in Lambert's rho E / pi for light whose share
+    /// `entering` was taken beforehand, seen under `cosine_view`.
+    Rgb inner_reflectance(double cosine_view) const { return scale_ * entering(cosine_view); }
+    /// The same for light that comes in under `cosine_light`, counted as it arrives.
     Rgb base_reflectance(double cosine_view, double cosine_light) const {
-        return scale_ * ((1 - mirrored(cosine_view)) * (1 - mirrored(cosine_light)));
+        return inner_reflectance(cosine_view) * entering(cosine_light);
     }
     /// The same under light that comes evenly from all sides.
     Rgb base_reflectance_diffuse(double cosine_view) const {
-        return scale_ * ((1 - mirrored(cosine_view)) * (1 - fresnel_mean(n_)));
+        return inner_reflectance(cosine_view) * (1 - mean_);
     }
 
 private:
-    double n_;
+    /// Light passes a border alike in both directions: n^2 (1 - inner) = 1 - mean.
+    ClearCoat(const Rgb& base, double n, double mean) : n_(n), mean_(mean) {
+        const double n2 = n * n, inner = 1 - (1 - mean) / n2;
+        const auto scaled = [&](double rho) { return rho / (n2 * (1 - rho * inner)); };
+        scale_ = {scaled(base.r), scaled(base.g), scaled(base.b)};
+    }
+
+    double n_, mean_;
     Rgb scale_;
+    std::shared_ptr<const AlbedoTable> rough_;
 };
 
 } // namespace keiko

@@ -35,6 +35,11 @@ inline Rgb lambert_luminance(const Rgb& reflectance, const Rgb& illuminance) {
     return reflectance * illuminance / std::numbers::pi;
 }
 
+/// Luminance in cd/m2 of surroundings that shed `illuminance` lx evenly from all sides.
+inline Rgb even_luminance(const Rgb& illuminance) {
+    return illuminance / std::numbers::pi;
+}
+
 /// Surface luminance in cd/m2 of a matt tube that emits `flux` lm, from its `diameter` and
 /// `length` in mm, both positive; its end caps are dark unless `luminous_caps`.
 inline double tube_luminance(double flux, double diameter, double length,

@@ -3,6 +3,7 @@
 #include "keiko/fog/transmittance.h"
 #include "keiko/luminance/photometry.h"
 #include "keiko/luminance/visible.h"
+#include "keiko/rig/glossy_luminance.h"
 #include "keiko/rig/illuminance.h"
 #include "keiko/rig/luminance_along.h"
 #include "keiko/rig/mirrored_luminance.h"
@@ -22,13 +23,13 @@ constexpr double far_away = 1e6;
 
 Integrator::Integrator(const PictureScene& scene, const PictureOptions& options)
     : scene_(scene), options_(options) {
-    std::vector<Material> paints;
+    std::vector<Material> known;
     for (const Material& material : scene.materials) {
-        const auto known = std::find(paints.begin(), paints.end(), material);
-        paint_of_face_.push_back(static_cast<std::uint32_t>(known - paints.begin()));
-        if (known != paints.end()) continue;
-        paints.push_back(material);
-        coats_.emplace_back(material.diffuse, material.refractive_index);
+        const auto found = std::find(known.begin(), known.end(), material);
+        paint_of_face_.push_back(static_cast<std::uint32_t>(found - known.begin()));
+        if (found != known.end()) continue;
+        known.push_back(material);
+        paints_.emplace_back(material);
     }
 }
 
@@ -66,7 +67,8 @@ std::optional<Integrator::Path> Integrator::advance(Path path, const std::option
     if (!hit) {
         const Vec3 end = path.ray.origin + path.ray.direction.normalized() * far_away;
         pass_medium(path, end, sample);
-        if (depth == 0) sample.luminance += path.weight * scene_.background;
+        sample.luminance +=
+            path.weight * (depth == 0 ? scene_.background : even_luminance(scene_.rig.ambient));
         return std::nullopt;
     }
     sample.paths.count(*hit);
@@ -74,10 +76,10 @@ std::optional<Integrator::Path> Integrator::advance(Path path, const std::option
 
     const double towards = hit->normal.dot(path.ray.direction);
     const Vec3 normal = towards > 0 ? -hit->normal : hit->normal;
-    const double cosine = std::abs(towards) / path.ray.direction.length();
-    sample.luminance += path.weight * base_luminance(*hit, normal, cosine);
+    const double length = path.ray.direction.length(), cosine = std::abs(towards) / length;
+    sample.luminance += path.weight * base_luminance(*hit, normal, path.ray.direction / -length);
 
-    path.weight *= coat(*hit).mirrored(cosine);
+    path.weight *= paint(*hit).mirrored(cosine);
     if (depth >= options_.max_depth || !(max_channel(path.weight) >= options_.min_weight))
         return std::nullopt;
     path.ray = mirror_ray(path.ray, *hit);
@@ -115,11 +117,24 @@ void Integrator::pass_medium(Path& path, const Vec3& end, EyeSample& sample) con
     path.weight *= transmittance(*scene_.rig.medium, (leg.b - leg.a).length());
 }
 
-Rgb Integrator::base_luminance(const Hit& hit, const Vec3& normal, double cosine) const {
-    const Rgb illuminance =
-        scene_.rig.ambient +
-        direct_illuminance(scene_.rig, hit.position, normal, AllVisible(), TubeModel::picture);
-    return lambert_luminance(coat(hit).base_reflectance_diffuse(cosine), illuminance);
+Rgb Integrator::base_luminance(const Hit& hit, const Vec3& normal, const Vec3& eye) const {
+    const AllVisible visible;
+    const LightRig& rig = scene_.rig;
+    const Paint& paint = this->paint(hit);
+    const double cosine = normal.dot(eye);
+    const Rgb entered =
+        direct_illuminance(rig, hit.position, normal, visible, TubeModel::picture, &paint.base());
+    Rgb sum = lambert_luminance(paint.base().inner_reflectance(cosine), entered);
+    if (rig.ambient != Rgb(0))
+        sum += even_luminance(rig.ambient) *
+               (paint.base().base_reflectance_diffuse(cosine) + paint.gloss_albedo(cosine));
+    if (paint.gloss())
+        sum +=
+            glossy_luminance(rig, hit.position, GlossKernel(*paint.gloss(), normal, eye), visible);
+    if (paint.flakes())
+        sum +=
+            glossy_luminance(rig, hit.position, FlakeKernel(*paint.flakes(), normal, eye), visible);
+    return sum;
 }
 
 } // namespace keiko

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/luminance/clear_coat.h"
+#include "keiko/render/paint.h"
 #include "keiko/render/path_counts.h"
 #include "keiko/render/picture.h"
 
@@ -23,8 +23,10 @@ struct EyeSample {
     PathCounts paths;        ///< of its hits, the mirrored rays' too
 };
 
-/// Follows eye rays over mirror reflections: the clear coat mirrors lamps and the body itself, the
-/// base under it is lit directly. Works on many rays at once, a reflection deeper each pass.
+/// Follows eye rays over mirror reflections: a smooth coat or metal mirrors lamps, the body itself
+/// and, past both, the even light that `ambient` stands for; rough borders and flakes spread the
+/// light of lamps, the base is lit directly. Works on many rays at once, a reflection deeper each
+/// pass.
 class Integrator {
 public:
     Integrator(const PictureScene& scene, const PictureOptions& options);
@@ -46,12 +48,12 @@ private:
     void note_mirrored(const Ray& ray, const std::optional<Hit>& hit, EyeSample& sample) const;
     void see_lamps(Path& path, double t_max, EyeSample& sample) const;
     void pass_medium(Path& path, const Vec3& end, EyeSample& sample) const;
-    Rgb base_luminance(const Hit& hit, const Vec3& normal, double cosine) const;
-    const ClearCoat& coat(const Hit& hit) const { return coats_[paint_of_face_[hit.face]]; }
+    Rgb base_luminance(const Hit& hit, const Vec3& normal, const Vec3& eye) const;
+    const Paint& paint(const Hit& hit) const { return paints_[paint_of_face_[hit.face]]; }
 
     const PictureScene& scene_;
     const PictureOptions& options_;
-    std::vector<ClearCoat> coats_; ///< one a paint
+    std::vector<Paint> paints_;
     std::vector<std::uint32_t> paint_of_face_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/luminance/clear_coat.h"
 #include "keiko/luminance/visible.h"
 #include "keiko/rig/light_rig.h"
 #include "keiko/tubes/tube_irradiance.h"
@@ -10,10 +11,11 @@ namespace keiko {
 
 /// Illuminance in lx from one source at `point` with unit `normal`, through the medium if there is
 /// one. `visible` answers for that point; a source without extent is asked for as the segment
-/// from it to itself. Lamps and beams that cannot reach the point are not asked for at all.
+/// from it to itself. Lamps and beams that cannot reach the point are not asked for at all. A row
+/// of lamps that names its own model keeps it. With a `coat` only what enters it counts.
 Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& medium,
                      const Vec3& point, const Vec3& normal, const Visible& visible,
-                     TubeModel model = TubeModel::automatic);
+                     TubeModel model = TubeModel::automatic, const ClearCoat* coat = nullptr);
 
 /// The same from every source of a rig, in its order.
 std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, const Vec3& normal,
@@ -22,6 +24,7 @@ std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, c
 
 /// Their sum, without the rig's ambient light.
 Rgb direct_illuminance(const LightRig& rig, const Vec3& point, const Vec3& normal,
-                       const Visible& visible, TubeModel model = TubeModel::automatic);
+                       const Visible& visible, TubeModel model = TubeModel::automatic,
+                       const ClearCoat* coat = nullptr);
 
 } // namespace keiko

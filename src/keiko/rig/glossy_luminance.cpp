@@ -1,0 +1,92 @@
+#include "keiko/rig/glossy_luminance.h"
+
+#include "keiko/fog/transmittance.h"
+#include "keiko/luminance/photometry.h"
+#include "keiko/spotlight/beam_intensity.h"
+#include "keiko/tubes/lobe_reach.h"
+#include "keiko/tubes/tube_irradiance.h"
+
+namespace keiko {
+namespace {
+
+constexpr double least_share = 1e-4; ///< of a lobe's peak
+
+/// Answers what one source gives.
+template <class Kernel>
+class GlossReceiver {
+public:
+    GlossReceiver(const LightRig& rig, const Vec3& point, const Kernel& kernel,
+                  const Visible& visible, GlossQuadrature quadrature)
+        : rig_(rig),
+          point_(point),
+          kernel_(kernel),
+          visible_(visible),
+          quadrature_(quadrature),
+          cone_(kernel.cone(least_share)) {}
+
+    Rgb operator()(const CPlane& plane) const {
+        const CPlaneFrame frame(plane);
+        const LampRange range = lamps_in_cone(frame, point_, kernel_.peak(), cone_);
+        const auto outline = plane.mirror == TubeLook::flat ? TubeOutline::rectangle
+                             : plane.luminous_caps          ? TubeOutline::capped
+                                                            : TubeOutline::lateral;
+        Rgb sum;
+        for (int i = range.begin; i < range.end; ++i)
+            sum += from_lamp(lamp_of(frame, i, plane.luminance), outline);
+        return plane.luminance * sum;
+    }
+
+    Rgb operator()(const Spotlight& light) const {
+        const Vec3 towards = light.position - point_;
+        const double distance = towards.length();
+        if (!(distance > 0)) return {};
+        const Rgb share = kernel_(towards / distance);
+        if (share == Rgb()) return {};
+        const Rgb lx = inverse_square_illuminance(intensity_towards(light, point_), distance, 1);
+        if (lx == Rgb() || visible_.intervals({light.position, light.position}).empty()) return {};
+        return share * lx * passed(distance);
+    }
+
+private:
+    Rgb passed(double distance) const {
+        return rig_.medium ? transmittance(*rig_.medium, distance) : Rgb(1);
+    }
+
+    Rgb from_lamp(const TubeLamp& lamp, TubeOutline outline) const {
+        if (below_horizon(lamp, point_, kernel_.normal())) return {};
+        const auto view = view_of(lamp, point_, kernel_.normal());
+        if (!view) return {};
+        const IntervalSet seen = visible_.intervals({lamp.a, lamp.b});
+        return sum_over_parts(*view, seen, [&](const VisiblePart& part) {
+            const TubeSlices slices(*view, part, outline);
+            const double middle = (part.begin + part.end) / 2;
+            return TubeGloss(slices, kernel_).integral(quadrature_) *
+                   passed(std::hypot(view->distance, middle));
+        });
+    }
+
+    const LightRig& rig_;
+    const Vec3& point_;
+    const Kernel& kernel_;
+    const Visible& visible_;
+    GlossQuadrature quadrature_;
+    double cone_;
+};
+
+} // namespace
+
+template <class Kernel>
+Rgb glossy_luminance(const LightRig& rig, const Vec3& point, const Kernel& kernel,
+                     const Visible& visible, GlossQuadrature quadrature) {
+    const GlossReceiver receiver(rig, point, kernel, visible, quadrature);
+    Rgb sum;
+    for (const LightSource& source : rig.sources) sum += std::visit(receiver, source);
+    return sum;
+}
+
+template Rgb glossy_luminance(const LightRig&, const Vec3&, const GlossKernel&, const Visible&,
+                              GlossQuadrature);
+template Rgb glossy_luminance(const LightRig&, const Vec3&, const FlakeKernel&, const Visible&,
+                              GlossQuadrature);
+
+} // namespace keiko

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "keiko/luminance/flake_kernel.h"
+#include "keiko/luminance/gloss_kernel.h"
+#include "keiko/luminance/visible.h"
+#include "keiko/rig/light_rig.h"
+#include "keiko/tubes/tube_gloss.h"
+
+namespace keiko {
+
+/// Luminance in cd/m2 that the lobe of a kernel sends from `point` to the eye of the kernel, of all
+/// sources of a rig through its medium: tubes as they are, or the paper's rectangles where a row's
+/// `mirror` is flat. `visible` answers for the point. Lamps that hide each other are counted each
+/// in full, and tubes outside of the lobe's cone, where it is below 1e-4 of its peak, not at all.
+template <class Kernel>
+Rgb glossy_luminance(const LightRig& rig, const Vec3& point, const Kernel& kernel,
+                     const Visible& visible, GlossQuadrature quadrature = GlossQuadrature::picture);
+
+extern template Rgb glossy_luminance(const LightRig&, const Vec3&, const GlossKernel&,
+                                     const Visible&, GlossQuadrature);
+extern template Rgb glossy_luminance(const LightRig&, const Vec3&, const FlakeKernel&,
+                                     const Visible&, GlossQuadrature);
+
+} // namespace keiko
