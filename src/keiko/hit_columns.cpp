@@ -155,4 +155,8 @@ void append_number(std::string& text, std::uint64_t number) {
     append_digits(text, number);
 }
 
+void append_number(std::string& text, double number) {
+    append_digits(text, number);
+}
+
 } // namespace keiko

@@ -56,7 +56,8 @@ void append_row(std::string& text, const std::vector<HitColumn>& columns, const 
 /// Appends the row of a ray that hits nothing: empty fields and a line break.
 void append_empty_row(std::string& text, const std::vector<HitColumn>& columns);
 
-/// Appends the digits of a number.
+/// Appends the digits of a number, the fewest that read back as the same.
 void append_number(std::string& text, std::uint64_t number);
+void append_number(std::string& text, double number);
 
 } // namespace keiko

@@ -11,7 +11,7 @@ namespace keiko {
 namespace {
 
 constexpr std::size_t piece = 1 << 16; ///< bytes: some 700 rays
-constexpr std::array<std::string_view, 6> fields{"ox", "oy", "oz", "dx", "dy", "dz"};
+constexpr std::size_t fields = 6;
 
 /// Why a line is no ray, of which field.
 struct Refusal {
@@ -39,42 +39,57 @@ double largest_component(const Vec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
+std::string_view field_name(std::string_view header, std::size_t index) {
+    for (; index > 0; --index) header.remove_prefix(header.find(',') + 1);
+    return header.substr(0, header.find(','));
+}
+
+/// The names of the first three columns, and of the others.
+std::string_view place_names(std::string_view header) {
+    const std::string_view fourth = field_name(header, 3);
+    return header.substr(0, static_cast<std::size_t>(fourth.data() - header.data()) - 1);
+}
+std::string_view direction_names(std::string_view header) {
+    return header.substr(place_names(header).size() + 1);
+}
+
 /// What no tracing could make sense of.
-std::optional<Refusal> refusal_of(const Ray& ray) {
+std::optional<Refusal> refusal_of(const Ray& ray, std::string_view header) {
     // Doubles beyond it are more than 0.1 mm apart.
     constexpr double farthest = 1e15;
     // Squares of what lies outside are no numbers.
     constexpr double shortest = 1e-100, longest = 1e100;
-    if (largest_component(ray.origin) > farthest) return Refusal{"ox,oy,oz", "lies beyond 1e15 mm"};
+    if (largest_component(ray.origin) > farthest)
+        return Refusal{place_names(header), "lies beyond 1e15 mm"};
     const double length = largest_component(ray.direction);
-    if (length == 0) return Refusal{"dx,dy,dz", "is no direction: all are 0"};
+    if (length == 0) return Refusal{direction_names(header), "is no direction: all are 0"};
     if (length < shortest || length > longest)
-        return Refusal{"dx,dy,dz", "has a length beyond 1e-100 to 1e100"};
+        return Refusal{direction_names(header), "has a length beyond 1e-100 to 1e100"};
     return std::nullopt;
 }
 
-Refusal wrong_count(std::string_view line, std::size_t count) {
+Refusal wrong_count(std::string_view line, std::size_t count, std::string_view header) {
     const std::string got = without_blanks(line).empty() ? "an empty line"
                             : count == 1                 ? "1 field"
                                                          : std::to_string(count) + " fields";
-    return {"", "expected " + std::string(ray_header) + ", got " + got};
+    return {"", "expected " + std::string(header) + ", got " + got};
 }
 
-std::optional<Refusal> read_ray(std::string_view line, Ray& ray) {
+std::optional<Refusal> read_ray(std::string_view line, std::string_view header, Ray& ray) {
     if (line.size() > longest_ray_line)
         return Refusal{"", "longer than " + std::to_string(longest_ray_line) + " characters"};
     const auto count = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
-    if (count != fields.size()) return wrong_count(line, count);
+    if (count != fields) return wrong_count(line, count, header);
     std::array<double, 6> numbers{};
-    for (std::size_t i = 0; i < fields.size(); ++i) {
+    for (std::size_t i = 0; i < fields; ++i) {
         const std::size_t end = std::min(line.find(','), line.size());
         if (auto reason = read_number(without_blanks(line.substr(0, end)), numbers[i]))
-            return Refusal{fields[i], std::move(*reason)};
+            return Refusal{field_name(header, i), std::move(*reason)};
         line.remove_prefix(std::min(end + 1, line.size()));
     }
     ray.origin = Vec3(numbers[0], numbers[1], numbers[2]);
     ray.direction = Vec3(numbers[3], numbers[4], numbers[5]);
-    return refusal_of(ray);
+    return refusal_of(ray, header);
 }
 
 Error fault_at(std::uint64_t line, const Refusal& refusal) {
@@ -108,8 +123,8 @@ bool RayLineReader::fill(std::string& text) {
 
 void RayLineReader::drop_header(RayLines& lines) {
     std::string_view text = lines.text;
-    if (!text.starts_with(ray_header)) return;
-    text.remove_prefix(ray_header.size());
+    if (!text.starts_with(header_)) return;
+    text.remove_prefix(header_.size());
     if (text.starts_with('\r')) text.remove_prefix(1);
     if (!text.empty() && !text.starts_with('\n')) return;
     text.remove_prefix(std::min<std::size_t>(1, text.size()));
@@ -128,7 +143,7 @@ bool RayLineReader::read(RayLines& lines) {
     return true;
 }
 
-ParsedRays rays_of(const RayLines& lines) {
+ParsedRays rays_of(const RayLines& lines, std::string_view header) {
     ParsedRays parsed;
     std::string_view text = lines.text;
     for (std::uint64_t number = lines.first_line; !text.empty(); ++number) {
@@ -137,7 +152,7 @@ ParsedRays rays_of(const RayLines& lines) {
         text.remove_prefix(std::min(end + 1, text.size()));
         if (line.ends_with('\r')) line.remove_suffix(1);
         Ray ray;
-        if (const auto refusal = read_ray(line, ray)) {
+        if (const auto refusal = read_ray(line, header, ray)) {
             parsed.fault = fault_at(number, *refusal);
             break;
         }

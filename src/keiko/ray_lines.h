@@ -17,8 +17,10 @@ namespace keiko {
 /// one byte, and returns how many; 0: the end.
 using ByteSource = std::function<std::size_t(std::span<char>)>;
 
-/// The columns of a line of rays, which its first line may name.
+/// The columns of a line of rays: origin and direction. The first line of a file may name them.
 constexpr std::string_view ray_header = "ox,oy,oz,dx,dy,dz";
+/// Those of a line of points on surfaces: position and normal.
+constexpr std::string_view point_header = "x,y,z,nx,ny,nz";
 /// Bytes; six numbers need less than 200.
 constexpr std::size_t longest_ray_line = 1024;
 
@@ -30,10 +32,11 @@ struct RayLines {
 };
 
 /// Cuts a stream into pieces of whole lines, one piece for what one read brings, so that who sends
-/// a ray and waits is answered. Leaves out the first line where it is `ray_header`.
+/// a ray and waits is answered. Leaves out the first line where it is the header.
 class RayLineReader {
 public:
-    explicit RayLineReader(ByteSource source) : source_(std::move(source)) {}
+    explicit RayLineReader(ByteSource source, std::string_view header = ray_header)
+        : source_(std::move(source)), header_(header) {}
 
     /// Fills `lines` anew; false at the end. A line beyond the longest comes in several pieces,
     /// the first of which rays_of refuses.
@@ -44,6 +47,7 @@ private:
     void drop_header(RayLines& lines);
 
     ByteSource source_;
+    std::string_view header_;
     std::string rest_; ///< the beginning of a line
     std::uint64_t next_line_ = 1, next_ray_ = 0;
     bool ended_ = false;
@@ -56,7 +60,8 @@ struct ParsedRays {
 };
 
 /// One ray a line: six finite decimal numbers between commas, blanks around them or not; the origin
-/// within 1e15 mm of zero, the direction no zero vector.
-ParsedRays rays_of(const RayLines& lines);
+/// within 1e15 mm of zero, the direction no zero vector. Points are read as rays along their
+/// normals; the header names the columns in errors.
+ParsedRays rays_of(const RayLines& lines, std::string_view header = ray_header);
 
 } // namespace keiko

@@ -103,6 +103,19 @@ Spotlight spotlight_from(const TomlTable& table) {
     return spot;
 }
 
+Sun sun_from(const TomlTable& table) {
+    Sun sun;
+    sun.direction = table.required("direction", table.vector("direction"));
+    if (!(sun.direction.length() > 0)) throw table.error("direction", "must not be a zero vector");
+    sun.illuminance =
+        table.required("illuminance", table.rgb("illuminance", TomlLimits::not_negative())) *
+        color_of(table);
+    require_finite(table, "color", sun.illuminance);
+    table.not_yet({"window"});
+    table.finish();
+    return sun;
+}
+
 double phase_from(const TomlTable& table) {
     const auto kind = table.choice("kind", {"isotropic", "fog", "henyey-greenstein"});
     const bool fog = table.required("kind", kind) == 1;
@@ -136,11 +149,12 @@ LightRig rig_from(const TomlTable& table) {
         sources.emplace_back(t.line(), c_plane_from(t));
     for (const TomlTable& t : table.tables("spotlight"))
         sources.emplace_back(t.line(), spotlight_from(t));
+    if (const auto sun = table.table("sun")) sources.emplace_back(sun->line(), sun_from(*sun));
     std::stable_sort(sources.begin(), sources.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (auto& [line, source] : sources) rig.sources.push_back(std::move(source));
     if (const auto fog = table.table("fog")) rig.medium = medium_from(*fog);
-    table.not_yet({"luminaire", "sun", "window", "point", "line", "polygon", "sky"});
+    table.not_yet({"luminaire", "window", "point", "line", "polygon", "sky"});
     return rig;
 }
 
@@ -150,7 +164,8 @@ LightRig parse_rig(std::string_view text, const std::string& source) {
     LightRig rig = rig_from(root);
     root.finish();
     if (rig.sources.empty() && rig.ambient == Rgb(0))
-        throw root.error("", "the rig has no light: neither [[c_plane]] nor [[spotlight]]");
+        throw root.error("",
+                         "the rig has no light: neither [[c_plane]] nor [[spotlight]] nor [sun]");
     return rig;
 }
 
@@ -225,6 +240,12 @@ std::string table_text(const Spotlight& spot) {
     return text + line("intensity", grey_or_array(spot.intensity), "cd on the axis");
 }
 
+std::string table_text(const Sun& sun) {
+    std::string text = "\n[sun]\n";
+    text += line("direction", array(sun.direction), "the way the light goes");
+    return text + line("illuminance", grey_or_array(sun.illuminance), "lx across the light");
+}
+
 std::string table_text(const Medium& medium) {
     std::string text = "\n[fog]\n";
     text += line("extinction", grey_or_array(medium.extinction), "1/m");
@@ -235,12 +256,18 @@ std::string table_text(const Medium& medium) {
     return text;
 }
 
+bool is_sun(const LightSource& source) {
+    return std::holds_alternative<Sun>(source);
+}
+
 } // namespace
 
 std::string rig_text(const LightRig& rig) {
     std::string text = line("format", toml_string(format));
     if (!rig.name.empty()) text += line("name", toml_string(rig.name));
     if (rig.ambient != Rgb(0)) text += line("ambient", grey_or_array(rig.ambient), "lx");
+    if (std::count_if(rig.sources.begin(), rig.sources.end(), is_sun) > 1)
+        throw Error("", "rig", "holds more than one sun");
     for (const LightSource& source : rig.sources)
         text += std::visit([](const auto& kind) { return table_text(kind); }, source);
     if (rig.medium) text += table_text(*rig.medium);

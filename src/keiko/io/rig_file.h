@@ -15,7 +15,7 @@ LightRig read_rig(const std::filesystem::path& path);
 /// The same from a text; `source` is the file name for messages.
 LightRig parse_rig(std::string_view text, const std::string& source);
 /// The rig whose keys stand among others in `table`: name, ambient, [[c_plane]], [[spotlight]],
-/// [fog].
+/// [sun], [fog].
 LightRig rig_from(const TomlTable& table);
 
 /// The text of a rig file: every number reads back as the same double, units are named in

@@ -47,6 +47,13 @@ public:
         return share * lx * passed(distance);
     }
 
+    Rgb operator()(const Sun& sun) const {
+        const Rgb share = kernel_(sun.towards());
+        const Vec3 far = sun.seen_from(point_);
+        if (share == Rgb() || visible_.intervals({far, far}).empty()) return {};
+        return share * sun.illuminance;
+    }
+
 private:
     Rgb passed(double distance) const {
         return rig_.medium ? transmittance(*rig_.medium, distance) : Rgb(1);

@@ -34,7 +34,7 @@ public:
             if (below_horizon(lamp, point_, normal_)) continue;
             const IntervalSet seen = visible_.intervals({lamp.a, lamp.b});
             solid_angle +=
-                medium_ || coat_ ? in_pieces(comb, i, lamp, seen) : Rgb(comb.solid_angle(i, seen));
+                medium_ ? through_medium(comb, i, lamp, seen) : Rgb(entered(comb, i, lamp, seen));
         }
         return plane.luminance * solid_angle;
     }
@@ -48,35 +48,50 @@ public:
                (coat_ ? coat_->entering(normal_.dot(towards) / distance) : 1);
     }
 
+    Rgb operator()(const Sun& sun) const {
+        const double cosine = normal_.dot(sun.towards());
+        if (!(cosine > 0)) return {};
+        const Vec3 far = sun.seen_from(point_);
+        if (visible_.intervals({far, far}).empty()) return {};
+        return sun.illuminance * (cosine * (coat_ ? coat_->entering(cosine) : 1));
+    }
+
 private:
     Rgb passed(double distance) const {
         return medium_ ? transmittance(*medium_, distance) : Rgb(1);
     }
 
-    /// The lamp in pieces, each seen through the medium along one distance, and what of each enters
-    /// the coat.
-    Rgb in_pieces(const CombIrradiance& comb, int index, const TubeLamp& lamp,
-                  const IntervalSet& seen) const {
-        const auto view = coat_ ? view_of(lamp, point_, normal_) : std::nullopt;
-        const int pieces = medium_ ? pieces_in_fog : 1;
+    /// The lamp in pieces, each seen through the medium along one distance.
+    Rgb through_medium(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+                       const IntervalSet& seen) const {
         Rgb sum;
         for (const ParameterInterval& part : seen) {
-            const double step = part.length() / pieces;
-            for (int i = 0; i < pieces; ++i) {
+            const double step = part.length() / pieces_in_fog;
+            for (int i = 0; i < pieces_in_fog; ++i) {
                 const double begin = part.begin + i * step;
-                const double end = i + 1 < pieces ? begin + step : part.end;
-                const double omega = comb.solid_angle(index, IntervalSet::whole(begin, end));
+                const double end = i + 1 < pieces_in_fog ? begin + step : part.end;
                 const Vec3 middle = lamp.a + (lamp.b - lamp.a) * ((begin + end) / 2);
-                sum += passed((middle - point_).length()) * (omega * entering(view, {begin, end}));
+                sum += passed((middle - point_).length()) *
+                       entered(comb, index, lamp, IntervalSet::whole(begin, end));
             }
         }
         return sum;
     }
 
-    /// A lamp seen from the line of its axis shows its cap alone.
-    double entering(const std::optional<TubeView>& view, const ParameterInterval& piece) const {
-        if (!view) return 1;
-        return entering_share(*coat_, *view, {view->x_at(piece.begin), view->x_at(piece.end)});
+    /// Solid angle of the visible parts of a lamp; with a coat, of what enters it.
+    double entered(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+                   const IntervalSet& seen) const {
+        if (!coat_) return comb.solid_angle(index, seen);
+        const auto view = view_of(lamp, point_, normal_);
+        if (!view) return comb.solid_angle(index, seen); // a cap alone, seen along the axis
+        const auto share = [&](const ParameterInterval& part) {
+            return entering_share(*coat_, *view, {view->x_at(part.begin), view->x_at(part.end)});
+        };
+        if (seen.size() == 1) return comb.solid_angle(index, seen) * share(seen[0]);
+        double sum = 0;
+        for (const ParameterInterval& part : seen)
+            sum += comb.solid_angle(index, IntervalSet({part})) * share(part);
+        return sum;
     }
 
     const std::optional<Medium>& medium_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/fog/medium.h"
+#include "keiko/rig/sun.h"
 #include "keiko/spotlight/spotlight.h"
 #include "keiko/tubes/c_plane.h"
 
@@ -11,8 +12,8 @@
 
 namespace keiko {
 
-/// Every kind of light source a rig can hold.
-using LightSource = std::variant<CPlane, Spotlight>;
+/// Every kind of light source a rig can hold. Light from a sun is not dimmed by the medium.
+using LightSource = std::variant<CPlane, Spotlight, Sun>;
 
 /// All lights of a scene and the air between them. Placement writes one, every picture reads one.
 struct LightRig {

@@ -18,6 +18,9 @@ struct Inscatter {
     /// for it.
     Rgb operator()(const CPlane&) const { return {}; }
 
+    /// So does it for what the sky sheds into the medium.
+    Rgb operator()(const Sun&) const { return {}; }
+
     Rgb operator()(const Spotlight& light) const {
         IntervalSet lit = in_beam(light, eye_ray);
         if (lit.empty()) return {};

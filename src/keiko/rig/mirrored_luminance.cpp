@@ -22,6 +22,7 @@ struct MeetsPlane {
         return PlaneOnRay{0, frame, *hit};
     }
     std::optional<PlaneOnRay> operator()(const Spotlight&) const { return {}; }
+    std::optional<PlaneOnRay> operator()(const Sun&) const { return {}; }
 };
 
 /// C-planes on the ray, nearest first; planes at one distance in the order of the rig.

@@ -259,7 +259,8 @@ TEST(RigFile, WhatIsMissingOrContradictsIsNamed) {
               "bad.toml:5:8: spotlight[0].edge: 'sfot' is none of sharp, soft, mixed (did you mean "
               "'soft'?)");
     EXPECT_EQ(rig_error(head),
-              "bad.toml:1:1: the rig has no light: neither [[c_plane]] nor [[spotlight]]");
+              "bad.toml:1:1: the rig has no light: neither [[c_plane]] nor [[spotlight]] "
+              "nor [sun]");
 }
 
 TEST(RigFile, WhatIsNotSupportedYetSaysSo) {
@@ -337,6 +338,24 @@ TEST(RigFile, WrittenLampsKeepTheirCapsAndModels) {
             EXPECT_EQ(back.mirror, look);
         }
     }
+}
+
+TEST(RigFile, ReadsAndWritesTheSun) {
+    const std::string text =
+        head + "[sun]\ndirection = [1, 0, -2]\nilluminance = 60000\ncolor = [1, 0.9, 0.8]\n";
+    const LightRig rig = parse_rig(text, "rig.toml");
+    const Sun& sun = std::get<Sun>(rig.sources.at(0));
+    EXPECT_EQ(sun.direction, Vec3(1, 0, -2));
+    EXPECT_EQ(sun.illuminance, Rgb(60000, 54000, 48000));
+    const LightRig back = parse_rig(rig_text(rig), "rig.toml");
+    EXPECT_EQ(std::get<Sun>(back.sources.at(0)).illuminance, sun.illuminance);
+    EXPECT_EQ(rig_error(head + "[sun]\nilluminance = 1\n"),
+              "bad.toml:2:1: sun: 'direction' is missing");
+    EXPECT_EQ(rig_error(head + "[sun]\ndirection = [0, 0, 0]\nilluminance = 1\n"),
+              "bad.toml:3:13: sun.direction: must not be a zero vector");
+    LightRig two = rig;
+    two.sources.emplace_back(Sun());
+    EXPECT_THROW(rig_text(two), Error);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "keiko/rig/illuminance.h"
 
 #include "keiko/fog/transmittance.h"
+#include "keiko/luminance/clear_coat.h"
 #include "keiko/spotlight/beam_intensity.h"
 #include "keiko/tubes/tube_irradiance.h"
 
@@ -106,4 +107,41 @@ TEST(DirectIlluminance, ARowThatNamesItsModelKeepsIt) {
     const double seed = lux(TubeModel::automatic, TubeModel::seed);
     EXPECT_EQ(lux(TubeModel::seed, TubeModel::automatic), seed);
     EXPECT_NE(lux(TubeModel::automatic, TubeModel::automatic), seed);
+}
+
+TEST(DirectIlluminance, TheSunIsParallelAndMayBeHidden) {
+    const Sun sun{.direction = {0, 3, -4}, .illuminance = {50000, 40000, 30000}};
+    const auto lux = [&](const Vec3& normal, const Visible& visible) {
+        return illuminance_from(sun, Medium{.extinction = Rgb(5)}, Vec3(7, 8, 9), normal, visible);
+    };
+    EXPECT_NEAR(lux(up, AllVisible()).r, 40000, 1e-9);
+    EXPECT_NEAR(lux(Vec3(0, -1, 0), AllVisible()).b, 18000, 1e-9);
+    EXPECT_EQ(lux(-up, AllVisible()), Rgb());
+    EXPECT_EQ(lux(up, HalfHidden()), Rgb());
+}
+
+TEST(DirectIlluminance, CountsWhatEntersACoat) {
+    // A lamp as long as the eye can see, its light weighted piece by piece.
+    const ClearCoat coat(Rgb(0.5), 1.5);
+    CPlane single = row;
+    single.lamps = 1;
+    const TubeLamp lamp = lamps_of(single)[0];
+    double entered = 0;
+    constexpr int pieces = 2000;
+    const Vec3 normal = Vec3(0.9, 0.1, 0.3).normalized();
+    for (int i = 0; i < pieces; ++i) {
+        const double begin = i / static_cast<double>(pieces);
+        const double end = i + 1 == pieces ? 1 : (i + 1.0) / pieces;
+        const Vec3 to = lamp.a + (lamp.b - lamp.a) * ((begin + end) / 2);
+        entered += irradiance(lamp, Vec3(0), normal, IntervalSet::whole(begin, end)).g *
+                   coat.entering(std::max(0.0, normal.dot(to.normalized())));
+    }
+    const double lit =
+        illuminance_from(single, {}, Vec3(0), normal, AllVisible(), TubeModel::automatic, &coat).g;
+    const double all = illuminance_from(single, {}, Vec3(0), normal, AllVisible()).g;
+    EXPECT_NEAR(lit, entered, 2e-3 * (all - entered));
+    EXPECT_LT(lit, 0.96 * all);
+    const Rgb spotted =
+        illuminance_from(spot, {}, Vec3(0), up, AllVisible(), TubeModel::automatic, &coat);
+    EXPECT_NEAR(spotted.g, 0.96 * 5000 / 9.0, 1e-9);
 }

@@ -1,0 +1,42 @@
+#include "keiko/base/log.h"
+#include "keiko/cli/commands.h"
+#include "keiko/cli/scene_options.h"
+#include "keiko/cli/standard_streams.h"
+#include "keiko/light_points.h"
+
+#include <memory>
+
+namespace keiko::cli {
+namespace {
+
+int illuminance(const SceneArguments& arguments, const Job& job) {
+    const StandardInput input(job);
+    const StandardOutput output(job);
+    const Scene scene = arguments.open(job);
+    const std::uint64_t points = light_points(
+        scene, [&](std::span<char> bytes) { return input.read(bytes); },
+        [&](std::string_view text) { return output.write(text); }, job);
+    log_detail(std::to_string(points) + " points");
+    return exit_pass;
+}
+
+} // namespace
+
+void add_illuminance(CLI::App& app, Session& session) {
+    auto arguments = std::make_shared<SceneArguments>();
+    CLI::App& command =
+        *app.add_subcommand("illuminance",
+                            "tell how much light lamps shed on points: CSV from standard input to "
+                            "standard output");
+    arguments->add_to(command, "SCENE");
+    command.footer(
+        "Reads x,y,z,nx,ny,nz a line: a point (mm) and the normal of the surface there, of any "
+        "length (line 1 may name the columns). Writes a header line and a row for each point in "
+        "order: direct illuminance in lx of each source of the scene's rig, and the sum. Nothing "
+        "casts shadows yet.\n"
+        "Example: keiko illuminance hood-scene.toml < points.csv > lux.csv");
+    session.add_command(command,
+                        [arguments](const Job& job) { return illuminance(*arguments, job); });
+}
+
+} // namespace keiko::cli

@@ -1,0 +1,88 @@
+#include "keiko/light_points.h"
+
+#include "keiko/rig/illuminance.h"
+
+#include "tests/support/model_builder.h"
+#include "tests/unit/facade/cut_text.h"
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace keiko {
+namespace {
+
+const CPlane lamps{.origin = {-600, -500, 2000}, .u = {1200, 0, 0}, .v = {0, 1000, 0}, .lamps = 4};
+const Spotlight spot{.position = {0, 0, 3000}, .aim = Vec3(0), .intensity = Rgb(5000)};
+
+Scene scene_under(std::optional<LightRig> rig) {
+    test::ModelBuilder builder;
+    builder.plane({-100, -100, 0}, {200, 0, 0}, {0, 200, 0});
+    SurfaceModel model = builder.build();
+    Tracer tracer(model, {.second_derivatives = true});
+    Scene scene{std::move(model), {Material{}}, std::move(tracer), {}, {}, std::move(rig)};
+    return scene;
+}
+
+LightRig rig() {
+    return {.name = "", .sources = {spot, lamps, CPlane(lamps)}, .ambient = Rgb(7), .medium = {}};
+}
+
+std::string rows_for(const std::string& points, std::size_t cut = 7) {
+    std::string rows;
+    light_points(scene_under(rig()), test::cut_text(points, cut), [&](std::string_view text) {
+        rows += text;
+        return true;
+    });
+    return rows;
+}
+
+TEST(LightPoints, TellsEachSourceAndTheSum) {
+    std::istringstream rows(rows_for("x,y,z,nx,ny,nz\n0,0,0,0,0,5\n0,0,0,0,0,-1"));
+    std::string header, lit, dark;
+    std::getline(rows, header);
+    std::getline(rows, lit);
+    std::getline(rows, dark);
+    EXPECT_EQ(header, "spotlight.0,c_plane.0,c_plane.1,sum");
+    EXPECT_EQ(dark, "0,0,0,0");
+    std::array<double, 4> lux{};
+    char comma = 0;
+    std::istringstream fields(lit);
+    fields >> lux[0] >> comma >> lux[1] >> comma >> lux[2] >> comma >> lux[3];
+    EXPECT_NEAR(lux[0], 5000 / 9.0, 1e-9);
+    const double row = illuminance_from(lamps, {}, Vec3(0), {0, 0, 1}, AllVisible()).g;
+    EXPECT_NEAR(lux[1], row, 1e-12 * row);
+    EXPECT_EQ(lux[1], lux[2]);
+    EXPECT_NEAR(lux[3], lux[0] + lux[1] + lux[2], 1e-9) << "without the ambient light";
+}
+
+TEST(LightPoints, SameRowsHoweverTheTextIsCut) {
+    std::string points;
+    for (int i = 0; i < 3000; ++i)
+        points += std::to_string(i) + ",2,3,0.1," + std::to_string(i % 7) + ",1\n";
+    EXPECT_EQ(rows_for(points, 1 << 20), rows_for(points, 1000));
+}
+
+TEST(LightPoints, RefusesAMalformedLineAfterTheRowsBeforeIt) {
+    std::string rows;
+    const auto sink = [&](std::string_view text) {
+        rows += text;
+        return true;
+    };
+    try {
+        light_points(scene_under(rig()), test::cut_text("0,0,0,0,0,1\n0,0,0,0,0,0\n", 100), sink);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "standard input:2: nx,ny,nz is no direction: all are 0");
+    }
+    EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 2);
+}
+
+TEST(LightPoints, NeedsARigAndEndsWhenNobodyReads) {
+    const auto points = [] { return test::cut_text("0,0,0,0,0,1\n", 100); };
+    const auto closed = [](std::string_view) { return false; };
+    EXPECT_THROW(light_points(scene_under({}), points(), closed), Error);
+    EXPECT_EQ(light_points(scene_under(rig()), points(), closed), 0u);
+}
+
+} // namespace
+} // namespace keiko
