@@ -122,9 +122,10 @@ Rgb Integrator::base_luminance(const Hit& hit, const Vec3& normal, const Vec3& e
     const LightRig& rig = scene_.rig;
     const Paint& paint = this->paint(hit);
     const double cosine = normal.dot(eye);
-    const Rgb entered =
-        direct_illuminance(rig, hit.position, normal, visible, TubeModel::picture, &paint.base());
-    Rgb sum = lambert_luminance(paint.base().inner_reflectance(cosine), entered);
+    Rgb sum;
+    if (const Rgb inner = paint.base().inner_reflectance(cosine); inner != Rgb(0))
+        sum += lambert_luminance(inner, direct_illuminance(rig, hit.position, normal, visible,
+                                                           TubeModel::picture, &paint.base()));
     if (rig.ambient != Rgb(0))
         sum += even_luminance(rig.ambient) *
                (paint.base().base_reflectance_diffuse(cosine) + paint.gloss_albedo(cosine));
