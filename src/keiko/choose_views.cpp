@@ -23,7 +23,8 @@ void require_view_names(std::span<const std::string> names) {
 
 std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::string> names,
                                     int automatic, const Job& job) {
-    const Framing framing{.width = scene.width, .height = scene.height};
+    Framing framing{.width = scene.width, .height = scene.height};
+    if (scene.surroundings) framing.ground = scene.surroundings->ground;
     std::vector<NamedView> views;
     for (const std::string& name : names) views.push_back(view_by_name(scene, name, framing, job));
     if (!views.empty()) return views;

@@ -43,6 +43,13 @@ struct FactsOptions {
 ModelFacts file_facts(const std::filesystem::path& file, const FactsOptions& options = {},
                       const Job& job = {});
 
+/// The body on its ground, as pictures show it: the faces of the body, then that of the ground.
+struct Surroundings {
+    double ground = 0; ///< mm, its z
+    std::vector<Material> materials;
+    Tracer tracer;
+};
+
 /// A body ready to be looked at.
 struct Scene {
     SurfaceModel model;
@@ -53,7 +60,23 @@ struct Scene {
     std::optional<LightRig> rig;
     Rgb background{0};
     int width = 960, height = 540;
+    std::optional<Surroundings> surroundings{}; ///< of a scene file with [ground]
+    std::optional<int> max_depth{};             ///< as the scene file has them, else as
+    std::optional<double> min_weight{};         ///< PictureOptions
+
+    /// What pictures and traced rays see: the body, and the ground if there is one.
+    const Tracer& seen() const { return surroundings ? surroundings->tracer : tracer; }
+    const std::vector<Material>& seen_materials() const {
+        return surroundings ? surroundings->materials : materials;
+    }
+    /// The number that files and reports give a face of what is seen; 0: the ground.
+    std::uint32_t face_id(std::size_t face) const {
+        return face < model.faces.size() ? model.faces[face].id : 0;
+    }
 };
+
+/// What a scene file says of how far reflections are followed, before what `options` says.
+PictureOptions picture_options(const Scene& scene, PictureOptions options = {});
 
 /// Opens models, which together form one body, or one scene file (.toml). Throws Error for input
 /// that cannot be read.

@@ -1,9 +1,11 @@
 #include "keiko/io/scene_file.h"
 #include "keiko/keiko.h"
+#include "keiko/patch/ground_plane.h"
 
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <array>
 
 namespace keiko {
 namespace {
@@ -47,6 +49,14 @@ void require_matches(const SurfaceModel& model, const ModelSpec& part) {
                         "no face has a name like '" + paint.faces.front() + "'");
 }
 
+Surroundings surroundings_of(const SurfaceModel& body, const Box3& bounds,
+                             std::vector<Material> materials, const GroundSpec& ground,
+                             const TracerOptions& options, const Job& job) {
+    const std::array models{body, ground_plane(ground.z, bounds)};
+    materials.push_back(ground.material);
+    return {ground.z, std::move(materials), Tracer(merge(models), options, job)};
+}
+
 } // namespace
 
 std::string version() {
@@ -67,19 +77,40 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
         models.push_back(std::move(model));
     }
     SurfaceModel body = merge(models);
-    Tracer tracer(body, {.second_derivatives = true, .clipping_only = options.clipping_only}, job);
-    return {std::move(body), std::move(materials), std::move(tracer), spec.camera, spec.view,
-            spec.rig,        spec.background,      spec.width,        spec.height};
+    const TracerOptions tracing{.second_derivatives = true, .clipping_only = options.clipping_only};
+    Tracer tracer(body, tracing, job);
+    std::optional<Surroundings> surroundings;
+    if (spec.ground)
+        surroundings =
+            surroundings_of(body, tracer.bounds(), materials, *spec.ground, tracing, job);
+    return {.model = std::move(body),
+            .materials = std::move(materials),
+            .tracer = std::move(tracer),
+            .camera = spec.camera,
+            .view = spec.view,
+            .rig = spec.rig,
+            .background = spec.background,
+            .width = spec.width,
+            .height = spec.height,
+            .surroundings = std::move(surroundings),
+            .max_depth = spec.max_depth,
+            .min_weight = spec.min_weight};
+}
+
+PictureOptions picture_options(const Scene& scene, PictureOptions options) {
+    options.max_depth = scene.max_depth.value_or(options.max_depth);
+    options.min_weight = scene.min_weight.value_or(options.min_weight);
+    return options;
 }
 
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
                  const PictureOptions& options, const Job& job) {
-    Film film =
-        render({scene.tracer, scene.materials, rig, scene.background}, camera, options, job);
+    Film film = render({scene.seen(), scene.seen_materials(), rig, scene.background}, camera,
+                       picture_options(scene, options), job);
     if (const auto layer = film.aovs.find(Aov::face); layer != film.aovs.end())
         for (float& value : layer->second.values)
             if (value >= 0)
-                value = static_cast<float>(scene.model.faces[static_cast<std::size_t>(value)].id);
+                value = static_cast<float>(scene.face_id(static_cast<std::size_t>(value)));
     return film;
 }
 

@@ -20,13 +20,14 @@ struct Piece {
 class RowWriter {
 public:
     RowWriter(const Scene& scene, const TraceOptions& options)
-        : tracer_(scene.tracer),
-          faces_(scene.model.faces),
+        : scene_(scene),
+          tracer_(scene.seen()),
           columns_(hit_columns(options.columns)),
           all_(options.all),
           light_(light_column(columns_).has_value()),
           rig_(scene.rig.value_or(LightRig{})),
-          picture_{scene.tracer, scene.materials, rig_, scene.background},
+          picture_{scene.seen(), scene.seen_materials(), rig_, scene.background},
+          picture_options_(picture_options(scene)),
           integrator_(picture_, picture_options_) {}
     RowWriter(const RowWriter&) = delete;
     RowWriter& operator=(const RowWriter&) = delete;
@@ -42,8 +43,8 @@ private:
     void write_all(Piece& piece, std::span<const Ray> rays) const;
     void write(Piece& piece, const std::optional<Hit>& hit, const Rgb& luminance) const;
 
+    const Scene& scene_;
     const Tracer& tracer_;
-    std::span<const Face> faces_;
     std::vector<HitColumn> columns_;
     bool all_, light_;
     LightRig rig_;
@@ -67,7 +68,7 @@ void RowWriter::write(Piece& piece, const std::optional<Hit>& hit, const Rgb& lu
     if (!hit) return append_empty_row(piece.rows, columns_);
     piece.hits.count(*hit);
     Hit told = *hit;
-    told.face = faces_[hit->face].id;
+    told.face = scene_.face_id(hit->face);
     append_row(piece.rows, columns_, told, luminance);
 }
 

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double largest_size = 65536; ///< pixels, either way
 constexpr double widest_fov = 175;     ///< degrees
+constexpr int most_reflections = 64;
 
 /// The file that `key` names, relative to the file of `table`; it must be there.
 std::optional<fs::path> path_from(const TomlTable& table, std::string_view key) {
@@ -155,6 +156,15 @@ void take_eye(const TomlTable& root, SceneSpec& scene) {
     scene.height = scene.camera->height;
 }
 
+GroundSpec ground_from(const TomlTable& table, const std::vector<Material>& materials) {
+    GroundSpec ground;
+    ground.z = table.number("z").value_or(ground.z);
+    ground.material =
+        table.has("material") ? material_of(table, materials) : named_material("concrete");
+    table.finish();
+    return ground;
+}
+
 } // namespace
 
 SceneSpec parse_scene(std::string_view text, const std::string& source) {
@@ -170,7 +180,10 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
     scene.rig = rig_of(root);
     scene.background =
         root.rgb("background", TomlLimits::not_negative()).value_or(scene.background);
-    root.not_yet({"ground", "animation", "primitive", "max_depth", "min_weight"});
+    if (const auto ground = root.table("ground")) scene.ground = ground_from(*ground, materials);
+    scene.max_depth = root.integer("max_depth", 0, most_reflections);
+    scene.min_weight = root.number("min_weight", TomlLimits::share());
+    root.not_yet({"animation", "primitive"});
     root.finish();
     if (scene.models.empty()) throw root.error("", "the scene has no [[model]]");
     return scene;

@@ -26,6 +26,12 @@ struct ModelSpec {
     std::vector<PaintOverride> overrides{}; ///< later ones win
 };
 
+/// The floor that a scene stands on.
+struct GroundSpec {
+    double z = 0; ///< mm
+    Material material;
+};
+
 /// A scene file's content (keiko-scene/1), every path resolved.
 struct SceneSpec {
     std::vector<ModelSpec> models;
@@ -33,7 +39,10 @@ struct SceneSpec {
     std::optional<std::string> view; ///< a named view instead of a camera
     int width = 960, height = 540;   ///< picture size, for named views
     std::optional<LightRig> rig;     ///< none: to be placed
-    Rgb background{0};               ///< cd/m2 where the eye ray meets nothing
+    std::optional<GroundSpec> ground;
+    Rgb background{0};                ///< cd/m2 where the eye ray meets nothing
+    std::optional<int> max_depth;     ///< mirror reflections followed along one ray
+    std::optional<double> min_weight; ///< reflections that count less end the path
 };
 
 } // namespace keiko

@@ -107,6 +107,23 @@ TEST_F(SceneFile, OwnMaterialsTakeThePlaceOfTheStandardOnes) {
               "5:12: model[0].material: unknown material 'silver'; known are gold");
 }
 
+TEST_F(SceneFile, StandsOnAGroundOfConcreteOrOtherwise) {
+    EXPECT_FALSE(scene(model).ground);
+    const SceneSpec plain = scene(model + "[ground]\n");
+    EXPECT_EQ(plain.ground.value().z, 0);
+    EXPECT_EQ(plain.ground->material.name, "concrete");
+    const SceneSpec white = scene(model + "[ground]\nz = -120\nmaterial = \"white\"\n");
+    EXPECT_EQ(white.ground.value().z, -120);
+    EXPECT_EQ(white.ground->material.name, "white");
+}
+
+TEST_F(SceneFile, MayLimitReflections) {
+    EXPECT_FALSE(scene(model).max_depth);
+    const SceneSpec read = scene("max_depth = 5\nmin_weight = 0.25\n" + model);
+    EXPECT_EQ(read.max_depth, 5);
+    EXPECT_EQ(read.min_weight, 0.25);
+}
+
 TEST_F(SceneFile, ErrorsNameTheirPlace) {
     EXPECT_EQ(error("[[model]]\nfile = \"gone.step\"\n"),
               "3:8: model[0].file: " + (folder_ / "scenes/gone.step").string() + ": no such file");
@@ -127,7 +144,10 @@ TEST_F(SceneFile, ErrorsNameTheirPlace) {
               "4:24: model[0].override[0].faces: must name at least one face");
     EXPECT_EQ(error(model + "override = [ { faces = [\"a\"], layer = \"x\" } ]\n"),
               "4:39: model[0].override[0].layer: is not supported yet");
-    EXPECT_EQ(error(model + "[ground]\nz = 0\n"), "4:1: ground: is not supported yet");
+    EXPECT_EQ(error(model + "[ground]\nheight = 0\n").substr(0, 34),
+              "5:1: unknown key 'ground.height'");
+    EXPECT_EQ(error("max_depth = 65\n" + model),
+              "2:13: max_depth: must be at least 0 and at most 64, is 65");
     EXPECT_EQ(error("view = \"top\"\n"), "1:1: the scene has no [[model]]");
 }
 
