@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/film/false_color.h"
+#include "keiko/film/false_color_picture.h"
 #include "keiko/film/image_file.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/io/load_model.h"

@@ -4,6 +4,8 @@
 #include "keiko/cli/scene_options.h"
 
 #include <cctype>
+#include <cmath>
+#include <cstdio>
 #include <memory>
 
 namespace keiko::cli {
@@ -13,7 +15,8 @@ struct RenderArguments {
     SceneArguments scene;
     std::filesystem::path output;
     std::string view, rig = "auto", aovs;
-    bool false_color = false;
+    bool false_color = false, iso_lines = false;
+    std::string scale, tone = "linear";
     ToneMapping mapping;
 };
 
@@ -34,6 +37,27 @@ bool is_png(const std::filesystem::path& path) {
     return extension == ".png";
 }
 
+/// "MIN:MAX"
+FalseColorScale scale_of(const std::string& text) {
+    FalseColorScale scale;
+    if (text.empty()) return scale;
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%lf:%lf%n", &scale.minimum, &scale.maximum, &end) != 2 ||
+        static_cast<std::size_t>(end) != text.size() || !(scale.minimum > 0) ||
+        !(scale.minimum < scale.maximum) || !std::isfinite(scale.maximum))
+        throw Error("", "--scale", "'" + text + "' is not MIN:MAX with 0 < MIN < MAX");
+    return scale;
+}
+
+ToneMapping mapping_of(const RenderArguments& arguments) {
+    using Curve = ToneMapping::Curve;
+    ToneMapping mapping = arguments.mapping;
+    mapping.curve = arguments.tone == "log"        ? Curve::logarithmic
+                    : arguments.tone == "reinhard" ? Curve::reinhard
+                                                   : Curve::linear;
+    return mapping;
+}
+
 LightRig rig_of(const Scene& scene, const RenderArguments& arguments, const Camera& camera,
                 const Job& job) {
     if (arguments.rig != "auto") return read_rig(arguments.rig);
@@ -46,6 +70,7 @@ void require_output(const RenderArguments& arguments) {
     require_image_extension(arguments.output);
     if (arguments.false_color && !is_png(arguments.output))
         throw Error(arguments.output.string(), "", "--false-color makes a .png");
+    scale_of(arguments.scale);
     require_place_for_file(arguments.output);
 }
 
@@ -61,9 +86,10 @@ int render(const RenderArguments& arguments, const Job& job) {
     const LightRig rig = rig_of(scene, arguments, view.camera, job);
     const Film film = render_view(scene, rig, view.camera, options, job);
     if (arguments.false_color)
-        write_png(arguments.output, false_color(film, {}));
+        write_png(arguments.output,
+                  false_color_picture(film, scale_of(arguments.scale), arguments.iso_lines));
     else
-        write_film(arguments.output, film, arguments.mapping);
+        write_film(arguments.output, film, mapping_of(arguments));
     return exit_pass;
 }
 
@@ -82,8 +108,23 @@ void add_render(CLI::App& app, Session& session) {
     command.add_option("--aov", arguments->aovs,
                        "layers of an .exr, comma-separated: luminance, normal, uv, face, patch, "
                        "depth, c_plane_uv");
-    command.add_flag("--false-color", arguments->false_color,
-                     "luminance from 1 (blue) to 10000 cd/m2 (red), for .png");
+    auto* false_color =
+        command.add_flag("--false-color", arguments->false_color,
+                         "luminance by colour from blue to red, with a legend, for .png");
+    command.add_option("--scale", arguments->scale, "MIN:MAX of false colours, cd/m2 [1:10000]")
+        ->needs(false_color);
+    command
+        .add_flag("--iso-lines", arguments->iso_lines,
+                  "lines of equal luminance at the values of the legend")
+        ->needs(false_color);
+    command
+        .add_option(
+            "--tone", arguments->tone,
+            "curve of a .png: linear, to judge stripes by; log and reinhard, to see dark and "
+            "bright at once")
+        ->check(CLI::IsMember({"linear", "log", "reinhard"}))
+        ->excludes(false_color)
+        ->capture_default_str();
     command
         .add_option("--ev", arguments->mapping.ev,
                     "exposure value of a .png [99 % of the body below white]")

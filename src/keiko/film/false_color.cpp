@@ -32,14 +32,18 @@ Image false_color(const Image& values, const FalseColorScale& scale, int channel
     return display;
 }
 
-Image false_color(const Film& film, const FalseColorScale& scale) {
+Image luminance_of(const Film& film) {
     Image y(film.color.width, film.color.height, 1);
     for (std::size_t i = 0; i < y.values.size(); ++i) {
         const float* c = &film.color.values[3 * i];
         y.values[i] = static_cast<float>(luminance(
             {static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])}));
     }
-    return false_color(y, scale);
+    return y;
+}
+
+Image false_color(const Film& film, const FalseColorScale& scale) {
+    return false_color(luminance_of(film), scale);
 }
 
 } // namespace keiko

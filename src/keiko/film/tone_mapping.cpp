@@ -31,7 +31,9 @@ std::vector<double> luminances(const Film& film, float threshold) {
 Rgb curved(const Rgb& x, const ToneMapping& mapping) {
     if (mapping.curve == ToneMapping::Curve::linear) return x;
     const double y = luminance(x);
-    return y > 0 ? x * (reinhard(y, mapping.white) / y) : Rgb();
+    if (!(y > 0)) return {};
+    const bool bent = mapping.curve == ToneMapping::Curve::reinhard;
+    return x * ((bent ? reinhard(y, mapping.white) : logarithmic(y)) / y);
 }
 
 } // namespace
@@ -48,6 +50,11 @@ double saturation_luminance(double ev) {
 
 double reinhard(double x, double white) {
     return x * (1 + x / (white * white)) / (1 + x);
+}
+
+double logarithmic(double x) {
+    constexpr double lift = 100;
+    return std::log1p(lift * x) / std::log1p(lift);
 }
 
 double white_luminance(const Film& film) {

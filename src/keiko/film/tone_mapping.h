@@ -9,7 +9,7 @@ namespace keiko {
 /// From luminance to display (physics 10). Linear by default: a local or curved mapping would
 /// hide what stripes are judged by.
 struct ToneMapping {
-    enum class Curve { linear, reinhard };
+    enum class Curve { linear, logarithmic, reinhard };
     Curve curve = Curve::linear;
     std::optional<double> ev; ///< exposure value EV100; none: white is the picture's own
     double white = 4;         ///< Reinhard: multiple of the exposure that becomes white
@@ -24,13 +24,17 @@ double saturation_luminance(double ev);
 /// Value of x = L / white luminance under Reinhard's curve x (1 + x / w^2) / (1 + x).
 double reinhard(double x, double white);
 
+/// Value of x = L / white luminance under a logarithmic curve log(1 + 100 x) / log 101, which lifts
+/// what is dark; 1 stays 1.
+double logarithmic(double x);
+
 /// Automatic exposure: the 99 % quantile in cd/m2 of the luminance of the covered pixels (alpha
 /// at least 1/2; all pixels if none is); 1 where that is not positive.
 double white_luminance(const Film& film);
 
 /// sRGB encoded picture with values in [0, 1]: 3 channels, or 4 with the film's alpha (1
 /// where it has none). Colours
-/// keep their ratio under Reinhard. Values that are no numbers become black.
+/// keep their ratio under curves. Values that are no numbers become black.
 Image tone_mapped(const Film& film, const ToneMapping& mapping = {}, bool with_alpha = false);
 
 } // namespace keiko

@@ -1,4 +1,5 @@
-#include "keiko/film/false_color.h"
+#include "keiko/film/false_color_picture.h"
+#include "keiko/film/iso_lines.h"
 #include "keiko/film/tone_mapping.h"
 
 #include "tests/support/oracle.h"
@@ -104,4 +105,80 @@ TEST(FalseColor, PaintsTheScale) {
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(image.pixel(x, 0)[c],
                         colors[static_cast<std::size_t>(x)][static_cast<std::size_t>(c)], 1e-5);
+}
+
+TEST(ToneMapping, TheLogarithmLiftsWhatIsDark) {
+    EXPECT_EQ(logarithmic(0), 0);
+    EXPECT_DOUBLE_EQ(logarithmic(1), 1);
+    EXPECT_NEAR(logarithmic(0.01), std::log(2) / std::log(101), 1e-12);
+    const Film film = grey_film(1, 1, {0.01F});
+    const Image display =
+        tone_mapped(film, {.curve = ToneMapping::Curve::logarithmic, .ev = std::log2(1 / 1.2)});
+    EXPECT_NEAR(static_cast<double>(display.values[0]), srgb_oetf(logarithmic(0.01)), 1e-6);
+}
+
+TEST(FalseColor, LegendNamesRoundValues) {
+    EXPECT_EQ(round_values({1, 10000}), (std::vector<double>{1, 10, 100, 1000, 10000}));
+    EXPECT_EQ(round_values({0.3, 20}), (std::vector<double>{0.5, 1, 2, 5, 10, 20}));
+    EXPECT_EQ(round_values({0.01, 1}), (std::vector<double>{0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1}));
+}
+
+TEST(FalseColor, PictureIsThatOfTheScaleBesideItsLegend) {
+    const Film film = grey_film(80, 200, std::vector<float>(16000, 100));
+    const FalseColorScale scale;
+    const Image picture = false_color_picture(film, scale, true);
+    EXPECT_GT(picture.width, 140);
+    EXPECT_EQ(picture.height, 200);
+    EXPECT_NEAR(picture.pixel(40, 100)[1], 1, 1e-5);
+    EXPECT_NEAR(picture.pixel(40, 100)[0], 0, 1e-5);
+    // The bar runs from red at its top to blue at its bottom.
+    EXPECT_GT(picture.pixel(100, 34)[0], 0.95);
+    EXPECT_GT(picture.pixel(100, 180)[2], 0.95);
+    bool letters = false;
+    for (int y = 0; y < 200; ++y)
+        for (int x = 122; x < picture.width; ++x)
+            letters = letters || picture.pixel(x, y)[0] > 0.9F;
+    EXPECT_TRUE(letters);
+}
+
+TEST(IsoLines, FollowTheLevelOfASlopeAndACircle) {
+    Image slope(9, 6, 1);
+    for (int y = 0; y < 6; ++y)
+        for (int x = 0; x < 9; ++x) slope.pixel(x, y)[0] = static_cast<float>(x) + 0.25F;
+    const auto straight = iso_lines(slope, 4);
+    ASSERT_EQ(straight.size(), 5u);
+    for (const Polyline& line : straight)
+        for (const Vec2& p : line.points) EXPECT_NEAR(p.x, 3.75 + 0.5, 1e-6);
+
+    Image bowl(64, 64, 1);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            bowl.pixel(x, y)[0] =
+                static_cast<float>(std::pow(x + 0.5 - 32, 2) + std::pow(y + 0.5 - 32, 2));
+    double length = 0;
+    for (const Polyline& line : iso_lines(bowl, 400)) {
+        for (const Vec2& p : line.points) EXPECT_NEAR((p - Vec2(32)).length(), 20, 0.02);
+        length += (line.points[1] - line.points[0]).length();
+    }
+    EXPECT_NEAR(length, 40 * std::acos(-1), 0.3);
+}
+
+TEST(IsoLines, EndAtPixelsThatAreNoNumbersAndPartSaddlesByTheirMiddle) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    Image broken(2, 2, 1);
+    broken.values = {0, 1, nan, 1};
+    EXPECT_TRUE(iso_lines(broken, 0.5).empty());
+    Image saddle(2, 2, 1);
+    saddle.values = {1, 0, 0, 1}; // in circulation 1, 0, 1, 0
+    for (const double level : {0.4, 0.6}) {
+        const auto lines = iso_lines(saddle, level);
+        ASSERT_EQ(lines.size(), 2u);
+        // Each line cuts off one corner: the low ones when the middle is above.
+        for (const Polyline& line : lines) {
+            const Vec2 middle = (line.points[0] + line.points[1]) / 2;
+            const bool near_low = (middle - Vec2(1.5, 0.5)).length() < 0.45 ||
+                                  (middle - Vec2(0.5, 1.5)).length() < 0.45;
+            EXPECT_EQ(near_low, level < 0.5);
+        }
+    }
 }
