@@ -36,6 +36,12 @@ class Errors(KeikoTest):
         self.assertEqual(run.returncode, 2)
         self.assertRegex(run.stderr, r"\A(keiko: [a-z ]+\n)*keiko: a\.bpt:6: not a finite.*\n\Z")
 
+    def test_scales_of_false_colours_that_are_none(self):
+        for scale in "10", "10:1", "0:5", "1:inf", "1:2:3", "a:b":
+            self.fails("is not MIN:MAX with 0 < MIN < MAX", "render", SADDLE, "-o", "a.png",
+                       "--false-color", "--scale", scale)
+        self.fails("--false-color", "render", SADDLE, "-o", "a.png", "--scale", "1:10")
+
     def test_a_model_that_is_no_file(self):
         self.every_command_fails_on("none.step", "none.step: no such file")
         self.every_command_fails_on(".", ".: is a directory")

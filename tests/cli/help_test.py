@@ -12,7 +12,7 @@ class Help(KeikoTest):
         return re.findall(r"^  ([a-z-]+) ", listed, re.M)
 
     def test_there_are_the_documented_commands(self):
-        self.assertLessEqual({"info", "inspect", "place", "render", "trace"}, set(self.commands()))
+        self.assertLessEqual({"illuminance", "info", "inspect", "place", "render", "trace"}, set(self.commands()))
 
     def test_every_help_holds_an_example_of_its_command(self):
         for command in self.commands():
@@ -25,7 +25,7 @@ class Help(KeikoTest):
                 self.assertRegex(option, r"\s[a-z0-9]\S+", command)
 
     def test_every_command_that_traces_lets_the_intersector_be_chosen(self):
-        for command in "inspect", "place", "render", "trace":
+        for command in "illuminance", "inspect", "place", "render", "trace":
             self.assertRegex(self.succeed(command, "--help"), r"--intersector .*clipping")
 
     def test_no_command_is_an_error(self):

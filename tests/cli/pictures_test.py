@@ -35,10 +35,31 @@ class Pictures(KeikoTest):
     def test_the_view_the_paint_and_the_exposure_count(self):
         base = ("--view", "front", "--ev", "8")
         others = (("--view", "top", "--ev", "8"), (*base[:3], "9"), (*base, "--material", "white"),
-                  (*base, "--false-color"))
+                  (*base, "--false-color"), (*base, "--tone", "log"), (*base, "--tone", "reinhard"))
         first = self.written("a.png", *base)
         for other in others:
             self.assertNotEqual(first, self.written("b.png", *other), other)
+
+    def test_false_colours_have_a_legend_a_scale_and_lines(self):
+        base = ("--view", "front", "--false-color")
+        plain = self.written("a.png", *base)
+        width, height = struct.unpack(">II", plain[16:24])
+        self.assertGreater(width, 64 + 50)
+        self.assertGreaterEqual(height, 36)
+        for other in (*base, "--scale", "5:500"), (*base, "--iso-lines"):
+            self.assertNotEqual(plain, self.written("b.png", *other), other)
+
+    def test_ground_sun_and_reflections_of_a_scene_count(self):
+        scene = 'format = "keiko-scene/1"\nview = "high-front"\nsize = [32, 18]\n'
+        model = f'ambient = 100\n[[model]]\nfile = "{HOOD}"\nmaterial = "chrome"\n'
+        pictures = set()
+        for head, tail in (("", ""), ("", "[ground]\nz = -300\n"), ("max_depth = 0\n", ""),
+                           ("", "[sun]\ndirection = [0, 1, -1]\nilluminance = 50000\n"
+                                "[ground]\nz = -300\n")):
+            self.write("scene.toml", scene + head + model + tail)
+            self.succeed("render", "scene.toml", "-o", "a.exr", "-q")
+            pictures.add((self.folder / "a.exr").read_bytes())
+        self.assertEqual(len(pictures), 4)
 
     def test_an_old_picture_is_replaced(self):
         self.write("a.png", "old")
