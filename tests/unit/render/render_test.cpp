@@ -3,7 +3,9 @@
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 using namespace keiko;
 
@@ -196,4 +198,22 @@ TEST(Render, TheBodyMirrorsItself) {
         brightest_open = std::max(brightest_open, luminance(open[i].luminance));
     }
     EXPECT_GT(brightest_open, 10 * brightest_blocked);
+}
+
+// Even surroundings of the luminance 7, the background's: what loses no light cannot be seen, not
+// even where the body mirrors itself.
+TEST(Render, ABodyWithoutLossVanishesInAWhiteFurnace) {
+    test::ModelBuilder builder;
+    builder.plane({-1000, -1000, 0}, {2000, 0, 0}, {0, 2000, 0});
+    builder.plane({-1000, 1000, 0}, {2000, 0, 0}, {0, 0, 4000});
+    for (const double refractive_index : {1.0, 1.5}) {
+        Stage stage(builder.build(), refractive_index);
+        stage.rig = {.name = "", .sources = {}, .ambient = Rgb(7 * std::numbers::pi), .medium = {}};
+        const Film dark = stage.render();
+        EXPECT_LT(*std::min_element(dark.color.values.begin(), dark.color.values.end()), 3);
+        EXPECT_LE(*std::max_element(dark.color.values.begin(), dark.color.values.end()), 7 + 1e-5);
+        for (Material& material : stage.materials) material.diffuse = Rgb(1);
+        const Film white = stage.render({.aovs = {}, .max_depth = 12, .min_weight = 1e-6});
+        for (const float value : white.color.values) ASSERT_NEAR(value, 7, 1e-4);
+    }
 }
