@@ -48,6 +48,11 @@ SurfaceCurve::Place SurfaceCurve::place(double t, int order) const {
     return result;
 }
 
+std::uint32_t SurfaceCurve::patch_at(double t) const {
+    const std::array<Vec2, 4> p = evaluate(p_curve_, t, 1);
+    return grid_->locate(p[0], Vec2(-p[1].y, p[1].x) * side_);
+}
+
 SurfaceCurve::Point SurfaceCurve::at(double t) const {
     const Place p = place(t, 2);
     const SurfaceDerivatives& s = p.surface;

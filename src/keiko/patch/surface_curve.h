@@ -38,6 +38,8 @@ public:
     std::optional<BoundaryFrame> frame(double t) const;
     /// Arc length in mm between two parameters, in either order.
     double length(double begin, double end) const;
+    /// Index of the patch that it runs on at t, on the side of its material.
+    std::uint32_t patch_at(double t) const;
     /// How many patches it may run through.
     int patch_count() const { return 1 + grid_->lines_through(hull_bounds(p_curve_)); }
 

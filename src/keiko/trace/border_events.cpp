@@ -1,0 +1,101 @@
+#include "keiko/trace/border_events.h"
+
+#include "keiko/patch/bernstein_roots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace keiko {
+namespace {
+
+using Coefficients = std::array<double, BorderPiece::points>;
+
+/// Distances of the control points to the plane.
+Coefficients distances(const BorderPiece& border, const SegmentPlane& plane) {
+    const Vec4 weights = plane.weights(border.center);
+    const Vec3 normal(weights.x, weights.y, weights.z);
+    Coefficients c;
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] = normal.dot(border.curve[i]) + weights.w;
+    return c;
+}
+
+double value(const Coefficients& c, double t) {
+    Coefficients b = c;
+    for (std::size_t level = 1; level < b.size(); ++level)
+        for (std::size_t i = 0; i + level < b.size(); ++i) b[i] = b[i] * (1 - t) + b[i + 1] * t;
+    return b[0];
+}
+
+int sign_changes(const Coefficients& c) {
+    int count = 0;
+    for (std::size_t i = 1; i < c.size(); ++i) count += (c[i - 1] < 0) != (c[i] < 0);
+    return count;
+}
+
+/// The only zero of coefficients that change sign once, by the Illinois method.
+double single_root(const Coefficients& c) {
+    double a = 0, b = 1, at_a = c.front(), at_b = c.back();
+    constexpr int most_steps = 60;
+    constexpr double narrow = 1e-15;
+    for (int i = 0; i < most_steps && b - a > narrow; ++i) {
+        const double t = std::clamp((a * at_b - b * at_a) / (at_b - at_a), a, b);
+        const double at_t = value(c, t);
+        if (at_t == 0) return t;
+        if ((at_t < 0) == (at_b < 0)) {
+            b = t, at_b = at_t, at_a /= 2;
+        } else {
+            a = b, at_a = at_b;
+            b = t, at_b = at_t;
+        }
+        if (a > b) std::swap(a, b), std::swap(at_a, at_b);
+    }
+    return std::abs(at_a) < std::abs(at_b) ? a : b;
+}
+
+Vec3 inward_at(const BorderPiece& border, double t) {
+    const std::size_t first = t < 0.5 ? 0 : 1;
+    const double share = 2 * t - static_cast<double>(first);
+    return border.inward[first] * (1 - share) + border.inward[first + 1] * share;
+}
+
+/// On which side of the border its own surface hides the segment: a ray moved along the segment
+/// meets the surface's tangent plane on the material's side of the border, or beyond it.
+int dark_side(const BorderPiece& border, double t, const SegmentPlane& plane) {
+    if (!border.has_inward) return 0;
+    const Vec3 way = plane.apex().way_to(border.center + border.at(t)).normalized();
+    const Vec3 across = border.derivative(t).normalized().cross(way);
+    const double inward = inward_at(border, t).normalized().dot(across);
+    const double moved = plane.along().normalized().dot(across);
+    constexpr double sure = 1e-2;
+    if (!(std::abs(inward) > sure && std::abs(moved) > 1e-6)) return 0;
+    return (inward > 0) == (moved > 0) ? 1 : -1;
+}
+
+} // namespace
+
+void find_border_events(const BorderPiece& border, std::span<const TrimRegion> regions,
+                        const SegmentPlane& plane, std::vector<VisibilityEvent>& events) {
+    const Coefficients c = distances(border, plane);
+    const auto [low, high] = std::minmax_element(c.begin(), c.end());
+    const double slack = border.error + 1e-14 * std::max(std::abs(*low), std::abs(*high));
+    if (*low > slack || *high < -slack) return;
+    const auto add = [&](double t) {
+        const auto s = plane.hidden_by(border.center + border.at(t));
+        if (!s) return;
+        if (border.trimmed &&
+            !regions[border.face].contains(border.first + (border.last - border.first) * t))
+            return;
+        events.push_back({*s, dark_side(border, t, plane)});
+    };
+    // Pieces meet within rounding: a zero at an end belongs to both.
+    if (std::abs(c.front()) <= slack) add(0);
+    if (std::abs(c.back()) <= slack) add(1);
+    const int changes = sign_changes(c);
+    if (changes == 1)
+        add(single_root(c));
+    else if (changes > 1)
+        for (const double t : bernstein_roots(c, 0)) add(t);
+}
+
+} // namespace keiko

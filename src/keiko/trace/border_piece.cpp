@@ -1,0 +1,196 @@
+#include "keiko/trace/border_piece.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/patch/boundary_curves.h"
+#include "keiko/trace/crease_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+constexpr double accuracy = 1e-10; ///< of the curve's size
+constexpr int most_halvings = 14;
+/// rad: a piece that turns by more is halved, so that its middle speaks for all of it.
+constexpr double widest_turn = 0.4;
+
+/// The curve of degree 5 with these ends, over an interval of length h (Farin 2002, section 7.6).
+std::array<Vec3, BorderPiece::points> hermite(const SurfaceCurve::Point& a,
+                                              const SurfaceCurve::Point& b, double h) {
+    const Vec3 a1 = a.position + a.first * (h / 5), b1 = b.position - b.first * (h / 5);
+    return {a.position,
+            a1,
+            a.position + a.first * (2 * h / 5) + a.second * (h * h / 20),
+            b.position - b.first * (2 * h / 5) + b.second * (h * h / 20),
+            b1,
+            b.position};
+}
+
+Vec3 point_of(const std::array<Vec3, BorderPiece::points>& curve, double t) {
+    std::array<Vec3, BorderPiece::points> c = curve;
+    for (std::size_t level = 1; level < c.size(); ++level)
+        for (std::size_t i = 0; i + level < c.size(); ++i) c[i] = c[i] * (1 - t) + c[i + 1] * t;
+    return c[0];
+}
+
+/// Covers one curve with pieces.
+class CurveCover {
+public:
+    CurveCover(const SurfaceCurve& curve, const BorderPiece& kind, std::vector<BorderPiece>& pieces)
+        : curve_(curve), kind_(kind), pieces_(pieces) {
+        Box3 box;
+        constexpr int samples = 8;
+        for (int i = 0; i <= samples; ++i) box.extend(curve.at(double(i) / samples).position);
+        size_ = box.size();
+        scale_ = size_ + box.center().length();
+    }
+
+    void run() {
+        constexpr double collapsed = 1e-11;
+        if (size_ > collapsed * scale_) by_patch(0, 1);
+    }
+
+private:
+    /// Cuts where the curve goes from one patch to the next, where it need not be smooth.
+    void by_patch(double a, double b) {
+        constexpr double narrowest = 1e-12;
+        const double inset = std::min(1e-9 * (b - a), narrowest);
+        const std::uint32_t first = curve_.patch_at(a + inset);
+        if (b - a <= 4 * narrowest || first == curve_.patch_at(b - inset)) {
+            const double middle = (a + b) / 2;
+            if (b - a <= 4 * narrowest || first == curve_.patch_at(middle)) return cover(a, b, 0);
+            by_patch(a, middle);
+            return by_patch(middle, b);
+        }
+        double low = a + inset, high = b - inset;
+        while (high - low > narrowest / 4) {
+            const double middle = (low + high) / 2;
+            if (!(low < middle && middle < high)) break;
+            (curve_.patch_at(middle) == first ? low : high) = middle;
+        }
+        cover(a, low, 0);
+        by_patch(high, b);
+    }
+
+    void cover(double a, double b, int halvings) {
+        if (!(a < b)) return;
+        BorderPiece piece = kind_;
+        const auto curve = hermite(curve_.at(a), curve_.at(b), b - a);
+        piece.error = error_of(curve, a, b);
+        const bool settled = piece.error <= accuracy * size_ && !turns(curve);
+        if (!settled && halvings < most_halvings) {
+            cover(a, (a + b) / 2, halvings + 1);
+            cover((a + b) / 2, b, halvings + 1);
+            return;
+        }
+        place(piece, curve, a, b);
+        pieces_.push_back(piece);
+    }
+
+    double error_of(const std::array<Vec3, BorderPiece::points>& curve, double a, double b) const {
+        double most = 0;
+        for (const double t : {0.15, 0.3, 0.5, 0.7, 0.85})
+            most =
+                std::max(most, (point_of(curve, t) - curve_.at(a + t * (b - a)).position).length());
+        return most;
+    }
+
+    static bool turns(const std::array<Vec3, BorderPiece::points>& curve) {
+        const Vec3 chord = curve.back() - curve.front();
+        for (std::size_t i = 1; i < curve.size(); ++i)
+            if (!(angle_between(chord, curve[i] - curve[i - 1]) < widest_turn)) return true;
+        return false;
+    }
+
+    void place(BorderPiece& piece, const std::array<Vec3, BorderPiece::points>& curve, double a,
+               double b) const {
+        for (const Vec3& p : curve) piece.box.extend(p);
+        piece.center = piece.box.center();
+        for (std::size_t i = 0; i < curve.size(); ++i) piece.curve[i] = curve[i] - piece.center;
+        piece.box = piece.box.padded(piece.error);
+        piece.has_inward = true;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto frame = curve_.frame(a + (b - a) * static_cast<double>(i) / 2);
+            piece.has_inward = piece.has_inward && frame;
+            if (frame) piece.inward[i] = frame->inward;
+        }
+        const Vec2 first = kind_.first, way = kind_.last - kind_.first;
+        piece.first = first + way * a;
+        piece.last = first + way * b;
+    }
+
+    const SurfaceCurve& curve_;
+    const BorderPiece& kind_;
+    std::vector<BorderPiece>& pieces_;
+    double size_ = 0, scale_ = 0;
+};
+
+/// Whether opposite sides of a face without loops are one line, crossed smoothly.
+bool closes_smoothly(const SurfaceCurve& side, const SurfaceCurve& opposite) {
+    constexpr int samples = 9;
+    constexpr double same_place = 1e-10, same_normal = 1e-9;
+    Box3 box;
+    for (int i = 0; i <= samples; ++i) box.extend(side.at(double(i) / samples).position);
+    const double scale = box.size() + box.center().length();
+    for (int i = 0; i <= samples; ++i) {
+        const double t = double(i) / samples;
+        if (!((side.at(t).position - opposite.at(1 - t).position).length() <= same_place * scale))
+            return false;
+        const auto a = side.frame(t), b = opposite.frame(1 - t);
+        if (a && b && !(angle_between(a->normal, b->normal) <= same_normal)) return false;
+    }
+    return true;
+}
+
+bool is_smooth_closing(const BoundaryCurves& borders, const BoundaryInterval& interval) {
+    if (interval.curve < natural_side) return false;
+    BoundaryInterval opposite = interval;
+    opposite.curve = natural_side + (interval.curve - natural_side + 2) % 4;
+    return closes_smoothly(borders.curve(interval), borders.curve(opposite));
+}
+
+} // namespace
+
+Vec3 BorderPiece::at(double t) const {
+    return point_of(curve, t);
+}
+
+Vec3 BorderPiece::derivative(double t) const {
+    std::array<Vec3, points> c = curve;
+    for (std::size_t level = 1; level + 1 < points; ++level)
+        for (std::size_t i = 0; i + level < points; ++i) c[i] = c[i] * (1 - t) + c[i + 1] * t;
+    return (c[1] - c[0]) * static_cast<double>(points - 1);
+}
+
+std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Job& job) {
+    const BoundaryCurves borders(model);
+    const std::vector<BoundaryInterval> intervals = borders.all();
+    std::vector<std::vector<BorderPiece>> sets(intervals.size());
+    parallel_for(intervals.size(), job, "", [&](std::size_t i) {
+        if (is_smooth_closing(borders, intervals[i])) return;
+        BorderPiece kind;
+        kind.instance = intervals[i].instance;
+        kind.face = intervals[i].face;
+        const SurfaceCurve curve = borders.curve(intervals[i]);
+        CurveCover(curve, kind, sets[i]).run();
+    });
+    const CreaseLines creases(model);
+    sets.resize(intervals.size() + creases.all().size());
+    parallel_for(creases.all().size(), job, "", [&](std::size_t i) {
+        const CreaseLine& line = creases.all()[i];
+        BorderPiece kind;
+        kind.instance = line.instance;
+        kind.face = line.face;
+        kind.trimmed = model.faces[line.face].loop_count > 0;
+        kind.first = Vec2(line.p_curve[0].x, line.p_curve[0].y);
+        kind.last = Vec2(line.p_curve[1].x, line.p_curve[1].y);
+        const SurfaceCurve curve = creases.curve(line);
+        CurveCover(curve, kind, sets[intervals.size() + i]).run();
+    });
+    std::vector<BorderPiece> all;
+    for (auto& set : sets) all.insert(all.end(), set.begin(), set.end());
+    return all;
+}
+
+} // namespace keiko

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/patch/surface_model.h"
+
+#include <array>
+#include <vector>
+
+namespace keiko {
+
+/// A piece of a placed face's border, or of a crease inside a face, as a curve in space: world, mm.
+/// Of degree 5, it meets the exact curve's position and first two derivatives at its ends.
+struct BorderPiece {
+    static constexpr std::size_t points = 6;
+
+    std::uint32_t instance = 0, face = 0;
+    Vec3 center{0};
+    std::array<Vec3, points> curve{Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0)};
+    double error = 0; ///< mm, largest distance to the exact curve that was met between its ends
+    Box3 box;
+    /// Unit, from the border into the surface and tangent to it, at begin, middle and end.
+    std::array<Vec3, 3> inward{Vec3(0), Vec3(0), Vec3(0)};
+    bool has_inward = false; ///< false near poles and cusps
+    /// Of a crease in a trimmed face: where it runs, to be asked for material.
+    bool trimmed = false;
+    Vec2 first{0}, last{0}; ///< face parameters
+
+    /// Position relative to the centre, and derivative.
+    Vec3 at(double t) const;
+    Vec3 derivative(double t) const;
+};
+
+/// The borders of every placed face, trimmed or natural, and the knot lines along which the normal
+/// jumps. Left out: the sides of a closed face that join smoothly, and sides collapsed into a
+/// point. Pieces are as short as it takes to be within 1e-10 of the curve's size. Throws Cancelled.
+std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Job& job);
+
+} // namespace keiko

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/math/interval_set.h"
+#include "keiko/trace/apex.h"
+#include "keiko/trace/tracer.h"
+
+#include <memory>
+#include <span>
+
+namespace keiko {
+
+/// What an apex sees of a segment.
+struct SeenParts {
+    IntervalSet intervals; ///< of the segment's parameter, 0 at its begin, 1 at its end
+    /// False when somewhere events could not be told apart: an end may be off, or a narrow part
+    /// missing there.
+    bool certain = true;
+};
+
+class ApexView;
+
+/// All that may hide something in a model, made ready to be asked from many apexes which parts of
+/// segments they see past it, exactly: the ends of those parts are silhouettes and borders found
+/// on the surfaces, not by sampling (docs/theory/visibility.md). Looks into the tracer it was made
+/// with. Immutable after construction; may be asked from any thread.
+class Occluders {
+public:
+    /// Throws Cancelled. `tracer` must be of the same model.
+    Occluders(const SurfaceModel& model, const Tracer& tracer, const Job& job = {});
+    ~Occluders();
+    Occluders(Occluders&&) noexcept;
+    Occluders& operator=(Occluders&&) noexcept;
+
+    struct Statistics {
+        std::size_t silhouette_pieces = 0, border_pieces = 0;
+        double build_seconds = 0;
+    };
+    const Statistics& statistics() const;
+
+private:
+    friend class ApexView;
+    struct Scene;
+    std::unique_ptr<Scene> scene_;
+};
+
+/// What one apex may ask: candidates are collected once, for all segments of a region.
+class ApexView {
+public:
+    /// `region`: corners of a convex body that holds every segment to come.
+    ApexView(const Occluders& occluders, const Apex& apex, std::span<const Vec3> region);
+    ~ApexView();
+    ApexView(ApexView&&) noexcept;
+    ApexView& operator=(ApexView&&) noexcept;
+
+    /// Parts of the segment from a to b such that nothing lies between them and the apex. Parts
+    /// and gaps shorter than 1e-9 of the segment are dropped. A segment without length is
+    /// seen as a whole or not at all.
+    SeenParts intervals(const Vec3& a, const Vec3& b) const;
+
+    /// How many pieces may hide something of the region.
+    std::size_t candidates() const;
+
+private:
+    struct Candidates;
+    std::unique_ptr<Candidates> candidates_;
+};
+
+} // namespace keiko

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "keiko/trace/tangent_planes.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// A part of a patch, over `uv` of it.
+struct ReducedPatch {
+    Box2 uv;
+    HomogeneousNet points;
+};
+
+/// A patch in parts of at most max_occluder_degree either way: itself where it is, or else
+/// interpolated in parts so small that points between the nodes are met within 1e-11 of its size.
+std::vector<ReducedPatch> reduced_degree(HomogeneousNet patch);
+
+} // namespace keiko

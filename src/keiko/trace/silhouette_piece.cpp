@@ -1,0 +1,197 @@
+#include "keiko/trace/silhouette_piece.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/patch/differential_geometry.h"
+#include "keiko/trace/reduced_degree.h"
+#include "keiko/trace/subpatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace keiko {
+namespace {
+
+/// Halvings of an occluder patch along each parameter.
+constexpr int most_halvings = 5;
+/// rad: normals that turn by more over half a piece make apexes look at it in vain.
+constexpr double widest_turn = 0.2;
+/// Share of a net's slopes by which they may vary over a piece, for Newton's method to be proved.
+constexpr double most_bent = 0.3;
+/// rad: what turns less than this is as good as straight.
+constexpr double straight = 1e-5;
+
+Vec3 spatial(const Vec4& p) {
+    return {p.x, p.y, p.z};
+}
+
+/// Points relative to another place.
+HomogeneousNet moved_points(HomogeneousNet net, const Vec3& to) {
+    for (Vec4& p : net.points) {
+        const Vec3 q = spatial(p) - to * p.w;
+        p = {q.x, q.y, q.z, p.w};
+    }
+    return net;
+}
+
+HomogeneousNet moved_planes(HomogeneousNet net, const Vec3& to) {
+    for (Vec4& p : net.points) p.w += spatial(p).dot(to);
+    return net;
+}
+
+HomogeneousNet part_of(const HomogeneousNet& net, const Box2& box) {
+    return {net.degree_u, net.degree_v, subpatch(net.view(), box)};
+}
+
+void find_normal_cone(const HomogeneousNet& planes, SilhouettePiece& piece) {
+    Vec3 sum(0);
+    for (const Vec4& p : planes.points) sum += spatial(p);
+    piece.normal = sum.normalized();
+    double angle = 0;
+    for (const Vec4& p : planes.points)
+        angle = std::max(angle, angle_between(piece.normal, spatial(p)));
+    piece.normal_angle = angle;
+}
+
+SilhouettePiece piece_over(const OccluderPatch& patch, const Box2& uv) {
+    SilhouettePiece piece;
+    piece.uv = uv;
+    const HomogeneousNet points = part_of(patch.points, uv);
+    const Box3 local = hull_bounds(points.view());
+    const Vec3 middle = local.center();
+    piece.center = patch.center + middle;
+    piece.box = {patch.center + local.lower, patch.center + local.upper};
+    const HomogeneousNet planes = moved_planes(part_of(patch.planes, uv), middle);
+    piece.points = affine_net(moved_points(points, middle));
+    piece.planes = affine_net(planes);
+    find_normal_cone(planes, piece);
+    return piece;
+}
+
+/// Along which axis the piece should be halved, if at all.
+std::optional<unsigned> axis_to_halve(const SilhouettePiece& piece) {
+    const AffineNet& t = piece.planes;
+    const double area = spatial(t.value).length();
+    const Vec3 n = spatial(t.value) / area;
+    const auto turn = [&](const Vec4& along) {
+        const Vec3 v = spatial(along);
+        return (v - n * v.dot(n)).length() / area;
+    };
+    const double turn_x = turn(t.along_x), turn_y = turn(t.along_y);
+    if (!(std::max(turn_x, turn_y) < widest_turn)) return turn_x >= turn_y ? 0u : 1u;
+    const auto bend = [](const Vec4& middle, const Vec4& range) {
+        return spatial(middle).length() + spatial(range).length();
+    };
+    const double slope = spatial(t.slope).length() / area;
+    if (slope > most_bent * std::max(turn_x, turn_y) && slope > straight)
+        return bend(t.xx, t.xx_range) >= bend(t.yy, t.yy_range) ? 0u : 1u;
+    const AffineNet& h = piece.points;
+    const double step = std::max(spatial(h.along_x).length(), spatial(h.along_y).length());
+    if (spatial(h.slope).length() > most_bent * step)
+        return bend(h.xx, h.xx_range) >= bend(h.yy, h.yy_range) ? 0u : 1u;
+    return std::nullopt;
+}
+
+Box2 face_box(const OccluderPatch& patch, const Box2& uv) {
+    Box2 box;
+    box.extend(patch.face_parameters(uv.lower));
+    box.extend(patch.face_parameters(uv.upper));
+    return box;
+}
+
+void split(const OccluderPatch& patch, const TrimRegion& region, const Box2& uv,
+           std::array<int, 2> halved, std::vector<SilhouettePiece>& pieces) {
+    const TrimSide side =
+        region.untrimmed() ? TrimSide::inside : region.classify(face_box(patch, uv));
+    if (side == TrimSide::outside) return;
+    SilhouettePiece piece = piece_over(patch, uv);
+    const auto axis = axis_to_halve(piece);
+    if (!axis || halved[*axis] >= most_halvings) {
+        piece.trimmed = side == TrimSide::mixed;
+        pieces.push_back(std::move(piece));
+        return;
+    }
+    Box2 low = uv, high = uv;
+    low.upper[*axis] = high.lower[*axis] = uv.center()[*axis];
+    ++halved[*axis];
+    split(patch, region, low, halved, pieces);
+    split(patch, region, high, halved, pieces);
+}
+
+/// One patch of a placed part with its pieces.
+Silhouettes silhouettes_of_patch(const SurfaceModel& model, std::uint32_t instance,
+                                 std::uint32_t index, const TrimRegion& region) {
+    Silhouettes set;
+    const Affine& to_world = model.instances[instance].transform;
+    const BezierPatchView view = model.patch(index);
+    HomogeneousNet placed{view.degree_u, view.degree_v, {}};
+    for (const Vec4& p : view.points) placed.points.push_back(to_world.homogeneous(p));
+    const Vec3 center = hull_bounds(placed.view()).center();
+    for (ReducedPatch& part : reduced_degree(moved_points(std::move(placed), center))) {
+        OccluderPatch patch;
+        patch.instance = instance;
+        patch.face = model.patches[index].face;
+        patch.patch = index;
+        patch.uv = part.uv;
+        patch.center = center;
+        patch.points = std::move(part.points);
+        patch.map_u = model.patches[index].map_u;
+        patch.map_v = model.patches[index].map_v;
+        patch.planes = tangent_planes(patch.points.view());
+        patch.rational = patch.points.view().rational();
+        patch.flat = is_flat(patch.planes);
+        const auto number = static_cast<std::uint32_t>(set.patches.size());
+        const std::size_t first = set.pieces.size();
+        if (!patch.flat) split(patch, region, unit_square, {0, 0}, set.pieces);
+        for (std::size_t i = first; i < set.pieces.size(); ++i) set.pieces[i].patch = number;
+        set.patches.push_back(std::move(patch));
+    }
+    return set;
+}
+
+void append(Silhouettes& all, Silhouettes more) {
+    const auto offset = static_cast<std::uint32_t>(all.patches.size());
+    for (SilhouettePiece& piece : more.pieces) {
+        piece.patch += offset;
+        all.pieces.push_back(std::move(piece));
+    }
+    std::move(more.patches.begin(), more.patches.end(), std::back_inserter(all.patches));
+}
+
+} // namespace
+
+std::optional<Vec3> Silhouettes::normal_at(const Root& root) const {
+    const Vec2 at = root.uv.center();
+    const auto before = [](const OccluderPatch& a, const Root& b) {
+        return a.instance != b.instance ? a.instance < b.instance : a.patch < b.patch;
+    };
+    for (auto p = std::lower_bound(patches.begin(), patches.end(), root, before);
+         p != patches.end() && p->instance == root.instance && p->patch == root.patch; ++p) {
+        const Vec2 own = (at - p->uv.lower) / p->uv.extent();
+        if (patches.end() - p > 1 && !unit_square.padded(1e-9).contains(own)) continue;
+        return unit_normal(evaluate(p->points.view(), own, 2), own);
+    }
+    return std::nullopt;
+}
+
+Silhouettes silhouettes_of(const SurfaceModel& model, const Job& job) {
+    Silhouettes all;
+    for (const Face& face : model.faces) all.regions.emplace_back(model, face);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> placed;
+    for (std::uint32_t i = 0; i < model.instances.size(); ++i) {
+        const Part& part = model.parts[model.instances[i].part];
+        for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f)
+            for (std::uint32_t k = 0; k < model.faces[f].patch_count; ++k)
+                placed.emplace_back(i, model.faces[f].first_patch + k);
+    }
+    std::vector<Silhouettes> sets(placed.size());
+    parallel_for(placed.size(), job, "", [&](std::size_t i) {
+        const auto& [instance, patch] = placed[i];
+        sets[i] =
+            silhouettes_of_patch(model, instance, patch, all.regions[model.patches[patch].face]);
+    });
+    for (Silhouettes& set : sets) append(all, std::move(set));
+    return all;
+}
+
+} // namespace keiko

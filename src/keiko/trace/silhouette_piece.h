@@ -1,0 +1,58 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/patch/ray.h"
+#include "keiko/patch/surface_model.h"
+#include "keiko/patch/trim_region.h"
+#include "keiko/trace/affine_net.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// A placed patch, or a part of one, as an occluder: its points and its tangent planes, relative
+/// to `center`, world, mm.
+struct OccluderPatch {
+    std::uint32_t instance = 0, face = 0, patch = 0;
+    Box2 uv{Vec2(0), Vec2(1)}; ///< of the model's patch that this one covers
+    Vec3 center{0};
+    HomogeneousNet points, planes;
+    bool rational = false;
+    bool flat = false; ///< has no folds
+    ParameterMap map_u, map_v;
+
+    Vec2 patch_parameters(const Vec2& own) const { return uv.lower + uv.extent() * own; }
+    Vec2 face_parameters(const Vec2& own) const {
+        const Vec2 p = patch_parameters(own);
+        return {map_u.to_face(p.x), map_v.to_face(p.y)};
+    }
+};
+
+/// A part of an occluder patch over which points and tangent planes are nearly affine, so that a
+/// few products tell whether an apex can see it edge-on, and where a plane cuts that silhouette.
+struct SilhouettePiece {
+    std::uint32_t patch = 0; ///< into Silhouettes::patches
+    Box2 uv;                 ///< of that patch
+    bool trimmed = false;    ///< trim curves may cross it
+    Vec3 center{0};          ///< world; the nets are relative to it
+    Box3 box;                ///< world, mm
+    AffineNet points, planes;
+    Vec3 normal{0};          ///< unit, axis of the cone that holds all its normals
+    double normal_angle = 4; ///< rad, half angle of that cone; more than pi / 2: it holds none
+};
+
+/// Everything of a model that an apex may see edge-on.
+struct Silhouettes {
+    std::vector<OccluderPatch> patches; ///< by instance, then by patch
+    std::vector<SilhouettePiece> pieces;
+    std::vector<TrimRegion> regions; ///< one a face of the model
+
+    /// Unit normal of either sense at a place of a placed patch; nothing where it has none.
+    std::optional<Vec3> normal_at(const Root& root) const;
+};
+
+/// Patches of higher degree than max_occluder_degree are approximated by pieces of that degree, to
+/// 1e-11 of their size. Throws Cancelled.
+Silhouettes silhouettes_of(const SurfaceModel& model, const Job& job);
+
+} // namespace keiko

@@ -1,0 +1,94 @@
+#include "keiko/trace/view_volume.h"
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// The direction of the longest way between two corners, so that a pyramid over lamps is as narrow
+/// as they lie.
+Vec3 longest_way(std::span<const Vec3> corners) {
+    Vec3 longest(0);
+    for (const Vec3& a : corners)
+        for (const Vec3& b : corners)
+            if ((b - a).length2() > longest.length2()) longest = b - a;
+    return longest;
+}
+
+/// Unit vectors across `axis`, the first as near to `along` as can be.
+std::array<Vec3, 2> across(const Vec3& axis, const Vec3& along) {
+    Vec3 x = along - axis * along.dot(axis);
+    if (!(x.length() > 1e-6 * along.length()))
+        x = axis.cross(std::abs(axis.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
+    x.normalize();
+    return {x, axis.cross(x)};
+}
+
+} // namespace
+
+ViewVolume::ViewVolume(const Apex& apex, std::span<const Vec3> region) {
+    Vec3 middle(0);
+    for (const Vec3& corner : region) {
+        region_.extend(corner);
+        middle += corner / static_cast<double>(region.size());
+    }
+    const Vec3 axis = apex.way_to(middle).normalized();
+    const std::array<Vec3, 2> beside = across(axis, longest_way(region));
+    // Far beyond what rounding in the tests could move.
+    constexpr double margin = 1e-9;
+    const Vec3 origin = apex.infinite() ? middle : apex.place();
+    const double reach = region_.size() + (middle - origin).length();
+    double nearest = Box3::infinity, farthest = -Box3::infinity;
+    Box2 slopes;
+    for (const Vec3& corner : region) {
+        const Vec3 x = corner - origin;
+        const double depth = x.dot(axis), unit = apex.infinite() ? 1 : depth;
+        nearest = std::min(nearest, depth);
+        farthest = std::max(farthest, depth);
+        slopes.extend(Vec2(x.dot(beside[0]), x.dot(beside[1])) / unit);
+    }
+    hull_ = region_;
+    if (!apex.infinite()) {
+        hull_.extend(apex.place());
+        add(-axis, -(farthest + margin * reach) - axis.dot(origin));
+    } else {
+        hull_ = {Vec3(-Box3::infinity), Vec3(Box3::infinity)};
+        add(-axis, -(farthest + margin * reach) - axis.dot(origin));
+    }
+    // Wider than some 160 degrees no pyramid is worth its while.
+    if (!apex.infinite() && !(nearest > 0.1 * region_.size())) {
+        if (!(nearest > 0)) return;
+    }
+    for (unsigned k = 0; k < 2; ++k) {
+        const Vec3 depth = apex.infinite() ? Vec3(0) : axis;
+        const double pad =
+            margin *
+            (apex.infinite() ? reach : 1 + std::abs(slopes.lower[k]) + std::abs(slopes.upper[k]));
+        const double low = slopes.lower[k] - pad, high = slopes.upper[k] + pad;
+        const Vec3 lower = beside[k] - depth * low, upper = depth * high - beside[k];
+        if (apex.infinite()) {
+            add(beside[k], beside[k].dot(origin) + low);
+            add(-beside[k], -beside[k].dot(origin) - high);
+        } else {
+            add(lower, lower.dot(origin) - margin * reach);
+            add(upper, upper.dot(origin) - margin * reach);
+        }
+    }
+}
+
+void ViewVolume::add(const Vec3& normal, double offset) {
+    half_spaces_[count_++] = {
+        normal, Vec3(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)), offset};
+}
+
+bool ViewVolume::may_hold(const Box3& box) const {
+    if (!box.overlaps(hull_)) return false;
+    const Vec3 center = box.center(), half = box.extent() * 0.5;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const HalfSpace& h = half_spaces_[i];
+        if (h.normal.dot(center) + h.size.dot(half) < h.offset) return false;
+    }
+    return true;
+}
+
+} // namespace keiko

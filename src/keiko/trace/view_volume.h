@@ -1,0 +1,36 @@
+#pragma once
+
+#include "keiko/math/bounds.h"
+#include "keiko/trace/apex.h"
+
+#include <array>
+#include <span>
+
+namespace keiko {
+
+/// The pyramid between an apex and all that it may be asked about (a prism for parallel light):
+/// what lies outside hides nothing of it.
+class ViewVolume {
+public:
+    /// `region` holds corners of a convex body around every segment to come.
+    ViewVolume(const Apex& apex, std::span<const Vec3> region);
+
+    /// False when the box is proved to lie outside.
+    bool may_hold(const Box3& box) const;
+    /// World box of the region itself.
+    const Box3& region() const { return region_; }
+
+private:
+    /// The side where normal.x >= offset.
+    struct HalfSpace {
+        Vec3 normal{0}, size{0}; ///< `size`: magnitudes of the normal's components
+        double offset = 0;
+    };
+    void add(const Vec3& normal, double offset);
+
+    Box3 region_, hull_;
+    std::array<HalfSpace, 6> half_spaces_;
+    std::size_t count_ = 0;
+};
+
+} // namespace keiko
