@@ -53,22 +53,17 @@ double single_root(const Coefficients& c) {
     return std::abs(at_a) < std::abs(at_b) ? a : b;
 }
 
-Vec3 inward_at(const BorderPiece& border, double t) {
-    const std::size_t first = t < 0.5 ? 0 : 1;
-    const double share = 2 * t - static_cast<double>(first);
-    return border.inward[first] * (1 - share) + border.inward[first + 1] * share;
-}
-
 /// On which side of the border its own surface hides the segment: a ray moved along the segment
 /// meets the surface's tangent plane on the material's side of the border, or beyond it.
 int dark_side(const BorderPiece& border, double t, const SegmentPlane& plane) {
-    if (!border.has_inward) return 0;
+    constexpr double useless = 0.2;
+    if (!(border.inward_error < useless)) return 0;
     const Vec3 way = plane.apex().way_to(border.center + border.at(t)).normalized();
     const Vec3 across = border.derivative(t).normalized().cross(way);
-    const double inward = inward_at(border, t).normalized().dot(across);
+    const double inward = border.inward_at(t).normalized().dot(across);
     const double moved = plane.along().normalized().dot(across);
-    constexpr double sure = 1e-2;
-    if (!(std::abs(inward) > sure && std::abs(moved) > 1e-6)) return 0;
+    const double sure = 1e-5 + border.inward_error;
+    if (!(std::abs(inward) > sure && std::abs(moved) > 1e-5)) return 0;
     return (inward > 0) == (moved > 0) ? 1 : -1;
 }
 

@@ -6,14 +6,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace keiko {
 namespace {
 
-constexpr double accuracy = 1e-10; ///< of the curve's size
-constexpr int most_halvings = 14;
+constexpr double accuracy = 1e-9;  ///< of the curve's size
+constexpr double rounding = 1e-14; ///< of the coordinates
+constexpr int most_halvings = 10;
 /// rad: a piece that turns by more is halved, so that its middle speaks for all of it.
 constexpr double widest_turn = 0.4;
+/// rad: a piece whose inward direction is not known so well is halved, if that helps soon.
+constexpr double most_inward_error = 0.03;
+constexpr int most_halvings_for_inward = 3;
 
 /// The curve of degree 5 with these ends, over an interval of length h (Farin 2002, section 7.6).
 std::array<Vec3, BorderPiece::points> hermite(const SurfaceCurve::Point& a,
@@ -44,6 +49,7 @@ public:
         for (int i = 0; i <= samples; ++i) box.extend(curve.at(double(i) / samples).position);
         size_ = box.size();
         scale_ = size_ + box.center().length();
+        tolerance_ = std::max(accuracy * size_, rounding * scale_);
     }
 
     void run() {
@@ -78,8 +84,11 @@ private:
         BorderPiece piece = kind_;
         const auto curve = hermite(curve_.at(a), curve_.at(b), b - a);
         piece.error = error_of(curve, a, b);
-        const bool settled = piece.error <= accuracy * size_ && !turns(curve);
-        if (!settled && halvings < most_halvings) {
+        find_inward(piece, a, b);
+        const bool settled = piece.error <= tolerance_ && !turns(curve);
+        const bool steady = piece.inward_error <= most_inward_error;
+        if ((!settled && halvings < most_halvings) ||
+            (!steady && halvings < most_halvings_for_inward)) {
             cover(a, (a + b) / 2, halvings + 1);
             cover((a + b) / 2, b, halvings + 1);
             return;
@@ -96,6 +105,28 @@ private:
         return most;
     }
 
+    /// The direction into the surface at three places, held against two others.
+    void find_inward(BorderPiece& piece, double a, double b) const {
+        const auto inward = [&](double t) -> std::optional<Vec3> {
+            const auto frame = curve_.frame(a + (b - a) * t);
+            return frame ? std::optional(frame->inward) : std::nullopt;
+        };
+        piece.inward_error = std::numbers::pi / 2;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto at = inward(static_cast<double>(i) / 2);
+            if (!at) return;
+            piece.inward[i] = *at;
+        }
+        double most = 0;
+        for (const double t : {0.25, 0.75}) {
+            const auto at = inward(t);
+            if (!at) return;
+            most = std::max(most, angle_between(*at, piece.inward_at(t)));
+        }
+        constexpr double safety = 4;
+        piece.inward_error = safety * most;
+    }
+
     static bool turns(const std::array<Vec3, BorderPiece::points>& curve) {
         const Vec3 chord = curve.back() - curve.front();
         for (std::size_t i = 1; i < curve.size(); ++i)
@@ -109,12 +140,6 @@ private:
         piece.center = piece.box.center();
         for (std::size_t i = 0; i < curve.size(); ++i) piece.curve[i] = curve[i] - piece.center;
         piece.box = piece.box.padded(piece.error);
-        piece.has_inward = true;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto frame = curve_.frame(a + (b - a) * static_cast<double>(i) / 2);
-            piece.has_inward = piece.has_inward && frame;
-            if (frame) piece.inward[i] = frame->inward;
-        }
         const Vec2 first = kind_.first, way = kind_.last - kind_.first;
         piece.first = first + way * a;
         piece.last = first + way * b;
@@ -123,7 +148,7 @@ private:
     const SurfaceCurve& curve_;
     const BorderPiece& kind_;
     std::vector<BorderPiece>& pieces_;
-    double size_ = 0, scale_ = 0;
+    double size_ = 0, scale_ = 0, tolerance_ = 0;
 };
 
 /// Whether opposite sides of a face without loops are one line, crossed smoothly.
@@ -161,6 +186,11 @@ Vec3 BorderPiece::derivative(double t) const {
     for (std::size_t level = 1; level + 1 < points; ++level)
         for (std::size_t i = 0; i + level < points; ++i) c[i] = c[i] * (1 - t) + c[i + 1] * t;
     return (c[1] - c[0]) * static_cast<double>(points - 1);
+}
+
+Vec3 BorderPiece::inward_at(double t) const {
+    return inward[0] * ((1 - 2 * t) * (1 - t)) + inward[1] * (4 * t * (1 - t)) +
+           inward[2] * (t * (2 * t - 1));
 }
 
 std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Job& job) {

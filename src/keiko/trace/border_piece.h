@@ -20,7 +20,8 @@ struct BorderPiece {
     Box3 box;
     /// Unit, from the border into the surface and tangent to it, at begin, middle and end.
     std::array<Vec3, 3> inward{Vec3(0), Vec3(0), Vec3(0)};
-    bool has_inward = false; ///< false near poles and cusps
+    /// rad: how far inward_at() may be off; pi / 2 near poles and cusps.
+    double inward_error = 0;
     /// Of a crease in a trimmed face: where it runs, to be asked for material.
     bool trimmed = false;
     Vec2 first{0}, last{0}; ///< face parameters
@@ -28,11 +29,13 @@ struct BorderPiece {
     /// Position relative to the centre, and derivative.
     Vec3 at(double t) const;
     Vec3 derivative(double t) const;
+    /// The direction into the surface, interpolated.
+    Vec3 inward_at(double t) const;
 };
 
 /// The borders of every placed face, trimmed or natural, and the knot lines along which the normal
 /// jumps. Left out: the sides of a closed face that join smoothly, and sides collapsed into a
-/// point. Pieces are as short as it takes to be within 1e-10 of the curve's size. Throws Cancelled.
+/// point. Pieces are as short as it takes to be within 1e-9 of the curve's size. Throws Cancelled.
 std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Job& job);
 
 } // namespace keiko

@@ -18,7 +18,7 @@ constexpr double same_event = 1e-11;
 
 PieceTree silhouette_tree(const std::vector<SilhouettePiece>& pieces) {
     std::vector<PieceBound> bounds;
-    for (const SilhouettePiece& p : pieces) bounds.push_back({p.box, p.normal, p.normal_angle});
+    for (const SilhouettePiece& p : pieces) bounds.push_back({p.box, p.rows[2], p.normal_angle});
     return PieceTree(std::move(bounds));
 }
 

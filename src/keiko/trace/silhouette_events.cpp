@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace keiko {
 namespace {
@@ -14,7 +13,8 @@ namespace {
 constexpr double overlap = 1e-7;
 /// Above this the Jacobian may vary too much for a proof that rounding leaves intact.
 constexpr double proved = 0.95;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+/// Below this Newton's method converges from anywhere on the piece to a root on it.
+constexpr double straight = 0.25;
 
 /// (f, g) with its derivatives by the patch's parameters.
 struct Jacobian {
@@ -36,6 +36,10 @@ Jacobian jacobian(const SurfaceJet& s, const Vec3& center, const SegmentPlane& p
     return {Vec2(off, n.dot(way)),
             Vec2(m.dot(s.du), (s.duu.cross(s.dv) + s.du.cross(s.duv)).dot(way)),
             Vec2(m.dot(s.dv), (s.duv.cross(s.dv) + s.du.cross(s.dvv)).dot(way))};
+}
+
+bool within(const Vec2& xy, double reach) {
+    return std::abs(xy.x) <= reach && std::abs(xy.y) <= reach;
 }
 
 /// On which side of a fold the surface lies: by the side to which its section with the plane
@@ -154,7 +158,7 @@ std::optional<SilhouetteCandidate> SilhouetteSolver::candidate(std::uint32_t ind
     const SilhouettePiece& piece = silhouettes_.pieces[index];
     SilhouetteCandidate c;
     c.piece = index;
-    c.edge_on = piece.planes.weighed(apex.seen_from(piece.center));
+    c.edge_on = piece.planes.weighed(piece.weights(apex));
     if (c.edge_on.vanishes_nowhere()) return std::nullopt;
     const OccluderPatch& patch = silhouettes_.patches[piece.patch];
     if (const auto& root = apex.excluded();
@@ -169,7 +173,7 @@ std::optional<SilhouetteCandidate> SilhouetteSolver::candidate(std::uint32_t ind
 bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
                             std::vector<VisibilityEvent>& events) const {
     const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
-    const AffineNet::Weighed f = piece.points.weighed(plane.weights(piece.center));
+    const AffineNet::Weighed f = piece.points.weighed(piece.local(plane.weights(piece.center)));
     const AffineNet::Weighed& g = candidate.edge_on;
     if (f.vanishes_nowhere()) return true;
     if (candidate.own)
@@ -184,15 +188,21 @@ bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentP
     const double varies = std::max(std::abs(g.along_y) * f.slope + std::abs(f.along_y) * g.slope,
                                    std::abs(g.along_x) * f.slope + std::abs(f.along_x) * g.slope) /
                           size;
-    if (varies < proved && newton(piece, {std::clamp(xy.x, -1.0, 1.0), std::clamp(xy.y, -1.0, 1.0)},
-                                  plane, events) == Outcome::settled)
-        return true;
+    if (varies < proved) {
+        const Vec2 start(std::clamp(xy.x, -1.0, 1.0), std::clamp(xy.y, -1.0, 1.0));
+        const auto root = newton(piece, start, plane);
+        if (root && within(*root, 1 + overlap)) {
+            add(piece, piece.uv.center() + piece.uv.extent() * 0.5 * *root, plane, events);
+            return true;
+        }
+        // From so near a root inside, Newton's method would not have gone out.
+        if (root && varies < straight) return true;
+    }
     return subdivide(candidate, plane, events);
 }
 
-SilhouetteSolver::Outcome SilhouetteSolver::newton(const SilhouettePiece& piece, Vec2 xy,
-                                                   const SegmentPlane& plane,
-                                                   std::vector<VisibilityEvent>& events) const {
+std::optional<Vec2> SilhouetteSolver::newton(const SilhouettePiece& piece, Vec2 xy,
+                                             const SegmentPlane& plane) const {
     const OccluderPatch& patch = silhouettes_.patches[piece.patch];
     const Vec2 middle = piece.uv.center(), half = piece.uv.extent() * 0.5;
     constexpr int most_steps = 12;
@@ -203,13 +213,10 @@ SilhouetteSolver::Outcome SilhouetteSolver::newton(const SilhouettePiece& piece,
         const Vec2 step = j.newton_step() / half;
         xy += step;
         const double size = std::max(std::abs(step.x), std::abs(step.y));
-        if (!(std::max(std::abs(xy.x), std::abs(xy.y)) < astray)) return Outcome::undecided;
-        if (size > settled) continue;
-        if (std::max(std::abs(xy.x), std::abs(xy.y)) <= 1 + overlap)
-            add(piece, middle + half * xy, plane, events);
-        return Outcome::settled;
+        if (!within(xy, astray)) return std::nullopt;
+        if (size <= settled) return xy;
     }
-    return Outcome::undecided;
+    return std::nullopt;
 }
 
 /// An apex on the surface is itself a root, where g and both its derivatives vanish. By Taylor's
@@ -221,7 +228,7 @@ bool SilhouetteSolver::bends_one_way(const SilhouetteCandidate& candidate,
     const Interval x = Interval::about(-f.along_y, f.slope),
                    y = Interval::about(f.along_x, f.slope);
     if (x.holds_zero() && y.holds_zero()) return false;
-    const Vec4 weights = plane.apex().seen_from(piece.center);
+    const Vec4 weights = piece.weights(plane.apex());
     const AffineNet& t = piece.planes;
     const Interval xy = weighed(weights, t.xy, t.xy_range);
     const Interval bend = weighed(weights, t.xx, t.xx_range) * square(x) +
@@ -260,11 +267,11 @@ bool SilhouetteSolver::subdivide(const SilhouetteCandidate& candidate, const Seg
         const bool apart = distance > size;
         if (apart) {
             const Preconditioned p = preconditioned(net, slack);
-            if (at_most_one_root(p)) {
-                if (const auto root = keiko::newton(p, Vec2(0.5)))
+            if (at_most_one_root(p))
+                if (const auto root = keiko::newton(p, Vec2(0.5))) {
                     add(piece, box.lower + box.extent() * root->uv, plane, events);
-                continue;
-            }
+                    continue;
+                }
         }
         // How far the segment is moved along when a place in the box moves across.
         const Vec3 end = plane.at(0.5);

@@ -33,9 +33,9 @@ public:
               std::vector<VisibilityEvent>& events) const;
 
 private:
-    enum class Outcome { settled, undecided };
-    Outcome newton(const SilhouettePiece& piece, Vec2 xy, const SegmentPlane& plane,
-                   std::vector<VisibilityEvent>& events) const;
+    /// The root that Newton's method finds from a place of the piece's [-1, 1]^2, on it or not.
+    std::optional<Vec2> newton(const SilhouettePiece& piece, Vec2 xy,
+                               const SegmentPlane& plane) const;
     bool subdivide(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
                    std::vector<VisibilityEvent>& events) const;
     bool bends_one_way(const SilhouetteCandidate& candidate, const AffineNet::Weighed& f,

@@ -17,9 +17,9 @@ constexpr int most_halvings = 5;
 /// rad: normals that turn by more over half a piece make apexes look at it in vain.
 constexpr double widest_turn = 0.2;
 /// Share of a net's slopes by which they may vary over a piece, for Newton's method to be proved.
-constexpr double most_bent = 0.3;
-/// rad: what turns less than this is as good as straight.
-constexpr double straight = 1e-5;
+constexpr double most_bent = 0.4;
+/// rad: what turns by no more, however unevenly, is seldom seen edge-on.
+constexpr double straight = 2e-3;
 
 Vec3 spatial(const Vec4& p) {
     return {p.x, p.y, p.z};
@@ -43,52 +43,69 @@ HomogeneousNet part_of(const HomogeneousNet& net, const Box2& box) {
     return {net.degree_u, net.degree_v, subpatch(net.view(), box)};
 }
 
-void find_normal_cone(const HomogeneousNet& planes, SilhouettePiece& piece) {
+HomogeneousNet turned(HomogeneousNet net, const std::array<Vec3, 3>& rows) {
+    for (Vec4& p : net.points) {
+        const Vec3 v = spatial(p);
+        p = {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v), p.w};
+    }
+    return net;
+}
+
+/// Axes about the mean normal, the first along the surface.
+std::array<Vec3, 3> axes_of(const HomogeneousNet& planes, const HomogeneousNet& points) {
     Vec3 sum(0);
     for (const Vec4& p : planes.points) sum += spatial(p);
-    piece.normal = sum.normalized();
+    const Vec3 normal = sum.length() > 0 ? sum.normalized() : Vec3(0, 0, 1);
+    Vec3 along = spatial(points.points.back()) - spatial(points.points.front());
+    along -= normal * normal.dot(along);
+    if (!(along.length2() > 0)) along = normal.cross(Vec3(normal.y, normal.z, -normal.x));
+    along.normalize();
+    return {along, normal.cross(along), normal};
+}
+
+double normal_angle(const HomogeneousNet& planes, const Vec3& axis) {
     double angle = 0;
-    for (const Vec4& p : planes.points)
-        angle = std::max(angle, angle_between(piece.normal, spatial(p)));
-    piece.normal_angle = angle;
+    for (const Vec4& p : planes.points) angle = std::max(angle, angle_between(axis, spatial(p)));
+    return angle;
 }
 
 SilhouettePiece piece_over(const OccluderPatch& patch, const Box2& uv) {
     SilhouettePiece piece;
     piece.uv = uv;
-    const HomogeneousNet points = part_of(patch.points, uv);
+    HomogeneousNet points = part_of(patch.points, uv);
     const Box3 local = hull_bounds(points.view());
     const Vec3 middle = local.center();
     piece.center = patch.center + middle;
     piece.box = {patch.center + local.lower, patch.center + local.upper};
-    const HomogeneousNet planes = moved_planes(part_of(patch.planes, uv), middle);
-    piece.points = affine_net(moved_points(points, middle));
-    piece.planes = affine_net(planes);
-    find_normal_cone(planes, piece);
+    HomogeneousNet planes = moved_planes(part_of(patch.planes, uv), middle);
+    piece.rows = axes_of(planes, points);
+    piece.normal_angle = normal_angle(planes, piece.rows[2]);
+    piece.points = affine_net(turned(moved_points(std::move(points), middle), piece.rows));
+    piece.planes = affine_net(turned(std::move(planes), piece.rows));
     return piece;
+}
+
+/// Magnitude of the components in the tangent plane.
+double lateral(const Vec4& p) {
+    return std::hypot(p.x, p.y);
 }
 
 /// Along which axis the piece should be halved, if at all.
 std::optional<unsigned> axis_to_halve(const SilhouettePiece& piece) {
+    const auto steeper = [](const Vec4& xx, const Vec4& xx_range, const Vec4& yy,
+                            const Vec4& yy_range) {
+        return lateral(xx) + lateral(xx_range) >= lateral(yy) + lateral(yy_range) ? 0u : 1u;
+    };
     const AffineNet& t = piece.planes;
-    const double area = spatial(t.value).length();
-    const Vec3 n = spatial(t.value) / area;
-    const auto turn = [&](const Vec4& along) {
-        const Vec3 v = spatial(along);
-        return (v - n * v.dot(n)).length() / area;
-    };
-    const double turn_x = turn(t.along_x), turn_y = turn(t.along_y);
-    if (!(std::max(turn_x, turn_y) < widest_turn)) return turn_x >= turn_y ? 0u : 1u;
-    const auto bend = [](const Vec4& middle, const Vec4& range) {
-        return spatial(middle).length() + spatial(range).length();
-    };
-    const double slope = spatial(t.slope).length() / area;
-    if (slope > most_bent * std::max(turn_x, turn_y) && slope > straight)
-        return bend(t.xx, t.xx_range) >= bend(t.yy, t.yy_range) ? 0u : 1u;
+    const double area = std::abs(t.value.z);
+    const double turn_x = lateral(t.along_x), turn_y = lateral(t.along_y);
+    const double turn = std::max(turn_x, turn_y), slope = lateral(t.slope);
+    if (!(turn < widest_turn * area)) return turn_x >= turn_y ? 0u : 1u;
+    if (slope > most_bent * turn && slope > straight * area)
+        return steeper(t.xx, t.xx_range, t.yy, t.yy_range);
     const AffineNet& h = piece.points;
-    const double step = std::max(spatial(h.along_x).length(), spatial(h.along_y).length());
-    if (spatial(h.slope).length() > most_bent * step)
-        return bend(h.xx, h.xx_range) >= bend(h.yy, h.yy_range) ? 0u : 1u;
+    const double step = std::max(lateral(h.along_x), lateral(h.along_y));
+    if (lateral(h.slope) > most_bent * step) return steeper(h.xx, h.xx_range, h.yy, h.yy_range);
     return std::nullopt;
 }
 

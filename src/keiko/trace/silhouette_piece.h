@@ -5,6 +5,7 @@
 #include "keiko/patch/surface_model.h"
 #include "keiko/patch/trim_region.h"
 #include "keiko/trace/affine_net.h"
+#include "keiko/trace/apex.h"
 
 #include <vector>
 
@@ -34,11 +35,22 @@ struct SilhouettePiece {
     std::uint32_t patch = 0; ///< into Silhouettes::patches
     Box2 uv;                 ///< of that patch
     bool trimmed = false;    ///< trim curves may cross it
-    Vec3 center{0};          ///< world; the nets are relative to it
     Box3 box;                ///< world, mm
+    /// The nets are relative to `center` and in the axes of `rows`, the last of which is about
+    /// the normal: seen edge-on, an apex has little of that, and bounds of what varies along the
+    /// normal weigh little.
+    Vec3 center{0};
+    std::array<Vec3, 3> rows{Vec3(0), Vec3(0), Vec3(0)};
     AffineNet points, planes;
-    Vec3 normal{0};          ///< unit, axis of the cone that holds all its normals
-    double normal_angle = 4; ///< rad, half angle of that cone; more than pi / 2: it holds none
+    double normal_angle = 4; ///< rad, half angle of the cone about rows[2] that holds all normals
+
+    /// What weighs `planes` into the function that is zero where `apex` sees the piece edge-on.
+    Vec4 weights(const Apex& apex) const { return local(apex.seen_from(center)); }
+    /// What weighs `points` into the distance to a plane, from its weights relative to `center`.
+    Vec4 local(const Vec4& w) const {
+        const Vec3 v(w.x, w.y, w.z);
+        return {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v), w.w};
+    }
 };
 
 /// Everything of a model that an apex may see edge-on.
