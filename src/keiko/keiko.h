@@ -31,6 +31,7 @@ struct SceneOptions {
     LoadOptions load;
     std::string material = "black-show-car"; ///< of models that no scene file paints
     bool clipping_only = false;              ///< trace by Bezier clipping alone, see TracerOptions
+    bool shadows = false;                    ///< bodies cast shadows, in pictures and numbers
 };
 
 struct FactsOptions {
@@ -55,8 +56,9 @@ struct Scene {
     SurfaceModel model;
     std::vector<Material> materials; ///< one a face of the model
     Tracer tracer;
-    std::optional<Camera> camera;    ///< as the scene file has it
-    std::optional<std::string> view; ///< a named view of the scene file
+    std::optional<Occluders> occluders; ///< of what is seen, if it shall cast shadows
+    std::optional<Camera> camera;       ///< as the scene file has it
+    std::optional<std::string> view;    ///< a named view of the scene file
     std::optional<LightRig> rig;
     Rgb background{0};
     int width = 960, height = 540;
@@ -68,6 +70,10 @@ struct Scene {
     const Tracer& seen() const { return surroundings ? surroundings->tracer : tracer; }
     const std::vector<Material>& seen_materials() const {
         return surroundings ? surroundings->materials : materials;
+    }
+    /// What pictures show under a rig, which is only looked at, as is the scene.
+    PictureScene picture(const LightRig& under) const {
+        return {seen(), seen_materials(), under, background, occluders ? &*occluders : nullptr};
     }
     /// The number that files and reports give a face of what is seen; 0: the ground.
     std::uint32_t face_id(std::size_t face) const {

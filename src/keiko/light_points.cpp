@@ -2,7 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/hit_columns.h"
-#include "keiko/rig/illuminance.h"
+#include "keiko/render/shadows.h"
 
 #include <array>
 
@@ -16,11 +16,6 @@ struct Piece {
     std::optional<Error> fault;
     std::uint64_t points = 0;
 };
-
-/// What a point of the scene sees of its lamps.
-AllVisible visible_from(const Scene&, const Vec3&) {
-    return {};
-}
 
 /// "c_plane.0,c_plane.1,spotlight.0,sum": kinds in the order of LightSource.
 std::string header_of(const LightRig& rig) {
@@ -37,9 +32,12 @@ std::string header_of(const LightRig& rig) {
 
 void append_row(std::string& text, const Scene& scene, const Ray& point) {
     const Vec3 normal = point.direction.normalized();
-    const auto visible = visible_from(scene, point.origin);
+    const ShadowedRig lights(*scene.rig, scene.occluders ? &*scene.occluders : nullptr,
+                             scene.seen());
     Rgb sum;
-    for (const Rgb& lx : illuminance_by_source(*scene.rig, point.origin, normal, visible)) {
+    for (std::size_t i = 0; i < scene.rig->sources.size(); ++i) {
+        const Rgb lx =
+            lights.from_source(i, point.origin, normal, std::nullopt, TubeModel::automatic);
         append_number(text, luminance(lx));
         text += ',';
         sum += lx;

@@ -49,12 +49,31 @@ void require_matches(const SurfaceModel& model, const ModelSpec& part) {
                         "no face has a name like '" + paint.faces.front() + "'");
 }
 
-Surroundings surroundings_of(const SurfaceModel& body, const Box3& bounds,
-                             std::vector<Material> materials, const GroundSpec& ground,
-                             const TracerOptions& options, const Job& job) {
-    const std::array models{body, ground_plane(ground.z, bounds)};
-    materials.push_back(ground.material);
-    return {ground.z, std::move(materials), Tracer(merge(models), options, job)};
+SurfaceModel on_ground(const SurfaceModel& body, const Box3& bounds, double z) {
+    const std::array models{body, ground_plane(z, bounds)};
+    return merge(models);
+}
+
+/// What of a scene is made to be traced.
+struct Traced {
+    Tracer tracer; ///< of the body
+    std::optional<Surroundings> surroundings{};
+    std::optional<Occluders> occluders{};
+};
+
+Traced traced(const SurfaceModel& body, const std::vector<Material>& materials,
+              const SceneSpec& spec, const SceneOptions& options, const Job& job) {
+    const TracerOptions tracing{.second_derivatives = true, .clipping_only = options.clipping_only};
+    Traced all{Tracer(body, tracing, job)};
+    if (!spec.ground) {
+        if (options.shadows) all.occluders.emplace(body, all.tracer, job);
+        return all;
+    }
+    const SurfaceModel seen = on_ground(body, all.tracer.bounds(), spec.ground->z);
+    all.surroundings = Surroundings{spec.ground->z, materials, Tracer(seen, tracing, job)};
+    all.surroundings->materials.push_back(spec.ground->material);
+    if (options.shadows) all.occluders.emplace(seen, all.surroundings->tracer, job);
+    return all;
 }
 
 } // namespace
@@ -77,22 +96,18 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
         models.push_back(std::move(model));
     }
     SurfaceModel body = merge(models);
-    const TracerOptions tracing{.second_derivatives = true, .clipping_only = options.clipping_only};
-    Tracer tracer(body, tracing, job);
-    std::optional<Surroundings> surroundings;
-    if (spec.ground)
-        surroundings =
-            surroundings_of(body, tracer.bounds(), materials, *spec.ground, tracing, job);
+    Traced all = traced(body, materials, spec, options, job);
     return {.model = std::move(body),
             .materials = std::move(materials),
-            .tracer = std::move(tracer),
+            .tracer = std::move(all.tracer),
+            .occluders = std::move(all.occluders),
             .camera = spec.camera,
             .view = spec.view,
             .rig = spec.rig,
             .background = spec.background,
             .width = spec.width,
             .height = spec.height,
-            .surroundings = std::move(surroundings),
+            .surroundings = std::move(all.surroundings),
             .max_depth = spec.max_depth,
             .min_weight = spec.min_weight};
 }
@@ -105,8 +120,7 @@ PictureOptions picture_options(const Scene& scene, PictureOptions options) {
 
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
                  const PictureOptions& options, const Job& job) {
-    Film film = render({scene.seen(), scene.seen_materials(), rig, scene.background}, camera,
-                       picture_options(scene, options), job);
+    Film film = render(scene.picture(rig), camera, picture_options(scene, options), job);
     if (const auto layer = film.aovs.find(Aov::face); layer != film.aovs.end())
         for (float& value : layer->second.values)
             if (value >= 0)

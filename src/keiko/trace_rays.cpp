@@ -26,7 +26,7 @@ public:
           all_(options.all),
           light_(light_column(columns_).has_value()),
           rig_(scene.rig.value_or(LightRig{})),
-          picture_{scene.seen(), scene.seen_materials(), rig_, scene.background},
+          picture_(scene.picture(rig_)),
           picture_options_(picture_options(scene)),
           integrator_(picture_, picture_options_) {}
     RowWriter(const RowWriter&) = delete;

@@ -74,7 +74,7 @@ void VisibilityProbe::look(From from, int lamps, int probes, Random& random,
     const auto apex = random_apex(from, random);
     if (!apex) return;
     const Row row(tracer_.bounds(), random);
-    const ApexView view(occluders_, *apex, row.corners());
+    const ApexView view(occluders_, tracer_, *apex, row.corners());
     for (int i = 0; i < lamps; ++i) {
         const Vec3 a = row.begin + row.across * ((i + 0.5) / lamps), b = a + row.along;
         const SeenParts parts = view.intervals(a, b);

@@ -29,11 +29,11 @@ void add_illuminance(CLI::App& app, Session& session) {
                             "tell how much light lamps shed on points: CSV from standard input to "
                             "standard output");
     arguments->add_to(command, "SCENE");
+    arguments->add_shadows(command);
     command.footer(
         "Reads x,y,z,nx,ny,nz a line: a point (mm) and the normal of the surface there, of any "
         "length (line 1 may name the columns). Writes a header line and a row for each point in "
-        "order: direct illuminance in lx of each source of the scene's rig, and the sum. Nothing "
-        "casts shadows yet.\n"
+        "order: direct illuminance in lx of each source of the scene's rig, and the sum.\n"
         "Example: keiko illuminance hood-scene.toml < points.csv > lux.csv");
     session.add_command(command,
                         [arguments](const Job& job) { return illuminance(*arguments, job); });

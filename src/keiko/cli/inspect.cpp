@@ -48,6 +48,7 @@ void add_inspect(CLI::App& app, Session& session) {
         "inspect", "place lamps, render their reflections, measure the seams, write a report");
     arguments->scene.add_to(command, "MODEL");
     arguments->scene.add_picture_size(command);
+    arguments->scene.add_shadows(command);
     command.add_option("-o,--output", arguments->output, "folder for the report")
         ->capture_default_str();
     command

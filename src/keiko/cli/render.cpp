@@ -100,6 +100,7 @@ void add_render(CLI::App& app, Session& session) {
     CLI::App& command = *app.add_subcommand("render", "render one picture under the lamps");
     arguments->scene.add_to(command, "MODEL|SCENE");
     arguments->scene.add_picture_size(command);
+    arguments->scene.add_shadows(command);
     command.add_option("-o,--output", arguments->output, "image.exr (cd/m2, AOVs) or image.png")
         ->required();
     command.add_option("--view", arguments->view, "view by name, auto, or scene");

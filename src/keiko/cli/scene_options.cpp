@@ -74,9 +74,15 @@ void SceneArguments::add_picture_size(CLI::App& command) {
     command.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT [960x540]");
 }
 
+void SceneArguments::add_shadows(CLI::App& command) {
+    options.shadows = true;
+    command.add_flag("--no-shadows", no_shadows, "light bodies as if nothing stood in the way");
+}
+
 Scene SceneArguments::open(const Job& job) const {
     SceneOptions all = options;
     all.load = load_options(*this);
+    all.shadows = options.shadows && !no_shadows;
     all.clipping_only = intersector == "clipping";
     const PictureSize wanted = size.empty() ? PictureSize{} : parse_size(size);
     Scene scene = open_scene(inputs, all, job);

@@ -33,6 +33,7 @@ void add_trace(CLI::App& app, Session& session) {
     CLI::App& command = *app.add_subcommand(
         "trace", "tell where rays meet the surfaces: CSV from standard input to standard output");
     arguments->scene.add_to(command, "MODEL|SCENE");
+    arguments->scene.add_shadows(command);
     command
         .add_option("--out", arguments->options.columns,
                     "columns, comma-separated: t, instance, face, patch, u, v, x, y, z, nx, ny, "

@@ -2,9 +2,7 @@
 
 #include "keiko/fog/transmittance.h"
 #include "keiko/luminance/photometry.h"
-#include "keiko/luminance/visible.h"
 #include "keiko/rig/glossy_luminance.h"
-#include "keiko/rig/illuminance.h"
 #include "keiko/rig/luminance_along.h"
 #include "keiko/rig/mirrored_luminance.h"
 #include "keiko/trace/mirror_ray.h"
@@ -22,7 +20,7 @@ constexpr double far_away = 1e6;
 } // namespace
 
 Integrator::Integrator(const PictureScene& scene, const PictureOptions& options)
-    : scene_(scene), options_(options) {
+    : scene_(scene), options_(options), lights_(scene.rig, scene.occluders, scene.tracer) {
     std::vector<Material> known;
     for (const Material& material : scene.materials) {
         const auto found = std::find(known.begin(), known.end(), material);
@@ -118,23 +116,20 @@ void Integrator::pass_medium(Path& path, const Vec3& end, EyeSample& sample) con
 }
 
 Rgb Integrator::base_luminance(const Hit& hit, const Vec3& normal, const Vec3& eye) const {
-    const AllVisible visible;
     const LightRig& rig = scene_.rig;
     const Paint& paint = this->paint(hit);
     const double cosine = normal.dot(eye);
     Rgb sum;
     if (const Rgb inner = paint.base().inner_reflectance(cosine); inner != Rgb(0))
-        sum += lambert_luminance(inner, direct_illuminance(rig, hit.position, normal, visible,
-                                                           TubeModel::picture, &paint.base()));
+        sum += lambert_luminance(inner, lights_.illuminance(hit.position, normal, hit.root,
+                                                            TubeModel::picture, &paint.base()));
     if (rig.ambient != Rgb(0))
         sum += even_luminance(rig.ambient) *
                (paint.base().base_reflectance_diffuse(cosine) + paint.gloss_albedo(cosine));
     if (paint.gloss())
-        sum +=
-            glossy_luminance(rig, hit.position, GlossKernel(*paint.gloss(), normal, eye), visible);
+        sum += lights_.glossy(hit.position, hit.root, GlossKernel(*paint.gloss(), normal, eye));
     if (paint.flakes())
-        sum +=
-            glossy_luminance(rig, hit.position, FlakeKernel(*paint.flakes(), normal, eye), visible);
+        sum += lights_.glossy(hit.position, hit.root, FlakeKernel(*paint.flakes(), normal, eye));
     return sum;
 }
 

@@ -3,6 +3,7 @@
 #include "keiko/render/paint.h"
 #include "keiko/render/path_counts.h"
 #include "keiko/render/picture.h"
+#include "keiko/render/shadows.h"
 
 #include <optional>
 #include <span>
@@ -53,6 +54,7 @@ private:
 
     const PictureScene& scene_;
     const PictureOptions& options_;
+    ShadowedRig lights_;
     std::vector<Paint> paints_;
     std::vector<std::uint32_t> paint_of_face_;
 };

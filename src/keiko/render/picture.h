@@ -5,7 +5,7 @@
 #include "keiko/rig/light_rig.h"
 #include "keiko/spec/camera.h"
 #include "keiko/spec/material.h"
-#include "keiko/trace/tracer.h"
+#include "keiko/trace/occluders.h"
 
 #include <span>
 #include <vector>
@@ -18,6 +18,7 @@ struct PictureScene {
     std::span<const Material> materials; ///< one a face of the model
     const LightRig& rig;
     Rgb background{0}; ///< cd/m2 behind the body, for the eye; it is not mirrored
+    const Occluders* occluders = nullptr; ///< of the model; without them nothing casts shadows
 };
 
 /// How a picture is made.

@@ -37,7 +37,6 @@ PieceTree surface_tree(std::span<const Box3> boxes) {
 } // namespace
 
 struct Occluders::Scene {
-    const Tracer* tracer;
     Silhouettes silhouettes;
     std::vector<BorderPiece> borders;
     PieceTree silhouette_pieces, border_pieces, surface;
@@ -46,8 +45,7 @@ struct Occluders::Scene {
     Statistics statistics;
 
     Scene(const SurfaceModel& model, const Tracer& t, const Job& job)
-        : tracer(&t),
-          silhouettes(silhouettes_of(model, job)),
+        : silhouettes(silhouettes_of(model, job)),
           borders(keiko::border_pieces(model, job)),
           silhouette_pieces(silhouette_tree(silhouettes.pieces)),
           border_pieces(border_tree(borders)),
@@ -72,6 +70,7 @@ const Occluders::Statistics& Occluders::statistics() const {
 
 struct ApexView::Candidates {
     const Occluders::Scene* scene;
+    const Tracer* tracer;
     Apex apex;
     std::vector<SilhouetteCandidate> silhouettes;
     std::vector<std::uint32_t> borders;
@@ -82,20 +81,23 @@ struct ApexView::Candidates {
     SeenParts end_on(const Vec3& a, const Vec3& b) const;
     void add_piercings(const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const;
     void add_horizon(const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const;
-    bool sees(const Vec3& x) const { return !scene->tracer->any(apex.ray_to(x)); }
+    bool sees(const Vec3& x) const { return !tracer->any(apex.ray_to(x)); }
     IntervalSet classified(std::span<const VisibilityEvent> events,
                            const SegmentPlane& plane) const;
 };
 
-ApexView::ApexView(const Occluders& occluders, const Apex& apex, std::span<const Vec3> region)
+ApexView::ApexView(const Occluders& occluders, const Tracer& tracer, const Apex& apex,
+                   std::span<const Vec3> region)
     : candidates_(std::make_unique<Candidates>(
-          Candidates{occluders.scene_.get(), apex, {}, {}, false, {}})) {
+          Candidates{occluders.scene_.get(), &tracer, apex, {}, {}, false, {}})) {
     const Occluders::Scene& scene = *occluders.scene_;
     const ViewVolume volume(apex, region);
     std::vector<std::uint32_t> found;
     scene.silhouette_pieces.find(volume, apex, found);
     for (const std::uint32_t piece : found)
-        if (auto candidate = scene.solver.candidate(piece, apex))
+        if (!volume.may_hold(scene.silhouettes.pieces[piece]))
+            continue;
+        else if (auto candidate = scene.solver.candidate(piece, apex))
             candidates_->silhouettes.push_back(*candidate);
     scene.border_pieces.find(volume, apex, candidates_->borders);
     if (apex.excluded()) candidates_->normal = scene.silhouettes.normal_at(*apex.excluded());
@@ -144,7 +146,7 @@ SeenParts ApexView::Candidates::end_on(const Vec3& a, const Vec3& b) const {
             seen.push_back({from, to});
         from = to;
     };
-    for (const Hit& hit : scene->tracer->all(along)) close(hit.t);
+    for (const Hit& hit : tracer->all(along)) close(hit.t);
     close(1);
     return {IntervalSet(std::move(seen))};
 }
@@ -155,7 +157,7 @@ void ApexView::Candidates::add_piercings(const SegmentPlane& plane,
     along.origin = plane.at(0);
     along.direction = plane.along();
     along.t_max = 1;
-    for (const Hit& hit : scene->tracer->all(along)) events.push_back({hit.t, 0});
+    for (const Hit& hit : tracer->all(along)) events.push_back({hit.t, 0});
 }
 
 /// Where the segment crosses the tangent plane of the surface that the apex lies on.
@@ -196,7 +198,7 @@ IntervalSet ApexView::Candidates::classified(std::span<const VisibilityEvent> ev
     std::vector<Ray> rays;
     for (const Gap& gap : gaps)
         if (!gap.dark) rays.push_back(apex.ray_to(plane.at((gap.begin + gap.end) / 2)));
-    const std::vector<bool> hidden = scene->tracer->any(std::span<const Ray>(rays));
+    const std::vector<bool> hidden = tracer->any(std::span<const Ray>(rays));
     std::vector<ParameterInterval> seen;
     auto answer = hidden.begin();
     for (const Gap& gap : gaps)

@@ -22,11 +22,11 @@ class ApexView;
 
 /// All that may hide something in a model, made ready to be asked from many apexes which parts of
 /// segments they see past it, exactly: the ends of those parts are silhouettes and borders found
-/// on the surfaces, not by sampling (docs/theory/visibility.md). Looks into the tracer it was made
-/// with. Immutable after construction; may be asked from any thread.
+/// on the surfaces, not by sampling (docs/theory/visibility.md). Immutable after construction; may
+/// be asked from any thread.
 class Occluders {
 public:
-    /// Throws Cancelled. `tracer` must be of the same model.
+    /// `tracer` is of the same model, and not kept. Throws Cancelled.
     Occluders(const SurfaceModel& model, const Tracer& tracer, const Job& job = {});
     ~Occluders();
     Occluders(Occluders&&) noexcept;
@@ -47,8 +47,10 @@ private:
 /// What one apex may ask: candidates are collected once, for all segments of a region.
 class ApexView {
 public:
-    /// `region`: corners of a convex body that holds every segment to come.
-    ApexView(const Occluders& occluders, const Apex& apex, std::span<const Vec3> region);
+    /// `region`: corners of a convex body that holds every segment to come. Looks into the
+    /// occluders and into `tracer`, which are of one model.
+    ApexView(const Occluders& occluders, const Tracer& tracer, const Apex& apex,
+             std::span<const Vec3> region);
     ~ApexView();
     ApexView(ApexView&&) noexcept;
     ApexView& operator=(ApexView&&) noexcept;

@@ -38,8 +38,6 @@ private:
                                const SegmentPlane& plane) const;
     bool subdivide(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
                    std::vector<VisibilityEvent>& events) const;
-    bool bends_one_way(const SilhouetteCandidate& candidate, const AffineNet::Weighed& f,
-                       const SegmentPlane& plane) const;
     SurfaceJet jet_at(const OccluderPatch& patch, const Vec2& uv) const;
     void add(const SilhouettePiece& piece, const Vec2& uv, const SegmentPlane& plane,
              std::vector<VisibilityEvent>& events) const;

@@ -47,38 +47,39 @@ ViewVolume::ViewVolume(const Apex& apex, std::span<const Vec3> region) {
         farthest = std::max(farthest, depth);
         slopes.extend(Vec2(x.dot(beside[0]), x.dot(beside[1])) / unit);
     }
-    hull_ = region_;
+    add(-axis, -axis.dot(origin) - farthest - margin * reach);
+    hull_ = {Vec3(-Box3::infinity), Vec3(Box3::infinity)};
     if (!apex.infinite()) {
+        hull_ = region_;
         hull_.extend(apex.place());
-        add(-axis, -(farthest + margin * reach) - axis.dot(origin));
-    } else {
-        hull_ = {Vec3(-Box3::infinity), Vec3(Box3::infinity)};
-        add(-axis, -(farthest + margin * reach) - axis.dot(origin));
-    }
-    // Wider than some 160 degrees no pyramid is worth its while.
-    if (!apex.infinite() && !(nearest > 0.1 * region_.size())) {
+        // A region that reaches behind the apex is in no pyramid.
         if (!(nearest > 0)) return;
     }
     for (unsigned k = 0; k < 2; ++k) {
+        const double pad = margin * (1 + std::abs(slopes.lower[k]) + std::abs(slopes.upper[k]));
         const Vec3 depth = apex.infinite() ? Vec3(0) : axis;
-        const double pad =
-            margin *
-            (apex.infinite() ? reach : 1 + std::abs(slopes.lower[k]) + std::abs(slopes.upper[k]));
+        const double shift = apex.infinite() ? 1 : 0;
         const double low = slopes.lower[k] - pad, high = slopes.upper[k] + pad;
-        const Vec3 lower = beside[k] - depth * low, upper = depth * high - beside[k];
-        if (apex.infinite()) {
-            add(beside[k], beside[k].dot(origin) + low);
-            add(-beside[k], -beside[k].dot(origin) - high);
-        } else {
-            add(lower, lower.dot(origin) - margin * reach);
-            add(upper, upper.dot(origin) - margin * reach);
-        }
+        const Vec3 above = beside[k] - depth * low, below = depth * high - beside[k];
+        add(above, above.dot(origin) + shift * low - margin * reach);
+        add(below, below.dot(origin) - shift * high - margin * reach);
     }
 }
 
 void ViewVolume::add(const Vec3& normal, double offset) {
     half_spaces_[count_++] = {
         normal, Vec3(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)), offset};
+}
+
+bool ViewVolume::may_hold(const SilhouettePiece& piece) const {
+    for (std::size_t i = 0; i < count_; ++i) {
+        const HalfSpace& h = half_spaces_[i];
+        const double offset = h.normal.dot(piece.center) - h.offset;
+        const AffineNet::Weighed f =
+            piece.points.weighed(piece.local({h.normal.x, h.normal.y, h.normal.z, offset}));
+        if (f.value + std::abs(f.along_x) + std::abs(f.along_y) + f.off < 0) return false;
+    }
+    return true;
 }
 
 bool ViewVolume::may_hold(const Box3& box) const {

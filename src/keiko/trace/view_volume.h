@@ -2,6 +2,7 @@
 
 #include "keiko/math/bounds.h"
 #include "keiko/trace/apex.h"
+#include "keiko/trace/silhouette_piece.h"
 
 #include <array>
 #include <span>
@@ -17,6 +18,8 @@ public:
 
     /// False when the box is proved to lie outside.
     bool may_hold(const Box3& box) const;
+    /// The same of a piece, whose parallelogram is tighter than its box.
+    bool may_hold(const SilhouettePiece& piece) const;
     /// World box of the region itself.
     const Box3& region() const { return region_; }
 

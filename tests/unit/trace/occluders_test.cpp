@@ -12,7 +12,7 @@ SeenParts seen(const SurfaceModel& model, const Vec3& apex, const Vec3& a, const
     const Tracer tracer(model);
     const Occluders occluders(model, tracer);
     const Vec3 region[2] = {a, b};
-    return ApexView(occluders, Apex::at(apex), region).intervals(a, b);
+    return ApexView(occluders, tracer, Apex::at(apex), region).intervals(a, b);
 }
 
 TEST(Occluders, MeetTheOracleOfVisibleIntervals) {

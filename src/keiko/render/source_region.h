@@ -1,0 +1,12 @@
+#pragma once
+
+#include "keiko/rig/light_rig.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// Corners of a box around all of a light source that a surface may be lit from, mm.
+std::vector<Vec3> source_region(const LightSource& source, const Vec3& point);
+
+} // namespace keiko

@@ -1,0 +1,150 @@
+#include "keiko/trace/silhouette_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// Of the searched box: boxes overlap by this much, so that no root falls between them.
+constexpr double overlap = 1e-7;
+/// Of the searched box: what is so near the apex is the apex itself.
+constexpr double around_apex = 1e-7;
+/// Below the first a box has at most one root; below the second Newton's method finds it from
+/// anywhere in the box.
+constexpr double proved = 0.95, straight = 0.25;
+
+/// A function's mean slopes over a box, in its [-1, 1]^2, and how much they vary.
+struct Slopes {
+    double value, along_x, along_y, off, slope;
+
+    explicit Slopes(const ScalarNet& net) {
+        const NetRange x = derivative_range(net, true), y = derivative_range(net, false);
+        along_x = x.middle, along_y = y.middle;
+        slope = x.half + y.half;
+        double low = net.c.front(), high = low;
+        for (std::size_t i = 0; i < net.rows; ++i)
+            for (std::size_t j = 0; j < net.columns; ++j) {
+                const double rest = net.at(i, j) - along_x * place(i, net.rows) -
+                                    along_y * place(j, net.columns);
+                low = i + j == 0 ? rest : std::min(low, rest);
+                high = i + j == 0 ? rest : std::max(high, rest);
+            }
+        value = (low + high) / 2, off = (high - low) / 2;
+    }
+
+    static double place(std::size_t i, std::size_t count) {
+        return count < 2 ? 0 : 2 * static_cast<double>(i) / static_cast<double>(count - 1) - 1;
+    }
+};
+
+bool may_vanish(const ScalarNet& net) {
+    const auto [low, high] = std::minmax_element(net.c.begin(), net.c.end());
+    const double slack = 1e-14 * std::max(std::abs(*low), std::abs(*high));
+    return *low <= slack && *high >= -slack;
+}
+
+struct Interval {
+    double low, high;
+};
+
+Interval operator*(const NetRange& a, const Interval& b) {
+    const double p[4] = {a.low() * b.low, a.low() * b.high, a.high() * b.low, a.high() * b.high};
+    return {*std::min_element(p, p + 4), *std::max_element(p, p + 4)};
+}
+
+Interval product(const NetRange& a, const NetRange& b) {
+    return a * Interval{b.low(), b.high()};
+}
+
+Interval square(const NetRange& a) {
+    const double low = a.low() * a.low(), high = a.high() * a.high();
+    return {a.holds_zero() ? 0 : std::min(low, high), std::max(low, high)};
+}
+
+/// The parts of a box beside an inner one.
+void add_ring(const Box2& outer, const Box2& inner, std::vector<Box2>& boxes) {
+    const double x[4] = {outer.lower.x, inner.lower.x, inner.upper.x, outer.upper.x};
+    const double y[4] = {outer.lower.y, inner.lower.y, inner.upper.y, outer.upper.y};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if ((i != 1 || j != 1) && x[i] < x[i + 1] && y[j] < y[j + 1])
+                boxes.push_back({Vec2(x[i], y[j]), Vec2(x[i + 1], y[j + 1])});
+}
+
+} // namespace
+
+/// By Taylor's theorem g has no other root on a section f = 0 through the apex where its second
+/// derivative keeps its sign along every chord that the section may have.
+bool SilhouetteSearch::bends_one_way(const ScalarNet& f, const ScalarNet& g) const {
+    const NetRange fx = derivative_range(f, true), fy = derivative_range(f, false);
+    if (fx.holds_zero() && fy.holds_zero()) return false;
+    const ScalarNet gx = derivative(g, true), gy = derivative(g, false);
+    const Interval xx = derivative_range(gx, true) * square(fy);
+    const NetRange mixed = derivative_range(gx, false);
+    const Interval xy = NetRange{-2 * mixed.middle, 2 * mixed.half} * product(fx, fy);
+    const Interval yy = derivative_range(gy, false) * square(fx);
+    const double low = xx.low + xy.low + yy.low, high = xx.high + xy.high + yy.high;
+    return low > 0 || high < 0;
+}
+
+SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread& spread) const {
+    constexpr int most_boxes = 400;
+    constexpr double sharpest = 1e-11; ///< of the segment: closer events are one
+    Result result;
+    std::vector<Box2> open{unit_square.padded(overlap)};
+    for (int count = 0; !open.empty(); ++count) {
+        const Box2 box = open.back();
+        open.pop_back();
+        const ScalarNet f = restricted(f_, box);
+        if (!may_vanish(f)) continue;
+        const ScalarNet g = restricted(g_, box);
+        if (!may_vanish(g)) continue;
+        const Vec2 size = box.extent();
+        const double widest = std::max(size.x, size.y);
+        if (foot_ && box.contains(*foot_)) {
+            if (widest <= around_apex || bends_one_way(f, g)) continue;
+            constexpr double shrink = 0.2;
+            const Vec2 half = size * (shrink / 2);
+            const Box2 inner = box.intersection({*foot_ - half, *foot_ + half});
+            open.push_back(inner);
+            add_ring(box, inner, open);
+            continue;
+        }
+        const Slopes a(f), b(g);
+        const double d = a.along_x * b.along_y - a.along_y * b.along_x, s = std::abs(d);
+        const Vec2 root((a.along_y * b.value - b.along_y * a.value) / d,
+                        (b.along_x * a.value - a.along_x * b.value) / d);
+        const Vec2 off((std::abs(b.along_y) * a.off + std::abs(a.along_y) * b.off) / s,
+                       (std::abs(b.along_x) * a.off + std::abs(a.along_x) * b.off) / s);
+        if (std::abs(root.x) - off.x > 1 + overlap || std::abs(root.y) - off.y > 1 + overlap)
+            continue;
+        const double varies =
+            std::max(std::abs(b.along_y) * a.slope + std::abs(a.along_y) * b.slope,
+                     std::abs(b.along_x) * a.slope + std::abs(a.along_x) * b.slope) /
+            s;
+        if (varies < proved) {
+            const Vec2 start(std::clamp(root.x, -1.0, 1.0), std::clamp(root.y, -1.0, 1.0));
+            const auto found = solve(box.center() + size * 0.5 * start);
+            if (found && box.padded(overlap * widest).contains(*found)) {
+                result.roots.push_back(*found);
+                continue;
+            }
+            if (found && varies < straight) continue;
+        }
+        const bool sharp = spread(box) <= sharpest;
+        if (sharp || count >= most_boxes) {
+            result.unclear.push_back(box.center());
+            result.certain = result.certain && sharp;
+            continue;
+        }
+        Box2 low = box, high = box;
+        const unsigned axis = size.x >= size.y ? 0 : 1;
+        low.upper[axis] = high.lower[axis] = box.center()[axis];
+        open.push_back(high);
+        open.push_back(low);
+    }
+    return result;
+}
+
+} // namespace keiko
