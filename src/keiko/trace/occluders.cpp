@@ -72,7 +72,7 @@ struct ApexView::Candidates {
     const Occluders::Scene* scene;
     const Tracer* tracer;
     Apex apex;
-    std::vector<SilhouetteCandidate> silhouettes;
+    SilhouetteCandidates silhouettes;
     std::vector<std::uint32_t> borders;
     bool region_touched = false; ///< a surface may cross the region itself
     std::optional<Vec3> normal;  ///< of the surface that the apex lies on
@@ -95,10 +95,9 @@ ApexView::ApexView(const Occluders& occluders, const Tracer& tracer, const Apex&
     std::vector<std::uint32_t> found;
     scene.silhouette_pieces.find(volume, apex, found);
     for (const std::uint32_t piece : found)
-        if (!volume.may_hold(scene.silhouettes.pieces[piece]))
-            continue;
-        else if (auto candidate = scene.solver.candidate(piece, apex))
-            candidates_->silhouettes.push_back(*candidate);
+        if (volume.may_hold(scene.silhouettes.pieces[piece]))
+            scene.solver.add_candidate(piece, apex, candidates_->silhouettes);
+    scene.solver.drop_convex(apex, candidates_->silhouettes);
     scene.border_pieces.find(volume, apex, candidates_->borders);
     if (apex.excluded()) candidates_->normal = scene.silhouettes.normal_at(*apex.excluded());
     candidates_->region_touched = scene.surface.touches(volume.region());
@@ -113,7 +112,8 @@ SeenParts ApexView::intervals(const Vec3& a, const Vec3& b) const {
 }
 
 std::size_t ApexView::candidates() const {
-    return candidates_->silhouettes.size() + candidates_->borders.size();
+    return candidates_->silhouettes.pieces.size() + candidates_->silhouettes.own.size() +
+           candidates_->borders.size();
 }
 
 SeenParts ApexView::Candidates::intervals(const Vec3& a, const Vec3& b) const {
@@ -121,9 +121,7 @@ SeenParts ApexView::Candidates::intervals(const Vec3& a, const Vec3& b) const {
     const auto plane = SegmentPlane::through(apex, a, b);
     if (!plane) return end_on(a, b);
     std::vector<VisibilityEvent> events;
-    bool certain = true;
-    for (const SilhouetteCandidate& c : silhouettes)
-        certain = scene->solver.find(c, *plane, events) && certain;
+    const bool certain = scene->solver.find(silhouettes, *plane, events);
     for (const std::uint32_t border : borders)
         find_border_events(scene->borders[border], scene->silhouettes.regions, *plane, events);
     if (region_touched) add_piercings(*plane, events);

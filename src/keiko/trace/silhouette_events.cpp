@@ -1,5 +1,6 @@
 #include "keiko/trace/silhouette_events.h"
 
+#include "keiko/trace/linear_pair.h"
 #include "keiko/trace/silhouette_search.h"
 
 #include <algorithm>
@@ -7,13 +8,6 @@
 
 namespace keiko {
 namespace {
-
-/// Of a piece: neighbours overlap by this much, so that no event falls between them.
-constexpr double overlap = 1e-7;
-/// Above this the Jacobian may vary too much for a proof that rounding leaves intact.
-constexpr double proved = 0.95;
-/// Below this Newton's method converges from anywhere on the piece to a root on it.
-constexpr double straight = 0.25;
 
 /// (f, g) with its derivatives by the patch's parameters.
 struct Jacobian {
@@ -62,122 +56,147 @@ SurfaceJet SilhouetteSolver::jet_at(const OccluderPatch& patch, const Vec2& uv) 
     return projected(kernels_.evaluate(patch.points.view(), uv), patch.rational);
 }
 
-std::optional<SilhouetteCandidate> SilhouetteSolver::candidate(std::uint32_t index,
-                                                               const Apex& apex) const {
+void SilhouetteSolver::add_candidate(std::uint32_t index, const Apex& apex,
+                                     SilhouetteCandidates& all) const {
     const SilhouettePiece& piece = silhouettes_.pieces[index];
-    SilhouetteCandidate c;
-    c.piece = index;
-    c.edge_on = piece.planes.weighed(piece.weights(apex));
-    if (c.edge_on.vanishes_nowhere()) return std::nullopt;
-    const OccluderPatch& patch = silhouettes_.patches[piece.patch];
-    if (const auto& root = apex.excluded();
-        root && root->instance == patch.instance && root->patch == patch.patch) {
-        c.foot = (root->uv.center() - patch.uv.lower) / patch.uv.extent();
-        // Nearer than this the zero at the apex makes itself felt.
-        const Vec2 off = (c.foot - piece.uv.center()) / (piece.uv.extent() * 0.5);
-        constexpr double near = 2;
-        c.own = within(off, near);
+    const AffineNet::Weighed edge_on = piece.planes.weighed(piece.weights(apex));
+    if (edge_on.vanishes_nowhere()) return;
+    constexpr double near = 2; ///< half sizes of the piece
+    const auto known = std::find_if(all.own.begin(), all.own.end(),
+                                    [&](const OwnCandidate& o) { return o.patch == piece.patch; });
+    const auto found = known != all.own.end() ? std::optional(known->foot) : foot(piece, apex);
+    if (!found || !within((*found - piece.uv.center()) / (piece.uv.extent() * 0.5), near))
+        return all.pieces.push_back({index, edge_on});
+    auto own = known;
+    if (own == all.own.end()) {
+        all.own.push_back({piece.patch, {*found, *found}, *found, false});
+        own = all.own.end() - 1;
     }
-    return c;
+    own->uv.extend(piece.uv);
+    own->trimmed = own->trimmed || piece.trimmed;
 }
 
-bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
-                            std::vector<VisibilityEvent>& events) const {
-    const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
-    const AffineNet::Weighed f = piece.points.weighed(piece.local(plane.weights(piece.center)));
-    const AffineNet::Weighed& g = candidate.edge_on;
-    if (f.vanishes_nowhere()) return true;
-    if (candidate.own) return subdivide(candidate, plane, events);
-    const double d = f.along_x * g.along_y - f.along_y * g.along_x;
-    const double size = std::abs(d);
-    const Vec2 xy((f.along_y * g.value - g.along_y * f.value) / d,
-                  (g.along_x * f.value - f.along_x * g.value) / d);
-    const Vec2 off((std::abs(g.along_y) * f.off + std::abs(f.along_y) * g.off) / size,
-                   (std::abs(g.along_x) * f.off + std::abs(f.along_x) * g.off) / size);
-    if (std::abs(xy.x) - off.x > 1 + overlap || std::abs(xy.y) - off.y > 1 + overlap) return true;
-    const double varies = std::max(std::abs(g.along_y) * f.slope + std::abs(f.along_y) * g.slope,
-                                   std::abs(g.along_x) * f.slope + std::abs(f.along_x) * g.slope) /
-                          size;
-    if (varies < proved) {
-        const Vec2 start(std::clamp(xy.x, -1.0, 1.0), std::clamp(xy.y, -1.0, 1.0));
-        const auto root = newton(piece, start, plane);
-        if (root && within(*root, 1 + overlap)) {
-            add(piece, piece.uv.center() + piece.uv.extent() * 0.5 * *root, plane, events);
-            return true;
-        }
-        // From so near a root inside, Newton's method would not have gone out.
-        if (root && varies < straight) return true;
-    }
-    return subdivide(candidate, plane, events);
-}
-
-std::optional<Vec2> SilhouetteSolver::newton(const SilhouettePiece& piece, Vec2 xy,
-                                             const SegmentPlane& plane) const {
+std::optional<Vec2> SilhouetteSolver::foot(const SilhouettePiece& piece, const Apex& apex) const {
+    const auto& root = apex.excluded();
+    if (!root) return std::nullopt;
     const OccluderPatch& patch = silhouettes_.patches[piece.patch];
-    const Vec2 middle = piece.uv.center(), half = piece.uv.extent() * 0.5;
-    constexpr int most_steps = 12;
-    constexpr double settled = 1e-13, astray = 3;
+    if (root->instance == patch.instance && root->patch == patch.patch)
+        return (root->uv.center() - patch.uv.lower) / patch.uv.extent();
+    if (!piece.box.padded(piece.box.size()).contains(apex.place())) return std::nullopt;
+    constexpr int most_steps = 8;
+    constexpr double on_surface = 1e-11, beside = 2;
+    const double size = piece.box.size() + patch.center.length();
+    Vec2 uv = piece.uv.center();
     for (int i = 0; i < most_steps; ++i) {
-        const Vec2 uv = middle + half * xy;
-        const Jacobian j = jacobian(jet_at(patch, uv), patch.center, plane);
-        const Vec2 step = j.newton_step() / half;
-        xy += step;
-        const double size = std::max(std::abs(step.x), std::abs(step.y));
-        if (!within(xy, astray)) return std::nullopt;
-        if (size <= settled) return xy;
+        const SurfaceJet s = jet_at(patch, uv);
+        const Vec3 off = apex.place() - patch.center - s.position;
+        if (off.length() <= on_surface * size) return uv;
+        const double a = s.du.dot(s.du), b = s.du.dot(s.dv), c = s.dv.dot(s.dv);
+        const double u = s.du.dot(off), v = s.dv.dot(off), d = a * c - b * b;
+        uv += Vec2(c * u - b * v, a * v - b * u) / d;
+        if (!within((uv - piece.uv.center()) / (piece.uv.extent() * 0.5), beside))
+            return std::nullopt;
     }
     return std::nullopt;
 }
 
-bool SilhouetteSolver::subdivide(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
-                                 std::vector<VisibilityEvent>& events) const {
-    const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
-    const OccluderPatch& patch = silhouettes_.patches[piece.patch];
-    const Apex& apex = plane.apex();
-    // An apex beside the piece on the same patch is left out in the same way.
-    Box2 searched = piece.uv;
-    if (candidate.own) searched.extend(candidate.foot);
-    const Vec2 extent = searched.extent();
-    SilhouetteSearch search(
-        restricted(weighed(patch.points, plane.weights(patch.center)), searched),
-        restricted(weighed(patch.planes, apex.seen_from(patch.center)), searched));
-    if (candidate.own) search.leave_out((candidate.foot - searched.lower) / extent);
+void SilhouetteSolver::drop_convex(const Apex& apex, SilhouetteCandidates& all) const {
+    std::erase_if(all.own, [&](const OwnCandidate& own) {
+        const OccluderPatch& patch = silhouettes_.patches[own.patch];
+        return is_convex(
+            restricted(weighed(patch.planes, apex.seen_from(patch.center)), own.uv));
+    });
+}
 
-    const Vec2 middle = piece.uv.center(), half = piece.uv.extent() * 0.5;
-    const auto to_piece = [&](const Vec2& at) {
-        return (searched.lower + extent * at - middle) / half;
+bool SilhouetteSolver::find(const SilhouetteCandidates& candidates, const SegmentPlane& plane,
+                            std::vector<VisibilityEvent>& events) const {
+    bool certain = true;
+    for (const SilhouetteCandidate& c : candidates.pieces)
+        certain = find_on_piece(c, plane, events) && certain;
+    for (const OwnCandidate& own : candidates.own) {
+        const double size = hull_bounds(silhouettes_.patches[own.patch].points.view()).size();
+        certain = search({own.patch, own.uv, own.foot, own.trimmed, size}, plane, events) && certain;
+    }
+    return certain;
+}
+
+bool SilhouetteSolver::find_on_piece(const SilhouetteCandidate& candidate,
+                                     const SegmentPlane& plane,
+                                     std::vector<VisibilityEvent>& events) const {
+    const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
+    const AffineNet::Weighed f = piece.points.weighed(piece.local(plane.weights(piece.center)));
+    if (f.vanishes_nowhere()) return true;
+    const LinearPair pair(f, candidate.edge_on);
+    if (pair.root_is_outside()) return true;
+    if (pair.variation() < LinearPair::proved) {
+        const OccluderPatch& patch = silhouettes_.patches[piece.patch];
+        const Vec2 extent = piece.uv.extent();
+        const auto root = newton(patch, piece.uv.center() + extent * 0.5 * pair.nearest_inside(),
+                                 extent, plane);
+        if (root && within((*root - piece.uv.center()) / (extent * 0.5), 1 + LinearPair::overlap)) {
+            add(patch, piece.trimmed, *root, plane, events);
+            return true;
+        }
+        if (root && pair.variation() < LinearPair::straight) return true;
+    }
+    const Vec2 more = piece.uv.extent() * LinearPair::overlap;
+    return search({piece.patch, {piece.uv.lower - more, piece.uv.upper + more}, {}, piece.trimmed,
+                   piece.box.size()},
+                  plane, events);
+}
+
+std::optional<Vec2> SilhouetteSolver::newton(const OccluderPatch& patch, Vec2 uv,
+                                             const Vec2& extent, const SegmentPlane& plane) const {
+    constexpr int most_steps = 12;
+    constexpr double settled = 1e-13, astray = 2;
+    const Vec2 start = uv;
+    for (int i = 0; i < most_steps; ++i) {
+        const Vec2 step = jacobian(jet_at(patch, uv), patch.center, plane).newton_step();
+        uv += step;
+        if (!within((uv - start) / extent, astray)) return std::nullopt;
+        if (within(step / extent, settled)) return uv;
+    }
+    return std::nullopt;
+}
+
+bool SilhouetteSolver::search(const Part& part, const SegmentPlane& plane,
+                              std::vector<VisibilityEvent>& events) const {
+    const OccluderPatch& patch = silhouettes_.patches[part.patch];
+    const Apex& apex = plane.apex();
+    const Vec2 extent = part.uv.extent();
+    const auto to_patch = [&](const Vec2& at) { return part.uv.lower + extent * at; };
+    const auto place = [&](const Vec2& at) {
+        return patch.center + jet_at(patch, to_patch(at)).position;
     };
-    const auto solve = [&](const Vec2& at) -> std::optional<Vec2> {
-        const auto root = newton(piece, to_piece(at), plane);
-        return root ? std::optional((middle + half * *root - searched.lower) / extent)
-                    : std::nullopt;
+    SilhouetteSearch search(
+        restricted(weighed(patch.points, plane.weights(patch.center)), part.uv),
+        restricted(weighed(patch.planes, apex.seen_from(patch.center)), part.uv));
+    if (part.foot) search.leave_out((*part.foot - part.uv.lower) / extent);
+    const auto solve = [&](const Vec2& at, const Vec2& size) -> std::optional<Vec2> {
+        const auto root = newton(patch, to_patch(at), size * extent, plane);
+        return root ? std::optional((*root - part.uv.lower) / extent) : std::nullopt;
     };
-    const double size = piece.box.size(), length = plane.along().length();
+    const double length = plane.along().length();
     const auto spread = [&](const Box2& box) {
-        const Vec2 at = box.center();
-        const double step = size * std::max(box.extent().x, box.extent().y);
+        const double step = part.size * std::max(box.extent().x, box.extent().y);
         if (apex.infinite()) return step / length;
-        const Vec3 x = patch.center + jet_at(patch, searched.lower + extent * at).position;
-        const double away = std::max((x - apex.place()).length() - step, 1e-300);
-        return step / away * (plane.at(0.5) - apex.place()).length() / length;
+        const double away = (place(box.center()) - apex.place()).length() - step;
+        return step / std::max(away, 1e-300) * (plane.at(0.5) - apex.place()).length() / length;
     };
     const SilhouetteSearch::Result found = search.run(solve, spread);
-    for (const Vec2& root : found.roots) add(piece, searched.lower + extent * root, plane, events);
-    for (const Vec2& at : found.unclear) {
-        const Vec3 x = patch.center + jet_at(patch, searched.lower + extent * at).position;
-        if (const auto t = plane.hidden_by(x)) events.push_back({*t, 0});
-    }
+    for (const Vec2& root : found.roots)
+        add(patch, part.trimmed, to_patch(root), plane, events);
+    for (const Vec2& at : found.unclear)
+        if (const auto t = plane.hidden_by(place(at))) events.push_back({*t, 0});
     return found.certain;
 }
 
-void SilhouetteSolver::add(const SilhouettePiece& piece, const Vec2& uv, const SegmentPlane& plane,
-                           std::vector<VisibilityEvent>& events) const {
-    const OccluderPatch& patch = silhouettes_.patches[piece.patch];
+void SilhouetteSolver::add(const OccluderPatch& patch, bool trimmed, const Vec2& uv,
+                           const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const {
     const SurfaceJet s = jet_at(patch, uv);
     const auto t = plane.hidden_by(patch.center + s.position);
     if (!t) return;
-    if (piece.trimmed && !silhouettes_.regions[patch.face].contains(patch.face_parameters(uv)))
-        return;
+    if (trimmed && !silhouettes_.regions[patch.face].contains(patch.face_parameters(uv))) return;
     events.push_back({*t, dark_side(s, plane)});
 }
 

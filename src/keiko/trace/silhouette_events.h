@@ -1,6 +1,5 @@
 #pragma once
 
-#include "keiko/trace/leaf_kernels.h"
 #include "keiko/trace/segment_plane.h"
 #include "keiko/trace/silhouette_piece.h"
 #include "keiko/trace/surface_jet.h"
@@ -13,8 +12,21 @@ namespace keiko {
 struct SilhouetteCandidate {
     std::uint32_t piece = 0;
     AffineNet::Weighed edge_on{}; ///< zero where the piece is seen edge-on
-    bool own = false;             ///< the apex lies on it
-    Vec2 foot{0};                 ///< then: where, in the piece's [-1, 1]^2
+};
+
+/// The part of a patch around an apex that lies on it, where the zero at the apex itself makes
+/// itself felt: searched as one, without the apex.
+struct OwnCandidate {
+    std::uint32_t patch = 0; ///< into Silhouettes::patches
+    Box2 uv;                 ///< of that patch: the pieces around, and the apex
+    Vec2 foot{0};            ///< the apex
+    bool trimmed = false;
+};
+
+/// All that one apex may see edge-on.
+struct SilhouetteCandidates {
+    std::vector<SilhouetteCandidate> pieces;
+    std::vector<OwnCandidate> own;
 };
 
 /// Finds where silhouettes, seen from one apex, hide a segment first or last: common zeros of
@@ -26,20 +38,36 @@ public:
     SilhouetteSolver(const Silhouettes& silhouettes, const LeafKernels& kernels)
         : silhouettes_(silhouettes), kernels_(kernels) {}
 
-    /// What there is to solve for an apex on a piece that it may see edge-on; nothing otherwise.
-    std::optional<SilhouetteCandidate> candidate(std::uint32_t piece, const Apex& apex) const;
+    /// Adds a piece to the candidates of an apex that may see it edge-on.
+    void add_candidate(std::uint32_t piece, const Apex& apex, SilhouetteCandidates& all) const;
+    /// Drops own candidates that no plane through the apex cuts a silhouette of.
+    void drop_convex(const Apex& apex, SilhouetteCandidates& all) const;
     /// Appends the events; false when some could not be told apart.
-    bool find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
+    bool find(const SilhouetteCandidates& candidates, const SegmentPlane& plane,
               std::vector<VisibilityEvent>& events) const;
 
 private:
-    /// The root that Newton's method finds from a place of the piece's [-1, 1]^2, on it or not.
-    std::optional<Vec2> newton(const SilhouettePiece& piece, Vec2 xy,
+    /// Where an apex on the surface lies on a piece's patch, or on its continuation close by: on its
+    /// own patch, on a neighbour, or on another face's share of the same surface.
+    std::optional<Vec2> foot(const SilhouettePiece& piece, const Apex& apex) const;
+    bool find_on_piece(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
+                       std::vector<VisibilityEvent>& events) const;
+    /// The root that Newton's method finds from a place of the patch's [0, 1]^2 in steps measured
+    /// against `extent`.
+    std::optional<Vec2> newton(const OccluderPatch& patch, Vec2 uv, const Vec2& extent,
                                const SegmentPlane& plane) const;
-    bool subdivide(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
-                   std::vector<VisibilityEvent>& events) const;
+    /// Searches a part of a patch, in which an apex on the patch may lie.
+    struct Part {
+        std::uint32_t patch;
+        Box2 uv;
+        std::optional<Vec2> foot;
+        bool trimmed;
+        double size; ///< mm
+    };
+    bool search(const Part& part, const SegmentPlane& plane,
+                std::vector<VisibilityEvent>& events) const;
     SurfaceJet jet_at(const OccluderPatch& patch, const Vec2& uv) const;
-    void add(const SilhouettePiece& piece, const Vec2& uv, const SegmentPlane& plane,
+    void add(const OccluderPatch& patch, bool trimmed, const Vec2& uv, const SegmentPlane& plane,
              std::vector<VisibilityEvent>& events) const;
 
     const Silhouettes& silhouettes_;

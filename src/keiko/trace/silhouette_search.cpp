@@ -1,42 +1,40 @@
 #include "keiko/trace/silhouette_search.h"
 
+#include "keiko/trace/linear_pair.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace keiko {
 namespace {
 
-/// Of the searched box: boxes overlap by this much, so that no root falls between them.
-constexpr double overlap = 1e-7;
 /// Of the searched box: what is so near the apex is the apex itself.
 constexpr double around_apex = 1e-7;
-/// Below the first a box has at most one root; below the second Newton's method finds it from
-/// anywhere in the box.
-constexpr double proved = 0.95, straight = 0.25;
-
-/// A function's mean slopes over a box, in its [-1, 1]^2, and how much they vary.
+/// A function's mean slopes over a box, in its [-1, 1]^2, how much they vary, and how much the
+/// slope along each axis does, as a share of the slopes.
 struct Slopes {
-    double value, along_x, along_y, off, slope;
-
-    explicit Slopes(const ScalarNet& net) {
-        const NetRange x = derivative_range(net, true), y = derivative_range(net, false);
-        along_x = x.middle, along_y = y.middle;
-        slope = x.half + y.half;
-        double low = net.c.front(), high = low;
-        for (std::size_t i = 0; i < net.rows; ++i)
-            for (std::size_t j = 0; j < net.columns; ++j) {
-                const double rest = net.at(i, j) - along_x * place(i, net.rows) -
-                                    along_y * place(j, net.columns);
-                low = i + j == 0 ? rest : std::min(low, rest);
-                high = i + j == 0 ? rest : std::max(high, rest);
-            }
-        value = (low + high) / 2, off = (high - low) / 2;
-    }
-
-    static double place(std::size_t i, std::size_t count) {
-        return count < 2 ? 0 : 2 * static_cast<double>(i) / static_cast<double>(count - 1) - 1;
-    }
+    AffineNet::Weighed all;
+    Vec2 bend;
 };
+
+Slopes slopes_of(const ScalarNet& net) {
+    const auto place = [](std::size_t i, std::size_t count) {
+        return count < 2 ? 0 : 2 * static_cast<double>(i) / static_cast<double>(count - 1) - 1;
+    };
+    const NetRange x = derivative_range(net, true), y = derivative_range(net, false);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < net.rows; ++i)
+        for (std::size_t j = 0; j < net.columns; ++j) {
+            const double rest = net.at(i, j) - x.middle * place(i, net.rows) -
+                                y.middle * place(j, net.columns);
+            low = std::min(low, rest);
+            high = std::max(high, rest);
+        }
+    const double size = std::abs(x.middle) + std::abs(y.middle);
+    return {{(low + high) / 2, x.middle, y.middle, (high - low) / 2, x.half + y.half},
+            Vec2(x.half, y.half) / std::max(size, x.half + y.half)};
+}
 
 bool may_vanish(const ScalarNet& net) {
     const auto [low, high] = std::minmax_element(net.c.begin(), net.c.end());
@@ -74,6 +72,16 @@ void add_ring(const Box2& outer, const Box2& inner, std::vector<Box2>& boxes) {
 
 } // namespace
 
+bool is_convex(const ScalarNet& g) {
+    if (g.rows < 3 || g.columns < 3) return false;
+    const ScalarNet gx = derivative(g, true);
+    const NetRange xx = derivative_range(gx, true), xy = derivative_range(gx, false),
+                   yy = derivative_range(derivative(g, false), false);
+    if (xx.holds_zero() || yy.holds_zero() || (xx.middle > 0) != (yy.middle > 0)) return false;
+    const double least = (std::abs(xx.middle) - xx.half) * (std::abs(yy.middle) - yy.half);
+    return least > xy.largest() * xy.largest();
+}
+
 /// By Taylor's theorem g has no other root on a section f = 0 through the apex where its second
 /// derivative keeps its sign along every chord that the section may have.
 bool SilhouetteSearch::bends_one_way(const ScalarNet& f, const ScalarNet& g) const {
@@ -92,13 +100,14 @@ SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread&
     constexpr int most_boxes = 400;
     constexpr double sharpest = 1e-11; ///< of the segment: closer events are one
     Result result;
-    std::vector<Box2> open{unit_square.padded(overlap)};
+    std::vector<Box2> open{unit_square};
     for (int count = 0; !open.empty(); ++count) {
         const Box2 box = open.back();
         open.pop_back();
-        const ScalarNet f = restricted(f_, box);
+        const bool whole = box == unit_square;
+        const ScalarNet f = whole ? f_ : restricted(f_, box);
         if (!may_vanish(f)) continue;
-        const ScalarNet g = restricted(g_, box);
+        const ScalarNet g = whole ? g_ : restricted(g_, box);
         if (!may_vanish(g)) continue;
         const Vec2 size = box.extent();
         const double widest = std::max(size.x, size.y);
@@ -111,26 +120,16 @@ SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread&
             add_ring(box, inner, open);
             continue;
         }
-        const Slopes a(f), b(g);
-        const double d = a.along_x * b.along_y - a.along_y * b.along_x, s = std::abs(d);
-        const Vec2 root((a.along_y * b.value - b.along_y * a.value) / d,
-                        (b.along_x * a.value - a.along_x * b.value) / d);
-        const Vec2 off((std::abs(b.along_y) * a.off + std::abs(a.along_y) * b.off) / s,
-                       (std::abs(b.along_x) * a.off + std::abs(a.along_x) * b.off) / s);
-        if (std::abs(root.x) - off.x > 1 + overlap || std::abs(root.y) - off.y > 1 + overlap)
-            continue;
-        const double varies =
-            std::max(std::abs(b.along_y) * a.slope + std::abs(a.along_y) * b.slope,
-                     std::abs(b.along_x) * a.slope + std::abs(a.along_x) * b.slope) /
-            s;
-        if (varies < proved) {
-            const Vec2 start(std::clamp(root.x, -1.0, 1.0), std::clamp(root.y, -1.0, 1.0));
-            const auto found = solve(box.center() + size * 0.5 * start);
-            if (found && box.padded(overlap * widest).contains(*found)) {
+        const Slopes a = slopes_of(f), b = slopes_of(g);
+        const LinearPair pair(a.all, b.all);
+        if (pair.root_is_outside()) continue;
+        if (pair.variation() < LinearPair::proved) {
+            const auto found = solve(box.center() + size * 0.5 * pair.nearest_inside(), size);
+            if (found && box.padded(LinearPair::overlap * widest).contains(*found)) {
                 result.roots.push_back(*found);
                 continue;
             }
-            if (found && varies < straight) continue;
+            if (found && pair.variation() < LinearPair::straight) continue;
         }
         const bool sharp = spread(box) <= sharpest;
         if (sharp || count >= most_boxes) {
@@ -139,7 +138,13 @@ SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread&
             continue;
         }
         Box2 low = box, high = box;
-        const unsigned axis = size.x >= size.y ? 0 : 1;
+        // Along a strip it takes many halvings where across it none helps.
+        constexpr double slimmest = 1.0 / 256;
+        const Vec2 bend = a.bend + b.bend;
+        const unsigned axis = size.x < slimmest * size.y   ? 1
+                              : size.y < slimmest * size.x ? 0
+                              : bend.x >= bend.y           ? 0
+                                                           : 1;
         low.upper[axis] = high.lower[axis] = box.center()[axis];
         open.push_back(high);
         open.push_back(low);

@@ -7,6 +7,10 @@
 
 namespace keiko {
 
+/// Whether a function with a zero of second order has no other zero on [0, 1]^2, because its second
+/// derivative is definite.
+bool is_convex(const ScalarNet& g);
+
 /// The search for common zeros of two functions on a piece where one look proves nothing: the
 /// piece is split until on each part the functions are proved to have at most one, or none.
 class SilhouetteSearch {
@@ -18,8 +22,9 @@ public:
     /// no event, and no other is near it where g bends one way.
     void leave_out(const Vec2& foot) { foot_ = foot; }
 
-    /// Newton's method for the exact functions from a place; nothing when it fails.
-    using Solve = std::function<std::optional<Vec2>(const Vec2&)>;
+    /// Newton's method for the exact functions from a place in a box of this extent; nothing when it
+    /// fails.
+    using Solve = std::function<std::optional<Vec2>(const Vec2& start, const Vec2& extent)>;
     /// How far an event can be moved along the segment, in its parameter, by moving within a box.
     using Spread = std::function<double(const Box2&)>;
     struct Result {
