@@ -18,7 +18,10 @@ int trace(const TraceArguments& arguments, const Job& job) {
     require_columns(arguments.options);
     const StandardInput input(job);
     const StandardOutput output(job);
-    const Scene scene = arguments.scene.open(job);
+    SceneArguments inputs = arguments.scene;
+    // Only light is shadowed, and what casts shadows takes time to find.
+    inputs.options.shadows = light_column(hit_columns(arguments.options.columns)).has_value();
+    const Scene scene = inputs.open(job);
     const TraceCounts counts = trace_rays(
         scene, [&](std::span<char> bytes) { return input.read(bytes); },
         [&](std::string_view text) { return output.write(text); }, arguments.options, job);

@@ -5,12 +5,15 @@
 #include "keiko/tubes/coat_entry.h"
 #include "keiko/tubes/comb_irradiance.h"
 #include "keiko/tubes/tube_irradiance.h"
+#include "keiko/tubes/tube_penumbra.h"
 
 namespace keiko {
 namespace {
 
 /// Pieces of a visible part of a lamp that are attenuated by one distance each.
 constexpr int pieces_in_fog = 8;
+/// Of a lamp's illuminance: what its penumbrae may be off by, half of what the whole system may.
+constexpr double width_tolerance = 5e-5;
 
 /// Answers what one source gives to the point.
 class Receiver {
@@ -32,6 +35,11 @@ public:
         for (int i = 0; i < frame.lamps; ++i) {
             const TubeLamp lamp = lamp_of(frame, i, plane.luminance);
             if (below_horizon(lamp, point_, normal_)) continue;
+            if (model == TubeModel::automatic && !medium_ && !coat_) {
+                solid_angle += Rgb(comb.solid_angle(i, IntervalSet::whole()) *
+                                   visible_share(lamp, point_, normal_, visible_, width_tolerance));
+                continue;
+            }
             const IntervalSet seen = visible_.intervals({lamp.a, lamp.b});
             solid_angle +=
                 medium_ ? through_medium(comb, i, lamp, seen) : Rgb(entered(comb, i, lamp, seen));

@@ -1,0 +1,70 @@
+#include "keiko/render/shadows.h"
+
+#include "keiko/tubes/tube_penumbra.h"
+
+#include "tests/support/occluder_row.h"
+#include <gtest/gtest.h>
+
+namespace keiko {
+namespace {
+
+using namespace test;
+
+/// A row of lamp_occluded: its occluders, its lamp and its receiver.
+struct Shade {
+    SurfaceModel model;
+    Tracer tracer;
+    Occluders occluders;
+    TubeLamp lamp;
+    Vec3 point, normal;
+    std::vector<Vec3> region;
+
+    explicit Shade(const OracleRow& row)
+        : model(occluders_of(row)),
+          tracer(model),
+          occluders(model, tracer),
+          lamp{row.vector("in.A"), row.vector("in.B"), row.number("in.d"),
+               Rgb(row.number("in.L"))},
+          point(row.vector("in.P")),
+          normal(row.unit("in.N")) {
+        const double r = lamp.diameter;
+        for (const Vec3& end : {lamp.a, lamp.b})
+            for (const double x : {-r, r})
+                for (const double y : {-r, r})
+                    for (const double z : {-r, r}) region.push_back(end + Vec3(x, y, z));
+    }
+    SeenPast visible() const { return {occluders, tracer, Apex::at(point), region}; }
+};
+
+TEST(Shadows, MeetTheOracleOfOccludedLampsByTheAxis) {
+    WorstError line("E_line"), rectangle("E_rect_iv");
+    for (const OracleRow& row : OracleTable("lamp_occluded")) {
+        const Shade shade(row);
+        const IntervalSet seen = shade.visible().intervals({shade.lamp.a, shade.lamp.b});
+        const auto lit = [&](TubeModel model) {
+            return irradiance(shade.lamp, shade.point, shade.normal, seen, model).r;
+        };
+        line.compare(row, lit(TubeModel::line), row.number("out.E_line"), 1e-11);
+        rectangle.compare(row, lit(TubeModel::rectangle), row.number("out.E_rect_iv"), 1e-11);
+    }
+}
+
+TEST(Shadows, MeetTheOracleOfPenumbraeAcrossTheWidth) {
+    WorstError area("E_rect_area");
+    for (const OracleRow& row : OracleTable("lamp_occluded")) {
+        if (!row.has("out.E_rect_area")) continue;
+        const Shade shade(row);
+        const SeenPast visible = shade.visible();
+        const double whole = irradiance(shade.lamp, shade.point, shade.normal,
+                                        IntervalSet::whole(), TubeModel::rectangle)
+                                 .r;
+        for (const double tolerance : {1e-4, 1e-7}) {
+            const double share = visible_share(shade.lamp, shade.point, shade.normal, visible,
+                                               tolerance, TubeShape::rectangle);
+            area.compare(row, whole * share, row.number("out.E_rect_area"), tolerance, 1e-9);
+        }
+    }
+}
+
+} // namespace
+} // namespace keiko
