@@ -144,6 +144,7 @@ std::vector<std::vector<Hit>> Tracer::all(std::span<const Ray> rays) const {
         std::sort(sorted.begin(), sorted.end(),
                   [](const Crossing& a, const Crossing& b) { return a.before(b); });
         std::vector<BorderHit> border_hits;
+        border_hits.reserve(sorted.size());
         for (const Crossing& c : sorted)
             border_hits.push_back(
                 border_hit(scene_->model, c, scene_->evaluate(c), rays[i].direction));
