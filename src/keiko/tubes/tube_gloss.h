@@ -75,7 +75,7 @@ private:
             for (const double step : {-1.5, -0.5, 0.5, 1.5})
                 wedge.cut_at(psi_ + step * psi_spread_);
         const auto slice = [&](double psi) {
-            return slice_sum(psi, [](const auto& f, double a, double b) {
+            return slice_sum(psi, kernel_.spread() > wide, [](const auto& f, double a, double b) {
                 return integrate(f, a, b, nodes_along);
             });
         };
@@ -92,7 +92,7 @@ private:
             const double psi = std::asin(sine_limit * std::sin(t));
             const double rate = sine_limit * std::cos(t) / std::cos(psi);
             const double inner = allowed / std::max(rate, 1e-6) / 8;
-            return rate * slice_sum(psi, [&](const auto& f, double a, double b) {
+            return rate * slice_sum(psi, false, [&](const auto& f, double a, double b) {
                        return integrate_adaptively(f, a, b, inner);
                    });
         };
@@ -108,9 +108,10 @@ private:
 
     bool near_peak() const { return std::abs(psi_) < slices_.half_angle() + psi_spread_; }
 
-    /// Over the elevations of one half-plane, by `rule`, cut about the peak.
+    /// Over the elevations of one half-plane, by `rule`, cut about the peak; in fewer pieces if
+    /// `coarse`.
     template <class Rule>
-    Rgb slice_sum(double psi, const Rule& rule) const {
+    Rgb slice_sum(double psi, bool coarse, const Rule& rule) const {
         const ParameterInterval range = slices_.elevations(psi);
         if (!(range.begin < range.end)) return {};
         const Vec3 across = slices_.across(psi), along = slices_.view().along;
@@ -120,12 +121,17 @@ private:
             return kernel_(across * cosine + along * std::sin(eta)) * cosine;
         };
         CutRange elevations(range.begin, range.end);
-        for (const double step : {-2.0, -0.7, 0.7, 2.0})
-            elevations.cut_at(highest + step * kernel_.spread());
+        const double spread = kernel_.spread();
+        if (coarse)
+            for (const double step : {-1.0, 1.0}) elevations.cut_at(highest + step * spread);
+        else
+            for (const double step : {-2.0, -0.7, 0.7, 2.0})
+                elevations.cut_at(highest + step * spread);
         return elevations.sum([&](double a, double b) { return rule(f, a, b); });
     }
 
     static constexpr int nodes_along = 8;
+    static constexpr double wide = 0.5; ///< radians; a lobe wider than that needs fewer pieces
     static constexpr double refinement = 1e-9;
 
     const TubeSlices& slices_;
