@@ -2,6 +2,7 @@
 #include "keiko/cli/commands.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/standard_streams.h"
+#include "keiko/hit_columns.h"
 #include "keiko/trace_rays.h"
 
 #include <memory>

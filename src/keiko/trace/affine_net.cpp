@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-
 namespace keiko {
 namespace {
 
@@ -43,7 +42,7 @@ AffineNet affine_net(const HomogeneousNet& net) {
         const NetRange value = range(rest);
         f.value[k] = value.middle;
         f.off[k] = value.half + rounding * largest;
-                f.slope[k] = derivative_range(rest, true).largest() +
+        f.slope[k] = derivative_range(rest, true).largest() +
                      derivative_range(rest, false).largest() + rounding * largest;
         const auto bend = [&](bool first_by_x, bool second_by_x) {
             const bool enough = (first_by_x ? rest.rows : rest.columns) > 1;

@@ -22,7 +22,8 @@ public:
     LinearPair(const AffineNet::Weighed& f, const AffineNet::Weighed& g) {
         const double d = f.along_x * g.along_y - f.along_y * g.along_x, size = std::abs(d);
         root_ = Vec2(f.along_y * g.value - g.along_y * f.value,
-                     g.along_x * f.value - f.along_x * g.value) / d;
+                     g.along_x * f.value - f.along_x * g.value) /
+                d;
         const double gx = std::abs(g.along_x), gy = std::abs(g.along_y);
         const double fx = std::abs(f.along_x), fy = std::abs(f.along_y);
         off_ = Vec2(gy * f.off + fy * g.off, gx * f.off + fx * g.off) / size;

@@ -76,7 +76,10 @@ struct ApexView::Candidates {
     std::vector<std::uint32_t> borders;
     bool region_touched = false; ///< a surface may cross the region itself
     std::optional<Vec3> normal;  ///< of the surface that the apex lies on
+    /// Whether all of the region is seen, or none of it, where nothing can come in between.
+    std::optional<bool> all_seen;
 
+    bool nothing_happens_in(std::span<const Vec3> region) const;
     SeenParts intervals(const Vec3& a, const Vec3& b) const;
     SeenParts end_on(const Vec3& a, const Vec3& b) const;
     void add_piercings(const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const;
@@ -89,7 +92,7 @@ struct ApexView::Candidates {
 ApexView::ApexView(const Occluders& occluders, const Tracer& tracer, const Apex& apex,
                    std::span<const Vec3> region)
     : candidates_(std::make_unique<Candidates>(
-          Candidates{occluders.scene_.get(), &tracer, apex, {}, {}, false, {}})) {
+          Candidates{occluders.scene_.get(), &tracer, apex, {}, {}, false, {}, {}})) {
     const Occluders::Scene& scene = *occluders.scene_;
     const ViewVolume volume(apex, region);
     std::vector<std::uint32_t> found;
@@ -97,10 +100,12 @@ ApexView::ApexView(const Occluders& occluders, const Tracer& tracer, const Apex&
     for (const std::uint32_t piece : found)
         if (volume.may_hold(scene.silhouettes.pieces[piece]))
             scene.solver.add_candidate(piece, apex, candidates_->silhouettes);
-    scene.solver.drop_convex(apex, candidates_->silhouettes);
+    scene.solver.finish(apex, candidates_->silhouettes);
     scene.border_pieces.find(volume, apex, candidates_->borders);
     if (apex.excluded()) candidates_->normal = scene.silhouettes.normal_at(*apex.excluded());
     candidates_->region_touched = scene.surface.touches(volume.region());
+    if (candidates_->nothing_happens_in(region))
+        candidates_->all_seen = candidates_->sees(volume.region().center());
 }
 
 ApexView::~ApexView() = default;
@@ -116,7 +121,18 @@ std::size_t ApexView::candidates() const {
            candidates_->borders.size();
 }
 
+/// No event can lie on any segment of the region, not even the horizon of the apex.
+bool ApexView::Candidates::nothing_happens_in(std::span<const Vec3> region) const {
+    if (!silhouettes.pieces.empty() || !silhouettes.own.empty() || !borders.empty() ||
+        region_touched)
+        return false;
+    const auto above = [&](const Vec3& x) { return normal->dot(apex.way_to(x)) > 0; };
+    return !normal || std::all_of(region.begin(), region.end(), above) ||
+           std::none_of(region.begin(), region.end(), above);
+}
+
 SeenParts ApexView::Candidates::intervals(const Vec3& a, const Vec3& b) const {
+    if (all_seen) return {*all_seen ? IntervalSet::whole() : IntervalSet()};
     if (a == b) return {sees(a) ? IntervalSet::whole() : IntervalSet()};
     const auto plane = SegmentPlane::through(apex, a, b);
     if (!plane) return end_on(a, b);

@@ -24,9 +24,8 @@ void restrict_lines(double* c, std::size_t count, std::size_t step, std::size_t 
 } // namespace
 
 ScalarNet weighed(const HomogeneousNet& net, const Vec4& weights) {
-    ScalarNet scalar{static_cast<std::size_t>(net.degree_u) + 1,
-                     static_cast<std::size_t>(net.degree_v) + 1,
-                     {}};
+    ScalarNet scalar{
+        static_cast<std::size_t>(net.degree_u) + 1, static_cast<std::size_t>(net.degree_v) + 1, {}};
     scalar.c.reserve(net.points.size());
     for (const Vec4& p : net.points) scalar.c.push_back(p.dot(weights));
     return scalar;

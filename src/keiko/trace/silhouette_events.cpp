@@ -1,7 +1,6 @@
 #include "keiko/trace/silhouette_events.h"
 
 #include "keiko/trace/linear_pair.h"
-#include "keiko/trace/silhouette_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +68,7 @@ void SilhouetteSolver::add_candidate(std::uint32_t index, const Apex& apex,
         return all.pieces.push_back({index, edge_on});
     auto own = known;
     if (own == all.own.end()) {
-        all.own.push_back({piece.patch, {*found, *found}, *found, false});
+        all.own.push_back({piece.patch, {*found, *found}, *found, false, {}});
         own = all.own.end() - 1;
     }
     own->uv.extend(piece.uv);
@@ -100,12 +99,12 @@ std::optional<Vec2> SilhouetteSolver::foot(const SilhouettePiece& piece, const A
     return std::nullopt;
 }
 
-void SilhouetteSolver::drop_convex(const Apex& apex, SilhouetteCandidates& all) const {
-    std::erase_if(all.own, [&](const OwnCandidate& own) {
+void SilhouetteSolver::finish(const Apex& apex, SilhouetteCandidates& all) const {
+    for (OwnCandidate& own : all.own) {
         const OccluderPatch& patch = silhouettes_.patches[own.patch];
-        return is_convex(
-            restricted(weighed(patch.planes, apex.seen_from(patch.center)), own.uv));
-    });
+        own.edge_on = restricted(weighed(patch.planes, apex.seen_from(patch.center)), own.uv);
+    }
+    std::erase_if(all.own, [](const OwnCandidate& own) { return is_convex(own.edge_on); });
 }
 
 bool SilhouetteSolver::find(const SilhouetteCandidates& candidates, const SegmentPlane& plane,
@@ -114,8 +113,14 @@ bool SilhouetteSolver::find(const SilhouetteCandidates& candidates, const Segmen
     for (const SilhouetteCandidate& c : candidates.pieces)
         certain = find_on_piece(c, plane, events) && certain;
     for (const OwnCandidate& own : candidates.own) {
-        const double size = hull_bounds(silhouettes_.patches[own.patch].points.view()).size();
-        certain = search({own.patch, own.uv, own.foot, own.trimmed, size}, plane, events) && certain;
+        const OccluderPatch& patch = silhouettes_.patches[own.patch];
+        SilhouetteSearch search(
+            restricted(weighed(patch.points, plane.weights(patch.center)), own.uv), own.edge_on);
+        search.leave_out((own.foot - own.uv.lower) / own.uv.extent());
+        const double size = hull_bounds(patch.points.view()).size();
+        const Part part{own.patch, own.uv, own.trimmed, size};
+        constexpr int many = 400;
+        certain = add(run(search, part, plane, many), part, plane, events) && certain;
     }
     return certain;
 }
@@ -131,36 +136,51 @@ bool SilhouetteSolver::find_on_piece(const SilhouetteCandidate& candidate,
     if (pair.variation() < LinearPair::proved) {
         const OccluderPatch& patch = silhouettes_.patches[piece.patch];
         const Vec2 extent = piece.uv.extent();
-        const auto root = newton(patch, piece.uv.center() + extent * 0.5 * pair.nearest_inside(),
-                                 extent, plane);
+        const auto root =
+            newton(patch, piece.uv.center() + extent * 0.5 * pair.nearest_inside(), extent, plane);
         if (root && within((*root - piece.uv.center()) / (extent * 0.5), 1 + LinearPair::overlap)) {
             add(patch, piece.trimmed, *root, plane, events);
             return true;
         }
         if (root && pair.variation() < LinearPair::straight) return true;
     }
-    const Vec2 more = piece.uv.extent() * LinearPair::overlap;
-    return search({piece.patch, {piece.uv.lower - more, piece.uv.upper + more}, {}, piece.trimmed,
-                   piece.box.size()},
-                  plane, events);
+    const Vec4 weights = piece.weights(plane.apex());
+    const Vec4 sizes(std::abs(weights.x), std::abs(weights.y), std::abs(weights.z),
+                     std::abs(weights.w));
+    const OccluderPatch& patch = silhouettes_.patches[piece.patch];
+    const Part part{piece.patch, piece.overlapped(), piece.trimmed, piece.box.size()};
+    ScalarNet distance = restricted(weighed(patch.points, plane.weights(patch.center)), part.uv);
+    constexpr int few = 60, many = 400;
+    const auto quick = run({distance, weighed(piece.lowered_planes.net, weights),
+                            sizes.dot(piece.lowered_planes.error)},
+                           part, plane, few);
+    if (quick.unclear.empty()) return add(quick, part, plane, events);
+    ScalarNet exact =
+        restricted(weighed(patch.planes, plane.apex().seen_from(patch.center)), part.uv);
+    return add(run({std::move(distance), std::move(exact)}, part, plane, many), part, plane,
+               events);
 }
 
 std::optional<Vec2> SilhouetteSolver::newton(const OccluderPatch& patch, Vec2 uv,
                                              const Vec2& extent, const SegmentPlane& plane) const {
     constexpr int most_steps = 12;
-    constexpr double settled = 1e-13, astray = 2;
+    constexpr double settled = 1e-15, rounding = 1e-10, astray = 2;
     const Vec2 start = uv;
+    double last = 1;
     for (int i = 0; i < most_steps; ++i) {
         const Vec2 step = jacobian(jet_at(patch, uv), patch.center, plane).newton_step();
         uv += step;
         if (!within((uv - start) / extent, astray)) return std::nullopt;
-        if (within(step / extent, settled)) return uv;
+        // Steps that small and no longer shrinking are rounding.
+        const double size = std::max(std::abs(step.x), std::abs(step.y));
+        if (size <= settled || (size <= rounding && size > last / 2)) return uv;
+        last = size;
     }
     return std::nullopt;
 }
 
-bool SilhouetteSolver::search(const Part& part, const SegmentPlane& plane,
-                              std::vector<VisibilityEvent>& events) const {
+SilhouetteSearch::Result SilhouetteSolver::run(const SilhouetteSearch& search, const Part& part,
+                                               const SegmentPlane& plane, int most_boxes) const {
     const OccluderPatch& patch = silhouettes_.patches[part.patch];
     const Apex& apex = plane.apex();
     const Vec2 extent = part.uv.extent();
@@ -168,10 +188,6 @@ bool SilhouetteSolver::search(const Part& part, const SegmentPlane& plane,
     const auto place = [&](const Vec2& at) {
         return patch.center + jet_at(patch, to_patch(at)).position;
     };
-    SilhouetteSearch search(
-        restricted(weighed(patch.points, plane.weights(patch.center)), part.uv),
-        restricted(weighed(patch.planes, apex.seen_from(patch.center)), part.uv));
-    if (part.foot) search.leave_out((*part.foot - part.uv.lower) / extent);
     const auto solve = [&](const Vec2& at, const Vec2& size) -> std::optional<Vec2> {
         const auto root = newton(patch, to_patch(at), size * extent, plane);
         return root ? std::optional((*root - part.uv.lower) / extent) : std::nullopt;
@@ -183,11 +199,18 @@ bool SilhouetteSolver::search(const Part& part, const SegmentPlane& plane,
         const double away = (place(box.center()) - apex.place()).length() - step;
         return step / std::max(away, 1e-300) * (plane.at(0.5) - apex.place()).length() / length;
     };
-    const SilhouetteSearch::Result found = search.run(solve, spread);
-    for (const Vec2& root : found.roots)
-        add(patch, part.trimmed, to_patch(root), plane, events);
-    for (const Vec2& at : found.unclear)
-        if (const auto t = plane.hidden_by(place(at))) events.push_back({*t, 0});
+    return search.run(solve, spread, most_boxes);
+}
+
+bool SilhouetteSolver::add(const SilhouetteSearch::Result& found, const Part& part,
+                           const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const {
+    const OccluderPatch& patch = silhouettes_.patches[part.patch];
+    const auto to_patch = [&](const Vec2& at) { return part.uv.lower + part.uv.extent() * at; };
+    for (const Vec2& root : found.roots) add(patch, part.trimmed, to_patch(root), plane, events);
+    for (const Vec2& at : found.unclear) {
+        const Vec3 x = patch.center + jet_at(patch, to_patch(at)).position;
+        if (const auto t = plane.hidden_by(x)) events.push_back({*t, 0});
+    }
     return found.certain;
 }
 

@@ -2,6 +2,7 @@
 
 #include "keiko/trace/segment_plane.h"
 #include "keiko/trace/silhouette_piece.h"
+#include "keiko/trace/silhouette_search.h"
 #include "keiko/trace/surface_jet.h"
 
 #include <vector>
@@ -21,6 +22,7 @@ struct OwnCandidate {
     Box2 uv;                 ///< of that patch: the pieces around, and the apex
     Vec2 foot{0};            ///< the apex
     bool trimmed = false;
+    ScalarNet edge_on{}; ///< zero where the part is seen edge-on
 };
 
 /// All that one apex may see edge-on.
@@ -40,15 +42,16 @@ public:
 
     /// Adds a piece to the candidates of an apex that may see it edge-on.
     void add_candidate(std::uint32_t piece, const Apex& apex, SilhouetteCandidates& all) const;
-    /// Drops own candidates that no plane through the apex cuts a silhouette of.
-    void drop_convex(const Apex& apex, SilhouetteCandidates& all) const;
+    /// Once all are added: makes the own ones ready, and drops those that no plane through the apex
+    /// cuts a silhouette of.
+    void finish(const Apex& apex, SilhouetteCandidates& all) const;
     /// Appends the events; false when some could not be told apart.
     bool find(const SilhouetteCandidates& candidates, const SegmentPlane& plane,
               std::vector<VisibilityEvent>& events) const;
 
 private:
-    /// Where an apex on the surface lies on a piece's patch, or on its continuation close by: on its
-    /// own patch, on a neighbour, or on another face's share of the same surface.
+    /// Where an apex on the surface lies on a piece's patch, or on its continuation close by: on
+    /// its own patch, on a neighbour, or on another face's share of the same surface.
     std::optional<Vec2> foot(const SilhouettePiece& piece, const Apex& apex) const;
     bool find_on_piece(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
                        std::vector<VisibilityEvent>& events) const;
@@ -56,16 +59,17 @@ private:
     /// against `extent`.
     std::optional<Vec2> newton(const OccluderPatch& patch, Vec2 uv, const Vec2& extent,
                                const SegmentPlane& plane) const;
-    /// Searches a part of a patch, in which an apex on the patch may lie.
+    /// A part of a patch that is searched.
     struct Part {
         std::uint32_t patch;
         Box2 uv;
-        std::optional<Vec2> foot;
         bool trimmed;
         double size; ///< mm
     };
-    bool search(const Part& part, const SegmentPlane& plane,
-                std::vector<VisibilityEvent>& events) const;
+    SilhouetteSearch::Result run(const SilhouetteSearch& search, const Part& part,
+                                 const SegmentPlane& plane, int most_boxes) const;
+    bool add(const SilhouetteSearch::Result& found, const Part& part, const SegmentPlane& plane,
+             std::vector<VisibilityEvent>& events) const;
     SurfaceJet jet_at(const OccluderPatch& patch, const Vec2& uv) const;
     void add(const OccluderPatch& patch, bool trimmed, const Vec2& uv, const SegmentPlane& plane,
              std::vector<VisibilityEvent>& events) const;

@@ -109,6 +109,14 @@ std::optional<unsigned> axis_to_halve(const SilhouettePiece& piece) {
     return std::nullopt;
 }
 
+/// Of few coefficients, for a search that splits the piece.
+LoweredNet lowered_planes(const OccluderPatch& patch, const SilhouettePiece& piece) {
+    constexpr int enough = 5;
+    const HomogeneousNet planes =
+        moved_planes(part_of(patch.planes, piece.overlapped()), piece.center - patch.center);
+    return lowered(turned(planes, piece.rows), enough);
+}
+
 Box2 face_box(const OccluderPatch& patch, const Box2& uv) {
     Box2 box;
     box.extend(patch.face_parameters(uv.lower));
@@ -124,6 +132,7 @@ void split(const OccluderPatch& patch, const TrimRegion& region, const Box2& uv,
     SilhouettePiece piece = piece_over(patch, uv);
     const auto axis = axis_to_halve(piece);
     if (!axis || halved[*axis] >= most_halvings) {
+        piece.lowered_planes = lowered_planes(patch, piece);
         piece.trimmed = side == TrimSide::mixed;
         pieces.push_back(std::move(piece));
         return;

@@ -6,6 +6,7 @@
 #include "keiko/patch/trim_region.h"
 #include "keiko/trace/affine_net.h"
 #include "keiko/trace/apex.h"
+#include "keiko/trace/lowered_net.h"
 
 #include <vector>
 
@@ -42,8 +43,15 @@ struct SilhouettePiece {
     Vec3 center{0};
     std::array<Vec3, 3> rows{Vec3(0), Vec3(0), Vec3(0)};
     AffineNet points, planes;
-    double normal_angle = 4; ///< rad, half angle of the cone about rows[2] that holds all normals
+    LoweredNet lowered_planes; ///< over the piece and its overlap
+    double normal_angle = 4;   ///< rad, half angle of the cone about rows[2] that holds all normals
 
+    /// The piece's share of its patch with what it overlaps its neighbours by, so that no event
+    /// falls between them.
+    Box2 overlapped() const {
+        constexpr double overlap = 1e-7;
+        return {uv.lower - uv.extent() * overlap, uv.upper + uv.extent() * overlap};
+    }
     /// What weighs `planes` into the function that is zero where `apex` sees the piece edge-on.
     Vec4 weights(const Apex& apex) const { return local(apex.seen_from(center)); }
     /// What weighs `points` into the distance to a plane, from its weights relative to `center`.

@@ -26,8 +26,8 @@ Slopes slopes_of(const ScalarNet& net) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < net.rows; ++i)
         for (std::size_t j = 0; j < net.columns; ++j) {
-            const double rest = net.at(i, j) - x.middle * place(i, net.rows) -
-                                y.middle * place(j, net.columns);
+            const double rest =
+                net.at(i, j) - x.middle * place(i, net.rows) - y.middle * place(j, net.columns);
             low = std::min(low, rest);
             high = std::max(high, rest);
         }
@@ -36,9 +36,9 @@ Slopes slopes_of(const ScalarNet& net) {
             Vec2(x.half, y.half) / std::max(size, x.half + y.half)};
 }
 
-bool may_vanish(const ScalarNet& net) {
+bool may_vanish(const ScalarNet& net, double error) {
     const auto [low, high] = std::minmax_element(net.c.begin(), net.c.end());
-    const double slack = 1e-14 * std::max(std::abs(*low), std::abs(*high));
+    const double slack = error + 1e-14 * std::max(std::abs(*low), std::abs(*high));
     return *low <= slack && *high >= -slack;
 }
 
@@ -59,6 +59,10 @@ Interval square(const NetRange& a) {
     const double low = a.low() * a.low(), high = a.high() * a.high();
     return {a.holds_zero() ? 0 : std::min(low, high), std::max(low, high)};
 }
+
+/// Bound of a polynomial's slope on [-1, 1] for values up to 1: its degree squared; the higher one
+/// that the true g may have.
+constexpr double steepest = (3.0 * max_occluder_degree - 1) * (3.0 * max_occluder_degree - 1);
 
 /// The parts of a box beside an inner one.
 void add_ring(const Box2& outer, const Box2& inner, std::vector<Box2>& boxes) {
@@ -96,8 +100,8 @@ bool SilhouetteSearch::bends_one_way(const ScalarNet& f, const ScalarNet& g) con
     return low > 0 || high < 0;
 }
 
-SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread& spread) const {
-    constexpr int most_boxes = 400;
+SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread& spread,
+                                               int most_boxes) const {
     constexpr double sharpest = 1e-11; ///< of the segment: closer events are one
     Result result;
     std::vector<Box2> open{unit_square};
@@ -106,9 +110,9 @@ SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread&
         open.pop_back();
         const bool whole = box == unit_square;
         const ScalarNet f = whole ? f_ : restricted(f_, box);
-        if (!may_vanish(f)) continue;
+        if (!may_vanish(f, 0)) continue;
         const ScalarNet g = whole ? g_ : restricted(g_, box);
-        if (!may_vanish(g)) continue;
+        if (!may_vanish(g, error_)) continue;
         const Vec2 size = box.extent();
         const double widest = std::max(size.x, size.y);
         if (foot_ && box.contains(*foot_)) {
@@ -120,7 +124,10 @@ SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread&
             add_ring(box, inner, open);
             continue;
         }
-        const Slopes a = slopes_of(f), b = slopes_of(g);
+        Slopes a = slopes_of(f), b = slopes_of(g);
+        // By Markov's inequality on the searched box: derivatives of what g is off by.
+        b.all.off += error_;
+        b.all.slope += 2 * steepest * error_ * std::max(size.x, size.y);
         const LinearPair pair(a.all, b.all);
         if (pair.root_is_outside()) continue;
         if (pair.variation() < LinearPair::proved) {

@@ -15,15 +15,17 @@ bool is_convex(const ScalarNet& g);
 /// piece is split until on each part the functions are proved to have at most one, or none.
 class SilhouetteSearch {
 public:
-    /// f and g over the searched box, [0, 1]^2 of its own parameters.
-    SilhouetteSearch(ScalarNet f, ScalarNet g) : f_(std::move(f)), g_(std::move(g)) {}
+    /// f and g over the searched box, [0, 1]^2 of its own parameters; `error`: bound of what g may
+    /// be off by.
+    SilhouetteSearch(ScalarNet f, ScalarNet g, double error = 0)
+        : f_(std::move(f)), g_(std::move(g)), error_(error) {}
 
     /// A place where f, g and both derivatives of g vanish: the apex itself, on the surface. It is
     /// no event, and no other is near it where g bends one way.
     void leave_out(const Vec2& foot) { foot_ = foot; }
 
-    /// Newton's method for the exact functions from a place in a box of this extent; nothing when it
-    /// fails.
+    /// Newton's method for the exact functions from a place in a box of this extent; nothing when
+    /// it fails.
     using Solve = std::function<std::optional<Vec2>(const Vec2& start, const Vec2& extent)>;
     /// How far an event can be moved along the segment, in its parameter, by moving within a box.
     using Spread = std::function<double(const Box2&)>;
@@ -32,12 +34,13 @@ public:
         std::vector<Vec2> unclear; ///< boxes' middles where an event cannot be told from several
         bool certain = true;       ///< false when unclear boxes are wide
     };
-    Result run(const Solve& solve, const Spread& spread) const;
+    Result run(const Solve& solve, const Spread& spread, int most_boxes) const;
 
 private:
     bool bends_one_way(const ScalarNet& f, const ScalarNet& g) const;
 
     ScalarNet f_, g_;
+    double error_;
     std::optional<Vec2> foot_;
 };
 

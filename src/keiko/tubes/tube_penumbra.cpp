@@ -52,7 +52,8 @@ public:
         const SubAxis axis = sub_axis(x);
         const double all = lit(axis, 0, 1);
         if (all == 0) return {0, 0};
-        const Vec3 foot = point_ + (view_.sideways * axis.sine - view_.towards * axis.cosine) * axis.r;
+        const Vec3 foot =
+            point_ + (view_.sideways * axis.sine - view_.towards * axis.cosine) * axis.r;
         const Segment line{foot + view_.along * view_.x_at(0), foot + view_.along * view_.x_at(1)};
         double hidden = 0;
         for (const ParameterInterval& dark : visible_.intervals(line).complement())
@@ -68,8 +69,7 @@ private:
     }
     double lit(const SubAxis& axis, double begin, double end) const {
         const double al = view_.n_lamp * axis.cosine + view_.n_sideways * axis.sine;
-        return axis.weight * arc_integral(al, view_.n_along,
-                                          std::atan2(view_.x_at(begin), axis.r),
+        return axis.weight * arc_integral(al, view_.n_along, std::atan2(view_.x_at(begin), axis.r),
                                           std::atan2(view_.x_at(end), axis.r));
     }
     /// The near side of the tube: sin psi = (R / D) sin (pi x / 2), smooth up to the outline.

@@ -23,8 +23,7 @@ struct Shade {
         : model(occluders_of(row)),
           tracer(model),
           occluders(model, tracer),
-          lamp{row.vector("in.A"), row.vector("in.B"), row.number("in.d"),
-               Rgb(row.number("in.L"))},
+          lamp{row.vector("in.A"), row.vector("in.B"), row.number("in.d"), Rgb(row.number("in.L"))},
           point(row.vector("in.P")),
           normal(row.unit("in.N")) {
         const double r = lamp.diameter;
@@ -33,7 +32,7 @@ struct Shade {
                 for (const double y : {-r, r})
                     for (const double z : {-r, r}) region.push_back(end + Vec3(x, y, z));
     }
-    SeenPast visible() const { return {occluders, tracer, Apex::at(point), region}; }
+    SeenPast visible() const { return {&occluders, tracer, Apex::at(point), region}; }
 };
 
 TEST(Shadows, MeetTheOracleOfOccludedLampsByTheAxis) {
@@ -55,8 +54,8 @@ TEST(Shadows, MeetTheOracleOfPenumbraeAcrossTheWidth) {
         if (!row.has("out.E_rect_area")) continue;
         const Shade shade(row);
         const SeenPast visible = shade.visible();
-        const double whole = irradiance(shade.lamp, shade.point, shade.normal,
-                                        IntervalSet::whole(), TubeModel::rectangle)
+        const double whole = irradiance(shade.lamp, shade.point, shade.normal, IntervalSet::whole(),
+                                        TubeModel::rectangle)
                                  .r;
         for (const double tolerance : {1e-4, 1e-7}) {
             const double share = visible_share(shade.lamp, shade.point, shade.normal, visible,
