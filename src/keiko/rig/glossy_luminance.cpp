@@ -15,9 +15,9 @@ constexpr double least_share = 1e-4; ///< of a lobe's peak
 template <class Kernel>
 class GlossReceiver {
 public:
-    GlossReceiver(const LightRig& rig, const Vec3& point, const Kernel& kernel,
+    GlossReceiver(const std::optional<Medium>& medium, const Vec3& point, const Kernel& kernel,
                   const Visible& visible, GlossQuadrature quadrature)
-        : rig_(rig),
+        : medium_(medium),
           point_(point),
           kernel_(kernel),
           visible_(visible),
@@ -56,7 +56,7 @@ public:
 
 private:
     Rgb passed(double distance) const {
-        return rig_.medium ? transmittance(*rig_.medium, distance) : Rgb(1);
+        return medium_ ? transmittance(*medium_, distance) : Rgb(1);
     }
 
     Rgb from_lamp(const TubeLamp& lamp, TubeOutline outline) const {
@@ -72,7 +72,7 @@ private:
         });
     }
 
-    const LightRig& rig_;
+    const std::optional<Medium>& medium_;
     const Vec3& point_;
     const Kernel& kernel_;
     const Visible& visible_;
@@ -83,17 +83,15 @@ private:
 } // namespace
 
 template <class Kernel>
-Rgb glossy_luminance(const LightRig& rig, const Vec3& point, const Kernel& kernel,
-                     const Visible& visible, GlossQuadrature quadrature) {
-    const GlossReceiver receiver(rig, point, kernel, visible, quadrature);
-    Rgb sum;
-    for (const LightSource& source : rig.sources) sum += std::visit(receiver, source);
-    return sum;
+Rgb glossy_luminance_from(const LightSource& source, const std::optional<Medium>& medium,
+                          const Vec3& point, const Kernel& kernel, const Visible& visible,
+                          GlossQuadrature quadrature) {
+    return std::visit(GlossReceiver(medium, point, kernel, visible, quadrature), source);
 }
 
-template Rgb glossy_luminance(const LightRig&, const Vec3&, const GlossKernel&, const Visible&,
-                              GlossQuadrature);
-template Rgb glossy_luminance(const LightRig&, const Vec3&, const FlakeKernel&, const Visible&,
-                              GlossQuadrature);
+template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&, const Vec3&,
+                                   const GlossKernel&, const Visible&, GlossQuadrature);
+template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&, const Vec3&,
+                                   const FlakeKernel&, const Visible&, GlossQuadrature);
 
 } // namespace keiko
