@@ -24,6 +24,30 @@ bool worse(const Finding& a, const Finding& b) {
     return a.worst.value / a.worst.limit > b.worst.value / b.worst.limit;
 }
 
+/// Whether a place of a face, in world coordinates, lies in one of its irregular patches.
+bool in_irregular_patch(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face,
+                        const Vec3& place) {
+    const Affine& transform = model.instances[instance].transform;
+    constexpr double slack = 1.01; // the border between patches belongs to both
+    const auto by_face = [](const auto& a, const auto& b) { return a.face < b.face; };
+    const auto [begin, end] =
+        std::equal_range(model.irregular_patches.begin(), model.irregular_patches.end(),
+                         IrregularPatch{face, Vec3(0), 0}, by_face);
+    return std::any_of(begin, end, [&](const IrregularPatch& patch) {
+        const Vec3 center = transform.point(patch.center);
+        const Vec3 rim = transform.point(patch.center + Vec3(patch.radius, 0, 0));
+        return (place - center).length() <= slack * (rim - center).length();
+    });
+}
+
+void mark_irregular(const SurfaceModel& model, std::vector<MeasuredSeam>& seams) {
+    for (MeasuredSeam& seam : seams) {
+        const Vec3 place = worst_place(seam);
+        seam.irregular = in_irregular_patch(model, seam.instance_a, seam.face_a, place) ||
+                         in_irregular_patch(model, seam.instance_b, seam.face_b, place);
+    }
+}
+
 } // namespace
 
 Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, double join,
@@ -33,6 +57,7 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     if (!model.lost_faces.empty()) result.verdict = Verdict::undecided;
     result.pieces = pair_seams(model, join, job);
     result.seams = measure_seams(model, result.pieces, preset, join, job);
+    mark_irregular(model, result.seams);
     result.facts = model_facts(model, result.pieces, join, job);
     result.facts.seams = result.seams.size();
     for (std::uint32_t i = 0; i < result.seams.size(); ++i) {

@@ -47,6 +47,10 @@ struct MeasuredSeam {
     std::optional<CurvatureStep> curvature; ///< G2; only where gap and angle pass
     bool crease = false; ///< the largest angle exceeds the preset's feature angle
 
+    /// Its worst place lies in the last ring around an irregular point of a subdivision surface,
+    /// which has no curvature there.
+    bool irregular = false;
+
     /// Of the gap, and except on creases of angle and curvature: the worst.
     Verdict verdict = Verdict::pass;
     /// How far over its limit the worst quantity is: 1 at the limit.

@@ -71,6 +71,7 @@ void scale_lengths(SurfaceModel& model, double factor) {
     for (Vec4& p : model.control_points) p = {p.x * factor, p.y * factor, p.z * factor, p.w};
     for (Edge& edge : model.edges) edge.tolerance *= factor;
     for (Face& face : model.faces) face.approximated *= factor;
+    for (IrregularPatch& p : model.irregular_patches) p.center *= factor, p.radius *= factor;
     for (Repair& repair : model.repairs) repair.size *= factor;
     for (Instance& instance : model.instances) instance.transform.translation *= factor;
 }

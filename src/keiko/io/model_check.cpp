@@ -47,6 +47,10 @@ bool sound(const Face& f, const SurfaceModel& m) {
            std::isfinite(f.approximated);
 }
 
+bool sound(const IrregularPatch& p, const SurfaceModel& m) {
+    return p.face < m.faces.size() && is_finite(p.center) && std::isfinite(p.radius);
+}
+
 bool sound(const Repair& r, const SurfaceModel&) {
     return std::isfinite(r.size);
 }
@@ -80,7 +84,8 @@ std::optional<std::string> structural_fault(const SurfaceModel& m) {
           fault_in("patch ", m.patches, m), fault_in("trim curve ", m.trim_curves, m),
           fault_in("trim loop ", m.trim_loops, m), fault_in("face ", m.faces, m),
           fault_in("edge ", m.edges, m), fault_in("part ", m.parts, m),
-          fault_in("instance ", m.instances, m), fault_in("repair ", m.repairs, m)})
+          fault_in("instance ", m.instances, m),
+          fault_in("irregular patch ", m.irregular_patches, m), fault_in("repair ", m.repairs, m)})
         if (fault) return fault;
     return std::nullopt;
 }

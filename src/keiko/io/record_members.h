@@ -56,6 +56,9 @@ auto members(Is<Instance> auto& i) {
 auto members(Is<LostFace> auto& f) {
     return std::tie(f.id, f.name, f.reason);
 }
+auto members(Is<IrregularPatch> auto& p) {
+    return std::tie(p.face, p.center, p.radius);
+}
 auto members(Is<Repair> auto& r) {
     return std::tie(r.face, r.kind, r.count, r.size, r.detail);
 }
@@ -65,7 +68,7 @@ auto members(Is<Diagnostic> auto& d) {
 auto members(Is<SurfaceModel> auto& m) {
     return std::tie(m.source, m.format, m.unit, m.control_points, m.trim_points, m.patches,
                     m.trim_curves, m.trim_loops, m.faces, m.edges, m.parts, m.instances,
-                    m.lost_faces, m.repairs, m.diagnostics);
+                    m.lost_faces, m.irregular_patches, m.repairs, m.diagnostics);
 }
 
 } // namespace keiko

@@ -71,6 +71,7 @@ void append(SurfaceModel& to, const SurfaceModel& from) {
     const std::uint32_t parts = append(to.parts, from.parts);
     const std::uint32_t instances = append(to.instances, from.instances);
     const std::uint32_t lost = append(to.lost_faces, from.lost_faces);
+    const std::uint32_t irregular = append(to.irregular_patches, from.irregular_patches);
     const std::uint32_t repairs = append(to.repairs, from.repairs);
     append(to.diagnostics, from.diagnostics);
 
@@ -85,6 +86,7 @@ void append(SurfaceModel& to, const SurfaceModel& from) {
     for (auto& p : std::span(to.parts).subspan(parts)) p.first_face += faces;
     for (auto& i : std::span(to.instances).subspan(instances)) i.part += parts;
     for (auto& l : std::span(to.lost_faces).subspan(lost)) l.id += id_offset;
+    for (auto& p : std::span(to.irregular_patches).subspan(irregular)) p.face += faces;
     for (auto& r : std::span(to.repairs).subspan(repairs)) r.face += id_offset;
 }
 

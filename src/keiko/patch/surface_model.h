@@ -80,6 +80,14 @@ struct LostFace {
     std::string reason;
 };
 
+/// A patch in the last ring around an irregular point of a subdivision surface: it stands in for a
+/// surface that has no curvature there.
+struct IrregularPatch {
+    std::uint32_t face = 0; ///< into SurfaceModel::faces
+    Vec3 center{0};         ///< of a ball around the patch, as control points
+    double radius = 0;      ///< mm
+};
+
 /// What a CAD file, a cage or a patch file becomes: rational Bezier patches with trim loops,
 /// in millimetres, in flat arrays.
 struct SurfaceModel {
@@ -97,8 +105,9 @@ struct SurfaceModel {
     std::vector<Part> parts;
     std::vector<Instance> instances;
     std::vector<LostFace> lost_faces;
-    std::vector<Repair> repairs; ///< by face, in the order of the faces
-    Diagnostics diagnostics;     ///< other remarks of the import
+    std::vector<IrregularPatch> irregular_patches; ///< by face
+    std::vector<Repair> repairs;                   ///< by face, in the order of the faces
+    Diagnostics diagnostics;                       ///< other remarks of the import
 
     BezierPatchView patch(std::uint32_t index) const;
     BezierCurveView trim_curve(std::uint32_t index) const;

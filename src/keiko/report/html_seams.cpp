@@ -68,14 +68,20 @@ std::string close_up(const Report& report, std::uint32_t seam) {
     return "";
 }
 
+/// Where a subdivision surface has no curvature a failed limit says nothing of the cage.
+std::string irregular_note(const MeasuredSeam& seam) {
+    return seam.irregular ? ", at an irregular point of the cage" : "";
+}
+
 std::string seam_card(const Report& report, std::size_t rank, std::uint32_t index) {
     const MeasuredSeam& seam = report.inspection.seams[index];
     return "<div class=\"card seam " + tone_of(seam) + "\"><div class=\"rank\">" +
            std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" +
            html_escaped(seam.faces) + "</div><div class=\"soft small\">at " +
-           place_text(worst_place(seam)) + " · " + fixed_number(seam.length, 1) +
-           " mm long</div><div class=\"measures\">" + gap_measure(seam.gap) + angle_measure(seam) +
-           curvature_measure(seam) + "</div></div>" + close_up(report, index) + "</div>\n";
+           place_text(worst_place(seam)) + irregular_note(seam) + " · " +
+           fixed_number(seam.length, 1) + " mm long</div><div class=\"measures\">" +
+           gap_measure(seam.gap) + angle_measure(seam) + curvature_measure(seam) + "</div></div>" +
+           close_up(report, index) + "</div>\n";
 }
 
 std::string cell(const std::string& sort_key, const std::string& text,
@@ -108,7 +114,8 @@ std::string row(std::size_t number, const MeasuredSeam& seam) {
                            : cell("", "–");
     html += number_cell(seam.length, fixed_number(seam.length, 1), false);
     const Vec3 place = worst_place(seam);
-    return html + cell(short_number(place.x, 9), place_text(place)) + "</tr>\n";
+    return html + cell(short_number(place.x, 9), place_text(place) + irregular_note(seam)) +
+           "</tr>\n";
 }
 
 } // namespace

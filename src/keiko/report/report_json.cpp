@@ -34,6 +34,7 @@ Json seam_json(const MeasuredSeam& seam) {
                  {"instances", {seam.instance_a, seam.instance_b}},
                  {"verdict", name_of(seam.verdict)},
                  {"crease", seam.crease},
+                 {"irregular", seam.irregular},
                  {"severity", seam.severity},
                  {"length", seam.length},
                  {"middle", point(seam.middle)},

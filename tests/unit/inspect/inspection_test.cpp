@@ -67,6 +67,16 @@ TEST(Inspect, ReportsGapsUnderTheirCode) {
     EXPECT_EQ(inspect(strips({0}, 0.04), preset_by_name("engineering")).verdict, Verdict::pass);
 }
 
+TEST(Inspect, MarksSeamsThatAreWorstAtAnIrregularPoint) {
+    SurfaceModel model = strips({0}, 0.04);
+    EXPECT_FALSE(inspect(model).seams[0].irregular);
+    const Vec3 worst = inspect(model).seams[0].gap.place;
+    model.irregular_patches = {{0, worst + Vec3(0, 0, 3), 1}, {1, worst + Vec3(0, 1, 0), 2}};
+    EXPECT_TRUE(inspect(model).seams[0].irregular);
+    model.irregular_patches.pop_back();
+    EXPECT_FALSE(inspect(model).seams[0].irregular);
+}
+
 TEST(Inspect, NamesTheInstancesWhereThereAreSeveral) {
     ModelBuilder builder;
     test::flat_sheet(builder, {0, 50, 0});

@@ -25,6 +25,7 @@ SurfaceModel full_model() {
     model.trim_curves[0].edge = 0;
     model.patches[0].map_u = {ParameterMap::Kind::circular, 0.5, 1.5};
     model.lost_faces.push_back({2, "lost", "an infinite plane"});
+    model.irregular_patches.push_back({0, {1, 2, 3}, 0.5});
     model.repairs.push_back({1, RepairKind::gap_bridged, 3, 0.25, "words"});
     model.diagnostics.push_back({Severity::warning, "face 1", "remark"});
     return model;

@@ -114,6 +114,18 @@ TEST_F(SubdivisionModel, EachEdgeOfTheCageIsASeam) {
     expect_seams("cage-icosahedron.obj", 30);
 }
 
+TEST_F(SubdivisionModel, PatchesAroundIrregularPointsAreMarkedByFace) {
+    // The middle of the triangle is a point of three faces.
+    const SurfaceModel model = load(house);
+    ASSERT_GE(model.irregular_patches.size(), 3u);
+    for (std::size_t i = 0; i < model.irregular_patches.size(); ++i) {
+        const IrregularPatch& patch = model.irregular_patches[i];
+        EXPECT_GT(model.faces.at(patch.face).patch_count, 0u);
+        EXPECT_LT(patch.radius, 0.1);
+        EXPECT_GE(patch.face, model.irregular_patches[i > 0 ? i - 1 : 0].face);
+    }
+}
+
 TEST_F(SubdivisionModel, TheSameFileGivesTheSameModel) {
     const auto path = test::repository("surfaces/cage-panel.obj");
     const SurfaceModel a = read_subdivision_file(path), b = read_subdivision_file(path);

@@ -29,6 +29,8 @@ public:
     SurfaceModel write() {
         for (const std::vector<LimitTable::Index>& indices : patches_by_face(table_)) {
             begin_face(table_.place(indices.front()).face);
+            for (const LimitTable::Index index : indices)
+                if (!table_.exact(index)) append_irregular(index);
             if (table_.triangular())
                 append(triangle_patches(table_, indices));
             else
@@ -44,6 +46,7 @@ private:
 
     void begin_face(std::uint32_t base);
     void append(const std::vector<LimitPatch>& patches);
+    void append_irregular(LimitTable::Index cap);
     std::string name(const Base& base) const;
 
     const Cage& cage_;
@@ -87,6 +90,17 @@ void ModelWriter::append(const std::vector<LimitPatch>& patches) {
         model_.patches.push_back(patch);
         ++model_.faces.back().patch_count;
     }
+}
+
+void ModelWriter::append_irregular(LimitTable::Index cap) {
+    const double far = table_.triangular() ? 0.5 : 1;
+    const auto at = [&](double u, double v) { return table_.evaluate(cap, u, v).position; };
+    const Vec3 middle = at(far / 2, far / 2);
+    double radius = 0;
+    for (const Vec2& corner : {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1), Vec2(far, far)})
+        radius = std::max(radius, (at(corner.x, corner.y) - middle).length());
+    model_.irregular_patches.push_back(
+        {size32(model_.faces) - 1, table_.center() + middle, radius});
 }
 
 /// mm, from corner to corner.
