@@ -104,8 +104,10 @@ ApexView::ApexView(const Occluders& occluders, const Tracer& tracer, const Apex&
     scene.border_pieces.find(volume, apex, candidates_->borders);
     if (apex.excluded()) candidates_->normal = scene.silhouettes.normal_at(*apex.excluded());
     candidates_->region_touched = scene.surface.touches(volume.region());
-    if (candidates_->nothing_happens_in(region))
-        candidates_->all_seen = candidates_->sees(volume.region().center());
+    if (!candidates_->nothing_happens_in(region)) return;
+    Vec3 middle(0);
+    for (const Vec3& corner : region) middle += corner / static_cast<double>(region.size());
+    candidates_->all_seen = candidates_->sees(middle);
 }
 
 ApexView::~ApexView() = default;

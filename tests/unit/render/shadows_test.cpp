@@ -65,5 +65,30 @@ TEST(Shadows, MeetTheOracleOfPenumbraeAcrossTheWidth) {
     }
 }
 
+/// A plate under one lamp, half of which a board hides from the plate's middle.
+TEST(Shadows, TakeHalfOfALampThatABoardHalfHides) {
+    ModelBuilder builder;
+    builder.plane({-100, -100, 0}, {200, 0, 0}, {0, 200, 0});
+    builder.plane({0, -500, 500}, {500, 0, 0}, {0, 1000, 0});
+    const SurfaceModel model = builder.build();
+    const Tracer tracer(model);
+    const Occluders occluders(model, tracer);
+    LightRig rig;
+    rig.sources = {
+        CPlane{.origin = {-600, -500, 1000}, .u = {1200, 0, 0}, .v = {0, 1000, 0}, .lamps = 1}};
+    Ray down;
+    down.origin = {0, 0, 100};
+    down.direction = {0, 0, -1};
+    const auto hit = tracer.nearest(down);
+    ASSERT_TRUE(hit);
+    const auto lit = [&](const Occluders* shadows) {
+        return ShadowedRig(rig, shadows, tracer)
+            .illuminance(hit->position, Vec3(0, 0, 1), hit->root, TubeModel::automatic)
+            .r;
+    };
+    EXPECT_GT(lit(nullptr), 10);
+    EXPECT_NEAR(lit(&occluders), lit(nullptr) / 2, 1e-4 * lit(nullptr)) << "by symmetry";
+}
+
 } // namespace
 } // namespace keiko
