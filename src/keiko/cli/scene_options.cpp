@@ -75,14 +75,13 @@ void SceneArguments::add_picture_size(CLI::App& command) {
 }
 
 void SceneArguments::add_shadows(CLI::App& command) {
-    options.shadows = true;
-    command.add_flag("--no-shadows", no_shadows, "light bodies as if nothing stood in the way");
+    command.add_flag("--shadows", options.shadows,
+                     "bodies cast shadows, exact ones; takes many times as long");
 }
 
 Scene SceneArguments::open(const Job& job) const {
     SceneOptions all = options;
     all.load = load_options(*this);
-    all.shadows = options.shadows && !no_shadows;
     all.clipping_only = intersector == "clipping";
     const PictureSize wanted = size.empty() ? PictureSize{} : parse_size(size);
     Scene scene = open_scene(inputs, all, job);

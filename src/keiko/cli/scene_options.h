@@ -15,7 +15,6 @@ struct SceneArguments {
     std::vector<std::filesystem::path> inputs;
     SceneOptions options;
     std::string size, intersector = "proving";
-    bool no_shadows = false;
     double import_timeout = 120; ///< s
     double import_memory = 16;   ///< GiB
 
@@ -23,7 +22,7 @@ struct SceneArguments {
     void add_to(CLI::App& command, const std::string& what);
     /// Adds the size of the pictures that a command makes.
     void add_picture_size(CLI::App& command);
-    /// Makes bodies cast shadows, and adds the option that they do not.
+    /// Adds the option that bodies cast shadows.
     void add_shadows(CLI::App& command);
     /// Opens the scene, and warns of every face that could not be read.
     Scene open(const Job& job) const;
