@@ -29,7 +29,7 @@ void add_illuminance(CLI::App& app, Session& session) {
                             "tell how much light lamps shed on points: CSV from standard input to "
                             "standard output");
     arguments->add_to(command, "SCENE");
-    arguments->add_shadows(command);
+    arguments->options.shadows = true;
     command.footer(
         "Reads x,y,z,nx,ny,nz a line: a point (mm) and the normal of the surface there, of any "
         "length (line 1 may name the columns). Writes a header line and a row for each point in "

@@ -21,7 +21,7 @@ int trace(const TraceArguments& arguments, const Job& job) {
     const StandardOutput output(job);
     SceneArguments inputs = arguments.scene;
     // Only light is shadowed, and what casts shadows takes time to find.
-    inputs.options.shadows = light_column(hit_columns(arguments.options.columns)).has_value();
+    if (!light_column(hit_columns(arguments.options.columns))) inputs.options.shadows = false;
     const Scene scene = inputs.open(job);
     const TraceCounts counts = trace_rays(
         scene, [&](std::span<char> bytes) { return input.read(bytes); },

@@ -10,21 +10,18 @@ IntervalSet SeenPast::intervals(const Segment& segment) const {
     return view_->intervals(segment.a, segment.b).intervals;
 }
 
-SeenPast ShadowedRig::seen_from(const Vec3& point, const std::optional<Root>& root) const {
-    std::vector<Vec3> region;
-    if (occluders_)
-        for (const LightSource& source : rig_.sources)
-            for (const Vec3& corner : source_region(source, point)) region.push_back(corner);
-    return {occluders_, tracer_, Apex::at(point, root), std::move(region)};
+SeenPast ShadowedRig::seen_from(const Vec3& point, const std::optional<Root>& root,
+                                const LightSource& source) const {
+    return {occluders_, tracer_, Apex::at(point, root),
+            occluders_ ? source_region(source, point) : std::vector<Vec3>()};
 }
 
 Rgb ShadowedRig::from_source(std::size_t source, const Vec3& point, const Vec3& normal,
                              const std::optional<Root>& root, TubeModel model,
                              const ClearCoat* coat) const {
     const LightSource& light = rig_.sources[source];
-    const SeenPast visible(occluders_, tracer_, Apex::at(point, root),
-                           occluders_ ? source_region(light, point) : std::vector<Vec3>());
-    return illuminance_from(light, rig_.medium, point, normal, visible, model, coat);
+    return illuminance_from(light, rig_.medium, point, normal, seen_from(point, root, light), model,
+                            coat);
 }
 
 Rgb ShadowedRig::illuminance(const Vec3& point, const Vec3& normal, const std::optional<Root>& root,

@@ -48,12 +48,16 @@ public:
     /// cd/m2 that the lobe of a kernel sends to its eye, as glossy_luminance.
     template <class Kernel>
     Rgb glossy(const Vec3& point, const std::optional<Root>& root, const Kernel& kernel) const {
-        return glossy_luminance(rig_, point, kernel, seen_from(point, root));
+        Rgb sum;
+        for (const LightSource& source : rig_.sources)
+            sum += glossy_luminance_from(source, rig_.medium, point, kernel,
+                                         seen_from(point, root, source));
+        return sum;
     }
 
 private:
-    /// Past the surfaces to all sources.
-    SeenPast seen_from(const Vec3& point, const std::optional<Root>& root) const;
+    SeenPast seen_from(const Vec3& point, const std::optional<Root>& root,
+                       const LightSource& source) const;
 
     const LightRig& rig_;
     const Occluders* occluders_;

@@ -99,7 +99,7 @@ private:
         const TopAbs_State state = classifier_.Perform(gp_Pnt2d(at.x, at.y), true);
         const bool decided = state == TopAbs_IN || state == TopAbs_OUT;
         if (decided && (state == TopAbs_IN) == ours) return;
-        const Vec2 lengths = lengths_at(model_, *patch, at);
+        const ParameterMetric lengths(lengths_at(model_, *patch, at));
         if (material_.nearest_edge(at, lengths, anywhere)) {
             ++tally_.at_border;
         } else if (!decided) {
