@@ -12,8 +12,7 @@ namespace {
 using Coefficients = std::array<double, BorderPiece::points>;
 
 /// Distances of the control points to the plane.
-Coefficients distances(const BorderPiece& border, const SegmentPlane& plane) {
-    const Vec4 weights = plane.weights(border.center);
+Coefficients distances(const BorderPiece& border, const Vec4& weights) {
     const Vec3 normal(weights.x, weights.y, weights.z);
     Coefficients c;
     for (std::size_t i = 0; i < c.size(); ++i) c[i] = normal.dot(border.curve[i]) + weights.w;
@@ -71,7 +70,9 @@ int dark_side(const BorderPiece& border, double t, const SegmentPlane& plane) {
 
 void find_border_events(const BorderPiece& border, std::span<const TrimRegion> regions,
                         const SegmentPlane& plane, std::vector<VisibilityEvent>& events) {
-    const Coefficients c = distances(border, plane);
+    const Vec4 weights = plane.weights(border.center);
+    if (std::abs(weights.w) > border.radius) return;
+    const Coefficients c = distances(border, weights);
     const auto [low, high] = std::minmax_element(c.begin(), c.end());
     const double slack = border.error + 1e-14 * std::max(std::abs(*low), std::abs(*high));
     if (*low > slack || *high < -slack) return;

@@ -140,6 +140,7 @@ private:
         piece.center = piece.box.center();
         for (std::size_t i = 0; i < curve.size(); ++i) piece.curve[i] = curve[i] - piece.center;
         piece.box = piece.box.padded(piece.error);
+        piece.radius = piece.box.size() / 2;
         const Vec2 first = kind_.first, way = kind_.last - kind_.first;
         piece.first = first + way * a;
         piece.last = first + way * b;

@@ -15,6 +15,7 @@ struct BorderPiece {
 
     std::uint32_t instance = 0, face = 0;
     Vec3 center{0};
+    double radius = 0; ///< mm, of the ball about the centre that holds the curve
     std::array<Vec3, points> curve{Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0)};
     double error = 0; ///< mm, largest distance to the exact curve that was met between its ends
     Box3 box;
