@@ -4,6 +4,8 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
+#include <utility>
+
 namespace keiko {
 
 /// Tells the thread sanitizer an order that it cannot see, because the library that ensures it is
@@ -34,6 +36,28 @@ public:
 
 private:
     HappensBefore& order_;
+};
+
+/// A callable that a library copies from thread to thread: whoever calls it knows what was written
+/// before it was copied, what it has captured among it.
+template <class Callable>
+class HandedOver {
+public:
+    explicit HandedOver(Callable callable) : callable_(std::move(callable)) { order_.before(); }
+    HandedOver(const HandedOver& other) : callable_((order_.after(), other.callable_)) {
+        order_.before();
+    }
+    HandedOver& operator=(const HandedOver&) = delete;
+
+    template <class... Arguments>
+    auto operator()(Arguments&&... arguments) const {
+        order_.after();
+        return callable_(std::forward<Arguments>(arguments)...);
+    }
+
+private:
+    static inline HappensBefore order_;
+    Callable callable_;
 };
 
 } // namespace keiko

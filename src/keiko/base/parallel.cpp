@@ -44,23 +44,20 @@ int arena_size(int threads) {
 void parallel_for(std::size_t count, const Job& job, std::string_view stage,
                   const std::function<void(std::size_t)>& body) {
     StageProgress progress(job, stage, count);
-    HappensBefore start, end;
-    start.before();
+    HappensBefore end;
     tbb::task_arena arena(arena_size(job.threads));
     arena.execute([&] {
         // simple_partitioner: one task an index, so that a stop request is seen soon.
-        tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, count, 1),
-            [&](const tbb::blocked_range<std::size_t>& range) {
-                start.after();
-                for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                    job.check();
-                    body(i);
-                    progress.one_done();
-                }
-                end.before();
-            },
-            tbb::simple_partitioner{});
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1),
+                          HandedOver([&](const tbb::blocked_range<std::size_t>& range) {
+                              for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                                  job.check();
+                                  body(i);
+                                  progress.one_done();
+                              }
+                              end.before();
+                          }),
+                          tbb::simple_partitioner{});
     });
     end.after();
 }
@@ -71,24 +68,24 @@ void parallel_stream(std::size_t slots, const Job& job, const StreamStages& stag
     HappensBefore reads, writes;
     std::vector<HappensBefore> stages_of(slots);
     // At most `slots` are under way and they are written in order: the next one is free again.
-    const auto read = [&](tbb::flow_control& control) -> std::size_t {
+    const HandedOver read([&](tbb::flow_control& control) -> std::size_t {
         const Turn turn(reads);
         job.check();
         const std::size_t slot = begun++ % slots;
         const Turn stage(stages_of[slot]);
         if (enough || !stages.read(slot)) control.stop();
         return slot;
-    };
-    const auto work = [&](std::size_t slot) {
+    });
+    const HandedOver work([&](std::size_t slot) {
         const Turn stage(stages_of[slot]);
         if (!enough) stages.work(slot);
         return slot;
-    };
-    const auto write = [&](std::size_t slot) {
+    });
+    const HandedOver write([&](std::size_t slot) {
         const Turn turn(writes), stage(stages_of[slot]);
         job.check();
         if (!enough && !stages.write(slot)) enough = true;
-    };
+    });
     reads.before();
     using tbb::filter_mode;
     tbb::task_arena arena(arena_size(job.threads));
