@@ -5,6 +5,9 @@
 #include "keiko/render/shadows.h"
 
 #include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 namespace keiko {
 namespace {
@@ -30,14 +33,36 @@ std::string header_of(const LightRig& rig) {
     return header + "sum\n";
 }
 
+/// A place on the surfaces, to be lit.
+struct Place {
+    Vec3 position;
+    std::optional<Root> root; ///< its own, if it is on one
+};
+
+/// The point of a surface that is nearest along the normal, if it is so near that it is meant:
+/// coordinates are written with a few digits.
+Place place_of(const Tracer& surfaces, const Vec3& point, const Vec3& normal) {
+    constexpr double meant = 1e-3; // mm
+    Ray across;
+    across.origin = point;
+    across.direction = normal;
+    across.t_min = -meant, across.t_max = meant;
+    Place place{point, {}};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Hit& hit : surfaces.all(across))
+        if (std::abs(hit.t) < nearest) nearest = std::abs(hit.t), place = {hit.position, hit.root};
+    return place;
+}
+
 void append_row(std::string& text, const Scene& scene, const Ray& point) {
     const Vec3 normal = point.direction.normalized();
     const ShadowedRig lights(*scene.rig, scene.occluders ? &*scene.occluders : nullptr,
                              scene.seen());
+    const Place place = place_of(scene.seen(), point.origin, normal);
     Rgb sum;
     for (std::size_t i = 0; i < scene.rig->sources.size(); ++i) {
         const Rgb lx =
-            lights.from_source(i, point.origin, normal, std::nullopt, TubeModel::automatic);
+            lights.from_source(i, place.position, normal, place.root, TubeModel::automatic);
         append_number(text, luminance(lx));
         text += ',';
         sum += lx;

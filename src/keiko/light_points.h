@@ -10,8 +10,8 @@ namespace keiko {
 /// illuminance in lx as CSV: a header line, then for each point in order a row of what each source
 /// of the scene's rig sheds on it, and their sum; the luminance of coloured light. Columns are
 /// named by kind and number of the source, "c_plane.0", and "sum". Rows are written as points come,
-/// in constant memory, and are the same bytes for any thread count. Bodies cast shadows if
-/// the scene was opened with them. Ends
+/// in constant memory, and are the same bytes for any thread count. A point within 1e-3 mm of
+/// a surface is taken to lie on it. Bodies cast shadows if the scene was opened with them. Ends
 /// early when the sink wants no more; returns the number of points. Throws Error for a scene
 /// without a rig, and for the first malformed line, after the rows of those before it.
 std::uint64_t light_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,

@@ -19,8 +19,14 @@ Scene scene_under(std::optional<LightRig> rig) {
     builder.plane({-100, -100, 0}, {200, 0, 0}, {0, 200, 0});
     SurfaceModel model = builder.build();
     Tracer tracer(model, {.second_derivatives = true});
-    Scene scene{std::move(model), {Material{}}, std::move(tracer), {}, {}, std::move(rig)};
-    return scene;
+    Occluders occluders(model, tracer);
+    return {.model = std::move(model),
+            .materials = {Material{}},
+            .tracer = std::move(tracer),
+            .occluders = std::move(occluders),
+            .camera = {},
+            .view = {},
+            .rig = std::move(rig)};
 }
 
 LightRig rig() {
@@ -53,6 +59,19 @@ TEST(LightPoints, TellsEachSourceAndTheSum) {
     EXPECT_NEAR(lux[1], row, 1e-12 * row);
     EXPECT_EQ(lux[1], lux[2]);
     EXPECT_NEAR(lux[3], lux[0] + lux[1] + lux[2], 1e-9) << "without the ambient light";
+}
+
+/// The number in a row's last column.
+double sum_of(const std::string& rows) {
+    return std::stod(rows.substr(rows.rfind(',') + 1));
+}
+
+/// Coordinates of points on a surface are often written with a few digits only.
+TEST(LightPoints, OfASurfaceAreNotShadowedByItself) {
+    const double on = sum_of(rows_for("10,20,0,0,0,1"));
+    for (const char* z : {"1e-4", "-1e-4", "1e-12", "-1e-9"})
+        EXPECT_NEAR(sum_of(rows_for(std::string("10,20,") + z + ",0,0,1")), on, 1e-6 * on) << z;
+    EXPECT_EQ(sum_of(rows_for("10,20,-1,0,0,1")), 0) << "under the surface";
 }
 
 TEST(LightPoints, SameRowsHoweverTheTextIsCut) {
