@@ -30,6 +30,11 @@ void tell_build(const Scene& scene) {
                std::to_string(built.leaves) + " leaves (" + std::to_string(built.leaves_mixed) +
                " cut by trims), " + std::to_string(built.bytes) + " bytes, built in " +
                std::to_string(built.build_seconds) + " s");
+    if (!scene.occluders) return;
+    const Occluders::Statistics& hiding = scene.occluders->statistics();
+    log_detail("shadows: " + std::to_string(hiding.silhouette_pieces) + " pieces of surfaces and " +
+               std::to_string(hiding.border_pieces) + " of borders, made ready in " +
+               std::to_string(hiding.build_seconds) + " s");
 }
 
 } // namespace
@@ -75,8 +80,9 @@ void SceneArguments::add_picture_size(CLI::App& command) {
 }
 
 void SceneArguments::add_shadows(CLI::App& command) {
-    command.add_flag("--shadows", options.shadows,
-                     "bodies cast shadows, exact ones; takes many times as long");
+    command.add_flag(
+        "--shadows", options.shadows,
+        "bodies cast shadows, cut along the axis of each lamp; takes many times as long");
 }
 
 Scene SceneArguments::open(const Job& job) const {

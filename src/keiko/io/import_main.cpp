@@ -81,17 +81,17 @@ int main(int argc, char** argv) {
     try {
         answer(out, argv[1], argv[2], std::atoi(argv[4]));
     } catch (const Error& e) {
-        if (!e.where().empty()) std::fprintf(out, "where %s\n", e.where().c_str());
-        std::fprintf(out, "error %s\n", e.reason().c_str());
+        if (!e.where().empty()) std::fprintf(out, "where %s\n", shortened(e.where()).c_str());
+        std::fprintf(out, "error %s\n", shortened(e.reason()).c_str());
         code = 1;
     } catch (const std::bad_alloc&) {
         std::fputs("error needs more memory than the reader may use\n", out);
         code = 1;
     } catch (const std::exception& e) {
-        std::fprintf(out, "error %s\n", e.what());
+        std::fprintf(out, "error %s\n", shortened(e.what()).c_str());
         code = 1;
     } catch (...) {
-        std::fputs("error OpenCASCADE failed on it\n", out);
+        std::fputs("error the reader failed on it\n", out);
         code = 1;
     }
     std::fflush(out);

@@ -24,7 +24,7 @@ std::string failure(const WorkerExit& exit, const LoadOptions& options) {
     if (exit.timed_out) return "the reader did not finish within " + seconds(options.timeout);
     if (exit.signal != 0) return std::string("the reader crashed on it: ") + strsignal(exit.signal);
     return "the reader gave no model (exit code " + std::to_string(exit.code) + ")" +
-           (exit.last_complaint.empty() ? "" : ": " + exit.last_complaint);
+           (exit.last_complaint.empty() ? "" : ": " + shortened(exit.last_complaint));
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "keiko/patch/edge_uses.h"
 
+#include <algorithm>
+
 namespace keiko {
 namespace {
 
@@ -8,12 +10,17 @@ Vec2 end_point(const BezierCurveView& curve, bool last) {
     return {p.x / p.z, p.y / p.z};
 }
 
-/// Whether the curve goes on where the one before it ends; a seam's other side starts elsewhere.
+bool is_way_back(const BezierCurveView& before, const BezierCurveView& own) {
+    return std::equal(before.points.begin(), before.points.end(), own.points.rbegin(),
+                      own.points.rend());
+}
+
+/// Whether the curve goes on where the one before it ends; a seam's other side starts elsewhere, or
+/// runs back.
 bool continues(const SurfaceModel& model, std::uint32_t curve) {
     const BezierCurveView before = model.trim_curve(curve - 1), own = model.trim_curve(curve);
     return model.trim_curves[curve - 1].edge == model.trim_curves[curve].edge &&
-           end_point(before, true) == end_point(own, false) &&
-           end_point(before, false) != end_point(own, true);
+           end_point(before, true) == end_point(own, false) && !is_way_back(before, own);
 }
 
 } // namespace

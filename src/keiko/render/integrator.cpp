@@ -1,8 +1,9 @@
 #include "keiko/render/integrator.h"
 
 #include "keiko/fog/transmittance.h"
+#include "keiko/luminance/flake_kernel.h"
+#include "keiko/luminance/gloss_kernel.h"
 #include "keiko/luminance/photometry.h"
-#include "keiko/rig/glossy_luminance.h"
 #include "keiko/rig/luminance_along.h"
 #include "keiko/rig/mirrored_luminance.h"
 #include "keiko/trace/mirror_ray.h"

@@ -35,7 +35,7 @@ public:
         for (int i = 0; i < frame.lamps; ++i) {
             const TubeLamp lamp = lamp_of(frame, i, plane.luminance);
             if (below_horizon(lamp, point_, normal_)) continue;
-            if (model == TubeModel::automatic && !medium_ && !coat_) {
+            if (asks_for_width(comb, model)) {
                 solid_angle += Rgb(comb.solid_angle(i, IntervalSet::whole()) *
                                    visible_share(lamp, point_, normal_, visible_, width_tolerance));
                 continue;
@@ -65,6 +65,14 @@ public:
     }
 
 private:
+    /// Whether shadows are weighed over the whole width of the lamps: in numbers, for the models
+    /// that stand for the whole tube. Where neighbours hide each other the axis must do, since a
+    /// body may hide the same parts.
+    bool asks_for_width(const CombIrradiance& comb, TubeModel model) const {
+        const bool tube = model == TubeModel::automatic || model == TubeModel::strip ||
+                          model == TubeModel::cylinder;
+        return model_ == TubeModel::automatic && tube && !medium_ && !coat_ && !comb.overlapping();
+    }
     Rgb passed(double distance) const {
         return medium_ ? transmittance(*medium_, distance) : Rgb(1);
     }

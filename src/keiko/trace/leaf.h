@@ -15,7 +15,7 @@ struct Leaf {
     std::uint32_t patch = 0;
     std::uint16_t degree_u = 1, degree_v = 1;
     TrimSide trim = TrimSide::inside; ///< never outside: such leaves are not kept
-    bool near_border = false;         ///< a trim curve, or its tolerance, touches it
+    bool near_border = false;         ///< a trim curve, or its seam, touches it
     std::uint32_t first_point = 0;    ///< into LeafSet::points
     /// Patch parameters it covers: a little more than its share, so that no ray slips through
     /// between neighbours, nor between sewn faces.

@@ -89,7 +89,9 @@ private:
 
     bool cross_one_seam(const BorderHit& a, const BorderHit& b) const {
         if (!same_sense(a, b)) return false;
-        const double away = apart(a, b), reach = std::max(trim(a).reach, trim(b).reach);
+        // Seams are measured in the part.
+        const double away = to_part(a, b.hit.position - a.hit.position).length();
+        const double reach = std::max(trim(a).reach, trim(b).reach);
         const double least_sine = std::min(std::abs(a.sine), std::abs(b.sine));
         if (!(away * least_sine <= off_seam(reach, a, b))) return false;
         const auto near_a = near_edge(a), near_b = near_edge(b);
@@ -110,9 +112,9 @@ private:
         const SurfaceDerivatives s = evaluate(model_.leaves.view(own), a.uv, 2);
         // The step in parameters that goes with the ray.
         const double uu = s.du().dot(s.du()), uv = s.du().dot(s.dv()), vv = s.dv().dot(s.dv());
-        const Affine& to_part = model_.placements[a.hit.instance].to_part;
-        const Vec3 along = to_part.vector(direction_);
+        const Vec3 along = to_part(a, direction_).normalized();
         const double u = s.du().dot(along), v = s.dv().dot(along), det = uu * vv - uv * uv;
+        if (!(det > 0)) return away * std::abs(a.sine);
         const Vec2 step((vv * u - uv * v) / det, (uu * v - uv * u) / det);
         const Vec3 bend = s.duu() * (step.x * step.x) + s.duv() * (2 * step.x * step.y) +
                           s.dvv() * (step.y * step.y);
@@ -120,8 +122,12 @@ private:
         return away * std::abs(a.sine) + 0.5 * turning * away * away;
     }
 
-    static double off_seam(double width, const BorderHit& a, const BorderHit& b) {
-        return 2 * width + bounds(a, b);
+    double off_seam(double width, const BorderHit& a, const BorderHit& b) const {
+        return 2 * width + bounds(a, b) * model_.placements[a.hit.instance].reduction;
+    }
+
+    Vec3 to_part(const BorderHit& a, const Vec3& vector) const {
+        return model_.placements[a.hit.instance].to_part.vector(vector);
     }
 
     /// Of the seam that the first hit is near, if that may be one with the other's face; or less
@@ -139,10 +145,9 @@ private:
         const FaceTrim& own = trim(a);
         if (!(own.reach > 0) || !leaf(a).near_border) return std::nullopt;
         const PatchFrame& patch = model_.patches[a.hit.patch];
-        const Affine& to_part = model_.placements[a.hit.instance].to_part;
         const ParameterMetric width =
-            seam_width(patch, a.hit.uv, to_part.vector(a.hit.dpdu), to_part.vector(a.hit.dpdv),
-                       to_part.vector(direction_).normalized());
+            seam_width(patch, a.hit.uv, to_part(a, a.hit.dpdu), to_part(a, a.hit.dpdv),
+                       to_part(a, direction_).normalized());
         const auto near = own.region.nearest_edge(patch.to_face(a.hit.uv), width, own.reach, among);
         return near ? std::optional(near->edge) : std::nullopt;
     }

@@ -118,11 +118,6 @@ SeenParts ApexView::intervals(const Vec3& a, const Vec3& b) const {
     return candidates_->intervals(a, b);
 }
 
-std::size_t ApexView::candidates() const {
-    return candidates_->silhouettes.pieces.size() + candidates_->silhouettes.own.size() +
-           candidates_->borders.size();
-}
-
 /// No event can lie on any segment of the region, not even the horizon of the apex.
 bool ApexView::Candidates::nothing_happens_in(std::span<const Vec3> region) const {
     if (!silhouettes.pieces.empty() || !silhouettes.own.empty() || !borders.empty() ||

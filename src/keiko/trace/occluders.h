@@ -60,9 +60,6 @@ public:
     /// seen as a whole or not at all.
     SeenParts intervals(const Vec3& a, const Vec3& b) const;
 
-    /// How many pieces may hide something of the region.
-    std::size_t candidates() const;
-
 private:
     struct Candidates;
     std::unique_ptr<Candidates> candidates_;

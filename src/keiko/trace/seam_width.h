@@ -5,8 +5,8 @@
 
 namespace keiko {
 
-/// A border's tolerance says how far the true edge is from it in space. A ray that passes the
-/// border within it may meet the surface much farther off, in the ratio of the sine of its angle
+/// A seam's width says how far the neighbour's border may be in space. A ray that passes the border
+/// within it may meet the surface much farther off, in the ratio of the sine of its angle
 /// to the surface; so the distance of a root to a border is measured as the ray sees it, with
 /// lengths along the ray seen this many times shorter.
 constexpr double seam_depth = 16;

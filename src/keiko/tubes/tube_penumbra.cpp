@@ -126,7 +126,8 @@ Sums integrate(const Width& width, double middle, double half, double error, int
 double visible_share(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
                      const Visible& visible, double tolerance, TubeShape shape) {
     const auto view = view_of(lamp, point, normal);
-    if (!view) return 1;
+    // Along the axis the cap alone lights.
+    if (!view) return visible.intervals({lamp.a, lamp.b}).empty() ? 0 : 1;
     const Width width(*view, point, visible, shape);
     constexpr int most_halvings = 14;
     const Sums sums = integrate(width, 0, 1, tolerance * width.scale(), most_halvings);

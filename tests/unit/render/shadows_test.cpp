@@ -81,6 +81,17 @@ TEST(Shadows, TakeHalfOfALampThatABoardHalfHides) {
     down.direction = {0, 0, -1};
     const auto hit = tracer.nearest(down);
     ASSERT_TRUE(hit);
+    for (const TubeModel named : {TubeModel::automatic, TubeModel::cylinder, TubeModel::strip}) {
+        LightRig own = rig;
+        std::get<CPlane>(own.sources[0]).diffuse = named;
+        const auto under = [&](const Occluders* shadows) {
+            return ShadowedRig(own, shadows, tracer)
+                .from_source(0, hit->position, Vec3(0, 0, 1), hit->root, TubeModel::automatic)
+                .r;
+        };
+        EXPECT_NEAR(under(&occluders), under(nullptr) / 2, 1e-4 * under(nullptr))
+            << "a row that names its model has the same penumbra";
+    }
     const auto lit = [&](const Occluders* shadows) {
         return ShadowedRig(rig, shadows, tracer)
             .illuminance(hit->position, Vec3(0, 0, 1), hit->root, TubeModel::automatic)

@@ -21,6 +21,12 @@ const CPlane row{.origin = {-600, -500, 2000},
 const Spotlight spot{.position = {0, 0, 3000}, .aim = Vec3(0), .intensity = Rgb(5000)};
 const Vec3 up(0, 0, 1);
 
+/// Something is in the way of everything.
+class AllHidden final : public Visible {
+public:
+    IntervalSet intervals(const Segment&) const override { return {}; }
+};
+
 /// Hides the half of every segment that is nearer to its end a; counts the questions.
 class HalfHidden final : public Visible {
 public:
@@ -145,4 +151,16 @@ TEST(DirectIlluminance, CountsWhatEntersACoat) {
     const Rgb spotted =
         illuminance_from(spot, {}, Vec3(0), up, AllVisible(), TubeModel::automatic, &coat);
     EXPECT_NEAR(spotted.g, 0.96 * 5000 / 9.0, 1e-9);
+}
+
+/// Beyond the end of a lamp, within its radius, the cap alone lights.
+TEST(IlluminanceFrom, ACapIsHiddenToo) {
+    const CPlane capped{.origin = {0, -50, 1000},
+                        .u = {500, 0, 0},
+                        .v = {0, 100, 0},
+                        .lamps = 1,
+                        .luminous_caps = true};
+    const Vec3 beside(-20, 0, 1000), towards(1, 0, 0);
+    EXPECT_GT(illuminance_from(capped, {}, beside, towards, AllVisible()).r, 0);
+    EXPECT_EQ(illuminance_from(capped, {}, beside, towards, AllHidden()).r, 0);
 }

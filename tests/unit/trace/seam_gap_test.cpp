@@ -53,6 +53,30 @@ TEST(SeamGap, OfBordersThatMeetIsOnlyRounding) {
     }
 }
 
+/// A disc within a plate, both bounded by one edge of two half circles.
+TEST(SeamGap, OfAnEdgeThatClosesOnItselfIsMeasured) {
+    ShapeBuilder builder;
+    const std::uint32_t edge = builder.edge(0.1);
+    const auto halves = [&](double radius) {
+        const auto half = [&](double side) {
+            return CurveData{
+                {Vec3(side * radius, 0, 1), Vec3(0, side * radius, 0), Vec3(-side * radius, 0, 1)},
+                edge};
+        };
+        return LoopData{half(1), half(-1)};
+    };
+    builder.face({rectangle(-10, 10, -10, 10, 0)}, {halves(5)});
+    builder.face({rectangle(-10, 10, -10, 10, 0)},
+                 {polygon({{-10, -10}, {10, -10}, {10, 10}, {-10, 10}}), halves(5.001)});
+    const SurfaceModel model = builder.model();
+    const std::vector<SeamGap> all = seam_gaps(model, 0.5, {});
+    for (std::size_t c = 0; c < all.size(); ++c) {
+        if (model.trim_curves[c].edge != edge) continue;
+        EXPECT_NEAR(all[c].width, 1.5e-3, 1e-5);
+        EXPECT_FALSE(all[c].samples.empty());
+    }
+}
+
 /// The file claims 1e-7 mm of a gap of 1e-4.
 TEST(Gaps, ThatTheFileUnderstatesAreTight) {
     const SurfaceModel model = squares(1e-4, 1e-7, 0.1);
@@ -74,6 +98,21 @@ TEST(Gaps, AreTightForLowRays) {
             const Ray ray = ray_through(target + Vec3(0.3, 1, slope) * 5, Vec3(-0.3, -1, -slope));
             for (const Tracer* each : {&tracer, &clipping})
                 EXPECT_EQ(each->all(ray).size(), 1u) << slope << ' ' << i;
+        }
+}
+
+/// Widths are of the part; placed a thousand times as large or small it is crossed alike.
+TEST(Gaps, AreTightAndCountedOnceAtAnyScale) {
+    for (const double gap : {1e-3, -1e-3})
+        for (const double scale : {1e-3, 1.0, 1e3}) {
+            SurfaceModel model = squares(gap, 2e-3, 0.2);
+            for (Vec3& row : model.instances[0].transform.rows) row *= scale;
+            const Tracer tracer(model);
+            for (int i = 0; i <= 40; ++i) {
+                const Vec3 target((i - 20) * 4e-5, 0.3 * (i - 20), 0);
+                const Ray ray = ray_through((target + Vec3(1, 2, 5)) * scale, Vec3(-1, -2, -5));
+                EXPECT_EQ(tracer.all(ray).size(), 1u) << gap << ' ' << scale << ' ' << i;
+            }
         }
 }
 
