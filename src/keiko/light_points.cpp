@@ -1,8 +1,8 @@
 #include "keiko/light_points.h"
 
-#include "keiko/base/parallel.h"
 #include "keiko/hit_columns.h"
 #include "keiko/render/shadows.h"
+#include "keiko/row_stream.h"
 
 #include <array>
 #include <cmath>
@@ -12,11 +12,7 @@
 namespace keiko {
 namespace {
 
-/// A piece of the stream on its way from lines to rows.
-struct Piece {
-    RayLines lines;
-    std::string rows;
-    std::optional<Error> fault;
+struct Piece : RowPiece {
     std::uint64_t points = 0;
 };
 
@@ -87,18 +83,9 @@ std::uint64_t light_points(const Scene& scene, const ByteSource& points, const B
     std::uint64_t count = 0;
     if (!rows(header_of(*scene.rig))) return count;
     RayLineReader reader(points, point_header);
-    std::vector<Piece> pieces(2 * thread_count(job) + 1);
-    const auto write = [&](std::size_t slot) {
-        const Piece& piece = pieces[slot];
-        count += piece.points;
-        if (!piece.rows.empty() && !rows(piece.rows)) return false;
-        if (piece.fault) throw *piece.fault;
-        return true;
-    };
-    parallel_stream(pieces.size(), job,
-                    {.read = [&](std::size_t slot) { return reader.read(pieces[slot].lines); },
-                     .work = [&](std::size_t slot) { work(scene, pieces[slot]); },
-                     .write = write});
+    stream_rows<Piece>(
+        reader, rows, job, [&](Piece& piece) { work(scene, piece); },
+        [&](const Piece& piece) { count += piece.points; });
     return count;
 }
 

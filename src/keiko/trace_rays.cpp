@@ -1,17 +1,13 @@
 #include "keiko/trace_rays.h"
 
-#include "keiko/base/parallel.h"
 #include "keiko/hit_columns.h"
 #include "keiko/render/integrator.h"
+#include "keiko/row_stream.h"
 
 namespace keiko {
 namespace {
 
-/// A piece of the stream on its way from lines to rows.
-struct Piece {
-    RayLines lines;
-    std::string rows;
-    std::optional<Error> fault;
+struct Piece : RowPiece {
     std::uint64_t rays = 0;
     PathCounts hits;
 };
@@ -119,19 +115,12 @@ TraceCounts trace_rays(const Scene& scene, const ByteSource& rays, const ByteSin
     TraceCounts counts;
     if (!hits(writer.header())) return counts;
     RayLineReader reader(rays);
-    std::vector<Piece> pieces(2 * thread_count(job) + 1);
-    const auto write = [&](std::size_t slot) {
-        const Piece& piece = pieces[slot];
-        counts.rays += piece.rays;
-        counts.hits += piece.hits;
-        if (!piece.rows.empty() && !hits(piece.rows)) return false;
-        if (piece.fault) throw *piece.fault;
-        return true;
-    };
-    parallel_stream(pieces.size(), job,
-                    {.read = [&](std::size_t slot) { return reader.read(pieces[slot].lines); },
-                     .work = [&](std::size_t slot) { writer.work(pieces[slot]); },
-                     .write = write});
+    stream_rows<Piece>(
+        reader, hits, job, [&](Piece& piece) { writer.work(piece); },
+        [&](const Piece& piece) {
+            counts.rays += piece.rays;
+            counts.hits += piece.hits;
+        });
     return counts;
 }
 

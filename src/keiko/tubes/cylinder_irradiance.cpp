@@ -2,6 +2,7 @@
 
 #include "keiko/math/interval_set.h"
 #include "keiko/math/quadrature.h"
+#include "keiko/tubes/arc_integral.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,16 +77,6 @@ Pieces pieces_of(const TubeView& view, const VisiblePart& part,
     part.ends ? split_at_rim(pieces, view, part.end) : split_at_cut(pieces, view, part.end);
     for (const HidingTube& tube : hiding) split_at_tangents(pieces, view, tube);
     return pieces;
-}
-
-/// Integral of (al cos eta + nz sin eta) cos eta over [low, high] as far as it is positive.
-double arc_integral(double al, double nz, double low, double high) {
-    const double zenith = std::atan2(nz, al);
-    low = std::max(low, zenith - pi / 2);
-    high = std::min(high, zenith + pi / 2);
-    if (!(low < high)) return 0;
-    const double span = high - low, sum = high + low;
-    return (al * (span + std::cos(sum) * std::sin(span)) + nz * std::sin(sum) * std::sin(span)) / 2;
 }
 
 /// The elevations that tubes nearer than `near` take in the half-plane psi, in any order.

@@ -1,5 +1,6 @@
 #include "keiko/tubes/tube_penumbra.h"
 
+#include "keiko/tubes/arc_integral.h"
 #include "keiko/tubes/tube_view.h"
 
 #include <algorithm>
@@ -21,16 +22,6 @@ constexpr std::array<double, 4> nodes{0, 0.4342437493468026, 0.7745966692414834,
 constexpr std::array<double, 4> kronrod{0.4509165386584741, 0.4013974147759622, 0.2684880898683334,
                                         0.1046562260264673};
 constexpr std::array<double, 4> gauss{0.8888888888888889, 0, 0.5555555555555556, 0};
-
-/// Integral of (al cos eta + nz sin eta) cos eta over [low, high] as far as it is positive.
-double arc_integral(double al, double nz, double low, double high) {
-    const double zenith = std::atan2(nz, al);
-    low = std::max(low, zenith - pi / 2);
-    high = std::min(high, zenith + pi / 2);
-    if (!(low < high)) return 0;
-    const double span = high - low, sum = high + low;
-    return (al * (span + std::cos(sum) * std::sin(span)) + nz * std::sin(sum) * std::sin(span)) / 2;
-}
 
 /// A sub-axis and what it weighs.
 struct SubAxis {
