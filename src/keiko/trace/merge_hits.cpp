@@ -159,10 +159,12 @@ private:
         const bool alone = rank(next) != rank(kept);
         const bool steeper = std::abs(next.sine) > 2 * std::abs(kept.sine);
         const bool swap = alone ? rank(next) > rank(kept) : steeper;
-        const double cover =
-            apart(kept, next) + (swap ? kept.hit.position_bound : next.hit.position_bound);
+        const BorderHit& dropped = swap ? kept : next;
+        const double cover = apart(kept, next) + dropped.hit.position_bound;
+        // What clipping left over may hold a root of its own beside the other's.
+        const bool covers = !alone || has(dropped.hit.flags, HitFlags::clipped);
         if (swap) kept = std::move(next);
-        if (!alone) kept.hit.position_bound = std::max(kept.hit.position_bound, cover);
+        if (covers) kept.hit.position_bound = std::max(kept.hit.position_bound, cover);
     }
 
     static constexpr double infinity = std::numeric_limits<double>::infinity();

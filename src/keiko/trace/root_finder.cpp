@@ -122,7 +122,7 @@ bool is_noise(const Preconditioned& p) {
 LeafRoot united(const LeafRoot& a, const LeafRoot& b) {
     Box2 box{a.uv - a.error, a.uv + a.error};
     box.extend(Box2{b.uv - b.error, b.uv + b.error});
-    return {box.center(), box.extent() * 0.5, a.clipped || b.clipped, true};
+    return {box.center(), box.extent() * 0.5, a.clipped || b.clipped, a.tangential || b.tangential};
 }
 
 } // namespace
@@ -283,7 +283,10 @@ void RootFinder::add(LeafRoot root) {
             ++i;
             continue;
         }
-        if (known.tangential || root.tangential)
+        // A root found by clipping alone lies in any of the boxes that rounding left over.
+        const bool proved =
+            !known.tangential && !root.tangential && !(known.clipped && root.clipped);
+        if (!proved)
             root = united(known, root);
         else if (!known.clipped)
             root = known;
