@@ -102,6 +102,27 @@ void require_view_names(std::span<const std::string> names);
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
                  const PictureOptions& options = {}, const Job& job = {});
 
+struct PlaceOptions {
+    std::vector<std::string> views;  ///< names; empty: the best one
+    std::vector<std::string> faces;  ///< numbers or patterns of names; empty: all count
+    std::optional<LightRig> rated{}; ///< tells of these lamps instead of placing others
+    PlacementOptions placement;      ///< but for its `sampling.faces`
+};
+
+struct PlaceResult {
+    std::vector<NamedView> views;
+    Placement placement;
+};
+
+/// Hangs lamps where the body mirrors them into the eyes of all views. Throws Error for a pattern
+/// that no face matches.
+PlaceResult place_scene(const Scene& scene, const PlaceOptions& options = {}, const Job& job = {});
+
+/// Writes placement.json, histogram-N.png for each plane and plan.png (body, lamps and eyes from
+/// above) into a folder.
+void write_placement(const std::filesystem::path& folder, const Scene& scene,
+                     const PlaceResult& result, const Job& job = {});
+
 struct InspectOptions {
     std::vector<std::string> views;           ///< names; empty: three automatic ones
     std::optional<std::filesystem::path> rig; ///< none: the scene's own, or else placed

@@ -6,16 +6,25 @@
 #include <array>
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <memory>
 
 namespace keiko::cli {
 namespace {
 
+const std::map<std::string, Vec3> named_planes{{"above", {0, 0, 1}},
+                                               {"front", {-1, 0, 0}},
+                                               {"left", {0, -1, 0}},
+                                               {"rear", {1, 0, 0}},
+                                               {"right", {0, 1, 0}}};
+
 struct PlaceArguments {
     SceneArguments scene;
-    std::vector<std::string> views;
-    PlacementOptions options;
-    std::filesystem::path output;
+    PlaceOptions options;
+    std::string direction = "auto", stripes;
+    std::vector<std::string> planes;
+    bool pixels = false, each = false;
+    std::filesystem::path output, report, rated;
 };
 
 /// Any other name may be that of the model, which would be overwritten.
@@ -24,27 +33,136 @@ void require_rig_extension(const std::filesystem::path& path) {
         throw Error(path.string(), "", "a rig is written as a file that ends in .toml");
 }
 
+StripeSpacing parse_stripes(const std::string& text) {
+    StripeSpacing s;
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%lf:%lf%n", &s.least, &s.most, &end) != 2 ||
+        static_cast<std::size_t>(end) != text.size() || !(s.least > 0) || !(s.most > s.least) ||
+        !(s.most < 1e6))
+        throw Error("", "--stripes", "'" + text + "' is not LEAST:MOST pixels, 0 < LEAST < MOST");
+    s.wanted = std::sqrt(s.least * s.most);
+    return s;
+}
+
+PlaneChoice parse_planes(std::span<const std::string> names) {
+    PlaneChoice choice;
+    for (const std::string& name : names) {
+        if (const auto known = named_planes.find(name); known != named_planes.end()) {
+            choice.towards.push_back(known->second);
+            continue;
+        }
+        if (std::filesystem::path(name).extension() != ".toml")
+            throw Error("", "--plane",
+                        "'" + name + "' is neither above, front, left, rear, right nor a rig file");
+        for (const LightSource& source : read_rig(name).sources)
+            if (const auto* plane = std::get_if<CPlane>(&source))
+                choice.frames.push_back(frame_of(*plane));
+    }
+    return choice;
+}
+
+PlaceOptions placing(const PlaceArguments& arguments) {
+    PlaceOptions options = arguments.options;
+    PlacementOptions& placement = options.placement;
+    if (!arguments.stripes.empty()) placement.spacing = parse_stripes(arguments.stripes);
+    placement.where = parse_planes(arguments.planes);
+    if (arguments.direction == "along") placement.direction = LampDirection::along;
+    if (arguments.direction == "across") placement.direction = LampDirection::across;
+    if (arguments.pixels) placement.sampling.weight = SampleWeight::pixels;
+    if (!arguments.rated.empty()) options.rated = read_rig(arguments.rated);
+    return options;
+}
+
 void print_summary(const Placement& placement, const std::filesystem::path& output) {
     const std::size_t rows = placement.planes.size();
-    std::array<char, 32> share{};
-    std::snprintf(share.data(), share.size(), "%.1f", 100 * placement.coverage);
-    std::cout << rows << (rows == 1 ? " row of lamps covers " : " rows of lamps cover ")
-              << share.data() << " % of the picture; see " << output.string() << "\n";
+    const StripeStatistics& stripes = placement.stripes;
+    std::array<char, 160> text{};
+    std::snprintf(
+        text.data(), text.size(),
+        "%zu %s of lamps %s %.1f %% of the picture, stripes %.0f px apart (%.0f to %.0f), "
+        "%.0f %% of them as wanted",
+        rows, rows == 1 ? "row" : "rows", rows == 1 ? "covers" : "cover", 100 * placement.coverage,
+        stripes.median, stripes.narrow, stripes.wide, 100 * stripes.in_range);
+    std::cout << text.data();
+    if (!output.empty()) std::cout << "; see " << output.string();
+    std::cout << "\n";
+}
+
+/// rig.toml of the view "front" is rig-front.toml.
+std::filesystem::path of_view(const std::filesystem::path& path, const std::string& view) {
+    if (path.empty()) return path;
+    return path.parent_path() / (path.stem().string() + "-" + view + path.extension().string());
+}
+
+void place_one(const PlaceArguments& arguments, const Scene& scene, const PlaceOptions& options,
+               const std::filesystem::path& output, const std::filesystem::path& report,
+               const Job& job) {
+    const PlaceResult result = place_scene(scene, options, job);
+    if (!report.empty()) write_placement(report, scene, result, job);
+    if (!output.empty()) write_rig(output, result.placement.rig);
+    if (arguments.each) std::cout << result.views.front().name << ": ";
+    print_summary(result.placement, output);
+}
+
+void require_output(const PlaceArguments& arguments) {
+    if (arguments.rated.empty() && arguments.output.empty())
+        throw Error("", "--output", "say where the rig is to be written: -o RIG.toml");
+    if (!arguments.rated.empty() && !arguments.output.empty())
+        throw Error("", "--rate", "tells of a rig that is there; -o would write it again");
+    if (!arguments.output.empty()) {
+        require_rig_extension(arguments.output);
+        require_place_for_file(arguments.output);
+    }
+    if (!arguments.report.empty()) require_place_for_folder(arguments.report);
 }
 
 int place(const PlaceArguments& arguments, const Job& job) {
-    require_rig_extension(arguments.output);
-    require_place_for_file(arguments.output);
-    require_view_names(arguments.views);
+    require_output(arguments);
+    require_view_names(arguments.options.views);
+    PlaceOptions options = placing(arguments);
     const Scene scene = arguments.scene.open(job);
-    std::vector<Camera> cameras;
-    for (const NamedView& view : choose_views(scene, arguments.views, 1, job))
-        cameras.push_back(view.camera);
-    const Placement placement =
-        place_lamps(scene.tracer, scene.model, cameras, arguments.options, job);
-    write_rig(arguments.output, placement.rig);
-    print_summary(placement, arguments.output);
+    if (!arguments.each) {
+        place_one(arguments, scene, options, arguments.output, arguments.report, job);
+        return exit_pass;
+    }
+    for (const std::string& view : arguments.options.views) {
+        options.views = {view};
+        const auto report = arguments.report.empty() ? arguments.report : arguments.report / view;
+        place_one(arguments, scene, options, of_view(arguments.output, view), report, job);
+    }
     return exit_pass;
+}
+
+void add_choices(CLI::App& command, PlaceArguments& arguments) {
+    PlacementOptions& placement = arguments.options.placement;
+    command
+        .add_option("--faces", arguments.options.faces,
+                    "faces that count, by number or pattern of names; may repeat [all]")
+        ->allow_extra_args(false);
+    command
+        .add_option("--plane", arguments.planes,
+                    "where lamps may hang: above, front, left, rear, right, or the C-planes of a "
+                    "rig file; may repeat [anywhere]")
+        ->allow_extra_args(false);
+    command.add_option("--planes", placement.planes, "rows of lamps at most")
+        ->check(number_between(1, 16))
+        ->capture_default_str();
+    command.add_option("--lamps", placement.lamps, "lamps in a row; 0: as many as fit")
+        ->check(number_between(0, 64))
+        ->capture_default_str();
+    command.add_option("--stripes", arguments.stripes,
+                       "wanted spacing of the stripes, LEAST:MOST pixels of a picture 540 high "
+                       "[12:60]");
+    command
+        .add_option("--direction", arguments.direction,
+                    "lamps along the vehicle, across it, or as shows most")
+        ->check(CLI::IsMember({"auto", "along", "across"}))
+        ->capture_default_str();
+    command.add_option("--samples", placement.sampling.samples, "places looked at in each view")
+        ->check(number_between(100, 4e6))
+        ->capture_default_str();
+    command.add_flag("--weigh-pixels", arguments.pixels,
+                     "every pixel counts the same, as in the paper, instead of its solid angle");
 }
 
 } // namespace
@@ -55,13 +173,19 @@ void add_place(CLI::App& app, Session& session) {
         *app.add_subcommand("place", "hang lamps where the body mirrors them into the eye");
     arguments->scene.add_to(command, "MODEL|SCENE");
     arguments->scene.add_picture_size(command);
-    command.add_option("-o,--output", arguments->output, "rig file to write")->required();
-    command.add_option("--view", arguments->views, "view by name, or auto; may repeat [auto]")
-        ->allow_extra_args(false);
-    command.add_option("--lamps", arguments->options.lamps, "lamps in a row; 0: as many as fit")
-        ->check(number_between(0, 64))
-        ->capture_default_str();
-    command.footer("Example: keiko place hood.step -o hood-rig.toml --view high-front");
+    command.add_option("-o,--output", arguments->output, "rig file to write");
+    CLI::Option* views =
+        command
+            .add_option("--view", arguments->options.views,
+                        "view by name, or auto; may repeat: one rig serves them all [auto]")
+            ->allow_extra_args(false);
+    command.add_flag("--each", arguments->each, "a rig for each view, RIG-VIEW.toml")->needs(views);
+    add_choices(command, *arguments);
+    command.add_option("--report", arguments->report,
+                       "folder for placement.json, the histograms and a plan");
+    command.add_option("--rate", arguments->rated, "rig file to tell of, instead of placing lamps");
+    command.footer(
+        "Example: keiko place hood.step -o hood-rig.toml --view high-front --report out");
     session.add_command(command, [arguments](const Job& job) { return place(*arguments, job); });
 }
 

@@ -58,9 +58,10 @@ PlaneFrame facing(const Vec3& center, const Vec3& direction, double distance) {
 
 } // namespace
 
-std::vector<PlaneFrame> candidate_planes(const LampField& field) {
+std::vector<PlaneFrame> candidate_planes(const LampField& field, const PlaneChoice& choice) {
+    if (!choice.frames.empty()) return choice.frames;
     std::vector<PlaneFrame> planes;
-    for (const Vec3& direction : directions(field))
+    for (const Vec3& direction : choice.towards.empty() ? directions(field) : choice.towards)
         for (const double distance : distances)
             planes.push_back(facing(field.centroid(), direction, distance * field.size()));
     return planes;

@@ -7,10 +7,16 @@
 
 namespace keiko {
 
+/// Where planes are looked for.
+struct PlaneChoice {
+    std::vector<Vec3> towards;      ///< unit directions from the body; none: any
+    std::vector<PlaneFrame> frames; ///< these planes and no others, unless there are none
+};
+
 /// Planes worth trying for the samples that still wait: a ceiling, walls on four sides, and
 /// planes that face what is mirrored (the mean mirror direction, and the directions around which
 /// many are gathered), each at several distances from the middle of what is seen, as multiples of
 /// its size. u is along the vehicle's x axis as far as the plane allows. In a fixed order.
-std::vector<PlaneFrame> candidate_planes(const LampField& field);
+std::vector<PlaneFrame> candidate_planes(const LampField& field, const PlaneChoice& choice = {});
 
 } // namespace keiko

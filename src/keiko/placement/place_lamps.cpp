@@ -15,9 +15,6 @@ namespace {
 constexpr double t8_diameter = 26;                      ///< mm
 constexpr double least_duty = 0.3, greatest_duty = 0.5; ///< diameter by pitch
 constexpr std::size_t search_samples = 2000;
-constexpr int histogram_cells = 128;
-constexpr double worth_a_warning = 0.05; ///< unreached share of the picture's weight on one face
-constexpr double histogram_margin = 0.1; ///< of the lamps' rectangle, shown around it
 
 /// Searches the planes one after the other, on a thinned field.
 class Search {
@@ -31,7 +28,7 @@ public:
 
     /// The best lamps for what still waits; nothing where no plane is of use.
     std::optional<LampRectangle> next(const Job& job) {
-        const std::vector<PlaneFrame> planes = candidate_planes(field_);
+        const std::vector<PlaneFrame> planes = candidate_planes(field_, options_.where);
         std::vector<LampRectangle> found(planes.size());
         parallel_for(planes.size(), job, "place", [&](std::size_t i) {
             found[i] = admitted(PlaneSearch(field_, planes[i], demand_).best());
@@ -83,74 +80,19 @@ private:
     std::vector<PlaneCandidate> candidates_;
 };
 
-/// Where the mirrored rays of all samples meet the plane of some lamps.
-HitHistogram histogram(const LampField& field, const CPlane& plane) {
-    const PlaneFrame frame = frame_of(plane);
-    std::vector<WeightedPlace> places;
-    for (const ViewSample& s : field.samples())
-        if (const auto hit = meet(frame, s.mirror);
-            !s.blocked && hit && hit->cosine >= grazing_cosine)
-            places.push_back({hit->place, s.weight});
-    const Vec2 size(plane.u.length(), plane.v.length());
-    const Vec2 margin = size * histogram_margin;
-    return HitHistogram(places, histogram_cells, {-margin, size + margin}).smoothed();
-}
-
-std::vector<FaceCoverage> face_coverage(const LampField& field) {
-    std::vector<FaceCoverage> faces(field.region_count());
-    for (std::size_t i = 0; i < field.samples().size(); ++i) {
-        const ViewSample& s = field.samples()[i];
-        FaceCoverage& face = faces[field.region(i)];
-        face.instance = s.instance;
-        face.face = s.face;
-        face.share += s.weight;
-        if (field.reached(i)) face.reached += s.weight;
-    }
-    for (FaceCoverage& face : faces) {
-        face.reached /= face.share;
-        face.share /= field.total_weight();
-    }
-    std::stable_sort(faces.begin(), faces.end(), [](const FaceCoverage& a, const FaceCoverage& b) {
-        return a.share * (1 - a.reached) > b.share * (1 - b.reached);
-    });
-    return faces;
-}
-
-Diagnostics warnings(const SurfaceModel& model, std::span<const FaceCoverage> faces) {
-    const auto percent = [](double share) {
-        return std::to_string(std::lround(share * 100)) + " %";
-    };
-    Diagnostics found;
-    for (const FaceCoverage& face : faces)
-        if (face.share * (1 - face.reached) > worth_a_warning)
-            found.push_back({Severity::warning, model.describe(model.faces[face.face]),
-                             "lamps reach only " + percent(face.reached) + " of it, it is " +
-                                 percent(face.share) + " of what is seen"});
-    return found;
-}
-
-double blocked_share(const LampField& field) {
-    double sum = 0;
-    for (const ViewSample& s : field.samples())
-        if (s.blocked) sum += s.weight;
-    return sum / field.total_weight();
-}
-
 } // namespace
 
 double lamp_diameter(double pitch) {
     return std::clamp(t8_diameter, least_duty * pitch, greatest_duty * pitch);
 }
 
-Placement place_lamps(const Tracer& tracer, const SurfaceModel& model,
-                      std::span<const Camera> cameras, const PlacementOptions& options,
-                      const Job& job) {
-    LampField field(sample_views(tracer, model, cameras, options.sampling, job));
+Placement place_lamps(std::vector<ViewSample> seen, const SurfaceModel& model, const Box3& body,
+                      int picture_height, const PlacementOptions& options, const Job& job) {
+    LampField field(std::move(seen));
     if (!(field.total_weight() > 0))
         throw Error("", "placement", "no camera sees the surface that lamps are to be placed for");
-    const LampDemand demand{options.lamps, options.spacing.for_height(cameras.front().height),
-                            options.direction};
-    Search search(field, tracer.bounds(), demand, options);
+    const StripeSpacing wanted = options.spacing.for_height(picture_height);
+    Search search(field, body, {options.lamps, wanted, options.direction}, options);
     Placement result;
     result.rig.name = "placed";
     while (static_cast<int>(result.planes.size()) < options.planes &&
@@ -161,17 +103,21 @@ Placement place_lamps(const Tracer& tracer, const SurfaceModel& model,
         const CPlane lamps = search.lamps(*next);
         search.place(lamps);
         field.place(lamps);
-        result.planes.push_back({lamps, next->score, histogram(field, lamps)});
+        result.planes.push_back({lamps, next->score, hit_histogram(field, lamps)});
         result.rig.sources.emplace_back(lamps);
     }
     if (result.planes.empty())
         throw Error("", "placement", "no plane around the body mirrors to the cameras");
-    result.coverage = field.coverage();
-    result.faces = face_coverage(field);
-    result.diagnostics = warnings(model, result.faces);
+    tell_what_is_reached(result, field, model, wanted);
     result.candidates = search.take_candidates();
-    result.blocked = blocked_share(field);
     return result;
+}
+
+Placement place_lamps(const Tracer& tracer, const SurfaceModel& model,
+                      std::span<const Camera> cameras, const PlacementOptions& options,
+                      const Job& job) {
+    return place_lamps(sample_views(tracer, model, cameras, options.sampling, job), model,
+                       tracer.bounds(), cameras.front().height, options, job);
 }
 
 Placement place_lamps(const Tracer& tracer, const SurfaceModel& model, const Camera& camera,

@@ -8,9 +8,11 @@ struct PlacementScore {
     double stripes = 0;     ///< weighted mean over the faces of min(1, stripes on it / 5)
     double uniformity = 0;  ///< exp(-standard deviation of ln |grad v|): 1 for even stripes
     double in_range = 0;    ///< share of what is served whose stripe spacing is in the wanted range
+    double crossing = 0;    ///< how squarely stripes cross features; 1 where there are none
     double compactness = 0; ///< 1 for lamps as small as what is seen, 0.5 at 8 times its size
 
-    /// The product to make large.
+    /// The product to make large. `crossing` has no part in it: it would cost coverage, see
+    /// docs/decisions/0006-placement.md.
     double objective() const;
 };
 

@@ -29,16 +29,29 @@ constexpr double stripes_power = 0.25, uniformity_power = 0.15, in_range_power =
 /// What the objective keeps of lamps whose stripes are all too narrow or too wide, so that there
 /// is still a best one.
 constexpr double least_in_range = 0.05;
+/// Bends of features, over the size of what is seen: that counts as much as the picture as such,
+/// and beyond which a feature counts no more.
+constexpr double plain_bend = 0.5, sharpest_bend = 20;
 
 /// Sums over the samples that a rectangle serves.
 struct Tally {
     double served = 0, lost = 0;
     double graded = 0, log_sum = 0, log_squares = 0, in_range = 0;
+    double features = 0, crossed = 0;
 
     void grade(double weight, double log_gradient) {
         graded += weight;
         log_sum += weight * log_gradient;
         log_squares += weight * log_gradient * log_gradient;
+    }
+    /// The square of the sine between stripe and feature, whose `strength` weighs it.
+    void cross(double weight, double strength, double sine_squared) {
+        features += weight * strength;
+        crossed += weight * strength * sine_squared;
+    }
+    double crossing(double plain) const {
+        const double all = features + plain * served;
+        return all > 0 ? (crossed + plain * served) / all : 1;
     }
     double uniformity() const {
         if (!(graded > 0)) return 1;
@@ -107,6 +120,10 @@ LampRectangle PlaneSearch::best_at(double angle) const {
         if (next.score.objective() > best.score.objective()) best = next;
     }
     return best;
+}
+
+LampRectangle PlaneSearch::rated(const Box2& extent) const {
+    return score(frame_, extent, turned(0));
 }
 
 LampRectangle PlaneSearch::best() const {
@@ -192,6 +209,10 @@ LampRectangle PlaneSearch::score(const PlaneFrame& frame, const Box2& extent,
         weights[field_.region(r.sample)] += weight;
         if (std::isnan(r.log_gradient)) continue;
         tally.grade(weight, r.log_gradient);
+        const FeatureDirection& feature = field_.samples()[r.sample].feature;
+        const double along = r.gradients.v.dot(feature.along);
+        tally.cross(weight, std::min(feature.strength, sharpest_bend / field_.size()),
+                    along * along / r.gradients.v.length2());
         if (low <= r.log_gradient && r.log_gradient <= high) tally.in_range += weight;
     }
     if (!(tally.served > 0)) return result;
@@ -205,6 +226,7 @@ LampRectangle PlaneSearch::score(const PlaneFrame& frame, const Box2& extent,
                     .stripes = stripes / tally.served,
                     .uniformity = tally.uniformity(),
                     .in_range = tally.graded > 0 ? tally.in_range / tally.graded : 1,
+                    .crossing = tally.crossing(plain_bend / field_.size()),
                     .compactness = compactness(extent.size() / field_.size())};
     return result;
 }

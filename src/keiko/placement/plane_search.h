@@ -41,6 +41,8 @@ public:
     /// Best rectangle with the lamps `angle` radians from the frame's u. Its score is zero where
     /// the plane is of no use.
     LampRectangle best_at(double angle) const;
+    /// The rectangle as it is, with lamps along the frame's u.
+    LampRectangle rated(const Box2& extent) const;
     /// Best rectangle over the angles that the demand allows; where it allows all, lamps stay along
     /// or across the vehicle unless another angle is clearly better.
     LampRectangle best() const;

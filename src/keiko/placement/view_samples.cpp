@@ -40,6 +40,7 @@ public:
             samples.push_back(sample(*hits[i], rays[i]));
             samples.back().view = view;
             samples.back().pixel = {columns[i], y};
+            samples.back().edge = step;
             samples.back().weight = step * step * weight(camera, columns[i], y);
         }
         mark_blocked(samples);
@@ -58,6 +59,7 @@ private:
         result.eye = ray.origin;
         result.normal = facing_normal(hit, ray);
         result.mirror = mirrored_ray(model_, hit, ray);
+        result.feature = feature_direction(world_derivatives(model_, hit), result.mirror);
         return result;
     }
 

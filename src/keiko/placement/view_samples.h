@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/job.h"
+#include "keiko/placement/feature_direction.h"
 #include "keiko/spec/camera.h"
 #include "keiko/trace/tracer.h"
 
@@ -20,11 +21,13 @@ struct ViewSample {
     std::uint32_t view = 0; ///< which of the cameras
     std::uint32_t instance = 0, face = 0;
     Vec2 pixel{0};
+    int edge = 1; ///< pixels, of the square that it stands for
     double weight = 0;
     Vec3 eye{0};          ///< origin of the eye ray
     Vec3 normal{0};       ///< unit, on the side of the eye
     Ray mirror;           ///< from the surface along the mirror direction
     bool blocked = false; ///< the mirrored ray meets the body again
+    FeatureDirection feature;
 
     const Vec3& position() const { return mirror.origin; }
 };

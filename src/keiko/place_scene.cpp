@@ -1,0 +1,72 @@
+#include "keiko/base/output_file.h"
+#include "keiko/keiko.h"
+#include "keiko/placement/rated_rig.h"
+#include "keiko/placement_pictures.h"
+#include "keiko/report/placement_json.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+
+namespace keiko {
+namespace {
+
+/// A face is meant by its number or by a pattern of its name.
+bool means(const std::string& pattern, const Face& face) {
+    return pattern == std::to_string(face.id) ||
+           fnmatch(pattern.c_str(), face.name.c_str(), 0) == 0;
+}
+
+std::vector<std::uint32_t> faces_meant(const SurfaceModel& model,
+                                       std::span<const std::string> patterns) {
+    std::vector<bool> wanted(model.faces.size(), false);
+    for (const std::string& pattern : patterns) {
+        bool found = false;
+        for (std::size_t i = 0; i < model.faces.size(); ++i) {
+            if (!means(pattern, model.faces[i])) continue;
+            wanted[i] = found = true;
+        }
+        if (!found)
+            throw Error("", "--faces", "no face has the number or a name like '" + pattern + "'");
+    }
+    std::vector<std::uint32_t> faces;
+    for (std::uint32_t i = 0; i < wanted.size(); ++i)
+        if (wanted[i]) faces.push_back(i);
+    return faces;
+}
+
+} // namespace
+
+PlaceResult place_scene(const Scene& scene, const PlaceOptions& options, const Job& job) {
+    PlacementOptions placing = options.placement;
+    placing.sampling.faces = faces_meant(scene.model, options.faces);
+    PlaceResult result;
+    result.views = choose_views(scene, options.views, 1, job);
+    std::vector<Camera> cameras;
+    for (const NamedView& view : result.views) cameras.push_back(view.camera);
+    std::vector<ViewSample> seen =
+        sample_views(scene.tracer, scene.model, cameras, placing.sampling, job);
+    const int height = cameras.front().height;
+    result.placement = options.rated ? rated_rig(std::move(seen), scene.model, height,
+                                                 *options.rated, placing.spacing)
+                                     : place_lamps(std::move(seen), scene.model,
+                                                   scene.tracer.bounds(), height, placing, job);
+    return result;
+}
+
+void write_placement(const std::filesystem::path& folder, const Scene& scene,
+                     const PlaceResult& result, const Job& job) {
+    std::error_code code;
+    std::filesystem::create_directories(folder, code);
+    if (code) throw Error(folder.string(), "", "cannot make the folder: " + code.message());
+    std::vector<std::string> views;
+    for (const NamedView& view : result.views) views.push_back(view.name);
+    write_text_file(folder / "placement.json",
+                    placement_json(result.placement, scene.model, views, version()));
+    for (std::size_t i = 0; i < result.placement.planes.size(); ++i)
+        write_png(folder / ("histogram-" + std::to_string(i + 1) + ".png"),
+                  histogram_picture(result.placement.planes[i]));
+    write_png(folder / "plan.png", plan_picture(scene, result, job));
+}
+
+} // namespace keiko

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "keiko/base/diagnostics.h"
+#include "keiko/placement/hit_histogram.h"
+#include "keiko/placement/placement_score.h"
+#include "keiko/placement/stripe_statistics.h"
+#include "keiko/placement/unreached_regions.h"
+#include "keiko/rig/light_rig.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// Lamps on one plane, and what they do for the picture.
+struct PlacedPlane {
+    CPlane lamps;
+    PlacementScore score;
+    /// Of the hits in the coordinates of the plane: mm from its origin along u and v. A little
+    /// wider than the lamps.
+    HitHistogram histogram;
+};
+
+/// How much of a face the lamps reach.
+struct FaceCoverage {
+    std::uint32_t instance = 0, face = 0;
+    double share = 0;   ///< of the picture's weight that is this face
+    double reached = 0; ///< share of that which mirrors lamps, 0 to 1
+};
+
+/// A plane that was tried.
+struct PlaneCandidate {
+    Vec3 towards{0};     ///< unit, from the middle of what is seen to the plane
+    double distance = 0; ///< mm
+    PlacementScore score;
+};
+
+/// A rig for a picture, and how good it is.
+struct Placement {
+    LightRig rig;
+    double coverage = 0;             ///< share of the picture's weight that mirrors lamps
+    std::vector<PlacedPlane> planes; ///< best first; the rig's C-planes in the same order
+    StripeStatistics stripes;
+    std::vector<FaceCoverage> faces; ///< every face that is seen, the largest unreached part first
+    std::vector<UnreachedRegion> unreached; ///< the largest first
+    std::vector<PlaneCandidate> candidates; ///< for the first plane, in the order they were tried
+    double blocked = 0;                     ///< share of the weight that mirrors the body itself
+    Diagnostics diagnostics; ///< a warning for every face of which a large part is not reached
+};
+
+/// The rest of a placement whose rig and planes are known: what the lamps reach in the field, where
+/// all of them are placed.
+void tell_what_is_reached(Placement& placement, const LampField& field, const SurfaceModel& model,
+                          const StripeSpacing& wanted);
+
+/// Where the mirrored rays of all samples meet the plane of some lamps.
+HitHistogram hit_histogram(const LampField& field, const CPlane& plane);
+
+} // namespace keiko
