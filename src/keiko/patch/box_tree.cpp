@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
 
 namespace keiko {
 namespace {
@@ -62,6 +63,40 @@ std::vector<std::uint32_t> BoxTree::overlapping(const Box3& box) const {
     }
     std::sort(found.begin(), found.end());
     return found;
+}
+
+void BoxTree::visit_near(const Vec3& p, double radius,
+                         const std::function<double(std::uint32_t)>& visit) const {
+    struct Waiting {
+        double square;
+        bool box;
+        std::uint32_t index;
+        bool operator<(const Waiting& other) const {
+            return square != other.square ? square > other.square : index > other.index;
+        }
+    };
+    const auto square = [&](const Box3& box) { return (box.nearest(p) - p).length2(); };
+    std::priority_queue<Waiting> waiting;
+    const auto push = [&](std::uint32_t node) {
+        waiting.push({square(nodes_[node].box), false, node});
+    };
+    if (!nodes_.empty()) push(0);
+    while (!waiting.empty() && waiting.top().square <= radius * radius) {
+        const Waiting next = waiting.top();
+        waiting.pop();
+        if (next.box) {
+            radius = visit(next.index);
+            continue;
+        }
+        const Node& node = nodes_[next.index];
+        if (node.right != 0) {
+            push(next.index + 1);
+            push(node.right);
+            continue;
+        }
+        for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
+            waiting.push({square(boxes_[order_[k]]), true, order_[k]});
+    }
 }
 
 } // namespace keiko

@@ -3,11 +3,12 @@
 #include "keiko/math/bounds.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace keiko {
 
-/// A binary tree over boxes that answers which of them meet a given one.
+/// A binary tree over boxes that answers which of them meet a given one, or are near a point.
 class BoxTree {
 public:
     /// Empty and infinite boxes overlap nothing.
@@ -15,6 +16,10 @@ public:
 
     /// Indices of the boxes that overlap `box`, ascending.
     std::vector<std::uint32_t> overlapping(const Box3& box) const;
+    /// Shows `visit` the boxes nearer to `p` than `radius` mm, the nearest first; it returns the
+    /// radius for those to come.
+    void visit_near(const Vec3& p, double radius,
+                    const std::function<double(std::uint32_t)>& visit) const;
 
 private:
     struct Node {

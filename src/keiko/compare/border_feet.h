@@ -1,0 +1,46 @@
+#pragma once
+
+#include "keiko/patch/boundary_curves.h"
+#include "keiko/patch/box_tree.h"
+#include "keiko/patch/closest_point.h"
+#include "keiko/patch/curve_polyline.h"
+
+#include <optional>
+#include <vector>
+
+namespace keiko {
+
+/// The point of a body's borders that is nearest to a given point.
+struct BorderFoot {
+    std::uint32_t border = 0; ///< into BorderFeet::borders
+    double t = 0;
+    Vec3 position{0};
+    double distance = 0; ///< mm
+};
+
+/// Finds the nearest points of all borders of the faces of a model, seams included: chords of their
+/// polylines are tried by distance, and Newton's iteration ends on the exact curve. Looks into the
+/// model it was made from.
+class BorderFeet {
+public:
+    explicit BorderFeet(const SurfaceModel& model);
+
+    /// Nothing where no border is within `radius` mm.
+    std::optional<BorderFoot> foot(const Vec3& p, double radius) const;
+    const std::vector<BoundaryInterval>& borders() const { return borders_; }
+    SurfaceCurve curve(std::uint32_t border) const { return curves_.curve(borders_[border]); }
+    const CurvePolyline& polyline(std::uint32_t border) const { return polylines_[border]; }
+
+private:
+    struct Chord {
+        std::uint32_t border = 0, first = 0;
+    };
+
+    BoundaryCurves curves_;
+    std::vector<BoundaryInterval> borders_;
+    std::vector<CurvePolyline> polylines_;
+    std::vector<Chord> chords_;
+    std::optional<BoxTree> tree_;
+};
+
+} // namespace keiko

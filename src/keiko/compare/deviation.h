@@ -1,0 +1,47 @@
+#pragma once
+
+#include "keiko/compare/surface_feet.h"
+
+#include <array>
+#include <vector>
+
+namespace keiko {
+
+/// Knobs of measure_deviation.
+struct DeviationOptions {
+    std::size_t samples = 30000; ///< about as many places, spread evenly; at least 16 a piece
+    double certainty = 1e-6;     ///< mm within which a distance must be proved to be certain
+};
+
+/// Where a body deviates from another.
+struct DeviationPlace {
+    double value = 0; ///< mm, or degrees
+    Vec3 place{0};    ///< world, mm
+    std::uint32_t face = 0;
+};
+
+/// How far one body lies from another, over its area. Distances are signed: positive outside the
+/// other's outward normal.
+struct Deviation {
+    double area = 0;                       ///< mm2, of the material sampled
+    double mean = 0, root_mean_square = 0; ///< mm
+    double lowest = 0, highest = 0;        ///< mm
+    /// mm: what so large a share of the area does not exceed, by size
+    double median = 0, percent_90 = 0, percent_99 = 0, percent_99_9 = 0;
+    DeviationPlace worst;           ///< the largest by size, signed, sought beyond the samples
+    DeviationPlace worst_normal;    ///< degrees between the normals, where they agree on a side
+    double uncertain_share = 0;     ///< of the area, whose distance is not proved
+    double largest_uncertainty = 0; ///< mm
+    std::size_t samples = 0;
+    std::vector<double> turned; ///< a face of the body: share of its area with the inside outside
+    /// A face of the body: the other's face that most of it lies nearest to.
+    std::vector<std::uint32_t> partners;
+};
+
+/// Measures how far `body` is from `other` by the nearest points of places spread over it, and
+/// climbs from the farthest of them to the worst place. The same for any number of threads. Reports
+/// stage "deviation". Throws Cancelled.
+Deviation measure_deviation(const SurfaceFeet& body, const SurfaceFeet& other,
+                            const DeviationOptions& options = {}, const Job& job = {});
+
+} // namespace keiko

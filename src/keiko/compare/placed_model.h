@@ -1,0 +1,26 @@
+#pragma once
+
+#include "keiko/patch/surface_model.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// A face of a model and the instance that places it.
+struct PlacedFace {
+    std::uint32_t instance = 0, face = 0; ///< into the SurfaceModel that was placed
+
+    bool operator==(const PlacedFace&) const = default;
+};
+
+/// A model whose every placed face is a face of its own, in world coordinates.
+struct PlacedModel {
+    SurfaceModel model;             ///< one part, placed once, where it is
+    std::vector<PlacedFace> origin; ///< of its faces
+};
+
+/// Places the faces of all instances, instances outer; then moves everything by `motion`. A
+/// mirrored instance turns its faces round, so that what was outside stays so.
+PlacedModel placed_model(const SurfaceModel& model, const Affine& motion = {});
+
+} // namespace keiko

@@ -1,0 +1,222 @@
+#include "keiko/compare/surface_feet.h"
+
+#include "keiko/base/error.h"
+#include "keiko/base/parallel.h"
+#include "keiko/compare/border_feet.h"
+#include "keiko/compare/piece_foot.h"
+#include "keiko/patch/differential_geometry.h"
+#include "keiko/trace/leaf.h"
+#include "keiko/trace/subpatch.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace keiko {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// How often a piece is halved before its distance stays unproved.
+constexpr int most_halvings = 12;
+
+/// The outward unit normal of a face, or 0.
+Vec3 outward(const SurfaceDerivatives& s, const Vec2& uv, const Face& face) {
+    const auto normal = unit_normal(s, uv);
+    if (!normal) return Vec3(0);
+    return face.reversed ? -*normal : *normal;
+}
+
+Vec3 euclidean(const Vec4& p) {
+    return Vec3(p.x, p.y, p.z) / p.w;
+}
+
+/// 0 where a piece is longer along u: Convexity is proved best for square ones.
+unsigned longer_side(const BezierPatchView& piece) {
+    const Vec3 a = euclidean(piece.point(0, 0)), b = euclidean(piece.point(piece.degree_u, 0));
+    const Vec3 c = euclidean(piece.point(0, piece.degree_v));
+    const Vec3 d = euclidean(piece.point(piece.degree_u, piece.degree_v));
+    const double along_u = (b - a).length() + (d - c).length();
+    const double along_v = (c - a).length() + (d - b).length();
+    return along_u >= along_v ? 0 : 1;
+}
+
+} // namespace
+
+struct SurfaceFeet::Pieces {
+    PlacedModel body;
+    std::vector<TrimRegion> trims; ///< a face
+    LeafSet leaves;
+    std::vector<Convexity> convex; ///< a leaf
+    std::optional<BoxTree> tree;
+    std::optional<BorderFeet> borders;
+
+    Pieces(PlacedModel placed, const Job& job);
+
+    std::optional<SurfacePoint> point(std::uint32_t index, const Vec2& uv) const {
+        const Leaf& leaf = leaves.leaves[index];
+        if (!is_material(leaf, uv)) return std::nullopt;
+        const std::uint32_t face = body.model.patches[leaf.patch].face;
+        const SurfaceDerivatives s = evaluate(leaves.view(leaf), uv, 2);
+        return SurfacePoint{.piece = index,
+                            .uv = uv,
+                            .face = face,
+                            .position = s.position() + leaf.center,
+                            .normal = outward(s, uv, body.model.faces[face]),
+                            .stretch = s.du().cross(s.dv()).length()};
+    }
+    bool is_material(const Leaf& leaf, const Vec2& uv) const {
+        if (leaf.trim == TrimSide::inside) return true;
+        return trims[body.model.patches[leaf.patch].face].contains(
+            body.model.face_parameters(leaf.patch, leaf.patch_parameters(uv)));
+    }
+};
+
+SurfaceFeet::Pieces::Pieces(PlacedModel placed, const Job& job) : body(std::move(placed)) {
+    const SurfaceModel& model = body.model;
+    if (model.patches.empty()) throw Error(model.source, "", "has no faces to compare");
+    for (const Face& face : model.faces) trims.emplace_back(model, face);
+    std::vector<LeafSet> sets(model.faces.size());
+    parallel_for(sets.size(), job, "",
+                 [&](std::size_t f) { sets[f] = make_leaves(model, model.faces[f], trims[f], 0); });
+    for (LeafSet& set : sets) append(leaves, std::move(set));
+    std::vector<Box3> boxes;
+    for (const Leaf& leaf : leaves.leaves) {
+        const BezierPatchView view = leaves.view(leaf);
+        const Box3 box = hull_bounds(view);
+        boxes.push_back({box.lower + leaf.center, box.upper + leaf.center});
+        convex.emplace_back(view);
+    }
+    tree.emplace(std::move(boxes));
+    borders.emplace(model);
+}
+
+/// What is known of the nearest point so far.
+class SurfaceFeet::Search {
+public:
+    Search(const Pieces& pieces, const Vec3& p) : pieces_(pieces), p_(p) {}
+
+    SurfaceFoot run() {
+        pieces_.tree->visit_near(p_, infinity, [&](std::uint32_t leaf) {
+            const BezierPatchView view = pieces_.leaves.view(pieces_.leaves.leaves[leaf]);
+            look(leaf, view, unit_square, pieces_.convex[leaf], 0);
+            return material_;
+        });
+        if (trimmed_ < material_) look_at_borders();
+        return border_ ? border_foot() : inner_foot();
+    }
+
+private:
+    /// Tries the piece of a leaf over `box` of the leaf's parameters.
+    void look(std::uint32_t index, const BezierPatchView& piece, const Box2& box,
+              const Convexity& convex, int halved) {
+        const Leaf& leaf = pieces_.leaves.leaves[index];
+        const Vec3 local = p_ - leaf.center;
+        const Box3 hull = hull_bounds(piece);
+        const double nearest = (hull.nearest(local) - local).length();
+        if (nearest >= material_) return;
+        const bool proved = convex.holds(piece, local);
+        if (proved || halved == most_halvings) {
+            if (!proved) unproved_ = std::min(unproved_, nearest);
+            take(index, piece_foot(piece, local), box);
+            return;
+        }
+        // What is found now spares most of the halves.
+        take(index, piece_foot(piece, local), box);
+        const unsigned axis = longer_side(piece);
+        for (const bool upper : {false, true}) {
+            Box2 half = box;
+            (upper ? half.lower : half.upper)[axis] = box.center()[axis];
+            const std::vector<Vec4> points = subpatch(pieces_.leaves.view(leaf), half);
+            const BezierPatchView view{piece.degree_u, piece.degree_v, points};
+            look(index, view, half, Convexity(view), halved + 1);
+        }
+    }
+
+    void take(std::uint32_t index, const PieceFoot& foot, const Box2& box) {
+        if (foot.distance >= material_) return;
+        const Leaf& leaf = pieces_.leaves.leaves[index];
+        const Vec2 uv = box.lower + box.extent() * foot.uv;
+        if (!pieces_.is_material(leaf, uv)) {
+            trimmed_ = std::min(trimmed_, foot.distance);
+            return;
+        }
+        material_ = foot.distance;
+        leaf_ = index, uv_ = uv;
+    }
+
+    void look_at_borders() {
+        border_ = pieces_.borders->foot(p_, material_);
+        if (border_) material_ = border_->distance;
+    }
+
+    double proved_bound() const { return std::min({material_, trimmed_, unproved_}); }
+
+    SurfaceFoot inner_foot() const {
+        const Leaf& leaf = pieces_.leaves.leaves[leaf_];
+        const SurfaceModel& model = pieces_.body.model;
+        const std::uint32_t face = model.patches[leaf.patch].face;
+        const SurfaceDerivatives s = evaluate(pieces_.leaves.view(leaf), uv_, 2);
+        return {.face = face,
+                .position = s.position() + leaf.center,
+                .normal = outward(s, uv_, model.faces[face]),
+                .distance = material_,
+                .nearest = proved_bound(),
+                .on_border = false};
+    }
+
+    SurfaceFoot border_foot() const {
+        const SurfaceModel& model = pieces_.body.model;
+        const BoundaryInterval& border = pieces_.borders->borders()[border_->border];
+        const auto frame = pieces_.borders->curve(border_->border).frame(border_->t);
+        const Vec3 normal = frame ? frame->normal : Vec3(0);
+        return {.face = border.face,
+                .position = border_->position,
+                .normal = model.faces[border.face].reversed ? -normal : normal,
+                .distance = material_,
+                .nearest = proved_bound(),
+                .on_border = true};
+    }
+
+    const Pieces& pieces_;
+    Vec3 p_;
+    double material_ = infinity; ///< mm, of the nearest place found in the material
+    double trimmed_ = infinity;  ///< mm, of the nearest place found that is trimmed away
+    double unproved_ = infinity; ///< mm, pieces without a proof are not nearer than this
+    std::uint32_t leaf_ = 0;
+    Vec2 uv_{0}; ///< of the leaf
+    std::optional<BorderFoot> border_;
+};
+
+SurfaceFeet::SurfaceFeet(PlacedModel body, const Job& job)
+    : pieces_(std::make_unique<Pieces>(std::move(body), job)) {}
+SurfaceFeet::~SurfaceFeet() = default;
+SurfaceFeet::SurfaceFeet(SurfaceFeet&&) noexcept = default;
+
+SurfaceFoot SurfaceFeet::foot(const Vec3& p) const {
+    return Search(*pieces_, p).run();
+}
+
+double SurfaceFeet::border_distance(const Vec3& p) const {
+    const auto found = pieces_->borders->foot(p, infinity);
+    return found ? found->distance : infinity;
+}
+
+std::size_t SurfaceFeet::piece_count() const {
+    return pieces_->leaves.leaves.size();
+}
+
+Vec2 SurfaceFeet::piece_size(std::size_t piece) const {
+    const Vec2& length = pieces_->leaves.frames[piece].length;
+    const double diameter = 2 * pieces_->leaves.leaves[piece].radius;
+    return {std::min(length.x, diameter), std::min(length.y, diameter)};
+}
+
+std::optional<SurfacePoint> SurfaceFeet::point(std::size_t piece, const Vec2& uv) const {
+    return pieces_->point(static_cast<std::uint32_t>(piece), uv);
+}
+
+const PlacedModel& SurfaceFeet::body() const {
+    return pieces_->body;
+}
+
+} // namespace keiko

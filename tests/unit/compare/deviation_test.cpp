@@ -1,0 +1,89 @@
+#include "keiko/compare/deviation.h"
+
+#include "tests/support/model_builder.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+using test::ModelBuilder;
+
+/// A bicubic sheet of 300 x 300 mm, bulging; `change` moves one of its inner control points up.
+SurfaceModel sheet(double change = 0) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            points.emplace_back(100 * i, 100 * j, 20 * (i % 3 != 0) + 15 * (j % 3 != 0));
+    points[5].z += change;
+    ModelBuilder builder;
+    builder.patch(3, 3, points);
+    return builder.build();
+}
+
+Deviation between(const SurfaceModel& body, const SurfaceModel& other, const Job& job = {}) {
+    return measure_deviation(SurfaceFeet(placed_model(body)), SurfaceFeet(placed_model(other)), {},
+                             job);
+}
+
+TEST(Deviation, IsNoneOfABodyToItself) {
+    const Deviation none = between(sheet(), sheet());
+    EXPECT_LT(none.root_mean_square, 1e-11);
+    EXPECT_LT(std::abs(none.worst.value), 1e-10);
+    EXPECT_LT(none.worst_normal.value, 1e-9);
+    EXPECT_EQ(none.uncertain_share, 0);
+    EXPECT_EQ(none.turned, std::vector<double>{0});
+    EXPECT_EQ(none.partners, std::vector<std::uint32_t>{0});
+}
+
+TEST(Deviation, IsTheOffsetOfAParallelPlane) {
+    ModelBuilder low, high;
+    low.plane({0, 0, 0}, {100, 0, 0}, {0, 100, 0});
+    high.plane({10, 10, 0.25}, {50, 0, 0}, {0, 50, 0});
+    const Deviation up = between(high.build(), low.build());
+    EXPECT_NEAR(up.mean, 0.25, 1e-12);
+    EXPECT_NEAR(up.median, 0.25, 1e-12);
+    EXPECT_NEAR(up.percent_99_9, 0.25, 1e-12);
+    EXPECT_NEAR(up.worst.value, 0.25, 1e-12);
+    EXPECT_NEAR(up.area, 2500, 1e-6);
+    const Deviation back = between(low.build(), high.build());
+    EXPECT_LT(back.worst.value, -0.25); // the rim lies beside the smaller one
+    EXPECT_NEAR(std::abs(back.worst.value), std::hypot(40, 40, 0.25), 0.5);
+    EXPECT_EQ(back.uncertain_share, 0); // it ends where its patch ends: nothing is trimmed away
+}
+
+TEST(Deviation, FindsThePeakOfAMovedControlPoint) {
+    // The largest B1(u) B1(v) of degree 3 is (4/9)^2, at (1/3, 1/3).
+    for (const double change : {1e-3, 1e-2, 1e-1}) {
+        const Deviation found = between(sheet(change), sheet());
+        const double vertical = change * 16 / 81;
+        EXPECT_LE(found.worst.value, vertical * (1 + 1e-6));
+        EXPECT_GT(found.worst.value, 0.9 * vertical) << change; // the sheet is a little inclined
+        EXPECT_NEAR(found.worst.place.x, 100, 15);
+        EXPECT_NEAR(found.worst.place.y, 100, 15);
+        EXPECT_GT(found.worst_normal.value, 0);
+        EXPECT_EQ(found.uncertain_share, 0);
+    }
+    EXPECT_LT(between(sheet(-0.01), sheet()).worst.value, 0);
+}
+
+TEST(Deviation, NoticesAFaceTurnedInsideOut) {
+    SurfaceModel turned = sheet();
+    turned.faces[0].reversed = true;
+    const Deviation found = between(turned, sheet());
+    EXPECT_EQ(found.turned, std::vector<double>{1});
+    EXPECT_LT(found.worst_normal.value, 1e-9);
+}
+
+TEST(Deviation, IsTheSameForAnyNumberOfThreads) {
+    const Deviation one = between(sheet(0.1), sheet(), {.threads = 1});
+    const Deviation two = between(sheet(0.1), sheet(), {.threads = 2});
+    EXPECT_EQ(one.mean, two.mean);
+    EXPECT_EQ(one.root_mean_square, two.root_mean_square);
+    EXPECT_EQ(one.worst.value, two.worst.value);
+    EXPECT_EQ(one.worst.place, two.worst.place);
+}
+
+} // namespace
+} // namespace keiko
