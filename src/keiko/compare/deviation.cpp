@@ -172,6 +172,21 @@ void take_faces(const std::vector<Sample>& samples, std::size_t faces, Deviation
     }
 }
 
+/// Where the body's borders are farthest from those of the other.
+DeviationPlace worst_border(const SurfaceFeet& body, const SurfaceFeet& other, const Job& job) {
+    const std::vector<BorderPoint> points = body.border_points();
+    std::vector<double> distances(points.size());
+    constexpr std::size_t chunk = 256;
+    parallel_for((points.size() + chunk - 1) / chunk, job, "borders", [&](std::size_t c) {
+        for (std::size_t i = c * chunk; i < std::min(points.size(), (c + 1) * chunk); ++i)
+            distances[i] = other.border_distance(points[i].position);
+    });
+    DeviationPlace worst;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (distances[i] > worst.value) worst = {distances[i], points[i].position, points[i].face};
+    return worst;
+}
+
 } // namespace
 
 Deviation measure_deviation(const SurfaceFeet& body, const SurfaceFeet& other,
@@ -180,6 +195,7 @@ Deviation measure_deviation(const SurfaceFeet& body, const SurfaceFeet& other,
     Deviation result;
     result.samples = samples.size();
     take_faces(samples, body.body().model.faces.size(), result);
+    result.worst_border = worst_border(body, other, job);
     if (samples.empty()) return result;
     take_sums(samples, options.certainty, result);
     take_percentiles(samples, result);

@@ -30,6 +30,7 @@ struct Deviation {
     double median = 0, percent_90 = 0, percent_99 = 0, percent_99_9 = 0;
     DeviationPlace worst;           ///< the largest by size, signed, sought beyond the samples
     DeviationPlace worst_normal;    ///< degrees between the normals, where they agree on a side
+    DeviationPlace worst_border;    ///< mm from a border of the body to the other's borders
     double uncertain_share = 0;     ///< of the area, whose distance is not proved
     double largest_uncertainty = 0; ///< mm
     std::size_t samples = 0;

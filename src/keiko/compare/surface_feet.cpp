@@ -201,6 +201,23 @@ double SurfaceFeet::border_distance(const Vec3& p) const {
     return found ? found->distance : infinity;
 }
 
+std::vector<BorderPoint> SurfaceFeet::border_points() const {
+    constexpr int between = 4;
+    const BorderFeet& borders = *pieces_->borders;
+    std::vector<BorderPoint> points;
+    for (std::uint32_t i = 0; i < borders.borders().size(); ++i) {
+        const SurfaceCurve curve = borders.curve(i);
+        const std::vector<double>& t = borders.polyline(i).t;
+        for (std::size_t k = 0; k + 1 < t.size(); ++k)
+            for (int j = 0; j < between; ++j) {
+                const double at = t[k] + (t[k + 1] - t[k]) * j / between;
+                points.push_back({curve.at(at).position, borders.borders()[i].face});
+            }
+        points.push_back({curve.at(1).position, borders.borders()[i].face});
+    }
+    return points;
+}
+
 std::size_t SurfaceFeet::piece_count() const {
     return pieces_->leaves.leaves.size();
 }

@@ -31,6 +31,12 @@ struct SurfacePoint {
     double stretch = 0;      ///< mm2 of surface in a unit of u times a unit of v
 };
 
+/// A point of a border of a body's faces.
+struct BorderPoint {
+    Vec3 position{0};       ///< world, mm
+    std::uint32_t face = 0; ///< into the faces of the PlacedModel
+};
+
 /// Finds the nearest points of the exact trimmed surface of a body. Pieces of surface are tried by
 /// the distance of their boxes; where the squared distance is proved convex over a piece, Newton's
 /// iteration finds its only minimum, elsewhere the piece is halved, a few times: distances up to
@@ -48,6 +54,8 @@ public:
     SurfaceFoot foot(const Vec3& p) const;
     /// The distance of a point to the borders of all faces, mm.
     double border_distance(const Vec3& p) const;
+    /// Points of all borders: where they turn, and three between each two of those.
+    std::vector<BorderPoint> border_points() const;
     const PlacedModel& body() const;
 
     /// The pieces that the faces are divided into: bent little, and none without material nearby.

@@ -76,6 +76,20 @@ TEST(Deviation, NoticesAFaceTurnedInsideOut) {
     EXPECT_LT(found.worst_normal.value, 1e-9);
 }
 
+TEST(Deviation, NoticesATrimThatMoved) {
+    const auto holed = [](double side) {
+        ModelBuilder builder;
+        builder.plane({0, 0, 0}, {100, 0, 0}, {0, 100, 0});
+        builder.polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+        builder.polygon({{0.4, 0.4}, {0.4, 0.6}, {side, 0.6}, {side, 0.4}});
+        return builder.build();
+    };
+    const Deviation wider = between(holed(0.6001), holed(0.6)); // by 0.01 mm
+    EXPECT_NEAR(wider.worst_border.value, 0.01, 1e-9);
+    EXPECT_NEAR(wider.worst_border.place.x, 60.01, 1e-9);
+    EXPECT_LT(between(holed(0.6), holed(0.6)).worst_border.value, 1e-12);
+}
+
 TEST(Deviation, IsTheSameForAnyNumberOfThreads) {
     const Deviation one = between(sheet(0.1), sheet(), {.threads = 1});
     const Deviation two = between(sheet(0.1), sheet(), {.threads = 2});
