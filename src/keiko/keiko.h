@@ -1,10 +1,12 @@
 #pragma once
 
+#include "keiko/base/error.h"
 #include "keiko/film/false_color_picture.h"
 #include "keiko/film/image_file.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/io/load_model.h"
 #include "keiko/io/material_file.h"
+#include "keiko/io/preset_file.h"
 #include "keiko/io/rig_file.h"
 #include "keiko/patch/seam.h"
 #include "keiko/placement/best_view.h"
@@ -126,7 +128,7 @@ void write_placement(const std::filesystem::path& folder, const Scene& scene,
 struct InspectOptions {
     std::vector<std::string> views;           ///< names; empty: three automatic ones
     std::optional<std::filesystem::path> rig; ///< none: the scene's own, or else placed
-    CriteriaPreset preset;
+    CriteriaPreset preset = standard_presets().front();
     double join = 0.5; ///< mm
     PlacementOptions placement;
     PictureOptions picture;

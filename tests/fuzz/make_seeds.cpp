@@ -46,6 +46,8 @@ void copy_rigs(const fs::path& seeds) {
         const bool materials = entry.path().filename() == "materials.toml";
         copy_to(seeds / (materials ? "materials" : "rig"), entry.path());
     }
+    for (const fs::directory_entry& entry : fs::directory_iterator(sources / "lightrigs/presets"))
+        copy_to(seeds / "preset", entry.path());
 }
 
 /// Whole and, because the target adds a header of its own, as what follows the header.

@@ -25,7 +25,7 @@ void print_summary(const Report& report, const std::filesystem::path& folder) {
 
 int inspect(InspectArguments arguments, const Job& job) {
     InspectOptions& options = arguments.options;
-    if (!arguments.preset.empty()) options.preset = preset_by_name(arguments.preset);
+    if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     if (arguments.rig != "auto") {
         options.rig = arguments.rig;
         read_rig(*options.rig); // a misspelt key is told before the long work
@@ -57,7 +57,8 @@ void add_inspect(CLI::App& app, Session& session) {
         ->allow_extra_args(false);
     command.add_option("--rig", arguments->rig, "rig file, or auto: place the lamps")
         ->capture_default_str();
-    command.add_option("--preset", arguments->preset, "limits by name [class-a-outer]");
+    command.add_option("--preset", arguments->preset,
+                       "limits by name, or a preset file (.toml) [class-a-outer]");
     command.add_option("--join", arguments->options.join, "mm within which borders are a seam")
         ->check(number_between(1e-6, 1000))
         ->capture_default_str();

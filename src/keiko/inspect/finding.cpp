@@ -59,6 +59,20 @@ Finding curvature_finding(const CurvatureStep& step) {
                                  : sentence("the curvature mismatch of", step.worst, " %", 100)};
 }
 
+/// Neither SASIG nor ISO 10303-59 names a check of G3.
+Finding slope_finding(const CurvatureSlopeStep& step) {
+    return {
+        .code = "KEIKO-G3",
+        .rule = "",
+        .quantity = "curvature_slope",
+        .unit = "deg",
+        .formula = "|atan2(k1',k1^2)-atan2(k2',k2^2)|",
+        .worst = step.worst,
+        .seam = 0,
+        .faces = "",
+        .message = sentence("the change of the curvature's slope of", step.worst, " degrees", 1)};
+}
+
 } // namespace
 
 std::vector<Finding> findings_of(const MeasuredSeam& seam, std::uint32_t index) {
@@ -68,6 +82,8 @@ std::vector<Finding> findings_of(const MeasuredSeam& seam, std::uint32_t index) 
         found.push_back(angle_finding(*seam.angle));
     if (seam.curvature && seam.curvature->worst.verdict != Verdict::pass)
         found.push_back(curvature_finding(*seam.curvature));
+    if (seam.slope && seam.slope->worst.verdict != Verdict::pass)
+        found.push_back(slope_finding(*seam.slope));
     for (Finding& finding : found) {
         finding.seam = index;
         finding.faces = seam.faces;

@@ -10,9 +10,9 @@ namespace keiko {
 
 /// One value that is over its limit or cannot be told from it.
 struct Finding {
-    std::string code;       ///< SASIG / VDA 4955, e.g. "G-SU-LG"
-    std::string rule;       ///< ISO 10303-59 name, e.g. "gap_between_faces_related_to_an_edge"
-    std::string quantity;   ///< "gap", "angle" or "curvature"
+    std::string code; ///< SASIG / VDA 4955, e.g. "G-SU-LG"
+    std::string rule; ///< ISO 10303-59 name, e.g. "gap_between_faces_related_to_an_edge", or empty
+    std::string quantity;   ///< "gap", "angle", "curvature" or "curvature_slope"
     std::string unit;       ///< "mm", "deg", "1" (a share of 1) or "1/mm"
     std::string formula;    ///< of a curvature mismatch, or empty
     Worst worst;            ///< value, bound, limit, place, verdict
@@ -21,7 +21,8 @@ struct Finding {
     std::string message;    ///< one sentence
 };
 
-/// The findings of one measured seam (number `index`), in the order gap, angle, curvature.
+/// The findings of one measured seam (number `index`), in the order gap, angle, curvature, its
+/// slope.
 std::vector<Finding> findings_of(const MeasuredSeam& seam, std::uint32_t index);
 
 } // namespace keiko

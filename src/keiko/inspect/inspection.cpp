@@ -1,5 +1,7 @@
 #include "keiko/inspect/inspection.h"
 
+#include "keiko/inspect/knot_lines.h"
+
 #include <algorithm>
 
 namespace keiko {
@@ -57,6 +59,8 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     if (!model.lost_faces.empty()) result.verdict = Verdict::undecided;
     result.pieces = pair_seams(model, join, job);
     result.seams = measure_seams(model, result.pieces, preset, join, job);
+    std::vector<MeasuredSeam> knots = measure_knot_lines(model, preset, job);
+    std::move(knots.begin(), knots.end(), std::back_inserter(result.seams));
     mark_irregular(model, result.seams);
     result.facts = model_facts(model, result.pieces, join, job);
     result.facts.seams = result.seams.size();
@@ -90,6 +94,7 @@ Vec3 worst_place(const MeasuredSeam& seam) {
     };
     if (seam.angle && !seam.crease) take(*seam.angle);
     if (seam.curvature) take(seam.curvature->worst);
+    if (seam.slope && seam.slope->worst.verdict != Verdict::pass) take(seam.slope->worst);
     return furthest->place;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/math/interval_set.h"
 #include "keiko/patch/boundary_curves.h"
 #include "keiko/patch/seam.h"
 
@@ -15,29 +16,38 @@ struct SeamPoint {
     double gap = 0;              ///< mm, to the nearest point of side b
     std::optional<double> angle; ///< degrees, 0 smooth to 180 folded back; needs both normals
     double curvature_a = 0, curvature_b = 0; ///< 1/mm, across the seam, normals on one side
+    double slope_a = 0, slope_b = 0;         ///< 1/mm2, of these curvatures on the way from a to b
+    bool overlap = false; ///< one side lies on the other's material rather than apart from it
 };
 
 /// Looks at a seam on its exact geometry.
 class SeamProbe {
 public:
     SeamProbe(const BoundaryCurves& curves, const Seam& seam)
-        : a_(curves.curve(seam.a)), b_(curves.curve(seam.b)), seam_(seam) {}
+        : SeamProbe(curves.curve(seam.a), {seam.a.begin, seam.a.end}, curves.curve(seam.b),
+                    {seam.b.begin, seam.b.end}) {}
+    /// The curves of both sides and the parameters that face each other.
+    SeamProbe(const SurfaceCurve& a, const ParameterInterval& on_a, const SurfaceCurve& b,
+              const ParameterInterval& on_b)
+        : a_(a), b_(b), on_a_(on_a), on_b_(on_b) {}
 
-    double begin() const { return seam_.a.begin; }
-    double end() const { return seam_.a.end; }
+    double begin() const { return on_a_.begin; }
+    double end() const { return on_a_.end; }
     /// The seam at parameter t of side a; `s_guess` is where side b is thought to face it.
     SeamPoint at(double t, double s_guess) const;
     /// The same with a guess in proportion.
     SeamPoint at(double t) const;
     /// mm, of side a.
-    double length() const { return a_.length(seam_.a.begin, seam_.a.end); }
+    double length() const { return a_.length(begin(), end()); }
+    /// A point halfway along, on side a; world, mm.
+    Vec3 middle() const { return a_.at((begin() + end()) / 2).position; }
 
     /// The larger number of patches that either side runs through: where it may change its ways.
     int patch_count() const { return std::max(a_.patch_count(), b_.patch_count()); }
 
 private:
     SurfaceCurve a_, b_;
-    Seam seam_;
+    ParameterInterval on_a_, on_b_; ///< that of b runs backwards where begin > end
 };
 
 } // namespace keiko

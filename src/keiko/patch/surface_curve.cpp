@@ -61,8 +61,8 @@ SurfaceCurve::Point SurfaceCurve::at(double t) const {
                 s.dvv() * (p.v.first * p.v.first) + s.du() * p.u.second + s.dv() * p.v.second};
 }
 
-std::optional<BoundaryFrame> SurfaceCurve::frame(double t) const {
-    const Place p = place(t, 2);
+std::optional<BoundaryFrame> SurfaceCurve::frame(double t, int order) const {
+    const Place p = place(t, order);
     const Vec3 first = p.surface.du() * p.u.first + p.surface.dv() * p.v.first;
     const double speed = first.length();
     // Near a pole du x dv is what rounding leaves of it: its direction is that good to 1e-8 rad.

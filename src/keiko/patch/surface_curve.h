@@ -12,7 +12,7 @@ struct BoundaryFrame {
     Vec3 tangent{0};            ///< unit, the way the curve runs
     Vec3 normal{0};             ///< unit, along du x dv
     Vec3 inward{0};             ///< unit, tangent to the surface, from the border into the material
-    SurfaceDerivatives surface; ///< by patch parameters, to order 2
+    SurfaceDerivatives surface; ///< by patch parameters, to the order asked for
 };
 
 /// A trim curve as a curve in space: the exact surface along the exact p-curve, placed by its
@@ -35,7 +35,8 @@ public:
     };
     Point at(double t) const;
     /// Nothing where the curve stands still or the surface is singular, as at a pole.
-    std::optional<BoundaryFrame> frame(double t) const;
+    /// `order` is that of the surface's derivatives, 2 or 3.
+    std::optional<BoundaryFrame> frame(double t, int order = 2) const;
     /// Arc length in mm between two parameters, in either order.
     double length(double begin, double end) const;
     /// Index of the patch that it runs on at t, on the side of its material.

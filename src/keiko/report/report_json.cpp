@@ -24,7 +24,17 @@ Json curvature(const CurvatureStep& step) {
     json["formula"] = name_of(step.formula);
     json["formula_text"] = step.flat ? "|C1-C2|" : formula_text(step.formula);
     json["mismatch"] = step.mismatch;
+    json["alias"] = step.alias;
+    json["catia"] = step.catia;
     json["curvatures"] = {step.curvature_a, step.curvature_b};
+    return json;
+}
+
+Json slope(const CurvatureSlopeStep& step) {
+    Json json = worst(step.worst);
+    json["unit"] = "deg";
+    json["change"] = step.change;
+    json["slopes"] = {step.slope_a, step.slope_b};
     return json;
 }
 
@@ -35,6 +45,8 @@ Json seam_json(const MeasuredSeam& seam) {
                  {"verdict", name_of(seam.verdict)},
                  {"crease", seam.crease},
                  {"irregular", seam.irregular},
+                 {"internal", seam.internal},
+                 {"overlap", seam.overlap},
                  {"severity", seam.severity},
                  {"length", seam.length},
                  {"middle", point(seam.middle)},
@@ -42,6 +54,7 @@ Json seam_json(const MeasuredSeam& seam) {
     json["angle"] = seam.angle ? worst(*seam.angle) : Json();
     if (seam.angle) json["angle"]["smallest"] = seam.smallest_angle;
     json["curvature"] = seam.curvature ? curvature(*seam.curvature) : Json();
+    json["curvature_slope"] = seam.slope ? slope(*seam.slope) : Json();
     return json;
 }
 
@@ -57,6 +70,7 @@ Json finding_json(const Finding& finding) {
 Json preset_json(const CriteriaPreset& preset) {
     Json json = {{"name", preset.name},
                  {"source", preset.source},
+                 {"caveat", preset.caveat},
                  {"gap", preset.gap},
                  {"angle", preset.angle},
                  {"curvature", Json()},
@@ -67,6 +81,7 @@ Json preset_json(const CriteriaPreset& preset) {
         json["curvature"] = {{"formula", name_of(preset.curvature->formula)},
                              {"formula_text", formula_text(preset.curvature->formula)},
                              {"limit", preset.curvature->limit}};
+    if (preset.curvature_slope) json["curvature_slope"] = *preset.curvature_slope;
     return json;
 }
 

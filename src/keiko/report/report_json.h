@@ -25,8 +25,9 @@ std::string facts_json(const ModelFacts& facts);
 /// counts {fail, undecided, pass, creases}, preset, join, model (as
 /// facts_json, without face_list), worst_seams
 /// [indices], seams [{faces, face_ids, instances, verdict, crease, severity, length, middle, gap,
-/// angle, curvature}], findings [{code, rule, seam, faces, quantity, unit, formula?, message}].
-/// Each gap, angle, curvature and finding has value, bound, limit, verdict and place.
+/// angle, curvature, curvature_slope, internal, overlap}], findings [{code, rule, seam, faces,
+/// quantity, unit, formula?, message}]. Each gap, angle, curvature and finding has value, bound,
+/// limit, verdict and place.
 std::string inspection_json(const Inspection& inspection);
 
 /// The whole report, "keiko-report/1": tool {name, version}, the keys of inspection_json, then

@@ -31,22 +31,5 @@ TEST(CurvatureMismatch, VanishesBetweenPlanes) {
     EXPECT_EQ(curvature_mismatch(alias, 0.01, 0), 1);
 }
 
-TEST(Presets, AreFoundByName) {
-    EXPECT_EQ(preset_by_name("class-a-strict").gap, 0.001);
-    EXPECT_EQ(preset_by_name("class-a-strict").curvature->formula, catia);
-    EXPECT_FALSE(preset_by_name("class-b").curvature.has_value());
-    EXPECT_EQ(preset_by_name("class-a-outer").name, CriteriaPreset{}.name);
-}
-
-TEST(Presets, AreListedWhenTheNameIsUnknown) {
-    try {
-        preset_by_name("class-z");
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_NE(error.reason().find("class-z"), std::string::npos);
-        EXPECT_NE(error.reason().find("vda-4955"), std::string::npos);
-    }
-}
-
 } // namespace
 } // namespace keiko

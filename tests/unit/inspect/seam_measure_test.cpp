@@ -1,6 +1,8 @@
 #include "keiko/inspect/seam_measure.h"
 
 #include "keiko/base/units.h"
+#include "keiko/inspect/knot_lines.h"
+#include "keiko/io/preset_file.h"
 
 #include "tests/unit/inspect/sheets.h"
 #include <gtest/gtest.h>
@@ -251,6 +253,90 @@ TEST(MeasureSeams, PartsASeamAtACorner) {
     builder.polygon({{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.8}, {0.4, 0.8}});
     builder.plane({40, 20, 0}, {20, 0, 0}, {0, 20, 0}); // fills the hole
     EXPECT_EQ(measured(builder.build()).size(), 4u);
+}
+
+/// The parabolic sheet z = bend y^2 + twist y^3 beside y = 0, `sign` y from 0 to 20.
+void cubic_sheet(ModelBuilder& builder, double sign, double bend, double twist) {
+    const double y = 20 * sign;
+    std::vector<Vec3> points;
+    for (const double x : {0.0, sheet_length})
+        for (const Vec3& p :
+             {Vec3(x, 0, 0), Vec3(x, y / 3, 0), Vec3(x, 2 * y / 3, bend * y * y / 3),
+              Vec3(x, y, bend * y * y + twist * y * y * y)})
+            points.push_back(p);
+    builder.patch(1, 3, points);
+}
+
+TEST(MeasureSeams, GivesTheChangeOfTheCurvaturesSlope) {
+    ModelBuilder builder;
+    cubic_sheet(builder, 1, 0.001, 2e-6); // k = 0.002 and k' = 1.2e-5 at y = 0
+    cubic_sheet(builder, -1, 0.001, 1e-6);
+    const MeasuredSeam seam = only_seam(builder);
+    ASSERT_TRUE(seam.slope.has_value());
+    EXPECT_NEAR(seam.slope->change, 6e-6, 1e-15);
+    const double angle = std::atan2(1.2e-5, 4e-6) - std::atan2(6e-6, 4e-6);
+    EXPECT_NEAR(seam.slope->worst.value, radians_to_degrees(angle), 1e-7);
+    EXPECT_EQ(seam.verdict, Verdict::pass); // class-a-outer does not judge it
+    EXPECT_EQ(only_seam(builder, preset_by_name("class-a-strict")).verdict, Verdict::fail);
+}
+
+TEST(MeasureSeams, FindsNoChangeOfSlopeInOneCubicCutInTwo) {
+    ModelBuilder builder;
+    cubic_sheet(builder, 1, 0.001, 2e-6);
+    cubic_sheet(builder, -1, 0.001, 2e-6);
+    const MeasuredSeam seam = only_seam(builder, preset_by_name("class-a-strict"));
+    ASSERT_TRUE(seam.slope.has_value());
+    EXPECT_NEAR(seam.slope->worst.value, 0, 1e-9);
+    EXPECT_EQ(seam.verdict, Verdict::pass);
+}
+
+TEST(MeasureSeams, TellsAnOverlapFromAGap) {
+    for (const double apart : {0.02, -0.02}) {
+        ModelBuilder builder;
+        flat_sheet(builder, {0, 50, 0}, {0, apart, 0});
+        flat_sheet(builder, {0, -50, 0});
+        const MeasuredSeam seam = only_seam(builder);
+        EXPECT_NEAR(seam.gap.value, 0.02, 1e-13);
+        EXPECT_EQ(seam.overlap, apart < 0);
+    }
+}
+
+/// A B-spline sheet of 100 x 40 mm with a knot line at y = 0, where it turns by `degrees`; the knot
+/// is as often there as the degree.
+NurbsSurface bent_sheet(double degrees) {
+    NurbsSurface sheet{1, 2, {0, 0, 1, 1}, {0, 0, 0, 1, 1, 2, 2, 2}, {}};
+    const double slope = std::tan(degrees_to_radians(degrees));
+    for (const double x : {0.0, sheet_length})
+        for (const double y : {-20.0, -10.0, 0.0, 10.0, 20.0})
+            sheet.points.emplace_back(x, y, std::max(0.0, y) * slope, 1);
+    return sheet;
+}
+
+TEST(MeasureKnotLines, CountAKnotAtWhichTheFaceTurnsAsASeam) {
+    ModelBuilder builder;
+    builder.nurbs(bent_sheet(0.3));
+    const auto lines = measure_knot_lines(builder.build(), {});
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_TRUE(lines[0].internal);
+    EXPECT_NEAR(lines[0].angle->value, 0.3, 1e-9);
+    EXPECT_NEAR(lines[0].length, sheet_length, 1e-9);
+    EXPECT_EQ(lines[0].verdict, Verdict::fail);
+    EXPECT_EQ(lines[0].faces, "face 1, inside at v = 1");
+}
+
+TEST(MeasureKnotLines, LeaveOutSmoothKnots) {
+    ModelBuilder builder;
+    builder.nurbs(bent_sheet(0));
+    EXPECT_TRUE(measure_knot_lines(builder.build(), {}).empty());
+}
+
+TEST(MeasureKnotLines, EndWhereTrimsDo) {
+    ModelBuilder builder;
+    builder.nurbs(bent_sheet(0.3));
+    builder.polygon({{0.2, 0.5}, {0.6, 0.5}, {0.6, 1.5}, {0.2, 1.5}});
+    const auto lines = measure_knot_lines(builder.build(), {});
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_NEAR(lines[0].length, 0.4 * sheet_length, 1e-8);
 }
 
 } // namespace

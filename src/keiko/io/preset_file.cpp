@@ -1,0 +1,96 @@
+#include "keiko/io/preset_file.h"
+
+#include "keiko/base/error_text.h"
+#include "keiko/base/input_file.h"
+#include "keiko/io/toml_reader.h"
+#include "keiko/spec/suggestion.h"
+
+#include "keiko_standard_presets.h"
+
+#include <vector>
+
+namespace keiko {
+namespace {
+
+/// Beyond these no limit of a surface makes sense; a mistyped unit does.
+constexpr TomlLimits lengths{.low = 0, .high = 1e6, .above_low = true};
+constexpr TomlLimits angles{.low = 0, .high = 180, .above_low = true};
+constexpr TomlLimits shares{.low = 0, .high = 2, .above_low = true};
+
+CurvatureLimit curvature_from(const TomlTable& table) {
+    CurvatureLimit limit;
+    const std::size_t formula =
+        table.required("formula", table.choice("formula", {"alias", "catia"}));
+    limit.formula = formula == 0 ? CurvatureFormula::alias : CurvatureFormula::catia;
+    limit.limit = table.required("limit", table.number("limit", shares));
+    table.finish();
+    return limit;
+}
+
+void read_seam(const TomlTable& table, CriteriaPreset& preset) {
+    preset.gap = table.required("gap", table.number("gap", lengths));
+    preset.angle = table.required("angle", table.number("angle", angles));
+    preset.curvature.reset();
+    if (const auto curvature = table.table("curvature"))
+        preset.curvature = curvature_from(*curvature);
+    preset.curvature_slope = table.number("curvature_slope", angles);
+    preset.feature_angle = table.number("feature_angle", angles).value_or(preset.feature_angle);
+    preset.flat_radius =
+        table.number("flat_radius", TomlLimits::positive()).value_or(preset.flat_radius);
+    preset.flat_curvature_change = table.number("flat_curvature_change", TomlLimits::positive())
+                                       .value_or(preset.flat_curvature_change);
+    if (preset.feature_angle < preset.angle)
+        throw table.error("feature_angle", "is below the limit of the angle: no seam could fail");
+    table.finish();
+}
+
+std::vector<CriteriaPreset> parsed_standard_presets() {
+    std::vector<CriteriaPreset> presets;
+    for (const StandardPreset& preset : standard_preset_files)
+        presets.push_back(parse_preset(preset.text, std::string(preset.name) + ".toml"));
+    return presets;
+}
+
+} // namespace
+
+CriteriaPreset parse_preset(std::string_view text, const std::string& source) {
+    const TomlTable root = TomlTable::parse(text, source);
+    root.require_format("keiko-preset/1");
+    CriteriaPreset preset;
+    preset.name = root.required("name", root.text("name"));
+    if (preset.name.empty()) throw root.error("name", "is empty");
+    preset.source = root.text("source").value_or("");
+    preset.caveat = root.text("caveat").value_or("");
+    read_seam(root.required("seam", root.table("seam")), preset);
+    root.not_yet({"surface"});
+    root.finish();
+    return preset;
+}
+
+CriteriaPreset read_preset(const std::filesystem::path& path) {
+    return parse_preset(read_file(path), path.string());
+}
+
+std::span<const CriteriaPreset> standard_presets() {
+    static const std::vector<CriteriaPreset> presets = parsed_standard_presets();
+    return presets;
+}
+
+const CriteriaPreset& preset_by_name(std::string_view name) {
+    std::vector<std::string> names;
+    for (const CriteriaPreset& preset : standard_presets()) {
+        if (preset.name == name) return preset;
+        names.push_back(preset.name);
+    }
+    throw Error("", "",
+                "unknown preset '" + shortened(name) + "'" + did_you_mean(name, names) +
+                    "; there are " + comma_list(names) + ", or the path of a .toml file");
+}
+
+CriteriaPreset preset_by_name_or_file(const std::string& name_or_file) {
+    const std::filesystem::path path(name_or_file);
+    if (path.extension() == ".toml" || path.has_parent_path()) return read_preset(path);
+    return preset_by_name(name_or_file);
+}
+
+} // namespace keiko

@@ -1,0 +1,102 @@
+#include "keiko/io/preset_file.h"
+
+#include "keiko/base/error.h"
+
+#include "tests/support/paths.h"
+#include "tests/unit/io/temporary_folder.h"
+#include <gtest/gtest.h>
+
+namespace keiko {
+namespace {
+
+TEST(PresetFile, StandardPresetsAreThoseOfTheRepository) {
+    ASSERT_EQ(standard_presets().size(), 6u);
+    for (const CriteriaPreset& preset : standard_presets()) {
+        EXPECT_EQ(preset,
+                  read_preset(test::repository("lightrigs/presets/" + preset.name + ".toml")));
+        EXPECT_FALSE(preset.source.empty()) << preset.name;
+        EXPECT_FALSE(preset.caveat.empty()) << preset.name;
+    }
+}
+
+TEST(PresetFile, TheDefaultIsTheFirstAndJudgesSeamsAsItDoesWithoutAFile) {
+    CriteriaPreset first = standard_presets().front();
+    const CriteriaPreset plain;
+    first.source = plain.source, first.caveat = plain.caveat;
+    EXPECT_EQ(first, plain);
+}
+
+TEST(PresetFile, HoldsTheLimitsOfTheCriteria) {
+    struct Row {
+        const char* name;
+        double gap, angle, curvature;
+        CurvatureFormula formula;
+    };
+    using enum CurvatureFormula;
+    for (const Row& row : {Row{"class-a-outer", 0.01, 0.1, 0.1, alias},
+                           {"class-a-strict", 0.001, 0.01, 0.02, catia},
+                           {"class-b", 0.02, 0.2, 0, alias},
+                           {"engineering", 0.05, 0.5, 0, alias},
+                           {"vda-4955", 0.02, 0.1, 0.1, alias},
+                           {"supplier-nissan", 0.01, 3, 0, alias}}) {
+        const CriteriaPreset& preset = preset_by_name(row.name);
+        EXPECT_EQ(preset.gap, row.gap);
+        EXPECT_EQ(preset.angle, row.angle);
+        EXPECT_EQ(preset.curvature.has_value(), row.curvature > 0) << row.name;
+        if (preset.curvature) {
+            EXPECT_EQ(*preset.curvature, (CurvatureLimit{row.formula, row.curvature})) << row.name;
+        }
+        EXPECT_EQ(preset.curvature_slope.has_value(), preset.name == "class-a-strict");
+        EXPECT_EQ(preset.feature_angle, 5);
+    }
+}
+
+TEST(PresetFile, AnUnknownNameListsTheKnownOnes) {
+    try {
+        preset_by_name("class-z");
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_NE(error.reason().find("(did you mean 'class-b'?)"), std::string::npos)
+            << error.reason();
+        EXPECT_NE(error.reason().find("vda-4955"), std::string::npos);
+    }
+}
+
+std::string refused(const std::string& body) {
+    try {
+        parse_preset("format = \"keiko-preset/1\"\n" + body, "p.toml");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(PresetFile, SaysWhereAFileIsWrong) {
+    EXPECT_EQ(refused("name = \"x\"\n"), "p.toml:1:1: 'seam' is missing");
+    EXPECT_EQ(refused("name = \"x\"\n[seam]\nangle = 1\n"), "p.toml:3:1: seam: 'gap' is missing");
+    EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 0\nangle = 1\n"),
+              "p.toml:4:7: seam.gap: must be above 0 and at most 1e+06, is 0");
+    EXPECT_EQ(
+        refused("name = \"x\"\n[seam]\ngap = 1\nangle = 6\n"),
+        "p.toml:3:1: seam.feature_angle: is below the limit of the angle: no seam could fail");
+    EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\ncurvatur = 1\n"),
+              "p.toml:6:1: unknown key 'seam.curvatur' (did you mean 'curvature'?)");
+    EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\n[surface]\ndegree = 6\n"),
+              "p.toml:6:1: surface: is not supported yet");
+}
+
+TEST(PresetFile, IsReadWhereItsPathIsGiven) {
+    const test::TemporaryFolder folder;
+    const auto path =
+        folder.file("mine.toml",
+                    "format = \"keiko-preset/1\"\nname = \"mine\"\n[seam]\ngap = 0.5\nangle = 2\n");
+    const CriteriaPreset preset = preset_by_name_or_file(path.string());
+    EXPECT_EQ(preset.name, "mine");
+    EXPECT_EQ(preset.gap, 0.5);
+    EXPECT_FALSE(preset.curvature.has_value());
+    EXPECT_EQ(preset_by_name_or_file("class-b"), preset_by_name("class-b"));
+    EXPECT_THROW(preset_by_name_or_file("missing.toml"), Error);
+}
+
+} // namespace
+} // namespace keiko
