@@ -55,10 +55,10 @@ void append_row(std::string& text, const Scene& scene, const Ray& point) {
     const ShadowedRig lights(*scene.rig, scene.occluders ? &*scene.occluders : nullptr,
                              scene.seen());
     const Place place = place_of(scene.seen(), point.origin, normal);
+    const LitPoint lit = lights.at(place.position, normal, place.root);
     Rgb sum;
     for (std::size_t i = 0; i < scene.rig->sources.size(); ++i) {
-        const Rgb lx =
-            lights.from_source(i, place.position, normal, place.root, TubeModel::automatic);
+        const Rgb lx = lit.from_source(i, TubeModel::automatic);
         append_number(text, luminance(lx));
         text += ',';
         sum += lx;

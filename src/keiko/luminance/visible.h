@@ -3,7 +3,8 @@
 #include "keiko/math/interval_set.h"
 #include "keiko/math/vec.h"
 
-#include <utility>
+#include <span>
+#include <vector>
 
 namespace keiko {
 
@@ -12,6 +13,7 @@ struct Segment {
     Vec3 a{0}, b{0};
 
     Vec3 at(double t) const { return a + (b - a) * t; }
+    bool operator==(const Segment&) const = default;
 };
 
 /// What can be seen of a segment from one apex. The one question of visibility that lamps
@@ -22,11 +24,18 @@ public:
     virtual ~Visible() = default;
     /// Parameters t of the segment that the apex sees.
     virtual IntervalSet intervals(const Segment& segment) const = 0;
+    /// Of several segments at once, which costs less where they are parallel.
+    virtual std::vector<IntervalSet> intervals(std::span<const Segment> segments) const {
+        std::vector<IntervalSet> all;
+        for (const Segment& segment : segments) all.push_back(intervals(segment));
+        return all;
+    }
 };
 
 /// Nothing stands in the way.
 class AllVisible final : public Visible {
 public:
+    using Visible::intervals;
     IntervalSet intervals(const Segment&) const override { return IntervalSet::whole(); }
 };
 

@@ -120,17 +120,15 @@ Rgb Integrator::base_luminance(const Hit& hit, const Vec3& normal, const Vec3& e
     const LightRig& rig = scene_.rig;
     const Paint& paint = this->paint(hit);
     const double cosine = normal.dot(eye);
+    const LitPoint lit = lights_.at(hit.position, normal, hit.root);
     Rgb sum;
     if (const Rgb inner = paint.base().inner_reflectance(cosine); inner != Rgb(0))
-        sum += lambert_luminance(inner, lights_.illuminance(hit.position, normal, hit.root,
-                                                            TubeModel::picture, &paint.base()));
+        sum += lambert_luminance(inner, lit.illuminance(TubeModel::picture, &paint.base()));
     if (rig.ambient != Rgb(0))
         sum += even_luminance(rig.ambient) *
                (paint.base().base_reflectance_diffuse(cosine) + paint.gloss_albedo(cosine));
-    if (paint.gloss())
-        sum += lights_.glossy(hit.position, hit.root, GlossKernel(*paint.gloss(), normal, eye));
-    if (paint.flakes())
-        sum += lights_.glossy(hit.position, hit.root, FlakeKernel(*paint.flakes(), normal, eye));
+    if (paint.gloss()) sum += lit.glossy(GlossKernel(*paint.gloss(), normal, eye));
+    if (paint.flakes()) sum += lit.glossy(FlakeKernel(*paint.flakes(), normal, eye));
     return sum;
 }
 

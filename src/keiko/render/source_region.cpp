@@ -1,6 +1,6 @@
 #include "keiko/render/source_region.h"
 
-#include "keiko/tubes/c_plane_frame.h"
+#include "keiko/tubes/tube_lamp.h"
 
 namespace keiko {
 namespace {
@@ -26,6 +26,13 @@ struct Corners {
 
 std::vector<Vec3> source_region(const LightSource& source, const Vec3& point) {
     return std::visit(Corners{point}, source);
+}
+
+std::vector<Segment> source_segments(const LightSource& source) {
+    std::vector<Segment> segments;
+    if (const auto* plane = std::get_if<CPlane>(&source))
+        for (const TubeLamp& lamp : lamps_of(*plane)) segments.push_back({lamp.a, lamp.b});
+    return segments;
 }
 
 } // namespace keiko

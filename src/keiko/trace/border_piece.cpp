@@ -198,7 +198,7 @@ std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Job& job
     const BoundaryCurves borders(model);
     const std::vector<BoundaryInterval> intervals = borders.all();
     std::vector<std::vector<BorderPiece>> sets(intervals.size());
-    parallel_for(intervals.size(), job, "", [&](std::size_t i) {
+    parallel_for(intervals.size(), job, "borders", [&](std::size_t i) {
         if (is_smooth_closing(borders, intervals[i])) return;
         BorderPiece kind;
         kind.instance = intervals[i].instance;
@@ -208,7 +208,7 @@ std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Job& job
     });
     const CreaseLines creases(model);
     sets.resize(intervals.size() + creases.all().size());
-    parallel_for(creases.all().size(), job, "", [&](std::size_t i) {
+    parallel_for(creases.all().size(), job, "creases", [&](std::size_t i) {
         const CreaseLine& line = creases.all()[i];
         BorderPiece kind;
         kind.instance = line.instance;

@@ -5,10 +5,16 @@
 #include "keiko/trace/apex.h"
 #include "keiko/trace/tracer.h"
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace keiko {
+
+/// Where a segment begins and ends, mm.
+using SegmentEnds = std::array<Vec3, 2>;
 
 /// What an apex sees of a segment.
 struct SeenParts {
@@ -44,13 +50,16 @@ private:
     std::unique_ptr<Scene> scene_;
 };
 
-/// What one apex may ask: candidates are collected once, for all segments of a region.
+/// What one apex may ask: candidates are collected once, for all segments of a region. Not for two
+/// threads at once.
 class ApexView {
 public:
     /// `region`: corners of a convex body that holds every segment to come. Looks into the
-    /// occluders and into `tracer`, which are of one model.
+    /// occluders and into `tracer`, which are of one model. With `facing`, a unit normal, only what
+    /// lies on its side of the plane through the apex is looked for, the rest counts as hidden:
+    /// what a surface is lit from.
     ApexView(const Occluders& occluders, const Tracer& tracer, const Apex& apex,
-             std::span<const Vec3> region);
+             std::span<const Vec3> region, const std::optional<Vec3>& facing = {});
     ~ApexView();
     ApexView(ApexView&&) noexcept;
     ApexView& operator=(ApexView&&) noexcept;
@@ -59,9 +68,12 @@ public:
     /// and gaps shorter than 1e-9 of the segment are dropped. A segment without length is
     /// seen as a whole or not at all.
     SeenParts intervals(const Vec3& a, const Vec3& b) const;
+    /// The same of several segments. Parallel ones are scan lines of a screen on which every
+    /// candidate is placed once, and share rays (docs/theory/visibility.md).
+    std::vector<SeenParts> intervals(std::span<const SegmentEnds> row) const;
 
 private:
-    struct Candidates;
+    class Candidates;
     std::unique_ptr<Candidates> candidates_;
 };
 

@@ -27,17 +27,22 @@ void extend(PieceBound& a, const PieceBound& b) {
     a.angle = angle;
 }
 
-/// False when no line from the apex through the box can be tangent to a surface with these normals.
+void find_sine(PieceBound& bound) {
+    bound.sine = std::sin(bound.angle);
+    bound.cosine = std::cos(bound.angle);
+}
+
+/// False when no line from the apex through the box can be tangent to a surface with these normals:
+/// by the sum of the cone's angle and half of the box's.
 bool may_be_edge_on(const PieceBound& bound, const Apex& apex) {
     constexpr double slack = 1e-9;
-    if (!(bound.angle + slack < std::numbers::pi / 2)) return true;
+    if (!(bound.angle < std::numbers::pi / 2)) return true;
     const Vec3 way = apex.way_to(bound.box.center());
-    const double distance = way.length(), radius = bound.box.size() / 2;
-    if (!apex.infinite() && !(radius < distance)) return true;
-    const double widened =
-        bound.angle + (apex.infinite() ? 0 : std::asin(radius / distance)) + slack;
-    if (!(widened < std::numbers::pi / 2)) return true;
-    return std::abs(way.dot(bound.normal)) <= distance * std::sin(widened);
+    const double radius = apex.infinite() ? 0 : bound.box.size() / 2, squared = way.length2();
+    if (!(radius * radius < squared)) return true;
+    const double beside = std::sqrt(squared - radius * radius), room = slack * (beside + radius);
+    if (!(bound.cosine * beside - bound.sine * radius > room)) return true;
+    return std::abs(way.dot(bound.normal)) <= bound.sine * beside + bound.cosine * radius + room;
 }
 
 } // namespace
@@ -45,6 +50,7 @@ bool may_be_edge_on(const PieceBound& bound, const Apex& apex) {
 PieceTree::PieceTree(std::vector<PieceBound> bounds) : bounds_(std::move(bounds)) {
     order_.resize(bounds_.size());
     for (std::uint32_t i = 0; i < order_.size(); ++i) order_[i] = i;
+    for (PieceBound& bound : bounds_) find_sine(bound);
     if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
 }
 
@@ -56,6 +62,7 @@ std::uint32_t PieceTree::build(std::uint32_t first, std::uint32_t count) {
         extend(node.bound, bounds_[order_[k]]);
         centers.extend(bounds_[order_[k]].box.center());
     }
+    find_sine(node.bound);
     nodes_.push_back(node);
     if (count <= leaf_size) return self;
     const Vec3 extent = centers.extent();

@@ -13,6 +13,7 @@ struct PieceBound {
     Box3 box;
     Vec3 normal{0, 0, 1};
     double angle = 4;
+    double sine = 0, cosine = -1; ///< of the angle
 };
 
 /// A binary tree over pieces of surface or of its borders.

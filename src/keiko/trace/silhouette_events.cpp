@@ -1,5 +1,6 @@
 #include "keiko/trace/silhouette_events.h"
 
+#include "keiko/trace/chord_elevation.h"
 #include "keiko/trace/linear_pair.h"
 
 #include <algorithm>
@@ -99,35 +100,39 @@ std::optional<Vec2> SilhouetteSolver::foot(const SilhouettePiece& piece, const A
     return std::nullopt;
 }
 
-void SilhouetteSolver::finish(const Apex& apex, SilhouetteCandidates& all) const {
-    for (OwnCandidate& own : all.own) {
+double SilhouetteCandidates::own_steepest() const {
+    double steepest = 0;
+    for (const OwnCandidate& o : own) steepest = std::max(steepest, o.steepest);
+    return steepest;
+}
+
+void SilhouetteSolver::finish(const Apex& apex, const std::optional<Vec3>& normal, double elevation,
+                              SilhouetteCandidates& all) const {
+    std::erase_if(all.own, [&](OwnCandidate& own) {
         const OccluderPatch& patch = silhouettes_.patches[own.patch];
+        if (normal)
+            own.steepest =
+                steepest_chord(patch.points, own.uv, apex.place() - patch.center, *normal);
+        if (own.steepest < elevation) return true;
         own.edge_on = restricted(weighed(patch.planes, apex.seen_from(patch.center)), own.uv);
-    }
-    std::erase_if(all.own, [](const OwnCandidate& own) { return is_convex(own.edge_on); });
+        return is_convex(own.edge_on);
+    });
 }
 
-bool SilhouetteSolver::find(const SilhouetteCandidates& candidates, const SegmentPlane& plane,
+bool SilhouetteSolver::find(const OwnCandidate& own, const SegmentPlane& plane,
                             std::vector<VisibilityEvent>& events) const {
-    bool certain = true;
-    for (const SilhouetteCandidate& c : candidates.pieces)
-        certain = find_on_piece(c, plane, events) && certain;
-    for (const OwnCandidate& own : candidates.own) {
-        const OccluderPatch& patch = silhouettes_.patches[own.patch];
-        SilhouetteSearch search(
-            restricted(weighed(patch.points, plane.weights(patch.center)), own.uv), own.edge_on);
-        search.leave_out((own.foot - own.uv.lower) / own.uv.extent());
-        const double size = hull_bounds(patch.points.view()).size();
-        const Part part{own.patch, own.uv, own.trimmed, size};
-        constexpr int many = 400;
-        certain = add(run(search, part, plane, many), part, plane, events) && certain;
-    }
-    return certain;
+    const OccluderPatch& patch = silhouettes_.patches[own.patch];
+    SilhouetteSearch search(restricted(weighed(patch.points, plane.weights(patch.center)), own.uv),
+                            own.edge_on);
+    search.leave_out((own.foot - own.uv.lower) / own.uv.extent());
+    const double size = hull_bounds(patch.points.view()).size();
+    const Part part{own.patch, own.uv, own.trimmed, size};
+    constexpr int many = 400;
+    return add(run(search, part, plane, many), part, plane, events);
 }
 
-bool SilhouetteSolver::find_on_piece(const SilhouetteCandidate& candidate,
-                                     const SegmentPlane& plane,
-                                     std::vector<VisibilityEvent>& events) const {
+bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
+                            std::vector<VisibilityEvent>& events) const {
     const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
     const AffineNet::Weighed f = piece.points.weighed(piece.local(plane.weights(piece.center)));
     if (f.vanishes_nowhere()) return true;

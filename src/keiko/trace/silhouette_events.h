@@ -23,12 +23,17 @@ struct OwnCandidate {
     Vec2 foot{0};            ///< the apex
     bool trimmed = false;
     ScalarNet edge_on{}; ///< zero where the part is seen edge-on
+    /// Sine of the elevation over the tangent plane above which the apex sees nothing of the part.
+    double steepest = 1;
 };
 
 /// All that one apex may see edge-on.
 struct SilhouetteCandidates {
     std::vector<SilhouetteCandidate> pieces;
     std::vector<OwnCandidate> own;
+
+    /// Sine of the elevation above which no part of `own` hides anything.
+    double own_steepest() const;
 };
 
 /// Finds where silhouettes, seen from one apex, hide a segment first or last: common zeros of
@@ -42,19 +47,21 @@ public:
 
     /// Adds a piece to the candidates of an apex that may see it edge-on.
     void add_candidate(std::uint32_t piece, const Apex& apex, SilhouetteCandidates& all) const;
-    /// Once all are added: makes the own ones ready, and drops those that no plane through the apex
-    /// cuts a silhouette of.
-    void finish(const Apex& apex, SilhouetteCandidates& all) const;
-    /// Appends the events; false when some could not be told apart.
-    bool find(const SilhouetteCandidates& candidates, const SegmentPlane& plane,
+    /// Once all are added: makes the own ones ready, and drops those that hide nothing at the
+    /// elevations (sine of the least) over the tangent plane with `normal` that will be asked for,
+    /// and those that no plane through the apex cuts a silhouette of.
+    void finish(const Apex& apex, const std::optional<Vec3>& normal, double elevation,
+                SilhouetteCandidates& all) const;
+    /// Appends the events of a candidate; false when some could not be told apart.
+    bool find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
+              std::vector<VisibilityEvent>& events) const;
+    bool find(const OwnCandidate& own, const SegmentPlane& plane,
               std::vector<VisibilityEvent>& events) const;
 
 private:
     /// Where an apex on the surface lies on a piece's patch, or on its continuation close by: on
     /// its own patch, on a neighbour, or on another face's share of the same surface.
     std::optional<Vec2> foot(const SilhouettePiece& piece, const Apex& apex) const;
-    bool find_on_piece(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
-                       std::vector<VisibilityEvent>& events) const;
     /// The root that Newton's method finds from a place of the patch's [0, 1]^2 in steps measured
     /// against `extent`.
     std::optional<Vec2> newton(const OccluderPatch& patch, Vec2 uv, const Vec2& extent,

@@ -211,7 +211,7 @@ Silhouettes silhouettes_of(const SurfaceModel& model, const Job& job) {
                 placed.emplace_back(i, model.faces[f].first_patch + k);
     }
     std::vector<Silhouettes> sets(placed.size());
-    parallel_for(placed.size(), job, "", [&](std::size_t i) {
+    parallel_for(placed.size(), job, "silhouettes", [&](std::size_t i) {
         const auto& [instance, patch] = placed[i];
         sets[i] =
             silhouettes_of_patch(model, instance, patch, all.regions[model.patches[patch].face]);

@@ -26,7 +26,8 @@ std::array<Vec3, 2> across(const Vec3& axis, const Vec3& along) {
 
 } // namespace
 
-ViewVolume::ViewVolume(const Apex& apex, std::span<const Vec3> region) {
+ViewVolume::ViewVolume(const Apex& apex, std::span<const Vec3> region,
+                       const std::optional<Vec3>& facing) {
     Vec3 middle(0);
     for (const Vec3& corner : region) {
         region_.extend(corner);
@@ -48,6 +49,7 @@ ViewVolume::ViewVolume(const Apex& apex, std::span<const Vec3> region) {
         slopes.extend(Vec2(x.dot(beside[0]), x.dot(beside[1])) / unit);
     }
     add(-axis, -axis.dot(origin) - farthest - margin * reach);
+    if (facing) add(*facing, facing->dot(origin) - margin * reach);
     hull_ = {Vec3(-Box3::infinity), Vec3(Box3::infinity)};
     if (!apex.infinite()) {
         hull_ = region_;

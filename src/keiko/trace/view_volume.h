@@ -14,7 +14,9 @@ namespace keiko {
 class ViewVolume {
 public:
     /// `region` holds corners of a convex body around every segment to come.
-    ViewVolume(const Apex& apex, std::span<const Vec3> region);
+    /// With `facing` only what lies on its side of the plane through the apex hides anything.
+    ViewVolume(const Apex& apex, std::span<const Vec3> region,
+               const std::optional<Vec3>& facing = {});
 
     /// False when the box is proved to lie outside.
     bool may_hold(const Box3& box) const;
@@ -32,7 +34,7 @@ private:
     void add(const Vec3& normal, double offset);
 
     Box3 region_, hull_;
-    std::array<HalfSpace, 6> half_spaces_;
+    std::array<HalfSpace, 7> half_spaces_;
     std::size_t count_ = 0;
 };
 

@@ -86,7 +86,8 @@ TEST(Shadows, TakeHalfOfALampThatABoardHalfHides) {
         std::get<CPlane>(own.sources[0]).diffuse = named;
         const auto under = [&](const Occluders* shadows) {
             return ShadowedRig(own, shadows, tracer)
-                .from_source(0, hit->position, Vec3(0, 0, 1), hit->root, TubeModel::automatic)
+                .at(hit->position, Vec3(0, 0, 1), hit->root)
+                .from_source(0, TubeModel::automatic)
                 .r;
         };
         EXPECT_NEAR(under(&occluders), under(nullptr) / 2, 1e-4 * under(nullptr))
@@ -94,7 +95,8 @@ TEST(Shadows, TakeHalfOfALampThatABoardHalfHides) {
     }
     const auto lit = [&](const Occluders* shadows) {
         return ShadowedRig(rig, shadows, tracer)
-            .illuminance(hit->position, Vec3(0, 0, 1), hit->root, TubeModel::automatic)
+            .at(hit->position, Vec3(0, 0, 1), hit->root)
+            .illuminance(TubeModel::automatic)
             .r;
     };
     EXPECT_GT(lit(nullptr), 10);

@@ -26,6 +26,7 @@ LightRig rig_of(std::vector<LightSource> sources) {
 
 class NothingVisible final : public Visible {
 public:
+    using Visible::intervals;
     IntervalSet intervals(const Segment&) const override { return {}; }
 };
 

@@ -24,12 +24,14 @@ const Vec3 up(0, 0, 1);
 /// Something is in the way of everything.
 class AllHidden final : public Visible {
 public:
+    using Visible::intervals;
     IntervalSet intervals(const Segment&) const override { return {}; }
 };
 
 /// Hides the half of every segment that is nearer to its end a; counts the questions.
 class HalfHidden final : public Visible {
 public:
+    using Visible::intervals;
     IntervalSet intervals(const Segment& segment) const override {
         ++asked;
         return segment.a == segment.b ? IntervalSet() : IntervalSet::whole(0.5, 1);

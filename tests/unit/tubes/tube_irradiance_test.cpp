@@ -27,6 +27,7 @@ double lux(const test::OracleRow& row, TubeModel model,
 /// Spheres that hide parts of a segment (physics 4.3).
 class SphereShadows final : public Visible {
 public:
+    using Visible::intervals;
     SphereShadows(const Vec3& apex, std::vector<double> spheres)
         : apex_(apex), spheres_(std::move(spheres)) {}
 

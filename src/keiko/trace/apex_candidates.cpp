@@ -1,0 +1,162 @@
+#include "keiko/trace/apex_candidates.h"
+
+#include "keiko/trace/border_events.h"
+#include "keiko/trace/chord_elevation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// Corners of the part of a convex body before a plane through the apex.
+std::vector<Vec3> before(const Apex& apex, const Vec3& facing, std::span<const Vec3> corners) {
+    std::vector<Vec3> part;
+    for (const Vec3& p : corners) {
+        const double at_p = facing.dot(apex.way_to(p));
+        if (at_p >= 0) part.push_back(p);
+        for (const Vec3& q : corners) {
+            const double at_q = facing.dot(apex.way_to(q));
+            if (at_p > 0 && at_q < 0) part.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+        }
+    }
+    return part;
+}
+
+bool same_plane(const Vec3& a, const Vec3& b) {
+    constexpr double same = 1e-9; // rad
+    return a.cross(b).length() < same;
+}
+
+} // namespace
+
+ApexView::Candidates::Candidates(const Occluders::Scene& scene, const Tracer& tracer,
+                                 const Apex& apex, std::span<const Vec3> region,
+                                 const std::optional<Vec3>& facing)
+    : scene_(&scene), tracer_(&tracer), apex_(apex), facing_(facing) {
+    if (apex.excluded()) normal_ = scene.silhouettes.normal_at(*apex.excluded());
+    has_horizon_ = normal_ && !(facing && same_plane(*normal_, *facing));
+    std::vector<Vec3> faced;
+    if (facing) {
+        faced = before(apex, *facing, region);
+        region = faced;
+    }
+    if (region.empty()) {
+        all_seen_ = false;
+        return;
+    }
+    for (const Vec3& corner : region) middle_ += corner / static_cast<double>(region.size());
+    collect(region);
+    if (nothing_happens_in(region)) all_seen_ = sees(middle_);
+}
+
+void ApexView::Candidates::collect(std::span<const Vec3> region) {
+    const ViewVolume volume(apex_, region, facing_);
+    std::vector<std::uint32_t> found;
+    scene_->silhouette_pieces.find(volume, apex_, found);
+    for (const std::uint32_t piece : found)
+        if (volume.may_hold(scene_->silhouettes.pieces[piece]))
+            scene_->solver.add_candidate(piece, apex_, silhouettes_);
+    const double elevation = normal_ ? least_elevation(apex_, *normal_, region) : 0;
+    scene_->solver.finish(apex_, normal_, elevation, silhouettes_);
+    scene_->border_pieces.find(volume, apex_, borders_);
+    region_touched_ = scene_->surface.touches(volume.region());
+}
+
+/// No event can lie on any segment of the region, not even the horizon of the apex.
+bool ApexView::Candidates::nothing_happens_in(std::span<const Vec3> region) const {
+    if (!silhouettes_.pieces.empty() || !silhouettes_.own.empty() || !borders_.empty() ||
+        region_touched_)
+        return false;
+    const auto above = [&](const Vec3& x) { return normal_->dot(apex_.way_to(x)) > 0; };
+    return !has_horizon_ || std::all_of(region.begin(), region.end(), above) ||
+           std::none_of(region.begin(), region.end(), above);
+}
+
+ParameterInterval ApexView::Candidates::asked_of(const SegmentEnds& ends) const {
+    if (!facing_) return {0, 1};
+    const double at_a = facing_->dot(apex_.way_to(ends[0]));
+    const double at_b = facing_->dot(apex_.way_to(ends[1]));
+    if (at_a >= 0 && at_b >= 0) return {0, 1};
+    if (!(at_a > 0) && !(at_b > 0)) return {0, 0};
+    const double t = at_a / (at_a - at_b);
+    return at_a > 0 ? ParameterInterval{0, t} : ParameterInterval{t, 1};
+}
+
+std::optional<ApexView::Candidates::Line> ApexView::Candidates::line_through(
+    const SegmentEnds& ends) const {
+    const auto plane = SegmentPlane::through(apex_, ends[0], ends[1]);
+    if (!plane) return std::nullopt;
+    Line line{*plane, asked_of(ends), !silhouettes_.own.empty()};
+    if (line.searches_own && normal_) {
+        const std::array asked{plane->at(line.asked.begin), plane->at(line.asked.end)};
+        line.searches_own = least_elevation(apex_, *normal_, asked) <= silhouettes_.own_steepest();
+    }
+    return line;
+}
+
+SeenParts ApexView::Candidates::intervals(const SegmentEnds& ends) const {
+    const ParameterInterval asked = asked_of(ends);
+    if (all_seen_) return {*all_seen_ ? IntervalSet::whole(asked.begin, asked.end) : IntervalSet()};
+    if (ends[0] == ends[1])
+        return {asked.end > 0 && sees(ends[0]) ? IntervalSet::whole() : IntervalSet()};
+    auto line = line_through(ends);
+    if (!line) return end_on(ends);
+    for (const SilhouetteCandidate& c : silhouettes_.pieces)
+        line->certain = scene_->solver.find(c, line->plane, line->events) && line->certain;
+    for (const std::uint32_t border : borders_)
+        find_border_events(scene_->borders[border], scene_->silhouettes.regions, line->plane,
+                           line->events);
+    add_own_events(*line);
+    GapGroups gaps;
+    gaps.add(line->plane, gaps_between(line->events, line->asked));
+    gaps.classify(*tracer_);
+    return {gaps.seen(0, gaps.size()), line->certain};
+}
+
+/// From the line of the segment itself: it is seen up to the first surface on the line.
+SeenParts ApexView::Candidates::end_on(const SegmentEnds& ends) const {
+    const Vec3 &a = ends[0], &b = ends[1];
+    Ray along;
+    along.origin = a;
+    along.direction = b - a;
+    along.t_max = 1;
+    std::vector<ParameterInterval> seen;
+    double from = 0;
+    const auto close = [&](double to) {
+        constexpr double shortest = 1e-9;
+        if (to - from > shortest && sees(a + (b - a) * ((from + to) / 2)))
+            seen.push_back({from, to});
+        from = to;
+    };
+    for (const Hit& hit : tracer_->all(along)) close(hit.t);
+    close(1);
+    return {IntervalSet(std::move(seen))};
+}
+
+/// Of the apex's own surface and of what crosses the segment itself.
+void ApexView::Candidates::add_own_events(Line& line) const {
+    if (line.searches_own)
+        for (const OwnCandidate& own : silhouettes_.own)
+            line.certain = scene_->solver.find(own, line.plane, line.events) && line.certain;
+    if (region_touched_) add_piercings(line);
+    if (has_horizon_) add_horizon(line);
+}
+
+void ApexView::Candidates::add_piercings(Line& line) const {
+    Ray along;
+    along.origin = line.plane.at(0);
+    along.direction = line.plane.along();
+    along.t_max = 1;
+    for (const Hit& hit : tracer_->all(along)) line.events.push_back({hit.t, 0});
+}
+
+/// Where the segment crosses the tangent plane of the surface that the apex lies on.
+void ApexView::Candidates::add_horizon(Line& line) const {
+    const double at_a = normal_->dot(apex_.way_to(line.plane.at(0)));
+    const double at_b = normal_->dot(apex_.way_to(line.plane.at(1)));
+    if ((at_a < 0) != (at_b < 0)) line.events.push_back({at_a / (at_a - at_b), 0});
+}
+
+} // namespace keiko

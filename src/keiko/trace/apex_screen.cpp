@@ -1,0 +1,132 @@
+#include "keiko/trace/apex_screen.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace keiko {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr ScreenBox everywhere{-infinity, infinity, -infinity, infinity};
+
+/// A convex polygon in a piece's [-1, 1]^2, with some room for what pieces overlap by.
+class Polygon {
+public:
+    Polygon() {
+        constexpr double edge = 1 + 1e-6;
+        for (const Vec2& corner :
+             {Vec2(-edge, -edge), Vec2(edge, -edge), Vec2(edge, edge), Vec2(-edge, edge)})
+            corners_[count_++] = corner;
+    }
+    /// Cuts away where c + x a + y b < 0.
+    void cut(double a, double b, double c) {
+        std::array<Vec2, capacity> kept;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Vec2 &p = corners_[i], &q = corners_[(i + 1) % count_];
+            const double at_p = c + a * p.x + b * p.y, at_q = c + a * q.x + b * q.y;
+            if (at_p >= 0) kept[count++] = p;
+            if ((at_p < 0) != (at_q < 0)) kept[count++] = p + (q - p) * (at_p / (at_p - at_q));
+        }
+        corners_ = kept;
+        count_ = count;
+    }
+    auto begin() const { return corners_.begin(); }
+    auto end() const { return corners_.begin() + static_cast<std::ptrdiff_t>(count_); }
+
+private:
+    static constexpr std::size_t capacity = 8; ///< each of two cuts adds one
+    std::array<Vec2, capacity> corners_;
+    std::size_t count_ = 0;
+};
+
+/// A quotient's range over what its parts may be off by; the denominator is positive.
+void extend(double& low, double& high, double value, double off, double depth, double depth_off) {
+    const double least = value - off, most = value + off;
+    low = std::min(low, least / (depth + (least > 0 ? depth_off : -depth_off)));
+    high = std::max(high, most / (depth + (most > 0 ? -depth_off : depth_off)));
+}
+
+/// Gathers what places with errors may be.
+class BoxBuilder {
+public:
+    void add(const Vec3& xyz, const Vec3& off) {
+        behind_ = behind_ || !(xyz.z > off.z * 1.000001);
+        if (behind_) return;
+        extend(box_.along_low, box_.along_high, xyz.x, off.x, xyz.z, off.z);
+        extend(box_.across_low, box_.across_high, xyz.y, off.y, xyz.z, off.z);
+    }
+    /// With room for rounding, here and where segments are placed.
+    ScreenBox box() const {
+        if (behind_) return everywhere;
+        constexpr double margin = 1e-9;
+        const double along = margin * (1 + std::abs(box_.along_low) + std::abs(box_.along_high));
+        const double across = margin * (1 + std::abs(box_.across_low) + std::abs(box_.across_high));
+        return {box_.along_low - along, box_.along_high + along, box_.across_low - across,
+                box_.across_high + across};
+    }
+
+private:
+    ScreenBox box_{infinity, -infinity, infinity, -infinity};
+    bool behind_ = false;
+};
+
+} // namespace
+
+ApexScreen::ApexScreen(const Apex& apex, const Vec3& along, const Vec3& middle)
+    : origin_(apex.infinite() ? middle : apex.place()), along_(along), parallel_(apex.infinite()) {
+    const Vec3 way = parallel_ ? apex.place() : middle - origin_;
+    const Vec3 across = way - along * along.dot(way);
+    constexpr double end_on = 1e-6;
+    regular_ = across.length() > end_on * way.length();
+    z_ = across.normalized();
+    y_ = along.cross(z_);
+    x_ = parallel_ ? way.cross(y_).normalized() : along;
+    if (x_.dot(along) < 0) x_ = -x_;
+}
+
+Vec4 ApexScreen::weights(const Vec3& direction, const Vec3& center) const {
+    return {direction.x, direction.y, direction.z, direction.dot(center - origin_)};
+}
+
+Vec4 ApexScreen::depth_weights(const Vec3& center) const {
+    return parallel_ ? Vec4(0, 0, 0, 1) : weights(z_, center);
+}
+
+ScreenPlace ApexScreen::place(const Vec3& x) const {
+    const Vec3 way = x - origin_;
+    const double depth = parallel_ ? 1 : z_.dot(way);
+    return {x_.dot(way) / depth, y_.dot(way) / depth, depth};
+}
+
+ScreenBox ApexScreen::box(const SilhouettePiece& piece, const AffineNet::Weighed& edge_on) const {
+    Polygon part;
+    part.cut(edge_on.along_x, edge_on.along_y, edge_on.value + edge_on.off);
+    part.cut(-edge_on.along_x, -edge_on.along_y, -edge_on.value + edge_on.off);
+    if (part.begin() == part.end()) return {};
+    const std::array nets{piece.points.weighed(piece.local(weights(x_, piece.center))),
+                          piece.points.weighed(piece.local(weights(y_, piece.center))),
+                          piece.points.weighed(piece.local(depth_weights(piece.center)))};
+    const auto at = [&](std::size_t k, const Vec2& p) {
+        return nets[k].value + p.x * nets[k].along_x + p.y * nets[k].along_y;
+    };
+    BoxBuilder box;
+    for (const Vec2& p : part)
+        box.add({at(0, p), at(1, p), at(2, p)}, {nets[0].off, nets[1].off, nets[2].off});
+    return box.box();
+}
+
+ScreenBox ApexScreen::box(const BorderPiece& border) const {
+    const Vec3 way = border.center - origin_;
+    BoxBuilder box;
+    const Vec3 off(border.error, border.error, parallel_ ? 0 : border.error);
+    for (const Vec3& point : border.curve) {
+        const Vec3 p = way + point;
+        box.add({x_.dot(p), y_.dot(p), parallel_ ? 1 : z_.dot(p)}, off);
+    }
+    return box.box();
+}
+
+} // namespace keiko

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "keiko/trace/border_piece.h"
+#include "keiko/trace/silhouette_piece.h"
+
+namespace keiko {
+
+/// A place as an apex sees it: the slope along a row of segments and across it.
+struct ScreenPlace {
+    double along = 0, across = 0;
+    double depth = 0; ///< mm; 1 for parallel light
+};
+
+/// What a place may be.
+struct ScreenBox {
+    double along_low = 0, along_high = -1;
+    double across_low = 0, across_high = -1;
+
+    bool empty() const { return !(across_low <= across_high && along_low <= along_high); }
+};
+
+/// The screen of Nishita, Okamura and Nakamae 1985: the apex is the eye, parallel segments are the
+/// scan lines, across = constant. Places are slopes x / z along and y / z across, z being the depth
+/// towards the segments; parallel light projects along itself instead, in mm. Then planes through
+/// the apex and a segment are lines of the screen.
+class ApexScreen {
+public:
+    /// `along`: unit direction of the segments; `middle`: a place among them.
+    ApexScreen(const Apex& apex, const Vec3& along, const Vec3& middle);
+
+    /// False where the segments are seen end-on, so that there are no scan lines.
+    bool regular() const { return regular_; }
+    const Vec3& along() const { return along_; }
+    ScreenPlace place(const Vec3& x) const;
+    /// Where a piece may be seen edge-on; empty where it is not. `edge_on`: zero where it is.
+    ScreenBox box(const SilhouettePiece& piece, const AffineNet::Weighed& edge_on) const;
+    ScreenBox box(const BorderPiece& border) const;
+
+private:
+    /// What weighs homogeneous coordinates relative to `center` into x, y or z.
+    Vec4 weights(const Vec3& direction, const Vec3& center) const;
+    Vec4 depth_weights(const Vec3& center) const;
+
+    Vec3 origin_, along_, x_, y_, z_;
+    bool parallel_, regular_;
+};
+
+} // namespace keiko

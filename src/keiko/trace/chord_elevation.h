@@ -1,0 +1,21 @@
+#pragma once
+
+#include "keiko/trace/apex.h"
+#include "keiko/trace/tangent_planes.h"
+
+#include <span>
+
+namespace keiko {
+
+/// Sine of the least elevation above the tangent plane with this unit normal, on either side of
+/// it, at which an apex sees a point of a convex body with these corners; 0 where the plane cuts
+/// the body.
+double least_elevation(const Apex& apex, const Vec3& normal, std::span<const Vec3> corners);
+
+/// Bound of the sine of the elevation at which a point of a patch sees any other over a box of its
+/// parameters that holds the point: chords are mixtures of the patch's derivatives. `points` is
+/// relative to the same place as `point`; 1 where the bound says nothing.
+double steepest_chord(const HomogeneousNet& points, const Box2& uv, const Vec3& point,
+                      const Vec3& normal);
+
+} // namespace keiko

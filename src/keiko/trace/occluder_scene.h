@@ -1,0 +1,22 @@
+#pragma once
+
+#include "keiko/trace/border_piece.h"
+#include "keiko/trace/occluders.h"
+#include "keiko/trace/piece_tree.h"
+#include "keiko/trace/silhouette_events.h"
+
+namespace keiko {
+
+/// All that Occluders know of a model.
+struct Occluders::Scene {
+    Silhouettes silhouettes;
+    std::vector<BorderPiece> borders;
+    PieceTree silhouette_pieces, border_pieces, surface;
+    LeafKernels kernels = leaf_kernels();
+    SilhouetteSolver solver{silhouettes, kernels};
+    Statistics statistics;
+
+    Scene(const SurfaceModel& model, const Tracer& tracer, const Job& job);
+};
+
+} // namespace keiko
