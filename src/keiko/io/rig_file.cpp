@@ -90,11 +90,13 @@ Spotlight spotlight_from(const TomlTable& table) {
     spot.half_angle = table.number("half_angle", {.low = 0, .high = 180, .above_low = true})
                           .value_or(spot.half_angle);
     if (table.text("edge") == "table") throw table.error("edge", "'table' is not supported yet");
+    EdgeProfile profile;
     if (const auto edge = table.choice("edge", {"sharp", "soft", "mixed"}))
-        spot.edge = static_cast<BeamEdge>(*edge);
-    spot.q = table.number("q", TomlLimits::share()).value_or(spot.q);
-    if (table.has("q") && spot.edge != BeamEdge::mixed)
+        profile.edge = static_cast<BeamEdge>(*edge);
+    profile.q = table.number("q", TomlLimits::share()).value_or(profile.q);
+    if (table.has("q") && profile.edge != BeamEdge::mixed)
         throw table.error("q", "belongs to edge = \"mixed\" alone");
+    spot.profile = profile;
     spot.intensity = table.rgb("intensity", TomlLimits::not_negative()).value_or(spot.intensity) *
                      color_of(table);
     require_finite(table, "color", spot.intensity);
@@ -229,14 +231,25 @@ std::string table_text(const CPlane& plane) {
     return text + line("luminance", grey_or_array(plane.luminance), "cd/m2");
 }
 
+/// Whether the keys of a [[spotlight]] tell all of it.
+bool has_keys(const Spotlight& spot) {
+    const Spotlight plain;
+    return std::holds_alternative<EdgeProfile>(spot.profile) && spot.pattern == plain.pattern &&
+           spot.reference == plain.reference && spot.spin == plain.spin &&
+           !spot.half_angle_across && !spot.hue && spot.shaft;
+}
+
 std::string table_text(const Spotlight& spot) {
     static constexpr std::string_view edges[] = {"sharp", "soft", "mixed"};
+    if (!has_keys(spot))
+        throw Error("", "rig", "holds a spotlight that rig files have no keys for");
+    const auto& profile = std::get<EdgeProfile>(spot.profile);
     std::string text = "\n[[spotlight]]\n";
     text += line("position", array(spot.position), "mm");
     text += line("aim", array(spot.aim), "mm");
     text += line("half_angle", number(spot.half_angle), "degrees from the axis to the rim");
-    text += line("edge", toml_string(edges[static_cast<std::size_t>(spot.edge)]));
-    if (spot.edge == BeamEdge::mixed) text += line("q", number(spot.q));
+    text += line("edge", toml_string(edges[static_cast<std::size_t>(profile.edge)]));
+    if (profile.edge == BeamEdge::mixed) text += line("q", number(profile.q));
     return text + line("intensity", grey_or_array(spot.intensity), "cd on the axis");
 }
 

@@ -1,7 +1,7 @@
 #include "keiko/rig/illuminance.h"
 
 #include "keiko/fog/transmittance.h"
-#include "keiko/spotlight/beam_intensity.h"
+#include "keiko/spotlight/point_light.h"
 #include "keiko/tubes/coat_entry.h"
 #include "keiko/tubes/comb_irradiance.h"
 #include "keiko/tubes/tube_irradiance.h"

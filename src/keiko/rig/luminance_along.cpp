@@ -22,11 +22,11 @@ struct Inscatter {
     Rgb operator()(const Sun&) const { return {}; }
 
     Rgb operator()(const Spotlight& light) const {
+        if (!light.shaft) return {};
         IntervalSet lit = in_beam(light, eye_ray);
         if (lit.empty()) return {};
         if (visible_from) lit = lit.intersect(visible_from(light.position, eye_ray));
-        const auto intensity = [&light](const Vec3& x) { return intensity_towards(light, x); };
-        return scattered_light(medium, eye_ray, lit, {light.position, intensity});
+        return scattered_light(medium, eye_ray, lit, {light.position, BeamIntensity(light)});
     }
 };
 

@@ -9,15 +9,8 @@
 namespace keiko {
 namespace {
 
-/// Parameters in ]0, 1[ where the line p + t w meets the double cone about `axis`, between 0 and
-/// 1, sorted. In components along and across the axis the terms of narrow cones do not cancel.
-std::vector<double> crossings(const Vec3& p, const Vec3& w, const Vec3& axis, double half_angle) {
-    const double s2 = std::pow(std::sin(half_angle), 2), c2 = std::pow(std::cos(half_angle), 2);
-    const double pa = p.dot(axis), wa = w.dot(axis);
-    const Vec3 across_p = p - axis * pa, across_w = w - axis * wa;
-    const double a = s2 * wa * wa - c2 * across_w.length2();
-    const double b = s2 * pa * wa - c2 * across_p.dot(across_w);
-    const double c = s2 * pa * pa - c2 * across_p.length2();
+/// Parameters in ]0, 1[ where a t^2 + 2 b t + c = 0, between 0 and 1, sorted.
+std::vector<double> crossings(double a, double b, double c) {
     const double q = -(b + std::copysign(std::sqrt(std::max(b * b - a * c, 0.0)), b));
     std::vector<double> ends{0, 1};
     // A double root (a ray through the lamp, a beam of 90 degrees) must not be lost to rounding of
@@ -29,21 +22,66 @@ std::vector<double> crossings(const Vec3& p, const Vec3& w, const Vec3& axis, do
     return ends;
 }
 
+/// The pieces between `ends` whose middle is inside: tells the lit nappe from the one behind the
+/// lamp.
+template <class Inside>
+IntervalSet pieces(const std::vector<double>& ends, const Inside& inside) {
+    std::vector<ParameterInterval> lit;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        if (inside((ends[i] + ends[i + 1]) / 2)) lit.push_back({ends[i], ends[i + 1]});
+    return IntervalSet(std::move(lit));
+}
+
+/// The line p + t w in the cone about `axis`. In components along and across the axis the terms of
+/// narrow cones do not cancel.
+IntervalSet in_round_cone(const Vec3& p, const Vec3& w, const Vec3& axis, double half_angle) {
+    const double cosine = std::cos(half_angle);
+    const double s2 = std::pow(std::sin(half_angle), 2), c2 = cosine * cosine;
+    const double pa = p.dot(axis), wa = w.dot(axis);
+    const Vec3 across_p = p - axis * pa, across_w = w - axis * wa;
+    const auto ends = crossings(s2 * wa * wa - c2 * across_w.length2(),
+                                s2 * pa * wa - c2 * across_p.dot(across_w),
+                                s2 * pa * pa - c2 * across_p.length2());
+    return pieces(ends, [&](double t) {
+        const Vec3 middle = p + w * t;
+        return middle.dot(axis) >= cosine * middle.length();
+    });
+}
+
+/// The same with X^2 + Y^2 < Z^2, Z > 0 in coordinates divided by the tangents of both angles.
+IntervalSet in_elliptic_cone(const Vec3& p, const Vec3& w, const BeamFrame& frame, double along,
+                             double across) {
+    const auto scaled = [&](const Vec3& x) {
+        return Vec3(x.dot(frame.across) / std::tan(along), x.dot(frame.up) / std::tan(across),
+                    x.dot(frame.axis));
+    };
+    const Vec3 a = scaled(p), b = scaled(w);
+    const auto form = [](const Vec3& x, const Vec3& y) {
+        return x.x * y.x + x.y * y.y - x.z * y.z;
+    };
+    return pieces(crossings(form(b, b), form(a, b), form(a, a)), [&](double t) {
+        const Vec3 middle = a + b * t;
+        return middle.z > 0 && form(middle, middle) <= 0;
+    });
+}
+
 } // namespace
 
 IntervalSet in_beam(const Spotlight& light, const Segment& segment) {
     if (light.half_angle >= 180) return IntervalSet::whole();
-    const Vec3 axis = beam_axis(light);
-    const double angle = degrees_to_radians(light.half_angle), cosine = std::cos(angle);
+    const double angle = degrees_to_radians(light.half_angle);
     const Vec3 p = segment.a - light.position, w = segment.b - segment.a;
-    const std::vector<double> ends = crossings(p, w, axis, angle);
-    std::vector<ParameterInterval> lit;
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        // The middle tells the lit nappe from the one behind the lamp.
-        const Vec3 middle = p + w * ((ends[i] + ends[i + 1]) / 2);
-        if (middle.dot(axis) >= cosine * middle.length()) lit.push_back({ends[i], ends[i + 1]});
-    }
-    return IntervalSet(std::move(lit));
+    if (!light.half_angle_across) return in_round_cone(p, w, beam_axis(light), angle);
+    return in_elliptic_cone(p, w, BeamIntensity(light).frame(), angle,
+                            degrees_to_radians(*light.half_angle_across));
+}
+
+IntervalSet in_beam(const Luminaire& luminaire, const Segment& segment) {
+    const double end = luminaire.web->candela.lit_up_to();
+    if (luminaire.web->type != PhotometricType::c || end >= 180) return IntervalSet::whole();
+    const Vec3 axis = (luminaire.aim - luminaire.position).normalized();
+    return in_round_cone(segment.a - luminaire.position, segment.b - segment.a, axis,
+                         degrees_to_radians(end));
 }
 
 } // namespace keiko

@@ -1,12 +1,18 @@
 #pragma once
 
 #include "keiko/luminance/visible.h"
+#include "keiko/spotlight/luminaire.h"
 #include "keiko/spotlight/spotlight.h"
 
 namespace keiko {
 
-/// Parts of a segment inside a spotlight's cone, parameters 0 to 1 (physics 8.4). Half angles
-/// of 90 degrees and more leave a dark cone behind the lamp; 180 and more light all of it.
+/// Parts of a segment inside a spotlight's cone, round or elliptic, parameters 0 to 1 (physics
+/// 8.4). Half angles of 90 degrees and more leave a dark cone behind the lamp; 180 and more light
+/// all of it.
 IntervalSet in_beam(const Spotlight& light, const Segment& segment);
+
+/// Parts of a segment inside the round cone around the axis of a luminaire's angles beyond which
+/// its file is dark; all of it for types A and B.
+IntervalSet in_beam(const Luminaire& luminaire, const Segment& segment);
 
 } // namespace keiko

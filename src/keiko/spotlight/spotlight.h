@@ -2,20 +2,29 @@
 
 #include "keiko/math/rgb.h"
 #include "keiko/math/vec.h"
+#include "keiko/spotlight/beam_pattern.h"
+#include "keiko/spotlight/beam_profile.h"
+
+#include <optional>
 
 namespace keiko {
-
-/// How the intensity falls off towards the rim of the beam ([000] eqs (4) to (6)).
-enum class BeamEdge { sharp, soft, mixed };
 
 /// A spotlight without extent.
 struct Spotlight {
     Vec3 position{0};       ///< mm
     Vec3 aim{0, 0, -1};     ///< a point on the axis, mm
     double half_angle = 20; ///< degrees from the axis to the rim
-    BeamEdge edge = BeamEdge::soft;
-    double q = 0.5;      ///< share of the sharp edge where the edge is mixed
-    Rgb intensity{1000}; ///< cd at theta = 0, colour included
+    BeamProfile profile{};  ///< over theta, and phi where it is a table; 0 beyond the rim
+    Rgb intensity{1000};    ///< cd where the profile is 1, colour included
+    Vec3 reference{1, 0,
+                   0}; ///< direction of phi = 0, of any length; its part along the axis is dropped
+    double spin = 0;   ///< degrees added to phi
+    /// Degrees, of an elliptic beam: from the axis to the rim under phi = 90 degrees, while
+    /// half_angle is that under 0; both below 90.
+    std::optional<double> half_angle_across{};
+    BeamPattern pattern{};
+    bool hue = false;  ///< the colour goes around the circle of hues with phi
+    bool shaft = true; ///< it lights the medium
 };
 
 } // namespace keiko

@@ -71,8 +71,7 @@ ambient = [0.5, 0.5, 0.55]
     const auto& first = std::get<Spotlight>(rig.sources[0]); // in the order of the file
     EXPECT_EQ(first.position, Vec3(0, 0, 4000));
     EXPECT_EQ(first.half_angle, 25);
-    EXPECT_EQ(first.edge, BeamEdge::mixed);
-    EXPECT_EQ(first.q, 0.25);
+    EXPECT_EQ(std::get<EdgeProfile>(first.profile), (EdgeProfile{BeamEdge::mixed, 0.25}));
     EXPECT_EQ(first.intensity, Rgb(1, 0.9, 0.8) * 5000.0);
     const auto& lamps = std::get<CPlane>(rig.sources[1]);
     EXPECT_EQ(lamps.origin, Vec3(-1500, -1000, 2500));
@@ -171,8 +170,9 @@ TEST(RigFile, AWrittenRigReadsBackBitForBit) {
     skew.lamps = 7;
     skew.pitch = 200.0 / 3;
     skew.luminance = {9000.1, 8000, 7000};
-    rig.sources = {Spotlight{.position = {1, 2, 3}, .edge = BeamEdge::mixed, .q = 0.3}, skew,
-                   Spotlight{.position = {0.1, 0, 0}, .edge = BeamEdge::sharp}, CPlane{}};
+    rig.sources = {
+        Spotlight{.position = {1, 2, 3}, .profile = EdgeProfile{BeamEdge::mixed, 0.3}}, skew,
+        Spotlight{.position = {0.1, 0, 0}, .profile = EdgeProfile{BeamEdge::sharp}}, CPlane{}};
     rig.medium = Medium{.extinction = {0.1, 0.2, 0.7}, .ambient = Rgb(0.2), .phase_k = 8.1};
 
     const LightRig back = parse_rig(rig_text(rig), "back.toml");
@@ -186,7 +186,8 @@ TEST(RigFile, AWrittenRigReadsBackBitForBit) {
     EXPECT_EQ(plane_back.v, skew.v);
     EXPECT_EQ(plane_back.pitch, skew.pitch);
     EXPECT_EQ(plane_back.luminance, skew.luminance);
-    EXPECT_EQ(std::get<Spotlight>(back.sources[0]).q, 0.3);
+    EXPECT_EQ(std::get<Spotlight>(back.sources[0]).profile,
+              std::get<Spotlight>(rig.sources[0]).profile);
     EXPECT_EQ(std::get<Spotlight>(back.sources[2]).position.x, 0.1);
     EXPECT_EQ(back.medium->extinction, rig.medium->extinction);
     EXPECT_EQ(back.medium->phase_k, 8.1);
@@ -197,6 +198,12 @@ TEST(RigFile, RefusesToWriteWhatCannotBeRead) {
     LightRig rig;
     rig.sources = {CPlane{.diameter = std::nan("")}};
     EXPECT_THROW(rig_text(rig), Error);
+    for (const Spotlight& lamp :
+         {Spotlight{.profile = CosinePower{3}}, Spotlight{.half_angle_across = 10},
+          Spotlight{.pattern = Petals{}}, Spotlight{.hue = true}, Spotlight{.shaft = false}}) {
+        rig.sources = {lamp};
+        EXPECT_THROW(rig_text(rig), Error);
+    }
 }
 
 TEST(RigFile, WritesAFileThatReadsBack) {

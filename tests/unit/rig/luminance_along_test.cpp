@@ -11,13 +11,13 @@ namespace {
 
 LightRig rig_in(const test::OracleRow& row) {
     const std::string base = row.text("in.base");
+    const BeamEdge edge = base == "sharp"  ? BeamEdge::sharp
+                          : base == "soft" ? BeamEdge::soft
+                                           : BeamEdge::mixed;
     const Spotlight light{.position = row.vector("in.Q") * 1000,
                           .aim = row.vector("in.C") * 1000,
                           .half_angle = row.number("in.gamma_deg"),
-                          .edge = base == "sharp"
-                                      ? BeamEdge::sharp
-                                      : (base == "soft" ? BeamEdge::soft : BeamEdge::mixed),
-                          .q = row.number("in.qmix"),
+                          .profile = EdgeProfile{edge, row.number("in.qmix")},
                           .intensity = Rgb(row.number("in.I0"))};
     const double k = row.text("in.kind") == "k16" ? row.number("in.par") : 0;
     return {.name = "",

@@ -1,0 +1,25 @@
+#include "keiko/spotlight/luminaire.h"
+
+namespace keiko {
+
+LuminaireIntensity::LuminaireIntensity(const Luminaire& luminaire) : luminaire_(luminaire) {
+    const BeamFrame frame = beam_frame(luminaire.aim - luminaire.position, luminaire.reference);
+    if (luminaire.web->type == PhotometricType::a)
+        x_ = frame.axis, z_ = frame.across;
+    else
+        x_ = frame.across, z_ = -frame.axis;
+    y_ = z_.cross(x_) * (luminaire.flip_h ? -1.0 : 1.0);
+}
+
+Rgb LuminaireIntensity::operator()(const Vec3& point) const {
+    const Vec3 way = point - luminaire_.position;
+    const double distance = way.length();
+    if (!(distance > 0)) return {};
+    return luminaire_.factor * intensity(*luminaire_.web, own(way / distance));
+}
+
+Rgb intensity_towards(const Luminaire& luminaire, const Vec3& point) {
+    return LuminaireIntensity(luminaire)(point);
+}
+
+} // namespace keiko

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "keiko/math/vec.h"
+#include "keiko/spotlight/intensity_table.h"
+
+#include <string>
+
+namespace keiko {
+
+/// How the angles of a luminaire file name directions (LM-63-2002 section 3; physics 7.8). In the
+/// luminaire's own frame z is up and x is H = 0.
+enum class PhotometricType {
+    a, ///< V: elevation, H: azimuth from x, clockwise; head lamps
+    b, ///< V: about the level axis y from straight down, H: towards that axis; floodlights
+    c  ///< V: from straight down, H: about the vertical, the C angle; most luminaires
+};
+
+/// What a luminaire file tells of a luminaire's light.
+struct PhotometricWeb {
+    PhotometricType type = PhotometricType::c;
+    IntensityTable candela; ///< cd
+    std::string name{};     ///< of the luminaire, as the file has it
+    double lamp_flux = 0;   ///< lm of its lamps; 0: not told, absolute photometry
+    Vec3 opening{0};        ///< mm: along x, along y, height; 0: a point
+};
+
+/// cd into a unit direction of the luminaire's own frame.
+double intensity(const PhotometricWeb& web, const Vec3& direction);
+
+/// The unit direction of angles in degrees.
+Vec3 web_direction(PhotometricType type, double vertical, double horizontal);
+
+/// The direction that the type's angles lead from: straight down, or x of type A.
+Vec3 web_axis(PhotometricType type);
+
+/// Full angle in degrees around the axis of a luminaire between the directions, to both sides of
+/// the axis in the plane of H = `plane`, where the intensity first falls to `share` of its largest
+/// there: 0.5 gives the beam angle of the trade, 0.1 the field angle. 360 where it never does.
+double spread_angle(const PhotometricWeb& web, double share, double plane);
+
+} // namespace keiko
