@@ -1,8 +1,9 @@
 """`keiko info` of the fixtures, for people and for programs."""
 import json
 import unittest
+from xml.etree import ElementTree
 
-from keiko_process import KeikoTest, surface
+from keiko_process import KeikoTest, luminaire, surface
 
 FACES = {"concept-car.step": 185, "dent.step": 1, "dome.bpt": 4, "hood.step": 3, "pole.step": 4,
          "saddle.bpt": 4, "seam-g0-gap.step": 2, "rational-sphere.step": 8, "trimmed-hole.step": 1,
@@ -73,6 +74,30 @@ class Info(KeikoTest):
         third = self.keiko("info", surface("hood.step"), "--json", "--cache", "kept/models")
         self.assertEqual(third.stdout, first.stdout)
         self.assertGreater(kept[0].stat().st_size, 100)
+
+    def test_a_luminaire_is_told_and_drawn(self):
+        file = luminaire("sym4.ldt")
+        text = self.succeed("info", file, "--svg", "polar.svg", "-q")
+        self.assertRegex(text, r"(?m)^type +C, symmetry about planes 0-180 and 90-270$")
+        facts = json.loads(self.succeed("info", file, "--json", "-q"))
+        self.assertEqual((facts["format"], facts["name"], facts["planes"]["count"]),
+                         ("keiko-luminaire-facts/1", "lum", 7))
+        self.assertEqual(facts["lamp_flux"], 5090)
+        self.assertRegex(text, rf"(?m)^flux +{facts['luminous_flux']:.6g} lm")
+        self.assertEqual(self.content(), ["polar.svg"])
+        drawing = ElementTree.parse(self.folder / "polar.svg").getroot()
+        self.assertEqual(drawing.tag, "{http://www.w3.org/2000/svg}svg")
+
+    def test_a_bad_luminaire_costs_one_line_and_draws_nothing(self):
+        bad = self.write("bad.ies", "IESNA91\nTILT=NONE\n1 -1 1 2 1 7\n")
+        run = self.keiko("info", bad, "--svg", "polar.svg", "-q")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertEqual(run.stderr.strip().splitlines()[-1].split(": ", 1)[-1],
+                         "bad.ies:3: the photometric type must be from 1 to 3")
+        self.assertEqual(self.content(), ["bad.ies"])
+        run = self.keiko("info", surface("dome.bpt"), "--svg", "polar.svg", "-q")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("--svg draws luminaires alone", run.stderr)
 
     def test_a_unit_given_by_hand_scales_the_model(self):
         plain = self.facts("saddle.bpt")["bounds"]["upper"]

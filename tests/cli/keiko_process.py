@@ -14,6 +14,10 @@ def surface(name: str) -> str:
     return str(SOURCE / "surfaces" / name)
 
 
+def luminaire(name: str) -> str:
+    return str(SOURCE / "tests" / "data" / "oracle" / "photometric_files" / name)
+
+
 class KeikoTest(unittest.TestCase):
     """Every test runs in an empty working directory."""
 

@@ -50,6 +50,12 @@ void copy_rigs(const fs::path& seeds) {
         copy_to(seeds / "preset", entry.path());
 }
 
+void copy_luminaires(const fs::path& seeds) {
+    for (const auto& entry :
+         fs::directory_iterator(sources / "tests/data/oracle/photometric_files"))
+        copy_to(seeds / (entry.path().extension() == ".ldt" ? "eulumdat" : "ies"), entry.path());
+}
+
 /// Whole and, because the target adds a header of its own, as what follows the header.
 void write_model(const fs::path& seeds, const SurfaceModel& model) {
     constexpr std::size_t header = 8 + 4 + 8 + 8;
@@ -83,6 +89,7 @@ int main(int argc, char** argv) {
                  fs::copy_options::recursive | fs::copy_options::overwrite_existing);
         copy_surfaces(argv[1]);
         copy_rigs(argv[1]);
+        copy_luminaires(argv[1]);
         write_model(argv[1], full_model());
     } catch (const std::exception& error) {
         std::cerr << error.what() << "\n";

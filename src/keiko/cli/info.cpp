@@ -1,4 +1,6 @@
+#include "keiko/base/output_file.h"
 #include "keiko/cli/commands.h"
+#include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
 
 #include <iostream>
@@ -10,11 +12,24 @@ namespace {
 struct InfoArguments {
     SceneArguments scene; ///< only inputs and load options
     bool json = false;
+    std::string svg; ///< file for the polar curve of a luminaire; empty: none
 };
 
+int luminaire_info(const InfoArguments& arguments, const std::filesystem::path& file) {
+    if (!arguments.svg.empty()) require_place_for_file(arguments.svg);
+    const LuminaireFacts facts = luminaire_facts(file.string(), read_luminaire(file));
+    if (!arguments.svg.empty()) write_text_file(arguments.svg, polar_curve_svg(facts));
+    std::cout << (arguments.json ? luminaire_json(facts) : luminaire_text(facts));
+    return exit_pass;
+}
+
 int info(const InfoArguments& arguments, bool verbose, const Job& job) {
+    const std::filesystem::path file = arguments.scene.inputs.front();
+    if (is_luminaire_file(file)) return luminaire_info(arguments, file);
+    if (!arguments.svg.empty())
+        throw Error(file.string(), "", "--svg draws luminaires alone: an .ies or .ldt file");
     const FactsOptions options{.load = load_options(arguments.scene), .tracing = verbose};
-    const ModelFacts facts = file_facts(arguments.scene.inputs.front(), options, job);
+    const ModelFacts facts = file_facts(file, options, job);
     std::cout << (arguments.json ? facts_json(facts) : facts_text(facts));
     return exit_pass;
 }
@@ -23,15 +38,20 @@ int info(const InfoArguments& arguments, bool verbose, const Job& job) {
 
 void add_info(CLI::App& app, Session& session) {
     auto arguments = std::make_shared<InfoArguments>();
-    CLI::App& command = *app.add_subcommand("info", "tell what is in a model file");
-    command.add_option("MODEL", arguments->scene.inputs, "a STEP, IGES, BREP, .bpt or .obj file")
+    CLI::App& command = *app.add_subcommand("info", "tell what is in a model or luminaire file");
+    command
+        .add_option("FILE", arguments->scene.inputs,
+                    "a STEP, IGES, BREP, .bpt or .obj file, or a luminaire: .ies or .ldt")
         ->required()
         ->expected(1);
     command.add_flag("--json", arguments->json, "machine-readable, with every part and face");
+    command.add_option("--svg", arguments->svg,
+                       "of a luminaire: draw its polar curve into this file");
     add_load_options(command, arguments->scene);
     command.footer(
         "With --verbose also the leaves, the memory and the build time of the ray tracer.\n"
-        "Example: keiko info fender.step --json");
+        "Example: keiko info fender.step --json\n"
+        "Example: keiko info street.ldt --svg street.svg");
     session.add_command(command, [arguments, &session](const Job& job) {
         return info(*arguments, session.verbose(), job);
     });

@@ -50,22 +50,28 @@ Vec3 web_axis(PhotometricType type) {
     return web_direction(type, 0, 0);
 }
 
+Vec3 off_axis(PhotometricType type, double degrees, double plane) {
+    const double angle = degrees_to_radians(degrees), turn = degrees_to_radians(plane);
+    const double c = std::cos(turn), s = std::sin(turn);
+    const Vec3 side = type == PhotometricType::c   ? Vec3(c, s, 0)
+                      : type == PhotometricType::a ? Vec3(0, -c, s)
+                                                   : Vec3(s, -c, 0);
+    return web_axis(type) * std::cos(angle) + side * std::sin(angle);
+}
+
 namespace {
 
-/// Degrees from the axis towards `side`, a unit vector across it, to where the intensity first
-/// falls to `limit`.
-double falls_at(const PhotometricWeb& web, const Vec3& side, double limit) {
-    const Vec3 axis = web_axis(web.type);
+/// Degrees from the axis, to the side of `sign`, to where the intensity first falls to `limit`.
+double falls_at(const PhotometricWeb& web, double plane, double sign, double limit) {
     const auto at = [&](double degrees) {
-        const double angle = degrees_to_radians(degrees);
-        return intensity(web, axis * std::cos(angle) + side * std::sin(angle));
+        return intensity(web, off_axis(web.type, sign * degrees, plane));
     };
     constexpr double step = 0.25;
     double low = 0;
     while (low < 180 && at(low) < limit) low += step; // a beam that begins off its axis
     while (low < 180 && at(low) >= limit) low += step;
-    double below = std::max(low - step, 0.0);
     if (low >= 180) return 180;
+    double below = std::max(low - step, 0.0);
     for (int i = 0; i < 40; ++i) {
         const double middle = (below + low) / 2;
         (at(middle) >= limit ? below : low) = middle;
@@ -76,19 +82,11 @@ double falls_at(const PhotometricWeb& web, const Vec3& side, double limit) {
 } // namespace
 
 double spread_angle(const PhotometricWeb& web, double share, double plane) {
-    // Types A and B: the planes of the axis that hold the horizontal (0) and the vertical (90).
-    const double turn = degrees_to_radians(plane);
-    const Vec3 side = web.type == PhotometricType::c   ? Vec3(std::cos(turn), std::sin(turn), 0)
-                      : web.type == PhotometricType::a ? Vec3(0, -std::cos(turn), std::sin(turn))
-                                                       : Vec3(std::sin(turn), -std::cos(turn), 0);
     double largest = 0;
-    for (double degrees = -180; degrees <= 180; degrees += 0.5) {
-        const double angle = degrees_to_radians(degrees);
-        largest = std::max(
-            largest, intensity(web, web_axis(web.type) * std::cos(angle) + side * std::sin(angle)));
-    }
+    for (double degrees = -180; degrees <= 180; degrees += 0.25)
+        largest = std::max(largest, intensity(web, off_axis(web.type, degrees, plane)));
     if (!(largest > 0)) return 0;
-    return falls_at(web, side, share * largest) + falls_at(web, -side, share * largest);
+    return falls_at(web, plane, 1, share * largest) + falls_at(web, plane, -1, share * largest);
 }
 
 } // namespace keiko

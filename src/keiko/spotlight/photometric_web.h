@@ -33,9 +33,13 @@ Vec3 web_direction(PhotometricType type, double vertical, double horizontal);
 /// The direction that the type's angles lead from: straight down, or x of type A.
 Vec3 web_axis(PhotometricType type);
 
-/// Full angle in degrees around the axis of a luminaire between the directions, to both sides of
-/// the axis in the plane of H = `plane`, where the intensity first falls to `share` of its largest
-/// there: 0.5 gives the beam angle of the trade, 0.1 the field angle. 360 where it never does.
+/// The unit direction that many degrees off the axis: in the plane of H = `plane` of type C; of
+/// types A and B in the plane of the axis that holds the horizontal (0) or the vertical (90).
+Vec3 off_axis(PhotometricType type, double degrees, double plane);
+
+/// Full angle in degrees between the directions, to both sides of the axis in a plane as above,
+/// where the intensity first falls to `share` of its largest there: 0.5 gives the beam angle of
+/// the trade, 0.1 the field angle. 360 where it never does, 0 where all is dark.
 double spread_angle(const PhotometricWeb& web, double share, double plane);
 
 } // namespace keiko

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "keiko/spotlight/intensity_table.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keiko {
+
+/// A place in a luminaire file, for messages.
+struct PhotometricPlace {
+    const std::filesystem::path& source;
+    std::size_t line;
+
+    /// Throws Error with file, line and reason.
+    [[noreturn]] void fail(const std::string& reason) const;
+    /// The finite number that a word is, from -1e15 to 1e15; throws Error naming what it should
+    /// have been.
+    double number(std::string_view word, const char* wanted) const;
+};
+
+/// `degrees` if they ascend from `low` to at most `high`; else Error.
+void require_ascending(const PhotometricPlace& place, const std::vector<double>& degrees,
+                       double low, double high, const char* wanted);
+
+/// What the C planes of a table stand for, by the first and the last; none where no symmetry
+/// completes them to a full turn (physics 7.8).
+std::optional<PlaneSymmetry> symmetry_of_planes(const std::vector<double>& degrees);
+
+} // namespace keiko

@@ -1,0 +1,128 @@
+#include "keiko/report/luminaire_facts.h"
+
+#include "keiko/report/json_text.h"
+#include "keiko/spotlight/luminous_flux.h"
+
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace keiko {
+namespace {
+
+constexpr double half = 0.5, tenth = 0.1;
+
+std::string_view name_of(PhotometricType type) {
+    switch (type) {
+        case PhotometricType::a:
+            return "A";
+        case PhotometricType::b:
+            return "B";
+        case PhotometricType::c:
+            break;
+    }
+    return "C";
+}
+
+std::string_view name_of(PlaneSymmetry symmetry) {
+    switch (symmetry) {
+        case PlaneSymmetry::none:
+            return "none";
+        case PlaneSymmetry::axial:
+            return "axial";
+        case PlaneSymmetry::quadrant:
+            return "about planes 0-180 and 90-270";
+        case PlaneSymmetry::bilateral:
+            return "about plane 0-180";
+        case PlaneSymmetry::bilateral_across:
+            return "about plane 90-270";
+        case PlaneSymmetry::lateral:
+            return "left and right";
+        case PlaneSymmetry::limited:
+            break;
+    }
+    return "none";
+}
+
+/// Vertical and horizontal angle of the first largest value of the table.
+std::pair<double, double> brightest(const IntensityTable& table) {
+    for (std::size_t h = 0; h < table.horizontal().size(); ++h)
+        for (std::size_t v = 0; v < table.vertical().size(); ++v)
+            if (table.value(h, v) == table.largest())
+                return {table.vertical()[v], table.horizontal()[h]};
+    return {0, 0};
+}
+
+Json angles_json(const std::vector<double>& degrees) {
+    return {{"count", degrees.size()}, {"first", degrees.front()}, {"last", degrees.back()}};
+}
+
+Json planes_json(const double (&angle)[2]) {
+    return {{"plane_0", angle[0]}, {"plane_90", angle[1]}};
+}
+
+} // namespace
+
+LuminaireFacts luminaire_facts(const std::string& source, PhotometricWeb web) {
+    LuminaireFacts facts{.source = source, .web = std::move(web)};
+    facts.flux = luminous_flux(facts.web);
+    facts.largest_intensity = facts.web.candela.largest();
+    for (int i = 0; i < 2; ++i) {
+        facts.beam_angle[i] = spread_angle(facts.web, half, 90 * i);
+        facts.field_angle[i] = spread_angle(facts.web, tenth, 90 * i);
+    }
+    return facts;
+}
+
+std::string luminaire_text(const LuminaireFacts& facts) {
+    const IntensityTable& table = facts.web.candela;
+    const auto [v, h] = brightest(table);
+    std::ostringstream out;
+    out.precision(6);
+    const auto line = [&out](std::string_view name) -> std::ostream& {
+        constexpr std::size_t width = 12;
+        return out << name << std::string(width - name.size(), ' ');
+    };
+    line("file") << facts.source << "\n";
+    if (!facts.web.name.empty()) line("luminaire") << facts.web.name << "\n";
+    line("type") << name_of(facts.web.type) << ", symmetry " << name_of(table.symmetry()) << "\n";
+    line("angles") << table.vertical().size() << " from " << table.vertical().front() << " to "
+                   << table.vertical().back() << " degrees in " << table.horizontal().size()
+                   << " planes\n";
+    line("flux") << facts.flux << " lm";
+    if (facts.web.lamp_flux > 0)
+        out << ", " << 100 * facts.flux / facts.web.lamp_flux << " % of its lamps' "
+            << facts.web.lamp_flux << " lm";
+    out << "\n";
+    line("intensity") << "at most " << facts.largest_intensity << " cd, under " << v
+                      << " degrees in plane " << h << "\n";
+    line("beam angle") << facts.beam_angle[0] << " and " << facts.beam_angle[1]
+                       << " degrees in planes 0 and 90\n";
+    line("field angle") << facts.field_angle[0] << " and " << facts.field_angle[1]
+                        << " degrees in planes 0 and 90\n";
+    return out.str();
+}
+
+std::string luminaire_json(const LuminaireFacts& facts) {
+    const PhotometricWeb& web = facts.web;
+    const auto [v, h] = brightest(web.candela);
+    const bool relative = web.lamp_flux > 0;
+    const Json json = {{"format", "keiko-luminaire-facts/1"},
+                       {"source", facts.source},
+                       {"name", web.name},
+                       {"photometric_type", name_of(web.type)},
+                       {"symmetry", name_of(web.candela.symmetry())},
+                       {"planes", angles_json(web.candela.horizontal())},
+                       {"vertical_angles", angles_json(web.candela.vertical())},
+                       {"luminous_flux", facts.flux},
+                       {"lamp_flux", relative ? Json(web.lamp_flux) : Json()},
+                       {"light_output_ratio", relative ? Json(facts.flux / web.lamp_flux) : Json()},
+                       {"largest_intensity",
+                        {{"candela", facts.largest_intensity}, {"vertical", v}, {"plane", h}}},
+                       {"beam_angle", planes_json(facts.beam_angle)},
+                       {"field_angle", planes_json(facts.field_angle)},
+                       {"opening", point(web.opening)}};
+    return text_of(json);
+}
+
+} // namespace keiko

@@ -1,0 +1,10 @@
+// IES LM-63 luminaire files
+#include "keiko/io/luminaire_file.h"
+
+#include "tests/fuzz/sound_web.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace keiko;
+    fuzz::accepts([&] { fuzz::require_sound(parse_ies(fuzz::text_of(data, size), "fuzz.ies")); });
+    return 0;
+}

@@ -1,0 +1,72 @@
+#include "keiko/report/luminaire_facts.h"
+
+#include "keiko/report/polar_curve.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace keiko {
+namespace {
+
+/// Lambert's cosine, 100 cd on the axis: 100 pi lm.
+PhotometricWeb lambert() {
+    std::vector<double> angles, candela;
+    for (int v = 0; v <= 90; ++v) {
+        angles.push_back(v);
+        candela.push_back(100 * std::cos(v * std::numbers::pi / 180));
+    }
+    return {.type = PhotometricType::c,
+            .candela = {angles, {0}, candela, PlaneSymmetry::axial},
+            .name = "a <lamp>",
+            .lamp_flux = 500};
+}
+
+} // namespace
+
+TEST(LuminaireFacts, TellFluxAndSpread) {
+    const LuminaireFacts facts = luminaire_facts("lambert.ies", lambert());
+    EXPECT_NEAR(facts.flux, 100 * std::numbers::pi, 0.02);
+    const auto json = nlohmann::json::parse(luminaire_json(facts));
+    EXPECT_EQ(json["format"], "keiko-luminaire-facts/1");
+    EXPECT_EQ(json["luminous_flux"], facts.flux);
+    EXPECT_EQ(json["light_output_ratio"], facts.flux / 500);
+    EXPECT_EQ(json["largest_intensity"]["candela"], 100);
+    EXPECT_NEAR(json["beam_angle"]["plane_90"].get<double>(), 120, 1e-3);
+    EXPECT_NEAR(json["field_angle"]["plane_0"].get<double>(), 168.52, 0.01);
+    EXPECT_EQ(json["symmetry"], "axial");
+    const std::string text = luminaire_text(facts);
+    EXPECT_NE(text.find("type        C, symmetry axial\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("beam angle  120 and 120 degrees"), std::string::npos) << text;
+}
+
+TEST(LuminaireFacts, AbsolutePhotometryHasNoOutputRatio) {
+    PhotometricWeb web = lambert();
+    web.lamp_flux = 0;
+    const auto json = nlohmann::json::parse(luminaire_json(luminaire_facts("x.ies", web)));
+    EXPECT_TRUE(json["lamp_flux"].is_null());
+    EXPECT_TRUE(json["light_output_ratio"].is_null());
+}
+
+TEST(PolarCurve, OfALambertLampIsACircleBelowTheMiddle) {
+    const std::string svg = polar_curve_svg(luminaire_facts("lambert.ies", lambert()));
+    EXPECT_NE(svg.find("a &lt;lamp&gt;"), std::string::npos);
+    const std::size_t begin = svg.find("class=\"main\" d=\"M");
+    ASSERT_NE(begin, std::string::npos);
+    const std::string path = svg.substr(begin + 17, svg.find('"', begin + 17) - begin - 17);
+    int points = 0;
+    for (std::size_t i = 0; i < path.size(); i = path.find('L', i) + 1) {
+        double x = 0, y = 0;
+        ASSERT_EQ(std::sscanf(path.c_str() + i, "%lf %lf", &x, &y), 2);
+        const bool dark = x == 320 && y == 340;
+        EXPECT_TRUE(dark || std::abs(std::hypot(x - 320, y - 470) - 130) < 0.1) << x << " " << y;
+        ++points;
+        if (path.find('L', i) == std::string::npos) break;
+    }
+    EXPECT_EQ(points, 361);
+}
+
+} // namespace keiko
