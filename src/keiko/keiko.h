@@ -14,6 +14,7 @@
 #include "keiko/placement/place_lamps.h"
 #include "keiko/render/picture.h"
 #include "keiko/report/facts_text.h"
+#include "keiko/report/lines_json.h"
 #include "keiko/report/luminaire_facts.h"
 #include "keiko/report/polar_curve.h"
 #include "keiko/report/report.h"
@@ -127,6 +128,16 @@ PlaceResult place_scene(const Scene& scene, const PlaceOptions& options = {}, co
 /// above) into a folder.
 void write_placement(const std::filesystem::path& folder, const Scene& scene,
                      const PlaceResult& result, const Job& job = {});
+
+struct LinesOptions {
+    std::vector<std::string> views;           ///< names; empty: one, as choose_views has it
+    std::optional<std::filesystem::path> rig; ///< none: the scene's own
+    SurfaceLineOptions lines;
+};
+
+/// The reflection lines, highlight lines or isophotes of a rig's lamps that views of a scene show
+/// on the body. Throws Error without a rig, and for one without C-planes.
+LineList find_lines(const Scene& scene, const LinesOptions& options = {}, const Job& job = {});
 
 struct InspectOptions {
     std::vector<std::string> views;           ///< names; empty: three automatic ones

@@ -17,6 +17,7 @@ int main(int argc, char** argv) try {
     cli::add_illuminance(app, session);
     cli::add_info(app, session);
     cli::add_inspect(app, session);
+    cli::add_lines(app, session);
     cli::add_place(app, session);
     cli::add_render(app, session);
     cli::add_trace(app, session);

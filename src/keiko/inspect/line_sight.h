@@ -1,0 +1,30 @@
+#pragma once
+
+#include "keiko/inspect/line_field.h"
+#include "keiko/trace/tracer.h"
+
+namespace keiko {
+
+/// Whether the eye of a field sees one level's line at places of the surfaces.
+class LineSight {
+public:
+    /// `seen`: all that may stand in the way. Keeps references.
+    LineSight(const Tracer& seen, const LineField& field, double level)
+        : seen_(seen), field_(field), level_(level) {}
+
+    /// Whether the eye sees the place and, in it, the lamp of the line: the ray to the eye is free
+    /// and, of reflections, the mirrored one up to the C-plane too; reflection and highlight lines
+    /// end with the lamp; isophotes are kept where the normal that faces the eye faces the lamps.
+    /// `normal` is unit, `root` the place's own.
+    bool sees(const Vec3& place, const Vec3& normal, const Root& root) const;
+
+private:
+    bool on_lamp(const LineField::Image& image) const;
+    Ray to_eye(const Vec3& place) const;
+
+    const Tracer& seen_;
+    const LineField& field_;
+    double level_;
+};
+
+} // namespace keiko
