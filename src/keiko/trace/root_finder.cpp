@@ -119,10 +119,22 @@ bool is_noise(const Preconditioned& p) {
            vanishes(extremes(p.net.g.data(), p.net.size()), 4 * p.slack_g);
 }
 
+/// Whether all of b lies where a has no second root beside it.
+bool has_no_other(const LeafRoot& a, const LeafRoot& b) {
+    const Vec2 apart = b.uv - a.uv;
+    return std::abs(apart.x) + b.error.x <= a.alone.x && std::abs(apart.y) + b.error.y <= a.alone.y;
+}
+
 LeafRoot united(const LeafRoot& a, const LeafRoot& b) {
     Box2 box{a.uv - a.error, a.uv + a.error};
     box.extend(Box2{b.uv - b.error, b.uv + b.error});
-    return {box.center(), box.extent() * 0.5, a.clipped || b.clipped, a.tangential || b.tangential};
+    const Vec2 middle = box.center();
+    const LeafRoot& wider = a.alone.length2() > b.alone.length2() ? a : b;
+    const Vec2 moved(std::abs(middle.x - wider.uv.x), std::abs(middle.y - wider.uv.y));
+    const Vec2 alone(std::max(0.0, wider.alone.x - moved.x),
+                     std::max(0.0, wider.alone.y - moved.y));
+    return {middle, box.extent() * 0.5, a.clipped || b.clipped, a.tangential || b.tangential,
+            alone};
 }
 
 } // namespace
@@ -196,7 +208,7 @@ void RootFinder::accept_box(const Box2& box) {
         if (const auto root = newton(wide, Vec2(0.5)))
             return add({grown.lower + grown.extent() * root->uv, grown.extent() * root->error,
                         false, false});
-    const LeafRoot root{box.center(), half, true, !single};
+    const LeafRoot root{box.center(), half, true, !single, single ? half * wider : Vec2(0)};
     if (std::max(half.x, half.y) > long_box) stretches_.push_back(root);
     add(root);
 }
@@ -264,6 +276,7 @@ void RootFinder::split_lines() {
 bool RootFinder::same(const LeafRoot& a, const LeafRoot& b) const {
     const Vec2 apart = a.uv - b.uv, reach = a.error + b.error + Vec2(1e-13);
     if (std::abs(apart.x) <= reach.x && std::abs(apart.y) <= reach.y) return true;
+    if (has_no_other(a, b) || has_no_other(b, a)) return true;
     if (!a.tangential && !b.tangential) return false;
     // What rounding leaves of one tangency is scattered along the ray; the pieces are one as long
     // as between them the surface stays within rounding of the ray, measured across the surface:

@@ -13,6 +13,7 @@ struct LeafRoot {
     Vec2 error;      ///< half the size of the box that holds the exact root
     bool clipped;    ///< found by clipping down to rounding, not by a uniqueness proof
     bool tangential; ///< several roots may lie in that box
+    Vec2 alone{0};   ///< half the size of a box around uv that holds no second root, if known
 };
 
 /// Finds every common zero of f and g in [0, 1]^2: Bezier clipping with preconditioned fat lines,
