@@ -3,6 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/film/false_color.h"
 #include "keiko/film/overlay.h"
+#include "keiko/tubes/tube_lamp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,18 +20,6 @@ void paint(Image& image, int x, int y, const Rgb& color) {
     pixel[0] = static_cast<float>(color.r);
     pixel[1] = static_cast<float>(color.g);
     pixel[2] = static_cast<float>(color.b);
-}
-
-/// The axes of the lamps of a plane, from end to end.
-std::vector<std::array<Vec3, 2>> lamp_axes(const CPlane& plane) {
-    std::vector<std::array<Vec3, 2>> axes;
-    const Vec3 across = plane.v.normalized();
-    for (int i = 0; i < plane.lamps; ++i) {
-        const double off = (i - 0.5 * (plane.lamps - 1)) * plane.spacing();
-        const Vec3 begin = plane.origin + plane.v * 0.5 + across * off;
-        axes.push_back({begin, begin + plane.u});
-    }
-    return axes;
 }
 
 std::array<Vec3, 5> outline(const CPlane& plane) {
@@ -102,8 +91,8 @@ Image histogram_picture(const PlacedPlane& plane) {
         return Vec2(off.x, image.height - off.y);
     };
     Overlay overlay;
-    for (const auto& [begin, end] : lamp_axes(plane.lamps))
-        overlay.lines.push_back({{pixel(begin), pixel(end)}, lamp_color, 1});
+    for (const TubeLamp& lamp : lamps_of(plane.lamps))
+        overlay.lines.push_back({{pixel(lamp.a), pixel(lamp.b)}, lamp_color, 1});
     Polyline border{.color = Rgb(1), .width = 2};
     for (const Vec3& corner : outline(plane.lamps)) border.points.push_back(pixel(corner));
     overlay.lines.push_back(std::move(border));
@@ -114,7 +103,8 @@ Image plan_picture(const Scene& scene, const PlaceResult& result, const Job& job
     const Camera camera = plan_camera(scene, result);
     Overlay overlay;
     for (const PlacedPlane& plane : result.placement.planes) {
-        for (const auto& axis : lamp_axes(plane.lamps)) draw(overlay, camera, axis, lamp_color);
+        for (const TubeLamp& lamp : lamps_of(plane.lamps))
+            draw(overlay, camera, std::array{lamp.a, lamp.b}, lamp_color);
         draw(overlay, camera, outline(plane.lamps), plane_color);
     }
     for (std::size_t i = 0; i < result.views.size(); ++i) {
