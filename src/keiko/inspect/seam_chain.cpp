@@ -1,32 +1,14 @@
 #include "keiko/inspect/seam_chain.h"
 
+#include "keiko/math/disjoint_sets.h"
+
 #include <map>
-#include <numeric>
 #include <tuple>
 
 namespace keiko {
 namespace {
 
 using FacePair = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
-
-/// Disjoint sets whose representative is their smallest member.
-class Sets {
-public:
-    explicit Sets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-    }
-    std::uint32_t find(std::uint32_t x) {
-        while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-        return x;
-    }
-    void unite(std::uint32_t x, std::uint32_t y) {
-        x = find(x), y = find(y);
-        parent_[std::max(x, y)] = std::min(x, y);
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 struct End {
     Vec3 position, tangent;
@@ -64,17 +46,17 @@ std::vector<std::vector<std::uint32_t>> seam_chains(const BoundaryCurves& curves
                                                     std::span<const Seam> seams, double join) {
     std::vector<Ends> ends;
     std::map<FacePair, std::vector<std::uint32_t>> by_faces;
-    Sets sets(seams.size());
+    DisjointSets sets(seams.size());
     for (std::uint32_t i = 0; i < seams.size(); ++i) {
         const BoundaryInterval &a = seams[i].a, &b = seams[i].b;
         ends.emplace_back(curves.curve(a), a);
         auto& same = by_faces[FacePair(a.instance, a.face, b.instance, b.face)];
         for (const std::uint32_t j : same)
-            if (ends[i].touch(ends[j], join)) sets.unite(i, j);
+            if (ends[i].touch(ends[j], join)) sets.join(i, j);
         same.push_back(i);
     }
-    std::map<std::uint32_t, std::vector<std::uint32_t>> chains;
-    for (std::uint32_t i = 0; i < seams.size(); ++i) chains[sets.find(i)].push_back(i);
+    std::map<std::size_t, std::vector<std::uint32_t>> chains;
+    for (std::uint32_t i = 0; i < seams.size(); ++i) chains[sets.root(i)].push_back(i);
     std::vector<std::vector<std::uint32_t>> result;
     result.reserve(chains.size());
     for (auto& [first, pieces] : chains) result.push_back(std::move(pieces));

@@ -1,33 +1,15 @@
 #include "keiko/placement/unreached_regions.h"
 
+#include "keiko/math/disjoint_sets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 
 namespace keiko {
 namespace {
-
-/// Sets of samples that hang together (union by the lower index, with path halving).
-class Groups {
-public:
-    explicit Groups(std::size_t count) : parents_(count) {
-        std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-    }
-    std::size_t root(std::size_t i) {
-        while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-        return i;
-    }
-    void join(std::size_t a, std::size_t b) {
-        a = root(a), b = root(b);
-        parents_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::size_t> parents_;
-};
 
 UnreachedBecause reason(const LampField& field, std::size_t i) {
     if (field.samples()[i].blocked) return UnreachedBecause::blocked;
@@ -35,9 +17,9 @@ UnreachedBecause reason(const LampField& field, std::size_t i) {
 }
 
 /// Joins samples that are neighbours in their picture and not reached for the same reason.
-Groups joined(const LampField& field) {
+DisjointSets joined(const LampField& field) {
     using Cell = std::tuple<std::uint32_t, int, int>;
-    Groups groups(field.samples().size());
+    DisjointSets groups(field.samples().size());
     std::map<Cell, std::size_t> cells;
     for (std::size_t i = 0; i < field.samples().size(); ++i) {
         if (field.reached(i)) continue;
@@ -94,7 +76,7 @@ std::string_view name_of(UnreachedBecause reason) {
 }
 
 std::vector<UnreachedRegion> unreached_regions(const LampField& field, double least_share) {
-    Groups groups = joined(field);
+    DisjointSets groups = joined(field);
     std::map<std::size_t, std::vector<std::size_t>> members;
     for (std::size_t i = 0; i < field.samples().size(); ++i)
         if (!field.reached(i)) members[groups.root(i)].push_back(i);
