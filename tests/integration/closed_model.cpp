@@ -41,13 +41,37 @@ std::optional<std::uint32_t> patch_with(const SurfaceModel& model, const Face& f
     return std::nullopt;
 }
 
+/// Two triangles for each step of the way along the border.
+void add_strip(const SeamGap& gap, const Affine& to_world,
+               std::vector<std::array<Vec3, 3>>& strips) {
+    for (std::size_t i = 0; i + 1 < gap.samples.size(); ++i) {
+        const SeamGap::Sample &a = gap.samples[i], &b = gap.samples[i + 1];
+        const Vec3 near_a = to_world.point(a.border), far_a = to_world.point(a.border + a.across);
+        const Vec3 near_b = to_world.point(b.border), far_b = to_world.point(b.border + b.across);
+        strips.push_back({near_a, near_b, far_a});
+        strips.push_back({far_a, near_b, far_b});
+    }
+}
+
+/// Whether the line of the ray passes all three sides on one hand.
+bool line_meets(const Ray& ray, const std::array<Vec3, 3>& triangle) {
+    std::array<double, 3> volumes{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 from = triangle[i] - ray.origin, to = triangle[(i + 1) % 3] - ray.origin;
+        volumes[i] = ray.direction.dot(from.cross(to));
+    }
+    return std::all_of(volumes.begin(), volumes.end(), [](double v) { return v >= 0; }) ||
+           std::all_of(volumes.begin(), volumes.end(), [](double v) { return v <= 0; });
+}
+
 } // namespace
 
 std::string ClosureCounts::text() const {
     std::ostringstream out;
     out << rays << " rays, " << hits << " hits, tangential " << tangential << ", edge-on "
-        << edge_on << ", leaks " << leaks << ", doubled " << doubled << ", unclear " << unclear
-        << "; " << aimed << " aimed at edges and vertices, lost " << aimed_lost;
+        << edge_on << ", leaks " << leaks << ", doubled " << doubled << ", through steps "
+        << through_steps << ", unclear " << unclear << "; " << aimed
+        << " aimed at edges and vertices, lost " << aimed_lost;
     return out.str();
 }
 
@@ -63,8 +87,10 @@ ClosedModel::ClosedModel(SurfaceModel model)
                     borders_.push_back({i, f, loop.first_curve + c});
                 }
     }
-    for (const SeamGap& gap : seam_gaps(model_, TracerOptions().join, {}))
-        widest_seam_ = std::max(widest_seam_, gap.width);
+    const std::vector<SeamGap> gaps = seam_gaps(model_, TracerOptions().join, {});
+    for (const SeamGap& gap : gaps) widest_seam_ = std::max(widest_seam_, gap.width);
+    for (const BorderCurve& border : borders_)
+        add_strip(gaps[border.curve], model_.instances[border.instance].transform, strips_);
 }
 
 Ray ClosedModel::random_ray(Random& random) const {
@@ -142,10 +168,17 @@ void ClosedModel::classify_odd(const Ray& ray, std::size_t hits, ClosureCounts& 
     };
     if (all(hits + 1))
         report("leak", ray), ++counts.leaks;
+    else if (all(hits - 1) && passes_between_borders(ray))
+        report("through a step", ray), ++counts.through_steps;
     else if (all(hits - 1))
         report("doubled hit", ray), ++counts.doubled;
     else
         report("unclear", ray), ++counts.unclear;
+}
+
+bool ClosedModel::passes_between_borders(const Ray& ray) const {
+    return std::any_of(strips_.begin(), strips_.end(),
+                       [&](const Triangle& strip) { return line_meets(ray, strip); });
 }
 
 void ClosedModel::count_aimed(const EdgePoint& point, Random& random, ClosureCounts& counts) const {

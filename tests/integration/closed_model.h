@@ -18,6 +18,9 @@ struct ClosureCounts {
     std::size_t edge_on = 0; ///< along an edge's outline, where parallel rays beside it differ by 2
     std::size_t leaks = 0;   ///< all rays around have one more hit
     std::size_t doubled = 0; ///< all rays around have one hit less
+    /// Like doubled, by rays that pass between the two borders of a measured seam: they come in
+    /// through the opening that the file leaves, and meet one of its two faces.
+    std::size_t through_steps = 0;
     std::size_t unclear = 0; ///< odd, and none of these
     std::size_t aimed = 0, aimed_lost = 0;
 
@@ -47,6 +50,7 @@ private:
     /// Numbers of hits of four rays parallel to it, so far off in mm.
     std::array<std::size_t, 4> hits_beside(const Ray& ray, double away) const;
     void classify_odd(const Ray& ray, std::size_t hits, ClosureCounts& counts) const;
+    bool passes_between_borders(const Ray& ray) const;
     void report(const char* what, const Ray& ray) const;
 
     SurfaceModel model_;
@@ -57,6 +61,8 @@ private:
         std::uint32_t instance, face, curve;
     };
     std::vector<BorderCurve> borders_;
+    using Triangle = std::array<Vec3, 3>;
+    std::vector<Triangle> strips_; ///< world: what spans the openings between borders
 };
 
 } // namespace keiko::test

@@ -35,6 +35,7 @@ void expect_closed(const std::filesystem::path& file) {
     EXPECT_GT(counts.aimed, count / 2);
     EXPECT_EQ(counts.leaks, 0u);
     EXPECT_EQ(counts.doubled, 0u);
+    EXPECT_LE(counts.through_steps, counts.rays / 100'000);
     EXPECT_EQ(counts.unclear, 0u);
     EXPECT_EQ(counts.aimed_lost, 0u);
 }
