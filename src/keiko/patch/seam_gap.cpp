@@ -1,6 +1,7 @@
 #include "keiko/patch/seam_gap.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/math/quadrature.h"
 #include "keiko/patch/closest_point.h"
 #include "keiko/patch/curve_polyline.h"
 #include "keiko/patch/edge_uses.h"
@@ -18,39 +19,54 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// file's word; what approximation leaves open between borders that meet, and what rounding does.
 constexpr double smallest_gap = 1e-7, widest_surprise = 1e-5, least_width = 1e-8, rounding = 1e-10;
 constexpr double spare_width = 1.5;
-constexpr int coarse_steps = 4, fine_steps = 16;
+constexpr int fine_steps = 16;
+/// Of the part's size: chords of the curves that the nearest place of a border is sought on.
+constexpr double chord_error = 1e-3;
+/// Where a gap is looked for first. Not at equal steps: p-curves are often interpolated at such,
+/// and meet the neighbour there and only there.
+const std::vector<double>& first_places() {
+    static const std::vector<double> places = [] {
+        std::vector<double> t{0, 1};
+        for (const QuadratureNode& node : gauss_legendre(7)) t.push_back((1 + node.x) / 2);
+        return t;
+    }();
+    return places;
+}
+
+std::vector<double> equal_steps(int steps) {
+    std::vector<double> t;
+    for (int i = 0; i <= steps; ++i) t.push_back(double(i) / steps);
+    return t;
+}
 
 /// Measures the way from one border to another.
 class GapMeter {
 public:
-    GapMeter(const SurfaceModel& model, const Job& job)
+    GapMeter(const SurfaceModel& model, const std::vector<double>& sizes, const Job& job)
         : model_(model), grids_(model.faces.size()), coarse_(model.trim_curves.size()) {
-        parallel_for(model.faces.size(), job, "", [&](std::size_t f) { sample(f); });
+        parallel_for(model.faces.size(), job, "",
+                     [&](std::size_t f) { sample(f, chord_error * sizes[model_.faces[f].part]); });
     }
 
-    std::vector<SeamGap::Sample> measure(const EdgeUse& from, std::uint32_t curve, int steps,
+    std::vector<SeamGap::Sample> measure(const EdgeUse& from, std::uint32_t curve,
+                                         const std::vector<double>& places,
                                          const EdgeUse& to) const {
         const SurfaceCurve border = surface_curve(from.face, curve);
         std::vector<SeamGap::Sample> samples;
-        for (int i = 0; i <= steps; ++i) {
-            const Vec3 p = border.at(double(i) / steps).position;
+        for (const double t : places) {
+            const Vec3 p = border.at(t).position;
             samples.push_back({p, nearest(p, to) - p});
         }
         return samples;
     }
 
 private:
-    void sample(std::size_t f) {
+    void sample(std::size_t f, double chord) {
         const Face& face = model_.faces[f];
         grids_[f].emplace(model_, face);
         for (const TrimLoop& loop : model_.loops_of(face))
             for (std::uint32_t c = loop.first_curve; c < loop.first_curve + loop.curve_count; ++c)
-                for (int i = 0; i <= coarse_steps; ++i) {
-                    const double t = double(i) / coarse_steps;
-                    coarse_[c].t.push_back(t);
-                    coarse_[c].points.push_back(
-                        surface_curve(static_cast<std::uint32_t>(f), c).at(t).position);
-                }
+                coarse_[c] = make_polyline(surface_curve(static_cast<std::uint32_t>(f), c), chord);
     }
 
     SurfaceCurve surface_curve(std::uint32_t face, std::uint32_t curve) const {
@@ -112,10 +128,12 @@ SeamGap seam_gap(const GapMeter& meter, const std::vector<EdgeUse>& uses, std::s
     SeamGap gap{.width = claimed, .touch = rounding * size, .samples = {}};
     if (uses.size() != 2) return gap;
     const EdgeUse& other = uses[1 - own];
-    const double found = widest(meter.measure(uses[own], curve, coarse_steps, other));
+    const double found = widest(meter.measure(uses[own], curve, first_places(), other));
     if (found > std::max(claimed, widest_surprise * size)) return gap;
     if (found > smallest_gap * size)
-        gap.samples = meter.measure(uses[own], curve, fine_steps, other);
+        gap.samples = meter.measure(uses[own], curve, equal_steps(fine_steps), other);
+    // A table that misses what the first look found is none.
+    if (widest(gap.samples) < found / 2) gap.samples.clear();
     gap.width = spare_width * std::max(found, widest(gap.samples)) + least_width * size;
     return gap;
 }
@@ -154,7 +172,7 @@ bool SeamGap::holds(double t, const Vec3& off, const Vec3& direction) const {
 std::vector<SeamGap> seam_gaps(const SurfaceModel& model, double join, const Job& job) {
     const std::vector<double> sizes = part_sizes(model);
     const auto uses = edge_uses(model);
-    const GapMeter meter(model, job);
+    const GapMeter meter(model, sizes, job);
     std::vector<SeamGap> gaps(model.trim_curves.size());
     parallel_for(uses.size(), job, "", [&](std::size_t e) {
         const double claimed = std::min(model.edges[e].tolerance, join);

@@ -6,6 +6,7 @@
 #include "tests/unit/trace/squares.h"
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace keiko {
@@ -51,6 +52,32 @@ TEST(SeamGap, OfBordersThatMeetIsOnlyRounding) {
         EXPECT_LT(gap.width, 1e-6);
         EXPECT_TRUE(gap.samples.empty());
     }
+}
+
+/// The right face's border x(t) = 0.0282 t (t - 1/4) (t - 1/2) (t - 3/4) (t - 1) mm, as
+/// interpolation at equal steps leaves it: it meets the left face's straight one at t = 0, 1/4,
+/// 1/2, 3/4, 1.
+SurfaceModel squares_that_meet_at_five_places() {
+    ShapeBuilder builder;
+    const std::uint32_t edge = builder.edge(2e-3), rim = builder.edge(0);
+    builder.face({rectangle(-10, 0, -10, 10, 0)},
+                 {{line({-10, -10}, {0, -10}, rim), line({0, -10}, {0, 10}, edge),
+                   line({0, 10}, {-10, 10}, rim), line({-10, 10}, {-10, -10}, rim)}});
+    CurveData wave{{}, edge};
+    const std::array<double, 6> x{0, 0.01875, -0.040625, 0.040625, -0.01875, 0};
+    for (std::size_t i = 0; i < x.size(); ++i)
+        wave.points.emplace_back(0.0282 * x[i], -10 + 4.0 * double(i), 1);
+    builder.face({rectangle(-1, 10, -10, 10, 0)},
+                 {{wave, line({0, 10}, {10, 10}, rim), line({10, 10}, {10, -10}, rim),
+                   line({10, -10}, {0, -10}, rim)}});
+    return builder.model();
+}
+
+TEST(SeamGap, IsSeenBetweenThePlacesWhereTheBordersMeet) {
+    const SurfaceModel model = squares_that_meet_at_five_places();
+    for (const SeamGap& gap : gaps_of(model)) EXPECT_GT(gap.width, 9e-5);
+    // At t = 0.1 the borders are 9.9e-5 mm apart.
+    EXPECT_TRUE(Tracer(model).any(ray_through(Vec3(5e-5, -8, 5), Vec3(0, 0, -1))));
 }
 
 /// A disc within a plate, both bounded by one edge of two half circles.
