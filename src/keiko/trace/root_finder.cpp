@@ -86,6 +86,16 @@ std::optional<Vec2> containing_plane(const PlanarNet& net, double slack) {
     return plane;
 }
 
+/// Where on an edge the ray meets it; at a corner by whatever rounding leaves there of zero. An
+/// edge that lies in the ray has two ends.
+std::vector<double> zeros_of_line(const std::vector<double>& c, double slack) {
+    std::vector<double> zeros;
+    if (!vanishes(extremes(c.data(), c.size()), slack)) zeros = bernstein_roots(c, 0);
+    if (std::abs(c.front()) <= slack) zeros.push_back(0);
+    if (std::abs(c.back()) <= slack) zeros.push_back(1);
+    return zeros;
+}
+
 /// Both parameters' clips; where the net is not preconditioned each function may clip either.
 struct Clip {
     ParameterInterval u, v;
@@ -201,7 +211,9 @@ void RootFinder::accept_box(const Box2& box) {
     // Rounding hides what happens in the box itself; a wider look tells one root from several.
     constexpr double wider = 64;
     const Vec2 half = box.extent() * 0.5 + Vec2(4e-16);
-    const Box2 grown{box.center() - half * wider, box.center() + half * wider};
+    // Not past the net's own ends, where its coefficients' errors grow with the degree.
+    const Box2 grown =
+        unit_square.intersection({box.center() - half * wider, box.center() + half * wider});
     const Preconditioned wide = preconditioned(restricted(*whole_, grown), slack_);
     const bool single = at_most_one_root(wide);
     if (single && !clipping_only_)
@@ -223,10 +235,7 @@ void RootFinder::accept_line(const PlanarNet& net, const Box2& box, const Vec2& 
                           double across) {
         std::vector<double> c;
         for (std::size_t i = 0; i < count; ++i) c.push_back(along(first + i * step));
-        std::vector<double> places = bernstein_roots(c, 0);
-        if (c.front() == 0) places.push_back(0);
-        if (c.back() == 0) places.push_back(1);
-        for (const double t : places) {
+        for (const double t : zeros_of_line(c, 2 * slack_)) {
             Vec2 inside;
             inside[axis] = t;
             inside[1 - axis] = across;
@@ -257,6 +266,7 @@ void RootFinder::split_lines() {
             if (!(root.uv[axis] - root.error[axis] <= rounding &&
                   root.uv[axis] + root.error[axis] >= 1 - rounding))
                 continue;
+            const std::size_t before = ends.size();
             for (const LeafRoot& s : stretches_)
                 for (const double at : {0.0, 1.0}) {
                     if (!(std::abs(s.uv[axis] - at) <= s.error[axis] + rounding)) continue;
@@ -266,7 +276,7 @@ void RootFinder::split_lines() {
                     end.tangential = true;
                     ends.push_back(end);
                 }
-            return true;
+            return ends.size() > before;
         }
         return false;
     });

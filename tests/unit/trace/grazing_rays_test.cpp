@@ -99,5 +99,39 @@ TEST(Rulings, OfAPlaneGiveItsBorders) {
     EXPECT_FALSE(tracer.any(ray_through(Vec3(-10, 21, 5), Vec3(1, 0, 0))));
 }
 
+/// Along its diagonals, turned so that rounding moves the corners off the ray.
+TEST(Rulings, OfAPlaneThroughItsCornersGiveThem) {
+    Random random(1);
+    for (int i = 0; i < 200; ++i) {
+        const double turn = uniform(random, 0, 1.5), a = uniform(random, 1, 50);
+        const Vec3 u(std::cos(turn) * a, std::sin(turn) * a, 0), v(-u.y, u.x, 0), o(0, 0, 5);
+        const SurfaceModel model =
+            ShapeBuilder().face({bilinear(o, o + u, o + v, o + u + v)}).model();
+        const Tracer tracer(model), clipping(model, {.clipping_only = true});
+        for (const Tracer* each : {&tracer, &clipping}) {
+            const auto hits = each->all(ray_through(o - (u + v) * 0.3, u + v));
+            ASSERT_EQ(hits.size(), 2u) << i;
+            EXPECT_LT((hits[0].position - o).length(), 1e-9 * a);
+            EXPECT_LT((hits[1].position - (o + u + v)).length(), 1e-9 * a);
+        }
+    }
+}
+
+/// A border that lies in the ray has two ends, wherever rounding puts it.
+TEST(Rulings, AlongABorderOfAPlaneGiveItsEnds) {
+    Random random(2);
+    for (int i = 0; i < 200; ++i) {
+        const double turn = uniform(random, 0, 1.5), a = uniform(random, 1, 50);
+        const Vec3 u(std::cos(turn) * a, std::sin(turn) * a, 0), v(-u.y, u.x, 0), o(0, 0, 5);
+        const Tracer tracer(ShapeBuilder().face({bilinear(o, o + u, o + v, o + u + v)}).model());
+        for (const Hit& hit : tracer.all(ray_through(o - u * 0.3, u))) {
+            const double nearest_end =
+                std::min((hit.position - o).length(), (hit.position - (o + u)).length());
+            EXPECT_LT(nearest_end, 1e-9 * a) << i;
+            EXPECT_TRUE(has(hit.flags, HitFlags::tangential));
+        }
+    }
+}
+
 } // namespace
 } // namespace keiko
