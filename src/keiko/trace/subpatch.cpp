@@ -3,17 +3,36 @@
 namespace keiko {
 namespace {
 
-/// `count` control points, `step` apart, cut down to [a, b] in place by two de Casteljau splits.
-void restrict_line(Vec4* c, std::size_t count, std::size_t step, double a, double b) {
-    const auto blend = [&](std::size_t i, std::size_t k, double t) {
+/// `count` control points, `step` apart, of which one end is cut off in place, or continued, at t.
+struct Line {
+    Vec4* c;
+    std::size_t count, step;
+
+    Vec4 blend(std::size_t i, std::size_t k, double t) const {
         return c[i * step] * (1 - t) + c[k * step] * t;
-    };
-    if (b != 1)
+    }
+    void end_at(double t) const {
+        if (t == 1) return;
         for (std::size_t level = 1; level < count; ++level)
-            for (std::size_t i = count - 1; i >= level; --i) c[i * step] = blend(i - 1, i, b);
-    if (a != 0)
+            for (std::size_t i = count - 1; i >= level; --i) c[i * step] = blend(i - 1, i, t);
+    }
+    void begin_at(double t) const {
+        if (t == 0) return;
         for (std::size_t level = 1; level < count; ++level)
-            for (std::size_t i = 0; i + level < count; ++i) c[i * step] = blend(i, i + 1, a / b);
+            for (std::size_t i = 0; i + level < count; ++i) c[i * step] = blend(i, i + 1, t);
+    }
+};
+
+/// Cuts the line down to [a, b]. What goes on past the patch is continued first, from the whole of
+/// it: continued by as much from a narrow piece, rounding would grow with a power of their ratio.
+void restrict_line(const Line& line, double a, double b) {
+    if (a < 0) {
+        line.begin_at(a);
+        line.end_at((b - a) / (1 - a));
+    } else {
+        line.end_at(b);
+        line.begin_at(a / b);
+    }
 }
 
 } // namespace
@@ -23,9 +42,9 @@ std::vector<Vec4> subpatch(const BezierPatchView& patch, const Box2& box) {
     const auto rows = static_cast<std::size_t>(patch.degree_u) + 1;
     const auto columns = static_cast<std::size_t>(patch.degree_v) + 1;
     for (std::size_t j = 0; j < columns; ++j)
-        restrict_line(&points[j], rows, columns, box.lower.x, box.upper.x);
+        restrict_line({&points[j], rows, columns}, box.lower.x, box.upper.x);
     for (std::size_t i = 0; i < rows; ++i)
-        restrict_line(&points[i * columns], columns, 1, box.lower.y, box.upper.y);
+        restrict_line({&points[i * columns], columns, 1}, box.lower.y, box.upper.y);
     return points;
 }
 
