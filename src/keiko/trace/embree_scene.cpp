@@ -17,7 +17,8 @@ namespace {
 
 /// In units of 2^-24 R, with R the scene's radius, single precision costs: 1 for the start, 2 for
 /// the way of up to 2 R along the rounded direction, and the slab test (b - o) * (1 / d) some 4
-/// roundings of values up to 2 R, 8. Taken up to the next power of two.
+/// roundings of values up to 2 R, 8. Taken up to the next power of two, which leaves 5 for a start
+/// that is itself off, because the ray comes from afar: enter() takes rays up to 4.
 constexpr double pad_in_radii = 16.0 / (1 << 24);
 
 /// Found by the callbacks through the context, and in it by ray.id: Embree may shuffle lanes.

@@ -77,11 +77,12 @@ LaneMask enter_lanes(D d, const SceneBall& scene, RayBlock& rays, std::size_t la
         ((first = hn::And(first, rest)), ...);
         return first;
     };
-    // From so far off that rounding blurs the start by the size of the scene, nothing can be told.
+    // What the boxes are padded by has so much room for a blurred start: see pad_in_radii.
+    const V most_error = hn::Mul(set(0x1p-22), ball_size);
     return lane_bits(
         d,
         and_all(hn::Gt(speed, set(shortest_direction)), hn::Lt(speed, set(longest_direction)),
-                hn::Le(error, ball_size), hn::Ge(half_square, hn::Zero(d)), hn::Le(t_low, t_high),
+                hn::Le(error, most_error), hn::Ge(half_square, hn::Zero(d)), hn::Le(t_low, t_high),
                 hn::Le(low, high)),
         lane);
 }

@@ -98,5 +98,26 @@ TEST_F(Fillet, IsHitAgainFromInsideAsOftenAsItShould) {
     }
 }
 
+/// From so far that the start is blurred as much as boxes allow for, rays through a square near its
+/// rim still hit; from farther they hit nothing.
+TEST(FarEyes, SeeUntilTheirRaysAreTooBlurred) {
+    const Tracer tracer(ShapeBuilder().face({rectangle(0, 1, 0, 1, 0)}).model());
+    Random random(8);
+    for (int i = 0; i < 20'000; ++i) {
+        const Vec3 target(uniform(random, 0, 1), i % 2 == 0 ? 1e-6 : uniform(random, 0, 1), 0);
+        Vec3 direction = random_direction(random);
+        if (!(std::abs(direction.z) > 0.3)) continue;
+        const double way = i % 3 == 0 ? 1.5e8 : uniform(random, 1, 1e8);
+        const Vec3 origin = target - direction * way;
+        const long double t = -static_cast<long double>(origin.z) / direction.z;
+        const auto x = static_cast<double>(origin.x + t * direction.x);
+        const auto y = static_cast<double>(origin.y + t * direction.y);
+        const double blur = 1e-15 * way;
+        const bool inside = x > blur && x < 1 - blur && y > blur && y < 1 - blur;
+        EXPECT_TRUE(!inside || tracer.any(ray_through(origin, direction))) << i;
+        EXPECT_FALSE(tracer.any(ray_through(target - direction * 1e9, direction))) << i;
+    }
+}
+
 } // namespace
 } // namespace keiko
