@@ -33,6 +33,9 @@ void expect_closed(const std::filesystem::path& file) {
     std::cout << file.filename().string() << ": " << counts.text() << "\n";
     EXPECT_GT(counts.hits, counts.rays / 4);
     EXPECT_GT(counts.aimed, count / 2);
+    // No odd number of hits may hide behind an outline.
+    EXPECT_LE(counts.edge_on, counts.rays / 10'000);
+    EXPECT_LE(counts.tangential, counts.rays / 1'000);
     EXPECT_EQ(counts.leaks, 0u);
     EXPECT_EQ(counts.doubled, 0u);
     EXPECT_LE(counts.through_steps, counts.rays / 100'000);

@@ -7,6 +7,7 @@
 #include "keiko/patch/differential_geometry.h"
 #include "keiko/trace/leaf.h"
 #include "keiko/trace/subpatch.h"
+#include "keiko/trace/tracer.h"
 
 #include <algorithm>
 #include <limits>
@@ -76,8 +77,9 @@ SurfaceFeet::Pieces::Pieces(PlacedModel placed, const Job& job) : body(std::move
     if (model.patches.empty()) throw Error(model.source, "", "has no faces to compare");
     for (const Face& face : model.faces) trims.emplace_back(model, face);
     std::vector<LeafSet> sets(model.faces.size());
-    parallel_for(sets.size(), job, "",
-                 [&](std::size_t f) { sets[f] = make_leaves(model, model.faces[f], trims[f], 0); });
+    parallel_for(sets.size(), job, "", [&](std::size_t f) {
+        sets[f] = make_leaves(model, model.faces[f], trims[f], 0, TracerOptions().leaf_contraction);
+    });
     for (LeafSet& set : sets) append(leaves, std::move(set));
     std::vector<Box3> boxes;
     for (const Leaf& leaf : leaves.leaves) {

@@ -204,6 +204,12 @@ std::optional<TrimRegion::NearEdge> TrimRegion::nearest_edge(
     return best;
 }
 
+std::size_t TrimRegion::bytes() const {
+    return pieces_.size() * (sizeof(MonotonePiece) + sizeof(PieceEdge)) +
+           (edges_.size() + row_begin_.size() + row_pieces_.size()) * sizeof(std::uint32_t) +
+           row_borders_.size() * sizeof(double);
+}
+
 bool TrimRegion::may_be_near_edge(const Box2& around) const {
     const auto [begin, end] = pieces_between(around.lower.y, around.upper.y);
     for (std::size_t i = begin; i < end; ++i) {

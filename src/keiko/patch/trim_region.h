@@ -58,6 +58,8 @@ public:
     bool untrimmed() const { return pieces_.empty(); }
     /// Box of all trim curves in face parameters; empty for a face without loops.
     const Box2& bounds() const { return bounds_; }
+    /// Of its arrays.
+    std::size_t bytes() const;
 
 private:
     /// Pieces that meet the rows from the one that holds v = `lower` to the one that holds

@@ -12,8 +12,6 @@ namespace keiko {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// Of LeafFrame::contraction. Finer leaves cost more boxes than they save steps.
-constexpr double flat_enough = 0.65;
 /// Halvings along one parameter: a bent piece gets flat by them, a twisted one (a pole) never
 /// does, and each try costs boxes.
 constexpr int most_halvings = 4, most_halvings_of_twist = 2;
@@ -58,12 +56,13 @@ double least_weight(const std::vector<Vec4>& points) {
 class PatchSplitter {
 public:
     PatchSplitter(const SurfaceModel& model, std::uint32_t patch, const TrimRegion& region,
-                  const Box2& face_domain, double reach)
+                  const Box2& face_domain, double reach, double flat_enough)
         : patch_(model.patches[patch]),
           index_(patch),
           region_(region),
           original_(model.patch(patch)),
           reach_in_mm_(reach),
+          flat_enough_(flat_enough),
           origin_(hull_bounds(original_).center()) {
         for (const Vec4& p : original_.points) {
             const Vec3 moved = Vec3(p.x, p.y, p.z) - origin_ * p.w;
@@ -131,7 +130,7 @@ private:
         const bool twisted = f.twist > std::max(f.bend_u, f.bend_v);
         const bool along_u = twisted ? f.length.x >= f.length.y : f.bend_u >= f.bend_v;
         const int most = twisted ? most_halvings_of_twist : most_halvings;
-        if (f.contraction() <= flat_enough || (along_u ? halved_u : halved_v) >= most) {
+        if (f.contraction() <= flat_enough_ || (along_u ? halved_u : halved_v) >= most) {
             emit(box, side, f);
             return;
         }
@@ -226,7 +225,7 @@ private:
     std::uint32_t index_;
     const TrimRegion& region_;
     BezierPatchView original_;
-    double reach_in_mm_;
+    double reach_in_mm_, flat_enough_;
     Vec3 origin_;
     std::vector<Vec4> points_;
     BezierPatchView local_;
@@ -257,12 +256,12 @@ void append(LeafSet& all, LeafSet more) {
 }
 
 LeafSet make_leaves(const SurfaceModel& model, const Face& face, const TrimRegion& region,
-                    double reach) {
+                    double reach, double flat_enough) {
     Box2 domain;
     for (const Patch& patch : model.patches_of(face)) domain.extend(face_box(patch, unit_square));
     LeafSet all;
     for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p)
-        append(all, PatchSplitter(model, p, region, domain, reach).run());
+        append(all, PatchSplitter(model, p, region, domain, reach, flat_enough).run());
     return all;
 }
 

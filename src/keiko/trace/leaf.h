@@ -54,8 +54,9 @@ struct LeafSet {
 void append(LeafSet& all, LeafSet more);
 
 /// Splits the patches of a face into leaves, cropped to the face's material and without those
-/// that hold none of it within `reach` mm.
+/// that hold none of it within `reach` mm, as the patch's mean edge lengths tell. Halves them until
+/// LeafFrame::contraction is at most `flat_enough`, up to four times along one parameter.
 LeafSet make_leaves(const SurfaceModel& model, const Face& face, const TrimRegion& region,
-                    double reach);
+                    double reach, double flat_enough);
 
 } // namespace keiko

@@ -70,7 +70,8 @@ void place_leaves(TracedModel& traced) {
 
 } // namespace
 
-TracedModel traced_model(const SurfaceModel& model, double join, const Job& job) {
+TracedModel traced_model(const SurfaceModel& model, double join, double flat_enough,
+                         const Job& job) {
     std::vector<SeamGap> gaps = seam_gaps(model, join, job);
     std::vector<double> widths;
     for (const SeamGap& gap : gaps) widths.push_back(gap.width);
@@ -79,7 +80,8 @@ TracedModel traced_model(const SurfaceModel& model, double join, const Job& job)
     parallel_for(model.faces.size(), job, "build", [&](std::size_t i) {
         const Face& face = model.faces[i];
         trims[i] = FaceTrim{TrimRegion(model, face, widths), widest_seam(model, face, gaps)};
-        sets[i] = make_leaves(model, face, trims[i]->region, seam_depth * trims[i]->reach);
+        sets[i] =
+            make_leaves(model, face, trims[i]->region, seam_depth * trims[i]->reach, flat_enough);
     });
 
     TracedModel traced;
@@ -123,7 +125,10 @@ Box3 TracedModel::bounds(const PlacedLeaf& at) const {
 }
 
 std::size_t TracedModel::bytes() const {
-    return leaves.leaves.size() * sizeof(Leaf) + leaves.points.size() * sizeof(Vec4) +
+    std::size_t trims = 0;
+    for (const FaceTrim& face : faces) trims += face.region.bytes();
+    for (const SeamGap& gap : seam_gaps) trims += gap.samples.size() * sizeof(SeamGap::Sample);
+    return trims + leaves.leaves.size() * sizeof(Leaf) + leaves.points.size() * sizeof(Vec4) +
            leaves.polynomials.size() * sizeof(leaves.polynomials.front()) +
            placed.size() * (sizeof(PlacedLeaf) + sizeof(HotLeaf)) +
            patches.size() * sizeof(PatchFrame) + faces.size() * sizeof(FaceTrim) +

@@ -58,7 +58,9 @@ struct TracedModel {
     std::size_t bytes() const;
 };
 
-/// Splits and classifies every face, in parallel; reports stage "build". Throws Cancelled.
-TracedModel traced_model(const SurfaceModel& model, double join, const Job& job);
+/// Splits and classifies every face, in parallel; reports stage "build". `join` and `flat_enough`
+/// as TracerOptions has them. Throws Cancelled.
+TracedModel traced_model(const SurfaceModel& model, double join, double flat_enough,
+                         const Job& job);
 
 } // namespace keiko

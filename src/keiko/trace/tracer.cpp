@@ -36,7 +36,7 @@ struct Tracer::Scene {
 
     Scene(const SurfaceModel& source, const TracerOptions& chosen, const Job& job)
         : options(chosen),
-          model(traced_model(source, chosen.join, job)),
+          model(traced_model(source, chosen.join, chosen.leaf_contraction, job)),
           leaf_boxes(boxes_of(model, job)),
           boxes(leaf_boxes, job.threads) {
         if (!options.clipping_only) return;

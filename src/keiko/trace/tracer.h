@@ -20,6 +20,9 @@ struct TracerOptions {
     /// mm: the widest gap between the borders of two faces that share an edge in which a hit still
     /// counts, flagged as seam, so that sewn faces do not leak; see SeamGap.
     double join = 0.5;
+    /// Patches are halved until LeafFrame::contraction is no larger, at most a few times. Changes
+    /// what a ray costs, never what it hits.
+    double leaf_contraction = 0.65;
 };
 
 /// What a build cost, and what it made.
@@ -35,7 +38,8 @@ struct TracerStatistics {
 /// Sederberg, Kakimoto 1990); trimmed by the exact p-curves. Immutable after construction; every
 /// query may be called from any thread, and gives the same bits for any thread count, and whatever
 /// rays are asked for together. A ray whose direction is not between 1e-140 and 1e150 long hits
-/// nothing, nor does one from so far off that rounding blurs its start by the size of the model.
+/// nothing, nor does one from so far off (1e8 times the model's size) that rounding blurs its start
+/// by a four millionth of that size.
 class Tracer {
 public:
     /// Keeps its own copy of what it needs of `model`. Throws Cancelled.

@@ -181,7 +181,7 @@ TEST(LeafKernels, ProveWhatClippingFinds) {
         for (int n = 0; n < 30; ++n) {
             const PatchData patch = random_patch(random, 1 + n % 5, 3, 12, n % 3 == 0 ? 4 : 1);
             const TracedModel model =
-                traced_model(ShapeBuilder().face({patch}).model(), 0.5, Job{});
+                traced_model(ShapeBuilder().face({patch}).model(), 0.5, 0.65, Job{});
             for (int k = 0; k < 150; ++k) {
                 const Vec3 target(uniform(random, -55, 55), uniform(random, -55, 55),
                                   uniform(random, -10, 10));

@@ -17,6 +17,7 @@ struct SurfaceKind {
     Vec3 offset{0};        ///< mm, where the face is
     double length_u = 100; ///< mm; the other side is 100 mm
     bool trimmed = false;
+    bool placed = false; ///< turned, mirrored every other time, stretched and sheared
 };
 
 /// A sheet about the square [-50, 50]^2 with inner knots at random places, of random multiplicity
@@ -28,6 +29,9 @@ std::vector<PatchData> patches_of(const NurbsSurface& surface);
 
 /// A border with a rounded corner, and holes in it, in [0, 1]^2.
 std::vector<LoopData> random_loops(Random& random);
+
+/// A placement in the world that is no rigid motion.
+Affine random_placement(Random& random);
 
 /// One random face.
 SurfaceModel random_face(Random& random, const SurfaceKind& kind);

@@ -143,6 +143,28 @@ TEST_F(SameHits, ForAnyNumberOfThreads) {
     }
 }
 
+bool touches(const std::vector<Hit>& hits) {
+    return std::any_of(hits.begin(), hits.end(),
+                       [](const Hit& hit) { return has(hit.flags, HitFlags::tangential); });
+}
+
+/// Finer and coarser leaves prove and clip otherwise, but find the same, each within its bound.
+TEST_F(SameHits, ForAnySizeOfTheLeaves) {
+    for (const double contraction : {0.1, 0.3, 2.0, 10.0}) {
+        const Tracer other(model_, {.leaf_contraction = contraction});
+        ASSERT_NE(other.statistics().leaves, tracer_.statistics().leaves) << contraction;
+        const auto found = other.all(std::span<const Ray>(rays_));
+        for (std::size_t i = 0; i < rays_.size(); ++i) {
+            if (touches(found[i]) || touches(all_[i])) continue;
+            ASSERT_EQ(found[i].size(), all_[i].size()) << contraction << ' ' << i;
+            for (std::size_t k = 0; k < found[i].size(); ++k)
+                EXPECT_LE((found[i][k].position - all_[i][k].position).length(),
+                          found[i][k].position_bound + all_[i][k].position_bound)
+                    << contraction << ' ' << i;
+        }
+    }
+}
+
 /// A part of a ray has the same hits as the whole ray has there, to the bit.
 TEST_F(SameHits, InAnyPartOfARay) {
     for (std::size_t i = 0; i < rays_.size(); i += 3) {
