@@ -32,6 +32,9 @@ Fixture pole();
 /// A sphere of radius 100 mm: eight rational biquadratic octants.
 Fixture sphere();
 
+/// A sewn solid: a block of 60 x 40 x 24 mm, all edges rounded with 5 mm, bored through with 6 mm.
+Fixture bored_block();
+
 /// Hyperbolic paraboloid and dome in closed form.
 BptFixture saddle();
 BptFixture dome();

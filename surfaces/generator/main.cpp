@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     try {
         for (const auto make :
              {concept_car, hood, seam_g0_gap, seam_g1_angle, seam_g1_only, seam_g2_only, dent,
-              trimmed_hole, trimmed_two_holes, trimmed_island, pole, sphere}) {
+              trimmed_hole, trimmed_two_holes, trimmed_island, pole, sphere, bored_block}) {
             const Fixture fixture = make();
             report(fixture.file, fixture.truths);
             write_step(directory / fixture.file, fixture.faces);

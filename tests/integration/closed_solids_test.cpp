@@ -66,13 +66,14 @@ INSTANTIATE_TEST_SUITE_P(
 
 class ClosedFixtures : public testing::TestWithParam<const char*> {};
 
-/// Eight octants that share no edge in the file but meet exactly.
+/// Eight octants that share no edge in the file but meet exactly, and a solid whose faces share
+/// theirs.
 TEST_P(ClosedFixtures, AreLeftAsOftenAsEntered) {
     expect_closed(repository("surfaces") / GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Surfaces, ClosedFixtures, testing::Values("rational-sphere.step"),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(Surfaces, ClosedFixtures,
+                         testing::Values("rational-sphere.step", "bored-block.step"), test_name);
 
 } // namespace
 } // namespace keiko

@@ -128,18 +128,12 @@ private:
     Agreement agreement_;
 };
 
-class OpenCascadeHits : public testing::TestWithParam<const char*> {};
-
-} // namespace
-
-TEST_P(OpenCascadeHits, NoneIsLostAndNoneIsFalse) {
-    KEIKO_NEEDS_SHARED_MODEL(GetParam());
-    const auto file = test::shared_model(GetParam());
+void expect_agreement(const std::filesystem::path& file) {
     const SurfaceModel model = load_model(file, {}, {});
     Comparison comparison(file, model);
     for (const Ray& ray : random_rays(bounds(model), ray_count)) comparison.compare(ray);
     const Agreement& a = comparison.agreement();
-    std::cout << GetParam() << ": " << a.common << " common hits, OpenCASCADE lost "
+    std::cout << file.filename().string() << ": " << a.common << " common hits, OpenCASCADE lost "
               << a.lost_by_peer << ", at borders " << a.at_border << ", OpenCASCADE inexact "
               << a.peer_inexact << ", lost " << a.lost << ", false " << a.false_hits << "\n";
     EXPECT_GT(a.common, ray_count / 20);
@@ -147,14 +141,33 @@ TEST_P(OpenCascadeHits, NoneIsLostAndNoneIsFalse) {
     EXPECT_EQ(a.false_hits, 0);
 }
 
+std::string test_name(const testing::TestParamInfo<const char*>& tested) {
+    std::string name = tested.param;
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+    return name;
+}
+
+class OpenCascadeHits : public testing::TestWithParam<const char*> {};
+
+} // namespace
+
+TEST_P(OpenCascadeHits, NoneIsLostAndNoneIsFalse) {
+    KEIKO_NEEDS_SHARED_MODEL(GetParam());
+    expect_agreement(test::shared_model(GetParam()));
+}
+
 INSTANTIATE_TEST_SUITE_P(RealModels, OpenCascadeHits,
                          testing::Values("car-front-fender.brep", "car-hood.brep",
                                          "car-rear-deck-half-panel.brep", "linkrods.step",
                                          "hammer.igs"),
-                         [](const auto& tested) {
-                             std::string name = tested.param;
-                             std::replace_if(
-                                 name.begin(), name.end(),
-                                 [](unsigned char c) { return !std::isalnum(c); }, '_');
-                             return name;
-                         });
+                         test_name);
+
+class OpenCascadeFixtureHits : public testing::TestWithParam<const char*> {};
+
+TEST_P(OpenCascadeFixtureHits, NoneIsLostAndNoneIsFalse) {
+    expect_agreement(test::repository("surfaces") / GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, OpenCascadeFixtureHits,
+                         testing::Values("bored-block.step", "hood.step"), test_name);
