@@ -52,8 +52,8 @@ struct HomogeneousJet {
     alignas(32) Component4 value, du, dv, duu, duv, dvv;
 };
 
-/// The tests of rays against one leaf, made for one instruction set. On any of them,
-/// and whatever stands in the other lanes, a ray gets the same bits.
+/// The tests of rays against one leaf, made for one instruction set. On each of them a ray gets the
+/// same bits whatever stands in the other lanes; between them the last bits differ.
 struct LeafKernels {
     const char* name; ///< of the instruction set
     /// Makes traced rays of the rays of a block, and its masks; `count` and `rays` are given.

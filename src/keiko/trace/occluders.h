@@ -27,9 +27,9 @@ struct SeenParts {
 class ApexView;
 
 /// All that may hide something in a model, made ready to be asked from many apexes which parts of
-/// segments they see past it, exactly: the ends of those parts are silhouettes and borders found
-/// on the surfaces, not by sampling (docs/theory/visibility.md). Immutable after construction; may
-/// be asked from any thread.
+/// segments they see past it: the ends of those parts are silhouettes and borders found on the
+/// surfaces by Newton's method to some 1e-12 of the segment, not by sampling rays
+/// (docs/theory/visibility.md). Immutable after construction; may be asked from any thread.
 class Occluders {
 public:
     /// `tracer` is of the same model, and not kept. Throws Cancelled.
