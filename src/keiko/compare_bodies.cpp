@@ -45,9 +45,9 @@ std::string seams_text(const BodyComparison& c) {
         text += "seam gone: " + c.inspection_before.seams[seam].faces + "\n";
     for (const std::uint32_t seam : c.seams.added)
         text += "seam new: " + c.inspection_after.seams[seam].faces + "\n";
-    for (const Finding& finding : c.seams.new_findings)
+    for (const Check& finding : c.seams.new_findings)
         text += "finding new: " + finding.faces + ": " + finding.message + "\n";
-    for (const Finding& finding : c.seams.solved_findings)
+    for (const Check& finding : c.seams.solved_findings)
         text += "finding fixed: " + finding.faces + ": " + finding.message + "\n";
     return text;
 }

@@ -13,12 +13,16 @@
 #include "keiko/placement/best_view.h"
 #include "keiko/placement/place_lamps.h"
 #include "keiko/render/picture.h"
+#include "keiko/report/checks_csv.h"
 #include "keiko/report/facts_text.h"
+#include "keiko/report/inspection_text.h"
+#include "keiko/report/junit.h"
 #include "keiko/report/lines_json.h"
 #include "keiko/report/luminaire_facts.h"
 #include "keiko/report/polar_curve.h"
 #include "keiko/report/report.h"
 #include "keiko/report/report_json.h"
+#include "keiko/report/sarif.h"
 #include "keiko/spec/criteria_preset.h"
 
 #include <filesystem>
@@ -49,6 +53,17 @@ struct FactsOptions {
 /// Reads a model file and tells what is in it.
 ModelFacts file_facts(const std::filesystem::path& file, const FactsOptions& options = {},
                       const Job& job = {});
+
+struct CheckOptions {
+    LoadOptions load;
+    CriteriaPreset preset = standard_presets().front();
+    double join = 0.5; ///< mm
+};
+
+/// Reads models, which together form one body, or one scene file (.toml), and holds their geometry
+/// against criteria, without lamps or pictures. Throws Error for input that cannot be read.
+Inspection check_models(std::span<const std::filesystem::path> inputs,
+                        const CheckOptions& options = {}, const Job& job = {});
 
 /// The body on its ground, as pictures show it: the faces of the body, then that of the ground.
 struct Surroundings {

@@ -54,6 +54,26 @@ SurfaceModel on_ground(const SurfaceModel& body, const Box3& bounds, double z) {
     return merge(models);
 }
 
+/// A body and its paint, one a face.
+struct PaintedBody {
+    SurfaceModel model;
+    std::vector<Material> materials;
+};
+
+PaintedBody read_body(const SceneSpec& spec, const LoadOptions& options, const Job& job) {
+    std::vector<SurfaceModel> models;
+    std::vector<Material> materials;
+    for (const ModelSpec& part : spec.models) {
+        SurfaceModel model = load_model(part.file, options, job);
+        for (Instance& instance : model.instances)
+            instance.transform = part.transform * instance.transform;
+        for (const Face& face : model.faces) materials.push_back(paint_of(face, part));
+        require_matches(model, part);
+        models.push_back(std::move(model));
+    }
+    return {merge(models), std::move(materials)};
+}
+
 /// What of a scene is made to be traced.
 struct Traced {
     Tracer tracer; ///< of the body
@@ -82,20 +102,16 @@ std::string version() {
     return KEIKO_VERSION;
 }
 
+Inspection check_models(std::span<const std::filesystem::path> inputs, const CheckOptions& options,
+                        const Job& job) {
+    const SceneSpec spec = spec_of(inputs, {.load = options.load});
+    return inspect(read_body(spec, options.load, job).model, options.preset, options.join, job);
+}
+
 Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options,
                  const Job& job) {
     const SceneSpec spec = spec_of(inputs, options);
-    std::vector<SurfaceModel> models;
-    std::vector<Material> materials;
-    for (const ModelSpec& part : spec.models) {
-        SurfaceModel model = load_model(part.file, options.load, job);
-        for (Instance& instance : model.instances)
-            instance.transform = part.transform * instance.transform;
-        for (const Face& face : model.faces) materials.push_back(paint_of(face, part));
-        require_matches(model, part);
-        models.push_back(std::move(model));
-    }
-    SurfaceModel body = merge(models);
+    auto [body, materials] = read_body(spec, options.load, job);
     Traced all = traced(body, materials, spec, options, job);
     return {.model = std::move(body),
             .materials = std::move(materials),

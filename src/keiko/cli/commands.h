@@ -5,6 +5,7 @@
 namespace keiko::cli {
 
 /// Each adds one command of `keiko` to the app.
+void add_check(CLI::App& app, Session& session);
 void add_compare(CLI::App& app, Session& session);
 void add_illuminance(CLI::App& app, Session& session);
 void add_info(CLI::App& app, Session& session);

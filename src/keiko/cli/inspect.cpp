@@ -1,4 +1,5 @@
 #include "keiko/cli/commands.h"
+#include "keiko/cli/inspection_files.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
@@ -14,6 +15,7 @@ struct InspectArguments {
     InspectOptions options;
     std::string rig = "auto", preset;
     std::filesystem::path output = "keiko-out";
+    InspectionFiles files;
 };
 
 void print_summary(const Report& report, const std::filesystem::path& folder) {
@@ -31,11 +33,13 @@ int inspect(InspectArguments arguments, const Job& job) {
         read_rig(*options.rig); // a misspelt key is told before the long work
     }
     require_place_for_folder(arguments.output);
+    arguments.files.require_places();
     require_view_names(options.views);
     const Scene scene = arguments.scene.open(job);
     options.picture.aovs = every_aov();
     const InspectResult result = inspect_scene(scene, options, job);
     write_result(arguments.output, result);
+    arguments.files.write(result.report.inspection, arguments.scene.inputs);
     print_summary(result.report, arguments.output);
     return result.report.inspection.verdict == Verdict::pass ? exit_pass : exit_findings;
 }
@@ -62,6 +66,7 @@ void add_inspect(CLI::App& app, Session& session) {
     command.add_option("--join", arguments->options.join, "mm within which borders are a seam")
         ->check(number_between(1e-6, 1000))
         ->capture_default_str();
+    arguments->files.add_to(command);
     command.footer("Example: keiko inspect fender.step -o out --view three-quarter-front");
     session.add_command(command, [arguments](const Job& job) { return inspect(*arguments, job); });
 }

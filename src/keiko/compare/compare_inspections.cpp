@@ -55,14 +55,14 @@ std::vector<std::uint32_t> unmatched(const std::vector<std::uint32_t>& partners)
 }
 
 /// The findings of `one` whose seam has no partner with a finding of the same code in `other`.
-std::vector<Finding> only_in(const Inspection& one, const Inspection& other,
+std::vector<Check> only_in(const Inspection& one, const Inspection& other,
                              const std::vector<std::uint32_t>& partners) {
-    std::vector<Finding> only;
-    for (const Finding& finding : one.findings) {
+    std::vector<Check> only;
+    for (const Check& finding : one.findings) {
         const std::uint32_t partner = partners[finding.seam];
         const bool known = std::any_of(
             other.findings.begin(), other.findings.end(),
-            [&](const Finding& f) { return f.seam == partner && f.code == finding.code; });
+            [&](const Check& f) { return f.seam == partner && f.code == finding.code; });
         if (!known) only.push_back(finding);
     }
     return only;

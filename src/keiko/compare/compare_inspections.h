@@ -27,8 +27,8 @@ struct InspectionDifference {
     std::vector<SeamChange> changed;      ///< beyond the tolerances, or in verdict
     std::vector<std::uint32_t> removed;   ///< seams of the former without a partner
     std::vector<std::uint32_t> added;     ///< seams of the latter without a partner
-    std::vector<Finding> new_findings;    ///< of the latter, that the former did not have
-    std::vector<Finding> solved_findings; ///< of the former, that the latter does not have
+    std::vector<Check> new_findings;    ///< of the latter, that the former did not have
+    std::vector<Check> solved_findings; ///< of the former, that the latter does not have
     std::size_t matched = 0;              ///< seams found in both
 
     bool empty() const {

@@ -21,9 +21,9 @@ void count(const MeasuredSeam& seam, SeamCounts& counts) {
     }
 }
 
-bool worse(const Finding& a, const Finding& b) {
+bool worse(const Check& a, const Check& b) {
     if (a.worst.verdict != b.worst.verdict) return a.worst.verdict > b.worst.verdict;
-    return a.worst.value / a.worst.limit > b.worst.value / b.worst.limit;
+    return share_of_limit(a.worst) > share_of_limit(b.worst);
 }
 
 /// Whether a place of a face, in world coordinates, lies in one of its irregular patches.
@@ -67,9 +67,11 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     for (std::uint32_t i = 0; i < result.seams.size(); ++i) {
         count(result.seams[i], result.counts);
         result.verdict = std::max(result.verdict, result.seams[i].verdict);
-        std::vector<Finding> found = findings_of(result.seams[i], i);
-        std::move(found.begin(), found.end(), std::back_inserter(result.findings));
+        std::vector<Check> checks = checks_of(result.seams[i], preset, i);
+        std::move(checks.begin(), checks.end(), std::back_inserter(result.checks));
     }
+    std::copy_if(result.checks.begin(), result.checks.end(), std::back_inserter(result.findings),
+                 [](const Check& check) { return check.is_finding(); });
     std::stable_sort(result.findings.begin(), result.findings.end(), worse);
     return result;
 }
@@ -90,7 +92,7 @@ std::vector<std::uint32_t> worst_seams(const Inspection& inspection, std::size_t
 Vec3 worst_place(const MeasuredSeam& seam) {
     const Worst* furthest = &seam.gap;
     const auto take = [&](const Worst& worst) {
-        if (worst.value / worst.limit > furthest->value / furthest->limit) furthest = &worst;
+        if (share_of_limit(worst) > share_of_limit(*furthest)) furthest = &worst;
     };
     if (seam.angle && !seam.crease) take(*seam.angle);
     if (seam.curvature) take(seam.curvature->worst);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/finding.h"
+#include "keiko/inspect/check.h"
 #include "keiko/inspect/model_facts.h"
 #include "keiko/inspect/seam_measure.h"
 
@@ -22,7 +22,8 @@ struct Inspection {
     ModelFacts facts;
     std::vector<Seam> pieces; ///< as paired; MeasuredSeam::pieces points here
     std::vector<MeasuredSeam> seams;
-    std::vector<Finding> findings; ///< failures before undecided, worst first
+    std::vector<Check> checks;   ///< seam by seam: all that was held against the preset
+    std::vector<Check> findings; ///< those that do not pass: failures before undecided, worst first
     SeamCounts counts;
     /// The worst of all seams; never pass where faces were lost, since nobody judged their seams.
     Verdict verdict = Verdict::pass;

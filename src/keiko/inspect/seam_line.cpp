@@ -136,7 +136,7 @@ CurvatureSlopeStep slope_step(const SeamExtreme& extreme, const CriteriaPreset& 
 
 void take(MeasuredSeam& seam, const Worst& worst) {
     seam.verdict = std::max(seam.verdict, worst.verdict);
-    seam.severity = std::max(seam.severity, worst.value / worst.limit);
+    seam.severity = std::max(seam.severity, share_of_limit(worst));
 }
 
 double position_error(const SurfaceModel& model, const SeamLine& line, const Vec3& place) {

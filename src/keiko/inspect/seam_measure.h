@@ -1,8 +1,7 @@
 #pragma once
 
 #include "keiko/base/job.h"
-#include "keiko/inspect/verdict.h"
-#include "keiko/math/vec.h"
+#include "keiko/inspect/worst.h"
 #include "keiko/patch/seam.h"
 #include "keiko/spec/criteria_preset.h"
 
@@ -12,15 +11,6 @@
 #include <vector>
 
 namespace keiko {
-
-/// The worst of one quantity along a seam.
-struct Worst {
-    double value = 0;
-    double bound = 0; ///< the exact worst lies within this of the value
-    double limit = 0;
-    Vec3 place{0}; ///< world, mm
-    Verdict verdict = Verdict::pass;
-};
 
 /// The curvatures across the seam where they differ most.
 struct CurvatureStep {

@@ -1,26 +1,12 @@
 #include "keiko/report/html_text.h"
 
+#include "keiko/report/utf8.h"
+
 #include <cmath>
 #include <cstdio>
 
 namespace keiko {
 namespace {
-
-/// Length of the UTF-8 sequence at the front of the text, or 0 where there is none.
-std::size_t utf8_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char lead = byte(0);
-    const std::size_t length = lead < 0x80    ? 1
-                               : lead < 0xc2  ? 0
-                               : lead < 0xe0  ? 2
-                               : lead < 0xf0  ? 3
-                               : lead <= 0xf4 ? 4
-                                              : 0;
-    if (length > text.size()) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byte(i) & 0xc0) != 0x80) return 0;
-    return length;
-}
 
 void append_escaped(std::string& result, char c) {
     switch (c) {

@@ -58,7 +58,7 @@ Json seam_json(const MeasuredSeam& seam) {
     return json;
 }
 
-Json finding_json(const Finding& finding) {
+Json finding_json(const Check& finding) {
     Json json = {{"code", finding.code},   {"rule", finding.rule},         {"seam", finding.seam},
                  {"faces", finding.faces}, {"quantity", finding.quantity}, {"unit", finding.unit}};
     if (!finding.formula.empty()) json["formula"] = finding.formula;
@@ -100,7 +100,7 @@ Json inspection_json_value(const Inspection& inspection) {
                  {"seams", Json::array()},
                  {"findings", Json::array()}};
     for (const MeasuredSeam& seam : inspection.seams) json["seams"].push_back(seam_json(seam));
-    for (const Finding& finding : inspection.findings)
+    for (const Check& finding : inspection.findings)
         json["findings"].push_back(finding_json(finding));
     return json;
 }

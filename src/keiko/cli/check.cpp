@@ -1,0 +1,57 @@
+#include "keiko/base/log.h"
+#include "keiko/cli/commands.h"
+#include "keiko/cli/inspection_files.h"
+#include "keiko/cli/number_check.h"
+#include "keiko/cli/scene_options.h"
+
+#include <iostream>
+#include <memory>
+
+namespace keiko::cli {
+namespace {
+
+struct CheckArguments {
+    SceneArguments models; ///< only inputs and load options
+    CheckOptions options;
+    std::string preset;
+    InspectionFiles files;
+};
+
+int check(CheckArguments arguments, const Job& job) {
+    CheckOptions& options = arguments.options;
+    if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
+    options.load = load_options(arguments.models);
+    arguments.files.require_places();
+    const Inspection inspection = check_models(arguments.models.inputs, options, job);
+    for (const LostFace& face : inspection.facts.lost_faces)
+        log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
+    arguments.files.write(inspection, arguments.models.inputs);
+    std::cout << inspection_text(inspection);
+    return inspection.verdict == Verdict::pass ? exit_pass : exit_findings;
+}
+
+} // namespace
+
+void add_check(CLI::App& app, Session& session) {
+    auto arguments = std::make_shared<CheckArguments>();
+    CLI::App& command = *app.add_subcommand(
+        "check", "hold the geometry of a body against criteria, without lamps or pictures");
+    command
+        .add_option("MODEL", arguments->models.inputs,
+                    "model files of one body, or one scene file (.toml)")
+        ->required();
+    command.add_option("--preset", arguments->preset,
+                       "limits by name, or a preset file (.toml) [class-a-outer]");
+    command.add_option("--join", arguments->options.join, "mm within which borders are a seam")
+        ->check(number_between(1e-6, 1000))
+        ->capture_default_str();
+    arguments->files.add_json_and_output(command);
+    arguments->files.add_to(command);
+    add_load_options(command, arguments->models);
+    command.footer(
+        "Exit codes: 0 all pass, 1 findings or lost faces, 2 error.\n"
+        "Example: keiko check fender.step door.step --preset vda-4955 --sarif findings.sarif");
+    session.add_command(command, [arguments](const Job& job) { return check(*arguments, job); });
+}
+
+} // namespace keiko::cli

@@ -1,0 +1,72 @@
+#include "keiko/cli/inspection_files.h"
+
+#include "keiko/base/output_file.h"
+#include "keiko/cli/output_place.h"
+
+namespace keiko::cli {
+namespace fs = std::filesystem;
+
+void InspectionFiles::add_to(CLI::App& command) {
+    const auto add = [&](const char* name, std::vector<fs::path>& files, const char* text) {
+        command.add_option(name, files, text)->allow_extra_args(false);
+    };
+    add("--junit", junit_, "JUnit XML file to write: a test case a seam and criterion");
+    add("--sarif", sarif_, "SARIF 2.1.0 file to write: a result a finding");
+    add("--csv", csv_, "CSV file to write: a row a seam and criterion");
+}
+
+void InspectionFiles::add_json_and_output(CLI::App& command) {
+    command.add_option("--json", json_, "JSON file to write: all that was measured")
+        ->allow_extra_args(false);
+    command
+        .add_option("-o,--output", outputs_,
+                    "file to write, its format by its ending: .json, .xml (JUnit), .sarif or .csv; "
+                    "may repeat")
+        ->allow_extra_args(false);
+}
+
+std::vector<InspectionFiles::File> InspectionFiles::files() const {
+    std::vector<File> all;
+    const auto add = [&](const std::vector<fs::path>& paths, Format format) {
+        for (const fs::path& path : paths) all.push_back({path, format});
+    };
+    add(json_, Format::json), add(junit_, Format::junit);
+    add(sarif_, Format::sarif), add(csv_, Format::csv);
+    for (const fs::path& path : outputs_) {
+        const fs::path ending = path.extension();
+        if (ending == ".json")
+            all.push_back({path, Format::json});
+        else if (ending == ".xml")
+            all.push_back({path, Format::junit});
+        else if (ending == ".sarif")
+            all.push_back({path, Format::sarif});
+        else if (ending == ".csv")
+            all.push_back({path, Format::csv});
+        else
+            throw Error(path.string(), "--output", "ends in none of .json, .xml, .sarif and .csv");
+    }
+    return all;
+}
+
+void InspectionFiles::require_places() const {
+    for (const File& file : files()) require_place_for_file(file.path);
+}
+
+void InspectionFiles::write(const Inspection& inspection, std::span<const fs::path> inputs) const {
+    for (const auto& [path, format] : files()) switch (format) {
+            case Format::json:
+                write_text_file(path, inspection_json(inspection));
+                break;
+            case Format::junit:
+                write_text_file(path, junit_xml(inspection));
+                break;
+            case Format::sarif:
+                write_text_file(path, sarif_json(inspection, version(), inputs));
+                break;
+            case Format::csv:
+                write_text_file(path, checks_csv(inspection));
+                break;
+        }
+}
+
+} // namespace keiko::cli

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "keiko/inspect/seam_measure.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keiko {
+
+/// What surfaces are held to, and its names.
+struct Criterion {
+    std::string_view code;        ///< SASIG / VDA 4955, e.g. "G-SU-LG", or Keiko's own: "KEIKO-..."
+    std::string_view rule;        ///< ISO 10303-59 name, or empty
+    std::string_view quantity;    ///< "gap", "angle", "curvature", "curvature_slope", ...
+    std::string_view description; ///< one sentence
+};
+
+/// The criterion of a code; throws std::out_of_range for one that there is not.
+const Criterion& criterion_of(std::string_view code);
+
+/// One criterion held against one seam. One that is judged and does not pass is a finding.
+struct Check {
+    std::string code;       ///< as Criterion
+    std::string rule;       ///< as Criterion
+    std::string quantity;   ///< as Criterion
+    std::string unit;       ///< "mm", "deg", "1" (a share of 1) or "1/mm"
+    std::string formula;    ///< of a curvature mismatch, or empty
+    Worst worst;            ///< value, bound, limit, place, verdict; none where not judged
+    bool judged = true;     ///< else `message` says why not
+    std::uint32_t seam = 0; ///< into Inspection::seams
+    std::string faces;      ///< "face 12 (fender-outer) | face 13"
+    std::string message;    ///< one sentence
+
+    bool is_finding() const { return judged && worst.verdict != Verdict::pass; }
+};
+
+/// Every criterion of the preset held against one measured seam (number `index`), in the order gap,
+/// angle, curvature, its slope. What the preset has no limit for is left out.
+std::vector<Check> checks_of(const MeasuredSeam& seam, const CriteriaPreset& preset,
+                             std::uint32_t index);
+
+} // namespace keiko

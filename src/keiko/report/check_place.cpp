@@ -1,0 +1,15 @@
+#include "keiko/report/check_place.h"
+
+#include "keiko/report/html_text.h"
+
+namespace keiko {
+
+std::string subject_of(const Check& check) {
+    return "seam " + std::to_string(check.seam + 1) + " (" + check.faces + ")";
+}
+
+std::string placed_message(const Check& check) {
+    return check.faces + ": " + check.message + ", at " + place_text(check.worst.place);
+}
+
+} // namespace keiko

@@ -1,0 +1,56 @@
+#include "keiko/report/checks_csv.h"
+
+#include "keiko/report/utf8.h"
+
+#include <array>
+#include <charconv>
+#include <initializer_list>
+
+namespace keiko {
+namespace {
+
+std::string field(std::string_view any_text) {
+    const std::string text = as_utf8(any_text);
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+/// The shortest text that reads back as the same number.
+std::string number(double value) {
+    std::array<char, 32> digits{};
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+std::string row(std::initializer_list<std::string> fields) {
+    std::string text;
+    for (const std::string& f : fields) text += f + ",";
+    text.back() = '\r';
+    return text + "\n";
+}
+
+std::string row(const Check& check) {
+    const Worst& w = check.worst;
+    const auto if_judged = [&](double value) { return check.judged ? number(value) : ""; };
+    return row({std::to_string(check.seam + 1), field(check.faces), field(check.code),
+                field(check.quantity),
+                check.judged ? std::string(name_of(w.verdict)) : "not judged", if_judged(w.value),
+                if_judged(w.bound), if_judged(w.limit), field(check.unit), field(check.formula),
+                if_judged(w.place.x), if_judged(w.place.y), if_judged(w.place.z),
+                field(check.message)});
+}
+
+} // namespace
+
+std::string checks_csv(const Inspection& inspection) {
+    std::string text = row({"seam", "faces", "code", "quantity", "verdict", "value", "bound",
+                            "limit", "unit", "formula", "x", "y", "z", "message"});
+    for (const Check& check : inspection.checks) text += row(check);
+    return text;
+}
+
+} // namespace keiko

@@ -1,0 +1,28 @@
+#include "keiko/report/inspection_text.h"
+
+#include "keiko/report/check_place.h"
+
+#include <algorithm>
+
+namespace keiko {
+
+std::string inspection_text(const Inspection& inspection, std::size_t most) {
+    const SeamCounts& counts = inspection.counts;
+    std::string text(name_of(inspection.verdict));
+    text += ": seams " + std::to_string(counts.fail) + " fail, " +
+            std::to_string(counts.undecided) + " undecided, " + std::to_string(counts.pass) +
+            " pass, " + std::to_string(counts.creases) + " creases; by " + inspection.preset.name +
+            "\n";
+    const std::size_t shown = std::min(most, inspection.findings.size());
+    for (std::size_t i = 0; i < shown; ++i) {
+        const Check& finding = inspection.findings[i];
+        text += std::string(name_of(finding.worst.verdict)) + "  " + finding.code + "  " +
+                placed_message(finding) + "\n";
+    }
+    if (shown < inspection.findings.size())
+        text += "and " + std::to_string(inspection.findings.size() - shown) +
+                " more findings; --json, --junit, --sarif and --csv write them all\n";
+    return text;
+}
+
+} // namespace keiko

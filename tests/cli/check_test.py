@@ -1,0 +1,138 @@
+"""`keiko check`: verdict, exit code, and files that other programs read."""
+import csv
+import json
+import unittest
+import xml.etree.ElementTree as ElementTree
+from urllib.parse import unquote, urlsplit
+
+from keiko_process import SMALL, KeikoTest, surface
+
+GAP = surface("seam-g0-gap.step")
+
+
+class Check(KeikoTest):
+    def check(self, *arguments: str) -> tuple:
+        """Exit code and what is printed."""
+        run = self.keiko("check", *arguments, "-q")
+        self.assertEqual(run.stderr, "", arguments)
+        return run.returncode, run.stdout
+
+    def test_a_gap_is_a_finding(self):
+        code, text = self.check(GAP)
+        self.assertEqual(code, 1)
+        self.assertRegex(text, r"\Afail: seams 1 fail, 0 undecided, 0 pass, 0 creases; by class-a-outer\n")
+        self.assertRegex(text, r"\nfail  G-SU-LG  face 1 \(left\) of \d+ \| face 2 \(right\) of \d+: the gap of 0.05 mm is over the "
+                               r"limit of 0.01 mm, at [-\d.]+, [-\d.]+, [-\d.]+\n\Z")
+
+    def test_the_preset_decides(self):
+        self.assertEqual(self.check(surface("seam-g1-angle.step"))[0], 1)
+        self.assertEqual(self.check(surface("seam-g1-angle.step"), "--preset", "engineering")[0], 0)
+
+    def test_several_files_form_one_body(self):
+        code, _ = self.check(surface("seam-g2-only.step"), surface("trimmed-hole.step"), "--json", "a.json")
+        self.assertEqual(code, 0)
+        model = json.loads((self.folder / "a.json").read_text())["model"]
+        self.assertIn("trimmed-hole.step", model["source"])
+
+    def test_it_finds_what_inspect_finds(self):
+        self.check(GAP, "--json", "a.json")
+        self.keiko("inspect", GAP, "-o", "out", "--view", "top", *SMALL, "--csv", "a.csv")
+        alone = json.loads((self.folder / "a.json").read_text())
+        whole = json.loads((self.folder / "out/report.json").read_text())
+        for key in "verdict", "counts", "seams", "findings":
+            self.assertEqual(alone[key], whole[key])
+        self.check(GAP, "--csv", "b.csv")
+        self.assertEqual((self.folder / "a.csv").read_bytes(), (self.folder / "b.csv").read_bytes())
+
+    def test_two_runs_give_the_same_bytes_for_any_number_of_threads(self):
+        names = "a.json", "a.xml", "a.sarif", "a.csv"
+        outputs = [part for name in names for part in ("-o", name)]
+
+        def files(threads: str):
+            self.check(surface("seam-g1-only.step"), *outputs, "--threads", threads)
+            return [(self.folder / name).read_bytes() for name in names]
+        self.assertEqual(files("1"), files("3"))
+
+    def test_the_ending_names_the_format(self):
+        self.check(GAP, "-o", "a.csv", "-o", "b.xml", "--csv", "c", "--junit", "d")
+        self.assertEqual((self.folder / "a.csv").read_bytes(), (self.folder / "c").read_bytes())
+        self.assertEqual((self.folder / "b.xml").read_bytes(), (self.folder / "d").read_bytes())
+
+    def test_what_cannot_be_written_is_told_before_the_work(self):
+        for path, reason in (("a.txt", r"a\.txt:--output: ends in none of"),
+                             ("none/a.csv", r"none/a\.csv: there is no folder none")):
+            run = self.keiko("check", "missing.step", "-o", path)
+            self.assertEqual((run.returncode, run.stdout), (2, ""))
+            self.assertRegex(run.stderr, rf"\Akeiko: {reason}.*\n\Z")
+        self.assertEqual(self.content(), [])
+
+    def test_junit_counts_its_cases(self):
+        for name, preset in (("seam-g0-gap.step", "class-a-strict"), ("dome.bpt", "class-a-strict")):
+            self.check(surface(name), "--preset", preset, "--junit", "a.xml", "--csv", "a.csv")
+            root = ElementTree.parse(self.folder / "a.xml").getroot()
+            self.assertEqual(root.tag, "testsuites")
+            suite, = root
+            cases = suite.findall("testcase")
+            self.assertEqual(suite[0].tag, "properties")
+            self.assertEqual({e.tag for e in suite[1:]}, {"testcase"})
+            self.assertEqual(int(suite.get("tests")), len(cases))
+            for attribute, element in (("failures", "failure"), ("errors", "error"),
+                                       ("skipped", "skipped")):
+                self.assertEqual(int(suite.get(attribute)), len(suite.findall(f"testcase/{element}")))
+            self.assertEqual(len(cases), len({case.get("name") for case in cases}))
+            for case in cases:
+                self.assertEqual(case.get("classname"), surface(name))
+                self.assertLessEqual(len(case), 1)
+            for fault in suite.findall("testcase/failure"):
+                self.assertRegex(fault.get("type"), r"\A(G-[A-Z]{2}-[A-Z]{2}|KEIKO-\w+)\Z")
+                self.assertIn(fault.get("message"), fault.text)
+            rows = (self.folder / "a.csv").read_bytes().count(b"\r\n") - 1
+            self.assertEqual(rows, len(cases))
+
+    def test_sarif_has_what_its_schema_requires(self):
+        code, _ = self.check(surface("seam-g0-gap.step"), "--sarif", "a.sarif")
+        log = json.loads((self.folder / "a.sarif").read_text())
+        self.assertEqual(set(log), {"$schema", "version", "runs"})
+        self.assertEqual(log["version"], "2.1.0")
+        run, = log["runs"]
+        driver = run["tool"]["driver"]
+        self.assertEqual(driver["name"], "Keiko")
+        ids = [rule["id"] for rule in driver["rules"]]
+        self.assertEqual(len(ids), len(set(ids)))
+        for rule in driver["rules"]:
+            self.assertTrue(rule["shortDescription"]["text"].endswith("."))
+        for invocation in run["invocations"]:
+            self.assertIs(invocation["executionSuccessful"], True)
+        result, = run["results"]
+        self.assertEqual(ids[result["ruleIndex"]], result["ruleId"])
+        self.assertEqual((result["ruleId"], result["level"]), ("G-SU-LG", "error"))
+        self.assertIn("the gap of 0.05 mm", result["message"]["text"])
+        location, = result["locations"]
+        artifact = location["physicalLocation"]["artifactLocation"]
+        self.assertEqual(run["artifacts"][artifact["index"]]["location"]["uri"], artifact["uri"])
+        self.assertEqual(unquote(urlsplit(artifact["uri"]).path), GAP)
+        self.assertRegex(location["logicalLocations"][0]["name"], r"\Aface 1 .* \| face 2 ")
+        self.assertAlmostEqual(result["properties"]["value"], 0.05, delta=1e-9)
+        self.assertEqual(len(result["properties"]["place"]), 3)
+
+    def test_a_csv_row_holds_every_measure(self):
+        self.check(GAP, "--preset", "class-a-strict", "--csv", "a.csv")
+        data = (self.folder / "a.csv").read_bytes()
+        self.assertEqual(data.count(b"\n"), data.count(b"\r\n"))
+        rows = list(csv.DictReader(data.decode().splitlines(keepends=True), strict=True))
+        self.assertEqual([row["quantity"] for row in rows],
+                         ["gap", "angle", "curvature", "curvature_slope"])
+        self.assertAlmostEqual(float(rows[0]["value"]), 0.05, delta=1e-9)
+        self.assertEqual(float(rows[0]["limit"]), 0.001)
+        self.assertEqual([row["verdict"] for row in rows], ["fail", "pass", "not judged", "not judged"])
+        self.assertEqual(rows[2]["value"], "")
+
+    def test_json_is_what_report_json_holds_without_pictures(self):
+        self.check(GAP, "--json", "a.json")
+        data = json.loads((self.folder / "a.json").read_text())
+        self.assertEqual(data["format"], "keiko-inspection/1")
+        self.assertNotIn("pictures", data)
+
+
+if __name__ == "__main__":
+    unittest.main()

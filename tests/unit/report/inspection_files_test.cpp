@@ -1,0 +1,132 @@
+#include "keiko/report/checks_csv.h"
+#include "keiko/report/inspection_text.h"
+#include "keiko/report/junit.h"
+#include "keiko/report/sarif.h"
+#include "keiko/report/utf8.h"
+
+#include "tests/support/model_builder.h"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace keiko {
+namespace {
+
+using Paths = std::vector<std::filesystem::path>;
+
+/// One seam with a gap of 0.05 mm between faces with awkward names, one lost face.
+Inspection inspection() {
+    test::ModelBuilder builder;
+    builder.plane({0, 0.05, 0}, {100, 0, 0}, {0, 50, 0});
+    builder.plane({0, 0, 0}, {100, 0, 0}, {0, -50, 0});
+    SurfaceModel model = builder.build();
+    model.source = "door \"left\".step";
+    model.faces[0].name = "a<b>, \"c\"";
+    model.faces[1].name = "K\xfcgel\x01";
+    model.lost_faces.push_back({7, "rear", "no <surface>"});
+    return inspect(model);
+}
+
+std::size_t count(const std::string& text, std::string_view what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+        ++found;
+    return found;
+}
+
+TEST(JUnitXml, HasACaseForEachCheckAndEachLostFace) {
+    const std::string xml = junit_xml(inspection());
+    EXPECT_EQ(count(xml, "<testcase "), 4u);
+    EXPECT_NE(xml.find("tests=\"4\" failures=\"1\" errors=\"1\" skipped=\"1\""), std::string::npos)
+        << xml;
+    EXPECT_NE(
+        xml.find("<failure type=\"G-SU-LG\" message=\"the gap of 0.05 mm is over the limit of "
+                 "0.01 mm\">"),
+        std::string::npos);
+    EXPECT_NE(xml.find("<error type=\"lost\" message=\"no &lt;surface&gt;\"/>"), std::string::npos);
+}
+
+TEST(JUnitXml, EscapesNames) {
+    const std::string xml = junit_xml(inspection());
+    EXPECT_NE(xml.find("classname=\"door &quot;left&quot;.step\""), std::string::npos);
+    EXPECT_NE(xml.find("a&lt;b&gt;, &quot;c&quot;"), std::string::npos);
+    EXPECT_NE(xml.find("K\xef\xbf\xbdgel "), std::string::npos);
+}
+
+TEST(JUnitXml, TellsWhatIsUndecidedAsAnError) {
+    Inspection near = inspection();
+    near.facts.lost_faces.clear();
+    near.checks[0].worst.verdict = Verdict::undecided;
+    const std::string xml = junit_xml(near);
+    EXPECT_NE(xml.find("failures=\"0\" errors=\"1\""), std::string::npos);
+    EXPECT_NE(xml.find("<error type=\"G-SU-LG\""), std::string::npos);
+}
+
+TEST(SarifJson, EscapesThePathOfItsOnlyFile) {
+    const auto log = nlohmann::json::parse(
+        sarif_json(inspection(), "9.9", Paths{"parts/door \"left\" \xc3\xbc.step"}));
+    const auto& run = log["runs"][0];
+    EXPECT_EQ(run["tool"]["driver"]["version"], "9.9");
+    const auto& artifact =
+        run["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"];
+    EXPECT_EQ(artifact["uri"], "parts/door%20%22left%22%20%C3%BC.step");
+    EXPECT_EQ(run["artifacts"][0]["location"]["uri"], artifact["uri"]);
+    EXPECT_EQ(run["invocations"][0]["toolExecutionNotifications"].size(), 1u);
+}
+
+TEST(SarifJson, NamesNoFileWhereItCannotTellWhich) {
+    const auto log =
+        nlohmann::json::parse(sarif_json(inspection(), "1", Paths{"a.step", "b.step"}));
+    const auto& run = log["runs"][0];
+    EXPECT_EQ(run["artifacts"].size(), 2u);
+    EXPECT_FALSE(run["results"][0]["locations"][0].contains("physicalLocation"));
+}
+
+TEST(SarifJson, WarnsOfWhatIsUndecided) {
+    Inspection near = inspection();
+    near.findings[0].worst.verdict = Verdict::undecided;
+    const auto log = nlohmann::json::parse(sarif_json(near, "1", Paths{"a.step"}));
+    EXPECT_EQ(log["runs"][0]["results"][0]["level"], "warning");
+    EXPECT_EQ(log["runs"][0]["results"][0]["properties"]["verdict"], "undecided");
+}
+
+TEST(SarifJson, HasAnEmptyListOfResultsWhereAllPasses) {
+    const auto log =
+        nlohmann::json::parse(sarif_json(inspect(SurfaceModel{}), "1", Paths{"a.bpt"}));
+    EXPECT_EQ(log["runs"][0]["results"], nlohmann::json::array());
+}
+
+TEST(ChecksCsv, QuotesFieldsThatNeedIt) {
+    const std::string csv = checks_csv(inspection());
+    EXPECT_EQ(count(csv, "\r\n"), 4u);
+    EXPECT_NE(
+        csv.find("\r\n1,\"face 1 (a<b>, \"\"c\"\") | face 2 (K\xef\xbf\xbdgel\x01)\",G-SU-LG,gap,"
+                 "fail,0.05"),
+        std::string::npos)
+        << csv;
+    EXPECT_NE(csv.find("curvature,not judged,,,,,,,,,the curvature is not judged"),
+              std::string::npos)
+        << csv;
+}
+
+TEST(InspectionText, TellsTheFirstFindingsAndHowManyMoreThereAre) {
+    Inspection many = inspection();
+    many.findings.assign(25, many.findings[0]);
+    const std::string text = inspection_text(many, 3);
+    EXPECT_EQ(count(text, "fail  G-SU-LG"), 3u);
+    EXPECT_NE(text.find("and 22 more findings"), std::string::npos);
+}
+
+TEST(Utf8, AcceptsWhatXmlAndUnicodeAllow) {
+    for (const char* right : {"a", "\xc3\xbc", "\xe8\x9b\x8d", "\xf0\x9f\x9a\x97", "\xed\x9f\xbf"})
+        EXPECT_EQ(utf8_length(right), std::string_view(right).size()) << right;
+    for (const char* wrong :
+         {"\xfc", "\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf0\x80\x80\x80",
+          "\xf4\x90\x80\x80", "\xef\xbf\xbf", "\xe8\x9b", "\x80"})
+        EXPECT_EQ(utf8_length(wrong), 0u);
+    EXPECT_EQ(as_utf8("K\xfcgel"), "K\xef\xbf\xbdgel");
+}
+
+} // namespace
+} // namespace keiko
