@@ -39,13 +39,15 @@ std::string figure(const ReportPicture& picture) {
     return html + "</figcaption></figure>\n";
 }
 
-/// "class-a-outer: gap 0.01 mm, angle 0.1°, curvature 10 %"
+/// "class-a-outer: gap 0.01 mm, angle 0.1°, curvature 10 %, its slope 0.1°"
 std::string criteria_line(const Inspection& inspection) {
     const CriteriaPreset& preset = inspection.preset;
     std::string text = html_escaped(preset.name) + ": gap " + short_number(preset.gap) +
                        " mm, angle " + short_number(preset.angle) + "°";
     if (preset.curvature)
         text += ", curvature " + short_number(preset.curvature->limit * 100) + " %";
+    if (preset.curvature_slope)
+        text += ", its slope " + short_number(*preset.curvature_slope) + "°";
     return text;
 }
 

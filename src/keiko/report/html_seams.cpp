@@ -23,9 +23,11 @@ std::string measure(std::string_view label, std::string_view tone, const std::st
            "<span class=\"soft small\">" + note + "</span></div>";
 }
 
-std::string gap_measure(const Worst& gap) {
-    return measure("gap", name_of(gap.verdict), fixed_number(gap.value, 4) + " mm",
-                   "limit " + short_number(gap.limit) + " mm", gap.value / gap.limit);
+std::string gap_measure(const MeasuredSeam& seam) {
+    const Worst& gap = seam.gap;
+    return measure(seam.overlap ? "overlap" : "gap", name_of(gap.verdict),
+                   fixed_number(gap.value, 4) + " mm", "limit " + short_number(gap.limit) + " mm",
+                   share_of_limit(gap));
 }
 
 /// A seam angle moves a lamp's image by twice the angle times its distance.
@@ -41,14 +43,14 @@ std::string angle_measure(const MeasuredSeam& seam) {
     if (seam.crease) return measure("angle", "crease", value, "a crease, not judged", 1);
     return measure("angle", name_of(angle.verdict), value,
                    "limit " + short_number(angle.limit) + "° · " + lamp_shift(angle.value),
-                   angle.value / angle.limit);
+                   share_of_limit(angle));
 }
 
 std::string curvature_measure(const MeasuredSeam& seam) {
     if (!seam.curvature)
         return measure("curvature", "crease", "–", "judged where gap and angle pass", 0);
     const CurvatureStep& step = *seam.curvature;
-    const double share = step.worst.value / step.worst.limit;
+    const double share = share_of_limit(step.worst);
     if (step.flat)
         return measure(
             "curvature", name_of(step.worst.verdict), short_number(step.worst.value) + " /mm",
@@ -58,6 +60,20 @@ std::string curvature_measure(const MeasuredSeam& seam) {
                    std::string(formula_text(step.formula)) + ", limit " +
                        short_number(step.worst.limit * 100) + " %",
                    share);
+}
+
+/// Nothing where the preset does not judge it.
+std::string slope_measure(const MeasuredSeam& seam, const CriteriaPreset& preset) {
+    if (!preset.curvature_slope) return "";
+    if (!seam.slope)
+        return measure("curvature's slope", "crease", "–",
+                       seam.curvature && seam.curvature->worst.verdict == Verdict::pass
+                           ? "nearly flat, not judged"
+                           : "judged where curvature passes",
+                       0);
+    const Worst& worst = seam.slope->worst;
+    return measure("curvature's slope", name_of(worst.verdict), fixed_number(worst.value, 3) + "°",
+                   "limit " + short_number(worst.limit) + "°", share_of_limit(worst));
 }
 
 std::string close_up(const Report& report, std::uint32_t seam) {
@@ -73,15 +89,23 @@ std::string irregular_note(const MeasuredSeam& seam) {
     return seam.irregular ? ", at an irregular point of the cage" : "";
 }
 
+/// What is not plain about the seam.
+std::string kind_note(const MeasuredSeam& seam) {
+    std::string note = seam.internal ? " · a knot line inside the face" : "";
+    if (seam.overlap) note += " · one side lies on the other";
+    return note;
+}
+
 std::string seam_card(const Report& report, std::size_t rank, std::uint32_t index) {
     const MeasuredSeam& seam = report.inspection.seams[index];
     return "<div class=\"card seam " + tone_of(seam) + "\"><div class=\"rank\">" +
            std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" +
            html_escaped(seam.faces) + "</div><div class=\"soft small\">at " +
            place_text(worst_place(seam)) + irregular_note(seam) + " · " +
-           fixed_number(seam.length, 1) + " mm long</div><div class=\"measures\">" +
-           gap_measure(seam.gap) + angle_measure(seam) + curvature_measure(seam) + "</div></div>" +
-           close_up(report, index) + "</div>\n";
+           fixed_number(seam.length, 1) + " mm long" + kind_note(seam) +
+           "</div><div class=\"measures\">" + gap_measure(seam) + angle_measure(seam) +
+           curvature_measure(seam) + slope_measure(seam, report.inspection.preset) +
+           "</div></div>" + close_up(report, index) + "</div>\n";
 }
 
 std::string cell(const std::string& sort_key, const std::string& text,
@@ -98,24 +122,64 @@ bool over(const Worst& worst) {
     return worst.verdict != Verdict::pass;
 }
 
-std::string row(std::size_t number, const MeasuredSeam& seam) {
+/// The percentage, or the change in 1/mm where that is judged; sorted by how far over its limit.
+std::string curvature_cell(const CurvatureStep& step) {
+    const std::string text = step.flat ? short_number(step.worst.value) + " /mm"
+                                       : fixed_number(step.mismatch * 100, 1) + " %";
+    return number_cell(share_of_limit(step.worst), text, over(step.worst));
+}
+
+std::string kind_of(const MeasuredSeam& seam) {
+    return std::string(seam.internal ? "knot line" : "seam") + (seam.overlap ? ", overlap" : "");
+}
+
+/// Sorts from good to bad: creases, pass, undecided, fail, each by how far over the limit.
+std::string verdict_cell(const MeasuredSeam& seam) {
     const std::string tone = tone_of(seam);
-    std::string html = "<tr class=\"" + tone + "\">" +
+    const bool crease = tone == "crease";
+    const double rank = crease ? -1 : static_cast<double>(seam.verdict);
+    const double within = 1 - 1 / (1 + seam.severity);
+    return cell(short_number(rank + within, 9), "<span class=\"chip\">" + tone + "</span>");
+}
+
+std::string row(std::size_t number, const MeasuredSeam& seam, bool with_slope) {
+    const std::string none = cell("", "–");
+    std::string html = "<tr class=\"" + tone_of(seam) + "\">" +
                        cell(std::to_string(number), std::to_string(number)) +
                        cell(html_escaped(seam.faces), html_escaped(seam.faces), "left") +
-                       cell(tone, "<span class=\"chip\">" + tone + "</span>");
+                       cell(kind_of(seam), kind_of(seam)) + verdict_cell(seam);
     html += number_cell(seam.gap.value, fixed_number(seam.gap.value, 4), over(seam.gap));
     html += seam.angle ? number_cell(seam.angle->value, fixed_number(seam.angle->value, 3),
                                      !seam.crease && over(*seam.angle))
-                       : cell("", "–");
-    html += seam.curvature ? number_cell(seam.curvature->mismatch,
-                                         fixed_number(seam.curvature->mismatch * 100, 1),
-                                         over(seam.curvature->worst))
-                           : cell("", "–");
+                       : none;
+    html += seam.curvature ? curvature_cell(*seam.curvature) : none;
+    if (with_slope)
+        html += seam.slope
+                    ? number_cell(seam.slope->worst.value, fixed_number(seam.slope->worst.value, 3),
+                                  over(seam.slope->worst))
+                    : none;
     html += number_cell(seam.length, fixed_number(seam.length, 1), false);
     const Vec3 place = worst_place(seam);
     return html + cell(short_number(place.x, 9), place_text(place) + irregular_note(seam)) +
            "</tr>\n";
+}
+
+/// The columns with their limits.
+std::vector<std::string> headings(const CriteriaPreset& preset) {
+    const std::string at_most = " ≤ ";
+    std::vector<std::string> names{"#",
+                                   "faces",
+                                   "kind",
+                                   "verdict",
+                                   "gap mm" + at_most + short_number(preset.gap),
+                                   "angle °" + at_most + short_number(preset.angle),
+                                   "curvature"};
+    if (preset.curvature)
+        names.back() += at_most + short_number(preset.curvature->limit * 100) + " %";
+    if (preset.curvature_slope)
+        names.push_back("its slope °" + at_most + short_number(*preset.curvature_slope));
+    names.insert(names.end(), {"length mm", "worst place x, y, z"});
+    return names;
 }
 
 } // namespace
@@ -132,12 +196,13 @@ std::string html_all_seams(const Report& report) {
     const std::vector<MeasuredSeam>& seams = report.inspection.seams;
     if (seams.empty()) return "";
     std::string html = "<section><h2>All seams</h2><div class=\"card scroll\"><table><thead><tr>";
-    for (const std::string_view name : {"#", "faces", "verdict", "gap mm", "angle °", "curvature %",
-                                        "length mm", "worst place x, y, z"})
+    const CriteriaPreset& preset = report.inspection.preset;
+    for (const std::string& name : headings(preset))
         html += "<th" + std::string(name == "faces" ? " class=\"left\"" : "") +
-                "><button type=\"button\">" + std::string(name) + "</button></th>";
+                "><button type=\"button\">" + name + "</button></th>";
     html += "</tr></thead><tbody>\n";
-    for (std::size_t i = 0; i < seams.size(); ++i) html += row(i + 1, seams[i]);
+    for (std::size_t i = 0; i < seams.size(); ++i)
+        html += row(i + 1, seams[i], preset.curvature_slope.has_value());
     return html + "</tbody></table></div></section>\n";
 }
 

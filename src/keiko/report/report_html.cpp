@@ -15,7 +15,9 @@ std::string footer(const Report& report) {
            "two faces. Angle: between their normals; it moves "
            "the image of a lamp 2 m away by the length beside it. Curvature: across the seam, "
            "judged where gap "
-           "and angle pass. Seams above " +
+           "and angle pass. Its slope: angle between the plots of the radius of curvature on the "
+           "two sides, judged where the curvature passes. Knot lines are those inside a face at "
+           "which it breaks. Seams above " +
            short_number(preset.feature_angle) +
            "° are creases: listed, no findings. Undecided: the error bound straddles the limit. "
            "Lengths in mm, places in the coordinates of the model.</p><p>Keiko " +

@@ -56,7 +56,7 @@ figcaption { padding: 9px 14px; }
 .seam .body { flex: 1 1 auto; min-width: 0; }
 .seam .name { font-weight: 620; overflow-wrap: anywhere; }
 .seam img { flex: none; width: 220px; border-radius: 6px; }
-.measures { display: grid; grid-template-columns: repeat(3, minmax(150px, 1fr)); gap: 8px 24px;
+.measures { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: 8px 24px;
   margin-top: 10px; }
 .measure b { font-size: 18px; font-weight: 650; color: var(--tone); }
 .bar { height: 4px; border-radius: 2px; background: var(--tint); margin: 4px 0 2px; position: relative; }

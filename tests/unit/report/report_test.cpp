@@ -146,6 +146,48 @@ TEST(ReportHtml, TellsTheFirstScreenInOrder) {
     }
 }
 
+/// The first seam smooth up to its curvature, whose slope jumps by 0.4 degrees.
+Report with_slope_failure() {
+    Report sloped = report();
+    sloped.inspection.preset.curvature_slope = 0.1;
+    MeasuredSeam& seam = sloped.inspection.seams[0];
+    seam.gap = {.value = 0, .bound = 0, .limit = 0.01};
+    seam.curvature = CurvatureStep{};
+    seam.curvature->worst.limit = 0.1;
+    seam.slope = CurvatureSlopeStep{};
+    seam.slope->worst = {.value = 0.4, .bound = 0, .limit = 0.1, .verdict = Verdict::fail};
+    seam.severity = 4;
+    return sloped;
+}
+
+TEST(ReportHtml, TellsWhyASeamFailsByTheSlopeOfItsCurvatureAlone) {
+    const std::string html = report_html(with_slope_failure());
+    EXPECT_NE(html.find("<div class=\"measure fail\"><span class=\"soft\">curvature's slope</span> "
+                        "<b>0.400°</b>"),
+              std::string::npos);
+    EXPECT_NE(html.find("limit 0.1°</span>"), std::string::npos);
+    EXPECT_NE(html.find(">its slope ° ≤ 0.1<"), std::string::npos);
+    EXPECT_NE(html.find("<td class=\"tone\" data-v=\"0.4\">0.400</td>"), std::string::npos);
+    EXPECT_EQ(report_html(report()).find("its slope °"), std::string::npos);
+}
+
+TEST(ReportHtml, TellsOverlapsAndKnotLinesFromGapsAndSeams) {
+    Report odd = report();
+    odd.inspection.seams[0].overlap = true;
+    odd.inspection.seams[1].internal = true;
+    const std::string html = report_html(odd);
+    EXPECT_NE(html.find("<span class=\"soft\">overlap</span> <b>0.0400 mm</b>"), std::string::npos);
+    EXPECT_NE(html.find("a knot line inside the face"), std::string::npos);
+    EXPECT_NE(html.find("data-v=\"seam, overlap\""), std::string::npos);
+    EXPECT_NE(html.find("data-v=\"knot line\""), std::string::npos);
+}
+
+TEST(ReportHtml, HeadsTheColumnsWithTheirLimits) {
+    const std::string html = report_html(report());
+    for (const char* heading : {">gap mm ≤ 0.01<", ">angle ° ≤ 0.1<", ">curvature ≤ 10 %<"})
+        EXPECT_NE(html.find(heading), std::string::npos) << heading;
+}
+
 TEST(ReportHtml, EscapesNamesAndNeedsNoOtherFile) {
     const std::string html = report_html(report());
     EXPECT_NE(html.find("door &lt;left&gt;.step"), std::string::npos);
