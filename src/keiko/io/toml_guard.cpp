@@ -31,7 +31,7 @@ public:
         while (at_ < text_.size()) {
             const char c = text_[at_];
             if (c == '"' || c == '\'')
-                skip_string();
+                take_string(c);
             else if (c == '#')
                 at_ = std::min(text_.find('\n', at_), text_.size());
             else
@@ -45,7 +45,28 @@ private:
         if (c == '.' && ++parts_ > most_parts)
             fail("a key of more than " + std::to_string(most_parts) + " parts");
         if (is_any_of("\n=,[]{}", c)) parts_ = 1;
+        follow(c);
+        if (!is_any_of(" \t", c)) previous_ = c;
         ++at_;
+    }
+
+    /// Keeps account of whether a key or a value may come next.
+    void follow(char c) {
+        if (c == '{' || (c == '[' && in_value_)) open_.push_back(c);
+        if (is_any_of("]}", c) && !open_.empty()) open_.pop_back();
+        const bool in_array = !open_.empty() && open_.back() == '[';
+        if (c == '=' || is_any_of("]}", c))
+            in_value_ = true;
+        else if (is_any_of("{,\n", c))
+            in_value_ = in_array;
+    }
+
+    /// Elsewhere toml++ takes a quote for a part of a number, and what follows too.
+    void take_string(char quote) {
+        if (!is_any_of(in_value_ ? "=[,\n" : "\n[{,.", previous_))
+            fail("a quotation mark where no string can begin");
+        skip_string();
+        previous_ = quote;
     }
 
     /// Past the closing quote; a string of one line that is not closed ends with the line.
@@ -58,7 +79,9 @@ private:
             if (quote == '"' && c == '\\') {
                 skip_escape(many_lines);
             } else if (many_lines && text_.substr(at_, 3) == three) {
-                at_ += 3;
+                // Up to two quotes more belong to the string.
+                const std::size_t end = std::min(text_.find_first_not_of(quote, at_), text_.size());
+                at_ = std::min(at_ + 5, end);
                 return;
             } else {
                 ++at_;
@@ -88,6 +111,9 @@ private:
     const std::string& source_;
     std::size_t at_ = 0;
     int parts_ = 1;
+    std::string open_;      ///< brackets of arrays and braces of inline tables
+    bool in_value_ = false; ///< rather than in a key
+    char previous_ = '\n';  ///< the last character that is no blank
 };
 
 } // namespace

@@ -140,6 +140,18 @@ TEST(RigFile, AJoinedLineOfAStringBeginsInAscii) {
               "bad.toml:4:1: unknown key 'x'");
 }
 
+TEST(RigFile, QuotesBeginStringsWhereKeysAndValuesBegin) {
+    const std::string stray = "a quotation mark where no string can begin";
+    for (const std::string text : {"x = 0x:\"\u01b6\"\n", "x = 1.\"a\"\n", "x = [1.'a']\n",
+                                   "x = [[1], 2.'a']\n", "x = \"a\"'b'\n", "x = it's\n"})
+        EXPECT_EQ(rig_error(head + text), "bad.toml:2: " + stray) << text;
+    for (const std::string text :
+         {"x.\"\u00fc\".1.'b' = [\"\u00fc\",\n'\u00fc', # \"\n\"\u00fc\"]\n",
+          "x = [{a.\"\u00fc\" = '\u00fc', \"b\" = 1}, [\"\u00fc\"]]\n",
+          "[x.\"\u00fc\"]\n\"a\" = 1\n", "[[x]]\n\"a\" = '''\u00fc''''' # '\u00fc\n"})
+        EXPECT_EQ(rig_error(head + text).find("quot"), std::string::npos) << text;
+}
+
 TEST(RigFile, ErrorsStayShortHoweverLongAKeyIs) {
     EXPECT_EQ(rig_error(head + std::string(5000, 'x') + " = 1\n"),
               "bad.toml:2:1: unknown key '" + std::string(300, 'x') + "...'");
