@@ -45,6 +45,8 @@ private:
         if (c == '.' && ++parts_ > most_parts)
             fail("a key of more than " + std::to_string(most_parts) + " parts");
         if (is_any_of("\n=,[]{}", c)) parts_ = 1;
+        if (in_value_ && (c == '=' || (is_any_of("[{", c) && !value_begins())))
+            fail(std::string("'") + c + "' where nothing can begin");
         follow(c);
         if (!is_any_of(" \t", c)) previous_ = c;
         ++at_;
@@ -61,9 +63,12 @@ private:
             in_value_ = in_array;
     }
 
+    bool value_begins() const { return is_any_of("=[,\n", previous_); }
+    bool key_begins() const { return is_any_of("\n[{,.", previous_); }
+
     /// Elsewhere toml++ takes a quote for a part of a number, and what follows too.
     void take_string(char quote) {
-        if (!is_any_of(in_value_ ? "=[,\n" : "\n[{,.", previous_))
+        if (!(in_value_ ? value_begins() : key_begins()))
             fail("a quotation mark where no string can begin");
         skip_string();
         previous_ = quote;
@@ -94,10 +99,9 @@ private:
         const std::size_t next =
             std::min(text_.find_first_not_of(" \t\r\n", at_ + 1), text_.size());
         const bool joins_lines = many_lines && next > at_ + 1;
-        if (joins_lines && next < text_.size() && beyond_ascii(text_[next])) {
-            at_ = next;
-            fail("a character beyond ASCII follows a backslash at the end of a line");
-        }
+        const std::size_t end = joins_lines ? next : at_ + 1;
+        if (end < text_.size() && beyond_ascii(text_[end]))
+            fail("a character beyond ASCII follows a backslash");
         at_ = joins_lines ? next : std::min(at_ + 2, text_.size());
     }
 

@@ -133,9 +133,11 @@ TEST(RigFile, CharactersBeyondAsciiStandInQuotesAndCommentsAlone) {
     EXPECT_EQ(rig_error("\xef\xbb\xbf" + head + "x = 1\n"), "bad.toml:2:1: unknown key 'x'");
 }
 
-TEST(RigFile, AJoinedLineOfAStringBeginsInAscii) {
-    const std::string joined = "a character beyond ASCII follows a backslash at the end of a line";
-    EXPECT_EQ(rig_error(head + "name = \"\"\"a\\\n \u00a7\"\"\"\n"), "bad.toml:3: " + joined);
+TEST(RigFile, ABackslashIsFollowedByAscii) {
+    const std::string joined = "a character beyond ASCII follows a backslash";
+    EXPECT_EQ(rig_error(head + "name = \"\"\"a\\\n \u00a7\"\"\"\n"), "bad.toml:2: " + joined);
+    EXPECT_EQ(rig_error(head + "name = \"\"\"a\\\u00a7\"\"\"\n"), "bad.toml:2: " + joined);
+    EXPECT_EQ(rig_error(head + "name = \"\\\u00a7\"\n"), "bad.toml:2: " + joined);
     EXPECT_EQ(rig_error(head + "name = \"\"\"\u00a7\\\n a\u00a7\"\"\"\nx = 1\n"),
               "bad.toml:4:1: unknown key 'x'");
 }
@@ -145,6 +147,11 @@ TEST(RigFile, QuotesBeginStringsWhereKeysAndValuesBegin) {
     for (const std::string text : {"x = 0x:\"\u01b6\"\n", "x = 1.\"a\"\n", "x = [1.'a']\n",
                                    "x = [[1], 2.'a']\n", "x = \"a\"'b'\n", "x = it's\n"})
         EXPECT_EQ(rig_error(head + text), "bad.toml:2: " + stray) << text;
+    for (const std::string text : {"x = 0x=\"\u01b6\"\n", "x = 1 = 2\n", "[x] = 1\n"})
+        EXPECT_EQ(rig_error(head + text), "bad.toml:2: '=' where nothing can begin") << text;
+    EXPECT_EQ(rig_error(head + "x = 1[\"\u01b6\"]\n"), "bad.toml:2: '[' where nothing can begin");
+    EXPECT_EQ(rig_error(head + "x = 1{\"\u01b6\" = 1}\n"),
+              "bad.toml:2: '{' where nothing can begin");
     for (const std::string text :
          {"x.\"\u00fc\".1.'b' = [\"\u00fc\",\n'\u00fc', # \"\n\"\u00fc\"]\n",
           "x = [{a.\"\u00fc\" = '\u00fc', \"b\" = 1}, [\"\u00fc\"]]\n",
