@@ -2,12 +2,14 @@
 
 #include "keiko/base/error.h"
 #include "keiko/io/cad/cad_files.h"
-#include "keiko/io/cad/face_check.h"
+#include "keiko/io/cad/failure.h"
 #include "keiko/io/cad/part_conversion.h"
 
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
+
+#include <algorithm>
 
 namespace keiko::cad {
 
@@ -32,22 +34,25 @@ CadDocument read_document(const std::filesystem::path& path, ModelFormat format)
 }
 
 SurfaceModel convert_document(const CadDocument& document, const Job& job) {
-    std::size_t total = 0, done = 0;
-    for (const CadPart& part : document.parts) total += face_count(part.shape);
+    constexpr double read = 0.5, converted = 0.8; // shares of the whole import
+    std::vector<FaceResult> faces = convert_faces(document, job, read, converted);
     SurfaceModel model;
     model.unit = document.unit;
     model.diagnostics = document.diagnostics;
-    for (const CadPart& part : document.parts)
-        append_part(model, part, [&] {
-            constexpr double read = 0.5, converted = 0.8;
-            job.report("import", read + (converted - read) * static_cast<double>(++done) /
-                                            static_cast<double>(total));
-        });
+    auto begin = faces.begin();
+    for (std::size_t part = 0; part < document.parts.size(); ++part) {
+        const auto end = std::find_if(begin, faces.end(),
+                                      [&](const FaceResult& face) { return face.part != part; });
+        append_part(model, document.parts[part], {begin, end});
+        begin = end;
+    }
     for (const CadInstance& instance : document.instances)
         model.instances.push_back(
             {static_cast<std::uint32_t>(instance.part), instance.name, instance.transform});
-    for (Diagnostic& note : invalid_faces(document, job))
-        model.diagnostics.push_back(std::move(note));
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (!faces[i].fault.empty())
+            model.diagnostics.push_back(
+                {Severity::note, "face " + std::to_string(i + 1), faces[i].fault});
     return model;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "keiko/base/job.h"
-#include "keiko/io/cad/cad_document.h"
+#include <TopoDS_Face.hxx>
+
+#include <string>
 
 namespace keiko::cad {
 
-/// Notes on the faces of a document that OpenCASCADE's own check calls invalid, numbered as
-/// Face::id: a hint where to look when a picture is odd. Each face is checked by itself, many at a
-/// time.
-Diagnostics invalid_faces(const CadDocument& document, const Job& job);
+/// What OpenCASCADE's own check has against a face by itself, a hint where to look when a picture
+/// is odd; empty for a valid one. Several threads may check faces that share edges.
+std::string fault_of(const TopoDS_Face& face);
 
 } // namespace keiko::cad

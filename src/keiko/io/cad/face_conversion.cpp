@@ -56,11 +56,12 @@ void check(const SurfacePatches& converted, const Geom_Surface& surface) {
 
 } // namespace
 
-ConvertedFace convert_face(const TopoDS_Face& face, EdgeTable& edges) {
+ConvertedFace convert_face(const TopoDS_Face& face, EdgeTable& edges,
+                           const std::vector<TopoDS_Edge>& built) {
     TopLoc_Location location;
     const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
     if (surface.IsNull()) throw Error("", "", "it has no surface");
-    ConvertedFace result{{}, 0, face_loops(face, edges)};
+    ConvertedFace result{{}, 0, face_loops(face, edges, built)};
     SurfacePatches converted = surface_patches(surface, result.trim.domain);
     if (converted.patches.empty()) throw Error("", "", "its trim loops lie outside of its surface");
     check(converted, *untrimmed(surface));

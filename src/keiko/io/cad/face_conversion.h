@@ -12,9 +12,10 @@ struct ConvertedFace {
     FaceLoops trim;
 };
 
-/// Converts a face and checks the patches against the CAD surface. Throws Error (or what
-/// OpenCASCADE throws) when the face cannot be converted.
-ConvertedFace convert_face(const TopoDS_Face& face, EdgeTable& edges);
+/// Converts a face (as face_loops its wires) and checks the patches against the CAD surface. Throws
+/// Error (or what OpenCASCADE throws) when the face cannot be converted.
+ConvertedFace convert_face(const TopoDS_Face& face, EdgeTable& edges,
+                           const std::vector<TopoDS_Edge>& built);
 
 /// "plane", "b-spline", ... of a face's surface.
 std::string surface_kind(const TopoDS_Face& face);

@@ -10,13 +10,13 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
-#include <ShapeFix_Edge.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -72,9 +72,10 @@ bool bounds_material(const TopoDS_Edge& edge) {
 
 class LoopReader {
 public:
-    LoopReader(const TopoDS_Face& face, EdgeTable& edges)
+    LoopReader(const TopoDS_Face& face, EdgeTable& edges, std::vector<TopoDS_Edge> built)
         : face_(TopoDS::Face(face.Oriented(TopAbs_FORWARD))),
           edges_(edges),
+          built_(std::move(built)),
           space_(parameter_space(face)) {}
 
     FaceLoops read() {
@@ -142,28 +143,17 @@ private:
     CurveHandle p_curve(const TopoDS_Edge& edge, std::uint32_t number, double& first,
                         double& last) {
         CurveHandle curve = BRep_Tool::CurveOnSurface(edge, face_, first, last);
-        const bool built = curve.IsNull();
-        if (built) {
-            ShapeFix_Edge().FixAddPCurve(edge, face_, used_twice(edge), BRep_Tool::Tolerance(edge));
-            curve = BRep_Tool::CurveOnSurface(edge, face_, first, last);
-        }
+        const std::string name = "edge " + std::to_string(number + 1) + " of the face";
         if (curve.IsNull())
-            throw Error("", "",
-                        "edge " + std::to_string(number + 1) +
-                            " has no p-curve and none could be projected");
-        if (built)
+            throw Error("", "", name + " has no p-curve and none could be projected");
+        const auto built = std::find_if(built_.begin(), built_.end(),
+                                        [&](const TopoDS_Edge& e) { return e.IsSame(edge); });
+        if (built != built_.end()) {
             result_.log.add(RepairKind::p_curve_built, p_curve_error(edge, curve, first, last));
-        if (!(first < last))
-            throw Error("", "",
-                        "edge " + std::to_string(number + 1) + " has an empty parameter range");
+            built_.erase(built); // a seam comes twice
+        }
+        if (!(first < last)) throw Error("", "", name + " has an empty parameter range");
         return curve;
-    }
-
-    bool used_twice(const TopoDS_Edge& edge) const {
-        int uses = 0;
-        for (TopExp_Explorer e(face_, TopAbs_EDGE); e.More(); e.Next())
-            uses += e.Current().IsSame(edge);
-        return uses > 1;
     }
 
     void set_scale(const std::vector<std::vector<Chain>>& wires) {
@@ -201,14 +191,16 @@ private:
 
     TopoDS_Face face_;
     EdgeTable& edges_;
+    std::vector<TopoDS_Edge> built_;
     ParameterSpace space_;
     FaceLoops result_;
 };
 
 } // namespace
 
-FaceLoops face_loops(const TopoDS_Face& face, EdgeTable& edges) {
-    return LoopReader(face, edges).read();
+FaceLoops face_loops(const TopoDS_Face& face, EdgeTable& edges,
+                     const std::vector<TopoDS_Edge>& built) {
+    return LoopReader(face, edges, built).read();
 }
 
 } // namespace keiko::cad

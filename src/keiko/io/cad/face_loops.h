@@ -3,11 +3,12 @@
 #include "keiko/io/cad/loop_closing.h"
 
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
 namespace keiko::cad {
 
-/// The edges of a part, numbered from 0 in the order they are met; two uses of one edge get one
+/// Edges, numbered from 0 in the order they are met; two uses of one edge get one
 /// number.
 class EdgeTable {
 public:
@@ -31,8 +32,9 @@ struct FaceLoops {
     RepairLog log;                        ///< what had to be repaired
 };
 
-/// Converts the wires of a face. Edges that miss their p-curve get one by projection. Throws
-/// Error when a curve cannot be had.
-FaceLoops face_loops(const TopoDS_Face& face, EdgeTable& edges);
+/// Converts the wires of a face whose p-curves are complete; `built` are the edges whose were
+/// fitted. Throws Error when a curve is missing.
+FaceLoops face_loops(const TopoDS_Face& face, EdgeTable& edges,
+                     const std::vector<TopoDS_Edge>& built);
 
 } // namespace keiko::cad

@@ -1,16 +1,8 @@
 #include "keiko/io/cad/part_conversion.h"
 
-#include "keiko/base/error.h"
-#include "keiko/io/cad/face_conversion.h"
-
 #include <BRep_Tool.hxx>
-#include <Standard_Failure.hxx>
-#include <Standard_OutOfMemory.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
-
-#include <algorithm>
-#include <new>
 
 namespace keiko::cad {
 namespace {
@@ -20,36 +12,41 @@ std::uint32_t size32(const std::vector<T>& v) {
     return static_cast<std::uint32_t>(v.size());
 }
 
-/// Converts the faces of one part into the flat arrays of a model.
+/// Writes the faces of one part into the flat arrays of a model.
 class PartWriter {
 public:
     PartWriter(SurfaceModel& model, const CadPart& part)
         : model_(model), part_(part), first_edge_(size32(model.edges)) {}
 
-    void write(const std::function<void()>& face_done) {
-        TopTools_IndexedMapOfShape faces;
-        TopExp::MapShapes(part_.shape, TopAbs_FACE, faces);
+    void write(std::span<FaceResult> faces) {
         const std::uint32_t first_face = size32(model_.faces);
-        for (int i = 1; i <= faces.Extent(); ++i) {
-            write_face(TopoDS::Face(faces(i)));
-            face_done();
-        }
+        for (FaceResult& face : faces) write_face(face);
         model_.parts.push_back({part_.name, first_face, size32(model_.faces) - first_face});
         write_edges();
     }
 
 private:
-    void write_face(const TopoDS_Face& shape) {
-        Face face = described(shape);
-        const std::string entity = model_.describe(face);
-        try {
-            const ConvertedFace converted = convert_face(shape, edges_);
-            append_repairs(shape, face.id, converted);
-            append(face, converted);
-        } catch (...) {
-            model_.lost_faces.push_back({face.id, face.name, current_failure()});
-            model_.diagnostics.push_back({Severity::error, entity, "lost: " + current_failure()});
+    void write_face(FaceResult& result) {
+        Face face = described(result.shape);
+        if (result.converted) {
+            append_repairs(result.shape, face.id, *result.converted);
+            append(std::move(face), *result.converted, numbers_in_part(result.edges));
+            // Else all faces of the document would be held twice.
+            result.converted.reset();
+        } else {
+            numbers_in_part(result.edges);
+            model_.diagnostics.push_back(
+                {Severity::error, model_.describe(face), "lost: " + result.loss});
+            model_.lost_faces.push_back({face.id, face.name, result.loss});
         }
+    }
+
+    /// The part's numbers of the edges of a face.
+    std::vector<std::uint32_t> numbers_in_part(const EdgeTable& edges) {
+        std::vector<std::uint32_t> numbers;
+        for (std::uint32_t i = 0; i < edges.count(); ++i)
+            numbers.push_back(edges_.number_of(edges.edge(i)));
+        return numbers;
     }
 
     void append_repairs(const TopoDS_Face& shape, std::uint32_t id,
@@ -80,16 +77,17 @@ private:
         return face;
     }
 
-    void append(Face face, const ConvertedFace& converted) {
+    void append(Face face, const ConvertedFace& converted,
+                const std::vector<std::uint32_t>& edge_numbers) {
         face.approximated = converted.approximated;
         face.first_patch = size32(model_.patches);
         face.patch_count = size32(converted.patches);
         face.first_loop = size32(model_.trim_loops);
         face.loop_count = size32(converted.trim.loops);
         for (const SurfacePatch& patch : converted.patches) append(patch);
-        for (const Chain& loop : converted.trim.loops) append(loop);
+        for (const Chain& loop : converted.trim.loops) append(loop, edge_numbers);
         edge_uses_.resize(edges_.count());
-        for (const std::uint32_t edge : converted.trim.edge_uses) ++edge_uses_[edge];
+        for (const std::uint32_t edge : converted.trim.edge_uses) ++edge_uses_[edge_numbers[edge]];
         model_.faces.push_back(std::move(face));
     }
 
@@ -102,10 +100,11 @@ private:
                                      patch.points.end());
     }
 
-    void append(const Chain& loop) {
+    void append(const Chain& loop, const std::vector<std::uint32_t>& edge_numbers) {
         model_.trim_loops.push_back({size32(model_.trim_curves), size32(loop)});
         for (const LoopCurve& curve : loop) {
-            const std::uint32_t edge = curve.edge == no_index ? no_index : first_edge_ + curve.edge;
+            const std::uint32_t edge =
+                curve.edge == no_index ? no_index : first_edge_ + edge_numbers[curve.edge];
             model_.trim_curves.push_back({size32(model_.trim_points),
                                           static_cast<std::uint16_t>(curve.points.size() - 1),
                                           edge});
@@ -132,35 +131,14 @@ private:
 
 } // namespace
 
-void append_part(SurfaceModel& model, const CadPart& part, const std::function<void()>& face_done) {
-    PartWriter(model, part).write(face_done);
+void append_part(SurfaceModel& model, const CadPart& part, std::span<FaceResult> faces) {
+    PartWriter(model, part).write(faces);
 }
 
 std::size_t face_count(const TopoDS_Shape& shape) {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(shape, TopAbs_FACE, faces);
     return static_cast<std::size_t>(faces.Extent());
-}
-
-std::string current_failure() {
-    std::string text;
-    try {
-        throw;
-    } catch (const Error& e) {
-        text = e.reason();
-    } catch (const Standard_OutOfMemory&) {
-        throw std::bad_alloc();
-    } catch (const Standard_Failure& e) {
-        const std::string message = e.GetMessageString() ? e.GetMessageString() : "";
-        text = std::string("OpenCASCADE: ") + e.DynamicType()->Name() +
-               (message.empty() ? "" : ": " + message);
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& e) {
-        text = e.what();
-    }
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text;
 }
 
 } // namespace keiko::cad
