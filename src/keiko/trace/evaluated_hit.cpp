@@ -3,6 +3,8 @@
 #include "keiko/trace/steady_normal.h"
 #include "keiko/trace/surface_jet.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,31 +13,10 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// In the world, by patch parameters, from a leaf's own.
-SurfaceJet in_world(const SurfaceJet& local, const Leaf& leaf, const PartPlacement& placement) {
-    const Vec2 scale = Vec2(1) / leaf.domain.extent();
-    SurfaceJet world{leaf.center + local.position,
-                     local.du * scale.x,
-                     local.dv * scale.y,
-                     local.duu * (scale.x * scale.x),
-                     local.duv * (scale.x * scale.y),
-                     local.dvv * (scale.y * scale.y)};
-    if (placement.identity) return world;
-    world.position = placement.to_world.point(world.position);
-    for (Vec3* d : {&world.du, &world.dv, &world.duu, &world.duv, &world.dvv})
-        *d = placement.to_world.vector(*d);
-    return world;
-}
-
-/// The limit normal where there is one, else one across the ray's own leaf.
-Vec3 normal_of(const SurfaceJet& s, const Vec2& uv, const BezierPatchView& leaf,
-               const PartPlacement& placement) {
-    const Vec3 across = s.du.cross(s.dv);
-    const double area2 = across.length2(), u2 = s.du.length2(), v2 = s.dv.length2();
-    // Far from any pole there is nothing to think about.
-    constexpr double small = 1e-8;
-    if (area2 > small * u2 * v2 && std::min(u2, v2) > small * s.duv.length2())
-        return across / std::sqrt(area2);
+/// Where tangents alone do not tell the normal: its limit if there is one, else one across the
+/// ray's own leaf.
+Vec3 limit_normal(const SurfaceJet& s, const Vec2& uv, const BezierPatchView& leaf,
+                  const PartPlacement& placement) {
     if (const auto normal = steady_normal(s.derivatives(), uv)) return *normal;
     const SurfaceDerivatives middle = evaluate(leaf, Vec2(0.5), 1);
     return placement.to_world.vector(middle.du())
@@ -43,11 +24,10 @@ Vec3 normal_of(const SurfaceJet& s, const Vec2& uv, const BezierPatchView& leaf,
         .normalized();
 }
 
-/// How far a small step in parameters moves the point: the second order counted twice, which
-/// covers what follows it.
-double reach_of(const SurfaceJet& s, const Vec2& step) {
-    return s.du.length() * step.x + s.dv.length() * step.y + s.duu.length() * step.x * step.x +
-           2 * s.duv.length() * step.x * step.y + s.dvv.length() * step.y * step.y;
+SurfaceJet jet_of(const HitBlock& hits, std::size_t lane) {
+    return {HitBlock::at(hits.position, lane), HitBlock::at(hits.du, lane),
+            HitBlock::at(hits.dv, lane),       HitBlock::at(hits.duu, lane),
+            HitBlock::at(hits.duv, lane),      HitBlock::at(hits.dvv, lane)};
 }
 
 Box2 root_box(const Vec2& uv, const Vec2& error) {
@@ -59,40 +39,90 @@ Box2 root_box(const Vec2& uv, const Vec2& error) {
 
 } // namespace
 
-Hit evaluated(const TracedModel& model, const LeafKernels& kernels, const Crossing& c,
-              bool second_derivatives) {
-    const PlacedLeaf& placed = model.placed[c.leaf];
-    const Leaf& leaf = model.leaves.leaves[placed.leaf];
-    const PartPlacement& placement = model.placements[placed.instance];
-    const BezierPatchView points = model.leaves.view(leaf);
+void HitEvaluation::announce(const Crossing& crossing) const {
+    const LeafSet& leaves = model_.leaves;
+    const HotLeaf& hot = model_.hot[crossing.leaf];
+    const auto fetch = [](const auto* first, std::size_t count) {
+        constexpr std::size_t line = 64;
+        const auto* begin = reinterpret_cast<const char*>(first);
+        for (std::size_t at = 0; at < count * sizeof(*first); at += line) hwy::Prefetch(begin + at);
+    };
+    fetch(&leaves.leaves[model_.placed[crossing.leaf].leaf], 1);
+    fetch(&leaves.points[hot.polynomial], hot.coefficients());
+}
+
+void HitEvaluation::add(const Crossing& crossing, Hit& hit) {
+    crossings_[block_.count] = &crossing;
+    hits_[block_.count] = &hit;
+    ask(block_.count++);
+    if (block_.count == HitBlock::capacity) finish();
+}
+
+void HitEvaluation::finish() {
+    if (block_.count == 0) return;
+    kernels_.evaluate_hits(block_);
+    for (std::size_t lane = 0; lane < block_.count; ++lane) write(lane);
+    block_.count = 0;
+}
+
+void HitEvaluation::ask(std::size_t lane) {
+    const Crossing& c = *crossings_[lane];
+    const PlacedLeaf& placed = model_.placed[c.leaf];
+    const Leaf& leaf = model_.leaves.leaves[placed.leaf];
+    const PartPlacement& placement = model_.placements[placed.instance];
     const Vec2 extent = leaf.domain.extent();
     const Vec2 beyond = leaf.patch_parameters(c.uv);
-    const Vec2 uv = unit_square.nearest(beyond);
-    const HomogeneousJet jet = kernels.evaluate(points, (uv - leaf.domain.lower) / extent);
-    const SurfaceJet s = in_world(projected(jet, model.hot[c.leaf].rational), leaf, placement);
+    const Vec2 uv = unit_square.nearest(beyond), local = (uv - leaf.domain.lower) / extent;
+    const Vec2 off(std::abs(beyond.x - uv.x), std::abs(beyond.y - uv.y));
+    const Vec2 error = c.error * extent + off, per = Vec2(1) / extent;
+    block_.leaf[lane] = model_.leaves.view(leaf);
+    block_.rational[lane] = model_.hot[c.leaf].rational;
+    block_.u[lane] = local.x, block_.v[lane] = local.y;
+    block_.per_u[lane] = per.x, block_.per_v[lane] = per.y;
+    for (unsigned k = 0; k < 3; ++k) block_.center[k][lane] = leaf.center[k];
+    block_.to_world[lane] = placement.identity ? nullptr : &placement.to_world;
+    block_.error_u[lane] = error.x, block_.error_v[lane] = error.y;
+}
 
-    Hit hit;
+void HitEvaluation::write(std::size_t lane) {
+    const Crossing& c = *crossings_[lane];
+    const PlacedLeaf& placed = model_.placed[c.leaf];
+    const Leaf& leaf = model_.leaves.leaves[placed.leaf];
+    const PartPlacement& placement = model_.placements[placed.instance];
+    Hit& hit = *hits_[lane];
     hit.t = c.t;
     hit.instance = placed.instance;
     hit.patch = leaf.patch;
-    hit.face = model.patches[leaf.patch].face;
-    hit.uv = uv;
-    hit.position = s.position;
-    hit.dpdu = s.du;
-    hit.dpdv = s.dv;
-    hit.normal = normal_of(s, uv, points, placement);
-    if (second_derivatives) hit.second = SecondDerivatives{s.duu, s.duv, s.dvv};
+    hit.face = model_.patches[leaf.patch].face;
+    hit.uv = unit_square.nearest(leaf.patch_parameters(c.uv));
+    hit.position = HitBlock::at(block_.position, lane);
+    hit.dpdu = HitBlock::at(block_.du, lane);
+    hit.dpdv = HitBlock::at(block_.dv, lane);
+    const bool plain = (block_.plain >> lane & 1) != 0;
+    hit.normal = plain ? HitBlock::at(block_.normal, lane)
+                       : limit_normal(jet_of(block_, lane), hit.uv, block_.leaf[lane], placement);
+    if (second_derivatives_)
+        hit.second =
+            SecondDerivatives{HitBlock::at(block_.duu, lane), HitBlock::at(block_.duv, lane),
+                              HitBlock::at(block_.dvv, lane)};
     hit.flags = c.flags;
     if (c.seam != no_index) hit.seam = c.seam;
 
-    const Vec2 off(std::abs(beyond.x - uv.x), std::abs(beyond.y - uv.y));
-    const Vec2 error = c.error * extent;
     const double steps = 8 + 4.0 * (leaf.degree_u + leaf.degree_v);
     const double rounding =
         epsilon * (8 * hit.position.length() + steps * leaf.radius * placement.magnification);
     hit.position_bound =
-        reach_of(s, error + off) + leaf.coefficient_error * placement.magnification + rounding;
-    hit.root = {hit.instance, hit.patch, root_box(uv, error + off)};
+        block_.reach[lane] + leaf.coefficient_error * placement.magnification + rounding;
+    hit.root = {hit.instance, hit.patch,
+                root_box(hit.uv, Vec2(block_.error_u[lane], block_.error_v[lane]))};
+}
+
+Hit evaluated(const TracedModel& model, const LeafKernels& kernels, const Crossing& crossing,
+              bool second_derivatives) {
+    Hit hit;
+    HitEvaluation evaluation(model, kernels, second_derivatives);
+    evaluation.add(crossing, hit);
+    evaluation.finish();
     return hit;
 }
 

@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 
 // Then what is made for the one in hand.
+#include "keiko/trace/hit_jets-inl.h"
 #include "keiko/trace/krawczyk-inl.h"
 #include "keiko/trace/newton-inl.h"
 #include "keiko/trace/patch_jet-inl.h"
@@ -73,7 +74,8 @@ LeafKernels kernels() {
             solve_single,
             solve_gathered,
             find_roots,
-            evaluate};
+            evaluate,
+            evaluate_hits};
 }
 
 } // namespace keiko::HWY_NAMESPACE

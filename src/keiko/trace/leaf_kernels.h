@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/trace/hit_block.h"
 #include "keiko/trace/hot_leaf.h"
 #include "keiko/trace/ray_block.h"
 
@@ -77,6 +78,8 @@ struct LeafKernels {
                        RootBoxes&);
     /// Of control points, to second order. Requires degrees of at least 1.
     HomogeneousJet (*evaluate)(const BezierPatchView&, const Vec2&);
+    /// Of the leaves of hits, all at once, with what a hit tells of the surface.
+    void (*evaluate_hits)(HitBlock&);
 };
 
 /// The widest that this processor has.

@@ -12,45 +12,75 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-/// Bernstein polynomials of one degree and their first two derivatives.
+/// Bernstein polynomials of one degree and their first two derivatives, for a vector of places.
+template <class D>
 class BasisJet {
-public:
-    BernsteinRow value, first, second;
+    using V = hn::Vec<D>;
 
-    BasisJet(std::size_t degree, double t) {
-        value[0] = 1;
+public:
+    static constexpr std::size_t lanes = hn::MaxLanes(D());
+    using Row = std::array<std::array<double, lanes>, max_degree + 1>;
+
+    alignas(64) Row value, first, second;
+
+    BasisJet(std::size_t degree, V t) : t_(t), rest_(hn::Sub(hn::Set(d_, 1), t)) {
+        put(value, 0, hn::Set(d_, 1));
         std::size_t n = 0;
-        while (n + 2 < degree) raise_degree(value, ++n, t);
+        while (n + 2 < degree) raise_degree(++n);
         // The row of degree n becomes the second derivative, the next one the first.
         if (n + 2 == degree) {
             difference_twice(n, static_cast<double>(degree * (degree - 1)));
-            raise_degree(value, ++n, t);
+            raise_degree(++n);
         } else {
-            second[0] = second[1] = 0;
+            put(second, 0, hn::Zero(d_));
+            put(second, 1, hn::Zero(d_));
         }
-        const double factor = static_cast<double>(degree);
-        first[0] = -factor * value[0];
-        for (std::size_t i = 1; i < degree; ++i) first[i] = factor * (value[i - 1] - value[i]);
-        first[degree] = factor * value[degree - 1];
-        raise_degree(value, degree, t);
+        const V factor = hn::Set(d_, static_cast<double>(degree));
+        put(first, 0, hn::Mul(hn::Neg(factor), get(value, 0)));
+        for (std::size_t i = 1; i < degree; ++i)
+            put(first, i, hn::Mul(factor, hn::Sub(get(value, i - 1), get(value, i))));
+        put(first, degree, hn::Mul(factor, get(value, degree - 1)));
+        raise_degree(degree);
     }
 
 private:
+    V get(const Row& row, std::size_t i) const { return hn::Load(d_, row[i].data()); }
+    void put(Row& row, std::size_t i, V v) { hn::Store(v, d_, row[i].data()); }
+
+    /// From degree n - 1 to n.
+    void raise_degree(std::size_t n) {
+        V before = hn::Zero(d_);
+        for (std::size_t i = 0; i < n; ++i) {
+            const V here = get(value, i);
+            const V kept = hn::Mul(rest_, here);
+            put(value, i, i == 0 ? kept : hn::Add(kept, hn::Mul(t_, before)));
+            before = here;
+        }
+        put(value, n, hn::Mul(t_, before));
+    }
     void difference_twice(std::size_t n, double factor) {
+        V before = hn::Zero(d_), first_of_two = before;
         for (std::size_t i = 0; i <= n + 2; ++i) {
-            const double here = i <= n ? value[i] : 0,
-                         before = i > 0 && i <= n + 1 ? value[i - 1] : 0;
-            const double first_of_two = i > 1 ? value[i - 2] : 0;
-            second[i] = factor * (here - 2 * before + first_of_two);
+            const V here = i <= n ? get(value, i) : hn::Zero(d_);
+            const V twice = hn::Mul(hn::Set(d_, 2), before);
+            put(second, i,
+                hn::Mul(hn::Set(d_, factor), hn::Add(hn::Sub(here, twice), first_of_two)));
+            first_of_two = before;
+            before = here;
         }
     }
+
+    static constexpr D d_{};
+    V t_, rest_;
 };
 
-HomogeneousJet evaluate(const BezierPatchView& patch, const Vec2& uv) {
+/// The surface at the place of one lane of the bases, the components side by side.
+template <class D>
+HomogeneousJet jet_at(const BezierPatchView& patch, const BasisJet<D>& u, const BasisJet<D>& v,
+                      std::size_t lane) {
     const hn::CappedTag<double, 4> d;
     const auto rows = static_cast<std::size_t>(patch.degree_u);
     const auto columns = static_cast<std::size_t>(patch.degree_v);
-    const BasisJet u(rows, uv.x), v(columns, uv.y);
     HomogeneousJet jet;
     for (std::size_t c = 0; c < 4; c += hn::Lanes(d)) {
         auto value = hn::Zero(d), du = value, dv = value, duu = value, duv = value, dvv = value;
@@ -59,17 +89,17 @@ HomogeneousJet evaluate(const BezierPatchView& patch, const Vec2& uv) {
             auto row = hn::Zero(d), slope = row, bend = row;
             for (std::size_t j = 0; j <= columns; ++j, ++point) {
                 const auto p = hn::LoadU(d, &point->x + c);
-                row = hn::MulAdd(p, hn::Set(d, v.value[j]), row);
-                slope = hn::MulAdd(p, hn::Set(d, v.first[j]), slope);
-                bend = hn::MulAdd(p, hn::Set(d, v.second[j]), bend);
+                row = hn::MulAdd(p, hn::Set(d, v.value[j][lane]), row);
+                slope = hn::MulAdd(p, hn::Set(d, v.first[j][lane]), slope);
+                bend = hn::MulAdd(p, hn::Set(d, v.second[j][lane]), bend);
             }
-            const auto b = hn::Set(d, u.value[i]), b1 = hn::Set(d, u.first[i]);
+            const auto b = hn::Set(d, u.value[i][lane]), b1 = hn::Set(d, u.first[i][lane]);
             value = hn::MulAdd(row, b, value);
             dv = hn::MulAdd(slope, b, dv);
             dvv = hn::MulAdd(bend, b, dvv);
             du = hn::MulAdd(row, b1, du);
             duv = hn::MulAdd(slope, b1, duv);
-            duu = hn::MulAdd(row, hn::Set(d, u.second[i]), duu);
+            duu = hn::MulAdd(row, hn::Set(d, u.second[i][lane]), duu);
         }
         hn::Store(value, d, jet.value.data() + c);
         hn::Store(du, d, jet.du.data() + c);
@@ -79,6 +109,12 @@ HomogeneousJet evaluate(const BezierPatchView& patch, const Vec2& uv) {
         hn::Store(dvv, d, jet.dvv.data() + c);
     }
     return jet;
+}
+
+HomogeneousJet evaluate(const BezierPatchView& patch, const Vec2& uv) {
+    const BasisJet<One> u(static_cast<std::size_t>(patch.degree_u), hn::Set(One(), uv.x));
+    const BasisJet<One> v(static_cast<std::size_t>(patch.degree_v), hn::Set(One(), uv.y));
+    return jet_at(patch, u, v, 0);
 }
 
 } // namespace keiko::HWY_NAMESPACE

@@ -5,6 +5,8 @@
 #include "keiko/trace/evaluated_hit.h"
 #include "keiko/trace/merge_hits.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -17,6 +19,13 @@ std::vector<Box3> boxes_of(const TracedModel& model, const Job& job) {
     parallel_for(boxes.size(), job, "",
                  [&](std::size_t i) { boxes[i] = model.bounds(model.placed[i]); });
     return boxes;
+}
+
+/// Has rays in the cache by the time the block before them is done.
+void fetch(std::span<const Ray> rays) {
+    constexpr std::size_t line = 64;
+    const auto* bytes = reinterpret_cast<const char*>(rays.data());
+    for (std::size_t at = 0; at < rays.size_bytes(); at += line) hwy::Prefetch(bytes + at);
 }
 
 BlockSearch& block_search() {
@@ -45,6 +54,7 @@ struct Tracer::Scene {
 
     template <class Each>
     void search(Goal goal, std::span<const Ray> rays, const Each& each) const;
+    HitEvaluation evaluation() const { return {model, kernels, options.second_derivatives}; }
     Hit evaluate(const Crossing& crossing) const {
         return evaluated(model, kernels, crossing, options.second_derivatives);
     }
@@ -58,6 +68,8 @@ void Tracer::Scene::search(Goal goal, std::span<const Ray> rays, const Each& eac
     const SearchScene scene{model, boxes, kernels, options.clipping_only};
     for (std::size_t begin = 0; begin < rays.size(); begin += RayBlock::capacity) {
         const std::size_t count = std::min(RayBlock::capacity, rays.size() - begin);
+        fetch(
+            rays.subspan(begin + count, std::min(RayBlock::capacity, rays.size() - begin - count)));
         block.run(scene, goal, rays.subspan(begin, count));
         for (std::size_t lane = 0; lane < count; ++lane) each(begin + lane, block.found(lane));
     }
@@ -123,9 +135,18 @@ Hit Tracer::evaluate(const Crossing& crossing) const {
 
 std::vector<std::optional<Hit>> Tracer::nearest(std::span<const Ray> rays) const {
     const std::vector<Crossing> crossings = nearest_crossings(rays);
-    std::vector<std::optional<Hit>> hits;
-    hits.reserve(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) hits.push_back(hit_of(rays[i], crossings[i]));
+    std::vector<std::optional<Hit>> hits(rays.size());
+    HitEvaluation evaluation = scene_->evaluation();
+    constexpr std::size_t ahead = HitBlock::capacity;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (i + ahead < rays.size() && crossings[i + ahead])
+            evaluation.announce(crossings[i + ahead]);
+        if (has(crossings[i].flags, HitFlags::seam))
+            hits[i] = hit_of(rays[i], crossings[i]);
+        else if (crossings[i])
+            evaluation.add(crossings[i], hits[i].emplace());
+    }
+    evaluation.finish();
     return hits;
 }
 
@@ -143,11 +164,15 @@ std::vector<std::vector<Hit>> Tracer::all(std::span<const Ray> rays) const {
         std::vector<Crossing> sorted(crossings.begin(), crossings.end());
         std::sort(sorted.begin(), sorted.end(),
                   [](const Crossing& a, const Crossing& b) { return a.before(b); });
+        std::vector<Hit> at(sorted.size());
+        HitEvaluation evaluation = scene_->evaluation();
+        for (std::size_t k = 0; k < sorted.size(); ++k) evaluation.add(sorted[k], at[k]);
+        evaluation.finish();
         std::vector<BorderHit> border_hits;
         border_hits.reserve(sorted.size());
-        for (const Crossing& c : sorted)
+        for (std::size_t k = 0; k < sorted.size(); ++k)
             border_hits.push_back(
-                border_hit(scene_->model, c, scene_->evaluate(c), rays[i].direction));
+                border_hit(scene_->model, sorted[k], std::move(at[k]), rays[i].direction));
         hits[i] = merged(std::move(border_hits), scene_->model, rays[i].direction);
     });
     return hits;

@@ -1,0 +1,201 @@
+// Compiled once for each instruction set by leaf_kernels.cpp.
+#if defined(KEIKO_TRACE_HIT_JETS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KEIKO_TRACE_HIT_JETS_INL_H
+#undef KEIKO_TRACE_HIT_JETS_INL_H
+#else
+#define KEIKO_TRACE_HIT_JETS_INL_H
+#endif
+
+#include "keiko/trace/patch_jet-inl.h"
+
+#include <algorithm>
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace keiko::HWY_NAMESPACE {
+
+/// HomogeneousJet, a vector of hits wide: in `at`, value, du, dv, duu, duv and dvv.
+struct HomogeneousJets {
+    static constexpr std::size_t lanes = hn::MaxLanes(Wide());
+
+    alignas(64) std::array<std::array<std::array<double, lanes>, 4>, 6> at{};
+
+    void put(const HomogeneousJet& jet, std::size_t lane) {
+        const std::array<const Component4*, 6> from{&jet.value, &jet.du,  &jet.dv,
+                                                    &jet.duu,   &jet.duv, &jet.dvv};
+        for (std::size_t k = 0; k < 6; ++k)
+            for (std::size_t c = 0; c < 4; ++c) at[k][c][lane] = (*from[k])[c];
+    }
+};
+
+/// The control points' sums, one hit after the other; the bases of leaves of the same degrees
+/// side by side.
+HomogeneousJets homogeneous_jets(const HitBlock& hits, std::size_t lane, LaneMask wanted) {
+    const Wide d;
+    HomogeneousJets jets;
+    while (wanted != 0) {
+        const BezierPatchView& shape =
+            hits.leaf[lane + static_cast<std::size_t>(std::countr_zero(wanted))];
+        const BasisJet<Wide> u(static_cast<std::size_t>(shape.degree_u),
+                               hn::Load(d, hits.u.data() + lane));
+        const BasisJet<Wide> v(static_cast<std::size_t>(shape.degree_v),
+                               hn::Load(d, hits.v.data() + lane));
+        for (LaneMask left = wanted; left != 0; left &= left - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(left));
+            const BezierPatchView& leaf = hits.leaf[lane + i];
+            if (leaf.degree_u != shape.degree_u || leaf.degree_v != shape.degree_v) continue;
+            jets.put(jet_at(leaf, u, v, i), i);
+            wanted &= ~(LaneMask{1} << i);
+        }
+    }
+    return jets;
+}
+
+/// Vectors of space, one a lane.
+template <class V>
+using Space = std::array<V, 3>;
+
+template <class V>
+Space<V> scaled(const Space<V>& a, V factor) {
+    return {hn::Mul(a[0], factor), hn::Mul(a[1], factor), hn::Mul(a[2], factor)};
+}
+template <class V>
+Space<V> sum(const Space<V>& a, const Space<V>& b) {
+    return {hn::Add(a[0], b[0]), hn::Add(a[1], b[1]), hn::Add(a[2], b[2])};
+}
+template <class V>
+Space<V> difference(const Space<V>& a, const Space<V>& b) {
+    return {hn::Sub(a[0], b[0]), hn::Sub(a[1], b[1]), hn::Sub(a[2], b[2])};
+}
+template <class V>
+V square(const Space<V>& a) {
+    return hn::Add(hn::Add(hn::Mul(a[0], a[0]), hn::Mul(a[1], a[1])), hn::Mul(a[2], a[2]));
+}
+template <class V>
+Space<V> cross(const Space<V>& a, const Space<V>& b) {
+    const auto entry = [&](std::size_t i, std::size_t j) {
+        return hn::Sub(hn::Mul(a[i], b[j]), hn::Mul(a[j], b[i]));
+    };
+    return {entry(1, 2), entry(2, 0), entry(0, 1)};
+}
+
+template <class V>
+struct SpaceJet {
+    Space<V> position, du, dv, duu, duv, dvv;
+};
+
+/// As `projected` in surface_jet.h: by the quotient rule, for lanes of `rational`.
+template <class D>
+SpaceJet<hn::Vec<D>> projected(D d, const HomogeneousJets& jets, hn::Mask<D> rational) {
+    using V = hn::Vec<D>;
+    const auto get = [&](std::size_t k, std::size_t c) {
+        return hn::Load(d, jets.at[k][c].data());
+    };
+    const V scale = hn::Div(hn::Set(d, 1), get(0, 3));
+    const auto over_weight = [&](std::size_t k) {
+        return Space<V>{hn::Mul(get(k, 0), scale), hn::Mul(get(k, 1), scale),
+                        hn::Mul(get(k, 2), scale)};
+    };
+    SpaceJet<V> s{over_weight(0), over_weight(1), over_weight(2),
+                  over_weight(3), over_weight(4), over_weight(5)};
+    if (hn::AllFalse(d, rational)) return s;
+    const auto lower = [&](Space<V>& a, const Space<V>& by) {
+        const Space<V> less = difference(a, by);
+        for (std::size_t k = 0; k < 3; ++k) a[k] = hn::IfThenElse(rational, less[k], a[k]);
+    };
+    const auto weight = [&](std::size_t k) { return hn::Mul(get(k, 3), scale); };
+    const V wu = weight(1), wv = weight(2), two = hn::Set(d, 2);
+    lower(s.du, scaled(s.position, wu));
+    lower(s.dv, scaled(s.position, wv));
+    lower(s.duu, sum(scaled(s.du, hn::Mul(two, wu)), scaled(s.position, weight(3))));
+    lower(s.dvv, sum(scaled(s.dv, hn::Mul(two, wv)), scaled(s.position, weight(5))));
+    lower(s.duv, sum(sum(scaled(s.dv, wu), scaled(s.du, wv)), scaled(s.position, weight(4))));
+    return s;
+}
+
+/// Turns what stands in lanes of placed parts into the world.
+void place(HitBlock& hits) {
+    for (std::size_t lane = 0; lane < hits.count; ++lane) {
+        const Affine* to_world = hits.to_world[lane];
+        if (!to_world) continue;
+        const auto put = [&](HitBlock::Vectors& to, const Vec3& v) {
+            for (unsigned k = 0; k < 3; ++k) to[k][lane] = v[k];
+        };
+        put(hits.position, to_world->point(HitBlock::at(hits.position, lane)));
+        for (HitBlock::Vectors* a : {&hits.du, &hits.dv, &hits.duu, &hits.duv, &hits.dvv})
+            put(*a, to_world->vector(HitBlock::at(*a, lane)));
+    }
+}
+
+template <class D>
+Space<hn::Vec<D>> load(D d, const HitBlock::Vectors& from, std::size_t lane) {
+    return {hn::Load(d, from[0].data() + lane), hn::Load(d, from[1].data() + lane),
+            hn::Load(d, from[2].data() + lane)};
+}
+template <class D>
+void store(D d, const Space<hn::Vec<D>>& from, HitBlock::Vectors& to, std::size_t lane) {
+    for (std::size_t k = 0; k < 3; ++k) hn::Store(from[k], d, to[k].data() + lane);
+}
+
+/// The surface in its part, by patch parameters.
+void evaluate_in_part(HitBlock& hits, std::size_t lane) {
+    const Wide d;
+    using V = hn::Vec<Wide>;
+    const std::size_t count = std::min(hits.count - lane, hn::Lanes(d));
+    const HomogeneousJets jets = homogeneous_jets(hits, lane, (LaneMask{1} << count) - 1);
+    std::uint8_t rational[8] = {};
+    for (std::size_t i = 0; i < count; ++i)
+        rational[0] =
+            static_cast<std::uint8_t>(rational[0] | (hits.rational[lane + i] ? 1 << i : 0));
+    const SpaceJet<V> s = projected(d, jets, hn::LoadMaskBits(d, rational));
+    const V per_u = hn::Load(d, hits.per_u.data() + lane);
+    const V per_v = hn::Load(d, hits.per_v.data() + lane);
+    store(d, sum(load(d, hits.center, lane), s.position), hits.position, lane);
+    store(d, scaled(s.du, per_u), hits.du, lane);
+    store(d, scaled(s.dv, per_v), hits.dv, lane);
+    store(d, scaled(s.duu, hn::Mul(per_u, per_u)), hits.duu, lane);
+    store(d, scaled(s.duv, hn::Mul(per_u, per_v)), hits.duv, lane);
+    store(d, scaled(s.dvv, hn::Mul(per_v, per_v)), hits.dvv, lane);
+}
+
+/// Normals, and how far a small step in parameters moves the point: the second order counted
+/// twice, which covers what follows it.
+void finish(HitBlock& hits, std::size_t lane) {
+    const Wide d;
+    using V = hn::Vec<Wide>;
+    const Space<V> du = load(d, hits.du, lane), dv = load(d, hits.dv, lane);
+    const Space<V> across = cross(du, dv);
+    const V area2 = square(across), u2 = square(du), v2 = square(dv);
+    const V duv2 = square(load(d, hits.duv, lane));
+    const V small = hn::Set(d, 1e-8);
+    const auto plain = hn::And(hn::Gt(area2, hn::Mul(hn::Mul(small, u2), v2)),
+                               hn::Gt(hn::Min(u2, v2), hn::Mul(small, duv2)));
+    hits.plain |= lane_bits(d, plain, lane);
+    const V length = hn::Sqrt(area2);
+    store(d, {hn::Div(across[0], length), hn::Div(across[1], length), hn::Div(across[2], length)},
+          hits.normal, lane);
+
+    const V step_u = hn::Load(d, hits.error_u.data() + lane);
+    const V step_v = hn::Load(d, hits.error_v.data() + lane);
+    const V duu = hn::Sqrt(square(load(d, hits.duu, lane)));
+    const V dvv = hn::Sqrt(square(load(d, hits.dvv, lane)));
+    const V twist = hn::Mul(hn::Set(d, 2), hn::Sqrt(duv2));
+    V reach = hn::Add(hn::Mul(hn::Sqrt(u2), step_u), hn::Mul(hn::Sqrt(v2), step_v));
+    reach = hn::Add(reach, hn::Mul(hn::Mul(duu, step_u), step_u));
+    reach = hn::Add(reach, hn::Mul(hn::Mul(twist, step_u), step_v));
+    reach = hn::Add(reach, hn::Mul(hn::Mul(dvv, step_v), step_v));
+    hn::Store(reach, d, hits.reach.data() + lane);
+}
+
+void evaluate_hits(HitBlock& hits) {
+    const std::size_t width = hn::Lanes(Wide());
+    hits.plain = 0;
+    for (std::size_t lane = 0; lane < hits.count; lane += width) evaluate_in_part(hits, lane);
+    place(hits);
+    for (std::size_t lane = 0; lane < hits.count; lane += width) finish(hits, lane);
+}
+
+} // namespace keiko::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
