@@ -1,6 +1,7 @@
 #include "keiko/trace/evaluated_hit.h"
 
 #include "keiko/trace/steady_normal.h"
+#include "keiko/trace/subpatch.h"
 #include "keiko/trace/surface_jet.h"
 
 #include <hwy/cache_control.h>
@@ -28,6 +29,24 @@ SurfaceJet jet_of(const HitBlock& hits, std::size_t lane) {
     return {HitBlock::at(hits.position, lane), HitBlock::at(hits.du, lane),
             HitBlock::at(hits.dv, lane),       HitBlock::at(hits.duu, lane),
             HitBlock::at(hits.duv, lane),      HitBlock::at(hits.dvv, lane)};
+}
+
+/// Of a leaf's parameters: in larger boxes derivatives at the middle do not tell how far the
+/// surface goes. In smaller ones what follows the second order is below rounding.
+constexpr double widest_for_derivatives = 1e-6;
+
+/// Bound of how far the surface goes from the place in the middle of a box of the leaf's own
+/// parameters, by the box's control points; mm of the world.
+double reach_in_box(const BezierPatchView& leaf, const Vec2& middle, const Vec2& half,
+                    const Affine& to_world) {
+    const Vec3 place = evaluate(leaf, middle, 0).position();
+    double reach = 0;
+    for (const Vec4& p : subpatch(leaf, {middle - half, middle + half})) {
+        if (!(p.w > 0)) return std::numeric_limits<double>::infinity();
+        const Vec3 away = to_world.vector(Vec3(p.x, p.y, p.z) / p.w - place);
+        reach = std::max(reach, away.length());
+    }
+    return reach;
 }
 
 Box2 root_box(const Vec2& uv, const Vec2& error) {
@@ -108,11 +127,16 @@ void HitEvaluation::write(std::size_t lane) {
     hit.flags = c.flags;
     if (c.seam != no_index) hit.seam = c.seam;
 
+    const Vec2 error = Vec2(block_.error_u[lane], block_.error_v[lane]) / leaf.domain.extent();
+    double reach = block_.reach[lane];
+    if (std::max(error.x, error.y) > widest_for_derivatives)
+        reach = reach_in_box(block_.leaf[lane], {block_.u[lane], block_.v[lane]}, error,
+                             placement.to_world);
+
     const double steps = 8 + 4.0 * (leaf.degree_u + leaf.degree_v);
     const double rounding =
         epsilon * (8 * hit.position.length() + steps * leaf.radius * placement.magnification);
-    hit.position_bound =
-        block_.reach[lane] + leaf.coefficient_error * placement.magnification + rounding;
+    hit.position_bound = reach + leaf.coefficient_error * placement.magnification + rounding;
     hit.root = {hit.instance, hit.patch,
                 root_box(hit.uv, Vec2(block_.error_u[lane], block_.error_v[lane]))};
 }
