@@ -137,6 +137,14 @@ bool cut_short(const fs::path& path, ModelFormat format) {
     }
 }
 
+/// Files as they come by mail.
+void refuse_packed(std::string_view bytes, const fs::path& path) {
+    if (bytes.starts_with("\x1f\x8b"))
+        throw Error(path.string(), "", "is packed with gzip: unpack it first");
+    if (bytes.starts_with("PK\x03\x04"))
+        throw Error(path.string(), "", "is a zip archive: unpack it first");
+}
+
 } // namespace
 
 std::string_view name_of(ModelFormat format) {
@@ -159,11 +167,19 @@ std::string_view name_of(ModelFormat format) {
 
 ModelFormat detect_model_format(const fs::path& path) {
     require_readable_file(path);
-    const auto format = format_of(without_byte_order_mark(first_bytes(path), path));
+    const std::string bytes = first_bytes(path);
+    refuse_packed(bytes, path);
+    const std::string text = without_byte_order_mark(bytes, path);
+    const auto format = format_of(text);
     if (!format)
         throw Error(
             path.string(), "",
             "not a model file (expected STEP, IGES, BREP, .bpt, teapot text or an OBJ cage)");
+    const bool marked = text.size() < bytes.size();
+    if (marked && (*format == ModelFormat::step || *format == ModelFormat::iges))
+        throw Error(path.string(), "",
+                    "begins with a byte order mark, which " + std::string(name_of(*format)) +
+                        " does not allow: save it without");
     if (cut_short(path, *format))
         throw Error(path.string(), "",
                     "the " + std::string(name_of(*format)) + " file is cut short: it has no end");

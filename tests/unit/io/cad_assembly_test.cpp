@@ -1,3 +1,4 @@
+#include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/units.h"
 #include "keiko/io/load_model.h"
@@ -120,6 +121,27 @@ TEST_P(CadAssembly, KeepsNestedPlacementsNamesColoursAndLayers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Step, CadAssembly, testing::Values("AP203", "AP214IS", "AP242DIS"));
+
+/// An assembly whose parts are files of their own, beside it.
+TEST(CadAssemblyOfFiles, ReadsThemOrSaysWhichAreMissing) {
+    const test::TemporaryFolder folder;
+    const auto path = folder.path() / "car.step";
+    STEPCAFControl_Writer writer;
+    ASSERT_TRUE(writer.Transfer(Car().document, STEPControl_AsIs, "part-"));
+    ASSERT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);
+    const SurfaceModel whole = load_model(path);
+    EXPECT_EQ(whole.faces.size(), 6u);
+    EXPECT_EQ(whole.instances.size(), 4u);
+    ASSERT_TRUE(std::filesystem::remove(folder.path() / "part-wheel.stp"));
+    try {
+        load_model(path);
+        ADD_FAILURE() << "nothing is left to load";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.reason(),
+                  "no faces in the file; parts are in files that cannot be read: "
+                  "\"part-wheel.stp\"");
+    }
+}
 
 /// A length unit as files name it.
 struct Unit {

@@ -60,6 +60,20 @@ TEST_F(LoadModel, ContentCountsNotTheName) {
               "no faces in the file (an OBJ file needs v and f)");
 }
 
+TEST_F(LoadModel, AFileThatShrinksToAPoint) {
+    const auto path = folder.file("p.bpt", "1\n1 1\n7 0 0\n7 0 0\n7 0 0\n7 0 0\n");
+    EXPECT_EQ(reason_for(path), "all its points are in one place: it is no surface");
+}
+
+TEST_F(LoadModel, FilesThatAreToBeSavedAnew) {
+    EXPECT_EQ(reason_for(folder.file("a.step.gz", "\x1f\x8b\x08 and so on")),
+              "is packed with gzip: unpack it first");
+    EXPECT_EQ(reason_for(folder.file("a.stpz", "PK\x03\x04 and so on")),
+              "is a zip archive: unpack it first");
+    EXPECT_EQ(reason_for(folder.file("a.step", std::string("\xef\xbb\xbf") + step_text)),
+              "begins with a byte order mark, which STEP does not allow: save it without");
+}
+
 TEST_F(LoadModel, FilesCutShort) {
     EXPECT_EQ(reason_for(folder.file("a.step", "ISO-10303-21;\nHEADER;\n")),
               "the STEP file is cut short: it has no end");

@@ -41,6 +41,8 @@ struct CadDocument {
     std::string unit; ///< of the file, as units.h knows it; empty where it names none
     std::vector<CadPart> parts;
     std::vector<CadInstance> instances;
+    std::vector<std::string>
+        missing_files; ///< which the file names for parts, but which are not there
     Diagnostics diagnostics;
 };
 

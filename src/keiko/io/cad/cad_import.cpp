@@ -1,6 +1,7 @@
 #include "keiko/io/cad/cad_import.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/error_text.h"
 #include "keiko/io/cad/cad_files.h"
 #include "keiko/io/cad/failure.h"
 #include "keiko/io/cad/part_conversion.h"
@@ -12,6 +13,22 @@
 #include <algorithm>
 
 namespace keiko::cad {
+
+namespace {
+
+/// "parts are in files that cannot be read: ..."; empty without any.
+std::string without_files(const CadDocument& document) {
+    if (document.missing_files.empty()) return "";
+    constexpr std::size_t most_told = 8;
+    std::string text = "parts are in files that cannot be read:";
+    for (std::size_t i = 0; i < std::min(document.missing_files.size(), most_told); ++i)
+        text += (i > 0 ? ", " : " ") + in_quotes(document.missing_files[i]);
+    const std::size_t more =
+        document.missing_files.size() - std::min(document.missing_files.size(), most_told);
+    return text + (more > 0 ? " and " + std::to_string(more) + " more" : "");
+}
+
+} // namespace
 
 CadDocument read_document(const std::filesystem::path& path, ModelFormat format) {
     Message::DefaultMessenger()->ChangePrinters().Clear();
@@ -39,6 +56,8 @@ SurfaceModel convert_document(const CadDocument& document, const Job& job) {
     SurfaceModel model;
     model.unit = document.unit;
     model.diagnostics = document.diagnostics;
+    if (std::string missing = without_files(document); !missing.empty())
+        model.diagnostics.push_back({Severity::warning, "", std::move(missing)});
     auto begin = faces.begin();
     for (std::size_t part = 0; part < document.parts.size(); ++part) {
         const auto end = std::find_if(begin, faces.end(),
@@ -58,9 +77,13 @@ SurfaceModel convert_document(const CadDocument& document, const Job& job) {
 
 SurfaceModel import_cad_file(const std::filesystem::path& path, ModelFormat format,
                              const Job& job) {
-    SurfaceModel model = convert_document(read_document(path, format), job);
-    if (model.faces.empty() && model.lost_faces.empty())
-        throw Error(path.string(), "", "no faces in the file");
+    const CadDocument document = read_document(path, format);
+    SurfaceModel model = convert_document(document, job);
+    if (model.faces.empty() && model.lost_faces.empty()) {
+        const std::string missing = without_files(document);
+        throw Error(path.string(), "",
+                    "no faces in the file" + (missing.empty() ? "" : "; " + missing));
+    }
     if (model.parts.size() == 1 && model.parts[0].name.empty())
         model.parts[0].name = path.stem().string();
     model.source = path.string();

@@ -5,6 +5,7 @@
 
 #include <IFSelect_ReturnStatus.hxx>
 #include <Interface_InterfaceModel.hxx>
+#include <STEPCAFControl_ExternFile.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
@@ -15,6 +16,7 @@
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
+#include <algorithm>
 #include <memory>
 #include <unordered_map>
 
@@ -60,6 +62,17 @@ FaceNames face_names(STEPCAFControl_Reader& reader, Diagnostics& diagnostics) {
     };
 }
 
+/// Files that hold parts of the assembly but are not there or cannot be read, by name.
+std::vector<std::string> missing_files(const STEPCAFControl_Reader& reader) {
+    std::vector<std::string> names;
+    using Files = NCollection_DataMap<TCollection_AsciiString, Handle(STEPCAFControl_ExternFile)>;
+    for (Files::Iterator file(reader.ExternFiles()); file.More(); file.Next())
+        if (file.Value()->GetLoadStatus() != IFSelect_RetDone || !file.Value()->GetTransferStatus())
+            names.emplace_back(file.Key().ToCString());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 } // namespace
 
 CadDocument read_step_file(const std::filesystem::path& path) {
@@ -73,6 +86,7 @@ CadDocument read_step_file(const std::filesystem::path& path) {
     if (!reader.Transfer(source)) throw Error(path.string(), "", "the STEP file holds no shape");
     CadDocument document;
     document.unit = file_unit(reader);
+    document.missing_files = missing_files(reader);
     read_assembly(source, face_names(reader, document.diagnostics), document);
     const auto remarks = reader_remarks(reader.Reader().WS(), document.diagnostics);
     for (CadPart& part : document.parts) part.remarks_on = remarks;
