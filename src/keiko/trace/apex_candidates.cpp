@@ -60,7 +60,12 @@ void ApexView::Candidates::collect(std::span<const Vec3> region) {
             scene_->solver.add_candidate(piece, apex_, silhouettes_);
     const double elevation = normal_ ? least_elevation(apex_, *normal_, region) : 0;
     scene_->solver.finish(apex_, normal_, elevation, silhouettes_);
-    scene_->border_pieces.find(volume, apex_, borders_);
+    found.clear();
+    scene_->border_pieces.find(volume, apex_, found);
+    for (const std::uint32_t border : found)
+        if (volume.may_hold(scene_->borders[border]) &&
+            scene_->borders[border].may_be_edge_on(apex_))
+            borders_.push_back(border);
     region_touched_ = scene_->surface.touches(volume.region());
 }
 
@@ -88,10 +93,11 @@ std::optional<ApexView::Candidates::Line> ApexView::Candidates::line_through(
     const SegmentEnds& ends) const {
     const auto plane = SegmentPlane::through(apex_, ends[0], ends[1]);
     if (!plane) return std::nullopt;
-    Line line{*plane, asked_of(ends), !silhouettes_.own.empty()};
+    Line line{*plane, asked_of(ends), 0, !silhouettes_.own.empty()};
     if (line.searches_own && normal_) {
         const std::array asked{plane->at(line.asked.begin), plane->at(line.asked.end)};
-        line.searches_own = least_elevation(apex_, *normal_, asked) <= silhouettes_.own_steepest();
+        line.elevation = least_elevation(apex_, *normal_, asked);
+        line.searches_own = line.elevation <= silhouettes_.own_steepest();
     }
     return line;
 }
@@ -139,7 +145,8 @@ SeenParts ApexView::Candidates::end_on(const SegmentEnds& ends) const {
 void ApexView::Candidates::add_own_events(Line& line) const {
     if (line.searches_own)
         for (const OwnCandidate& own : silhouettes_.own)
-            line.certain = scene_->solver.find(own, line.plane, line.events) && line.certain;
+            line.certain =
+                scene_->solver.find(own, line.plane, line.elevation, line.events) && line.certain;
     if (region_touched_) add_piercings(line);
     if (has_horizon_) add_horizon(line);
 }

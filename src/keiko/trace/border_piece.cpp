@@ -2,10 +2,12 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/patch/boundary_curves.h"
+#include "keiko/trace/border_partners.h"
 #include "keiko/trace/crease_lines.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace keiko {
@@ -39,11 +41,16 @@ Vec3 point_of(const std::array<Vec3, BorderPiece::points>& curve, double t) {
     return c[0];
 }
 
+/// The direction into the surface that goes on beyond a curve, at its parameter and place; nothing
+/// where none does.
+using Beyond = std::function<std::optional<Vec3>(double, const Vec3&)>;
+
 /// Covers one curve with pieces.
 class CurveCover {
 public:
-    CurveCover(const SurfaceCurve& curve, const BorderPiece& kind, std::vector<BorderPiece>& pieces)
-        : curve_(curve), kind_(kind), pieces_(pieces) {
+    CurveCover(const SurfaceCurve& curve, const Beyond& beyond, const BorderPiece& kind,
+               std::vector<BorderPiece>& pieces)
+        : curve_(curve), beyond_(beyond), kind_(kind), pieces_(pieces) {
         Box3 box;
         constexpr int samples = 8;
         for (int i = 0; i <= samples; ++i) box.extend(curve.at(double(i) / samples).position);
@@ -93,6 +100,7 @@ private:
             cover((a + b) / 2, b, halvings + 1);
             return;
         }
+        find_normals(piece, a, b);
         place(piece, curve, a, b);
         pieces_.push_back(piece);
     }
@@ -127,6 +135,33 @@ private:
         piece.inward_error = safety * most;
     }
 
+    /// The normals on both sides at five places, with as much room as they turn by from one place
+    /// to the next.
+    void find_normals(BorderPiece& piece, double a, double b) const {
+        constexpr std::size_t places = 5;
+        std::array<Vec3, 2 * places> normals;
+        Vec3 sum(0);
+        for (std::size_t i = 0; i < places; ++i) {
+            const double t = a + (b - a) * static_cast<double>(i) / (places - 1);
+            const auto frame = curve_.frame(t);
+            if (!frame) return;
+            const auto beyond = beyond_(t, frame->position);
+            if (!beyond) return;
+            normals[2 * i] = frame->tangent.cross(frame->inward).normalized();
+            normals[2 * i + 1] = beyond->cross(frame->tangent).normalized();
+            sum += normals[2 * i] + normals[2 * i + 1];
+        }
+        if (!(sum.length() > 0)) return;
+        piece.normal = sum.normalized();
+        double farthest = 0, turn = 0;
+        for (std::size_t i = 0; i < normals.size(); ++i) {
+            farthest = std::max(farthest, angle_between(piece.normal, normals[i]));
+            if (i >= 2) turn = std::max(turn, angle_between(normals[i - 2], normals[i]));
+        }
+        constexpr double rounding_of_normals = 1e-6;
+        piece.normal_angle = farthest + turn + rounding_of_normals;
+    }
+
     static bool turns(const std::array<Vec3, BorderPiece::points>& curve) {
         const Vec3 chord = curve.back() - curve.front();
         for (std::size_t i = 1; i < curve.size(); ++i)
@@ -147,6 +182,7 @@ private:
     }
 
     const SurfaceCurve& curve_;
+    const Beyond& beyond_;
     const BorderPiece& kind_;
     std::vector<BorderPiece>& pieces_;
     double size_ = 0, scale_ = 0, tolerance_ = 0;
@@ -178,6 +214,21 @@ bool is_smooth_closing(const BoundaryCurves& borders, const BoundaryInterval& in
 
 } // namespace
 
+/// The ways from which a cone of normals is not seen edge-on are a convex cone themselves, so that
+/// the control points speak for the curve.
+bool BorderPiece::may_be_edge_on(const Apex& apex) const {
+    if (!(normal_angle < std::numbers::pi / 2)) return true;
+    const double sine = std::sin(normal_angle);
+    bool before = true, behind = true;
+    for (const Vec3& p : curve) {
+        const Vec3 way = apex.way_to(center + p);
+        const double rise = normal.dot(way), least = sine * way.length() + 2 * error;
+        before = before && rise > least;
+        behind = behind && rise < -least;
+    }
+    return !before && !behind;
+}
+
 Vec3 BorderPiece::at(double t) const {
     return point_of(curve, t);
 }
@@ -194,8 +245,10 @@ Vec3 BorderPiece::inward_at(double t) const {
            inward[2] * (t * (2 * t - 1));
 }
 
-std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Job& job) {
+std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Tracer& tracer,
+                                       const Job& job) {
     const BoundaryCurves borders(model);
+    const BorderPartners partners(model, borders, tracer);
     const std::vector<BoundaryInterval> intervals = borders.all();
     std::vector<std::vector<BorderPiece>> sets(intervals.size());
     parallel_for(intervals.size(), job, "borders", [&](std::size_t i) {
@@ -204,7 +257,14 @@ std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Job& job
         kind.instance = intervals[i].instance;
         kind.face = intervals[i].face;
         const SurfaceCurve curve = borders.curve(intervals[i]);
-        CurveCover(curve, kind, sets[i]).run();
+        const auto partner = partners.partner(intervals[i]);
+        CurveCover(
+            curve,
+            [&](double, const Vec3& place) {
+                return partner ? partner->inward_at(place) : std::nullopt;
+            },
+            kind, sets[i])
+            .run();
     });
     const CreaseLines creases(model);
     sets.resize(intervals.size() + creases.all().size());
@@ -217,7 +277,10 @@ std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Job& job
         kind.first = Vec2(line.p_curve[0].x, line.p_curve[0].y);
         kind.last = Vec2(line.p_curve[1].x, line.p_curve[1].y);
         const SurfaceCurve curve = creases.curve(line);
-        CurveCover(curve, kind, sets[intervals.size() + i]).run();
+        CurveCover(
+            curve, [&](double t, const Vec3&) { return creases.inward_beyond(line, t); }, kind,
+            sets[intervals.size() + i])
+            .run();
     });
     std::vector<BorderPiece> all;
     for (auto& set : sets) all.insert(all.end(), set.begin(), set.end());

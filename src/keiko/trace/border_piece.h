@@ -2,6 +2,8 @@
 
 #include "keiko/base/job.h"
 #include "keiko/patch/surface_model.h"
+#include "keiko/trace/apex.h"
+#include "keiko/trace/tracer.h"
 
 #include <array>
 #include <vector>
@@ -23,10 +25,18 @@ struct BorderPiece {
     std::array<Vec3, 3> inward{Vec3(0), Vec3(0), Vec3(0)};
     /// rad: how far inward_at() may be off; pi / 2 near poles and cusps.
     double inward_error = 0;
+    /// Where the surface goes on beyond the border, without a gap: a cone about `normal` that holds
+    /// the normals on both sides, half angle in rad. Seen from outside of all their tangent planes
+    /// the surface covers both sides of the border, which then hides nothing first or last. An
+    /// angle above pi / 2 says nothing.
+    Vec3 normal{0, 0, 1};
+    double normal_angle = 4;
     /// Of a crease in a trimmed face: where it runs, to be asked for material.
     bool trimmed = false;
     Vec2 first{0}, last{0}; ///< face parameters
 
+    /// False when the apex is proved to see both sides' tangent planes from one side all along.
+    bool may_be_edge_on(const Apex& apex) const;
     /// Position relative to the centre, and derivative.
     Vec3 at(double t) const;
     Vec3 derivative(double t) const;
@@ -36,7 +46,9 @@ struct BorderPiece {
 
 /// The borders of every placed face, trimmed or natural, and the knot lines along which the normal
 /// jumps. Left out: the sides of a closed face that join smoothly, and sides collapsed into a
-/// point. Pieces are as short as it takes to be within 1e-9 of the curve's size. Throws Cancelled.
-std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Job& job);
+/// point. Pieces are as short as it takes to be within 1e-9 of the curve's size. `tracer` is of the
+/// same model, and not kept. Throws Cancelled.
+std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Tracer& tracer,
+                                       const Job& job);
 
 } // namespace keiko

@@ -63,4 +63,10 @@ SurfaceCurve CreaseLines::curve(const CreaseLine& line) const {
             true};
 }
 
+std::optional<Vec3> CreaseLines::inward_beyond(const CreaseLine& line, double t) const {
+    const CreaseLine back{line.instance, line.face, {line.p_curve[1], line.p_curve[0]}};
+    const auto frame = curve(back).frame(1 - t);
+    return frame ? std::optional(frame->inward) : std::nullopt;
+}
+
 } // namespace keiko

@@ -3,6 +3,7 @@
 #include "keiko/patch/surface_curve.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace keiko {
@@ -21,6 +22,8 @@ public:
 
     const std::vector<CreaseLine>& all() const { return lines_; }
     SurfaceCurve curve(const CreaseLine& line) const;
+    /// Unit, tangent to the surface on the other side of the line, from its place at t into that.
+    std::optional<Vec3> inward_beyond(const CreaseLine& line, double t) const;
 
 private:
     bool normal_jumps(std::uint32_t patch, const CreaseLine& line) const;

@@ -15,7 +15,7 @@ PieceTree silhouette_tree(const std::vector<SilhouettePiece>& pieces) {
 
 PieceTree border_tree(const std::vector<BorderPiece>& pieces) {
     std::vector<PieceBound> bounds;
-    for (const BorderPiece& p : pieces) bounds.push_back({p.box});
+    for (const BorderPiece& p : pieces) bounds.push_back({p.box, p.normal, p.normal_angle});
     return PieceTree(std::move(bounds));
 }
 
@@ -29,7 +29,7 @@ PieceTree surface_tree(std::span<const Box3> boxes) {
 
 Occluders::Scene::Scene(const SurfaceModel& model, const Tracer& tracer, const Job& job)
     : silhouettes(silhouettes_of(model, job)),
-      borders(keiko::border_pieces(model, job)),
+      borders(keiko::border_pieces(model, tracer, job)),
       silhouette_pieces(silhouette_tree(silhouettes.pieces)),
       border_pieces(border_tree(borders)),
       surface(surface_tree(tracer.boxes())) {}

@@ -1,24 +1,40 @@
 #include "keiko/trace/scalar_net.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace keiko {
 namespace {
 
-/// `lines` polynomials of `count` coefficients `step` apart, `stride` from line to line: cut down
-/// to [a, b], in place.
-void restrict_lines(double* c, std::size_t count, std::size_t step, std::size_t lines,
-                    std::size_t stride, double a, double b) {
-    const auto blend = [&](std::size_t to, std::size_t with, double t) {
-        for (std::size_t k = 0; k < lines * stride; k += stride)
-            c[to * step + k] += t * (c[with * step + k] - c[to * step + k]);
-    };
+/// Cuts polynomials of `count` coefficients down to [a, b], in place, by two de Casteljau splits;
+/// `blend(to, with, t)` moves coefficients towards others.
+template <class Blend>
+void cut_down(std::size_t count, double a, double b, const Blend& blend) {
     if (b != 1)
         for (std::size_t level = 1; level < count; ++level)
             for (std::size_t i = count - 1; i >= level; --i) blend(i, i - 1, 1 - b);
     if (a != 0)
         for (std::size_t level = 1; level < count; ++level)
             for (std::size_t i = 0; i + level < count; ++i) blend(i, i + 1, a / b);
+}
+
+/// All columns at once.
+void restrict_rows(ScalarNet& net, double a, double b) {
+    cut_down(net.rows, a, b, [&](std::size_t to, std::size_t with, double t) {
+        double* const c = &net.at(to, 0);
+        const double* const d = &net.at(with, 0);
+        for (std::size_t k = 0; k < net.columns; ++k) c[k] += t * (d[k] - c[k]);
+    });
+}
+
+void restrict_columns(ScalarNet& net, double a, double b) {
+    for (std::size_t row = 0; row < net.rows; ++row) {
+        double* const c = &net.at(row, 0);
+        cut_down(net.columns, a, b, [&](std::size_t to, std::size_t with, double t) {
+            c[to] += t * (c[with] - c[to]);
+        });
+    }
 }
 
 } // namespace
@@ -33,10 +49,8 @@ ScalarNet weighed(const HomogeneousNet& net, const Vec4& weights) {
 
 ScalarNet restricted(const ScalarNet& net, const Box2& box) {
     ScalarNet part = net;
-    restrict_lines(part.c.data(), part.rows, part.columns, part.columns, 1, box.lower.x,
-                   box.upper.x);
-    restrict_lines(part.c.data(), part.columns, 1, part.rows, part.columns, box.lower.y,
-                   box.upper.y);
+    restrict_rows(part, box.lower.x, box.upper.x);
+    restrict_columns(part, box.lower.y, box.upper.y);
     return part;
 }
 
@@ -56,8 +70,25 @@ NetRange range(const ScalarNet& net) {
     return {(*low + *high) / 2, (*high - *low) / 2};
 }
 
+bool may_vanish(const ScalarNet& net, double error) {
+    const auto [low, high] = std::minmax_element(net.c.begin(), net.c.end());
+    const double slack = error + 1e-14 * std::max(std::abs(*low), std::abs(*high));
+    return *low <= slack && *high >= -slack;
+}
+
 NetRange derivative_range(const ScalarNet& net, bool by_x) {
-    return (by_x ? net.rows : net.columns) < 2 ? NetRange() : range(derivative(net, by_x));
+    if ((by_x ? net.rows : net.columns) < 2) return {};
+    const double scale = static_cast<double>((by_x ? net.rows : net.columns) - 1) / 2;
+    const std::size_t columns = net.columns - !by_x, ahead = by_x ? net.columns : 1;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i + by_x < net.rows; ++i)
+        for (std::size_t j = 0; j < columns; ++j) {
+            const double* const c = &net.c[i * net.columns + j];
+            const double slope = scale * (c[ahead] - c[0]);
+            low = std::min(low, slope);
+            high = std::max(high, slope);
+        }
+    return {(low + high) / 2, (high - low) / 2};
 }
 
 } // namespace keiko

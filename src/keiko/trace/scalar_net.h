@@ -35,6 +35,9 @@ struct NetRange {
 };
 NetRange range(const ScalarNet& net);
 
+/// Whether a function may have a zero there that is known to within `error` and rounding.
+bool may_vanish(const ScalarNet& net, double error = 0);
+
 /// Range of the derivative of a derivative, 0 where the degree is used up.
 NetRange derivative_range(const ScalarNet& net, bool by_x);
 

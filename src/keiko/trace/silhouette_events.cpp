@@ -69,7 +69,7 @@ void SilhouetteSolver::add_candidate(std::uint32_t index, const Apex& apex,
         return all.pieces.push_back({index, edge_on});
     auto own = known;
     if (own == all.own.end()) {
-        all.own.push_back({piece.patch, {*found, *found}, *found, false, {}});
+        all.own.push_back({piece.patch, {*found, *found}, *found});
         own = all.own.end() - 1;
     }
     own->uv.extend(piece.uv);
@@ -114,21 +114,28 @@ void SilhouetteSolver::finish(const Apex& apex, const std::optional<Vec3>& norma
             own.steepest =
                 steepest_chord(patch.points, own.uv, apex.place() - patch.center, *normal);
         if (own.steepest < elevation) return true;
-        own.edge_on = restricted(weighed(patch.planes, apex.seen_from(patch.center)), own.uv);
-        return is_convex(own.edge_on);
+        ScalarNet edge_on = restricted(weighed(patch.planes, apex.seen_from(patch.center)), own.uv);
+        if (is_convex(edge_on)) return true;
+        own.rings.emplace(patch, own.uv, own.foot, normal, std::move(edge_on));
+        return false;
     });
 }
 
-bool SilhouetteSolver::find(const OwnCandidate& own, const SegmentPlane& plane,
+bool SilhouetteSolver::find(const OwnCandidate& own, const SegmentPlane& plane, double elevation,
                             std::vector<VisibilityEvent>& events) const {
     const OccluderPatch& patch = silhouettes_.patches[own.patch];
-    SilhouetteSearch search(restricted(weighed(patch.points, plane.weights(patch.center)), own.uv),
-                            own.edge_on);
-    search.leave_out((own.foot - own.uv.lower) / own.uv.extent());
     const double size = hull_bounds(patch.points.view()).size();
-    const Part part{own.patch, own.uv, own.trimmed, size};
-    constexpr int many = 400;
-    return add(run(search, part, plane, many), part, plane, events);
+    constexpr int many = 200;
+    bool certain = true;
+    own.rings->each_part(
+        plane.weights(patch.center), elevation,
+        [&](const OwnRings::Part& in, const ScalarNet& distance, const LinearPair& pair) {
+            if (add_only_root(pair, own.patch, in.uv, own.trimmed, plane, events)) return;
+            const Part part{own.patch, in.uv, own.trimmed, size};
+            const SilhouetteSearch search(distance, in.edge_on);
+            certain = add(run(search, part, plane, many), part, plane, events) && certain;
+        });
+    return certain;
 }
 
 bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
@@ -138,17 +145,7 @@ bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentP
     if (f.vanishes_nowhere()) return true;
     const LinearPair pair(f, candidate.edge_on);
     if (pair.root_is_outside()) return true;
-    if (pair.variation() < LinearPair::proved) {
-        const OccluderPatch& patch = silhouettes_.patches[piece.patch];
-        const Vec2 extent = piece.uv.extent();
-        const auto root =
-            newton(patch, piece.uv.center() + extent * 0.5 * pair.nearest_inside(), extent, plane);
-        if (root && within((*root - piece.uv.center()) / (extent * 0.5), 1 + LinearPair::overlap)) {
-            add(patch, piece.trimmed, *root, plane, events);
-            return true;
-        }
-        if (root && pair.variation() < LinearPair::straight) return true;
-    }
+    if (add_only_root(pair, piece.patch, piece.uv, piece.trimmed, plane, events)) return true;
     const Vec4 weights = piece.weights(plane.apex());
     const Vec4 sizes(std::abs(weights.x), std::abs(weights.y), std::abs(weights.z),
                      std::abs(weights.w));
@@ -164,6 +161,21 @@ bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentP
         restricted(weighed(patch.planes, plane.apex().seen_from(patch.center)), part.uv);
     return add(run({std::move(distance), std::move(exact)}, part, plane, many), part, plane,
                events);
+}
+
+bool SilhouetteSolver::add_only_root(const LinearPair& pair, std::uint32_t index, const Box2& uv,
+                                     bool trimmed, const SegmentPlane& plane,
+                                     std::vector<VisibilityEvent>& events) const {
+    if (!(pair.variation() < LinearPair::proved)) return false;
+    const OccluderPatch& patch = silhouettes_.patches[index];
+    const Vec2 extent = uv.extent();
+    const auto root =
+        newton(patch, uv.center() + extent * 0.5 * pair.nearest_inside(), extent, plane);
+    if (!root) return false;
+    if (!within((*root - uv.center()) / (extent * 0.5), 1 + LinearPair::overlap))
+        return pair.variation() < LinearPair::straight;
+    add(patch, trimmed, *root, plane, events);
+    return true;
 }
 
 std::optional<Vec2> SilhouetteSolver::newton(const OccluderPatch& patch, Vec2 uv,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/trace/own_rings.h"
 #include "keiko/trace/segment_plane.h"
 #include "keiko/trace/silhouette_piece.h"
 #include "keiko/trace/silhouette_search.h"
@@ -16,13 +17,13 @@ struct SilhouetteCandidate {
 };
 
 /// The part of a patch around an apex that lies on it, where the zero at the apex itself makes
-/// itself felt: searched as one, without the apex.
+/// itself felt: searched without the apex.
 struct OwnCandidate {
     std::uint32_t patch = 0; ///< into Silhouettes::patches
     Box2 uv;                 ///< of that patch: the pieces around, and the apex
     Vec2 foot{0};            ///< the apex
     bool trimmed = false;
-    ScalarNet edge_on{}; ///< zero where the part is seen edge-on
+    std::optional<OwnRings> rings{};
     /// Sine of the elevation over the tangent plane above which the apex sees nothing of the part.
     double steepest = 1;
 };
@@ -55,7 +56,8 @@ public:
     /// Appends the events of a candidate; false when some could not be told apart.
     bool find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
               std::vector<VisibilityEvent>& events) const;
-    bool find(const OwnCandidate& own, const SegmentPlane& plane,
+    /// `elevation`: sine of the least elevation of the segment over the tangent plane.
+    bool find(const OwnCandidate& own, const SegmentPlane& plane, double elevation,
               std::vector<VisibilityEvent>& events) const;
 
 private:
@@ -66,6 +68,10 @@ private:
     /// against `extent`.
     std::optional<Vec2> newton(const OccluderPatch& patch, Vec2 uv, const Vec2& extent,
                                const SegmentPlane& plane) const;
+    /// Where `pair` proves that there is at most one event over a box of a patch: finds it. False
+    /// where nothing is proved.
+    bool add_only_root(const LinearPair& pair, std::uint32_t patch, const Box2& uv, bool trimmed,
+                       const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const;
     /// A part of a patch that is searched.
     struct Part {
         std::uint32_t patch;

@@ -20,10 +20,6 @@ public:
     SilhouetteSearch(ScalarNet f, ScalarNet g, double error = 0)
         : f_(std::move(f)), g_(std::move(g)), error_(error) {}
 
-    /// A place where f, g and both derivatives of g vanish: the apex itself, on the surface. It is
-    /// no event, and no other is near it where g bends one way.
-    void leave_out(const Vec2& foot) { foot_ = foot; }
-
     /// Newton's method for the exact functions from a place in a box of this extent; nothing when
     /// it fails.
     using Solve = std::function<std::optional<Vec2>(const Vec2& start, const Vec2& extent)>;
@@ -37,11 +33,8 @@ public:
     Result run(const Solve& solve, const Spread& spread, int most_boxes) const;
 
 private:
-    bool bends_one_way(const ScalarNet& f, const ScalarNet& g) const;
-
     ScalarNet f_, g_;
     double error_;
-    std::optional<Vec2> foot_;
 };
 
 } // namespace keiko

@@ -189,4 +189,8 @@ const Box3& Tracer::bounds() const {
     return scene_->boxes.bounds();
 }
 
+double Tracer::seam_width(std::uint32_t trim_curve) const {
+    return scene_->model.seam_gaps[trim_curve].width;
+}
+
 } // namespace keiko

@@ -74,6 +74,9 @@ public:
     std::span<const Box3> boxes() const;
     /// World box of the material, mm.
     const Box3& bounds() const;
+    /// How far apart, mm, part coordinates, a trim curve and the border of the neighbour that
+    /// shares its edge may be for the two faces to count as one; see SeamGap.
+    double seam_width(std::uint32_t trim_curve) const;
 
 private:
     /// The hit at a ray's nearest crossing; within the band of a seam, the one that all() keeps.

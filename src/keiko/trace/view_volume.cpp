@@ -1,5 +1,6 @@
 #include "keiko/trace/view_volume.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keiko {
@@ -69,8 +70,9 @@ ViewVolume::ViewVolume(const Apex& apex, std::span<const Vec3> region,
 }
 
 void ViewVolume::add(const Vec3& normal, double offset) {
-    half_spaces_[count_++] = {
-        normal, Vec3(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)), offset};
+    half_spaces_[count_++] = {normal,
+                              Vec3(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)),
+                              offset, normal.length()};
 }
 
 bool ViewVolume::may_hold(const SilhouettePiece& piece) const {
@@ -80,6 +82,17 @@ bool ViewVolume::may_hold(const SilhouettePiece& piece) const {
         const AffineNet::Weighed f =
             piece.points.weighed(piece.local({h.normal.x, h.normal.y, h.normal.z, offset}));
         if (f.value + std::abs(f.along_x) + std::abs(f.along_y) + f.off < 0) return false;
+    }
+    return true;
+}
+
+bool ViewVolume::may_hold(const BorderPiece& border) const {
+    for (std::size_t i = 0; i < count_; ++i) {
+        const HalfSpace& h = half_spaces_[i];
+        const double outside = h.offset - h.normal.dot(border.center) - border.error * h.length;
+        if (std::all_of(border.curve.begin(), border.curve.end(),
+                        [&](const Vec3& p) { return h.normal.dot(p) < outside; }))
+            return false;
     }
     return true;
 }

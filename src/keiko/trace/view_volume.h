@@ -2,6 +2,7 @@
 
 #include "keiko/math/bounds.h"
 #include "keiko/trace/apex.h"
+#include "keiko/trace/border_piece.h"
 #include "keiko/trace/silhouette_piece.h"
 
 #include <array>
@@ -20,16 +21,17 @@ public:
 
     /// False when the box is proved to lie outside.
     bool may_hold(const Box3& box) const;
-    /// The same of a piece, whose parallelogram is tighter than its box.
+    /// The same of a piece, whose parallelogram or control points are tighter than its box.
     bool may_hold(const SilhouettePiece& piece) const;
+    bool may_hold(const BorderPiece& border) const;
     /// World box of the region itself.
     const Box3& region() const { return region_; }
 
 private:
     /// The side where normal.x >= offset.
     struct HalfSpace {
-        Vec3 normal{0}, size{0}; ///< `size`: magnitudes of the normal's components
-        double offset = 0;
+        Vec3 normal{0}, size{0};       ///< `size`: magnitudes of the normal's components
+        double offset = 0, length = 1; ///< of the normal
     };
     void add(const Vec3& normal, double offset);
 

@@ -1,0 +1,34 @@
+#include "keiko/trace/slopes.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace keiko {
+
+unsigned Slopes::axis_to_halve(const Vec2& size) const {
+    // Along a strip it takes many halvings where across it none helps.
+    constexpr double slimmest = 1.0 / 256;
+    if (size.x < slimmest * size.y) return 1;
+    if (size.y < slimmest * size.x) return 0;
+    return bend.x >= bend.y ? 0 : 1;
+}
+
+Slopes slopes_of(const ScalarNet& net) {
+    const auto place = [](std::size_t i, std::size_t count) {
+        return count < 2 ? 0 : 2 * static_cast<double>(i) / static_cast<double>(count - 1) - 1;
+    };
+    const NetRange x = derivative_range(net, true), y = derivative_range(net, false);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < net.rows; ++i)
+        for (std::size_t j = 0; j < net.columns; ++j) {
+            const double rest =
+                net.at(i, j) - x.middle * place(i, net.rows) - y.middle * place(j, net.columns);
+            low = std::min(low, rest);
+            high = std::max(high, rest);
+        }
+    const double size = std::abs(x.middle) + std::abs(y.middle);
+    return {{(low + high) / 2, x.middle, y.middle, (high - low) / 2, x.half + y.half},
+            Vec2(x.half, y.half) / std::max(size, x.half + y.half)};
+}
+
+} // namespace keiko
