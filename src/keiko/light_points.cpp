@@ -19,7 +19,7 @@ struct Piece : RowPiece {
 /// "c_plane.0,c_plane.1,spotlight.0,sum": kinds in the order of LightSource.
 std::string header_of(const LightRig& rig) {
     constexpr std::array<std::string_view, std::variant_size_v<LightSource>> kinds{
-        "c_plane", "spotlight", "sun"};
+        "c_plane", "spotlight", "luminaire", "sun"};
     std::array<int, kinds.size()> counts{};
     std::string header;
     for (const LightSource& source : rig.sources) {

@@ -4,21 +4,30 @@
 #include "keiko/luminance/visible.h"
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 namespace keiko {
 
-/// A point source as the medium sees it.
+/// A point source as the medium sees it from along one ray.
 struct PointEmitter {
     Vec3 position{0};                                ///< mm
     std::function<Rgb(const Vec3& point)> intensity; ///< cd towards a point in mm
+    std::optional<Rgb> even{};                       ///< cd, where it is the same all over the beam
+    /// Parameters of the ray, rising, where the intensity has a kink.
+    std::vector<double> kinks{};
 };
 
+/// Of a ray's scattered light: what numbers may be off by, and pictures.
+constexpr double scattering_tolerance = 1e-8, picture_scattering_tolerance = 1e-5;
+
 /// Luminance in cd/m2 that light of the emitter, scattered once in the `lit` parts of an eye ray
-/// (from the eye at a to b, parameters 0 to 1), adds at the eye; attenuated on both legs.
-/// Equi-angular Gauss quadrature (physics 8.5, eq. (8.1)) refined to 1e-8 where the intensity is
-/// smooth. A ray that runs closer than 5 mm past the emitter is taken at 5 mm, the lamp's own
-/// size: the integral has no limit there.
+/// (from the eye at a to b, parameters 0 to 1), adds at the eye; dimmed on both legs.
+/// Equi-angular Gauss quadrature (physics 8.5, eq. (8.1)) between the kinks of the intensity and of
+/// the density, refined until `tolerance` of the whole is estimated; eq. (8.2) where emitter,
+/// medium and phase are even; or the medium's own rule. A ray that runs closer than 5 mm past the
+/// emitter is taken at 5 mm, the lamp's own size: the integral has no limit there.
 Rgb scattered_light(const Medium& medium, const Segment& eye_ray, const IntervalSet& lit,
-                    const PointEmitter& emitter);
+                    const PointEmitter& emitter, double tolerance = scattering_tolerance);
 
 } // namespace keiko

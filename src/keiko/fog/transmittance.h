@@ -2,22 +2,29 @@
 
 #include "keiko/fog/medium.h"
 #include "keiko/luminance/photometry.h"
+#include "keiko/luminance/visible.h"
+
+#include <vector>
 
 namespace keiko {
 
-/// Share of light, by channel 0 to 1, that passes `length` mm of the medium unscattered; infinite
-/// lengths are allowed.
-inline Rgb transmittance(const Medium& medium, double length) {
-    const Rgb& extinction = medium.extinction;
-    return {passed_share(extinction.r, length), passed_share(extinction.g, length),
-            passed_share(extinction.b, length)};
-}
+/// Extinction in 1/m at a point.
+Rgb extinction_at(const Medium& medium, const Vec3& point);
 
-/// Luminance in cd/m2 that the medium's own ambient light adds along `length` mm: Ja (1 - T).
-inline Rgb ambient_inscatter(const Medium& medium, double length) {
-    const Rgb& extinction = medium.extinction;
-    return medium.ambient * Rgb(lost_share(extinction.r, length), lost_share(extinction.g, length),
-                                lost_share(extinction.b, length));
-}
+/// The integral of the extinction along a segment, by channel; exact up to rounding (physics 8.7,
+/// 8.8).
+Rgb optical_depth(const Medium& medium, const Segment& segment);
+
+/// Parameters of the segment, rising, between which the extinction along it is smooth.
+std::vector<double> density_breaks(const Medium& medium, const Segment& segment);
+
+/// Share of light, by channel 0 to 1, that passes an optical depth unscattered.
+Rgb transmittance(const Rgb& optical_depth);
+
+/// The same of a segment.
+Rgb transmittance(const Medium& medium, const Segment& segment);
+
+/// Luminance in cd/m2 that the medium's own ambient light adds along a segment: Ja (1 - T).
+Rgb ambient_inscatter(const Medium& medium, const Segment& segment);
 
 } // namespace keiko

@@ -3,6 +3,7 @@
 #include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/units.h"
+#include "keiko/io/input_path.h"
 #include "keiko/io/material_file.h"
 #include "keiko/io/rig_file.h"
 #include "keiko/io/toml_reader.h"
@@ -18,19 +19,6 @@ namespace {
 constexpr double largest_size = 65536; ///< pixels, either way
 constexpr double widest_fov = 175;     ///< degrees
 constexpr int most_reflections = 64;
-
-/// The file that `key` names, relative to the file of `table`; it must be there.
-std::optional<fs::path> path_from(const TomlTable& table, std::string_view key) {
-    const auto name = table.text(key);
-    if (!name) return {};
-    const fs::path path = (table.source().parent_path() / *name).lexically_normal();
-    try {
-        require_readable_file(path);
-    } catch (const Error& error) {
-        throw table.error(key, shortened(error.what()));
-    }
-    return path;
-}
 
 Affine transform_from(const TomlTable& table) {
     Affine transform;

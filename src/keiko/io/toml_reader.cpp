@@ -15,16 +15,16 @@
 namespace keiko {
 
 struct TomlTable::Value {
-    /// monostate: a kind that no format of Keiko uses (dates, booleans).
+    /// monostate: a kind that no format of Keiko uses (dates).
     std::variant<std::monostate, double, std::int64_t, std::string, std::vector<Value>,
-                 std::vector<Entry>>
+                 std::vector<Entry>, bool>
         content;
     std::uint32_t line = 0, column = 0;
 
     Value(const toml::node& node);
     std::string_view kind() const {
-        static constexpr std::string_view kinds[] = {"other", "number", "number",
-                                                     "text",  "array",  "table"};
+        static constexpr std::string_view kinds[] = {"other", "number", "number", "text",
+                                                     "array", "table",  "flag"};
         return kinds[content.index()];
     }
 };
@@ -53,6 +53,7 @@ TomlTable::Value::Value(const toml::node& node)
     if (const auto* real = node.as_floating_point()) content = real->get();
     if (const auto* whole = node.as_integer()) content = whole->get();
     if (const auto* text = node.as_string()) content = text->get();
+    if (const auto* flag = node.as_boolean()) content = flag->get();
     if (const auto* array = node.as_array()) {
         std::vector<Value> values;
         for (const toml::node& element : *array) values.emplace_back(element);
@@ -163,6 +164,41 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std:
     std::vector<double> result;
     for (const Value& value : *array) result.push_back(checked(key, value, limits));
     return result;
+}
+
+std::vector<double> TomlTable::checked_list(std::string_view key, const Value& value,
+                                            const TomlLimits& limits) const {
+    const auto* array = std::get_if<std::vector<Value>>(&value.content);
+    if (!array || array->empty()) throw mismatch(key, "an array of numbers");
+    std::vector<double> result;
+    for (const Value& element : *array) result.push_back(checked(key, element, limits));
+    return result;
+}
+
+std::optional<std::vector<double>> TomlTable::list(std::string_view key,
+                                                   const TomlLimits& limits) const {
+    const Entry* entry = find(key);
+    if (!entry) return {};
+    return checked_list(key, entry->value, limits);
+}
+
+std::optional<std::vector<std::vector<double>>> TomlTable::lists(std::string_view key,
+                                                                 const TomlLimits& limits) const {
+    const Entry* entry = find(key);
+    if (!entry) return {};
+    const auto* array = std::get_if<std::vector<Value>>(&entry->value.content);
+    if (!array || array->empty()) throw mismatch(key, "an array of arrays of numbers");
+    std::vector<std::vector<double>> result;
+    for (const Value& value : *array) result.push_back(checked_list(key, value, limits));
+    return result;
+}
+
+std::optional<bool> TomlTable::flag(std::string_view key) const {
+    const Entry* entry = find(key);
+    if (!entry) return {};
+    const auto* content = std::get_if<bool>(&entry->value.content);
+    if (!content) throw mismatch(key, "true or false");
+    return *content;
 }
 
 std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) const {

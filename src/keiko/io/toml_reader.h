@@ -47,7 +47,15 @@ public:
     /// An array of `count` numbers.
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count,
                                                const TomlLimits& limits = {}) const;
+    /// An array of any number of numbers, but at least one.
+    std::optional<std::vector<double>> list(std::string_view key,
+                                            const TomlLimits& limits = {}) const;
+    /// An array of such arrays.
+    std::optional<std::vector<std::vector<double>>> lists(std::string_view key,
+                                                          const TomlLimits& limits = {}) const;
     std::optional<Vec3> vector(std::string_view key) const;
+    /// true or false.
+    std::optional<bool> flag(std::string_view key) const;
     /// An array of texts.
     std::optional<std::vector<std::string>> texts(std::string_view key) const;
     /// One number, for grey, or three.
@@ -55,8 +63,8 @@ public:
     std::optional<TomlTable> table(std::string_view key) const;
     /// An array of tables; empty when absent.
     std::vector<TomlTable> tables(std::string_view key) const;
-    /// Whether the key holds a text, a table, ... : "text", "table", "number", "array", "other",
-    /// or "" when absent.
+    /// Whether the key holds a text, a table, ... : "text", "table", "number", "array", "flag",
+    /// "other", or "" when absent.
     std::string_view kind(std::string_view key) const;
 
     /// The value, or an Error at this table saying that `key` is missing.
@@ -90,6 +98,8 @@ private:
     Error missing(std::string_view key) const;
     Error mismatch(std::string_view key, const std::string& wanted) const;
     double checked(std::string_view key, const Value& value, const TomlLimits& limits) const;
+    std::vector<double> checked_list(std::string_view key, const Value& value,
+                                     const TomlLimits& limits) const;
 
     std::shared_ptr<const Document> document_; ///< keeps value_ alive
     const Value* value_;

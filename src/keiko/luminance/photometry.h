@@ -2,7 +2,6 @@
 
 #include "keiko/math/rgb.h"
 
-#include <cmath>
 #include <numbers>
 
 namespace keiko {
@@ -19,15 +18,6 @@ constexpr double metres(double millimetres) {
 inline Rgb inverse_square_illuminance(const Rgb& intensity, double distance, double cosine) {
     if (!(cosine > 0) || !(distance > 0)) return {};
     return intensity * (cosine / (metres(distance) * metres(distance)));
-}
-
-/// Share of light, 0 to 1, that passes `length` mm of a medium with `extinction` in 1/m, and the
-/// rest, which does not; the length may be infinite.
-inline double passed_share(double extinction, double length) {
-    return extinction > 0 ? std::exp(-extinction * metres(length)) : 1;
-}
-inline double lost_share(double extinction, double length) {
-    return extinction > 0 ? -std::expm1(-extinction * metres(length)) : 0;
 }
 
 /// Luminance in cd/m2 that a matt surface with `reflectance` 0 to 1 shows under `illuminance` lx.

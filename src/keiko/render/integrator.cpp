@@ -18,6 +18,10 @@ namespace {
 /// mm: where a ray that meets nothing ends, for the medium in between.
 constexpr double far_away = 1e6;
 
+Vec3 end_of(const Ray& ray, const std::optional<Hit>& hit) {
+    return hit ? hit->position : ray.origin + ray.direction.normalized() * far_away;
+}
+
 } // namespace
 
 Integrator::Integrator(const PictureScene& scene, const PictureOptions& options)
@@ -32,6 +36,15 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options)
     }
 }
 
+ShaftShadows Integrator::shaft_shadows(std::span<const Path> paths,
+                                       std::span<const std::optional<Hit>> hits) const {
+    std::vector<Segment> legs;
+    if (scene_.rig.medium && scene_.occluders)
+        for (std::size_t i = 0; i < paths.size(); ++i)
+            legs.push_back({paths[i].ray.origin, end_of(paths[i].ray, hits[i])});
+    return {scene_.rig, scene_.occluders, scene_.tracer, legs};
+}
+
 std::vector<EyeSample> Integrator::follow(std::span<const Ray> eye_rays) const {
     std::vector<EyeSample> samples(eye_rays.size());
     std::vector<Path> paths;
@@ -43,10 +56,12 @@ std::vector<EyeSample> Integrator::follow(std::span<const Ray> eye_rays) const {
         for (const Path& path : paths) rays.push_back(path.ray);
         const std::vector<std::optional<Hit>> hits = scene_.tracer.nearest(rays);
 
+        const ShaftShadows shadows = shaft_shadows(paths, hits);
+        const VisibleFrom shafts = shadows.visible();
         std::vector<Path> mirrored;
         for (std::size_t i = 0; i < paths.size(); ++i) {
             EyeSample& sample = samples[paths[i].sample];
-            if (auto next = advance(std::move(paths[i]), hits[i], depth, sample))
+            if (auto next = advance(std::move(paths[i]), hits[i], depth, shafts, sample))
                 mirrored.push_back(std::move(*next));
         }
         paths = std::move(mirrored);
@@ -55,23 +70,23 @@ std::vector<EyeSample> Integrator::follow(std::span<const Ray> eye_rays) const {
 }
 
 std::optional<Integrator::Path> Integrator::advance(Path path, const std::optional<Hit>& hit,
-                                                    int depth, EyeSample& sample) const {
+                                                    int depth, const VisibleFrom& shafts,
+                                                    EyeSample& sample) const {
     if (depth == 0) {
         sample.hit = hit;
         if (hit) sample.paint = paint_of_face_[hit->face];
     } else {
         if (depth == 1) note_mirrored(path.ray, hit, sample);
-        see_lamps(path, hit ? hit->t : path.ray.t_max, sample);
+        see_lamps(path, hit ? hit->t : path.ray.t_max, shafts, sample);
     }
     if (!hit) {
-        const Vec3 end = path.ray.origin + path.ray.direction.normalized() * far_away;
-        pass_medium(path, end, sample);
+        pass_medium(path, end_of(path.ray, hit), shafts, sample);
         sample.luminance +=
             path.weight * (depth == 0 ? scene_.background : even_luminance(scene_.rig.ambient));
         return std::nullopt;
     }
     sample.paths.count(*hit);
-    pass_medium(path, hit->position, sample);
+    pass_medium(path, hit->position, shafts, sample);
 
     const double towards = hit->normal.dot(path.ray.direction);
     const Vec3 normal = towards > 0 ? -hit->normal : hit->normal;
@@ -92,7 +107,8 @@ void Integrator::note_mirrored(const Ray& ray, const std::optional<Hit>& hit,
     if (plane && !(hit && hit->t < plane->at.t)) sample.c_plane = Vec2(plane->at.u, plane->at.v);
 }
 
-void Integrator::see_lamps(Path& path, double t_max, EyeSample& sample) const {
+void Integrator::see_lamps(Path& path, double t_max, const VisibleFrom& shafts,
+                           EyeSample& sample) const {
     const Ray& ray = path.ray;
     const auto plane = nearest_c_plane(scene_.rig, ray.origin, ray.direction);
     if (!plane) return;
@@ -102,18 +118,21 @@ void Integrator::see_lamps(Path& path, double t_max, EyeSample& sample) const {
     Rgb seen = lamps.luminance;
     if (scene_.rig.medium) {
         const Segment leg{ray.origin, ray.origin + ray.direction * plane->at.t};
-        seen *= transmittance(*scene_.rig.medium, (leg.b - leg.a).length());
-        seen += lamps.coverage * luminance_along(scene_.rig, leg, Rgb(0));
+        seen *= transmittance(*scene_.rig.medium, leg);
+        seen += lamps.coverage *
+                luminance_along(scene_.rig, leg, Rgb(0), shafts, picture_scattering_tolerance);
     }
     sample.luminance += path.weight * seen;
     path.weight *= 1 - lamps.coverage;
 }
 
-void Integrator::pass_medium(Path& path, const Vec3& end, EyeSample& sample) const {
+void Integrator::pass_medium(Path& path, const Vec3& end, const VisibleFrom& shafts,
+                             EyeSample& sample) const {
     if (!scene_.rig.medium) return;
     const Segment leg{path.ray.origin, end};
-    sample.luminance += path.weight * luminance_along(scene_.rig, leg, Rgb(0));
-    path.weight *= transmittance(*scene_.rig.medium, (leg.b - leg.a).length());
+    sample.luminance += path.weight * luminance_along(scene_.rig, leg, Rgb(0), shafts,
+                                                      picture_scattering_tolerance);
+    path.weight *= transmittance(*scene_.rig.medium, leg);
 }
 
 Rgb Integrator::base_luminance(const Hit& hit, const Vec3& normal, const Vec3& eye) const {

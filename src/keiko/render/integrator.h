@@ -4,6 +4,7 @@
 #include "keiko/render/path_counts.h"
 #include "keiko/render/picture.h"
 #include "keiko/render/shadows.h"
+#include "keiko/render/shaft_shadows.h"
 
 #include <optional>
 #include <span>
@@ -43,12 +44,16 @@ private:
         Rgb weight;
     };
 
+    /// What the lights see of the ways of the paths to what they meet.
+    ShaftShadows shaft_shadows(std::span<const Path> paths,
+                               std::span<const std::optional<Hit>> hits) const;
     /// Adds what `path` meets to its sample; returns its mirror reflection while that counts.
     std::optional<Path> advance(Path path, const std::optional<Hit>& hit, int depth,
-                                EyeSample& sample) const;
+                                const VisibleFrom& shafts, EyeSample& sample) const;
     void note_mirrored(const Ray& ray, const std::optional<Hit>& hit, EyeSample& sample) const;
-    void see_lamps(Path& path, double t_max, EyeSample& sample) const;
-    void pass_medium(Path& path, const Vec3& end, EyeSample& sample) const;
+    void see_lamps(Path& path, double t_max, const VisibleFrom& shafts, EyeSample& sample) const;
+    void pass_medium(Path& path, const Vec3& end, const VisibleFrom& shafts,
+                     EyeSample& sample) const;
     Rgb base_luminance(const Hit& hit, const Vec3& normal, const Vec3& eye) const;
     const Paint& paint(const Hit& hit) const { return paints_[paint_of_face_[hit.face]]; }
 

@@ -1,5 +1,6 @@
 #include "keiko/render/source_region.h"
 
+#include "keiko/spotlight/point_light.h"
 #include "keiko/tubes/tube_lamp.h"
 
 namespace keiko {
@@ -18,7 +19,10 @@ struct Corners {
                     corners.push_back(frame.at(along, across) + frame.normal * height);
         return corners;
     }
-    std::vector<Vec3> operator()(const Spotlight& light) const { return {light.position}; }
+    template <PointLight Light>
+    std::vector<Vec3> operator()(const Light& light) const {
+        return {light.position};
+    }
     std::vector<Vec3> operator()(const Sun& sun) const { return {sun.seen_from(point)}; }
 };
 

@@ -2,7 +2,7 @@
 
 #include "keiko/fog/transmittance.h"
 #include "keiko/luminance/photometry.h"
-#include "keiko/spotlight/beam_intensity.h"
+#include "keiko/spotlight/point_light.h"
 #include "keiko/tubes/lobe_reach.h"
 #include "keiko/tubes/tube_irradiance.h"
 
@@ -36,7 +36,8 @@ public:
         return plane.luminance * sum;
     }
 
-    Rgb operator()(const Spotlight& light) const {
+    template <PointLight Light>
+    Rgb operator()(const Light& light) const {
         const Vec3 towards = light.position - point_;
         const double distance = towards.length();
         if (!(distance > 0)) return {};
@@ -44,19 +45,21 @@ public:
         if (share == Rgb()) return {};
         const Rgb lx = inverse_square_illuminance(intensity_towards(light, point_), distance, 1);
         if (lx == Rgb() || visible_.intervals({light.position, light.position}).empty()) return {};
-        return share * lx * passed(distance);
+        return share * lx * passed(light.position);
     }
 
     Rgb operator()(const Sun& sun) const {
         const Rgb share = kernel_(sun.towards());
+        if (share == Rgb()) return {};
+        const auto way = sun.way_to(point_);
         const Vec3 far = sun.seen_from(point_);
-        if (share == Rgb() || visible_.intervals({far, far}).empty()) return {};
-        return share * sun.illuminance;
+        if (!way || visible_.intervals({far, far}).empty()) return {};
+        return share * sun.illuminance * passed(point_ + sun.towards() * *way);
     }
 
 private:
-    Rgb passed(double distance) const {
-        return medium_ ? transmittance(*medium_, distance) : Rgb(1);
+    Rgb passed(const Vec3& from) const {
+        return medium_ ? transmittance(*medium_, {from, point_}) : Rgb(1);
     }
 
     Rgb from_lamp(const TubeLamp& lamp, TubeOutline outline) const {
@@ -68,7 +71,7 @@ private:
             const TubeSlices slices(*view, part, outline);
             const double middle = (part.begin + part.end) / 2;
             return TubeGloss(slices, kernel_).integral(quadrature_) *
-                   passed(std::hypot(view->distance, middle));
+                   passed(point_ - view->towards * view->distance + view->along * middle);
         });
     }
 

@@ -47,21 +47,23 @@ public:
         return plane.luminance * solid_angle;
     }
 
-    Rgb operator()(const Spotlight& light) const {
+    template <PointLight Light>
+    Rgb operator()(const Light& light) const {
         const Rgb lx = illuminance(light, point_, normal_);
         if (lx == Rgb() || visible_.intervals({light.position, light.position}).empty()) return {};
         const Vec3 towards = light.position - point_;
-        const double distance = towards.length();
-        return lx * passed(distance) *
-               (coat_ ? coat_->entering(normal_.dot(towards) / distance) : 1);
+        return lx * passed(light.position) *
+               (coat_ ? coat_->entering(normal_.dot(towards) / towards.length()) : 1);
     }
 
     Rgb operator()(const Sun& sun) const {
         const double cosine = normal_.dot(sun.towards());
         if (!(cosine > 0)) return {};
+        const auto way = sun.way_to(point_);
         const Vec3 far = sun.seen_from(point_);
-        if (visible_.intervals({far, far}).empty()) return {};
-        return sun.illuminance * (cosine * (coat_ ? coat_->entering(cosine) : 1));
+        if (!way || visible_.intervals({far, far}).empty()) return {};
+        return sun.illuminance * passed(point_ + sun.towards() * *way) *
+               (cosine * (coat_ ? coat_->entering(cosine) : 1));
     }
 
 private:
@@ -73,8 +75,8 @@ private:
                           model == TubeModel::cylinder;
         return model_ == TubeModel::automatic && tube && !medium_ && !coat_ && !comb.overlapping();
     }
-    Rgb passed(double distance) const {
-        return medium_ ? transmittance(*medium_, distance) : Rgb(1);
+    Rgb passed(const Vec3& from) const {
+        return medium_ ? transmittance(*medium_, {from, point_}) : Rgb(1);
     }
 
     /// The lamp in pieces, each seen through the medium along one distance.
@@ -87,8 +89,7 @@ private:
                 const double begin = part.begin + i * step;
                 const double end = i + 1 < pieces_in_fog ? begin + step : part.end;
                 const Vec3 middle = lamp.a + (lamp.b - lamp.a) * ((begin + end) / 2);
-                sum += passed((middle - point_).length()) *
-                       entered(comb, index, lamp, IntervalSet::whole(begin, end));
+                sum += passed(middle) * entered(comb, index, lamp, IntervalSet::whole(begin, end));
             }
         }
         return sum;

@@ -2,6 +2,7 @@
 
 #include "keiko/fog/medium.h"
 #include "keiko/rig/sun.h"
+#include "keiko/spotlight/luminaire.h"
 #include "keiko/spotlight/spotlight.h"
 #include "keiko/tubes/c_plane.h"
 
@@ -12,8 +13,8 @@
 
 namespace keiko {
 
-/// Every kind of light source a rig can hold. Light from a sun is not dimmed by the medium.
-using LightSource = std::variant<CPlane, Spotlight, Sun>;
+/// Every kind of light source a rig can hold.
+using LightSource = std::variant<CPlane, Spotlight, Luminaire, Sun>;
 
 /// All lights of a scene and the air between them. Placement writes one, every picture reads one.
 struct LightRig {

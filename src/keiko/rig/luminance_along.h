@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/fog/single_scattering.h"
 #include "keiko/luminance/visible.h"
 #include "keiko/rig/light_rig.h"
 
@@ -7,16 +8,20 @@
 
 namespace keiko {
 
-/// Parts of a segment that an apex sees, parameters 0 to 1: what `Visible` answers, for an apex
-/// that is not known beforehand. Empty: nothing stands in the way.
-using VisibleFrom = std::function<IntervalSet(const Vec3& apex, const Segment& segment)>;
+/// Parts of a segment that a source of the rig, told by its index, sees; parameters 0 to 1. Empty:
+/// nothing stands in the way.
+using VisibleFrom = std::function<IntervalSet(std::size_t source, const Segment& segment)>;
+
+/// Parts of an eye ray that a source lights in the medium, but for what stands in the way: in the
+/// beam of a spotlight or luminaire, behind the windows of a sun. None where it lights no medium.
+IntervalSet in_light(const LightSource& source, const Segment& eye_ray);
 
 /// Luminance in cd/m2 at the eye of an eye ray that ends on a surface with luminance `surface`
 /// (eq. (1.1) of the physics): the surface through the medium, the medium's ambient light, and
-/// the light of each spotlight scattered once in the lit parts of the ray. Lamps on C-planes
-/// light surfaces only. Without a medium it is `surface`. A ray that meets nothing ends far away,
-/// but not at infinity.
+/// the light of each source scattered once in the lit parts of the ray, to `tolerance` of itself.
+/// Lamps on C-planes, and a sun without windows, light surfaces only. Without a medium it is
+/// `surface`. A ray that meets nothing ends far away, but not at infinity.
 Rgb luminance_along(const LightRig& rig, const Segment& eye_ray, const Rgb& surface,
-                    const VisibleFrom& visible_from = {});
+                    const VisibleFrom& visible_from = {}, double tolerance = scattering_tolerance);
 
 } // namespace keiko

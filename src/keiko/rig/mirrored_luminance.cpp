@@ -1,5 +1,7 @@
 #include "keiko/rig/mirrored_luminance.h"
 
+#include "keiko/luminance/compositing.h"
+
 #include <algorithm>
 
 namespace keiko {
@@ -22,6 +24,7 @@ struct MeetsPlane {
         return PlaneOnRay{0, frame, *hit};
     }
     std::optional<PlaneOnRay> operator()(const Spotlight&) const { return {}; }
+    std::optional<PlaneOnRay> operator()(const Luminaire&) const { return {}; }
     std::optional<PlaneOnRay> operator()(const Sun&) const { return {}; }
 };
 
@@ -43,19 +46,18 @@ std::vector<PlaneOnRay> planes_on(const LightRig& rig, const Vec3& origin, const
 
 MirroredLight mirrored_luminance(const LightRig& rig, const Vec3& origin, const Vec3& direction,
                                  const std::optional<RayDifferentials>& spread, double t_max) {
-    MirroredLight light;
+    FrontToBack rows;
+    bool resolved = true;
     for (const PlaneOnRay& plane : planes_on(rig, origin, direction)) {
         if (!(plane.hit.t <= t_max)) break;
         const Footprint footprint =
             spread ? footprint_on(plane.frame, plane.hit, direction, *spread) : Footprint();
         const CPlane& source = std::get<CPlane>(rig.sources[plane.source]);
         const StripeLook row = look_up(plane.frame, origin, direction, footprint, source.mirror);
-        const double share = (1 - light.coverage) * row.coverage;
-        light.luminance += source.luminance * share;
-        light.coverage += share;
-        light.resolved = light.resolved && (row.resolved || row.coverage == 0);
+        rows.add(source.luminance, row.coverage);
+        resolved = resolved && (row.resolved || row.coverage == 0);
     }
-    return light;
+    return {rows.light, rows.opacity, resolved};
 }
 
 std::optional<RigPlaneHit> nearest_c_plane(const LightRig& rig, const Vec3& origin,

@@ -2,25 +2,12 @@
 
 #include "keiko/base/units.h"
 #include "keiko/spotlight/beam_intensity.h"
+#include "keiko/spotlight/cone_crossing.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace keiko {
 namespace {
-
-/// Parameters in ]0, 1[ where a t^2 + 2 b t + c = 0, between 0 and 1, sorted.
-std::vector<double> crossings(double a, double b, double c) {
-    const double q = -(b + std::copysign(std::sqrt(std::max(b * b - a * c, 0.0)), b));
-    std::vector<double> ends{0, 1};
-    // A double root (a ray through the lamp, a beam of 90 degrees) must not be lost to rounding of
-    // the discriminant, hence the 0; where there is no root, or a or q is 0, the end too many is
-    // harmless.
-    for (const double t : {q / a, c / q})
-        if (t > 0 && t < 1) ends.push_back(t);
-    std::sort(ends.begin(), ends.end());
-    return ends;
-}
 
 /// The pieces between `ends` whose middle is inside: tells the lit nappe from the one behind the
 /// lamp.
@@ -32,16 +19,10 @@ IntervalSet pieces(const std::vector<double>& ends, const Inside& inside) {
     return IntervalSet(std::move(lit));
 }
 
-/// The line p + t w in the cone about `axis`. In components along and across the axis the terms of
-/// narrow cones do not cancel.
+/// The line p + t w in the cone about `axis`.
 IntervalSet in_round_cone(const Vec3& p, const Vec3& w, const Vec3& axis, double half_angle) {
     const double cosine = std::cos(half_angle);
-    const double s2 = std::pow(std::sin(half_angle), 2), c2 = cosine * cosine;
-    const double pa = p.dot(axis), wa = w.dot(axis);
-    const Vec3 across_p = p - axis * pa, across_w = w - axis * wa;
-    const auto ends = crossings(s2 * wa * wa - c2 * across_w.length2(),
-                                s2 * pa * wa - c2 * across_p.dot(across_w),
-                                s2 * pa * pa - c2 * across_p.length2());
+    const auto ends = cone_crossings(p, w, axis, half_angle);
     return pieces(ends, [&](double t) {
         const Vec3 middle = p + w * t;
         return middle.dot(axis) >= cosine * middle.length();

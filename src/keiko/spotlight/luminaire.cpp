@@ -1,9 +1,12 @@
 #include "keiko/spotlight/luminaire.h"
 
+#include "keiko/base/units.h"
+
 namespace keiko {
 
 LuminaireIntensity::LuminaireIntensity(const Luminaire& luminaire) : luminaire_(luminaire) {
-    const BeamFrame frame = beam_frame(luminaire.aim - luminaire.position, luminaire.reference);
+    const BeamFrame frame = beam_frame(luminaire.aim - luminaire.position, luminaire.reference,
+                                       degrees_to_radians(luminaire.spin));
     if (luminaire.web->type == PhotometricType::a)
         x_ = frame.axis, z_ = frame.across;
     else

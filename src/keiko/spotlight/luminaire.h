@@ -17,6 +17,7 @@ struct Luminaire {
     Vec3 aim{0, 0, -1}; ///< mm, a point where the axis of the file's angles leads (see web_axis)
     /// Direction of H = 0, or of up for type A; of any length, its part along the axis is dropped.
     Vec3 reference{1, 0, 0};
+    double spin = 0;     ///< degrees by which H = 0 is turned about the axis, towards rising H
     bool flip_h = false; ///< H runs the other way round, as some tools write it
     Rgb factor{1};       ///< multiplies the file's intensities: dimming and colour
     bool shaft = true;   ///< it lights the medium

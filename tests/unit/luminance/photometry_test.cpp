@@ -12,15 +12,6 @@ TEST(Photometry, InverseSquareCountsMetres) {
     EXPECT_EQ(inverse_square_illuminance(Rgb(1000), 0, 1), Rgb());
 }
 
-TEST(Photometry, ExtinctionCountsMetres) {
-    // 0.02 1/m along 50 m is an optical depth of 1.
-    EXPECT_DOUBLE_EQ(passed_share(0.02, 50000), std::exp(-1));
-    EXPECT_DOUBLE_EQ(passed_share(0.02, 50000) + lost_share(0.02, 50000), 1);
-    EXPECT_NEAR(lost_share(1e-18, 1000), 1e-18, 1e-33);
-    EXPECT_EQ(passed_share(0, INFINITY), 1);
-    EXPECT_EQ(lost_share(0.1, INFINITY), 1);
-}
-
 TEST(Photometry, TubeLuminanceOfADataSheet) {
     // T8, 36 W: 3350 lm, 26 mm, 1200 mm: 10 900 cd/m2 (physics 2.1).
     EXPECT_NEAR(tube_luminance(3350, 26, 1200), 10900, 25);

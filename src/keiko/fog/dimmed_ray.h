@@ -1,0 +1,32 @@
+#pragma once
+
+#include "keiko/fog/medium.h"
+#include "keiko/luminance/visible.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// A lit part of an eye ray in pieces in which everything is smooth, as parameters of the ray.
+std::vector<double> smooth_pieces(const ParameterInterval& part, std::span<const double> breaks);
+
+/// The optical depth from the eye along a ray, known up to the breaks of the medium's density, so
+/// that one more point costs no more than one piece.
+class DimmedRay {
+public:
+    DimmedRay(const Medium& medium, const Segment& ray);
+
+    /// From the eye to a parameter of the ray.
+    Rgb depth_to(double t) const;
+    const std::vector<double>& breaks() const { return breaks_; }
+
+private:
+    const Medium& medium_;
+    const Segment& ray_;
+    std::vector<double> breaks_;
+    std::vector<Rgb> depths_; ///< at the breaks
+    Rgb even_;                ///< of the whole ray, in an even medium
+};
+
+} // namespace keiko

@@ -1,0 +1,93 @@
+#include "keiko/fog/transmittance.h"
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+double length_of(const Segment& segment) {
+    return (segment.b - segment.a).length();
+}
+
+/// Share of the segment above the border.
+double share_above(const HeightField& border, const Segment& segment) {
+    double sum = 0, begin = 0;
+    std::vector<double> ends = crossings(border, segment);
+    ends.push_back(1);
+    for (const double end : ends) {
+        if (border.above(segment.at((begin + end) / 2)) > 0) sum += end - begin;
+        begin = end;
+    }
+    return sum;
+}
+
+struct At {
+    const Medium& medium;
+    const Vec3& point;
+
+    Rgb operator()(const EvenDensity&) const { return medium.extinction; }
+    Rgb operator()(const LayeredDensity& layers) const {
+        return layers.border.above(point) > 0 ? layers.extinction_above : medium.extinction;
+    }
+    Rgb operator()(const GridDensity& grid) const {
+        return medium.extinction * (*grid.grid)(point);
+    }
+};
+
+/// Mean along a segment.
+struct Mean {
+    const Medium& medium;
+    const Segment& segment;
+
+    Rgb operator()(const EvenDensity&) const { return medium.extinction; }
+    Rgb operator()(const LayeredDensity& layers) const {
+        const double above = share_above(layers.border, segment);
+        return layers.extinction_above * above + medium.extinction * (1 - above);
+    }
+    Rgb operator()(const GridDensity& grid) const {
+        return medium.extinction * grid.grid->mean_along(segment);
+    }
+};
+
+struct Breaks {
+    const Segment& segment;
+
+    std::vector<double> operator()(const EvenDensity&) const { return {}; }
+    std::vector<double> operator()(const LayeredDensity& layers) const {
+        return crossings(layers.border, segment);
+    }
+    std::vector<double> operator()(const GridDensity& grid) const {
+        return grid.grid->crossings(segment);
+    }
+};
+
+} // namespace
+
+Rgb extinction_at(const Medium& medium, const Vec3& point) {
+    return std::visit(At{medium, point}, medium.density);
+}
+
+Rgb optical_depth(const Medium& medium, const Segment& segment) {
+    return std::visit(Mean{medium, segment}, medium.density) * metres(length_of(segment));
+}
+
+std::vector<double> density_breaks(const Medium& medium, const Segment& segment) {
+    return std::visit(Breaks{segment}, medium.density);
+}
+
+Rgb transmittance(const Rgb& depth) {
+    if (depth.r == depth.g && depth.g == depth.b) return Rgb(std::exp(-depth.g));
+    return {std::exp(-depth.r), std::exp(-depth.g), std::exp(-depth.b)};
+}
+
+Rgb transmittance(const Medium& medium, const Segment& segment) {
+    return transmittance(optical_depth(medium, segment));
+}
+
+Rgb ambient_inscatter(const Medium& medium, const Segment& segment) {
+    const Rgb depth = optical_depth(medium, segment);
+    return medium.ambient *
+           Rgb(-std::expm1(-depth.r), -std::expm1(-depth.g), -std::expm1(-depth.b));
+}
+
+} // namespace keiko

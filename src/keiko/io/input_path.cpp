@@ -1,0 +1,25 @@
+#include "keiko/io/input_path.h"
+
+#include "keiko/base/error_text.h"
+#include "keiko/base/input_file.h"
+#include "keiko/io/toml_reader.h"
+
+namespace keiko {
+
+std::optional<std::filesystem::path> path_from(const TomlTable& table, std::string_view key) {
+    const auto name = table.text(key);
+    if (!name) return {};
+    const auto path = (table.source().parent_path() / *name).lexically_normal();
+    try {
+        require_readable_file(path);
+    } catch (const Error& error) {
+        throw table.error(key, shortened(error.what()));
+    }
+    return path;
+}
+
+std::string named_from(const std::filesystem::path& folder, const std::filesystem::path& file) {
+    return (folder.empty() ? file : file.lexically_proximate(folder)).generic_string();
+}
+
+} // namespace keiko

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace keiko {
+
+class TomlTable;
+
+/// The file that `key` names, relative to the file of `table`; nothing when the key is absent.
+/// Throws Error with file, line and column where it cannot be read.
+std::optional<std::filesystem::path> path_from(const TomlTable& table, std::string_view key);
+
+/// How a TOML file in `folder` names a file; as it is where the folder is empty.
+std::string named_from(const std::filesystem::path& folder, const std::filesystem::path& file);
+
+} // namespace keiko

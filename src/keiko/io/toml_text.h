@@ -1,0 +1,27 @@
+#pragma once
+
+#include "keiko/math/rgb.h"
+#include "keiko/math/vec.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace keiko {
+
+// Values and lines of the TOML files that Keiko writes. All throw Error for numbers that are not
+// finite, which no file can hold.
+
+/// The shortest decimal that reads back as the same double.
+std::string toml_value(double value);
+std::string toml_value(const Vec3& vector);
+std::string toml_value(std::span<const double> numbers);
+/// One number for grey, else three.
+std::string toml_value(const Rgb& color);
+/// In quotes, with the characters escaped that a TOML string must not hold.
+std::string toml_string(std::string_view text);
+/// "key = value # comment", with a line end.
+std::string toml_line(std::string_view key, const std::string& value,
+                      std::string_view comment = "");
+
+} // namespace keiko

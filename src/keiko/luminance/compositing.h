@@ -1,0 +1,20 @@
+#pragma once
+
+#include "keiko/math/rgb.h"
+
+namespace keiko {
+
+/// What shows of layers one behind the other, taken from the front to the back (physics 9.10).
+struct FrontToBack {
+    Rgb light;          ///< of the layers so far
+    double opacity = 0; ///< of all of them, 0 to 1
+
+    /// The next layer behind, with its own light and opacity.
+    void add(const Rgb& own_light, double own_opacity) {
+        const double share = (1 - opacity) * own_opacity;
+        light += own_light * share;
+        opacity += share;
+    }
+};
+
+} // namespace keiko

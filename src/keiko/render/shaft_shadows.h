@@ -1,0 +1,28 @@
+#pragma once
+
+#include "keiko/render/shadows.h"
+#include "keiko/rig/luminance_along.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// What the lights of a rig see of some eye rays past the surfaces of a scene: where their shafts
+/// in the medium are lit. What may stand in the way of a light is found once for all of the rays.
+class ShaftShadows {
+public:
+    /// `eye_rays` hold every segment to come; neighbouring ones should stand together. Without
+    /// occluders, or without a medium, nothing casts shadows. All but the rays are kept by
+    /// reference. Not for two threads at once.
+    ShaftShadows(const LightRig& rig, const Occluders* occluders, const Tracer& tracer,
+                 std::span<const Segment> eye_rays);
+
+    /// As luminance_along asks for it; refers to this object.
+    VisibleFrom visible() const;
+
+private:
+    std::vector<SeenPast> seen_; ///< by source; empty where nothing casts shadows
+};
+
+} // namespace keiko

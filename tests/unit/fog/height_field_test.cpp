@@ -1,0 +1,68 @@
+#include "keiko/fog/height_field.h"
+
+#include "tests/support/oracle.h"
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+using namespace keiko;
+
+TEST(HeightField, SlopesAgreeWithTheBumpsOfTheOracle) {
+    const test::OracleTable table("bump");
+    test::WorstError worst("slope"), tilt("Np");
+    for (const auto& row : table) {
+        const double turn = 2 * std::numbers::pi;
+        const Wave wave{row.number("in.A"), {turn / row.number("in.a"), turn / row.number("in.b")}};
+        const Vec2 slopes = wave.slopes(row.number("in.u"), row.number("in.v"));
+        worst.compare(row, slopes.x, row.number("out.hu"), 1e-11);
+        worst.compare(row, slopes.y, row.number("out.hv"), 1e-11);
+        // Blinn's normal over any tangents, physics 9.7.
+        const Vec3 pu = row.vector("in.Pu"), pv = row.vector("in.Pv"), across = pu.cross(pv);
+        const Vec3 n = across.normalized();
+        const Vec3 bent =
+            (n + (n.cross(pv) * slopes.x - n.cross(pu) * slopes.y) / across.length()).normalized();
+        tilt.compare(row, bent.z, row.number("out.Np_z"), 1e-11);
+    }
+}
+
+TEST(HeightField, NoCrossingIsLost) {
+    const HeightField field{.height = 500, .waves = noise_waves(120, 900)};
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-4000, 4000), high(300, 700);
+    std::size_t most = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Segment ray{{place(random), place(random), high(random)},
+                          {place(random), place(random), high(random)}};
+        const std::vector<double> found = crossings(field, ray);
+        for (const double t : found) EXPECT_NEAR(field.above(ray.at(t)), 0, 1e-9);
+        // Signs at 20 000 places change as often as crossings lie between them.
+        double before = field.above(ray.a);
+        std::size_t next = 0;
+        for (int k = 1; k <= 20000; ++k) {
+            const double t = k / 20000.0, now = field.above(ray.at(t));
+            std::size_t between = 0;
+            while (next < found.size() && found[next] <= t) ++next, ++between;
+            EXPECT_EQ(between % 2 == 1, (now < 0) != (before < 0)) << i << " " << t;
+            before = now;
+        }
+        most = std::max(most, found.size());
+    }
+    EXPECT_GT(most, 5u);
+}
+
+TEST(HeightField, AFlatOneIsCrossedOnce) {
+    const HeightField flat{.height = 100};
+    EXPECT_EQ(crossings(flat, {{0, 0, 0}, {0, 0, 400}}), std::vector<double>{0.25});
+    EXPECT_TRUE(crossings(flat, {{0, 0, 0}, {1, 0, 0}}).empty());
+    EXPECT_TRUE(crossings(flat, {{0, 0, 100}, {1, 0, 100}}).empty());
+    EXPECT_TRUE(crossings(flat, {{0, 0, 101}, {1, 0, 400}}).empty());
+}
+
+TEST(HeightField, ARayInTheSurfaceEnds) {
+    // Along the nodes of the waves, at their level.
+    const HeightField field{.height = 500, .waves = {Wave{100, {900, 700}, {0, 0}}}};
+    const Segment ray{{-1e6, 0, 500}, {1e6, 0, 500}};
+    for (const double t : crossings(field, ray)) EXPECT_NEAR(field.above(ray.at(t)), 0, 1e-9);
+    EXPECT_TRUE(crossings(field, {{1, 2, 500}, {1, 2, 500}}).size() <= 1);
+}
