@@ -42,6 +42,7 @@ struct SceneOptions {
     std::string material = "black-show-car"; ///< of models that no scene file paints
     bool clipping_only = false;              ///< trace by Bezier clipping alone, see TracerOptions
     bool shadows = false;                    ///< bodies cast shadows, in pictures and numbers
+    double frame = 0;                        ///< of a scene file with [[animation]]
 };
 
 struct FactsOptions {

@@ -18,7 +18,7 @@ SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const SceneOpti
         if (input.extension() == ".toml") {
             if (inputs.size() > 1)
                 throw Error(input.string(), "", "a scene file stands alone, without other models");
-            return read_scene(input);
+            return at_frame(read_scene(input), options.frame);
         }
     SceneSpec spec;
     spec.background = Rgb(studio_grey);

@@ -16,7 +16,8 @@ struct RenderArguments {
     std::filesystem::path output;
     std::string view, rig = "auto", aovs;
     bool false_color = false, iso_lines = false;
-    std::string scale, tone = "linear";
+    std::string scale, tone = "linear", frames;
+    bool resume = false;
     ToneMapping mapping;
 };
 
@@ -65,6 +66,31 @@ LightRig rig_of(const Scene& scene, const RenderArguments& arguments, const Came
     return place_lamps(scene.tracer, scene.model, camera, {}, job).rig;
 }
 
+/// First and last.
+struct Frames {
+    int first = 0, last = 0;
+};
+
+constexpr int most_frames = 1000000;
+
+/// "A:B"
+Frames frames_of(const std::string& text) {
+    Frames frames;
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%d:%d%n", &frames.first, &frames.last, &end) != 2 ||
+        static_cast<std::size_t>(end) != text.size() || frames.first < 0 ||
+        frames.last < frames.first || frames.last >= most_frames)
+        throw Error("", "--frames", "'" + text + "' is not A:B with 0 <= A <= B < 1000000");
+    return frames;
+}
+
+/// "picture.png" of frame 7 is "picture-0007.png".
+std::filesystem::path numbered(const std::filesystem::path& path, int frame) {
+    std::string digits = std::to_string(frame);
+    digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
+    return path.parent_path() / (path.stem().string() + "-" + digits + path.extension().string());
+}
+
 /// False colours are no luminance, which is what an .exr holds.
 void require_output(const RenderArguments& arguments) {
     require_image_extension(arguments.output);
@@ -74,8 +100,7 @@ void require_output(const RenderArguments& arguments) {
     require_place_for_file(arguments.output);
 }
 
-int render(const RenderArguments& arguments, const Job& job) {
-    require_output(arguments);
+void render_picture(const RenderArguments& arguments, const Job& job) {
     const PictureOptions options{.aovs = aovs_of(arguments.aovs)};
     if (arguments.rig != "auto") read_rig(arguments.rig);
     std::vector<std::string> names;
@@ -90,6 +115,23 @@ int render(const RenderArguments& arguments, const Job& job) {
                   false_color_picture(film, scale_of(arguments.scale), arguments.iso_lines));
     else
         write_film(arguments.output, film, mapping_of(arguments));
+}
+
+int render(const RenderArguments& arguments, const Job& job) {
+    require_output(arguments);
+    if (arguments.frames.empty()) {
+        render_picture(arguments, job);
+        return exit_pass;
+    }
+    const Frames frames = frames_of(arguments.frames);
+    for (int frame = frames.first; frame <= frames.last; ++frame) {
+        RenderArguments one = arguments;
+        one.output = numbered(arguments.output, frame);
+        one.scene.options.frame = frame;
+        // Pictures appear whole or not at all.
+        if (arguments.resume && std::filesystem::exists(one.output)) continue;
+        render_picture(one, job);
+    }
     return exit_pass;
 }
 
@@ -130,6 +172,11 @@ void add_render(CLI::App& app, Session& session) {
         .add_option("--ev", arguments->mapping.ev,
                     "exposure value of a .png [99 % of the body below white]")
         ->check(number_between(-100, 100));
+    auto* frames = command.add_option("--frames", arguments->frames,
+                                      "A:B, of a scene with [[animation]]: a picture of each, "
+                                      "image-0000.png and on");
+    command.add_flag("--resume", arguments->resume, "leave out frames whose picture is there")
+        ->needs(frames);
     command.footer("Example: keiko render hood.step -o hood.exr --view front --aov normal,depth");
     session.add_command(command, [arguments](const Job& job) { return render(*arguments, job); });
 }

@@ -153,6 +153,20 @@ GroundSpec ground_from(const TomlTable& table, const std::vector<Material>& mate
     return ground;
 }
 
+Animation animation_from(const TomlTable& table, SceneSpec& scene) {
+    Animation animation;
+    animation.target = table.required("target", table.text("target"));
+    for (auto& [frame, value] : table.required("keys", table.keyed_lists("keys"))) {
+        if (!animation.keys.empty() && frame <= animation.keys.back().frame)
+            throw table.error("keys", "frames must ascend");
+        animation.keys.push_back({frame, std::move(value)});
+    }
+    table.finish();
+    if (const std::string fault = animation_fault(scene, animation); !fault.empty())
+        throw table.error("target", shortened(fault));
+    return animation;
+}
+
 } // namespace
 
 SceneSpec parse_scene(std::string_view text, const std::string& source) {
@@ -171,7 +185,9 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
     if (const auto ground = root.table("ground")) scene.ground = ground_from(*ground, materials);
     scene.max_depth = root.integer("max_depth", 0, most_reflections);
     scene.min_weight = root.number("min_weight", TomlLimits::share());
-    root.not_yet({"animation", "primitive"});
+    for (const TomlTable& table : root.tables("animation"))
+        scene.animations.push_back(animation_from(table, scene));
+    root.not_yet({"primitive"});
     root.finish();
     if (scene.models.empty()) throw root.error("", "the scene has no [[model]]");
     return scene;

@@ -193,6 +193,26 @@ std::optional<std::vector<std::vector<double>>> TomlTable::lists(std::string_vie
     return result;
 }
 
+std::optional<std::vector<std::pair<double, std::vector<double>>>> TomlTable::keyed_lists(
+    std::string_view key) const {
+    const Entry* entry = find(key);
+    if (!entry) return {};
+    const std::string wanted = "an array of arrays [number, number or numbers]";
+    const auto* array = std::get_if<std::vector<Value>>(&entry->value.content);
+    if (!array || array->empty()) throw mismatch(key, wanted);
+    std::vector<std::pair<double, std::vector<double>>> result;
+    for (const Value& value : *array) {
+        const auto* pair = std::get_if<std::vector<Value>>(&value.content);
+        if (!pair || pair->size() != 2) throw mismatch(key, wanted);
+        const Value& second = (*pair)[1];
+        result.emplace_back(checked(key, (*pair)[0], {}),
+                            second.kind() == "array"
+                                ? checked_list(key, second, {})
+                                : std::vector<double>{checked(key, second, {})});
+    }
+    return result;
+}
+
 std::optional<bool> TomlTable::flag(std::string_view key) const {
     const Entry* entry = find(key);
     if (!entry) return {};

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace keiko {
@@ -53,6 +54,9 @@ public:
     /// An array of such arrays.
     std::optional<std::vector<std::vector<double>>> lists(std::string_view key,
                                                           const TomlLimits& limits = {}) const;
+    /// An array of arrays of a number and what goes with it: a number, or an array of them.
+    std::optional<std::vector<std::pair<double, std::vector<double>>>> keyed_lists(
+        std::string_view key) const;
     std::optional<Vec3> vector(std::string_view key) const;
     /// true or false.
     std::optional<bool> flag(std::string_view key) const;

@@ -151,5 +151,19 @@ TEST_F(SceneFile, ErrorsNameTheirPlace) {
     EXPECT_EQ(error("view = \"top\"\n"), "1:1: the scene has no [[model]]");
 }
 
+TEST_F(SceneFile, ReadsWhatMovesAndNamesWhatCannot) {
+    const std::string lamp = "[[spotlight]]\nposition = [0, 0, 9]\naim = [0, 0, 0]\n";
+    const std::string moves = "[[animation]]\ntarget = \"spotlight.0.aim\"\n";
+    const SceneSpec read =
+        scene(model + lamp + moves + "keys = [[0, [0, 0, 0]], [8, [4, 0, 0]]]\n");
+    EXPECT_EQ(std::get<Spotlight>(at_frame(read, 2).rig->sources[0]).aim, Vec3(1, 0, 0));
+    EXPECT_EQ(error(model + moves + "keys = [[0, [0, 0, 0]]]\n"),
+              "5:10: animation[0].target: the scene has no 'spotlight.0.aim' that moves");
+    EXPECT_EQ(error(model + lamp + moves + "keys = [[3, [0, 0, 0]], [3, [1, 0, 0]]]\n"),
+              "9:8: animation[0].keys: frames must ascend");
+    EXPECT_EQ(error(model + lamp + moves + "keys = [1, 2]\n"),
+              "9:8: animation[0].keys: must be an array of arrays [number, number or numbers]");
+}
+
 } // namespace
 } // namespace keiko
