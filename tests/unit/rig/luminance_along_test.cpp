@@ -2,10 +2,15 @@
 
 #include "keiko/base/units.h"
 #include "keiko/fog/transmittance.h"
+#include "keiko/spotlight/beam_intensity.h"
 #include "keiko/spotlight/beam_volume.h"
 
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+#include <numbers>
 
 using namespace keiko;
 
