@@ -101,7 +101,7 @@ TEST(DirectIlluminance, PiecesInFogAreFineEnough) {
         const double begin = i / 400.0, end = i == 399 ? 1 : (i + 1) / 400.0;
         const Vec3 middle = lamp.a + (lamp.b - lamp.a) * ((begin + end) / 2);
         fine += irradiance(lamp, Vec3(0), up, IntervalSet::whole(begin, end)).g *
-                transmittance(medium, middle.length()).g;
+                transmittance(medium, {Vec3(0), middle}).g;
     }
     EXPECT_NEAR(illuminance_from(single, medium, Vec3(0), up, AllVisible()).g, fine, 5e-4 * fine);
 }
