@@ -79,6 +79,11 @@ public:
     /// is so long: the unit in which the limit of seams is given.
     double normal_turn(const Image& image, double change) const;
 
+    /// How far the field's value moves at a place when the normal turns the way that moves it most:
+    /// mm a radian, 2 D where a mirrored ray of length D meets the C-plane at a right angle; for
+    /// isophotes of the cosine.
+    double turn_gain(const Vec3& place, const Vec3& normal) const;
+
 private:
     template <class T>
     static Triple<T> constant(const Vec3& w) {

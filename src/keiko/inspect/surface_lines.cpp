@@ -1,14 +1,13 @@
 #include "keiko/inspect/surface_lines.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/inspect/lamp_levels.h"
 #include "keiko/inspect/line_sight.h"
 #include "keiko/inspect/visible_pieces.h"
 #include "keiko/patch/trim_region.h"
 #include "keiko/trace/steady_normal.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <tuple>
 
 namespace keiko {
@@ -34,27 +33,6 @@ std::vector<PlacedPatch> placed_patches(const SurfaceModel& model) {
     return placed;
 }
 
-/// A plane's field and its levels: one a lamp, of isophotes both signs, lamp by lamp.
-struct LampField {
-    LineField field;
-    std::vector<double> levels;
-    std::uint32_t lamps = 0;
-};
-
-LampField lamp_field(LineLook look, const Camera& camera, const CPlane& plane, const Vec3& body) {
-    LampField lamps{LineField(look, LineEye(camera), plane, body), {}, 0};
-    const CPlaneFrame& frame = lamps.field.plane();
-    lamps.lamps = static_cast<std::uint32_t>(frame.lamps);
-    for (int i = 0; i < frame.lamps; ++i)
-        lamps.levels.push_back(look == LineLook::isophote
-                                   ? std::cos(std::numbers::pi / 2 * (i + 0.5) / frame.lamps)
-                                   : frame.axis(i));
-    if (look == LineLook::isophote)
-        for (int i = 0; i < frame.lamps; ++i)
-            lamps.levels.push_back(-lamps.levels[static_cast<std::size_t>(i)]);
-    return lamps;
-}
-
 class LineFinder {
 public:
     LineFinder(const SurfaceModel& model, const Tracer& seen, std::span<const CPlane> planes,
@@ -63,7 +41,7 @@ public:
         const Box3 body = bounds(model);
         step_ = options.test_step * body.size();
         for (const CPlane& plane : planes)
-            fields_.push_back(lamp_field(options.look, camera, plane, body.center()));
+            fields_.push_back(lamp_levels(options.look, LineEye(camera), plane, body.center()));
         for (const Face& face : model.faces) trims_.emplace_back(model, face);
     }
 
@@ -82,7 +60,7 @@ public:
 private:
     void add(const PlacedPatch& placed, const BezierPatchView& patch, std::uint32_t plane,
              std::vector<SurfaceLine>& found) const {
-        const LampField& lamps = fields_[plane];
+        const LampLevels& lamps = fields_[plane];
         for (const PatchLine& line :
              patch_lines(patch, lamps.field, lamps.levels, options_.lines)) {
             const LevelFunction f(patch, lamps.field, lamps.levels[line.level]);
@@ -111,7 +89,7 @@ private:
     const Tracer& seen_;
     const SurfaceLineOptions& options_;
     double step_ = 0; ///< mm
-    std::vector<LampField> fields_;
+    std::vector<LampLevels> fields_;
     std::vector<TrimRegion> trims_; ///< by face
 };
 

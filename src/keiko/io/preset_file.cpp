@@ -44,6 +44,16 @@ void read_seam(const TomlTable& table, CriteriaPreset& preset) {
     table.finish();
 }
 
+LineLimits line_limits_from(const TomlTable& table) {
+    LineLimits limits;
+    limits.jump = table.number("jump", lengths);
+    limits.turn = table.number("turn", angles);
+    limits.kink = table.number("kink", angles);
+    limits.bend = table.number("bend", TomlLimits::positive());
+    table.finish();
+    return limits;
+}
+
 std::vector<CriteriaPreset> parsed_standard_presets() {
     std::vector<CriteriaPreset> presets;
     for (const StandardPreset& preset : standard_preset_files)
@@ -62,6 +72,8 @@ CriteriaPreset parse_preset(std::string_view text, const std::string& source) {
     preset.source = root.text("source").value_or("");
     preset.caveat = root.text("caveat").value_or("");
     read_seam(root.required("seam", root.table("seam")), preset);
+    const auto lines = root.table("lines");
+    preset.lines = lines ? line_limits_from(*lines) : LineLimits{};
     root.not_yet({"surface"});
     root.finish();
     return preset;

@@ -71,6 +71,10 @@ struct Triple {
 };
 
 template <class T>
+Triple<T> operator+(const Triple<T>& a, const Triple<T>& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
 Triple<T> operator-(const Triple<T>& a, const Triple<T>& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }

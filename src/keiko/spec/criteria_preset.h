@@ -18,6 +18,18 @@ struct CurvatureLimit {
     bool operator==(const CurvatureLimit&) const = default;
 };
 
+/// What reflection lines are held to where they cross a seam; what is absent is not judged. Keiko's
+/// own limits, derived in docs/theory/verdict.md.
+struct LineLimits {
+    std::optional<double> jump; ///< mm on the part, sideways
+    /// Degrees: the seam angle that would move the lamp's image on the C-plane as far.
+    std::optional<double> turn;
+    std::optional<double> kink; ///< degrees; only where jump and turn pass
+    std::optional<double> bend; ///< 1/mm, change of the line's curvature; only where kink passes
+
+    bool operator==(const LineLimits&) const = default;
+};
+
 /// What a surface is held to. Limits are practice, not a standard; `source` says whose. Users name
 /// or write a preset file (keiko-preset/1, read_preset); the values here are those of the
 /// class-a-outer that comes with Keiko.
@@ -32,6 +44,7 @@ struct CriteriaPreset {
     double flat_curvature_change = 2e-6;   ///< 1/mm ... the curvatures may differ by this
     std::string caveat;                    ///< what the limits are not, or empty
     std::optional<double> curvature_slope; ///< degrees, G3; nothing: not judged
+    LineLimits lines{std::nullopt, 0.1, 5.7, std::nullopt};
 
     bool operator==(const CriteriaPreset&) const = default;
 };

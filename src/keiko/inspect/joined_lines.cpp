@@ -1,0 +1,280 @@
+#include "keiko/inspect/joined_lines.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/inspect/face_names.h"
+#include "keiko/inspect/placed_derivatives.h"
+#include "keiko/inspect/seam_chain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace keiko {
+namespace {
+
+/// A piece, turned the right way, with how it runs and what its ends meet.
+struct StudiedPiece {
+    std::vector<CourseAt> courses;
+    std::array<LineBorders::End, 2> ends; ///< head, tail
+};
+
+std::vector<CourseAt> courses_of(const SurfaceModel& model, const SurfaceLine& piece,
+                                 const LampLevels& lamps) {
+    std::vector<CourseAt> courses;
+    const std::vector<LinePoint>& points = piece.line.points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto course =
+            line_course(lamps.field, lamps.level(piece.lamp),
+                        placed_derivatives(model, piece.instance, piece.patch, points[i].uv));
+        if (!course) continue;
+        const double step = i == 0 ? 0 : (points[i].place - points[i - 1].place).length();
+        courses.push_back({step, *course});
+    }
+    return courses;
+}
+
+/// Whether the points run against the courses.
+bool runs_backwards(const SurfaceModel& model, const SurfaceLine& piece, const LampLevels& lamps) {
+    const std::vector<LinePoint>& points = piece.line.points;
+    const std::size_t middle = points.size() / 2;
+    const auto course =
+        line_course(lamps.field, lamps.level(piece.lamp),
+                    placed_derivatives(model, piece.instance, piece.patch, points[middle].uv));
+    const std::size_t after = std::min(middle + 1, points.size() - 1);
+    return course && course->tangent.dot(points[after].place - points[middle - 1].place) < 0;
+}
+
+StudiedPiece study(const SurfaceModel& model, const LineBorders& borders, SurfaceLine& piece,
+                   std::uint32_t index, const LampLevels& lamps) {
+    if (runs_backwards(model, piece, lamps))
+        std::reverse(piece.line.points.begin(), piece.line.points.end());
+    StudiedPiece studied{courses_of(model, piece, lamps), {}};
+    if (piece.line.closed) return studied;
+    for (const bool tail : {false, true})
+        studied.ends[tail] = borders.end_of(piece, index, !tail, lamps);
+    return studied;
+}
+
+/// Breaks inside a face are told from the digits of files, as those of knot lines are.
+bool worth_telling(const LineCrossing& crossing) {
+    constexpr double gap = 1e-4, angle = 1e-4, kink = 0.06;
+    return crossing.border.seam != no_index || crossing.gap > gap || crossing.angle > angle ||
+           std::abs(crossing.kink.value) > kink;
+}
+
+bool worse(const LineCrossing& a, const LineCrossing& b) {
+    if (a.verdict != b.verdict) return a.verdict > b.verdict; // none is the least
+    return a.severity > b.severity;
+}
+
+class LineJoiner {
+public:
+    LineJoiner(const SurfaceModel& model, const LineSeams& seams, std::span<const CPlane> planes,
+               const Camera& camera, LineLook look, const CriteriaPreset& preset, const Job& job)
+        : model_(model), seams_(seams), preset_(preset), job_(job) {
+        const Vec3 body = bounds(model).center();
+        for (const CPlane& plane : planes)
+            lamps_.push_back(lamp_levels(look, LineEye(camera), plane, body));
+    }
+
+    JoinedLines run(std::vector<SurfaceLine> pieces) {
+        result_.pieces = std::move(pieces);
+        study_all();
+        pair();
+        chain();
+        measure();
+        shape();
+        std::stable_sort(result_.crossings.begin(), result_.crossings.end(), worse);
+        return std::move(result_);
+    }
+
+private:
+    const LampLevels& lamps_of(const SurfaceLine& piece) const { return lamps_[piece.plane]; }
+
+    void study_all();
+    void pair();
+    void chain();
+    void follow(std::uint32_t first);
+    void measure();
+    void shape();
+    LineEnd why(std::uint32_t piece, bool head) const;
+    std::string faces_at(const LineBorder& border) const;
+    void name(LineCrossing& crossing) const;
+
+    const SurfaceModel& model_;
+    const LineSeams& seams_;
+    const CriteriaPreset& preset_;
+    const Job& job_;
+    std::vector<LampLevels> lamps_;
+    JoinedLines result_;
+    std::vector<StudiedPiece> studied_;
+    std::vector<LineMeeting> meetings_;
+    std::vector<LinePair> pairs_;
+    std::vector<std::uint32_t> next_, before_, line_of_; ///< by piece
+    std::vector<bool> breaks_after_;                     ///< by piece: a crossing is told there
+};
+
+void LineJoiner::study_all() {
+    const LineBorders borders(model_, seams_.curves, seams_.seams, seams_.chains);
+    studied_.resize(result_.pieces.size());
+    parallel_for(result_.pieces.size(), job_, "joints", [&](std::size_t i) {
+        SurfaceLine& piece = result_.pieces[i];
+        studied_[i] = study(model_, borders, piece, static_cast<std::uint32_t>(i), lamps_of(piece));
+    });
+}
+
+void LineJoiner::pair() {
+    for (const StudiedPiece& piece : studied_)
+        for (const LineBorders::End& end : piece.ends)
+            meetings_.insert(meetings_.end(), end.meetings.begin(), end.meetings.end());
+    pairs_ = pair_meetings(meetings_, preset_.feature_angle);
+    next_.assign(studied_.size(), no_index);
+    before_.assign(studied_.size(), no_index);
+    for (const LinePair& pair : pairs_) {
+        next_[meetings_[pair.tail].piece] = meetings_[pair.head].piece;
+        before_[meetings_[pair.head].piece] = meetings_[pair.tail].piece;
+    }
+}
+
+void LineJoiner::chain() {
+    line_of_.assign(studied_.size(), no_index);
+    for (std::uint32_t i = 0; i < studied_.size(); ++i)
+        if (before_[i] == no_index) follow(i);
+    for (std::uint32_t i = 0; i < studied_.size(); ++i)
+        if (line_of_[i] == no_index) follow(i);
+    std::vector<std::uint32_t> order(result_.lines.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    const auto key = [&](std::uint32_t i) {
+        const JoinedLine& line = result_.lines[i];
+        return std::tuple(line.plane, line.lamp, line.pieces.front());
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    std::vector<JoinedLine> lines;
+    for (const std::uint32_t i : order) {
+        for (const std::uint32_t piece : result_.lines[i].pieces)
+            line_of_[piece] = static_cast<std::uint32_t>(lines.size());
+        lines.push_back(std::move(result_.lines[i]));
+    }
+    result_.lines = std::move(lines);
+}
+
+void LineJoiner::follow(std::uint32_t first) {
+    const SurfaceLine& piece = result_.pieces[first];
+    JoinedLine line{piece.plane, piece.lamp, LineEnd::closed, LineEnd::closed, {}, 0, {}};
+    std::uint32_t i = first;
+    do {
+        line.pieces.push_back(i);
+        line.length += length_of(result_.pieces[i].line);
+        line_of_[i] = 0;
+        i = next_[i];
+    } while (i != no_index && i != first);
+    if (i == no_index && !piece.line.closed) {
+        line.begin = why(first, true);
+        line.end = why(line.pieces.back(), false);
+    }
+    result_.lines.push_back(std::move(line));
+}
+
+LineEnd LineJoiner::why(std::uint32_t index, bool head) const {
+    const LineBorders::End& end = studied_[index].ends[head ? 0 : 1];
+    bool at_seam = false;
+    for (const LineMeeting& meeting : end.meetings) {
+        if (meeting.angle > preset_.feature_angle) return LineEnd::crease;
+        at_seam = at_seam || meeting.border.seam != no_index;
+    }
+    if (at_seam) return LineEnd::seam;
+    if (end.on_border) return LineEnd::free_border;
+    if (!end.meetings.empty()) return LineEnd::patch;
+    const SurfaceLine& piece = result_.pieces[index];
+    const LinePoint& point = head ? piece.line.points.front() : piece.line.points.back();
+    const SurfaceDerivatives s = placed_derivatives(model_, piece.instance, piece.patch, point.uv);
+    const Vec3 normal = s.du().cross(s.dv()).normalized();
+    const LineField& field = lamps_of(piece).field;
+    constexpr double grazing = 1e-4, at_lamp_end = 1e-6; // radians; share of the lamp
+    if (!(std::abs(field.eye().towards(s.position()).normalized().dot(normal)) > grazing))
+        return LineEnd::silhouette;
+    const double along = field.image(s.position(), normal).along / field.plane().length;
+    const bool ends_with_lamp = std::min(std::abs(along), std::abs(along - 1)) < at_lamp_end;
+    return field.look() != LineLook::isophote && ends_with_lamp ? LineEnd::lamp : LineEnd::hidden;
+}
+
+void LineJoiner::measure() {
+    std::vector<LineCrossing> found(pairs_.size());
+    parallel_for(pairs_.size(), job_, "crossings", [&](std::size_t i) {
+        const LineMeeting &tail = meetings_[pairs_[i].tail], &head = meetings_[pairs_[i].head];
+        found[i] = line_crossing(tail, head, lamps_[tail.plane], preset_.lines);
+    });
+    breaks_after_.assign(studied_.size(), false);
+    for (LineCrossing& crossing : found) {
+        if (!worth_telling(crossing)) continue;
+        breaks_after_[crossing.from] = true;
+        result_.crossings.push_back(std::move(crossing));
+    }
+    for (std::uint32_t i = 0; i < studied_.size(); ++i)
+        for (const bool tail : {false, true}) {
+            if ((tail ? next_ : before_)[i] != no_index) continue;
+            for (const LineMeeting& m : studied_[i].ends[tail].meetings) {
+                const bool jumps = m.border.seam != no_index && std::isfinite(m.jump) &&
+                                   m.angle <= preset_.feature_angle;
+                if (!jumps) continue;
+                result_.crossings.push_back(line_break(m, lamps_[m.plane], preset_.lines));
+                break;
+            }
+        }
+    for (LineCrossing& crossing : result_.crossings) name(crossing);
+}
+
+void LineJoiner::name(LineCrossing& crossing) const {
+    crossing.line = line_of_[crossing.from];
+    crossing.faces = faces_at(crossing.border);
+}
+
+std::string LineJoiner::faces_at(const LineBorder& border) const {
+    if (border.seam != no_index) {
+        const Seam& seam = seams_.seams[seams_.chains[border.seam].front()];
+        return placed_face_name(model_, seam.a.instance, seam.a.face) + " | " +
+               placed_face_name(model_, seam.b.instance, seam.b.face);
+    }
+    std::array<char, 48> place{};
+    std::snprintf(place.data(), place.size(), ", inside at %c = %.6g",
+                  border.constant_u ? 'u' : 'v', border.at);
+    return placed_face_name(model_, border.instance, border.face) + place.data();
+}
+
+void LineJoiner::shape() {
+    parallel_for(result_.lines.size(), job_, "shapes", [&](std::size_t i) {
+        JoinedLine& line = result_.lines[i];
+        std::vector<CourseAt> courses;
+        for (const std::uint32_t piece : line.pieces) {
+            const std::vector<CourseAt>& some = studied_[piece].courses;
+            courses.insert(courses.end(), some.begin(), some.end());
+            if (piece != line.pieces.back() && !breaks_after_[piece]) continue;
+            line.shapes.push_back(line_shape(courses, lamps_[line.plane].step(line.lamp)));
+            courses.clear();
+        }
+    });
+}
+
+} // namespace
+
+std::string_view name_of(LineEnd end) {
+    constexpr std::array<std::string_view, 8> names{"closed",      "lamp",   "silhouette", "hidden",
+                                                    "free-border", "crease", "seam",       "patch"};
+    return names[static_cast<std::size_t>(end)];
+}
+
+LineSeams::LineSeams(const SurfaceModel& model, double join, const Job& job)
+    : seams(pair_seams(model, join, job)),
+      curves(model),
+      chains(seam_chains(curves, seams, join)) {}
+
+JoinedLines join_lines(const SurfaceModel& model, const LineSeams& seams,
+                       std::vector<SurfaceLine> pieces, std::span<const CPlane> planes,
+                       const Camera& camera, LineLook look, const CriteriaPreset& preset,
+                       const Job& job) {
+    return LineJoiner(model, seams, planes, camera, look, preset, job).run(std::move(pieces));
+}
+
+} // namespace keiko

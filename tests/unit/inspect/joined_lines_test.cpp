@@ -1,0 +1,391 @@
+#include "keiko/inspect/joined_lines.h"
+
+#include "keiko/base/error.h"
+#include "keiko/base/units.h"
+#include "keiko/io/load_model.h"
+#include "keiko/io/preset_file.h"
+#include "keiko/spec/view.h"
+#include "keiko/trace/mirror_ray.h"
+
+#include "tests/support/paths.h"
+#include "tests/unit/inspect/sheets.h"
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace keiko {
+namespace {
+
+constexpr double plane_height = 1500; ///< mm
+
+/// Lamps on a level plane, their axes turned by `turn` from the x axis.
+CPlane lamps_turned(double turn, int lamps = 1500) {
+    const double size = 6000;
+    CPlane plane;
+    plane.u = Vec3(std::cos(turn), std::sin(turn), 0) * size;
+    plane.v = Vec3(-std::sin(turn), std::cos(turn), 0) * size;
+    plane.origin = Vec3(0, 0, plane_height) - (plane.u + plane.v) * 0.5;
+    plane.lamps = lamps;
+    return plane;
+}
+
+/// Looks along `direction` at the origin with parallel rays.
+Camera parallel_camera(const Vec3& direction) {
+    Camera camera;
+    camera.projection = Projection::orthographic;
+    camera.eye = -direction * 3000, camera.target = Vec3(0);
+    return camera;
+}
+
+JoinedLines joined(const SurfaceModel& model, const CPlane& plane, const Camera& camera,
+                   const CriteriaPreset& preset = {}, const Job& job = {}) {
+    const Tracer tracer(model);
+    const std::array planes{plane};
+    return join_lines(model, LineSeams(model, 0.5, job),
+                      surface_lines(model, tracer, planes, camera, {}, job), planes, camera,
+                      LineLook::reflection, preset, job);
+}
+
+/// Two flat sheets on either side of the x axis, the second one turned down by an angle.
+SurfaceModel folded_sheets(double degrees_down) {
+    const double angle = degrees_to_radians(degrees_down);
+    test::ModelBuilder builder;
+    test::flat_sheet(builder, {0, -100, 0});
+    test::flat_sheet(builder, Vec3(0, std::cos(angle), -std::sin(angle)) * 100);
+    return builder.build();
+}
+
+/// Of an eye ray that a plane mirrors: where it meets the C-plane, less its start, in level.
+Vec3 image_of(const Vec3& direction, const Vec3& normal) {
+    const Vec3 ray = reflect(direction, normal);
+    return ray * (plane_height / ray.z);
+}
+
+TEST(JoinedLines, JumpOverAFoldAsFarAsTheMirrorsTurnTheirImages) {
+    const Vec3 direction = Vec3(0.2, 0.5, -1).normalized();
+    const double fold = 0.4;
+    const CPlane plane = lamps_turned(0.9);
+    const CPlaneFrame frame(plane);
+    const JoinedLines found = joined(folded_sheets(fold), plane, parallel_camera(direction));
+    const double angle = degrees_to_radians(fold);
+    const Vec3 first(0, 0, 1), second(0, std::sin(angle), std::cos(angle));
+    const double jump = (image_of(direction, second) - image_of(direction, first)).dot(frame.v);
+    int crossings = 0;
+    for (const LineCrossing& crossing : found.crossings) {
+        EXPECT_NEAR(crossing.place.y, 0, 1e-9);
+        EXPECT_NEAR(crossing.place.z, 0, 1e-9);
+        EXPECT_NEAR(crossing.angle, fold, 1e-9);
+        EXPECT_NEAR(std::abs(crossing.plane_jump), std::abs(jump), 1e-8);
+        EXPECT_LE(std::abs(crossing.turn.value), fold * 1.001);
+        if (!crossing.continued()) continue; // by the end of the seam
+        ++crossings;
+        const double sign = found.pieces[crossing.from].face == 0 ? 1 : -1;
+        EXPECT_NEAR(crossing.plane_jump, sign * jump, 1e-8);
+        // Along the seam the field grows by frame.v.x a mm, so that the line moves against it.
+        const Vec3 head = found.pieces[crossing.to].line.points.front().place;
+        EXPECT_NEAR(head.x - crossing.place.x, -sign * jump / frame.v.x, 1e-7);
+        EXPECT_LT(crossing.jump.bound, 1e-8);
+        EXPECT_LT(crossing.kink.bound, 1e-7);
+        EXPECT_LE(std::abs(crossing.jump.value), std::abs(head.x - crossing.place.x));
+    }
+    EXPECT_GT(crossings, 3);
+}
+
+/// A flat sheet that goes on smoothly in a cylinder about an axis below.
+SurfaceModel sheet_and_cylinder(double radius) {
+    test::ModelBuilder builder;
+    test::flat_sheet(builder, {0, -100, 0});
+    const double up = std::numbers::pi / 2;
+    builder.rational_patch(1, 2, test::arc_sheet(-radius, radius, up, up - 100 / radius));
+    return builder.build();
+}
+
+/// dv/dy beside the seam for a curvature across of `bend`; see docs/theory/reflection-lines.md.
+double slope_across(const Vec3& d, const Vec3& v, double bend) {
+    const Vec3 ray(d.x, d.y, -d.z), change = Vec3(0, -d.z, -d.y) * (2 * bend);
+    return v.y + plane_height * (change.dot(v) / ray.z - ray.dot(v) * change.z / (ray.z * ray.z));
+}
+
+TEST(JoinedLines, KinkWhereACylinderFollowsAPlaneByTheRatioOfTheFieldsSlopes) {
+    const Vec3 direction = Vec3(0.2, 0.5, -1).normalized();
+    for (const double radius : {500.0, 5000.0}) {
+        const CPlane plane = lamps_turned(0.9);
+        const Vec3 v = CPlaneFrame(plane).v;
+        CriteriaPreset preset;
+        const JoinedLines found =
+            joined(sheet_and_cylinder(radius), plane, parallel_camera(direction), preset);
+        const double flat = std::atan2(slope_across(direction, v, 0), v.x);
+        const double bent = std::atan2(slope_across(direction, v, 1 / radius), v.x);
+        int crossings = 0;
+        for (const LineCrossing& crossing : found.crossings) {
+            if (!crossing.continued()) continue;
+            ++crossings;
+            const double sign = found.pieces[crossing.from].face == 0 ? 1 : -1;
+            EXPECT_NEAR(degrees_to_radians(crossing.kink.value), sign * (bent - flat), 1e-9);
+            EXPECT_NEAR(crossing.jump.value, 0, 1e-8);
+            EXPECT_NEAR(crossing.plane_jump, 0, 1e-8);
+            EXPECT_EQ(crossing.kink.limit, 5.7);
+            EXPECT_EQ(crossing.kink.verdict, Verdict::fail);
+        }
+        EXPECT_GT(crossings, 3) << radius;
+    }
+}
+
+/// Two cylinders that join smoothly on the x axis.
+SurfaceModel two_cylinders(double first, double second) {
+    test::ModelBuilder builder;
+    const double up = std::numbers::pi / 2;
+    builder.rational_patch(1, 2, test::arc_sheet(-first, first, up + 100 / first, up));
+    builder.rational_patch(1, 2, test::arc_sheet(-second, second, up, up - 100 / second));
+    return builder.build();
+}
+
+const LineCrossing& worst_crossing(const JoinedLines& found) {
+    if (found.crossings.empty()) throw Error("", "", "no line crosses the seam");
+    return found.crossings.front();
+}
+
+/// The fold that turns the image by so many degrees where it does so most.
+double fold_with_turn(double turn, const CPlane& plane, const Camera& camera) {
+    double fold = turn;
+    for (int i = 0; i < 4; ++i) {
+        CriteriaPreset any;
+        any.lines.turn = turn / 100;
+        const JoinedLines found = joined(folded_sheets(fold), plane, camera, any);
+        fold *= turn / std::abs(worst_crossing(found).turn.value);
+    }
+    return fold;
+}
+
+/// Each preset's limits: the planted angle and mismatch that they allow, 2 % less and 2 % more.
+TEST(JoinedLines, VerdictsOfPlantedFaults) {
+    const Vec3 direction = Vec3(0.2, 0.5, -1).normalized();
+    const CPlane plane = lamps_turned(0.9);
+    const Vec3 v = CPlaneFrame(plane).v;
+    constexpr double radius = 1000;
+    const auto kink_of = [&](double mismatch) { // mismatch = (R1 - R2) / (R1 + R2)
+        const double other = radius * (1 - mismatch) / (1 + mismatch);
+        return radians_to_degrees(
+            std::abs(std::atan2(slope_across(direction, v, 1 / other), v.x) -
+                     std::atan2(slope_across(direction, v, 1 / radius), v.x)));
+    };
+    for (const CriteriaPreset& preset : standard_presets()) {
+        const Camera camera = parallel_camera(direction);
+        const double fold = fold_with_turn(*preset.lines.turn, plane, camera);
+        EXPECT_GT(fold, *preset.lines.turn);
+        EXPECT_LT(fold, 2 * *preset.lines.turn);
+        double low = 0, high = 0.9;
+        for (int i = 0; i < 50; ++i)
+            (kink_of((low + high) / 2) < preset.lines.kink.value_or(0) ? low : high) =
+                (low + high) / 2;
+        for (const double share : {0.98, 1.02}) {
+            const Verdict verdict = share < 1 ? Verdict::pass : Verdict::fail;
+            const JoinedLines folded = joined(folded_sheets(fold * share), plane, camera, preset);
+            EXPECT_EQ(worst_crossing(folded).turn.verdict, verdict) << preset.name << fold;
+            if (!preset.lines.kink) continue;
+            const double other = radius * (1 - low * share) / (1 + low * share);
+            const JoinedLines bent = joined(two_cylinders(radius, other), plane, camera, preset);
+            EXPECT_EQ(worst_crossing(bent).kink.verdict, verdict) << preset.name << low;
+            EXPECT_EQ(worst_crossing(bent).kink.limit, preset.lines.kink);
+        }
+        if (preset.lines.kink) {
+            EXPECT_GE(low, std::sin(degrees_to_radians(*preset.lines.kink)) * 0.999)
+                << "a smaller mismatch makes the kink that is the largest one";
+        }
+    }
+}
+
+/// Where the eye's ray through a place, mirrored by the tracer, meets the lamps' plane; and the
+/// place that it mirrors at.
+struct Traced {
+    double value = 0;
+    Vec3 place{0}, normal{0};
+};
+
+std::optional<Traced> traced(const Tracer& tracer, const CPlaneFrame& frame, const Camera& camera,
+                             const Vec3& place) {
+    Ray ray;
+    ray.origin = camera.eye, ray.direction = (place - camera.eye).normalized();
+    const std::optional<Hit> hit = tracer.nearest(ray);
+    if (!hit) return std::nullopt;
+    const Ray mirrored = mirror_ray(ray, *hit);
+    const Vec3 from = frame.point(mirrored.origin), slope = frame.vector(mirrored.direction);
+    return Traced{from.y - slope.y * from.z / slope.z, hit->position, hit->normal};
+}
+
+/// The traced place of the lamp's image beside a place, looked for along `across`.
+std::optional<Traced> on_line(const Tracer& tracer, const CPlaneFrame& frame, const Camera& camera,
+                              const Vec3& place, const Vec3& across, double level, double within) {
+    double low = -within, high = within;
+    const auto at = [&](double x) { return traced(tracer, frame, camera, place + across * x); };
+    const auto first = at(low), last = at(high);
+    if (!first || !last || (first->value < level) == (last->value < level)) return std::nullopt;
+    const bool rises = first->value < level;
+    std::optional<Traced> middle;
+    for (int i = 0; i < 50; ++i) {
+        middle = at((low + high) / 2);
+        if (!middle) return std::nullopt;
+        ((middle->value < level) == rises ? low : high) = (low + high) / 2;
+    }
+    return middle;
+}
+
+struct Side {
+    Vec3 place{0}, tangent{0}, normal{0};
+};
+
+/// How the traced line leaves a place, from the places h, 2 h and 3 h away: the formula has the
+/// error h^3 of the fourth derivative.
+std::optional<Side> side_by_rays(const Tracer& tracer, const CPlaneFrame& frame,
+                                 const Camera& camera, const Vec3& place, const Vec3& away,
+                                 const Vec3& across, double level) {
+    constexpr double h = 0.25;
+    std::array<Vec3, 3> points;
+    Vec3 normal(0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double step = h * static_cast<double>(i + 1);
+        const auto found =
+            on_line(tracer, frame, camera, place + away * step, across, level, 0.2 * step);
+        if (!found) return std::nullopt;
+        points[i] = found->place;
+        if (i == 0) normal = found->normal;
+    }
+    const Vec3 tangent = (place * -11 + points[0] * 18 - points[1] * 9 + points[2] * 2) / (6 * h);
+    const Vec3 start = points[0] * 3 - points[1] * 3 + points[2];
+    return Side{start, tangent.normalized(), normal};
+}
+
+/// The seams of the fixtures run in the plane x = 0, so that a normal tells their direction.
+double angle_to_seam(const Side& side, const Vec3& normal) {
+    const Vec3 along = normal.cross(Vec3(1, 0, 0)).normalized();
+    return std::atan2(normal.cross(along).dot(side.tangent), along.dot(side.tangent));
+}
+
+TEST(JoinedLines, KinkAndJumpOnFixturesAsTracedRaysShowThem) {
+    for (const char* name : {"seam-g1-angle", "seam-g1-only", "seam-g2-only"}) {
+        const SurfaceModel model =
+            load_model(test::repository("surfaces/" + std::string(name) + ".step"));
+        const Tracer tracer(model);
+        Camera camera;
+        camera.eye = {-900, -700, 1400}, camera.target = Vec3(0);
+        const CPlane plane = lamps_turned(0.6, 300);
+        const CPlaneFrame frame(plane);
+        const JoinedLines found = joined(model, plane, camera);
+        int compared = 0;
+        for (const LineCrossing& crossing : found.crossings) {
+            if (!crossing.continued()) continue;
+            const SurfaceLine &from = found.pieces[crossing.from],
+                              &into = found.pieces[crossing.to];
+            const Vec3 tail = crossing.place, head = into.line.points.front().place;
+            const double level = frame.axis(static_cast<int>(crossing.lamp));
+            const auto course_of = [&](const SurfaceLine& piece, bool first) {
+                const auto& points = piece.line.points;
+                const std::size_t n = points.size();
+                return first ? (points[1].place - points[0].place).normalized()
+                             : (points[n - 1].place - points[n - 2].place).normalized();
+            };
+            const Vec3 back = -course_of(from, false), on = course_of(into, true);
+            const Vec3 up(0, 0, 1);
+            const auto before =
+                side_by_rays(tracer, frame, camera, tail, back, up.cross(back).normalized(), level);
+            const auto after =
+                side_by_rays(tracer, frame, camera, head, on, up.cross(on).normalized(), level);
+            if (!before || !after) continue;
+            ++compared;
+            EXPECT_LE((before->place - tail).length(), 1e-6) << name << tail;
+            EXPECT_LE((after->place - head).length(), 1e-6) << name << head;
+            Side reversed = *before;
+            reversed.tangent = -reversed.tangent;
+            const double kink = std::remainder(
+                angle_to_seam(*after, after->normal) - angle_to_seam(reversed, before->normal),
+                2 * std::numbers::pi);
+            EXPECT_NEAR(degrees_to_radians(crossing.kink.value), kink, 1e-5) << name << tail;
+        }
+        EXPECT_GT(compared, 3) << name;
+    }
+}
+
+TEST(JoinedLines, OfTheHoodRunOverItsPatchesAndSmoothSeamsUnbroken) {
+    const SurfaceModel model = load_model(test::repository("surfaces/hood.step"));
+    const Box3 body = bounds(model);
+    const Camera camera = frame_view("high-front", body);
+    CPlane plane = lamps_turned(0, 12);
+    plane.origin += body.center();
+    const JoinedLines found = joined(model, plane, camera);
+    EXPECT_GE(found.pieces.size(), 3 * found.lines.size()); // three spans along each line
+    EXPECT_FALSE(found.crossings.empty());
+    for (const LineCrossing& crossing : found.crossings) {
+        EXPECT_TRUE(crossing.continued()) << crossing.faces << crossing.place;
+        EXPECT_EQ(crossing.verdict, Verdict::pass);
+        EXPECT_LT(std::abs(crossing.jump.value), 1e-3);
+        EXPECT_LT(std::abs(crossing.kink.value), 0.1);
+    }
+    for (const JoinedLine& line : found.lines) {
+        for (std::size_t i = 1; i < line.pieces.size(); ++i) {
+            const auto& before = found.pieces[line.pieces[i - 1]].line.points;
+            const auto& after = found.pieces[line.pieces[i]].line.points;
+            EXPECT_LT((after.front().place - before.back().place).length(), 1e-3);
+        }
+        EXPECT_NE(line.begin, LineEnd::patch);
+        EXPECT_NE(line.end, LineEnd::patch);
+        EXPECT_NE(line.begin, LineEnd::seam);
+        EXPECT_NE(line.end, LineEnd::seam);
+    }
+}
+
+TEST(JoinedLines, AreTheSameForOneAndTwoThreads) {
+    const SurfaceModel model = load_model(test::repository("surfaces/seam-g1-angle.step"));
+    const Camera camera = frame_view("high-front", bounds(model));
+    const auto one = joined(model, lamps_turned(0.6, 300), camera, {}, {.threads = 1});
+    const auto two = joined(model, lamps_turned(0.6, 300), camera, {}, {.threads = 2});
+    ASSERT_FALSE(one.crossings.empty());
+    ASSERT_EQ(one.crossings.size(), two.crossings.size());
+    for (std::size_t i = 0; i < one.crossings.size(); ++i) {
+        EXPECT_EQ(one.crossings[i].place, two.crossings[i].place);
+        EXPECT_EQ(one.crossings[i].kink.value, two.crossings[i].kink.value);
+        EXPECT_EQ(one.crossings[i].to, two.crossings[i].to);
+    }
+    ASSERT_EQ(one.lines.size(), two.lines.size());
+    for (std::size_t i = 0; i < one.lines.size(); ++i)
+        EXPECT_EQ(one.lines[i].pieces, two.lines[i].pieces);
+}
+
+/// A sheet whose neighbour across the x axis is two sheets that meet in the middle.
+TEST(JoinedLines, GoOnOverATJunction) {
+    test::ModelBuilder builder;
+    test::flat_sheet(builder, {0, -100, 0});
+    const double half = test::sheet_length / 2;
+    const Vec3 across = Vec3(0, 100, -0.2);
+    builder.plane({0, 0, 0}, {half, 0, 0}, across);
+    builder.plane({half, 0, 0}, {half, 0, 0}, across);
+    const Vec3 direction = Vec3(0.2, 0.5, -1).normalized();
+    const JoinedLines found =
+        joined(builder.build(), lamps_turned(0.9), parallel_camera(direction));
+    std::size_t continued = 0, faces = 0;
+    for (const LineCrossing& crossing : found.crossings) {
+        continued += crossing.continued() ? 1 : 0;
+        faces |= crossing.continued() ? std::size_t{1} << found.pieces[crossing.to].face : 0;
+    }
+    EXPECT_GT(continued, 15u);
+    // Only at the ends of the seam an image may jump off the sheets.
+    EXPECT_LE(found.crossings.size() - continued, 8u);
+    EXPECT_NE(faces & 2, 0u);
+    EXPECT_NE(faces & 4, 0u);
+}
+
+TEST(JoinedLines, EndAtAFreeBorderAndAtACrease) {
+    const Vec3 direction = Vec3(0.2, 0.5, -1).normalized();
+    const JoinedLines found =
+        joined(folded_sheets(8), lamps_turned(0.9), parallel_camera(direction));
+    std::size_t crease = 0, free_border = 0, other = 0;
+    for (const JoinedLine& line : found.lines)
+        for (const LineEnd end : {line.begin, line.end})
+            ++(end == LineEnd::crease ? crease : end == LineEnd::free_border ? free_border : other);
+    EXPECT_TRUE(found.crossings.empty());
+    EXPECT_GT(crease, 3u);
+    EXPECT_GT(free_border, 3u);
+    EXPECT_EQ(other, 0u);
+}
+
+} // namespace
+} // namespace keiko
