@@ -1,4 +1,4 @@
-#include "keiko/keiko.h"
+#include "keiko/find_lines.h"
 
 namespace keiko {
 namespace {
@@ -12,22 +12,27 @@ std::vector<CPlane> planes_of(const LightRig& rig) {
     return planes;
 }
 
-LightRig rig_of(const Scene& scene, const LinesOptions& options) {
+} // namespace
+
+LightRig rig_for_lines(const Scene& scene, const LinesOptions& options) {
     if (options.rig) return read_rig(*options.rig);
     if (scene.rig) return *scene.rig;
     throw Error("", "--rig", "lines need a rig, as the scene has none of its own");
 }
 
-} // namespace
-
 LineList find_lines(const Scene& scene, const LinesOptions& options, const Job& job) {
-    const LightRig rig = rig_of(scene, options);
+    const LightRig rig = rig_for_lines(scene, options);
     const std::vector<CPlane> planes = planes_of(rig);
-    LineList list{version(), rig.name, options.lines.look, {}};
-    for (const NamedView& view : choose_views(scene, options.views, 1, job))
-        list.views.push_back(
-            {view.name, view.camera,
-             surface_lines(scene.model, scene.seen(), planes, view.camera, options.lines, job)});
+    LineList list{version(), rig.name, options.lines.look, options.preset, options.join, {}};
+    const std::vector<NamedView> views = choose_views(scene, options.views, 1, job);
+    const LineSeams seams(scene.model, options.join, job);
+    for (const NamedView& view : views) {
+        std::vector<SurfaceLine> pieces =
+            surface_lines(scene.model, scene.seen(), planes, view.camera, options.lines, job);
+        list.views.push_back({view.name, view.camera,
+                              join_lines(scene.model, seams, std::move(pieces), planes, view.camera,
+                                         options.lines.look, options.preset, job)});
+    }
     return list;
 }
 

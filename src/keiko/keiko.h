@@ -149,11 +149,19 @@ struct LinesOptions {
     std::vector<std::string> views;           ///< names; empty: one, as choose_views has it
     std::optional<std::filesystem::path> rig; ///< none: the scene's own
     SurfaceLineOptions lines;
+    CriteriaPreset preset = standard_presets().front();
+    double join = 0.5; ///< mm
 };
 
 /// The reflection lines, highlight lines or isophotes of a rig's lamps that views of a scene show
-/// on the body. Throws Error without a rig, and for one without C-planes.
+/// on the body, joined over seams, measured and judged there. Throws Error without a rig, and for
+/// one without C-planes.
 LineList find_lines(const Scene& scene, const LinesOptions& options = {}, const Job& job = {});
+
+/// The stripes of the lamps in one view with its lines drawn over them and their crossings marked
+/// by verdict, the worst numbered as the table has them.
+Image lines_picture(const Scene& scene, const LinesOptions& options, const ViewLines& view,
+                    const Job& job = {});
 
 struct InspectOptions {
     std::vector<std::string> views;           ///< names; empty: three automatic ones

@@ -1,4 +1,4 @@
-"""`keiko lines`: the curves of lamps on a body, as JSON and CSV."""
+"""`keiko lines`: the curves of lamps on a body and their crossings with seams, as JSON, CSV, PNG."""
 import csv
 import json
 import unittest
@@ -7,6 +7,16 @@ from keiko_process import SOURCE, KeikoTest, surface
 
 HOLE = surface("trimmed-hole.step")
 TUNNEL = str(SOURCE / "lightrigs" / "tunnel-12.toml")
+ASLANT = """format = "keiko-rig/1"
+name = "aslant"
+[[c_plane]]
+origin = [600, -2800, 1500]
+u = [1800, 2400, 0]
+v = [-2400, 1800, 0]
+lamps = 100
+diameter = 10
+luminance = 9000
+"""
 SUN = """format = "keiko-rig/1"
 name = "sun alone"
 [sun]
@@ -23,24 +33,26 @@ class Lines(KeikoTest):
     def test_each_look_gives_curves_with_points(self):
         for look in "reflection", "highlight", "isophote":
             found = self.lines("--view", "high-front", "--look", look)
-            self.assertEqual((found["format"], found["look"]), ("keiko-lines/1", look))
+            self.assertEqual((found["format"], found["look"]), ("keiko-lines/2", look))
             self.assertEqual(found["rig"], "tunnel-12")
             self.assertEqual([view["name"] for view in found["views"]], ["high-front"])
             self.assertTrue(found["lines"], look)
             for line in found["lines"]:
-                self.assertGreaterEqual(len(line["points"]), 2)
+                for piece in line["pieces"]:
+                    self.assertGreaterEqual(len(piece["points"]), 2)
                 self.assertGreater(line["length"], 0)
+                self.assertAlmostEqual(line["length"], sum(p["length"] for p in line["pieces"]))
                 self.assertLess(line["lamp"], 6 if line["plane"] == 0 else 3)
 
     def test_csv_has_the_points_of_the_json(self):
         found = self.lines("--view", "high-front", "--view", "top", "--csv", "lines.csv")
         with open(self.folder / "lines.csv", newline="") as file:
             rows = list(csv.DictReader(file))
-        points = [(i, line["view"], p) for i, line in enumerate(found["lines"])
-                  for p in line["points"]]
-        self.assertEqual({view for _, view, _ in points}, {"high-front", "top"})
-        self.assertEqual([(int(r["line"]), r["view"], [float(r[c]) for c in "xyz"]) for r in rows],
-                         points)
+        points = [(i, k, line["view"], p) for i, line in enumerate(found["lines"])
+                  for k, piece in enumerate(line["pieces"]) for p in piece["points"]]
+        self.assertEqual({view for _, _, view, _ in points}, {"high-front", "top"})
+        self.assertEqual([(int(r["line"]), int(r["piece"]), r["view"],
+                           [float(r[c]) for c in "xyz"]) for r in rows], points)
 
     def test_same_bytes_for_any_number_of_threads(self):
         texts = []
@@ -50,11 +62,59 @@ class Lines(KeikoTest):
         self.assertEqual(*texts)
 
     def test_a_finer_chord_gives_more_points_and_less_deviation(self):
-        coarse = self.lines("--view", "high-front", "--chord", "1")["lines"]
-        fine = self.lines("--view", "high-front", "--chord", "0.0001")["lines"]
-        count = [sum(len(line["points"]) for line in lines) for lines in (coarse, fine)]
+        def pieces(chord: str) -> list:
+            lines = self.lines("--view", "high-front", "--chord", chord)["lines"]
+            return [piece for line in lines for piece in line["pieces"]]
+        coarse, fine = pieces("1"), pieces("0.0001")
+        count = [sum(len(piece["points"]) for piece in some) for some in (coarse, fine)]
         self.assertGreater(count[1], count[0])
-        self.assertLessEqual(max(line["deviation"] for line in fine), 0.0001)
+        self.assertLessEqual(max(piece["deviation"] for piece in fine), 0.0001)
+
+    def seam(self, name: str, expected: int, *arguments: str) -> dict:
+        rig = self.write("aslant.toml", ASLANT)
+        run = self.keiko("lines", surface(f"seam-{name}.step"), "--rig", rig, "--view", "high-front",
+                         "-o", "seam.json", "-q", *arguments)
+        self.assertEqual((run.returncode, run.stderr), (expected, ""))
+        self.printed = run.stdout
+        return json.loads((self.folder / "seam.json").read_text())
+
+    def test_a_broken_seam_fails_and_a_smooth_one_passes(self):
+        for name, expected, verdict in ("g1-angle", 1, "fail"), ("g2-only", 0, "pass"):
+            found = self.seam(name, expected)
+            self.assertEqual(found["verdict"], verdict)
+            continued = [c for c in found["crossings"] if c["continued"]]
+            self.assertGreater(len(continued), 5)
+            self.assertEqual(found["counts"][verdict], len(
+                [c for c in found["crossings"] if c["verdict"] == verdict]))
+            for crossing in continued:
+                line = found["lines"][crossing["line"]]
+                self.assertEqual((line["plane"], line["lamp"]), (crossing["plane"], crossing["lamp"]))
+                self.assertRegex(crossing["faces"], r"face 1 \(left\).* \| face 2 \(right\)")
+                self.assertLess(abs(crossing["place"][0]), 1e-6)
+            severity = [c["severity"] for c in found["crossings"] if c["verdict"]]
+            self.assertEqual(severity, sorted(severity, reverse=True))
+            self.assertTrue(self.printed.splitlines()[-1].startswith(f"{verdict}: "))
+
+    def test_the_preset_decides(self):
+        self.assertEqual(self.seam("g1-angle", 0, "--preset", "engineering")["preset"]["turn"], 0.5)
+        limits = "[seam]\ngap = 1\nangle = 1\n[lines]\njump = 0.01\n"
+        mine = self.write("mine.toml", 'format = "keiko-preset/1"\nname = "mine"\n' + limits)
+        found = self.seam("g1-angle", 1, "--preset", mine)
+        worst = found["crossings"][0]
+        self.assertEqual((worst["jump"]["limit"], worst["jump"]["verdict"]), (0.01, "fail"))
+        self.assertIsNone(worst["turn"]["limit"])
+
+    def test_crossings_and_picture_are_written_beside(self):
+        found = self.seam("g1-angle", 1, "--crossings", "c.csv", "--picture", "p.png", "--rows", "3",
+                          "--size", "320x180")
+        with open(self.folder / "c.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(int(r["line"]), r["faces"], float(r["plane_jump"])) for r in rows],
+                         [(c["line"], c["faces"], c["plane_jump"]) for c in found["crossings"]])
+        self.assertEqual((self.folder / "p.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        table = self.printed.splitlines()
+        self.assertTrue(table[0].startswith("verdict "))
+        self.assertEqual(len(table), 1 + 3 + 1 + 1)
 
     def test_bad_input_is_one_line_and_leaves_nothing(self):
         rig = self.write("sun.toml", SUN)
@@ -62,6 +122,8 @@ class Lines(KeikoTest):
                 (("-o", "l.json"), "keiko: --rig: lines need a rig, as the scene has none of its own"),
                 (("-o", "l.json", "--rig", rig),
                  "keiko: rig 'sun alone': has no C-plane, so that there are no lines"),
+                (("-o", "l.json", "--rig", TUNNEL, "--picture", "p.jpg"),
+                 "keiko: p.jpg: --picture makes a .png"),
                 (("-o", "none/l.json", "--rig", TUNNEL), "keiko: none/l.json: there is no folder none")):
             run = self.keiko("lines", HOLE, "-q", *arguments)
             self.assertEqual((run.returncode, run.stdout, run.stderr), (2, "", reason + "\n"))

@@ -15,40 +15,73 @@ namespace {
 struct LinesArguments {
     SceneArguments scene;
     LinesOptions options;
-    std::filesystem::path rig, output, csv;
+    std::filesystem::path rig, output, csv, crossings, picture;
+    std::string preset;
+    std::size_t rows = 20; ///< of the table
 };
 
 const std::map<std::string, LineLook> looks{{"reflection", LineLook::reflection},
                                             {"highlight", LineLook::highlight},
                                             {"isophote", LineLook::isophote}};
 
-void print_summary(const LineList& list, const std::filesystem::path& output) {
-    std::size_t count = 0, unproved = 0;
+void print_summary(const LineList& list, const LinesArguments& arguments) {
+    std::size_t lines = 0, pieces = 0, unproved = 0;
     double length = 0;
-    for (const ViewLines& view : list.views)
-        for (const SurfaceLine& line : view.lines) {
-            ++count;
-            unproved += line.line.proved ? 0 : 1;
-            length += length_of(line.line);
-        }
-    std::cout << count << " pieces of " << name_of(list.look) << " lines, " << std::llround(length)
-              << " mm, " << unproved << " of them not proved; see " << output.string() << "\n";
+    for (const ViewLines& view : list.views) {
+        lines += view.found.lines.size(), pieces += view.found.pieces.size();
+        for (const SurfaceLine& piece : view.found.pieces) unproved += piece.line.proved ? 0 : 1;
+        for (const JoinedLine& line : view.found.lines) length += line.length;
+    }
+    const CrossingCounts counts = count_crossings(list);
+    std::cout << crossings_table(list, arguments.rows) << name_of(verdict_of(list)) << ": "
+              << counts.fail << " crossings of lines and seams fail, " << counts.undecided
+              << " undecided, " << counts.pass << " pass, " << counts.not_judged << " not judged; "
+              << lines << " " << name_of(list.look) << " lines of " << pieces << " pieces, "
+              << std::llround(length) << " mm, " << unproved << " pieces not proved; see "
+              << arguments.output.string() << "\n";
+}
+
+/// lines.png, or with several views lines-VIEW.png.
+std::filesystem::path picture_of(const std::filesystem::path& path, const LineList& list,
+                                 const ViewLines& view) {
+    if (list.views.size() == 1) return path;
+    std::filesystem::path named = path;
+    return named.replace_filename(path.stem().string() + "-" + view.view + ".png");
+}
+
+void require_outputs(const LinesArguments& arguments) {
+    for (const auto& path :
+         {arguments.output, arguments.csv, arguments.crossings, arguments.picture})
+        if (!path.empty()) require_place_for_file(path);
+    if (!arguments.picture.empty() && arguments.picture.extension() != ".png")
+        throw Error(arguments.picture.string(), "", "--picture makes a .png");
+}
+
+void write(const LinesArguments& arguments, const Scene& scene, const LineList& list,
+           const Job& job) {
+    if (!arguments.picture.empty())
+        for (const ViewLines& view : list.views)
+            write_png(picture_of(arguments.picture, list, view),
+                      lines_picture(scene, arguments.options, view, job));
+    write_text_file(arguments.output, lines_json(list, scene.model));
+    if (!arguments.csv.empty()) write_text_file(arguments.csv, lines_csv(list, scene.model));
+    if (!arguments.crossings.empty()) write_text_file(arguments.crossings, crossings_csv(list));
 }
 
 int lines(LinesArguments arguments, const Job& job) {
-    require_place_for_file(arguments.output);
-    if (!arguments.csv.empty()) require_place_for_file(arguments.csv);
-    require_view_names(arguments.options.views);
+    require_outputs(arguments);
+    LinesOptions& options = arguments.options;
+    if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
+    require_view_names(options.views);
     if (!arguments.rig.empty()) {
-        arguments.options.rig = arguments.rig;
+        options.rig = arguments.rig;
         read_rig(arguments.rig); // a misspelt key is told before the long work
     }
     const Scene scene = arguments.scene.open(job);
-    const LineList list = find_lines(scene, arguments.options, job);
-    write_text_file(arguments.output, lines_json(list, scene.model));
-    if (!arguments.csv.empty()) write_text_file(arguments.csv, lines_csv(list, scene.model));
-    print_summary(list, arguments.output);
-    return exit_pass;
+    const LineList list = find_lines(scene, options, job);
+    write(arguments, scene, list, job);
+    print_summary(list, arguments);
+    return verdict_of(list) == Verdict::pass ? exit_pass : exit_findings;
 }
 
 } // namespace
@@ -56,8 +89,9 @@ int lines(LinesArguments arguments, const Job& job) {
 void add_lines(CLI::App& app, Session& session) {
     auto arguments = std::make_shared<LinesArguments>();
     CLI::App& command = *app.add_subcommand(
-        "lines", "find the reflection lines of lamps, highlight lines or isophotes as curves");
+        "lines", "find the reflection lines of lamps and judge them where they cross seams");
     arguments->scene.add_to(command, "MODEL|SCENE");
+    arguments->scene.add_picture_size(command);
     command.add_option("--rig", arguments->rig, "rig file [the scene's own]");
     command
         .add_option("--view", arguments->options.views,
@@ -73,8 +107,19 @@ void add_lines(CLI::App& app, Session& session) {
                     "mm between a curve and the chords of its points")
         ->check(number_between(1e-6, 1000))
         ->capture_default_str();
+    command.add_option("--preset", arguments->preset,
+                       "limits by name, or a preset file (.toml) [class-a-outer]");
+    command.add_option("--join", arguments->options.join, "mm within which borders are a seam")
+        ->check(number_between(1e-6, 1000))
+        ->capture_default_str();
     command.add_option("-o,--output", arguments->output, "JSON file to write")->required();
     command.add_option("--csv", arguments->csv, "CSV file of the points to write as well");
+    command.add_option("--crossings", arguments->crossings,
+                       "CSV file of the crossings of lines and seams to write as well");
+    command.add_option("--picture", arguments->picture,
+                       "PNG file of the stripes, lines and crossings to write as well");
+    command.add_option("--rows", arguments->rows, "worst crossings to print")
+        ->capture_default_str();
     command.footer(
         "Example: keiko lines hood.step --rig lightrigs/tunnel-12.toml -o hood-lines.json");
     session.add_command(command, [arguments](const Job& job) { return lines(*arguments, job); });

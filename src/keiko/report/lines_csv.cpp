@@ -14,22 +14,71 @@ void append(std::string& text, double value) {
     text.append(digits.data(), end);
 }
 
+/// In quotes, as names come from files.
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
+    return result + '"';
+}
+
+void append(std::string& text, const LineValue& value, bool known) {
+    if (!known) {
+        text += ",,";
+        return;
+    }
+    append(text, value.value);
+    append(text, value.bound);
+}
+
+void append_points(std::string& text, const std::string& begin, const SurfaceLine& piece) {
+    for (const LinePoint& p : piece.line.points) {
+        text += begin;
+        for (const double value : {p.place.x, p.place.y, p.place.z}) append(text, value);
+        text += '\n';
+    }
+}
+
 } // namespace
 
 std::string lines_csv(const LineList& list, const SurfaceModel& model) {
-    std::string text = "view,line,plane,lamp,face,x,y,z\n";
+    std::string text = "view,line,piece,plane,lamp,face,x,y,z\n";
     std::size_t count = 0;
     for (const ViewLines& view : list.views)
-        for (const SurfaceLine& line : view.lines) {
-            const std::string begin = view.view + "," + std::to_string(count++) + "," +
-                                      std::to_string(line.plane) + "," + std::to_string(line.lamp) +
-                                      "," + std::to_string(model.faces[line.face].id);
-            for (const LinePoint& p : line.line.points) {
-                text += begin;
-                for (const double value : {p.place.x, p.place.y, p.place.z}) append(text, value);
-                text += '\n';
+        for (const JoinedLine& line : view.found.lines) {
+            const std::string begin = view.view + "," + std::to_string(count++) + ",";
+            for (std::size_t i = 0; i < line.pieces.size(); ++i) {
+                const SurfaceLine& piece = view.found.pieces[line.pieces[i]];
+                append_points(text,
+                              begin + std::to_string(i) + "," + std::to_string(piece.plane) + "," +
+                                  std::to_string(piece.lamp) + "," +
+                                  std::to_string(model.faces[piece.face].id),
+                              piece);
             }
         }
+    return text;
+}
+
+std::string crossings_csv(const LineList& list) {
+    std::string text =
+        "view,line,plane,lamp,faces,verdict,severity,x,y,z,gap,angle,plane_jump,"
+        "turn,turn_bound,jump,jump_bound,kink,kink_bound,bend,bend_bound\n";
+    std::size_t first_line = 0;
+    for (const ViewLines& view : list.views) {
+        for (const LineCrossing& c : view.found.crossings) {
+            text += view.view + "," + std::to_string(first_line + c.line) + "," +
+                    std::to_string(c.plane) + "," + std::to_string(c.lamp) + "," + quoted(c.faces) +
+                    ",";
+            if (c.verdict) text += name_of(*c.verdict);
+            for (const double value :
+                 {c.severity, c.place.x, c.place.y, c.place.z, c.gap, c.angle, c.plane_jump})
+                append(text, value);
+            append(text, c.turn, true);
+            for (const LineValue* value : {&c.jump, &c.kink, &c.bend})
+                append(text, *value, c.continued());
+            text += '\n';
+        }
+        first_line += view.found.lines.size();
+    }
     return text;
 }
 

@@ -37,9 +37,10 @@ Spotlight spotlight(const std::string& keys) {
 /// cd at an angle from the axis of the light above, which points down.
 double candela(const Spotlight& light, double degrees, double phi) {
     const BeamIntensity intensity(light);
-    return luminance(
-        intensity(light.position + intensity.frame().world(degrees * std::numbers::pi / 180,
-                                                           phi * std::numbers::pi / 180)));
+    const Vec3 direction =
+        intensity.frame().world(degrees * std::numbers::pi / 180, phi * std::numbers::pi / 180);
+    // From so far off that the light's own place does not round the direction away.
+    return luminance(intensity(light.position + direction * 1e6));
 }
 
 std::string luminaire(const std::string& keys) {
