@@ -2,7 +2,7 @@
 
 #include "keiko/keiko.h"
 #include "keiko/ray_lines.h"
-#include "keiko/render/path_counts.h"
+#include "keiko/trace/path_counts.h"
 
 namespace keiko {
 

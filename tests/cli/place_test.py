@@ -35,6 +35,14 @@ class Place(KeikoTest):
                      "--report", "out", *QUICK)
         self.assertEqual([face["id"] for face in self.report()["faces"]], [1])
 
+    def test_verbose_tells_how_hits_were_found(self):
+        run = self.keiko("place", HOOD, "--view", "high-front", "-o", "rig.toml", "--verbose",
+                         *QUICK[1:])
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertRegex(run.stderr,
+                         r"(?m)^keiko: looks of [1-9]\d* hits: [\d.]+ % unique, [\d.]+ % clipped, "
+                         r"[\d.]+ % tangential$")
+
     def test_refusals_are_one_line(self):
         for arguments, word in ((("--faces", "door*"), "door*"), (("--stripes", "9:3"), "9:3"),
                                 (("--plane", "below"), "below"), ((), "--output")):

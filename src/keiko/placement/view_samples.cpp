@@ -1,7 +1,9 @@
 #include "keiko/placement/view_samples.h"
 
+#include "keiko/base/log.h"
 #include "keiko/base/parallel.h"
 #include "keiko/placement/mirrored_ray.h"
+#include "keiko/trace/path_counts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +26,9 @@ public:
         for (const std::uint32_t face : options.faces) wanted_.at(face) = true;
     }
 
-    /// The samples of one row of a picture.
-    std::vector<ViewSample> row(const Camera& camera, std::uint32_t view, double y,
-                                int step) const {
+    /// The samples of one row of a picture; counts all that it meets.
+    std::vector<ViewSample> row(const Camera& camera, std::uint32_t view, double y, int step,
+                                PathCounts& paths) const {
         std::vector<Ray> rays;
         std::vector<double> columns;
         for (double x = step / 2.0; x < camera.width; x += step) {
@@ -36,7 +38,9 @@ public:
         const std::vector<std::optional<Hit>> hits = tracer_.nearest(rays);
         std::vector<ViewSample> samples;
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (!hits[i] || !wanted_[hits[i]->face]) continue;
+            if (!hits[i]) continue;
+            paths.count(*hits[i]);
+            if (!wanted_[hits[i]->face]) continue;
             samples.push_back(sample(*hits[i], rays[i]));
             samples.back().view = view;
             samples.back().pixel = {columns[i], y};
@@ -95,9 +99,14 @@ std::vector<ViewSample> sample_views(const Tracer& tracer, const SurfaceModel& m
     }
     const Sampler sampler(tracer, model, options);
     std::vector<std::vector<ViewSample>> found(rows.size());
+    std::vector<PathCounts> paths(rows.size());
     parallel_for(rows.size(), job, "look", [&](std::size_t i) {
-        found[i] = sampler.row(cameras[rows[i].view], rows[i].view, rows[i].y, rows[i].step);
+        found[i] =
+            sampler.row(cameras[rows[i].view], rows[i].view, rows[i].y, rows[i].step, paths[i]);
     });
+    PathCounts sum;
+    for (const PathCounts& row : paths) sum += row;
+    log_detail("looks of " + path_text(sum));
     std::vector<ViewSample> all;
     for (const auto& row : found) all.insert(all.end(), row.begin(), row.end());
     return all;

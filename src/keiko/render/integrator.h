@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/render/paint.h"
-#include "keiko/render/path_counts.h"
+#include "keiko/trace/path_counts.h"
 #include "keiko/render/picture.h"
 #include "keiko/render/shadows.h"
 #include "keiko/render/shaft_shadows.h"

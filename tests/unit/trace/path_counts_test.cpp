@@ -1,4 +1,4 @@
-#include "keiko/render/path_counts.h"
+#include "keiko/trace/path_counts.h"
 
 #include <gtest/gtest.h>
 
