@@ -4,6 +4,7 @@
 
 #include "tests/bench/accuracy.h"
 #include "tests/bench/contender.h"
+#include "tests/bench/kernel_costs.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/scenes.h"
 
@@ -33,6 +34,7 @@ struct ClassResult {
     std::size_t rays = 0, hits = 0;
     std::size_t tangential = 0; ///< hits of Keiko that say so
     std::vector<Measurement> measurements{};
+    CostsByMode costs{};
 };
 
 struct SceneResult {
@@ -50,6 +52,7 @@ struct TraceResults {
     std::size_t rays = 0;
     int rounds = 0;
     std::vector<SceneResult> scenes{};
+    double trimming_cost = 0;           ///< share, see trimming_cost.h
     std::vector<std::string> skipped{}; ///< scenes whose file is not there
 };
 

@@ -68,8 +68,17 @@ Json json_of(const ContenderFacts& c) {
             {"remark", c.remark}};
 }
 
+Json json_of(const KernelCosts& costs, Mode mode) {
+    return {{"mode", name_of(mode)},
+            {"look_cycles", costs.look},
+            {"solve_cycles", costs.solve},
+            {"proof_share", costs.proof}};
+}
+
 Json json_of(const ClassResult& c) {
     Json json{{"class", c.name}, {"rays", c.rays}, {"hits", c.hits}, {"tangential", c.tangential}};
+    for (const Mode mode : {Mode::single, Mode::packets})
+        json["kernel_costs"].push_back(json_of(c.costs[static_cast<std::size_t>(mode)], mode));
     for (const Measurement& m : c.measurements) json["measurements"].push_back(json_of(m));
     return json;
 }
@@ -104,6 +113,7 @@ void write_json(const std::filesystem::path& file, const TraceResults& results) 
         {"machine", {{"cpu", m.cpu}, {"simd", m.simd}, {"compiler", m.compiler}, {"date", m.date}}},
         {"rays", results.rays},
         {"rounds", results.rounds},
+        {"trimming_cost", results.trimming_cost},
         {"targets", json_of(target_table(results))},
         {"skipped", results.skipped}};
     for (const SceneResult& scene : results.scenes) json["scenes"].push_back(json_of(scene));

@@ -6,6 +6,7 @@
 #include "tests/bench/progress.h"
 #include "tests/bench/ray_classes.h"
 #include "tests/bench/summary.h"
+#include "tests/bench/trimming_cost.h"
 
 #include <algorithm>
 #include <memory>
@@ -107,6 +108,7 @@ SceneResult measure(const SceneFile& scene, const TraceOptions& options) {
         if (rays.rays.empty()) continue;
         tell(scene.name, rays.name + " rays");
         result.classes.push_back(measure(rays, contenders, truth.bounds(), options.rounds));
+        result.classes.back().costs = kernel_costs(model, rays, options.rounds);
     }
     return result;
 }
@@ -121,6 +123,7 @@ TraceResults run_trace_benchmark(const TraceOptions& options) {
         else
             results.skipped.push_back(scene.name);
     }
+    results.trimming_cost = trimming_cost(options.rounds);
     return results;
 }
 

@@ -54,7 +54,8 @@ struct SingleJet {
     alignas(32) std::array<double, 4> value, by_x, by_y;
 };
 
-SingleJet single_jet(const HotLeaf& leaf, const Component4* polynomial, double at_x, double at_y) {
+inline SingleJet single_jet(const HotLeaf& leaf, const Component4* polynomial, double at_x,
+                            double at_y) {
     const hn::CappedTag<double, 4> d;
     const std::size_t columns = leaf.degree_v + 1u;
     const auto x = hn::Set(d, at_x), y = hn::Set(d, at_y);
