@@ -34,21 +34,36 @@ std::string deviation_text(const std::string& what, const Deviation& d) {
     return text + "\n";
 }
 
+/// "face 1 (left) and face 2 (right)"
+std::string sides_of(std::string faces) {
+    if (const std::size_t bar = faces.find(" | "); bar != std::string::npos)
+        faces.replace(bar, 3, " and ");
+    return faces;
+}
+
+std::string change_text(const MeasuredSeam& before, const MeasuredSeam& after) {
+    std::string text = "seam of " + sides_of(after.faces) + ": gap " + number(before.gap.value) +
+                       " mm before, " + number(after.gap.value) + " mm after";
+    if (before.angle && after.angle)
+        text += "; angle " + number(before.angle->value) + " degrees before, " +
+                number(after.angle->value) + " after";
+    return text + "; " + std::string(name_of(before.verdict)) + " before, " +
+           std::string(name_of(after.verdict)) + " after\n";
+}
+
 std::string seams_text(const BodyComparison& c) {
     std::string text;
     for (const SeamChange& change : c.seams.changed)
-        text += "seam " + c.inspection_after.seams[change.after].faces + ": gap " +
-                number(change.gap) + " mm, angle " + number(change.angle) + " degrees more; " +
-                std::string(name_of(change.verdict_before)) + " before, " +
-                std::string(name_of(change.verdict_after)) + " after\n";
+        text += change_text(c.inspection_before.seams[change.before],
+                            c.inspection_after.seams[change.after]);
     for (const std::uint32_t seam : c.seams.removed)
-        text += "seam gone: " + c.inspection_before.seams[seam].faces + "\n";
+        text += "seam gone: " + sides_of(c.inspection_before.seams[seam].faces) + "\n";
     for (const std::uint32_t seam : c.seams.added)
-        text += "seam new: " + c.inspection_after.seams[seam].faces + "\n";
+        text += "seam new: " + sides_of(c.inspection_after.seams[seam].faces) + "\n";
     for (const Check& finding : c.seams.new_findings)
-        text += "finding new: " + finding.faces + ": " + finding.message + "\n";
+        text += "finding new: " + sides_of(finding.faces) + ": " + finding.message + "\n";
     for (const Check& finding : c.seams.solved_findings)
-        text += "finding fixed: " + finding.faces + ": " + finding.message + "\n";
+        text += "finding fixed: " + sides_of(finding.faces) + ": " + finding.message + "\n";
     return text;
 }
 

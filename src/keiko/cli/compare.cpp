@@ -50,6 +50,11 @@ void add_compare(CLI::App& app, Session& session) {
                     "degrees that their normals may be apart")
         ->check(number_between(0, 180))
         ->capture_default_str();
+    command
+        .add_option("--samples", options.deviation.samples,
+                    "about how many places of a body deviations are measured at, and sought from")
+        ->check(number_between(1, 1e8))
+        ->capture_default_str();
     command.footer("Example: keiko compare fender-a.step fender-b.step");
     session.add_command(command, [arguments](const Job& job) { return compare(*arguments, job); });
 }
