@@ -11,7 +11,9 @@ void add_illuminance(CLI::App& app, Session& session);
 void add_info(CLI::App& app, Session& session);
 void add_inspect(CLI::App& app, Session& session);
 void add_lines(CLI::App& app, Session& session);
+void add_merge(CLI::App& app, Session& session);
 void add_place(CLI::App& app, Session& session);
+void add_regress(CLI::App& app, Session& session);
 void add_render(CLI::App& app, Session& session);
 void add_trace(CLI::App& app, Session& session);
 

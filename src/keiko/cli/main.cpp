@@ -19,7 +19,9 @@ int main(int argc, char** argv) try {
     cli::add_info(app, session);
     cli::add_inspect(app, session);
     cli::add_lines(app, session);
+    cli::add_merge(app, session);
     cli::add_place(app, session);
+    cli::add_regress(app, session);
     cli::add_render(app, session);
     cli::add_trace(app, session);
     return session.run(app, argc, argv);

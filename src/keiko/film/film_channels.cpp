@@ -87,4 +87,28 @@ Film film_of(const NamedImage& channels) {
     return film;
 }
 
+std::map<std::string, NamedImage> layers_of(const Film& film) {
+    std::map<std::string, NamedImage> layers;
+    layers["color"] = channels_of({film.color, film.alpha, {}});
+    for (const auto& [aov, image] : film.aovs)
+        layers[std::string(name_of(aov))] = {image, layer_names(aov)};
+    return layers;
+}
+
+Film film_of(const std::map<std::string, NamedImage>& layers) {
+    const auto color = layers.find("color");
+    if (color == layers.end()) throw Error("", "", "the picture has no layer 'color'");
+    Film film = film_of(color->second);
+    for (const auto& [name, layer] : layers) {
+        if (layer.image.width != film.color.width || layer.image.height != film.color.height)
+            throw Error("", name, "the layer does not have the picture's size");
+        if (name == "color") continue;
+        const Aov aov = aov_by_name(name);
+        Image image = taken(layer, layer_names(aov));
+        if (image.channels == 0) throw Error("", name, "the layer lacks one of its channels");
+        film.aovs.emplace(aov, std::move(image));
+    }
+    return film;
+}
+
 } // namespace keiko

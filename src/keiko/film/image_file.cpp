@@ -90,12 +90,26 @@ std::string encode_png(const Image& display) {
 }
 
 std::string encode_exr(const Film& film) {
-    const NamedImage all = channels_of(film);
+    return encode_exr(channels_of(film));
+}
+
+std::string encode_exr(const NamedImage& all) {
     OIIO::ImageSpec spec(all.image.width, all.image.height, all.image.channels, OIIO::TypeFloat);
     spec.channelnames = all.channel_names;
     spec.attribute("compression", "zip");
     spec.attribute("DateTime", "1970:01:01 00:00:00"); // or OpenImageIO writes the time of day
     return encoded("exr", spec, OIIO::TypeFloat, all.image.values.data());
+}
+
+NamedImage decode_exr(std::string_view bytes, const std::string& file) {
+    OIIO::Filesystem::IOMemReader source(const_cast<char*>(bytes.data()), bytes.size());
+    const auto input = OIIO::ImageInput::open("picture.exr", nullptr, &source);
+    if (!input) throw Error(file, "", "cannot read the picture: " + OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    NamedImage result{Image(spec.width, spec.height, spec.nchannels), spec.channelnames};
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, result.image.values.data()))
+        throw Error(file, "", "cannot read the picture: " + input->geterror());
+    return result;
 }
 
 NamedImage read_image(const fs::path& path) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace keiko {
 
@@ -29,9 +30,14 @@ void write_png(const std::filesystem::path& path, const Image& display);
 /// The bytes of the same files, to embed them.
 std::string encode_png(const Image& display);
 std::string encode_exr(const Film& film);
+/// 32-bit floats under their channel names.
+std::string encode_exr(const NamedImage& image);
 
 /// Reads a picture as it is stored, 8-bit values as n / 255. Throws Error.
 NamedImage read_image(const std::filesystem::path& path);
+
+/// The picture whose .exr file has these bytes. Throws Error naming `file`.
+NamedImage decode_exr(std::string_view bytes, const std::string& file);
 
 /// Reads what write_film wrote as .exr; channels of unknown layers are left out. Throws Error for
 /// a file without R, G and B.

@@ -15,6 +15,11 @@ std::string text_of(const Json& json);
 /// [x, y, z]
 Json point(const Vec3& p);
 
+/// A number, or a word for what JSON has no number: "inf", "-inf", "nan".
+Json real_json(double value);
+/// What real_json made. Throws Json::exception, and std::exception for another word.
+double real_from(const Json& json);
+
 /// The keys of facts_json but for `format` and `face_list`.
 Json model_json(const ModelFacts& facts);
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace keiko {
+
+/// The only writer of a folder for as long as it lives. What writers that were killed have left
+/// behind there is gone when it is made.
+class FolderLock {
+public:
+    /// Makes the folder where it is missing. Throws Error when another process holds it, and when
+    /// it cannot be written.
+    explicit FolderLock(const std::filesystem::path& folder);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+private:
+    int descriptor_ = -1;
+};
+
+/// File names and their bytes.
+using FolderContent = std::map<std::string, std::string>;
+
+/// Makes a folder of these files, in place of the one that is there: at every moment either the
+/// whole old folder or the whole new one is found. The caller holds the lock of the folder it lies
+/// in. Throws Error.
+void write_folder_atomically(const std::filesystem::path& target, const FolderContent& content);
+
+/// Every file of a folder; nothing where there is no folder. Throws Error.
+FolderContent read_folder(const std::filesystem::path& folder);
+
+} // namespace keiko

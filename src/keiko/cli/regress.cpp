@@ -1,0 +1,139 @@
+#include "keiko/regress.h"
+
+#include "keiko/cli/commands.h"
+#include "keiko/cli/output_place.h"
+#include "keiko/cli/scene_options.h"
+
+#include <pwd.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace keiko::cli {
+namespace {
+
+struct RegressArguments {
+    RegressOptions options;
+    SceneArguments loading;
+    std::vector<std::string> update;
+    std::string shard, by, reason;
+};
+
+/// "K/N"
+Shard shard_of(const std::string& text) {
+    Shard shard;
+    if (text.empty()) return shard;
+    int end = 0;
+    constexpr int most = 100000;
+    if (std::sscanf(text.c_str(), "%d/%d%n", &shard.number, &shard.count, &end) != 2 ||
+        static_cast<std::size_t>(end) != text.size() || shard.number < 1 ||
+        shard.number > shard.count || shard.count > most)
+        throw Error("", "--shard", "'" + text + "' is not K/N with 1 <= K <= N");
+    return shard;
+}
+
+std::string login_name() {
+    const passwd* user = getpwuid(geteuid());
+    return user ? user->pw_name : std::to_string(geteuid());
+}
+
+int exit_code_of(FixtureState state) {
+    if (state == FixtureState::error) return exit_error;
+    return state == FixtureState::same ? exit_pass : exit_findings;
+}
+
+std::string line_of(const FixtureOutcome& fixture) {
+    std::string text(name_of(fixture.state));
+    text += " " + fixture.name;
+    if (fixture.state == FixtureState::error) return text + ": " + fixture.error;
+    if (fixture.state != FixtureState::different) return text;
+    std::size_t views = 0;
+    for (const PictureOutcome& picture : fixture.pictures) views += !picture.within();
+    text += ": " + std::to_string(fixture.metrics.size()) + " of " +
+            std::to_string(fixture.metrics_compared) + " metrics, " + std::to_string(views) +
+            " of " + std::to_string(fixture.pictures.size()) + " views";
+    if (!fixture.metrics.empty()) text += "; " + text_of(fixture.metrics.front());
+    return text;
+}
+
+int tell(const Regression& regression, const std::filesystem::path& output) {
+    for (const FixtureOutcome& fixture : regression.fixtures) std::cout << line_of(fixture) << "\n";
+    std::cout << summary_of(regression) << "; see " << (output / "index.html").string() << "\n";
+    return exit_code_of(regression.state());
+}
+
+int update(const RegressArguments& arguments, const RegressOptions& options, const Job& job) {
+    const std::string by = arguments.by.empty() ? login_name() : arguments.by;
+    for (const AcceptedBaseline& accepted :
+         update_baselines(options, arguments.update, by, arguments.reason, job)) {
+        if (accepted.change.changed.empty())
+            std::cout << "unchanged " << accepted.name << "\n";
+        else
+            std::cout << "accepted " << accepted.name << "\n";
+        for (const std::string& line : accepted.change.changed) std::cout << "  " << line << "\n";
+    }
+    return exit_pass;
+}
+
+int regress(const RegressArguments& arguments, const Job& job) {
+    RegressOptions options = arguments.options;
+    options.shard = shard_of(arguments.shard);
+    options.load = load_options(arguments.loading);
+    require_place_for_folder(options.output);
+    if (!arguments.update.empty()) return update(arguments, options, job);
+    return tell(run_regression(options, job), options.output);
+}
+
+} // namespace
+
+void add_regress(CLI::App& app, Session& session) {
+    auto arguments = std::make_shared<RegressArguments>();
+    RegressOptions& options = arguments->options;
+    CLI::App& command = *app.add_subcommand(
+        "regress", "run the fixtures of a folder and hold them against their baselines");
+    command.add_option("DIR", options.suite, "folder with fixtures (keiko-fixture/1)")->required();
+    command.add_option("-o,--output", options.output, "folder for candidates and reports")
+        ->capture_default_str();
+    command.add_option("--baseline", options.baselines, "folder of the baselines [DIR/baselines]");
+    auto* only = command.add_option("--only", options.only, "run this fixture; may repeat [all]")
+                     ->allow_extra_args(false);
+    auto* shard = command.add_option("--shard", arguments->shard,
+                                     "K/N: run every N-th fixture from the K-th on; see merge");
+    command.add_flag("--fresh", options.fresh,
+                     "run fixtures again that an earlier run has finished");
+    auto* update = command
+                       .add_option("--update", arguments->update,
+                                   "accept what this fixture shows now as its baseline; may repeat")
+                       ->allow_extra_args(false)
+                       ->excludes(only)
+                       ->excludes(shard);
+    command.add_option("--reason", arguments->reason, "why, for the baseline's manifest")
+        ->needs(update);
+    command.add_option("--by", arguments->by, "who, for the manifest [your login name]")
+        ->needs(update);
+    add_load_options(command, arguments->loading);
+    command.footer("Example: keiko regress surfaces -o out --shard 1/4");
+    session.add_command(command, [arguments](const Job& job) { return regress(*arguments, job); });
+}
+
+void add_merge(CLI::App& app, Session& session) {
+    struct MergeArguments {
+        std::vector<std::filesystem::path> shards;
+        std::filesystem::path output;
+    };
+    auto arguments = std::make_shared<MergeArguments>();
+    CLI::App& command =
+        *app.add_subcommand("merge", "join the shards of a regression run into one report");
+    command.add_option("SHARD", arguments->shards, "output folders of keiko regress --shard")
+        ->required();
+    command.add_option("-o,--output", arguments->output, "folder for the reports")->required();
+    command.footer("Example: keiko merge out-1 out-2 out-3 -o out");
+    session.add_command(command, [arguments](const Job&) {
+        require_place_for_folder(arguments->output);
+        return tell(merge_regressions(arguments->shards, arguments->output), arguments->output);
+    });
+}
+
+} // namespace keiko::cli

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "keiko/compare/film_difference.h"
+#include "keiko/compare/metric_difference.h"
+#include "keiko/spec/fixture_spec.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// A view of a fixture.
+struct FixturePicture {
+    std::string view;
+    Film film;
+};
+
+/// What a fixture showed: as its baseline keeps it, or as it is now.
+struct FixtureRecord {
+    std::vector<Metric> metrics;
+    std::vector<FixturePicture> pictures;
+};
+
+/// One view of two records.
+struct PictureDifference {
+    std::string view;
+    std::string problem; ///< why the pictures could not be compared, or empty
+    std::optional<FilmDifference> film;
+
+    bool within() const { return film && film->within(); }
+};
+
+/// How two records of a fixture differ.
+struct FixtureDifference {
+    std::size_t metrics_compared = 0;
+    std::vector<MetricDifference> metrics;   ///< those beyond their tolerance
+    std::vector<PictureDifference> pictures; ///< every view of either
+
+    bool within() const;
+};
+
+/// Holds a record against the one before, by the tolerances of the fixture. A view or a layer that
+/// only one of them has is a difference.
+FixtureDifference fixture_difference(const FixtureRecord& before, const FixtureRecord& after,
+                                     const FixtureSpec& spec);
+
+} // namespace keiko

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "keiko/spec/fixture_spec.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keiko {
+
+/// Reads a fixture file (keiko-fixture/1, docs/file-formats.md). Paths in it are relative to the
+/// file itself. Throws Error with file, line and column.
+FixtureSpec read_fixture(const std::filesystem::path& path);
+/// The same from a text; `source` is the path that messages and relative paths refer to.
+FixtureSpec parse_fixture(std::string_view text, const std::string& source);
+
+/// Every fixture of a folder, by name: its .toml files but for those that say they are of another
+/// format of Keiko, as scenes and rigs. Throws Error for a folder that cannot be read or holds no
+/// fixture, and for the first file that is none.
+std::vector<FixtureSpec> read_fixtures(const std::filesystem::path& folder);
+
+} // namespace keiko

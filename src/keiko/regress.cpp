@@ -1,0 +1,54 @@
+#include "keiko/regress.h"
+
+#include "keiko/fixture_outcome.h"
+#include "keiko/io/fixture_file.h"
+#include "keiko/suite_files.h"
+
+namespace keiko {
+namespace {
+
+std::vector<FixtureSpec> read_suite(const RegressOptions& options) {
+    std::vector<FixtureSpec> fixtures = read_fixtures(options.suite);
+    return options.only.empty() ? fixtures : chosen(std::move(fixtures), options.only);
+}
+
+std::vector<FixtureSpec> share_of(const std::vector<FixtureSpec>& fixtures, const Shard& shard) {
+    std::vector<FixtureSpec> share;
+    for (std::size_t i = 0; i < fixtures.size(); ++i)
+        if (i % static_cast<std::size_t>(shard.count) + 1 == static_cast<std::size_t>(shard.number))
+            share.push_back(fixtures[i]);
+    return share;
+}
+
+FixtureOutcome run_one(const FixtureSpec& spec, const RegressOptions& options, const Job& job) {
+    try {
+        const FixtureRecord candidate = candidate_of(spec, options, job);
+        const std::optional<KeptRecord> baseline =
+            kept_baseline(baseline_folder(options) / spec.name);
+        return fixture_outcome(spec, baseline ? &baseline->record : nullptr, candidate);
+    } catch (const Error& error) {
+        return {.name = spec.name, .state = FixtureState::error, .error = error.what()};
+    }
+}
+
+} // namespace
+
+Regression run_regression(const RegressOptions& options, const Job& job) {
+    const std::vector<FixtureSpec> suite = read_suite(options);
+    const std::vector<FixtureSpec> share = share_of(suite, options.shard);
+    const FolderLock lock(options.output);
+    remove_reports(options.output);
+    Regression regression{.tool_version = version(),
+                          .suite = names_of(suite),
+                          .shard = options.shard.number,
+                          .shards = options.shard.count};
+    for (std::size_t i = 0; i < share.size(); ++i) {
+        job.check();
+        regression.fixtures.push_back(
+            run_one(share[i], options, job_of_fixture(job, i, share.size(), share[i].name)));
+    }
+    write_reports(options.output, regression);
+    return regression;
+}
+
+} // namespace keiko

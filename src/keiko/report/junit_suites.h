@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// A test case as build servers show it.
+struct JunitCase {
+    enum class Outcome { pass, failure, error };
+    std::string class_name, name;
+    Outcome outcome = Outcome::pass;
+    std::string message; ///< one line
+    std::string details; ///< any number of lines
+};
+
+struct JunitSuite {
+    std::string name;
+    std::vector<JunitCase> cases;
+};
+
+/// JUnit XML (the schema of the xUnit plugin of Jenkins, junit-10.xsd), without times, so that
+/// every run gives the same bytes.
+std::string junit_xml(const std::vector<JunitSuite>& suites);
+
+} // namespace keiko

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "keiko/base/output_folder.h"
+#include "keiko/compare/fixture_record.h"
+
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// Who accepted a baseline, when, why, and what it changed.
+struct BaselineChange {
+    std::string date; ///< "2026-11-21T15:54:00Z"
+    std::string by, reason;
+    std::string tool;                 ///< "keiko 0.1.0"
+    std::vector<std::string> changed; ///< one line each
+};
+
+/// A record of a fixture as files: metrics.json (keiko-metrics/1), VIEW.LAYER.exr, and
+/// manifest.json (keiko-manifest/1) with the SHA-256 of each.
+struct KeptRecord {
+    FixtureRecord record;
+    std::string key;                     ///< what it was made from; empty for a baseline
+    std::vector<BaselineChange> changes; ///< of a baseline, oldest first
+};
+
+FolderContent files_of(const KeptRecord& kept);
+
+/// The record in files of `folder`, which is for messages. Throws Error for files that are missing,
+/// too many, damaged or of another format.
+KeptRecord record_of(const FolderContent& files, const std::string& folder);
+
+} // namespace keiko

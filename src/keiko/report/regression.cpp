@@ -1,0 +1,38 @@
+#include "keiko/report/regression.h"
+
+#include <algorithm>
+
+namespace keiko {
+
+std::string_view name_of(FixtureState state) {
+    constexpr std::array<std::string_view, 4> names{"same", "different", "missing", "error"};
+    return names[static_cast<std::size_t>(state)];
+}
+
+bool PictureOutcome::within() const {
+    return problem.empty() && flips_within &&
+           std::all_of(layers.begin(), layers.end(),
+                       [](const LayerDifference& layer) { return layer.within; });
+}
+
+std::size_t Regression::count(FixtureState state) const {
+    return static_cast<std::size_t>(
+        std::count_if(fixtures.begin(), fixtures.end(),
+                      [&](const FixtureOutcome& fixture) { return fixture.state == state; }));
+}
+
+FixtureState Regression::state() const {
+    FixtureState worst = FixtureState::same;
+    for (const FixtureOutcome& fixture : fixtures) worst = std::max(worst, fixture.state);
+    return worst;
+}
+
+std::string summary_of(const Regression& regression) {
+    std::string text = std::to_string(regression.fixtures.size()) + " fixtures";
+    for (const FixtureState state :
+         {FixtureState::same, FixtureState::different, FixtureState::missing, FixtureState::error})
+        text += ", " + std::to_string(regression.count(state)) + " " + std::string(name_of(state));
+    return text;
+}
+
+} // namespace keiko

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "keiko/base/output_folder.h"
+#include "keiko/compare/fixture_record.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// What became of a fixture, from good to bad.
+enum class FixtureState {
+    same,      ///< within its tolerances
+    different, ///< beyond one of them
+    missing,   ///< has no baseline to be held against
+    error      ///< could not be run, or its baseline is damaged
+};
+
+std::string_view name_of(FixtureState state);
+
+/// What became of one view of a fixture.
+struct PictureOutcome {
+    std::string view;
+    std::string problem{}; ///< as PictureDifference::problem
+    std::size_t pixels = 0, coverage_flips = 0, face_flips = 0;
+    bool flips_within = true;
+    std::vector<LayerDifference> layers{};
+    int width = 0, height = 0;
+    /// Names in FixtureOutcome::pngs of the pictures before, after, and of their difference; empty
+    /// where there is none.
+    std::string before{}, after{}, difference{};
+
+    bool within() const;
+};
+
+/// What became of a fixture.
+struct FixtureOutcome {
+    std::string name;
+    FixtureState state = FixtureState::same;
+    std::string error{}; ///< one line, of an error
+    std::size_t metrics_compared = 0;
+    std::vector<MetricDifference> metrics{};
+    std::vector<PictureOutcome> pictures{};
+    FolderContent pngs{}; ///< of views that differ or have nothing to be held against
+};
+
+/// One run of a suite, or of a share of it.
+struct Regression {
+    std::string tool_version;
+    std::vector<std::string> suite;         ///< every fixture of the suite, by name
+    int shard = 1, shards = 1;              ///< fixture i is of shard i % shards + 1
+    std::vector<FixtureOutcome> fixtures{}; ///< those of the shard, by name
+
+    std::size_t count(FixtureState state) const;
+    /// The worst of all fixtures.
+    FixtureState state() const;
+};
+
+/// "7 fixtures, 5 same, 1 different, 0 missing, 1 error"
+std::string summary_of(const Regression& regression);
+
+/// "keiko-regression/1": everything but the pictures' bytes. No times: every run gives the same.
+std::string regression_json(const Regression& regression);
+/// What regression_json wrote; `file` is for messages. Throws Error.
+Regression parse_regression(const std::string& json, const std::string& file);
+
+/// A page of its own with what is not the same: pictures before, after, difference, and numbers.
+std::string regression_html(const Regression& regression);
+
+/// For build servers: a suite a fixture, a case a check, view and layer.
+std::string regression_junit(const Regression& regression);
+
+} // namespace keiko

@@ -1,0 +1,165 @@
+#include "keiko/base/error.h"
+#include "keiko/report/json_text.h"
+#include "keiko/report/regression.h"
+
+namespace keiko {
+namespace {
+
+constexpr const char* format = "keiko-regression/1";
+
+using Value = std::optional<std::variant<double, std::string>>;
+
+Json value_json(const Value& value) {
+    if (!value) return {};
+    if (const double* real = std::get_if<double>(&*value)) return {{"number", real_json(*real)}};
+    return {{"word", std::get<std::string>(*value)}};
+}
+
+Value value_from(const Json& json) {
+    if (json.is_null()) return {};
+    if (json.contains("word")) return json.at("word").get<std::string>();
+    return real_from(json.at("number"));
+}
+
+Json metric_json(const MetricDifference& d) {
+    return {{"check", d.check},
+            {"name", d.name},
+            {"quantity", name_of(d.quantity)},
+            {"before", value_json(d.before)},
+            {"after", value_json(d.after)},
+            {"allowed", d.allowed}};
+}
+
+MetricDifference metric_from(const Json& json) {
+    return {json.at("check"),
+            json.at("name"),
+            quantity_by_name(json.at("quantity").get<std::string>()),
+            value_from(json.at("before")),
+            value_from(json.at("after")),
+            json.at("allowed")};
+}
+
+Json layer_json(const LayerDifference& layer) {
+    return {{"layer", layer.layer},
+            {"beyond", layer.beyond},
+            {"largest", real_json(layer.largest)},
+            {"excess", real_json(layer.excess)},
+            {"root_mean_square", real_json(layer.root_mean_square)},
+            {"x", layer.x},
+            {"y", layer.y},
+            {"within", layer.within}};
+}
+
+LayerDifference layer_from(const Json& json) {
+    return {.layer = json.at("layer"),
+            .beyond = json.at("beyond"),
+            .largest = real_from(json.at("largest")),
+            .excess = real_from(json.at("excess")),
+            .root_mean_square = real_from(json.at("root_mean_square")),
+            .x = json.at("x"),
+            .y = json.at("y"),
+            .within = json.at("within")};
+}
+
+Json picture_json(const PictureOutcome& picture) {
+    Json json = {{"view", picture.view},
+                 {"problem", picture.problem},
+                 {"pixels", picture.pixels},
+                 {"coverage_flips", picture.coverage_flips},
+                 {"face_flips", picture.face_flips},
+                 {"flips_within", picture.flips_within},
+                 {"layers", Json::array()},
+                 {"width", picture.width},
+                 {"height", picture.height},
+                 {"before", picture.before},
+                 {"after", picture.after},
+                 {"difference", picture.difference}};
+    for (const LayerDifference& layer : picture.layers) json["layers"].push_back(layer_json(layer));
+    return json;
+}
+
+PictureOutcome picture_from(const Json& json) {
+    PictureOutcome picture{.view = json.at("view"),
+                           .problem = json.at("problem"),
+                           .pixels = json.at("pixels"),
+                           .coverage_flips = json.at("coverage_flips"),
+                           .face_flips = json.at("face_flips"),
+                           .flips_within = json.at("flips_within"),
+                           .layers = {},
+                           .width = json.at("width"),
+                           .height = json.at("height"),
+                           .before = json.at("before"),
+                           .after = json.at("after"),
+                           .difference = json.at("difference")};
+    for (const Json& layer : json.at("layers")) picture.layers.push_back(layer_from(layer));
+    return picture;
+}
+
+Json fixture_json(const FixtureOutcome& fixture) {
+    Json json = {{"name", fixture.name},     {"state", name_of(fixture.state)},
+                 {"error", fixture.error},   {"metrics_compared", fixture.metrics_compared},
+                 {"metrics", Json::array()}, {"pictures", Json::array()}};
+    for (const MetricDifference& metric : fixture.metrics)
+        json["metrics"].push_back(metric_json(metric));
+    for (const PictureOutcome& picture : fixture.pictures)
+        json["pictures"].push_back(picture_json(picture));
+    return json;
+}
+
+FixtureState state_from(const std::string& name) {
+    for (const FixtureState state :
+         {FixtureState::same, FixtureState::different, FixtureState::missing, FixtureState::error})
+        if (name_of(state) == name) return state;
+    throw Error("", in_quotes(name), "is no state of a fixture");
+}
+
+FixtureOutcome fixture_from(const Json& json) {
+    FixtureOutcome fixture;
+    fixture.name = json.at("name");
+    fixture.state = state_from(json.at("state"));
+    fixture.error = json.at("error");
+    fixture.metrics_compared = json.at("metrics_compared");
+    for (const Json& metric : json.at("metrics")) fixture.metrics.push_back(metric_from(metric));
+    for (const Json& picture : json.at("pictures"))
+        fixture.pictures.push_back(picture_from(picture));
+    return fixture;
+}
+
+Regression regression_from(const Json& json) {
+    if (json.at("format") != format)
+        throw Error("", "", std::string("is not of the format ") + format);
+    Regression regression;
+    regression.tool_version = json.at("tool").at("version");
+    regression.suite = json.at("suite").get<std::vector<std::string>>();
+    regression.shard = json.at("shard"), regression.shards = json.at("shards");
+    for (const Json& fixture : json.at("fixtures"))
+        regression.fixtures.push_back(fixture_from(fixture));
+    return regression;
+}
+
+} // namespace
+
+std::string regression_json(const Regression& regression) {
+    Json json = {{"format", format},
+                 {"tool", {{"name", "keiko"}, {"version", regression.tool_version}}},
+                 {"state", name_of(regression.state())},
+                 {"shard", regression.shard},
+                 {"shards", regression.shards},
+                 {"suite", regression.suite},
+                 {"fixtures", Json::array()}};
+    for (const FixtureOutcome& fixture : regression.fixtures)
+        json["fixtures"].push_back(fixture_json(fixture));
+    return text_of(json);
+}
+
+Regression parse_regression(const std::string& text, const std::string& file) {
+    try {
+        return regression_from(Json::parse(text));
+    } catch (const Error& error) {
+        throw Error(file, error.where(), error.reason());
+    } catch (const std::exception& error) { // of the JSON library, and of stod
+        throw Error(file, "", std::string("cannot be read: ") + error.what());
+    }
+}
+
+} // namespace keiko

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "keiko/compare/fixture_record.h"
+#include "keiko/keiko.h"
+
+namespace keiko {
+
+/// Reads, measures and renders a fixture. The same for any number of threads. Throws Error,
+/// Cancelled.
+FixtureRecord run_fixture(const FixtureSpec& spec, const LoadOptions& load, const Job& job = {});
+
+/// SHA-256 of everything that run_fixture depends on: the fixture file and all files that it names,
+/// by their paths from its folder; this program and the worker that reads CAD files. The libraries
+/// that they load are not looked at.
+std::string fixture_key(const FixtureSpec& spec, const LoadOptions& load);
+
+} // namespace keiko

@@ -1,0 +1,115 @@
+#include "keiko/suite_files.h"
+
+#include "keiko/base/input_file.h"
+#include "keiko/base/output_file.h"
+#include "keiko/run_fixture.h"
+#include "keiko/spec/suggestion.h"
+
+#include <algorithm>
+#include <array>
+
+namespace keiko {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* report_file = "regression.json";
+constexpr std::array report_files{report_file, "junit.xml", "index.html"};
+
+/// Nothing where there is none, or one of other inputs, or a damaged one.
+std::optional<FixtureRecord> finished_candidate(const fs::path& folder, const std::string& key) {
+    try {
+        const FolderContent files = read_folder(folder);
+        if (files.empty()) return std::nullopt;
+        KeptRecord kept = record_of(files, folder.string());
+        if (kept.key == key) return std::move(kept.record);
+    } catch (const Error&) {
+    }
+    return std::nullopt;
+}
+
+void write_pictures(const fs::path& folder, const FolderContent& pngs) {
+    const FolderLock lock(folder.parent_path());
+    std::error_code ignored; // an older picture that stays is named by no report
+    if (pngs.empty())
+        fs::remove_all(folder, ignored);
+    else
+        write_folder_atomically(folder, pngs);
+}
+
+} // namespace
+
+std::vector<std::string> names_of(std::span<const FixtureSpec> fixtures) {
+    std::vector<std::string> names;
+    for (const FixtureSpec& fixture : fixtures) names.push_back(fixture.name);
+    return names;
+}
+
+std::vector<FixtureSpec> chosen(std::vector<FixtureSpec> fixtures,
+                                std::span<const std::string> names) {
+    const std::vector<std::string> known = names_of(fixtures);
+    for (const std::string& name : names)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw Error("", "",
+                        "no fixture is called '" + shortened(name) + "'" +
+                            did_you_mean(name, known) + "; there are " + comma_list(known));
+    std::erase_if(fixtures, [&](const FixtureSpec& fixture) {
+        return std::find(names.begin(), names.end(), fixture.name) == names.end();
+    });
+    return fixtures;
+}
+
+FixtureRecord candidate_of(const FixtureSpec& spec, const RegressOptions& options, const Job& job) {
+    const fs::path folder = options.output / spec.name / "candidate";
+    const std::string key = fixture_key(spec, options.load);
+    if (!options.fresh)
+        if (auto finished = finished_candidate(folder, key)) return std::move(*finished);
+    KeptRecord kept{run_fixture(spec, options.load, job), key, {}};
+    const FolderLock lock(folder.parent_path());
+    write_folder_atomically(folder, files_of(kept));
+    return std::move(kept.record);
+}
+
+fs::path baseline_folder(const RegressOptions& options) {
+    return options.baselines.empty() ? options.suite / "baselines" : options.baselines;
+}
+
+std::optional<KeptRecord> kept_baseline(const fs::path& folder) {
+    const FolderContent files = read_folder(folder);
+    if (files.empty()) return std::nullopt;
+    return record_of(files, folder.string());
+}
+
+Job job_of_fixture(const Job& job, std::size_t index, std::size_t count, const std::string& name) {
+    Job inner = job;
+    if (!job.progress) return inner;
+    const std::string prefix =
+        std::to_string(index + 1) + "/" + std::to_string(count) + " " + name + ": ";
+    inner.progress = [outer = job.progress, prefix](const Progress& progress) {
+        const std::string stage = prefix + std::string(progress.stage);
+        outer({stage, progress.fraction});
+    };
+    return inner;
+}
+
+void remove_reports(const fs::path& output) {
+    std::error_code ignored; // what cannot be removed shows when it is written
+    for (const char* name : report_files) fs::remove(output / name, ignored);
+}
+
+void write_reports(const fs::path& output, const Regression& regression) {
+    for (const FixtureOutcome& fixture : regression.fixtures)
+        write_pictures(output / fixture.name / "pictures", fixture.pngs);
+    write_text_file(output / "junit.xml", regression_junit(regression));
+    write_text_file(output / "index.html", regression_html(regression));
+    write_text_file(output / report_file, regression_json(regression));
+}
+
+Regression read_reports(const fs::path& output) {
+    const fs::path file = output / report_file;
+    Regression regression = parse_regression(read_file(file), file.string());
+    for (FixtureOutcome& fixture : regression.fixtures)
+        fixture.pngs = read_folder(output / fixture.name / "pictures");
+    return regression;
+}
+
+} // namespace keiko

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "keiko/regress.h"
+
+namespace keiko {
+
+// The files of a suite: what its fixtures are now, were, and are told to be.
+
+std::vector<std::string> names_of(std::span<const FixtureSpec> fixtures);
+
+/// The fixtures of these names, in the order of the suite. Throws Error for a name without one.
+std::vector<FixtureSpec> chosen(std::vector<FixtureSpec> fixtures,
+                                std::span<const std::string> names);
+
+/// Runs a fixture and keeps what it showed, or takes what an earlier run has kept of it.
+FixtureRecord candidate_of(const FixtureSpec& spec, const RegressOptions& options, const Job& job);
+
+std::filesystem::path baseline_folder(const RegressOptions& options);
+
+/// Nothing where there is no baseline. Throws Error for a damaged one.
+std::optional<KeptRecord> kept_baseline(const std::filesystem::path& folder);
+
+/// Tells which fixture of how many a stage belongs to: "2/7 hood: render".
+Job job_of_fixture(const Job& job, std::size_t index, std::size_t count, const std::string& name);
+
+/// Takes away the reports of an earlier run.
+void remove_reports(const std::filesystem::path& output);
+/// Writes pictures, junit.xml, index.html and, last, regression.json.
+void write_reports(const std::filesystem::path& output, const Regression& regression);
+/// What write_reports left in a folder. Throws Error.
+Regression read_reports(const std::filesystem::path& output);
+
+} // namespace keiko

@@ -1,0 +1,224 @@
+"""keiko regress and keiko merge: baselines, what is caught, resuming, shards."""
+import fcntl
+import json
+import os
+import signal
+import subprocess
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+from keiko_process import BINARY
+from regress_suite import RegressTest, move_point_of_dome
+
+
+class Baselines(RegressTest):
+    def test_a_missing_baseline_fails_and_leaves_the_candidate(self):
+        self.add_fixture("dome")
+        run = self.regress()
+        self.assertEqual((run.returncode, run.stderr), (1, ""), run.stdout)
+        self.assertTrue(run.stdout.startswith("missing dome\n"), run.stdout)
+        self.assert_sound(self.folder / "out" / "dome" / "candidate")
+        self.assertTrue((self.folder / "out/dome/pictures/high-front-after.png").is_file())
+        self.assertFalse((self.folder / "suite/baselines").exists())
+
+    def test_what_was_accepted_is_the_same_and_the_manifest_tells_who_accepted_it(self):
+        model = self.add_fixture("dome")
+        self.accept("dome")
+        baseline = self.folder / "suite/baselines/dome"
+        self.assert_sound(baseline)
+        run = self.regress()
+        self.assertEqual((run.returncode, run.stdout.splitlines()[0]), (0, "same dome"))
+
+        move_point_of_dome(model, 0.01)
+        run = self.regress("--update", "dome", "--by", "someone else", "--reason", "a bulge")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assert_sound(baseline)
+        changes = json.loads((baseline / "manifest.json").read_text())["changes"]
+        self.assertEqual([(c["by"], c["reason"]) for c in changes],
+                         [("tester", "first"), ("someone else", "a bulge")])
+        self.assertIn("centre z", " ".join(changes[1]["changed"]))
+        self.assertEqual(self.regress().returncode, 0)
+
+    def test_accepting_what_is_there_changes_nothing(self):
+        self.add_fixture("dome")
+        self.accept("dome")
+        manifest = self.folder / "suite/baselines/dome/manifest.json"
+        before = manifest.read_bytes()
+        run = self.regress("--update", "dome")
+        self.assertEqual((run.returncode, run.stdout), (0, "unchanged dome\n"))
+        self.assertEqual(manifest.read_bytes(), before)
+
+    def test_only_fixtures_by_name_are_accepted(self):
+        self.add_fixture("dome")
+        for name in "all", "dom*", "dome2":
+            run = self.regress("--update", name)
+            self.assertEqual((run.returncode, run.stdout), (2, ""))
+            self.assertIn(f"no fixture is called '{name}'", run.stderr)
+        self.assertFalse((self.folder / "suite/baselines").exists())
+
+    def test_a_damaged_baseline_is_an_error_and_can_be_replaced(self):
+        self.add_fixture("dome")
+        self.accept("dome")
+        picture = self.folder / "suite/baselines/dome/high-front.depth.exr"
+        picture.write_bytes(picture.read_bytes()[:-7])
+        run = self.regress()
+        self.assertEqual(run.returncode, 2, run.stdout)
+        self.assertIn("high-front.depth.exr", run.stdout)
+        self.assertIn("damaged or edited", run.stdout)
+        self.accept("dome")
+        self.assertEqual(self.regress().returncode, 0)
+
+
+class Differences(RegressTest):
+    def test_ten_micrometres_of_a_control_point_are_caught(self):
+        model = self.add_fixture("dome")
+        self.accept("dome")
+        move_point_of_dome(model, 0.01)
+        run = self.regress()
+        self.assertEqual((run.returncode, run.stderr), (1, ""))
+        self.assertTrue(run.stdout.startswith("different dome: "), run.stdout)
+        suites = ElementTree.parse(self.folder / "out/junit.xml").getroot()
+        failed = [case.get("name") for case in suites.iter("testcase") if case.find("failure") is not None]
+        self.assertIn("shape", failed)
+        self.assertEqual(int(suites.get("failures")), len(failed))
+
+    def test_a_picture_that_differs_is_shown_before_after_and_as_difference(self):
+        self.add_fixture("dome")
+        self.accept("dome")
+        rig = self.folder / "suite/rig.toml"
+        rig.write_text(rig.read_text().replace("diameter = 26", "diameter = 30"))
+        run = self.regress()
+        self.assertEqual(run.returncode, 1, run.stdout)
+        page = (self.folder / "out/index.html").read_text()
+        self.assertEqual(page.count("data:image/png;base64,"), 3)
+        self.assertNotIn("http", page)
+        outcome = json.loads((self.folder / "out/regression.json").read_text())["fixtures"][0]
+        layers = {layer["layer"]: layer["within"] for layer in outcome["pictures"][0]["layers"]}
+        self.assertEqual(layers, {"color": False, "depth": True, "normal": True})
+
+    def test_tolerances_of_the_fixture_are_those_it_is_held_to(self):
+        model = self.add_fixture("dome", more="[tolerance]\nplace = 0.1\narea = 10\ndirection = 1\nlength = 1\n")
+        self.accept("dome")
+        move_point_of_dome(model, 0.01)
+        self.assertEqual(self.regress().returncode, 0)
+
+    def test_a_fixture_that_cannot_be_read_is_an_error_and_the_others_run(self):
+        self.add_fixture("dome")
+        self.add_fixture("broken")
+        self.accept("dome")
+        (self.folder / "suite/broken.bpt").write_text("1\nnonsense\n")
+        run = self.regress()
+        self.assertEqual((run.returncode, run.stderr), (2, ""))
+        self.assertRegex(run.stdout, r"^error broken: .*broken\.bpt:2")
+        self.assertIn("\nsame dome\n", run.stdout)
+
+    def test_a_misspelt_key_is_told_with_its_line_and_nothing_is_written(self):
+        self.add_fixture("dome", more="vews = []\n")
+        run = self.regress()
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertIn("dome.toml:7:1: unknown key 'vews' (did you mean 'views'?)", run.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_bytes_do_not_depend_on_threads(self):
+        self.add_fixture("dome")
+        self.add_fixture("gap", "seam-g0-gap.step")
+        for threads in "1", "2":
+            self.regress("--threads", threads, output=threads)
+        self.assertEqual(self.reports("1"), self.reports("2"))
+        for name in "dome", "gap":
+            for file in (self.folder / "1" / name / "candidate").iterdir():
+                self.assertEqual(file.read_bytes(), (self.folder / "2" / name / "candidate" / file.name).read_bytes())
+
+
+class Runs(RegressTest):
+    def candidate(self, name: str) -> int:
+        return (self.folder / "out" / name / "candidate/manifest.json").stat().st_mtime_ns
+
+    def test_what_is_finished_is_not_run_again_unless_its_inputs_change(self):
+        model = self.add_fixture("dome")
+        self.add_fixture("saddle", "saddle.bpt")
+        self.regress()
+        first = self.candidate("dome"), self.candidate("saddle")
+        self.regress()
+        self.assertEqual((self.candidate("dome"), self.candidate("saddle")), first)
+        move_point_of_dome(model, 1)
+        self.regress()
+        self.assertNotEqual(self.candidate("dome"), first[0])
+        self.assertEqual(self.candidate("saddle"), first[1])
+        self.regress("--fresh")
+        self.assertNotEqual(self.candidate("saddle"), first[1])
+
+    def test_a_damaged_candidate_is_made_again(self):
+        self.add_fixture("dome")
+        self.accept("dome")
+        (self.folder / "out/dome/candidate/metrics.json").write_text("{")
+        self.assertEqual(self.regress().returncode, 0)
+        self.assert_sound(self.folder / "out/dome/candidate")
+
+    def test_shards_joined_are_the_whole_run(self):
+        for name in "a", "b", "c":
+            self.add_fixture(name)
+        self.accept("b")
+        whole = self.regress(output="whole")
+        for shard in "1", "2":
+            self.regress("--shard", f"{shard}/2", output=f"out-{shard}")
+        run = self.keiko("merge", "-q", "out-2", "out-1", "-o", "joined")
+        self.assertEqual((run.returncode, run.stderr), (whole.returncode, ""))
+        self.assertEqual(run.stdout.replace("joined", "whole"), whole.stdout)
+        self.assertEqual(self.reports("joined"), self.reports("whole"))
+
+    def test_shards_that_do_not_make_a_run_are_refused(self):
+        for name in "a", "b":
+            self.add_fixture(name)
+        for shard in "1", "2":
+            self.regress("--shard", f"{shard}/2", output=f"out-{shard}")
+        self.regress("--shard", "1/3", output="other")
+        for shards, reason in ((("out-1",), "shard 2 of 2 is missing"),
+                               (("out-1", "out-1"), "as is out-1"),
+                               (("out-1", "other"), "another number of shards"),
+                               (("out-1", "nowhere"), "no such file")):
+            run = self.keiko("merge", "-q", *shards, "-o", "joined")
+            self.assertEqual((run.returncode, run.stdout), (2, ""))
+            self.assertIn(reason, run.stderr)
+        self.assertFalse((self.folder / "joined").exists())
+
+    def test_a_shard_that_is_none_is_refused(self):
+        self.add_fixture("dome")
+        for shard in "0/2", "3/2", "1", "1/2x":
+            run = self.regress("--shard", shard)
+            self.assertEqual((run.returncode, run.stdout), (2, ""))
+
+    def test_two_runs_do_not_share_an_output_folder(self):
+        self.add_fixture("dome")
+        (self.folder / "out").mkdir()
+        held = os.open(self.folder / "out", os.O_RDONLY)
+        fcntl.flock(held, fcntl.LOCK_EX)
+        run = self.regress()
+        os.close(held)
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertIn("another process is writing", run.stderr)
+
+    def test_ctrl_c_leaves_no_report_and_the_next_run_goes_on(self):
+        self.add_fixture("a")
+        self.add_fixture("b", more='preset = "vda-4955"\n')
+        self.regress()
+        (self.folder / "suite/b.toml").write_text(
+            (self.folder / "suite/b.toml").read_text().replace("[32, 18]", "[2400, 1350]"))
+        kept = self.candidate("a")
+        process = subprocess.Popen([BINARY, "regress", "suite", "-o", "out"], cwd=self.folder, text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        for line in process.stderr:
+            if line == "keiko: 2/2 b: render\n":
+                break
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, output), (130, ""), errors)
+        self.assertEqual([p.name for p in (self.folder / "out").iterdir() if p.is_file()], [])
+        (self.folder / "suite/b.toml").write_text(
+            (self.folder / "suite/b.toml").read_text().replace("[2400, 1350]", "[32, 18]"))
+        self.assertEqual(self.regress().returncode, 1)
+        self.assertEqual(self.candidate("a"), kept)
+
+
+if __name__ == "__main__":
+    unittest.main()
