@@ -97,7 +97,8 @@ class Differences(RegressTest):
         self.assertEqual(layers, {"color": False, "depth": True, "normal": True})
 
     def test_tolerances_of_the_fixture_are_those_it_is_held_to(self):
-        model = self.add_fixture("dome", more="[tolerance]\nplace = 0.1\narea = 10\ndirection = 1\nlength = 1\n")
+        model = self.add_fixture("dome", more='checks = ["shape"]\n[tolerance]\nplace = 0.1\n'
+                                              "area = 10\ndirection = 1\nlength = 1\n")
         self.accept("dome")
         move_point_of_dome(model, 0.01)
         self.assertEqual(self.regress().returncode, 0)
@@ -106,10 +107,10 @@ class Differences(RegressTest):
         self.add_fixture("dome")
         self.add_fixture("broken")
         self.accept("dome")
-        (self.folder / "suite/broken.bpt").write_text("1\nnonsense\n")
+        (self.folder / "suite/broken.bpt").write_text("1\n3 3\n0 0 zero\n")
         run = self.regress()
         self.assertEqual((run.returncode, run.stderr), (2, ""))
-        self.assertRegex(run.stdout, r"^error broken: .*broken\.bpt:2")
+        self.assertRegex(run.stdout, r"^error broken: .*broken\.bpt:3")
         self.assertIn("\nsame dome\n", run.stdout)
 
     def test_a_misspelt_key_is_told_with_its_line_and_nothing_is_written(self):

@@ -24,12 +24,12 @@ struct SeamChange {
 
 /// What became of the seams and findings of a part from one revision to the next.
 struct InspectionDifference {
-    std::vector<SeamChange> changed;      ///< beyond the tolerances, or in verdict
-    std::vector<std::uint32_t> removed;   ///< seams of the former without a partner
-    std::vector<std::uint32_t> added;     ///< seams of the latter without a partner
+    std::vector<SeamChange> changed;    ///< beyond the tolerances, or in verdict
+    std::vector<std::uint32_t> removed; ///< seams of the former without a partner
+    std::vector<std::uint32_t> added;   ///< seams of the latter without a partner
     std::vector<Check> new_findings;    ///< of the latter, that the former did not have
     std::vector<Check> solved_findings; ///< of the former, that the latter does not have
-    std::size_t matched = 0;              ///< seams found in both
+    std::size_t matched = 0;            ///< seams found in both
 
     bool empty() const {
         return changed.empty() && removed.empty() && added.empty() && new_findings.empty() &&

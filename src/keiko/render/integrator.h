@@ -1,10 +1,10 @@
 #pragma once
 
 #include "keiko/render/paint.h"
-#include "keiko/trace/path_counts.h"
 #include "keiko/render/picture.h"
 #include "keiko/render/shadows.h"
 #include "keiko/render/shaft_shadows.h"
+#include "keiko/trace/path_counts.h"
 
 #include <optional>
 #include <span>
