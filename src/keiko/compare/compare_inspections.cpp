@@ -56,7 +56,7 @@ std::vector<std::uint32_t> unmatched(const std::vector<std::uint32_t>& partners)
 
 /// The findings of `one` whose seam has no partner with a finding of the same code in `other`.
 std::vector<Check> only_in(const Inspection& one, const Inspection& other,
-                             const std::vector<std::uint32_t>& partners) {
+                           const std::vector<std::uint32_t>& partners) {
     std::vector<Check> only;
     for (const Check& finding : one.findings) {
         const std::uint32_t partner = partners[finding.seam];
