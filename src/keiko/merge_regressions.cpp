@@ -19,6 +19,9 @@ void require_same_suite(const Regression& one, const Regression& first, const fs
 } // namespace
 
 Regression merge_regressions(std::span<const fs::path> folders, const fs::path& output) {
+    for (const fs::path& folder : folders)
+        if (fs::exists(output) && fs::equivalent(folder, output))
+            throw Error(output.string(), "--output", "is a shard itself");
     std::map<std::string, FixtureOutcome> outcomes;
     std::map<int, fs::path> numbers;
     Regression merged;

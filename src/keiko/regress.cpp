@@ -26,7 +26,9 @@ FixtureOutcome run_one(const FixtureSpec& spec, const RegressOptions& options, c
         const std::optional<KeptRecord> baseline =
             kept_baseline(baseline_folder(options) / spec.name);
         return fixture_outcome(spec, baseline ? &baseline->record : nullptr, candidate);
-    } catch (const Error& error) {
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::exception& error) {
         return {.name = spec.name, .state = FixtureState::error, .error = error.what()};
     }
 }

@@ -2,6 +2,7 @@
 
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
+#include "keiko/io/fixture_file.h"
 #include "keiko/run_fixture.h"
 #include "keiko/spec/suggestion.h"
 
@@ -63,7 +64,10 @@ FixtureRecord candidate_of(const FixtureSpec& spec, const RegressOptions& option
     const std::string key = fixture_key(spec, options.load);
     if (!options.fresh)
         if (auto finished = finished_candidate(folder, key)) return std::move(*finished);
-    KeptRecord kept{run_fixture(spec, options.load, job), key, {}};
+    // The key is of the files as they are now, the spec of the fixture as it was read.
+    KeptRecord kept{run_fixture(read_fixture(spec.file), options.load, job), key, {}};
+    if (fixture_key(spec, options.load) != key)
+        throw Error(spec.file.string(), "", "its files were changed while it ran; run it again");
     const FolderLock lock(folder.parent_path());
     write_folder_atomically(folder, files_of(kept));
     return std::move(kept.record);

@@ -8,8 +8,11 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <system_error>
 #include <vector>
@@ -18,10 +21,25 @@ namespace keiko {
 namespace fs = std::filesystem;
 namespace {
 
-/// As write_atomically and write_folder_atomically name what is not finished: ".name.PID.tmp".
+/// Taken for granted of what is no number.
+bool is_running(const std::string& pid) {
+    const bool number = !pid.empty() && std::all_of(pid.begin(), pid.end(),
+                                                    [](char c) { return c >= '0' && c <= '9'; });
+    if (!number) return true;
+    return kill(static_cast<pid_t>(std::strtol(pid.c_str(), nullptr, 10)), 0) == 0 ||
+           errno == EPERM;
+}
+
+/// Whether it is named as write_atomically and write_folder_atomically name what is not finished,
+/// ".name.PID.tmp" and perhaps an ending, by a process that is gone.
 bool is_leftover(const fs::path& path) {
     const std::string name = path.filename().string();
-    return name.starts_with(".") && name.find(".tmp") != std::string::npos;
+    const std::size_t end = name.find(".tmp");
+    if (!name.starts_with(".") || end == std::string::npos || end == 0) return false;
+    const std::size_t dot = name.rfind('.', end - 1);
+    const bool whole = end + 4 == name.size() || name[end + 4] == '.';
+    if (!whole || dot == 0) return false;
+    return !is_running(name.substr(dot + 1, end - dot - 1));
 }
 
 /// ".name.before": the folder `name` while another takes its place.
@@ -47,7 +65,8 @@ void clear_after_killed_writers(const fs::path& folder) {
         paths.push_back(entry.path());
     for (const fs::path& path : paths) {
         if (is_leftover(path)) fs::remove_all(path, ignored);
-        if (path.filename().string().starts_with(".") && path.extension() == ".before")
+        if (path.filename().string().starts_with(".") && path.extension() == ".before" &&
+            fs::is_directory(path, ignored))
             restore(path);
     }
 }
@@ -62,7 +81,12 @@ void put_in_place(const fs::path& fresh, const fs::path& target) {
     if (renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0) return;
     const fs::path aside = set_aside(target);
     fs::rename(target, aside);
-    fs::rename(fresh, target);
+    std::error_code code;
+    fs::rename(fresh, target, code);
+    if (code) {
+        fs::rename(aside, target);
+        throw fs::filesystem_error("rename", fresh, target, code);
+    }
     fs::remove_all(aside);
 }
 
@@ -111,11 +135,15 @@ void write_folder_atomically(const fs::path& target, const FolderContent& conten
 FolderContent read_folder(const fs::path& folder) {
     FolderContent content;
     std::error_code code;
-    if (!fs::exists(folder, code)) return content;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, code))
-        if (entry.is_regular_file())
-            content[entry.path().filename().string()] = read_file(entry.path());
+    if (fs::status(folder, code).type() == fs::file_type::not_found) return content;
     if (code) throw Error(folder.string(), "", "cannot read the folder: " + code.message());
+    try {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+            if (entry.is_regular_file())
+                content[entry.path().filename().string()] = read_file(entry.path());
+    } catch (const fs::filesystem_error& error) {
+        throw Error(folder.string(), "", "cannot read the folder: " + error.code().message());
+    }
     return content;
 }
 

@@ -93,6 +93,12 @@ void add_seam(const std::string& name, const MeasuredSeam& seam, MetricList& lis
     if (seam.slope) list.add(name + "slope", Quantity::slope, seam.slope->worst.value);
 }
 
+/// What is met again is numbered: parts placed twice may have one name, two faces may meet twice.
+std::string numbered(const std::string& name, std::map<std::string, int>& met) {
+    const int number = ++met[name];
+    return number > 1 ? name + " #" + std::to_string(number) : name;
+}
+
 } // namespace
 
 std::vector<Metric> shape_metrics(const SurfaceModel& model, const ModelFacts& facts) {
@@ -105,9 +111,11 @@ std::vector<Metric> shape_metrics(const SurfaceModel& model, const ModelFacts& f
     list.add("borders that meet no other", Quantity::length, facts.free_length);
     const PlacedModel placed = placed_model(model);
     const std::vector<Moments> borders = border_moments(placed.model);
+    std::map<std::string, int> met;
     for (std::size_t f = 0; f < placed.origin.size(); ++f) {
         const PlacedFace& origin = placed.origin[f];
-        const std::string name = placed_face_name(model, origin.instance, origin.face) + ": ";
+        const std::string name =
+            numbered(placed_face_name(model, origin.instance, origin.face), met) + ": ";
         const Moments surface = surface_moments(placed.model, placed.model.faces[f]);
         list.add(name + "area", Quantity::area, surface.measure);
         list.add_point(name + "centre", Quantity::place, surface.centre());
@@ -121,12 +129,9 @@ std::vector<Metric> shape_metrics(const SurfaceModel& model, const ModelFacts& f
 
 std::vector<Metric> seam_metrics(const Inspection& inspection) {
     MetricList list("seams");
-    std::map<std::string, int> met; // two faces may meet more than once
-    for (const MeasuredSeam& seam : inspection.seams) {
-        const int number = ++met[seam.faces];
-        const std::string again = number > 1 ? " #" + std::to_string(number) : "";
-        add_seam(seam.faces + again + ": ", seam, list);
-    }
+    std::map<std::string, int> met;
+    for (const MeasuredSeam& seam : inspection.seams)
+        add_seam(numbered(seam.faces, met) + ": ", seam, list);
     return std::move(list).taken();
 }
 

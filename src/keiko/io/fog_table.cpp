@@ -14,6 +14,8 @@ constexpr double most_k = 1e6, most_g = 0.999;
 constexpr std::size_t most_waves = 64;
 /// Shorter waves than mm are no fog.
 constexpr double shortest_wave = 1;
+/// mm: higher ones are no height of a layer, and their slopes leave double precision.
+constexpr double highest_wave = 1e6;
 
 PhaseFunction phase_from(const TomlTable& table) {
     const std::size_t kind =
@@ -33,7 +35,8 @@ Vec2 pair_from(const std::vector<double>& numbers) {
 
 Wave wave_from(const TomlTable& table) {
     Wave wave;
-    wave.amplitude = table.required("amplitude", table.number("amplitude"));
+    wave.amplitude = table.required(
+        "amplitude", table.number("amplitude", {.low = -highest_wave, .high = highest_wave}));
     wave.wavelength = pair_from(
         table.required("wavelength", table.numbers("wavelength", 2, {.low = shortest_wave})));
     if (const auto phase = table.numbers("phase", 2)) wave.phase = pair_from(*phase);
@@ -48,7 +51,8 @@ std::vector<Wave> waves_from(const TomlTable& table) {
             if (table.has(key)) throw table.error(key, "belongs to bump = \"noise\" alone");
     if (bump == 1)
         return noise_waves(
-            table.required("amplitude", table.number("amplitude", TomlLimits::not_negative())),
+            table.required("amplitude",
+                           table.number("amplitude", {.low = 0, .high = highest_wave})),
             table.required("wavelength", table.number("wavelength", {.low = 20 * shortest_wave})));
     std::vector<Wave> waves;
     for (const TomlTable& wave : table.tables("waves")) waves.push_back(wave_from(wave));

@@ -18,7 +18,7 @@ std::string count(const Regression& regression, FixtureState state) {
 }
 
 std::string head(const Regression& regression) {
-    const std::string verdict = regression.state() == FixtureState::same ? "same" : "different";
+    const std::string verdict(name_of(regression.state()));
     std::string html = "<header class=\"card head " + tone_of(regression.state()) +
                        "\"><div class=\"verdict\">" + verdict +
                        "</div><div class=\"names\"><h1>Regression of " +

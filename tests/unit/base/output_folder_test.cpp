@@ -4,6 +4,7 @@
 
 #include "tests/unit/io/temporary_folder.h"
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace keiko {
 namespace {
@@ -40,8 +41,8 @@ TEST(FolderLock, LetsNobodyElseIn) {
 
 TEST(FolderLock, ClearsAwayWhatKilledWritersLeft) {
     const test::TemporaryFolder folder;
-    fs::create_directory(folder.path() / ".kept.123.tmp");
-    folder.file(".junit.123.tmp.xml", "half");
+    fs::create_directory(folder.path() / ".kept.999999999.tmp");
+    folder.file(".junit.999999999.tmp.xml", "half");
     fs::create_directory(folder.path() / ".lost.before"); // set aside, its new one never came
     fs::create_directory(folder.path() / ".kept.before"); // set aside, its new one came
     fs::create_directory(folder.path() / "kept");
@@ -51,6 +52,16 @@ TEST(FolderLock, ClearsAwayWhatKilledWritersLeft) {
         names.push_back(entry.path().filename());
     std::sort(names.begin(), names.end());
     EXPECT_EQ(names, (std::vector<std::string>{"kept", "lost"}));
+}
+
+TEST(FolderLock, LeavesWhatIsNotKeikos) {
+    const test::TemporaryFolder folder;
+    fs::create_directory(folder.path() / ".tmp");
+    fs::create_directory(folder.path() / ".cache.tmpl");
+    folder.file(".notes.before", "mine");
+    folder.file(".x." + std::to_string(getpid()) + ".tmp.png", "being written");
+    const FolderLock lock(folder.path());
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 4);
 }
 
 } // namespace
