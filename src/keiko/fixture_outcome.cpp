@@ -3,17 +3,13 @@
 #include "keiko/film/difference_picture.h"
 #include "keiko/film/image_file.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace keiko {
 namespace {
 
-const Film* film_of(const FixtureRecord* record, const std::string& view) {
-    if (!record) return nullptr;
-    const auto found = std::find_if(record->pictures.begin(), record->pictures.end(),
-                                    [&](const FixturePicture& p) { return p.view == view; });
-    return found == record->pictures.end() ? nullptr : &found->film;
+const Film* film_in(const FixturePicture* picture) {
+    return picture ? &picture->film : nullptr;
 }
 
 /// The exposure that shows a film best; the other film is shown by the same.
@@ -68,8 +64,8 @@ FixtureOutcome fixture_outcome(const FixtureSpec& spec, const FixtureRecord* bas
     for (const PictureDifference& view : difference.pictures) {
         outcome.pictures.push_back(picture_outcome(view));
         if (!view.within())
-            draw(outcome.pictures.back(), film_of(baseline, view.view),
-                 film_of(&candidate, view.view), view.film ? &view.film->excess : nullptr,
+            draw(outcome.pictures.back(), film_in(baseline->picture(view.view)),
+                 film_in(candidate.picture(view.view)), view.film ? &view.film->excess : nullptr,
                  outcome.pngs);
     }
     return outcome;

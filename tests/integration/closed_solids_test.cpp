@@ -2,6 +2,7 @@
 
 #include "tests/integration/closed_model.h"
 #include "tests/integration/closed_shells.h"
+#include "tests/support/file_test_name.h"
 #include "tests/support/long_run.h"
 #include "tests/support/paths.h"
 #include <gtest/gtest.h>
@@ -12,13 +13,6 @@ namespace keiko {
 namespace {
 
 using namespace test;
-
-std::string test_name(const testing::TestParamInfo<const char*>& tested) {
-    std::string name = tested.param;
-    for (char& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-    return name;
-}
 
 void expect_closed(const std::filesystem::path& file) {
     const ClosedModel model(load_model(file));
@@ -62,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "pump-bottom-degree-11.brep", "pump-carter.step", "screw.step", "sphere.step",
                     "storage-jar-offset-surfaces.step", "submarine-in-far-field.step",
                     "suspension-control-arm.step", "torus.brep"),
-    test_name);
+    test::file_test_name);
 
 class ClosedFixtures : public testing::TestWithParam<const char*> {};
 
@@ -73,7 +67,8 @@ TEST_P(ClosedFixtures, AreLeftAsOftenAsEntered) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, ClosedFixtures,
-                         testing::Values("rational-sphere.step", "bored-block.step"), test_name);
+                         testing::Values("rational-sphere.step", "bored-block.step"),
+                         test::file_test_name);
 
 } // namespace
 } // namespace keiko

@@ -1,5 +1,6 @@
 #include "keiko/io/load_model.h"
 
+#include "tests/support/file_test_name.h"
 #include "tests/support/long_run.h"
 #include "tests/support/paths.h"
 #include "tests/support/ray_tally.h"
@@ -40,12 +41,7 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, ConstructedModelRays,
                                          "trimmed-two-holes.step", "trimmed-island.step",
                                          "seam-g0-gap.step", "seam-g1-angle.step", "saddle.bpt",
                                          "dome.bpt"),
-                         [](const auto& tested) {
-                             std::string name = tested.param;
-                             for (char& c : name)
-                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-                             return name;
-                         });
+                         test::file_test_name);
 
 } // namespace
 } // namespace keiko

@@ -2,6 +2,7 @@
 #include "keiko/trace/tracer.h"
 
 #include "tests/integration/opencascade_tracer.h"
+#include "tests/support/file_test_name.h"
 #include "tests/support/paths.h"
 #include <gtest/gtest.h>
 
@@ -141,13 +142,6 @@ void expect_agreement(const std::filesystem::path& file) {
     EXPECT_EQ(a.false_hits, 0);
 }
 
-std::string test_name(const testing::TestParamInfo<const char*>& tested) {
-    std::string name = tested.param;
-    std::replace_if(
-        name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
-    return name;
-}
-
 class OpenCascadeHits : public testing::TestWithParam<const char*> {};
 
 } // namespace
@@ -161,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(RealModels, OpenCascadeHits,
                          testing::Values("car-front-fender.brep", "car-hood.brep",
                                          "car-rear-deck-half-panel.brep", "linkrods.step",
                                          "hammer.igs"),
-                         test_name);
+                         test::file_test_name);
 
 class OpenCascadeFixtureHits : public testing::TestWithParam<const char*> {};
 
@@ -170,4 +164,4 @@ TEST_P(OpenCascadeFixtureHits, NoneIsLostAndNoneIsFalse) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, OpenCascadeFixtureHits,
-                         testing::Values("bored-block.step", "hood.step"), test_name);
+                         testing::Values("bored-block.step", "hood.step"), test::file_test_name);

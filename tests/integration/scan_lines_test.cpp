@@ -1,6 +1,7 @@
 #include "keiko/io/load_model.h"
 #include "keiko/trace/occluders.h"
 
+#include "tests/support/file_test_name.h"
 #include "tests/support/paths.h"
 #include "tests/support/random.h"
 #include <gtest/gtest.h>
@@ -65,12 +66,7 @@ TEST_P(ScanLines, GiveTheIntervalsOfSingleSegments) {
 INSTANTIATE_TEST_SUITE_P(, ScanLines,
                          testing::Values("concept-car.step", "saddle.bpt", "rational-sphere.step",
                                          "trimmed-two-holes.step", "cage-cube.obj"),
-                         [](const auto& tested) {
-                             std::string name = tested.param;
-                             for (char& c : name)
-                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-                             return name;
-                         });
+                         test::file_test_name);
 
 } // namespace
 } // namespace keiko

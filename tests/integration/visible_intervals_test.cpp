@@ -1,5 +1,6 @@
 #include "keiko/io/load_model.h"
 
+#include "tests/support/file_test_name.h"
 #include "tests/support/long_run.h"
 #include "tests/support/paths.h"
 #include "tests/support/visibility_probe.h"
@@ -27,13 +28,6 @@ void expect_intervals_as_probed(const std::filesystem::path& file) {
     EXPECT_EQ(counts.wrong_segments, 0u);
 }
 
-std::string test_name(const testing::TestParamInfo<const char*>& tested) {
-    std::string name = tested.param;
-    for (char& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-    return name;
-}
-
 class VisibleIntervalsOfFixtures : public testing::TestWithParam<const char*> {};
 
 TEST_P(VisibleIntervalsOfFixtures, AreAsDenselyProbed) {
@@ -46,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(, VisibleIntervalsOfFixtures,
                                          "trimmed-hole.step", "trimmed-island.step",
                                          "trimmed-two-holes.step", "cage-cube.obj",
                                          "seam-g1-angle.step"),
-                         test_name);
+                         test::file_test_name);
 
 class VisibleIntervalsOfRealModels : public testing::TestWithParam<const char*> {};
 
@@ -60,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(, VisibleIntervalsOfRealModels,
                                          "bspline-sphere-degree-10.brep",
                                          "bspline-cylinder-degree-13.brep", "torus.brep",
                                          "ship-propeller-and-shaft.igs", "screw.step"),
-                         test_name);
+                         test::file_test_name);
 
 } // namespace
 } // namespace keiko

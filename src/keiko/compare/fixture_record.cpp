@@ -7,12 +7,6 @@
 namespace keiko {
 namespace {
 
-const FixturePicture* picture_of(const FixtureRecord& record, const std::string& view) {
-    const auto found = std::find_if(record.pictures.begin(), record.pictures.end(),
-                                    [&](const FixturePicture& p) { return p.view == view; });
-    return found == record.pictures.end() ? nullptr : &*found;
-}
-
 /// "depth, normal"
 std::string layer_list(const Film& film) {
     std::string text = "color";
@@ -42,6 +36,12 @@ PictureDifference picture_difference(const std::string& view, const FixturePictu
 
 } // namespace
 
+const FixturePicture* FixtureRecord::picture(const std::string& view) const {
+    const auto found = std::find_if(pictures.begin(), pictures.end(),
+                                    [&](const FixturePicture& p) { return p.view == view; });
+    return found == pictures.end() ? nullptr : &*found;
+}
+
 bool FixtureDifference::within() const {
     return metrics.empty() &&
            std::all_of(pictures.begin(), pictures.end(),
@@ -54,10 +54,10 @@ FixtureDifference fixture_difference(const FixtureRecord& before, const FixtureR
     difference.metrics = metric_differences(before.metrics, after.metrics, spec.metric_tolerance);
     difference.metrics_compared = after.metrics.size();
     for (const FixturePicture& picture : after.pictures)
-        difference.pictures.push_back(picture_difference(
-            picture.view, picture_of(before, picture.view), &picture, spec.film_tolerance));
+        difference.pictures.push_back(picture_difference(picture.view, before.picture(picture.view),
+                                                         &picture, spec.film_tolerance));
     for (const FixturePicture& picture : before.pictures)
-        if (!picture_of(after, picture.view))
+        if (!after.picture(picture.view))
             difference.pictures.push_back(
                 picture_difference(picture.view, &picture, nullptr, spec.film_tolerance));
     return difference;

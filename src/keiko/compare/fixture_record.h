@@ -20,6 +20,9 @@ struct FixturePicture {
 struct FixtureRecord {
     std::vector<Metric> metrics;
     std::vector<FixturePicture> pictures;
+
+    /// nullptr where it has no such view.
+    const FixturePicture* picture(const std::string& view) const;
 };
 
 /// One view of two records.

@@ -2,6 +2,7 @@
 
 #include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/io/input_path.h"
 #include "keiko/io/material_file.h"
 #include "keiko/io/preset_file.h"
 #include "keiko/io/toml_reader.h"
@@ -17,17 +18,6 @@ namespace {
 constexpr std::string_view fixture_format = "keiko-fixture/1";
 constexpr double largest_size = 4096; ///< pixels, either way
 constexpr TomlLimits joins{.low = 0, .high = 1000, .above_low = true};
-
-/// A file that `key` names, relative to the file of `table`; it must be there.
-fs::path path_of(const TomlTable& table, std::string_view key, const std::string& name) {
-    const fs::path path = (table.source().parent_path() / name).lexically_normal();
-    try {
-        require_readable_file(path);
-    } catch (const Error& error) {
-        throw table.error(key, shortened(error.what()));
-    }
-    return path;
-}
 
 /// One text, or an array of some.
 std::vector<std::string> one_or_more(const TomlTable& table, std::string_view key) {
@@ -64,13 +54,13 @@ void read_body(const TomlTable& root, FixtureSpec& fixture) {
     if (const auto scene = root.text("scene")) {
         for (const char* key : {"model", "material"})
             if (root.has(key)) throw root.error(key, "stands in the scene where there is one");
-        fixture.models = {path_of(root, "scene", *scene)};
+        fixture.models = {readable_path(root, "scene", *scene)};
         if (fixture.models.front().extension() != ".toml")
             throw root.error("scene", "is no .toml file; a model file is named by 'model'");
         return;
     }
     for (const std::string& model : one_or_more(root, "model"))
-        fixture.models.push_back(path_of(root, "model", model));
+        fixture.models.push_back(readable_path(root, "model", model));
     fixture.material = root.text("material");
     if (!fixture.material) return;
     try {
@@ -83,7 +73,8 @@ void read_body(const TomlTable& root, FixtureSpec& fixture) {
 CriteriaPreset preset_from(const TomlTable& root) {
     const auto name = root.text("preset");
     if (!name) return standard_presets().front();
-    if (fs::path(*name).extension() == ".toml") return read_preset(path_of(root, "preset", *name));
+    if (fs::path(*name).extension() == ".toml")
+        return read_preset(readable_path(root, "preset", *name));
     try {
         return preset_by_name(*name);
     } catch (const Error& error) {
@@ -176,7 +167,7 @@ FixtureSpec parse_fixture(std::string_view text, const std::string& source) {
     fixture.name = fixture.file.stem().string();
     read_body(root, fixture);
     read_views(root, fixture);
-    if (const auto rig = root.text("rig")) fixture.rig = path_of(root, "rig", *rig);
+    if (const auto rig = root.text("rig")) fixture.rig = readable_path(root, "rig", *rig);
     fixture.preset = preset_from(root);
     fixture.join = root.number("join", joins).value_or(fixture.join);
     fixture.layers = words_of(root, "layers", fixture_layers);

@@ -9,7 +9,12 @@ namespace keiko {
 std::optional<std::filesystem::path> path_from(const TomlTable& table, std::string_view key) {
     const auto name = table.text(key);
     if (!name) return {};
-    const auto path = (table.source().parent_path() / *name).lexically_normal();
+    return readable_path(table, key, *name);
+}
+
+std::filesystem::path readable_path(const TomlTable& table, std::string_view key,
+                                    const std::string& name) {
+    const auto path = (table.source().parent_path() / name).lexically_normal();
     try {
         require_readable_file(path);
     } catch (const Error& error) {

@@ -13,6 +13,10 @@ class TomlTable;
 /// Throws Error with file, line and column where it cannot be read.
 std::optional<std::filesystem::path> path_from(const TomlTable& table, std::string_view key);
 
+/// The file of that name, which `key` gives, relative to the file of `table`. Throws as path_from.
+std::filesystem::path readable_path(const TomlTable& table, std::string_view key,
+                                    const std::string& name);
+
 /// How a TOML file in `folder` names a file; as it is where the folder is empty.
 std::string named_from(const std::filesystem::path& folder, const std::filesystem::path& file);
 

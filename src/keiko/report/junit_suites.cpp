@@ -1,6 +1,7 @@
 #include "keiko/report/junit_suites.h"
 
 #include "keiko/report/html_text.h"
+#include "keiko/report/xml_attribute.h"
 
 #include <algorithm>
 
@@ -9,11 +10,6 @@ namespace {
 
 using Outcome = JunitCase::Outcome;
 
-/// XML needs no more escapes than HTML.
-std::string attribute(const char* name, std::string_view value) {
-    return std::string(" ") + name + "=\"" + html_escaped(value) + "\"";
-}
-
 std::size_t count(const JunitSuite& suite, Outcome outcome) {
     return static_cast<std::size_t>(
         std::count_if(suite.cases.begin(), suite.cases.end(),
@@ -21,9 +17,9 @@ std::size_t count(const JunitSuite& suite, Outcome outcome) {
 }
 
 std::string counts(std::size_t tests, std::size_t failures, std::size_t errors) {
-    return attribute("tests", std::to_string(tests)) +
-           attribute("failures", std::to_string(failures)) +
-           attribute("errors", std::to_string(errors));
+    return xml_attribute("tests", std::to_string(tests)) +
+           xml_attribute("failures", std::to_string(failures)) +
+           xml_attribute("errors", std::to_string(errors));
 }
 
 std::string lines_escaped(const std::string& text) {
@@ -37,11 +33,11 @@ std::string lines_escaped(const std::string& text) {
 }
 
 std::string case_xml(const JunitCase& one) {
-    const std::string head =
-        "    <testcase" + attribute("classname", one.class_name) + attribute("name", one.name);
+    const std::string head = "    <testcase" + xml_attribute("classname", one.class_name) +
+                             xml_attribute("name", one.name);
     if (one.outcome == Outcome::pass) return head + "/>\n";
     const std::string element = one.outcome == Outcome::failure ? "failure" : "error";
-    return head + ">\n      <" + element + attribute("message", one.message) + ">" +
+    return head + ">\n      <" + element + xml_attribute("message", one.message) + ">" +
            lines_escaped(one.details) + "</" + element + ">\n    </testcase>\n";
 }
 
@@ -53,14 +49,15 @@ std::string junit_xml(const std::vector<JunitSuite>& suites) {
     for (const JunitSuite& suite : suites) {
         const std::size_t failed = count(suite, Outcome::failure),
                           broken = count(suite, Outcome::error);
-        body += "  <testsuite" + attribute("name", suite.name) +
+        body += "  <testsuite" + xml_attribute("name", suite.name) +
                 counts(suite.cases.size(), failed, broken) + ">\n";
         for (const JunitCase& one : suite.cases) body += case_xml(one);
         body += "  </testsuite>\n";
         tests += suite.cases.size(), failures += failed, errors += broken;
     }
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + attribute("name", "keiko") +
-           counts(tests, failures, errors) + ">\n" + body + "</testsuites>\n";
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" +
+           xml_attribute("name", "keiko") + counts(tests, failures, errors) + ">\n" + body +
+           "</testsuites>\n";
 }
 
 } // namespace keiko

@@ -29,8 +29,7 @@ FixtureState Regression::state() const {
 
 std::string summary_of(const Regression& regression) {
     std::string text = std::to_string(regression.fixtures.size()) + " fixtures";
-    for (const FixtureState state :
-         {FixtureState::same, FixtureState::different, FixtureState::missing, FixtureState::error})
+    for (const FixtureState state : every_fixture_state)
         text += ", " + std::to_string(regression.count(state)) + " " + std::string(name_of(state));
     return text;
 }

@@ -17,6 +17,8 @@ enum class FixtureState {
     error      ///< could not be run, or its baseline is damaged
 };
 
+inline constexpr std::array every_fixture_state{FixtureState::same, FixtureState::different,
+                                                FixtureState::missing, FixtureState::error};
 std::string_view name_of(FixtureState state);
 
 /// What became of one view of a fixture.

@@ -27,9 +27,7 @@ std::string head(const Regression& regression) {
         html += "<div class=\"soft\">shard " + std::to_string(regression.shard) + " of " +
                 std::to_string(regression.shards) + "</div>";
     html += "</div></header>\n<div class=\"counts\">";
-    for (const FixtureState state :
-         {FixtureState::same, FixtureState::different, FixtureState::missing, FixtureState::error})
-        html += count(regression, state);
+    for (const FixtureState state : every_fixture_state) html += count(regression, state);
     return html + "</div>\n";
 }
 

@@ -107,8 +107,7 @@ Json fixture_json(const FixtureOutcome& fixture) {
 }
 
 FixtureState state_from(const std::string& name) {
-    for (const FixtureState state :
-         {FixtureState::same, FixtureState::different, FixtureState::missing, FixtureState::error})
+    for (const FixtureState state : every_fixture_state)
         if (name_of(state) == name) return state;
     throw Error("", in_quotes(name), "is no state of a fixture");
 }
