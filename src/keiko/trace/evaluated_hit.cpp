@@ -134,8 +134,8 @@ void HitEvaluation::write(std::size_t lane) {
                              placement.to_world);
 
     const double steps = 8 + 4.0 * (leaf.degree_u + leaf.degree_v);
-    const double rounding =
-        epsilon * (8 * hit.position.length() + steps * leaf.radius * placement.magnification);
+    const double away = hit.position.length() + placement.to_world.translation.length();
+    const double rounding = epsilon * (8 * away + steps * leaf.radius * placement.magnification);
     hit.position_bound = reach + leaf.coefficient_error * placement.magnification + rounding;
     hit.root = {hit.instance, hit.patch,
                 root_box(hit.uv, Vec2(block_.error_u[lane], block_.error_v[lane]))};

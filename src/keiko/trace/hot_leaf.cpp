@@ -80,14 +80,15 @@ HotLeaf hot_leaf(const LeafSet& leaves, std::uint32_t index, const PartPlacement
         hot.row_length[k] = used.length() * (1 + 4 * epsilon);
     }
     // The stored centre and rows miss the exact ones by some roundings of what they are made of,
-    // the centre's in world size, the rows' in the leaf's; there also a control point's five on
-    // its way into the frame, and one where an affine part was taken off.
+    // the centre's in world size, the rows' in the leaf's, and by what the inverse of the placement
+    // is off; there also a control point's five on its way into the frame, and one where an affine
+    // part was taken off.
     const double size = placement.magnification * (leaf.radius + frame.center.length());
     const double away = center.length() + placement.to_world.translation.length() +
                         placement.magnification * leaf.center.length();
     const double turning = placement.identity ? 1 : placement.magnification * placement.reduction;
     hot.blur = placement.magnification * leaf.coefficient_error + 4 * epsilon * away +
-               16 * epsilon * size * turning +
+               (16 * epsilon * turning + 2 * placement.inverse_error) * size +
                polynomial_blur(leaves.roundings[index], hot.row_length);
     return hot;
 }

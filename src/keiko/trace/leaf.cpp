@@ -45,10 +45,14 @@ Vec2 farthest_apart(const LeafFrame& f, double distance) {
     return {bound(f.u, f.rows[0]), bound(f.v, f.rows[1])};
 }
 
-double least_weight(const std::vector<Vec4>& points) {
-    return std::min_element(points.begin(), points.end(),
-                            [](const Vec4& a, const Vec4& b) { return a.w < b.w; })
-        ->w;
+struct WeightRange {
+    double least, largest;
+};
+
+WeightRange weight_range(const std::vector<Vec4>& points) {
+    const auto [least, largest] = std::minmax_element(
+        points.begin(), points.end(), [](const Vec4& a, const Vec4& b) { return a.w < b.w; });
+    return {least->w, largest->w};
 }
 
 /// Splits one patch; the points are taken relative to `origin_`, the patch's own centre, before
@@ -70,7 +74,7 @@ public:
         }
         local_ = {original_.degree_u, original_.degree_v, points_};
         size_ = hull_bounds(local_).size();
-        least_weight_ = least_weight(points_);
+        weights_ = weight_range(points_);
         if (!region.untrimmed()) find_reach(face_domain, reach);
     }
 
@@ -169,8 +173,7 @@ private:
         leaf.near_border = side == TrimSide::mixed;
         leaf.trim = leaf.near_border && is_material(share) ? TrimSide::inside : side;
         leaf.first_point = static_cast<std::uint32_t>(set_.points.size());
-        leaf.coefficient_error =
-            epsilon * (8 * origin_.length() + (local_.degree_u + local_.degree_v + 4) * size_ / 2);
+        leaf.coefficient_error = rounding_error(1);
         const auto slip = [&](double length) {
             return std::min(widest_overlap, overlap + 16 * leaf.coefficient_error / length);
         };
@@ -190,6 +193,7 @@ private:
             leaf.domain = leaf.domain.intersection({Vec2(0) - leaf.slip, Vec2(1) + leaf.slip});
             points = subpatch(local_, leaf.domain);
         }
+        leaf.coefficient_error = rounding_error(growth(leaf.domain, weight_range(points).least));
         const Vec3 middle = hull_bounds({local_.degree_u, local_.degree_v, points}).center();
         leaf.center = origin_ + middle;
         leaf.weight = 0;
@@ -206,7 +210,25 @@ private:
 
     /// False where going on past the patch has made a weight far smaller than any on it.
     bool weights_hold(const std::vector<Vec4>& points) const {
-        return least_weight(points) > least_weight_ / 2;
+        return weight_range(points).least > weights_.least / 2;
+    }
+
+    /// mm: bound of what the roundings of making a leaf move a control point by. Each of the
+    /// 2 (degree_u + degree_v) blends that make it costs 3 unit roundoffs of w (P - origin) and as
+    /// much of w; `growth` as below. The rest is taking off the centres.
+    double rounding_error(double growth) const {
+        const double blends = 6.0 * (local_.degree_u + local_.degree_v);
+        return epsilon * (8 * origin_.length() + (blends * growth + 8) * size_ / 2);
+    }
+
+    /// How much larger than the leaf's own weight the sum of the |terms| of a weight may be: 1
+    /// where each blend is an average, more where the leaf goes on past the patch.
+    double growth(const Box2& domain, double least) const {
+        double beyond = 0;
+        for (unsigned k = 0; k < 2; ++k)
+            beyond = std::max({beyond, -domain.lower[k], domain.upper[k] - 1});
+        const double terms = std::pow(1 + 2 * beyond, 2 * (local_.degree_u + local_.degree_v));
+        return 1 + (terms - 1) * weights_.largest / least;
     }
 
     void add_frame(Leaf& leaf, const BezierPatchView& points) {
@@ -229,7 +251,8 @@ private:
     Vec3 origin_;
     std::vector<Vec4> points_;
     BezierPatchView local_;
-    double size_ = 0, least_weight_ = 0;
+    double size_ = 0;
+    WeightRange weights_{1, 1};
     Vec2 reach_{0};                 ///< in patch parameters
     Box2 beyond_{Vec2(0), Vec2(0)}; ///< by how much the domain goes on past 0 and past 1
     LeafSet set_;

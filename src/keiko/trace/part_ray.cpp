@@ -35,7 +35,8 @@ PartRay part_ray(const Vec3& origin, const Vec3& direction, double error) {
 bool near_leaf(const PartRay& ray, const Leaf& leaf) {
     double foot = 0;
     const Vec3 off = foot_point(ray, leaf, foot);
-    const double reach = leaf.radius + leaf.coefficient_error + ray.error;
+    const double reach =
+        leaf.radius + leaf.coefficient_error + ray.error + ray.turn * std::abs(foot);
     // The 1 + 1e-9 covers the rounding of the three lines above.
     return off.dot(off) <= reach * reach * (1 + 1e-9) + 1e-30 * foot * foot;
 }
@@ -54,8 +55,9 @@ LeafView look_at(const PartRay& ray, const Leaf& leaf, const BezierPatchView& po
     }
     const double size = leaf.radius + off.length();
     const double steps = 8 + 4.0 * (points.degree_u + points.degree_v);
-    view.slack = leaf.weight * (epsilon * (steps * size + 4 * std::abs(view.foot)) +
-                                leaf.coefficient_error + ray.error);
+    view.slack =
+        leaf.weight * (epsilon * steps * size + (4 * epsilon + ray.turn) * std::abs(view.foot) +
+                       leaf.coefficient_error + ray.error);
     return view;
 }
 

@@ -12,7 +12,8 @@ struct PartRay {
     Vec3 direction{0};             ///< unit
     Vec3 normal_f{0}, normal_g{0}; ///< of the two planes through the ray; unit, orthogonal
     double speed = 1;              ///< mm of the part in one unit of the world ray's t
-    double error = 0;              ///< mm, bound of the distance to the exact ray
+    double error = 0;              ///< mm, bound of the distance to the exact ray at the origin
+    double turn = 0; ///< radians, bound of the direction's error beyond that of being unit
 };
 
 /// `error`: by how much the given origin may miss the exact ray, mm.

@@ -13,11 +13,31 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Frobenius norm, a bound of the largest stretch that is exact for no map but close for all.
+double frobenius_norm(const std::array<Vec3, 3>& rows) {
+    double squares = 0;
+    for (const Vec3& row : rows) squares += row.length2();
+    return std::sqrt(squares);
+}
+
+/// Bound of the largest stretch, exact where rows stay at right angles: by Gershgorin's circles of
+/// the rows' products with each other, and these products' rounding.
 double stretch(const Affine& map) {
-    double sum = 0;
-    for (const Vec3& row : map.rows) sum += row.dot(row);
-    return std::sqrt(sum);
+    double widest = 0;
+    for (const Vec3& a : map.rows) {
+        double sum = 0;
+        for (const Vec3& b : map.rows) sum += std::abs(a.dot(b));
+        widest = std::max(widest, sum);
+    }
+    const double all = frobenius_norm(map.rows);
+    return std::sqrt(widest + 8 * epsilon * all * all);
+}
+
+/// Of the inverse as rounding has left it: what the product lacks of 1, and the product's rounding.
+double inverse_error(const Affine& map, const Affine& inverse) {
+    Affine off = inverse * map;
+    for (unsigned k = 0; k < 3; ++k) off.rows[k][k] -= 1;
+    return frobenius_norm(off.rows) +
+           4 * epsilon * frobenius_norm(map.rows) * frobenius_norm(inverse.rows);
 }
 
 std::vector<PartPlacement> placements(const SurfaceModel& model,
@@ -28,11 +48,14 @@ std::vector<PartPlacement> placements(const SurfaceModel& model,
         const std::uint32_t first = first_leaf_of_face[part.first_face];
         const std::uint32_t end = first_leaf_of_face[part.first_face + part.face_count];
         const Affine to_part = instance.transform.inverse();
+        const bool identity = instance.transform.is_identity();
+        const double error = identity ? 0 : inverse_error(instance.transform, to_part);
         result.push_back({.to_world = instance.transform,
                           .to_part = to_part,
-                          .identity = instance.transform.is_identity(),
+                          .identity = identity,
                           .magnification = stretch(instance.transform),
-                          .reduction = stretch(to_part),
+                          .reduction = stretch(to_part) * (1 + 2 * error),
+                          .inverse_error = error,
                           .first_leaf = first,
                           .leaf_count = end - first});
     }
@@ -105,10 +128,13 @@ TracedModel traced_model(const SurfaceModel& model, double join, double flat_eno
 PartRay TracedModel::to_part(const PartPlacement& placement, const Vec3& origin,
                              const Vec3& direction, double error) const {
     if (placement.identity) return part_ray(origin, direction, error);
-    const double rounding =
-        8 * epsilon * (origin.length() + placement.to_world.translation.length());
-    return part_ray(placement.to_part.point(origin), placement.to_part.vector(direction),
-                    (error + rounding) * placement.reduction);
+    const double rounding = (8 * epsilon + 2 * placement.inverse_error) *
+                            (origin.length() + placement.to_world.translation.length());
+    PartRay ray = part_ray(placement.to_part.point(origin), placement.to_part.vector(direction),
+                           (error + rounding) * placement.reduction);
+    ray.turn =
+        2 * placement.inverse_error + 4 * epsilon * placement.magnification * placement.reduction;
+    return ray;
 }
 
 Box3 TracedModel::bounds(const PlacedLeaf& at) const {

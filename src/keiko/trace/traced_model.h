@@ -20,6 +20,7 @@ struct PartPlacement {
     Affine to_world, to_part;
     bool identity = true;
     double magnification = 1, reduction = 1; ///< bounds of a length's stretch, and of its inverse
+    double inverse_error = 0; ///< bound of how far to_part after to_world is from the identity
     std::uint32_t first_leaf = 0, leaf_count = 0;
 };
 

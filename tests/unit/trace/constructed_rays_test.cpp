@@ -133,6 +133,7 @@ std::vector<Case> cases() {
             Case{"Trimmed", 1, 6, {.spans_u = 2, .spans_v = 2, .trimmed = true}, 0.12},
             Case{"TrimmedRational", 1, 6, {.weights = 5, .trimmed = true}, 0.06},
             Case{"Placed", 1, 6, {.spans_u = 2, .weights = 3, .placed = true}, 0.02},
+            Case{"Sheared", 1, 6, {.weights = 3, .placed = true, .shear = 3}, 0.01},
             Case{"FarOff", 1, 5, {.offset = Vec3(1e6, -1e6, 1e6)}, 0.04},
             Case{"Sliver", 1, 5, {.rough = 0.002, .length_u = 0.01}, 0.03, false, {{1085, 212}}},
             Case{"DegreeFifteen", 15, 15, {}, 0.015},

@@ -104,8 +104,9 @@ TEST(SharedBorders, AreTight) {
         ray.direction = target - ray.origin;
         for (const Tracer* each : {&tracer, &clipping}) {
             const std::vector<Hit> hits = each->all(ray);
+            // Rays low over the surface are off by more, and say so.
             const auto at_target = [&](const Hit& hit) {
-                return (hit.position - target).length() < 1e-8;
+                return (hit.position - target).length() <= std::max(1e-8, hit.position_bound);
             };
             EXPECT_EQ(std::count_if(hits.begin(), hits.end(), at_target), 1) << i;
             EXPECT_LE(hits.size(), 2u) << i;

@@ -90,7 +90,7 @@ TEST_P(PositionBound, HoldsAgainstLongDoubleAndIsNarrow) {
         Random random(i + 1);
         const SurfaceModel model = random_face(random, tested.kind);
         const Tracer tracer(model, {.clipping_only = tested.clipping_only});
-        const ExactPatch patch(model.patch(0));
+        const ExactPatch patch(model.patch(0), model.instances[0].transform);
         for (const std::size_t end = std::min(count, i + 500); i < end; ++i) {
             const RayClass kind = i % 4 == 0 ? RayClass::grazing : RayClass::random;
             const Ray ray = random_ray(random, patch, kind);
@@ -118,7 +118,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Rational", {.degree_u = 2, .weights = 10}, false, 80000},
                     Case{"WeightsAThousandthToAThousand", {.weights = 1e6}, false, 80000},
                     Case{"DegreeFifteen", {.degree_u = 15, .degree_v = 15}, false, 8000},
-                    Case{"FarOff", {.offset = Vec3(1e6, 1e6, -1e6)}, false, 40000}),
+                    Case{"FarOff", {.offset = Vec3(1e6, 1e6, -1e6)}, false, 40000},
+                    Case{"Sheared", {.weights = 3, .placed = true, .shear = 3}, false, 20000},
+                    Case{"ShearedClipped", {.placed = true, .shear = 3}, true, 4000}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 } // namespace

@@ -69,9 +69,9 @@ std::vector<LoopData> random_loops(Random& random) {
     return loops;
 }
 
-Affine random_placement(Random& random) {
-    Affine stretch{.rows = {Vec3(uniform(random, 0.5, 2), uniform(random, -0.5, 0.5), 0),
-                            Vec3(0, uniform(random, 0.5, 2), uniform(random, -0.5, 0.5)),
+Affine random_placement(Random& random, double shear) {
+    Affine stretch{.rows = {Vec3(uniform(random, 0.5, 2), uniform(random, -shear, shear), 0),
+                            Vec3(0, uniform(random, 0.5, 2), uniform(random, -shear, shear)),
                             Vec3(0, 0, uniform(random, 0.5, 2))}};
     if (random() % 2 == 0) stretch.rows[0] = -stretch.rows[0];
     const Vec3 away(uniform(random, -500, 500), uniform(random, -500, 500), 0);
@@ -83,7 +83,7 @@ SurfaceModel random_face(Random& random, const SurfaceKind& kind) {
     const std::vector<PatchData> patches = patches_of(random_nurbs(random, kind));
     ShapeBuilder builder;
     builder.face(patches, kind.trimmed ? random_loops(random) : std::vector<LoopData>{});
-    if (kind.placed) builder.place({random_placement(random)});
+    if (kind.placed) builder.place({random_placement(random, kind.shear)});
     return builder.model();
 }
 

@@ -18,6 +18,7 @@ struct SurfaceKind {
     double length_u = 100; ///< mm; the other side is 100 mm
     bool trimmed = false;
     bool placed = false; ///< turned, mirrored every other time, stretched and sheared
+    double shear = 0.5;  ///< of a placement, at most
 };
 
 /// A sheet about the square [-50, 50]^2 with inner knots at random places, of random multiplicity
@@ -31,7 +32,7 @@ std::vector<PatchData> patches_of(const NurbsSurface& surface);
 std::vector<LoopData> random_loops(Random& random);
 
 /// A placement in the world that is no rigid motion.
-Affine random_placement(Random& random);
+Affine random_placement(Random& random, double shear = 0.5);
 
 /// One random face.
 SurfaceModel random_face(Random& random, const SurfaceKind& kind);
