@@ -6,12 +6,6 @@
 namespace keiko {
 namespace {
 
-/// Positive where the face's own outward normal is along dpdu x dpdv.
-double orientation(const PatchFrame& patch, const Vec2& uv) {
-    const double turned = patch.map_u.derivative(uv.x) * patch.map_v.derivative(uv.y);
-    return (turned < 0) == patch.reversed ? 1 : -1;
-}
-
 /// Of the patch: the leaf without its overlaps. These shares tile the patch.
 Box2 share(const Leaf& leaf) {
     const Box2 inner{leaf.domain.lower + leaf.slip, leaf.domain.upper - leaf.slip};
@@ -27,7 +21,7 @@ BorderHit border_hit(const TracedModel& model, const Crossing& crossing, Hit hit
     constexpr double rounding = 1e-15;
     const Leaf& leaf = model.leaves.leaves[model.placed[crossing.leaf].leaf];
     BorderHit result;
-    const double facing = orientation(model.patches[hit.patch], hit.uv);
+    const double facing = model.patches[hit.patch].orientation(hit.uv);
     result.sine = facing * hit.normal.dot(direction) / direction.length();
     result.leaf = crossing.leaf;
     result.uv = crossing.uv;

@@ -15,6 +15,40 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// angle.
 constexpr double near_end = 1e-3;
 
+/// In widths of a seam: a ray that starts in it may run so far before it gets behind the neighbour.
+/// At angles still lower it is some other place.
+constexpr double farthest_behind_seam = 2 * seam_depth;
+
+/// A place on a leaf as a ray sees it.
+struct SeenPlace {
+    Vec3 position{0};                         ///< relative to the leaf's centre
+    std::optional<TrimRegion::NearEdge> edge; ///< within whose seam it is
+    bool leaving = false;                     ///< the ray goes along the face's outward normal
+};
+
+SeenPlace seen_place(const TracedModel& model, const Leaf& leaf, const Vec2& own,
+                     const Vec3& direction) {
+    const PatchFrame& patch = model.patches[leaf.patch];
+    const FaceTrim& trim = model.faces[patch.face];
+    const Vec2 uv = leaf.patch_parameters(own), extent = leaf.domain.extent();
+    const SurfaceDerivatives s = evaluate(model.leaves.view(leaf), own, 1);
+    const ParameterMetric width =
+        seam_width(patch, unit_square.nearest(uv), s.du() / extent.x, s.dv() / extent.y, direction);
+    return {s.position(), trim.region.nearest_edge(patch.to_face(uv), width, trim.reach),
+            patch.orientation(uv) * s.du().cross(s.dv()).dot(direction) > 0};
+}
+
+/// The leaf of the instance that a root is on.
+const Leaf* leaf_of(const TracedModel& model, const Root& root) {
+    const PartPlacement& placement = model.placements[root.instance];
+    const auto leaves =
+        std::span(model.leaves.leaves).subspan(placement.first_leaf, placement.leaf_count);
+    const auto found = std::find_if(leaves.begin(), leaves.end(), [&](const Leaf& leaf) {
+        return leaf.patch == root.patch && leaf.domain.contains(root.uv.center());
+    });
+    return found == leaves.end() ? nullptr : &*found;
+}
+
 } // namespace
 
 RootCheck::RootCheck(const TracedModel& model, const TracedRay& ray, const PlacedLeaf& placed)
@@ -38,8 +72,9 @@ bool RootCheck::clear_of_excluded(double nearest, double farthest) const {
     const std::optional<Root>& root = ray_.ray->excluded;
     if (!root || root->instance != placed_.instance) return true;
     if (root->patch == leaf_.patch) return false;
-    const double room =
-        2 * near_end * leaf_.radius * model_.placements[placed_.instance].magnification;
+    const double reach = model_.faces[model_.patches[leaf_.patch].face].reach;
+    const double room = 2 * (near_end * leaf_.radius + farthest_behind_seam * reach) *
+                        model_.placements[placed_.instance].magnification;
     return nearest > room - ray_.t_start * ray_.speed && farthest < end() - room;
 }
 
@@ -56,6 +91,10 @@ bool RootCheck::is_excluded(const Crossing& c) const {
     const double from_start = c.t * part.speed;
     const double from_end = (ray_.ray->t_max - c.t) * part.speed;
     const double distance = std::min(std::abs(from_start), std::abs(from_end));
+    return is_at_end(c, part, distance) || is_behind_own_seam(c, part, distance);
+}
+
+bool RootCheck::is_at_end(const Crossing& c, const PartRay& part, double distance) const {
     if (!(distance <= near_end * leaf_.radius)) return false;
     const auto normal = steady_normal(evaluate(model_.leaves.view(leaf_), c.uv, 2), c.uv);
     const double sine = normal ? std::abs(normal->dot(part.direction)) : 1;
@@ -63,6 +102,20 @@ bool RootCheck::is_excluded(const Crossing& c) const {
         64 * epsilon * (part.origin.length() + leaf_.center.length() + leaf_.radius) +
         4 * part.error;
     return distance * sine <= rounding;
+}
+
+bool RootCheck::is_behind_own_seam(const Crossing& c, const PartRay& part, double distance) const {
+    const FaceTrim& trim = model_.faces[model_.patches[leaf_.patch].face];
+    if (!(distance <= farthest_behind_seam * trim.reach)) return false;
+    const Root& root = *ray_.ray->excluded;
+    const Leaf* own = leaf_of(model_, root);
+    if (!own) return false;
+    const SeenPlace here = seen_place(model_, leaf_, c.uv, part.direction);
+    if (!here.edge || distance > farthest_behind_seam * model_.seam_widths[here.edge->edge])
+        return false;
+    const Vec2 at = (root.uv.center() - own->domain.lower) / own->domain.extent();
+    const SeenPlace start = seen_place(model_, *own, at, part.direction);
+    return start.edge && start.edge->edge == here.edge->edge && start.leaving == here.leaving;
 }
 
 bool RootCheck::is_material(Crossing& c) const {
@@ -101,18 +154,14 @@ Vec3 RootCheck::point(const Vec2& in_face) const {
 /// Whether the place, beyond a border, is in the gap to the neighbour's.
 bool RootCheck::is_seam(Crossing& c, const Vec2& uv, const FaceTrim& trim) const {
     if (!may_be_near_edge(uv, trim)) return false;
-    const SurfaceDerivatives s = evaluate(model_.leaves.view(leaf_), c.uv, 1);
-    const PatchFrame& patch = model_.patches[leaf_.patch];
     const PartRay part = part_ray();
-    const Vec2 extent = leaf_.domain.extent();
-    const ParameterMetric width = seam_width(patch, unit_square.nearest(uv), s.du() / extent.x,
-                                             s.dv() / extent.y, part.direction);
-    const auto near = trim.region.nearest_edge(patch.to_face(uv), width, trim.reach);
-    if (!near) return false;
-    const Vec3 off = s.position() - point(near->at.place);
-    if (!model_.seam_gaps[near->at.curve].holds(near->at.t, off, part.direction)) return false;
+    const SeenPlace place = seen_place(model_, leaf_, c.uv, part.direction);
+    if (!place.edge) return false;
+    const TrimRegion::NearCurve& border = place.edge->at;
+    const Vec3 off = place.position - point(border.place);
+    if (!model_.seam_gaps[border.curve].holds(border.t, off, part.direction)) return false;
     c.flags = c.flags | HitFlags::seam;
-    c.seam = near->edge;
+    c.seam = place.edge->edge;
     return true;
 }
 

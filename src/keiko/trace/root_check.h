@@ -10,10 +10,12 @@ namespace keiko {
 
 /// The tests that a root on a leaf must pass to be a hit of a ray: that no one excluded it, and
 /// that there is material. Where the ray excludes a root, these are left out: roots on its patch
-/// inside its box; and, on any patch of its instance, roots at either end of the ray where the
-/// end is on the surface to within rounding. The second rule is what keeps a ray that starts on a
-/// patch border from hitting the neighbour's copy of the same point; it is measured across the
-/// surface, so that a concave surface met again at a low angle still counts.
+/// inside its box; on any patch of its instance, roots at either end of the ray where the end is on
+/// the surface to within rounding, which keeps a ray that starts on a patch border from hitting
+/// the neighbour's copy of the same point (it is measured across the surface, so that a concave
+/// surface met again at a low angle still counts); and, where the end is near an edge, roots on the
+/// neighbour near the same edge that the ray meets from the other side, for what is open there is
+/// closed: only a gap lets it get behind the neighbour.
 class RootCheck {
 public:
     RootCheck(const TracedModel& model, const TracedRay& ray, const PlacedLeaf& placed);
@@ -32,6 +34,8 @@ private:
     PartRay part_ray() const;
     Vec3 point(const Vec2& in_face) const;
     bool is_excluded(const Crossing& crossing) const;
+    bool is_at_end(const Crossing& crossing, const PartRay& part, double distance) const;
+    bool is_behind_own_seam(const Crossing& crossing, const PartRay& part, double distance) const;
     bool is_material(Crossing& crossing) const;
     bool may_be_near_edge(const Vec2& uv, const FaceTrim& trim) const;
     bool is_seam(Crossing& crossing, const Vec2& uv, const FaceTrim& trim) const;

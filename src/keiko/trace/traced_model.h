@@ -31,6 +31,11 @@ struct PatchFrame {
     bool reversed = false; ///< as Face::reversed
 
     Vec2 to_face(const Vec2& uv) const { return {map_u.to_face(uv.x), map_v.to_face(uv.y)}; }
+    /// 1 where the face's own outward normal is along dpdu x dpdv, -1 where it is against it.
+    double orientation(const Vec2& uv) const {
+        const double turned = map_u.derivative(uv.x) * map_v.derivative(uv.y);
+        return (turned < 0) == reversed ? 1 : -1;
+    }
 };
 
 /// The trim curves of one face.

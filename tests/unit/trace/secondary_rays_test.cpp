@@ -1,6 +1,7 @@
 #include "keiko/trace/tracer.h"
 
 #include "tests/unit/trace/random_patches.h"
+#include "tests/unit/trace/squares.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -88,6 +89,54 @@ TEST(ShadowRays, DoNotMeetTheirOwnEnd) {
         Ray longer = shadow;
         longer.t_max = 10;
         EXPECT_TRUE(tracer.any(longer)); // the far side, which is not excluded
+    }
+}
+
+/// Of the squares, the second raised by the gap: what is open between the sheets is closed.
+SurfaceModel step(double gap) {
+    SurfaceModel model = squares(gap, 2 * gap, 0);
+    const Patch& second = model.patches[1];
+    for (std::size_t i = 0; i < 4; ++i) model.control_points[second.first_point + i].z += gap;
+    return model;
+}
+
+TEST(MirrorRays, DoNotGetBehindTheNeighbourThroughTheirSeam) {
+    for (const double gap : {1e-2, 1e-4, 1e-6}) {
+        const Tracer tracer(step(gap));
+        Random random(33);
+        int seams = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3 target(uniform(random, -0.6, 0.6) * gap, uniform(random, -9, 9), 0);
+            const Vec3 in(uniform(random, 0.2, 5), uniform(random, -1, 1), -1);
+            const auto hit = tracer.nearest(ray_through(target - in * 20, in));
+            ASSERT_TRUE(hit);
+            seams += has(hit->flags, HitFlags::seam);
+            const Ray mirrored =
+                excluding(hit->root, ray_through(hit->position, reflect(in, hit->normal)));
+            EXPECT_FALSE(tracer.any(mirrored)) << gap << ' ' << target << ' ' << in;
+            EXPECT_FALSE(tracer.nearest(mirrored)) << gap << ' ' << target << ' ' << in;
+        }
+        EXPECT_GT(seams, 100);
+    }
+}
+
+TEST(MirrorRays, MeetTheNeighbourInAnInnerCorner) {
+    constexpr double right_angle = 1.5707963267948966;
+    for (const double gap : {1e-2, 1e-4}) {
+        const Tracer tracer(squares(gap, 2 * gap, right_angle));
+        Random random(34);
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3 target(uniform(random, -10, 0.5) * gap, uniform(random, -9, 9), 0);
+            const Vec3 in(uniform(random, 0.2, 0.8), uniform(random, -1, 1), -1);
+            const auto hit = tracer.nearest(ray_through(target - in, in));
+            ASSERT_TRUE(hit);
+            if (hit->face != 0) continue;
+            const Ray mirrored =
+                excluding(hit->root, ray_through(hit->position, reflect(in, hit->normal)));
+            const auto next = tracer.nearest(mirrored);
+            ASSERT_TRUE(next) << gap << ' ' << target << ' ' << in;
+            EXPECT_EQ(next->face, 1u);
+        }
     }
 }
 
