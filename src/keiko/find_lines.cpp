@@ -7,8 +7,6 @@ std::vector<CPlane> planes_of(const LightRig& rig) {
     std::vector<CPlane> planes;
     for (const LightSource& source : rig.sources)
         if (const auto* plane = std::get_if<CPlane>(&source)) planes.push_back(*plane);
-    if (planes.empty())
-        throw Error("", "rig '" + rig.name + "'", "has no C-plane, so that there are no lines");
     return planes;
 }
 
@@ -20,11 +18,14 @@ LightRig rig_for_lines(const Scene& scene, const LinesOptions& options) {
     throw Error("", "--rig", "lines need a rig, as the scene has none of its own");
 }
 
-LineList find_lines(const Scene& scene, const LinesOptions& options, const Job& job) {
-    const LightRig rig = rig_for_lines(scene, options);
+bool has_lines(const LightRig& rig) {
+    return !planes_of(rig).empty();
+}
+
+LineList lines_under(const Scene& scene, const LightRig& rig, std::span<const NamedView> views,
+                     const LinesOptions& options, const Job& job) {
     const std::vector<CPlane> planes = planes_of(rig);
     LineList list{version(), rig.name, options.lines.look, options.preset, options.join, {}};
-    const std::vector<NamedView> views = choose_views(scene, options.views, 1, job);
     const LineSeams seams(scene.model, options.join, job);
     for (const NamedView& view : views) {
         std::vector<SurfaceLine> pieces =
@@ -34,6 +35,13 @@ LineList find_lines(const Scene& scene, const LinesOptions& options, const Job& 
                                          options.lines.look, options.preset, job)});
     }
     return list;
+}
+
+LineList find_lines(const Scene& scene, const LinesOptions& options, const Job& job) {
+    const LightRig rig = rig_for_lines(scene, options);
+    if (!has_lines(rig))
+        throw Error("", "rig '" + rig.name + "'", "has no C-plane, so that there are no lines");
+    return lines_under(scene, rig, choose_views(scene, options.views, 1, job), options, job);
 }
 
 } // namespace keiko

@@ -1,5 +1,6 @@
 #include "keiko/base/output_file.h"
-#include "keiko/keiko.h"
+#include "keiko/find_lines.h"
+#include "keiko/lines_picture.h"
 #include "keiko/marked_pictures.h"
 
 #include <algorithm>
@@ -42,6 +43,28 @@ LightsAndCoverage choose_lights(const Scene& scene, const InspectOptions& option
     return {placement.rig, summary_of(scene.model, placement)};
 }
 
+ReportPicture picture_of_lines(const std::string& view, Image drawn) {
+    return {.title = view,
+            .caption = "",
+            .file_name = view + "-lines.png",
+            .png = encode_png(drawn),
+            .width = drawn.width,
+            .height = drawn.height,
+            .markers = {}};
+}
+
+void add_lines(Report& report, const Scene& scene, const InspectResult& result,
+               const InspectOptions& options, std::span<const NamedView> views, const Job& job) {
+    if (!has_lines(result.rig)) return;
+    LinesOptions asked;
+    asked.preset = options.preset;
+    asked.join = options.join;
+    report.lines = lines_under(scene, result.rig, views, asked, job);
+    for (std::size_t i = 0; i < views.size(); ++i)
+        report.line_pictures.push_back(
+            picture_of_lines(views[i].name, with_lines(result.films[i].second, *report.lines, i)));
+}
+
 } // namespace
 
 InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, const Job& job) {
@@ -60,6 +83,7 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
             view.name, film, markers_in(scene, result.report.inspection, view.camera)));
         result.films.emplace_back(view.name, std::move(film));
     }
+    add_lines(result.report, scene, result, options, views, job);
     result.report.close_ups =
         close_ups(scene, result.rig, result.report.inspection, views, options.picture, job);
     return result;

@@ -158,10 +158,10 @@ struct LinesOptions {
 /// one without C-planes.
 LineList find_lines(const Scene& scene, const LinesOptions& options = {}, const Job& job = {});
 
-/// The stripes of the lamps in one view with its lines drawn over them and their crossings marked
-/// by verdict, the worst numbered as the table has them.
-Image lines_picture(const Scene& scene, const LinesOptions& options, const ViewLines& view,
-                    const Job& job = {});
+/// The stripes of the lamps in one view of a list with its lines drawn over them and their
+/// crossings marked by verdict, the worst of the list numbered as the table has them.
+Image lines_picture(const Scene& scene, const LinesOptions& options, const LineList& list,
+                    std::size_t view, const Job& job = {});
 
 struct InspectOptions {
     std::vector<std::string> views;           ///< names; empty: three automatic ones

@@ -1,3 +1,5 @@
+#include "keiko/lines_picture.h"
+
 #include "keiko/film/overlay.h"
 #include "keiko/find_lines.h"
 
@@ -21,24 +23,34 @@ void draw(Overlay& overlay, const Camera& camera, const SurfaceLine& piece) {
     overlay.lines.push_back(std::move(drawn));
 }
 
+void mark(Overlay& overlay, const Camera& camera, const LineCrossing& crossing, std::size_t rank) {
+    const auto pixel = project(camera, crossing.place);
+    if (!pixel) return;
+    const bool bad = crossing.verdict && *crossing.verdict != Verdict::pass;
+    Marker marker{.at = *pixel, .color = color_of(crossing.verdict), .radius = 2.5};
+    if (bad && rank <= numbered) marker.label = std::to_string(rank), marker.radius = 8;
+    overlay.markers.push_back(std::move(marker));
+}
+
 } // namespace
 
-Image lines_picture(const Scene& scene, const LinesOptions& options, const ViewLines& view,
-                    const Job& job) {
+Image with_lines(const Film& film, const LineList& list, std::size_t view) {
     Overlay overlay;
-    for (const SurfaceLine& piece : view.found.pieces) draw(overlay, view.camera, piece);
-    const std::vector<LineCrossing>& crossings = view.found.crossings;
+    const ViewLines& shown = list.views[view];
+    for (const SurfaceLine& piece : shown.found.pieces) draw(overlay, shown.camera, piece);
+    for (const LineCrossing& crossing : shown.found.crossings)
+        if (!crossing.verdict) mark(overlay, shown.camera, crossing, 0);
     // The worst come first, and are drawn last.
-    for (std::size_t i = crossings.size(); i-- > 0;) {
-        const auto pixel = project(view.camera, crossings[i].place);
-        if (!pixel) continue;
-        const bool bad = crossings[i].verdict && *crossings[i].verdict != Verdict::pass;
-        Marker marker{.at = *pixel, .color = color_of(crossings[i].verdict), .radius = 2.5};
-        if (bad && i < numbered) marker.label = std::to_string(i + 1), marker.radius = 8;
-        overlay.markers.push_back(std::move(marker));
-    }
+    const std::vector<CrossingPlace> ranked = ranked_crossings(list);
+    for (std::size_t i = ranked.size(); i-- > 0;)
+        if (ranked[i].view == view) mark(overlay, shown.camera, ranked[i].in(list), i + 1);
+    return with_overlay(tone_mapped(film), overlay);
+}
+
+Image lines_picture(const Scene& scene, const LinesOptions& options, const LineList& list,
+                    std::size_t view, const Job& job) {
     const LightRig rig = rig_for_lines(scene, options);
-    return with_overlay(tone_mapped(render_view(scene, rig, view.camera, {}, job)), overlay);
+    return with_lines(render_view(scene, rig, list.views[view].camera, {}, job), list, view);
 }
 
 } // namespace keiko

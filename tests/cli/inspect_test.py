@@ -3,7 +3,7 @@ import json
 import re
 import unittest
 
-from keiko_process import SMALL, KeikoTest, surface
+from keiko_process import ASLANT, SMALL, KeikoTest, surface
 
 ONE_VIEW = ("--view", "high-front", "-q", *SMALL)
 
@@ -28,13 +28,39 @@ class Inspect(KeikoTest):
         self.assertEqual((code, report["verdict"], report["findings"]), (0, "pass", []))
         self.assertEqual(report["counts"]["pass"], 1)
 
+    def test_lines_are_those_of_the_same_rig_and_count_for_the_verdict(self):
+        report = self.inspect("seam-g1-angle.step", "--rig", self.write("aslant.toml", ASLANT))[1]
+        lines = report["lines"]
+        run = self.keiko("lines", surface("seam-g1-angle.step"), "--rig", "aslant.toml", "--view",
+                         "high-front", "-o", "lines.json", "-q", *SMALL)
+        self.assertEqual(run.returncode, 1)
+        found = json.loads((self.folder / "lines.json").read_text())
+        self.assertGreater(lines["counts"]["fail"], 0)
+        for key in "rig", "look", "preset", "verdict", "counts", "crossings":
+            self.assertEqual(lines[key], found[key])
+        html = (self.folder / "out/report.html").read_text()
+        self.assertIn(f'<b>{lines["counts"]["fail"]}</b>line crossings fail', html)
+
+    def test_lines_alone_can_fail(self):
+        limits = "[seam]\ngap = 1\nangle = 1\n[lines]\nturn = 0.1\n"
+        mine = self.write("mine.toml", 'format = "keiko-preset/1"\nname = "mine"\n' + limits)
+        code, report = self.inspect("seam-g1-angle.step", "--preset", mine, "--rig",
+                                    self.write("aslant.toml", ASLANT))
+        self.assertEqual((code, report["counts"]["fail"], report["verdict"]), (1, 0, "fail"))
+        self.assertEqual(report["lines"]["verdict"], "fail")
+
+    def test_a_rig_without_planes_has_no_lines(self):
+        sun = 'format = "keiko-rig/1"\n[sun]\ndirection = [0, 0, -1]\nilluminance = 1000\n'
+        code, report = self.inspect("seam-g2-only.step", "--rig", self.write("sun.toml", sun))
+        self.assertEqual((code, report["lines"], report["line_pictures"]), (0, None, []))
+
     def test_the_preset_decides(self):
         self.assertEqual(self.inspect("seam-g1-angle.step")[0], 1)
         self.assertEqual(self.inspect("seam-g1-angle.step", "--preset", "engineering")[0], 0)
 
     def test_every_file_that_the_report_names_is_there(self):
         report = self.inspect("seam-g0-gap.step")[1]
-        names = [p["file"] for p in report["pictures"] + report["close_ups"]]
+        names = [p["file"] for key in ("pictures", "line_pictures", "close_ups") for p in report[key]]
         self.assertGreaterEqual(len(names), 2)
         for name in names:
             png = (self.folder / "out" / name).read_bytes()

@@ -8,6 +8,17 @@ from pathlib import Path
 BINARY = os.environ["KEIKO_BINARY"]
 SOURCE = Path(os.environ["KEIKO_SOURCE_DIR"])
 SMALL = ("--size", "64x36")
+# A hundred thin lamps over the seam fixtures, slanting to every seam.
+ASLANT = """format = "keiko-rig/1"
+name = "aslant"
+[[c_plane]]
+origin = [600, -2800, 1500]
+u = [1800, 2400, 0]
+v = [-2400, 1800, 0]
+lamps = 100
+diameter = 10
+luminance = 9000
+"""
 
 
 def surface(name: str) -> str:

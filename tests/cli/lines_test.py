@@ -3,20 +3,10 @@ import csv
 import json
 import unittest
 
-from keiko_process import SOURCE, KeikoTest, surface
+from keiko_process import ASLANT, SOURCE, KeikoTest, surface
 
 HOLE = surface("trimmed-hole.step")
 TUNNEL = str(SOURCE / "lightrigs" / "tunnel-12.toml")
-ASLANT = """format = "keiko-rig/1"
-name = "aslant"
-[[c_plane]]
-origin = [600, -2800, 1500]
-u = [1800, 2400, 0]
-v = [-2400, 1800, 0]
-lamps = 100
-diameter = 10
-luminance = 9000
-"""
 SUN = """format = "keiko-rig/1"
 name = "sun alone"
 [sun]
@@ -113,7 +103,7 @@ class Lines(KeikoTest):
                          [(c["line"], c["faces"], c["plane_jump"]) for c in found["crossings"]])
         self.assertEqual((self.folder / "p.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         table = self.printed.splitlines()
-        self.assertTrue(table[0].startswith("verdict "))
+        self.assertTrue(table[0].startswith("  #  verdict "))
         self.assertEqual(len(table), 1 + 3 + 1 + 1)
 
     def test_bad_input_is_one_line_and_leaves_nothing(self):

@@ -20,9 +20,15 @@ struct InspectArguments {
 
 void print_summary(const Report& report, const std::filesystem::path& folder) {
     const SeamCounts& counts = report.inspection.counts;
-    std::cout << name_of(report.inspection.verdict) << ": " << counts.fail << " fail, "
+    std::cout << name_of(verdict_of(report)) << ": seams " << counts.fail << " fail, "
               << counts.undecided << " undecided, " << counts.pass << " pass, " << counts.creases
-              << " creases; see " << (folder / "report.html").string() << "\n";
+              << " creases; ";
+    if (report.lines) {
+        const CrossingCounts crossings = count_crossings(*report.lines);
+        std::cout << "lines " << crossings.fail << " fail, " << crossings.undecided
+                  << " undecided, " << crossings.pass << " pass; ";
+    }
+    std::cout << "see " << (folder / "report.html").string() << "\n";
 }
 
 int inspect(InspectArguments arguments, const Job& job) {
@@ -41,7 +47,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     write_result(arguments.output, result);
     arguments.files.write(result.report.inspection, arguments.scene.inputs);
     print_summary(result.report, arguments.output);
-    return result.report.inspection.verdict == Verdict::pass ? exit_pass : exit_findings;
+    return verdict_of(result.report) == Verdict::pass ? exit_pass : exit_findings;
 }
 
 } // namespace
@@ -49,7 +55,8 @@ int inspect(InspectArguments arguments, const Job& job) {
 void add_inspect(CLI::App& app, Session& session) {
     auto arguments = std::make_shared<InspectArguments>();
     CLI::App& command = *app.add_subcommand(
-        "inspect", "place lamps, render their reflections, measure the seams, write a report");
+        "inspect",
+        "place lamps, render their reflections, measure seams and lines, write a report");
     arguments->scene.add_to(command, "MODEL");
     arguments->scene.add_picture_size(command);
     arguments->scene.add_shadows(command);

@@ -60,9 +60,9 @@ void require_outputs(const LinesArguments& arguments) {
 void write(const LinesArguments& arguments, const Scene& scene, const LineList& list,
            const Job& job) {
     if (!arguments.picture.empty())
-        for (const ViewLines& view : list.views)
-            write_png(picture_of(arguments.picture, list, view),
-                      lines_picture(scene, arguments.options, view, job));
+        for (std::size_t view = 0; view < list.views.size(); ++view)
+            write_png(picture_of(arguments.picture, list, list.views[view]),
+                      lines_picture(scene, arguments.options, list, view, job));
     write_text_file(arguments.output, lines_json(list, scene.model));
     if (!arguments.csv.empty()) write_text_file(arguments.csv, lines_csv(list, scene.model));
     if (!arguments.crossings.empty()) write_text_file(arguments.crossings, crossings_csv(list));

@@ -27,18 +27,6 @@ std::string marker(const PictureMarker& m, const ReportPicture& picture) {
            std::to_string(m.number) + "</span>";
 }
 
-std::string figure(const ReportPicture& picture) {
-    std::string html = "<figure class=\"card\"><div class=\"picture\"><img alt=\"" +
-                       html_escaped(picture.title) + "\" width=\"" + std::to_string(picture.width) +
-                       "\" height=\"" + std::to_string(picture.height) +
-                       "\" src=\"data:image/png;base64," + base64(picture.png) + "\">";
-    for (const PictureMarker& m : picture.markers) html += marker(m, picture);
-    html += "</div><figcaption><b>" + html_escaped(picture.title) + "</b>";
-    if (!picture.caption.empty())
-        html += "<br><span class=\"soft small\">" + html_escaped(picture.caption) + "</span>";
-    return html + "</figcaption></figure>\n";
-}
-
 /// "class-a-outer: gap 0.01 mm, angle 0.1°, curvature 10 %, its slope 0.1°"
 std::string criteria_line(const Inspection& inspection) {
     const CriteriaPreset& preset = inspection.preset;
@@ -53,10 +41,22 @@ std::string criteria_line(const Inspection& inspection) {
 
 } // namespace
 
+std::string html_figure(const ReportPicture& picture) {
+    std::string html = "<figure class=\"card\"><div class=\"picture\"><img alt=\"" +
+                       html_escaped(picture.title) + "\" width=\"" + std::to_string(picture.width) +
+                       "\" height=\"" + std::to_string(picture.height) +
+                       "\" src=\"data:image/png;base64," + base64(picture.png) + "\">";
+    for (const PictureMarker& m : picture.markers) html += marker(m, picture);
+    html += "</div><figcaption><b>" + html_escaped(picture.title) + "</b>";
+    if (!picture.caption.empty())
+        html += "<br><span class=\"soft small\">" + html_escaped(picture.caption) + "</span>";
+    return html + "</figcaption></figure>\n";
+}
+
 std::string html_verdict(const Report& report) {
     const Inspection& inspection = report.inspection;
     const SeamCounts& counts = inspection.counts;
-    const std::string verdict(name_of(inspection.verdict));
+    const std::string verdict(name_of(verdict_of(report)));
     std::string html = "<header class=\"card head " + verdict + "\"><div class=\"verdict\">" +
                        verdict + "</div><div class=\"names\"><h1>" +
                        html_escaped(inspection.facts.source) + "</h1><div class=\"soft\">" +
@@ -66,6 +66,8 @@ std::string html_verdict(const Report& report) {
     html += "<div class=\"counts\">" + count("fail", counts.fail, "seams fail") +
             count("undecided", counts.undecided, "undecided") + count("pass", counts.pass, "pass") +
             count("crease", counts.creases, "creases");
+    if (report.lines)
+        html += count("fail", count_crossings(*report.lines).fail, "line crossings fail");
     if (report.coverage)
         html += count("open", percent(1 - report.coverage->covered), report.coverage->covered >= 1,
                       "not covered");
@@ -77,7 +79,7 @@ std::string html_verdict(const Report& report) {
 std::string html_pictures(const Report& report) {
     if (report.pictures.empty()) return "";
     std::string html = "<section><h2>Reflections</h2><div class=\"pictures\">\n";
-    for (const ReportPicture& picture : report.pictures) html += figure(picture);
+    for (const ReportPicture& picture : report.pictures) html += html_figure(picture);
     return html + "</div></section>\n";
 }
 

@@ -2,6 +2,7 @@
 #include "keiko/inspect/curvature_match.h"
 #include "keiko/report/base64.h"
 #include "keiko/report/html_sections.h"
+#include "keiko/report/html_table.h"
 #include "keiko/report/html_text.h"
 
 #include <algorithm>
@@ -108,16 +109,6 @@ std::string seam_card(const Report& report, std::size_t rank, std::uint32_t inde
            "</div></div>" + close_up(report, index) + "</div>\n";
 }
 
-std::string cell(const std::string& sort_key, const std::string& text,
-                 std::string_view classes = "") {
-    const std::string named = classes.empty() ? "" : " class=\"" + std::string(classes) + "\"";
-    return "<td" + named + " data-v=\"" + sort_key + "\">" + text + "</td>";
-}
-
-std::string number_cell(double value, const std::string& text, bool over) {
-    return cell(short_number(value, 9), text, over ? "tone" : "");
-}
-
 bool over(const Worst& worst) {
     return worst.verdict != Verdict::pass;
 }
@@ -126,7 +117,7 @@ bool over(const Worst& worst) {
 std::string curvature_cell(const CurvatureStep& step) {
     const std::string text = step.flat ? short_number(step.worst.value) + " /mm"
                                        : fixed_number(step.mismatch * 100, 1) + " %";
-    return number_cell(share_of_limit(step.worst), text, over(step.worst));
+    return html_number_cell(share_of_limit(step.worst), text, over(step.worst));
 }
 
 std::string kind_of(const MeasuredSeam& seam) {
@@ -139,28 +130,28 @@ std::string verdict_cell(const MeasuredSeam& seam) {
     const bool crease = tone == "crease";
     const double rank = crease ? -1 : static_cast<double>(seam.verdict);
     const double within = 1 - 1 / (1 + seam.severity);
-    return cell(short_number(rank + within, 9), "<span class=\"chip\">" + tone + "</span>");
+    return html_cell(short_number(rank + within, 9), "<span class=\"chip\">" + tone + "</span>");
 }
 
 std::string row(std::size_t number, const MeasuredSeam& seam, bool with_slope) {
-    const std::string none = cell("", "–");
+    const std::string none = html_cell("", "–");
     std::string html = "<tr class=\"" + tone_of(seam) + "\">" +
-                       cell(std::to_string(number), std::to_string(number)) +
-                       cell(html_escaped(seam.faces), html_escaped(seam.faces), "left") +
-                       cell(kind_of(seam), kind_of(seam)) + verdict_cell(seam);
-    html += number_cell(seam.gap.value, fixed_number(seam.gap.value, 4), over(seam.gap));
-    html += seam.angle ? number_cell(seam.angle->value, fixed_number(seam.angle->value, 3),
-                                     !seam.crease && over(*seam.angle))
+                       html_cell(std::to_string(number), std::to_string(number)) +
+                       html_cell(html_escaped(seam.faces), html_escaped(seam.faces), "left") +
+                       html_cell(kind_of(seam), kind_of(seam)) + verdict_cell(seam);
+    html += html_number_cell(seam.gap.value, fixed_number(seam.gap.value, 4), over(seam.gap));
+    html += seam.angle ? html_number_cell(seam.angle->value, fixed_number(seam.angle->value, 3),
+                                          !seam.crease && over(*seam.angle))
                        : none;
     html += seam.curvature ? curvature_cell(*seam.curvature) : none;
     if (with_slope)
-        html += seam.slope
-                    ? number_cell(seam.slope->worst.value, fixed_number(seam.slope->worst.value, 3),
-                                  over(seam.slope->worst))
-                    : none;
-    html += number_cell(seam.length, fixed_number(seam.length, 1), false);
+        html += seam.slope ? html_number_cell(seam.slope->worst.value,
+                                              fixed_number(seam.slope->worst.value, 3),
+                                              over(seam.slope->worst))
+                           : none;
+    html += html_number_cell(seam.length, fixed_number(seam.length, 1), false);
     const Vec3 place = worst_place(seam);
-    return html + cell(short_number(place.x, 9), place_text(place) + irregular_note(seam)) +
+    return html + html_cell(short_number(place.x, 9), place_text(place) + irregular_note(seam)) +
            "</tr>\n";
 }
 
@@ -195,15 +186,11 @@ std::string html_worst_seams(const Report& report) {
 std::string html_all_seams(const Report& report) {
     const std::vector<MeasuredSeam>& seams = report.inspection.seams;
     if (seams.empty()) return "";
-    std::string html = "<section><h2>All seams</h2><div class=\"card scroll\"><table><thead><tr>";
     const CriteriaPreset& preset = report.inspection.preset;
-    for (const std::string& name : headings(preset))
-        html += "<th" + std::string(name == "faces" ? " class=\"left\"" : "") +
-                "><button type=\"button\">" + name + "</button></th>";
-    html += "</tr></thead><tbody>\n";
+    std::string html = "<section><h2>All seams</h2>" + html_table_head(headings(preset), "faces");
     for (std::size_t i = 0; i < seams.size(); ++i)
         html += row(i + 1, seams[i], preset.curvature_slope.has_value());
-    return html + "</tbody></table></div></section>\n";
+    return html + std::string(html_table_end) + "</section>\n";
 }
 
 } // namespace keiko

@@ -13,6 +13,10 @@ namespace keiko {
 std::string html_verdict(const Report& report);
 /// The stripe pictures with the places of the worst seams.
 std::string html_pictures(const Report& report);
+/// One of its pictures with its markers.
+std::string html_figure(const ReportPicture& picture);
+/// The reflection lines in pictures, and what they do where they cross seams.
+std::string html_lines(const Report& report);
 /// The worst seams, each with its measures against their limits.
 std::string html_worst_seams(const Report& report);
 /// How much of the surface the lamps reach.

@@ -1,6 +1,6 @@
 #include "keiko/report/lines_json.h"
 
-#include "keiko/report/json_text.h"
+#include "keiko/report/line_verdicts_json.h"
 
 namespace keiko {
 namespace {
@@ -95,26 +95,26 @@ Json counts_json(const CrossingCounts& counts) {
             {"not_judged", counts.not_judged}};
 }
 
-} // namespace
-
-CrossingCounts count_crossings(const LineList& list) {
-    CrossingCounts counts;
-    for (const ViewLines& view : list.views)
-        for (const LineCrossing& crossing : view.found.crossings) {
-            if (!crossing.verdict)
-                ++counts.not_judged;
-            else if (*crossing.verdict == Verdict::fail)
-                ++counts.fail;
-            else
-                ++(*crossing.verdict == Verdict::pass ? counts.pass : counts.undecided);
-        }
-    return counts;
+Json crossings_json(const LineList& list) {
+    Json json = Json::array();
+    std::size_t first_line = 0;
+    for (const ViewLines& view : list.views) {
+        for (const LineCrossing& crossing : view.found.crossings)
+            json.push_back(crossing_json(crossing, view.view, first_line));
+        first_line += view.found.lines.size();
+    }
+    return json;
 }
 
-Verdict verdict_of(const LineList& list) {
-    const CrossingCounts counts = count_crossings(list);
-    if (counts.fail > 0) return Verdict::fail;
-    return counts.undecided > 0 ? Verdict::undecided : Verdict::pass;
+} // namespace
+
+Json line_verdicts_json(const LineList& list) {
+    return {{"rig", list.rig},
+            {"look", name_of(list.look)},
+            {"preset", preset_json(list.preset)},
+            {"verdict", name_of(verdict_of(list))},
+            {"counts", counts_json(count_crossings(list))},
+            {"crossings", crossings_json(list)}};
 }
 
 std::string lines_json(const LineList& list, const SurfaceModel& model) {
@@ -128,15 +128,12 @@ std::string lines_json(const LineList& list, const SurfaceModel& model) {
                  {"verdict", name_of(verdict_of(list))},
                  {"counts", counts_json(count_crossings(list))},
                  {"views", Json::array()},
-                 {"crossings", Json::array()},
+                 {"crossings", crossings_json(list)},
                  {"lines", Json::array()}};
     for (const ViewLines& view : list.views) {
         Json camera = {{"name", view.view}};
         camera.update(camera_json(view.camera));
         json["views"].push_back(std::move(camera));
-        const std::size_t first_line = json["lines"].size();
-        for (const LineCrossing& crossing : view.found.crossings)
-            json["crossings"].push_back(crossing_json(crossing, view.view, first_line));
         for (const JoinedLine& line : view.found.lines)
             json["lines"].push_back(line_json(line, view, model));
     }

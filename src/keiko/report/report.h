@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/inspect/inspection.h"
+#include "keiko/report/line_list.h"
 
 #include <filesystem>
 #include <optional>
@@ -43,9 +44,14 @@ struct Report {
     std::string tool_version;
     Inspection inspection;
     std::optional<CoverageSummary> coverage;
-    std::vector<ReportPicture> pictures; ///< stripe pictures, in order
+    std::optional<LineList> lines;            ///< of the views of `pictures`
+    std::vector<ReportPicture> pictures;      ///< stripe pictures, in order
+    std::vector<ReportPicture> line_pictures; ///< the same with the lines
     std::vector<SeamPicture> close_ups;
 };
+
+/// The worst of the inspection's and the lines'.
+Verdict verdict_of(const Report& report);
 
 /// How many seams count as the worst ones, which pictures number and the first screen shows.
 constexpr std::size_t worst_seam_count = 5;

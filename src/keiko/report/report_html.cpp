@@ -19,7 +19,10 @@ std::string footer(const Report& report) {
            "two sides, judged where the curvature passes. Knot lines are those inside a face at "
            "which it breaks. Seams above " +
            short_number(preset.feature_angle) +
-           "° are creases: listed, no findings. Undecided: the error bound straddles the limit. "
+           "° are creases: listed, no findings. Lines: where the eye sees the axis of a lamp; jump "
+           "across the line on the part, turn the seam angle that moves the lamp's image as far, "
+           "kink its angle and bend the change of its curvature. Undecided: the error bound "
+           "straddles the limit. "
            "Lengths in mm, places in the coordinates of the model.</p><p>Keiko " +
            html_escaped(report.tool_version) + "</p></footer>";
 }
@@ -35,8 +38,8 @@ std::string report_html(const Report& report) {
         title + "</title>\n<style>";
     html += report_style;
     html += "</style>\n</head>\n<body>\n<main>\n";
-    for (const auto section :
-         {html_verdict, html_pictures, html_worst_seams, html_coverage, html_all_seams, html_facts})
+    for (const auto section : {html_verdict, html_pictures, html_worst_seams, html_lines,
+                               html_coverage, html_all_seams, html_facts})
         html += section(report);
     html += footer(report) + "\n</main>\n<script>";
     html += report_script;

@@ -1,7 +1,7 @@
 #include "keiko/report/report_json.h"
 
 #include "keiko/inspect/curvature_match.h"
-#include "keiko/report/json_text.h"
+#include "keiko/report/line_verdicts_json.h"
 
 namespace keiko {
 namespace {
@@ -127,10 +127,15 @@ std::string report_json(const Report& report) {
     Json json = {{"format", "keiko-report/1"},
                  {"tool", {{"name", "keiko"}, {"version", report.tool_version}}}};
     json.update(inspection_json_value(report.inspection));
+    json["verdict"] = name_of(verdict_of(report));
+    json["lines"] = report.lines ? line_verdicts_json(*report.lines) : Json();
     json["coverage"] = report.coverage ? coverage_json(*report.coverage) : Json();
     json["pictures"] = Json::array();
     for (const ReportPicture& picture : report.pictures)
         json["pictures"].push_back(picture_json(picture));
+    json["line_pictures"] = Json::array();
+    for (const ReportPicture& picture : report.line_pictures)
+        json["line_pictures"].push_back(picture_json(picture));
     json["close_ups"] = Json::array();
     for (const SeamPicture& close_up : report.close_ups) {
         json["close_ups"].push_back(picture_json(close_up.picture));

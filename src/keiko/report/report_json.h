@@ -30,9 +30,11 @@ std::string facts_json(const ModelFacts& facts);
 /// limit, verdict and place.
 std::string inspection_json(const Inspection& inspection);
 
-/// The whole report, "keiko-report/1": tool {name, version}, the keys of inspection_json, then
-/// coverage {rig, covered, unreached}, pictures and close_ups [{title, file, width, height,
-/// markers [{number, x, y}], seam?}]. It holds no time, so that every run gives the same bytes.
+/// The whole report, "keiko-report/1": tool {name, version}, the keys of inspection_json with the
+/// verdict of lines and seams together, then lines {rig, look, preset, verdict, counts, crossings}
+/// with the keys of lines_json or null, coverage {rig, covered, unreached}, pictures, line_pictures
+/// and close_ups [{title, file, width, height, markers [{number, x, y}], seam?}]. It holds no
+/// time, so that every run gives the same bytes.
 std::string report_json(const Report& report);
 
 } // namespace keiko

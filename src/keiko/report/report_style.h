@@ -41,6 +41,7 @@ p { margin: 0 0 8px; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(340px, 1fr)); gap: 16px; }
 figure { margin: 0; overflow: hidden; break-inside: avoid; }
 figcaption { padding: 9px 14px; }
+.pictures + .card { margin-top: 16px; }
 .picture { position: relative; background: #000; line-height: 0; }
 .picture img { width: 100%; height: auto; }
 .marker { position: absolute; transform: translate(-50%, -50%); width: 24px; height: 24px;

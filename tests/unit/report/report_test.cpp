@@ -4,6 +4,7 @@
 #include "keiko/base/input_file.h"
 #include "keiko/base/units.h"
 #include "keiko/report/facts_text.h"
+#include "keiko/report/lines_json.h"
 #include "keiko/report/report_html.h"
 #include "keiko/report/report_json.h"
 
@@ -79,6 +80,76 @@ TEST(ReportJson, HoldsVerdictCountsAndMeasures) {
     EXPECT_EQ(json["close_ups"][0]["seam"], 0);
     EXPECT_EQ(json["model"]["lost_faces"][0]["id"], 7);
     EXPECT_EQ(json["model"]["degrees"][0]["patches"], 4);
+}
+
+/// Two views; in the second a line jumps by 4 mm, in the first two pass, one of them all but.
+LineList lines() {
+    LineList list;
+    list.rig = "tubes & more";
+    list.views.resize(2);
+    list.views[0].view = "front", list.views[1].view = "top";
+    const auto add = [&](ViewLines& view, const char* faces, Verdict verdict, double severity) {
+        LineCrossing crossing;
+        crossing.faces = faces;
+        crossing.to = 1;
+        crossing.turn = {-0.25, 1e-6, 0.1, verdict};
+        crossing.jump = {4, 1e-6, std::nullopt, Verdict::pass};
+        crossing.verdict = verdict;
+        crossing.severity = severity;
+        view.found.crossings.push_back(crossing);
+    };
+    add(list.views[0], "near", Verdict::pass, 0.9);
+    add(list.views[0], "good", Verdict::pass, 0.1);
+    add(list.views[1], "bad <1>", Verdict::fail, 2.5);
+    LineCrossing lost;
+    list.views[1].found.crossings.push_back(lost);
+    return list;
+}
+
+TEST(Lines, AreRankedThroughAllViewsAndThoseWithoutAVerdictAreNot) {
+    const LineList list = lines();
+    const std::vector<CrossingPlace> ranked = ranked_crossings(list);
+    ASSERT_EQ(ranked.size(), 3u);
+    EXPECT_EQ(ranked[0].in(list).faces, "bad <1>");
+    EXPECT_EQ(ranked[1].in(list).faces, "near");
+    EXPECT_EQ(ranked[2].in(list).faces, "good");
+    EXPECT_EQ(count_crossings(list).not_judged, 1u);
+}
+
+TEST(Lines, TableHasRanksAndSignsAndNoMinusZero) {
+    LineList list = lines();
+    list.views[0].found.crossings[0].jump.value = -1e-9;
+    const std::string table = crossings_table(list, 2);
+    EXPECT_NE(table.find("\n  1  fail           2.5    0.0000  -0.2500   4.0000"),
+              std::string::npos)
+        << table;
+    EXPECT_EQ(table.find("-0.0000"), std::string::npos) << table;
+    EXPECT_NE(table.find("... and 1 crossings less bad\n"), std::string::npos);
+}
+
+TEST(ReportVerdict, IsTheWorstOfSeamsAndLines) {
+    Report clean;
+    EXPECT_EQ(verdict_of(clean), Verdict::pass);
+    clean.lines = lines();
+    EXPECT_EQ(verdict_of(clean), Verdict::fail);
+    const auto json = nlohmann::json::parse(report_json(clean));
+    EXPECT_EQ(json["verdict"], "fail");
+    EXPECT_EQ(json["counts"]["fail"], 0);
+    EXPECT_EQ(json["lines"]["counts"]["fail"], 1);
+    EXPECT_EQ(json["lines"]["crossings"].size(), 4u);
+    EXPECT_EQ(json["lines"]["crossings"][2]["view"], "top");
+    EXPECT_TRUE(nlohmann::json::parse(report_json(report()))["lines"].is_null());
+}
+
+TEST(ReportHtml, HasLinesWorstFirstWithTheirLimits) {
+    Report with_lines = report();
+    EXPECT_EQ(report_html(with_lines).find("Reflection lines"), std::string::npos);
+    with_lines.lines = lines();
+    const std::string html = report_html(with_lines);
+    EXPECT_NE(html.find("rig tubes &amp; more"), std::string::npos);
+    EXPECT_NE(html.find("1 crossings fail, 0 undecided, 2 pass, 1 not judged"), std::string::npos);
+    EXPECT_LT(html.find("bad &lt;1&gt;"), html.find(">near<"));
+    EXPECT_NE(html.find("<b>1</b>line crossings fail"), std::string::npos);
 }
 
 TEST(ReportJson, KeepsNumbersInFullPrecision) {
