@@ -153,16 +153,16 @@ private:
     }
 
     void unite(BorderHit& kept, BorderHit next) const {
-        const auto rank = [](const BorderHit& x) {
-            return (has(x.hit.flags, HitFlags::seam) ? 0 : 2) + x.own;
-        };
+        const auto seam = [](const BorderHit& x) { return has(x.hit.flags, HitFlags::seam); };
+        const auto rank = [&](const BorderHit& x) { return (seam(x) ? 0 : 2) + x.own; };
         const bool alone = rank(next) != rank(kept);
         const bool steeper = std::abs(next.sine) > 2 * std::abs(kept.sine);
         const bool swap = alone ? rank(next) > rank(kept) : steeper;
         const BorderHit& dropped = swap ? kept : next;
         const double cover = apart(kept, next) + dropped.hit.position_bound;
-        // What clipping left over may hold a root of its own beside the other's.
-        const bool covers = !alone || has(dropped.hit.flags, HitFlags::clipped);
+        // But for a seam hit, what is dropped may stand for a root of its own beside the other's:
+        // where the ray leaves a sharp edge low over the next face, say.
+        const bool covers = seam(kept) == seam(next) || has(dropped.hit.flags, HitFlags::clipped);
         if (swap) kept = std::move(next);
         if (covers) kept.hit.position_bound = std::max(kept.hit.position_bound, cover);
     }

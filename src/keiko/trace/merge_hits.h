@@ -23,7 +23,7 @@ namespace keiko {
 /// counted twice.
 /// The hit that is not a seam hit is kept, else the one on its own share, else one whose surface
 /// the ray meets at more than twice the angle, else the first; its bound is widened to cover both
-/// unless it alone is the true one.
+/// unless the other is a seam hit.
 std::vector<Hit> merged(std::vector<BorderHit> hits, const TracedModel& model,
                         const Vec3& direction);
 

@@ -106,7 +106,7 @@ std::vector<Case> cases() {
                  0.02,
                  true,
                  {{39, 401}, {1538, 821}, {1952, 702}}},
-            Case{"Spans", 1, 5, {.spans_u = 3, .spans_v = 2}, 0.125},
+            Case{"Spans", 1, 5, {.spans_u = 3, .spans_v = 2}, 0.125, false, {{1810, 726}}},
             Case{"Folded", 2, 6, {.rough = 50}, 0.065, false, {{1803, 44}}},
             Case{"Flat", 1, 4, {.spans_u = 2, .rough = 0}, 0.03},
             Case{"Rational", 1, 9, {.weights = 10}, 0.15, false, {{464, 810}}},
