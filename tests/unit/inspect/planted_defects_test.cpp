@@ -1,0 +1,154 @@
+#include "keiko/base/units.h"
+#include "keiko/inspect/inspection.h"
+#include "keiko/io/preset_file.h"
+
+#include "tests/support/model_builder.h"
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// What the right one of two sheets does otherwise than the left one where they meet, at `worst`;
+/// it fades away along the seam by the square of the way from there.
+struct Defect {
+    double gap = 0;       ///< mm
+    double slope = 0;     ///< tangent of the angle
+    double curvature = 0; ///< 1/mm
+    double change = 0;    ///< of the curvature, 1/mm2
+};
+
+constexpr double length = 100, worst = 37; ///< mm: of each sheet either way; along the seam
+constexpr double radius = 1000;            ///< mm, of the left sheet
+
+/// Bernstein coefficients over [begin, begin + extent] of a polynomial by its coefficients.
+template <std::size_t n>
+std::array<double, n> bernstein(std::array<double, n> by_power, double begin, double extent) {
+    for (std::size_t k = 0; k + 1 < n; ++k) // the polynomial about `begin`
+        for (std::size_t i = n - 1; i-- > k;) by_power[i] += begin * by_power[i + 1];
+    double scale = 1;
+    for (double& a : by_power) a *= scale, scale *= extent;
+    std::array<double, n> coefficients{};
+    for (std::size_t j = 0; j < n; ++j) {
+        double share = 1; // C(j, i) / C(n - 1, i)
+        for (std::size_t i = 0; i <= j; ++i) {
+            coefficients[j] += share * by_power[i];
+            share *= double(j - i) / double(n - 1 - i);
+        }
+    }
+    return coefficients;
+}
+
+/// z = curvature x^2 / 2 + h(y) (gap + slope x + curvature x^2 / 2 + change x^3 / 6) from x = begin
+/// on, h = 1 at `worst`.
+void add_sheet(test::ModelBuilder& builder, double begin, double bend, const Defect& defect) {
+    const auto fading =
+        bernstein<3>({1 - worst * worst / 1e4, 2 * worst / 1e4, -1 / 1e4}, 0, length);
+    const auto base = bernstein<4>({0, 0, bend / 2, 0}, begin, length);
+    const auto more = bernstein<4>(
+        {defect.gap, defect.slope, defect.curvature / 2, defect.change / 6}, begin, length);
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            points.emplace_back(begin + length * double(i) / 3, length * double(j) / 2,
+                                base[i] + fading[j] * more[i]);
+    builder.patch(3, 2, points);
+}
+
+Inspection inspected(const Defect& defect, const CriteriaPreset& preset, double bend = 1 / radius) {
+    test::ModelBuilder builder;
+    add_sheet(builder, -length, bend, {});
+    add_sheet(builder, 0, bend, defect);
+    return inspect(builder.build(), preset);
+}
+
+/// One fault of a kind, and what of it has to be measured.
+struct Planted {
+    const char* quantity;
+    double size; ///< in the unit of the check
+    Defect defect;
+};
+
+std::vector<Planted> planted(const CriteriaPreset& preset) {
+    std::vector<Planted> all;
+    for (const double gap : {0.0005, 0.005, 0.0098, 0.0102, 0.02, 0.05, 0.1})
+        all.push_back({"gap", gap, {.gap = gap}});
+    for (const double angle : {0.005, 0.02, 0.098, 0.102, 0.2, 0.5, 1.0})
+        all.push_back({"angle", angle, {.slope = std::tan(degrees_to_radians(angle))}});
+    for (const double m : {0.005, 0.02, 0.098, 0.102, 0.2, 0.5}) {
+        if (!preset.curvature) break;
+        const bool alias = preset.curvature->formula == CurvatureFormula::alias;
+        const double other = alias ? (1 + m) / (1 - m) : 1 / (1 - m);
+        all.push_back({"curvature", m, {.curvature = (other - 1) / radius}});
+    }
+    for (const double angle : {0.02, 0.098, 0.102, 1.0, 20.0})
+        if (preset.curvature_slope)
+            all.push_back({"curvature_slope",
+                           angle,
+                           {.change = std::tan(degrees_to_radians(angle)) / radius / radius}});
+    return all;
+}
+
+/// On the limit itself its error bound straddles it.
+Verdict verdict_of(double size, double limit) {
+    if (std::abs(size - limit) < 1e-9 * limit) return Verdict::undecided;
+    return size > limit ? Verdict::fail : Verdict::pass;
+}
+
+/// Every fault above its limit is found, none below it, where it is and as large as it is.
+TEST(PlantedDefects, AreFoundWhereTheyAreAndAsLargeAsTheyAre) {
+    for (const CriteriaPreset& preset : standard_presets())
+        for (const Planted& fault : planted(preset)) {
+            SCOPED_TRACE(preset.name + ": " + fault.quantity + " " + std::to_string(fault.size));
+            const Inspection found = inspected(fault.defect, preset);
+            ASSERT_EQ(found.seams.size(), 1u);
+            const auto check =
+                std::find_if(found.checks.begin(), found.checks.end(),
+                             [&](const Check& c) { return c.quantity == fault.quantity; });
+            ASSERT_NE(check, found.checks.end());
+            ASSERT_TRUE(check->judged) << check->message;
+            EXPECT_NEAR(check->worst.value, fault.size, 1e-6 * fault.size + 1e-9);
+            EXPECT_LE(std::abs(check->worst.value - fault.size), check->worst.bound + 1e-9);
+            EXPECT_NEAR(check->worst.place.x, 0, 1e-6);
+            EXPECT_NEAR(check->worst.place.y, worst, 0.1);
+            const Verdict expected = verdict_of(fault.size, check->worst.limit);
+            EXPECT_EQ(check->worst.verdict, expected);
+            // A gap that fades away along the seam tilts the border: that may be one more.
+            const bool tilts = fault.defect.gap > 0 && found.findings.size() == 2;
+            EXPECT_EQ(found.findings.size() - tilts, expected == Verdict::pass ? 0u : 1u);
+            if (expected != Verdict::pass) {
+                EXPECT_EQ(found.verdict, expected);
+            }
+        }
+}
+
+TEST(PlantedDefects, NothingIsFoundOnTheCleanTwin) {
+    for (const CriteriaPreset& preset : standard_presets())
+        for (const double bend : {1 / radius, -1 / radius, 0.01, 1e-6, 0.0}) {
+            const Inspection found = inspected({}, preset, bend);
+            ASSERT_EQ(found.seams.size(), 1u);
+            EXPECT_EQ(found.verdict, Verdict::pass) << preset.name << ' ' << bend;
+            EXPECT_TRUE(found.findings.empty());
+        }
+}
+
+TEST(PlantedDefects, AreNotSeenInCreasesAndNearlyFlatSeams) {
+    for (const CriteriaPreset& preset : standard_presets()) {
+        const double sharp = std::tan(degrees_to_radians(preset.feature_angle + 1));
+        const Inspection crease = inspected({.slope = sharp}, preset);
+        EXPECT_EQ(crease.counts.creases, 1u);
+        EXPECT_TRUE(crease.findings.empty()) << preset.name;
+        // A mismatch of 100 %, which no light shows.
+        const Inspection flat = inspected({.curvature = 1e-6}, preset, 0);
+        EXPECT_TRUE(flat.findings.empty()) << preset.name;
+        if (!preset.curvature) continue;
+        const Inspection bent = inspected({.curvature = 1e-4}, preset, 0);
+        EXPECT_EQ(bent.findings.size(), 1u) << preset.name;
+    }
+}
+
+} // namespace
+} // namespace keiko
