@@ -1,7 +1,15 @@
+#include "keiko/io/view_file.h"
 #include "keiko/keiko.h"
 
 namespace keiko {
 namespace {
+
+/// Named by the file's stem, as pictures of it are.
+NamedView view_of_file(const std::filesystem::path& path, const Framing& framing) {
+    Camera camera = read_view(path);
+    camera.width = framing.width, camera.height = framing.height;
+    return {path.stem().string(), camera};
+}
 
 NamedView view_by_name(const Scene& scene, const std::string& name, const Framing& framing,
                        const Job& job) {
@@ -10,15 +18,28 @@ NamedView view_by_name(const Scene& scene, const std::string& name, const Framin
         if (!scene.camera) throw Error("", "--view", "the scene has no camera of its own");
         return {name, *scene.camera};
     }
+    if (is_view_file(name)) return view_of_file(name, framing);
     return {name, frame_view(name, scene.tracer.bounds(), framing)};
+}
+
+/// Pictures are named after them.
+void require_different_names(std::span<const NamedView> views) {
+    for (std::size_t i = 0; i < views.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (views[k].name == views[i].name)
+                throw Error("", "--view", "two views are called '" + views[i].name + "'");
 }
 
 } // namespace
 
 void require_view_names(std::span<const std::string> names) {
     const Box3 any{Vec3(0), Vec3(1)};
-    for (const std::string& name : names)
-        if (name != "auto" && name != "scene") frame_view(name, any);
+    for (const std::string& name : names) {
+        if (is_view_file(name))
+            read_view(name);
+        else if (name != "auto" && name != "scene")
+            frame_view(name, any);
+    }
 }
 
 std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::string> names,
@@ -27,6 +48,7 @@ std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::str
     if (scene.surroundings) framing.ground = scene.surroundings->ground;
     std::vector<NamedView> views;
     for (const std::string& name : names) views.push_back(view_by_name(scene, name, framing, job));
+    require_different_names(views);
     if (!views.empty()) return views;
     if (scene.camera) return {{"scene", *scene.camera}};
     if (scene.view) return {view_by_name(scene, *scene.view, framing, job)};

@@ -112,12 +112,14 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
                  const Job& job = {});
 
 /// A picture to be made: the views asked for by name, "auto" being the one that shows the body
-/// best and "scene" the scene file's own. No names: the scene's own, or else `automatic` views
-/// from different sides, the best first. Throws Error for an unknown name.
+/// best, "scene" the scene file's own and NAME.toml that of a view file. No names: the scene's own,
+/// or else `automatic` views from different sides, the best first. Throws Error for an unknown
+/// name.
 std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::string> names,
                                     int automatic, const Job& job = {});
 
-/// Throws Error for a name that choose_views would refuse for any scene: before the long work.
+/// Throws Error for a name that choose_views would refuse for any scene, or a view file that it
+/// could not read: before the long work.
 void require_view_names(std::span<const std::string> names);
 
 /// Renders one picture of the scene under a rig.

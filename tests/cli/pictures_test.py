@@ -40,6 +40,21 @@ class Pictures(KeikoTest):
         for other in others:
             self.assertNotEqual(first, self.written("b.png", *other), other)
 
+    def test_a_view_may_stand_in_a_file(self):
+        eye = 'format = "keiko-view/1"\neye = [-900, 0, 1200]\ntarget = [700, 0, 700]\n'
+        (self.folder / "other").mkdir()
+        for name in "mine.toml", "other/mine.toml":
+            self.write(name, eye)
+        self.assertNotEqual(self.written("a.png", "--view", "mine.toml"),
+                            self.written("b.png", "--view", "front"))
+        run = self.keiko("place", HOOD, "-o", "r.toml", "--view", "mine.toml",
+                         "--view", "other/mine.toml", "-q")
+        self.assertEqual((run.returncode, run.stderr),
+                         (2, "keiko: --view: two views are called 'mine'\n"))
+        run = self.keiko("render", HOOD, "-o", "c.png", "--view", "none.toml", "-q")
+        self.assertEqual(run.returncode, 2)
+        self.assertRegex(run.stderr, r"\Akeiko: none\.toml: .+\n\Z")
+
     def test_false_colours_have_a_legend_a_scale_and_lines(self):
         base = ("--view", "front", "--false-color")
         plain = self.written("a.png", *base)

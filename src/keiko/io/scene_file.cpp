@@ -3,6 +3,7 @@
 #include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/units.h"
+#include "keiko/io/camera_table.h"
 #include "keiko/io/input_path.h"
 #include "keiko/io/material_file.h"
 #include "keiko/io/rig_file.h"
@@ -17,7 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double largest_size = 65536; ///< pixels, either way
-constexpr double widest_fov = 175;     ///< degrees
 constexpr int most_reflections = 64;
 
 Affine transform_from(const TomlTable& table) {
@@ -81,33 +81,8 @@ std::optional<PictureSize> size_from(const TomlTable& table) {
     return PictureSize{static_cast<int>((*size)[0]), static_cast<int>((*size)[1])};
 }
 
-void require_direction(const TomlTable& table, const Camera& camera) {
-    const Vec3 view = camera.target - camera.eye;
-    if (!(view.length() > 0)) throw table.error("target", "must differ from eye");
-    if (!(camera.up.length() > 0)) throw table.error("up", "must not be a zero vector");
-    if (!(view.cross(camera.up).length() > 1e-6 * view.length() * camera.up.length()))
-        throw table.error("up", "must not be along the view direction");
-}
-
 Camera camera_from(const TomlTable& table) {
-    Camera camera;
-    if (table.choice("projection", {"perspective", "orthographic"}).value_or(0) == 1)
-        camera.projection = Projection::orthographic;
-    camera.eye = table.required("eye", table.vector("eye"));
-    camera.target = table.required("target", table.vector("target"));
-    camera.up = table.vector("up").value_or(camera.up);
-    require_direction(table, camera);
-
-    const auto fov =
-        table.number("vertical_fov", {.low = 0, .high = widest_fov, .above_low = true});
-    const auto height = table.number("orthographic_height", TomlLimits::positive());
-    if (camera.projection == Projection::orthographic) {
-        if (fov) throw table.error("vertical_fov", "belongs to perspective cameras");
-        camera.orthographic_height = table.required("orthographic_height", height);
-    } else {
-        if (height) throw table.error("orthographic_height", "belongs to orthographic cameras");
-        camera.vertical_fov = fov.value_or(camera.vertical_fov);
-    }
+    Camera camera = camera_of(table);
     if (const auto size = size_from(table))
         camera.width = size->width, camera.height = size->height;
     table.finish();
