@@ -4,6 +4,8 @@
 #include "keiko/trace/narrowed_roots.h"
 #include "keiko/trace/ray_blur.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -29,18 +31,37 @@ void for_lanes(LaneMask mask, const Work& work) {
 
 } // namespace
 
+void BlockSearch::nearest(const SearchScene& scene, std::span<const Ray> rays,
+                          std::span<Crossing> found) {
+    nearest_ = found;
+    run(scene, Goal::nearest, rays);
+}
+
+LaneMask BlockSearch::any(const SearchScene& scene, std::span<const Ray> rays) {
+    met_ = 0;
+    run(scene, Goal::any, rays);
+    return met_;
+}
+
+std::span<const std::vector<Crossing>> BlockSearch::all(const SearchScene& scene,
+                                                        std::span<const Ray> rays) {
+    for (std::size_t lane = 0; lane < rays.size(); ++lane) all_[lane].clear();
+    run(scene, Goal::all, rays);
+    return std::span(all_).first(rays.size());
+}
+
 void BlockSearch::run(const SearchScene& scene, Goal goal, std::span<const Ray> rays) {
     scene_ = &scene;
     goal_ = goal;
     block_.count = rays.size();
+    excluding_ = 0;
     for (std::size_t lane = 0; lane < rays.size(); ++lane) {
         block_.rays[lane] = &rays[lane];
-        found_[lane].clear();
-        pending_[lane].clear();
-        doubtful_until_[lane] = infinity;
+        if (rays[lane].excluded) excluding_ |= bit(lane);
     }
     scene.kernels.enter({scene.boxes.center(), scene.boxes.radius()}, block_);
     if (block_.active == 0) return;
+    pending_.clear();
     scene.boxes.trace(block_, *this);
     RayBlock::Lanes<double> always;
     always.fill(infinity);
@@ -55,122 +76,116 @@ void BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
         scene_->kernels.look(block_, lanes, hot, look_);
     const LaneMask left = look_.certain | look_.single | look_.undecided;
     if (left == 0) return;
+    fetch_polynomial(hot);
     LaneMask in_front = 0;
-    for_lanes(left, [&](std::size_t lane) {
-        if (doubtful_until_[lane] < look_.nearest[lane]) in_front |= bit(lane);
+    for_lanes(left & pending_.doubtful(), [&](std::size_t lane) {
+        if (pending_.doubtful_until(lane) < look_.nearest[lane]) in_front |= bit(lane);
     });
     if (in_front != 0) settle(in_front, look_.nearest);
-    for_lanes(left, [&](std::size_t lane) { consider(lane, candidate(lane, box)); });
+    const LaneMask certain = hot.material ? look_.certain : 0;
+    for_lanes(left, [&](std::size_t lane) {
+        consider(lane, candidate(lane, box), (certain & bit(lane)) != 0);
+    });
 }
 
-BlockSearch::Pending BlockSearch::candidate(std::size_t lane, std::uint32_t box) const {
-    Pending c;
-    c.box = box;
-    c.certain = (look_.certain & bit(lane)) != 0 && scene_->model.hot[box].material;
-    c.single = ((look_.certain | look_.single) & bit(lane)) != 0;
-    c.nearest = look_.nearest[lane];
-    c.farthest = look_.farthest[lane];
-    if (!std::isfinite(c.nearest) || !std::isfinite(c.farthest)) {
-        const PlacedLeaf& placed = scene_->model.placed[box];
-        const PartPlacement& at = scene_->model.placements[placed.instance];
-        const Leaf& leaf = scene_->model.leaves.leaves[placed.leaf];
-        const Vec3 center = at.identity ? leaf.center : at.to_world.point(leaf.center);
-        const TracedRay ray = block_.ray(lane);
-        const double foot = (center - ray.start).dot(ray.direction);
-        const double reach = 1.000001 * at.magnification * leaf.radius + block_.blur[lane];
-        c.nearest = foot - reach;
-        c.farthest = foot + reach;
-    }
-    return c;
+/// Has the coefficients in the cache by the time the search is over.
+void BlockSearch::fetch_polynomial(const HotLeaf& hot) const {
+    if (!hot.regular) return;
+    constexpr std::size_t line = 64;
+    const Component4* first = &scene_->model.leaves.polynomials[hot.polynomial];
+    const auto* bytes = reinterpret_cast<const char*>(first);
+    for (std::size_t at = 0; at < hot.coefficients() * sizeof(*first); at += line)
+        hwy::Prefetch(bytes + at);
 }
 
-void BlockSearch::consider(std::size_t lane, Pending c) {
-    if (!(c.nearest <= block_.high[lane])) return;
-    const bool excluding = block_.rays[lane]->excluded.has_value();
-    if (excluding) {
+PendingLeaf BlockSearch::candidate(std::size_t lane, std::uint32_t box) const {
+    PendingLeaf leaf;
+    leaf.box = box;
+    leaf.single = ((look_.certain | look_.single) & bit(lane)) != 0;
+    leaf.nearest = look_.nearest[lane];
+    leaf.farthest = look_.farthest[lane];
+    if (!std::isfinite(leaf.nearest) || !std::isfinite(leaf.farthest)) set_reach(lane, leaf);
+    return leaf;
+}
+
+void BlockSearch::set_reach(std::size_t lane, PendingLeaf& pending) const {
+    const PlacedLeaf& placed = scene_->model.placed[pending.box];
+    const PartPlacement& at = scene_->model.placements[placed.instance];
+    const Leaf& leaf = scene_->model.leaves.leaves[placed.leaf];
+    const Vec3 center = at.identity ? leaf.center : at.to_world.point(leaf.center);
+    const TracedRay ray = block_.ray(lane);
+    const double foot = (center - ray.start).dot(ray.direction);
+    const double reach = 1.000001 * at.magnification * leaf.radius + block_.blur[lane];
+    pending.nearest = foot - reach;
+    pending.farthest = foot + reach;
+}
+
+void BlockSearch::consider(std::size_t lane, PendingLeaf leaf, bool certain) {
+    if (!(leaf.nearest <= block_.high[lane])) return;
+    if ((excluding_ & bit(lane)) != 0) {
         const TracedRay ray = block_.ray(lane);
-        const RootCheck check(scene_->model, ray, scene_->model.placed[c.box]);
-        if (c.single && check.meets_excluded_only(c.nearest, c.farthest)) return;
-        c.certain = c.certain && check.clear_of_excluded(c.nearest, c.farthest);
+        const RootCheck check(scene_->model, ray, scene_->model.placed[leaf.box]);
+        if (leaf.single && check.meets_excluded_only(leaf.nearest, leaf.farthest)) return;
+        certain = certain && check.clear_of_excluded(leaf.nearest, leaf.farthest);
     }
     const double room = 2 * block_.slack[lane];
-    c.certain =
-        c.certain && c.nearest > block_.low[lane] + room && c.farthest < block_.high[lane] - room;
-    if (c.certain && goal_ == Goal::any) {
-        found_[lane].push_back({.t = block_.t_at(lane, c.farthest), .leaf = c.box});
-        return end(lane);
-    }
-    if (c.certain && goal_ == Goal::nearest)
-        block_.high[lane] = std::min(block_.high[lane], c.farthest);
-    if (!c.certain && goal_ != Goal::all)
-        doubtful_until_[lane] = std::min(doubtful_until_[lane], c.farthest);
-    pending_[lane].push_back(c);
-}
-
-const BlockSearch::Pending* BlockSearch::first_pending(std::size_t lane, double until) {
-    const Pending* first = nullptr;
-    for (const Pending& p : pending_[lane])
-        if (p.nearest <= block_.high[lane] && p.farthest <= until &&
-            (!first || p.nearest < first->nearest))
-            first = &p;
-    return first;
-}
-
-void BlockSearch::remove_pending(std::size_t lane, std::uint32_t box) {
-    std::vector<Pending>& all = pending_[lane];
-    std::erase_if(all, [&](const Pending& p) { return p.box == box; });
-    doubtful_until_[lane] = infinity;
-    if (goal_ == Goal::all) return;
-    for (const Pending& p : all)
-        if (!p.certain) doubtful_until_[lane] = std::min(doubtful_until_[lane], p.farthest);
+    certain = certain && leaf.nearest > block_.low[lane] + room &&
+              leaf.farthest < block_.high[lane] - room;
+    if (certain && goal_ == Goal::any) return end(lane);
+    if (certain && goal_ == Goal::nearest)
+        block_.high[lane] = std::min(block_.high[lane], leaf.farthest);
+    leaf.doubtful = !certain && goal_ != Goal::all;
+    pending_.add(lane, leaf);
 }
 
 void BlockSearch::settle(LaneMask lanes, const RayBlock::Lanes<double>& until) {
-    while (true) {
+    while ((lanes &= pending_.lanes()) != 0) {
         LaneMask single = 0, other = 0;
-        RayBlock::Lanes<std::uint32_t> boxes;
         for_lanes(lanes, [&](std::size_t lane) {
-            const Pending* p = first_pending(lane, until[lane]);
-            if (!p) {
-                lanes &= ~bit(lane);
-                return;
-            }
-            boxes[lane] = p->box;
-            (p->single ? single : other) |= bit(lane);
+            const auto leaf = pending_.take(lane, block_.high[lane], until[lane]);
+            if (!leaf) return;
+            boxes_[lane] = leaf->box;
+            (leaf->single ? single : other) |= bit(lane);
         });
-        if (lanes == 0) return;
-        for_lanes(lanes, [&](std::size_t lane) { remove_pending(lane, boxes[lane]); });
-        for_lanes(other, [&](std::size_t lane) { clip(boxes[lane], lane); });
+        lanes = single | other;
+        for_lanes(other, [&](std::size_t lane) { clip(boxes_[lane], lane); });
         while (single != 0) {
-            const LaneMask together = alike(single, boxes);
-            solve(together, boxes);
-            single &= ~together;
+            const LaneMask next = together(single);
+            solve(next);
+            single &= ~next;
         }
     }
 }
 
-LaneMask BlockSearch::alike(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& boxes) const {
-    const std::vector<HotLeaf>& leaves = scene_->model.hot;
-    const HotLeaf& first = leaves[boxes[first_lane(lanes)]];
-    const bool gathers = first.coefficients() <= largest_gathered;
+LaneMask BlockSearch::together(LaneMask lanes) const {
+    // So many share their leaf's coefficients rather than have them copied.
+    constexpr int enough = 3;
+    const std::uint32_t box = boxes_[first_lane(lanes)];
     LaneMask same = 0;
     for_lanes(lanes, [&](std::size_t lane) {
-        const HotLeaf& leaf = leaves[boxes[lane]];
-        const bool fits = leaf.degree_u == first.degree_u && leaf.degree_v == first.degree_v &&
-                          leaf.rational == first.rational;
-        if (&leaf == &first || (gathers && fits)) same |= bit(lane);
+        if (boxes_[lane] == box) same |= bit(lane);
+    });
+    const std::vector<HotLeaf>& leaves = scene_->model.hot;
+    const HotLeaf& first = leaves[box];
+    if (same == lanes || std::popcount(same) >= enough || first.coefficients() > largest_gathered)
+        return same;
+    for_lanes(lanes & ~same, [&](std::size_t lane) {
+        const HotLeaf& leaf = leaves[boxes_[lane]];
+        if (leaf.degree_u == first.degree_u && leaf.degree_v == first.degree_v &&
+            leaf.rational == first.rational)
+            same |= bit(lane);
     });
     return same;
 }
 
-void BlockSearch::find_single_roots(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& boxes) {
+void BlockSearch::find_single_roots(LaneMask lanes) {
     const TracedModel& model = scene_->model;
     const Component4* polynomials = model.leaves.polynomials.data();
     RayBlock::Lanes<const HotLeaf*> leaves;
     bool one_leaf = true;
-    const HotLeaf& first = model.hot[boxes[first_lane(lanes)]];
+    const HotLeaf& first = model.hot[boxes_[first_lane(lanes)]];
     for_lanes(lanes, [&](std::size_t lane) {
-        leaves[lane] = &model.hot[boxes[lane]];
+        leaves[lane] = &model.hot[boxes_[lane]];
         one_leaf = one_leaf && leaves[lane] == &first;
     });
     const LeafKernels& kernels = scene_->kernels;
@@ -183,16 +198,16 @@ void BlockSearch::find_single_roots(LaneMask lanes, const RayBlock::Lanes<std::u
         kernels.solve(block_, lanes, first, polynomials + first.polynomial, roots_);
 }
 
-void BlockSearch::solve(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& boxes) {
-    find_single_roots(lanes, boxes);
+void BlockSearch::solve(LaneMask lanes) {
+    find_single_roots(lanes);
     const LaneMask failed = roots_.failed;
     for_lanes(roots_.found, [&](std::size_t lane) {
         accept(lane, {.t = block_.t_at(lane, roots_.s[lane]),
-                      .leaf = boxes[lane],
+                      .leaf = boxes_[lane],
                       .uv = Vec2(roots_.x[lane] + 1, roots_.y[lane] + 1) * 0.5,
                       .error = Vec2(roots_.error[lane] * 0.5)});
     });
-    for_lanes(failed, [&](std::size_t lane) { clip(boxes[lane], lane); });
+    for_lanes(failed, [&](std::size_t lane) { clip(boxes_[lane], lane); });
 }
 
 void BlockSearch::clip(std::uint32_t box, std::size_t lane) {
@@ -205,31 +220,32 @@ void BlockSearch::clip(std::uint32_t box, std::size_t lane) {
     for (const Crossing& c : clipped_) accept(lane, c);
 }
 
+/// Whether a root is a hit; marks seam hits.
+bool BlockSearch::counts(std::size_t lane, Crossing& crossing) const {
+    const HotLeaf& hot = scene_->model.hot[crossing.leaf];
+    const bool plain = hot.material && hot.on_patch(2 * crossing.uv.x - 1, 2 * crossing.uv.y - 1);
+    if (plain && (excluding_ & bit(lane)) == 0) return true;
+    const TracedRay ray = block_.ray(lane);
+    return RootCheck(scene_->model, ray, scene_->model.placed[crossing.leaf]).passes(crossing);
+}
+
 void BlockSearch::accept(std::size_t lane, Crossing crossing) {
     const Ray& ray = *block_.rays[lane];
     if (!(crossing.t >= ray.t_min && crossing.t <= ray.t_max)) return;
-    std::vector<Crossing>& found = found_[lane];
-    if (goal_ != Goal::all && !found.empty() && !crossing.before(found.front())) return;
-    const HotLeaf& hot = scene_->model.hot[crossing.leaf];
-    const bool plain = hot.material && hot.on_patch(2 * crossing.uv.x - 1, 2 * crossing.uv.y - 1);
-    if (ray.excluded || !plain) {
-        const TracedRay traced = block_.ray(lane);
-        const RootCheck check(scene_->model, traced, scene_->model.placed[crossing.leaf]);
-        if (!check.passes(crossing)) return;
-    }
-    if (goal_ != Goal::all) found.clear();
-    found.push_back(crossing);
+    if (goal_ == Goal::nearest && !crossing.before(nearest_[lane])) return;
+    if (!counts(lane, crossing)) return;
     if (goal_ == Goal::any) return end(lane);
-    if (goal_ == Goal::nearest)
-        block_.high[lane] =
-            std::min(block_.high[lane],
-                     (crossing.t - block_.t_start[lane]) * block_.speed[lane] + block_.slack[lane]);
+    if (goal_ == Goal::all) return all_[lane].push_back(crossing);
+    nearest_[lane] = crossing;
+    block_.high[lane] =
+        std::min(block_.high[lane],
+                 (crossing.t - block_.t_start[lane]) * block_.speed[lane] + block_.slack[lane]);
 }
 
 void BlockSearch::end(std::size_t lane) {
+    met_ |= bit(lane);
     block_.high[lane] = -infinity;
-    pending_[lane].clear();
-    doubtful_until_[lane] = infinity;
+    pending_.clear(lane);
 }
 
 } // namespace keiko

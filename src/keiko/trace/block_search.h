@@ -2,15 +2,13 @@
 
 #include "keiko/trace/embree_scene.h"
 #include "keiko/trace/leaf_kernels.h"
+#include "keiko/trace/pending_leaves.h"
 #include "keiko/trace/root_check.h"
 
 #include <span>
 #include <vector>
 
 namespace keiko {
-
-/// What a search looks for along each of its rays.
-enum class Goal { nearest, any, all };
 
 /// All that a search reads.
 struct SearchScene {
@@ -26,47 +24,45 @@ struct SearchScene {
 /// not for two threads at once.
 class BlockSearch final : EmbreeScene::Visitor {
 public:
-    /// Afterwards found(i) holds the answers for rays[i]: none or one for `nearest` and `any` (for
-    /// `any` some hit, with its leaf and a distance that it is not beyond), every one in no order
-    /// for `all`.
-    void run(const SearchScene& scene, Goal goal, std::span<const Ray> rays);
-    std::span<const Crossing> found(std::size_t lane) const { return found_[lane]; }
+    /// Puts the nearest crossing of each ray into `found`, which must hold as many without a hit.
+    void nearest(const SearchScene& scene, std::span<const Ray> rays, std::span<Crossing> found);
+    /// The rays that cross anything.
+    LaneMask any(const SearchScene& scene, std::span<const Ray> rays);
+    /// Every crossing of each ray, in no order; until the next search.
+    std::span<const std::vector<Crossing>> all(const SearchScene& scene, std::span<const Ray> rays);
 
 private:
-    /// A leaf that may hold roots between two distances along the ray.
-    struct Pending {
-        std::uint32_t box = 0;
-        double nearest = 0, farthest = 0;
-        bool single = false;  ///< at most one
-        bool certain = false; ///< and at least one, that counts
-    };
+    enum class Goal { nearest, any, all };
 
+    void run(const SearchScene& scene, Goal goal, std::span<const Ray> rays);
     void visit(std::uint32_t box, LaneMask lanes) override;
-    Pending candidate(std::size_t lane, std::uint32_t box) const;
-    void consider(std::size_t lane, Pending candidate);
+    void fetch_polynomial(const HotLeaf& hot) const;
+    PendingLeaf candidate(std::size_t lane, std::uint32_t box) const;
+    /// Between which distances a leaf without bounds can be met.
+    void set_reach(std::size_t lane, PendingLeaf& leaf) const;
+    void consider(std::size_t lane, PendingLeaf leaf, bool certain);
     /// Solves what is pending in lanes and ends before their `until`.
     void settle(LaneMask lanes, const RayBlock::Lanes<double>& until);
-    /// Takes the nearest pending leaf that ends before `until`, nothing when there is none.
-    const Pending* first_pending(std::size_t lane, double until);
-    void remove_pending(std::size_t lane, std::uint32_t box);
-    /// Those of the lanes that can be solved together with the first.
-    LaneMask alike(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& boxes) const;
-    /// Each lane's single root on its own leaf.
-    void solve(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& boxes);
-    void find_single_roots(LaneMask lanes, const RayBlock::Lanes<std::uint32_t>& boxes);
+    /// Those of the lanes that are best solved together with the first.
+    LaneMask together(LaneMask lanes) const;
+    /// Each lane's single root on the leaf in boxes_.
+    void solve(LaneMask lanes);
+    void find_single_roots(LaneMask lanes);
     void clip(std::uint32_t box, std::size_t lane);
+    bool counts(std::size_t lane, Crossing& crossing) const;
     void accept(std::size_t lane, Crossing crossing);
     void end(std::size_t lane);
 
     const SearchScene* scene_ = nullptr;
     Goal goal_ = Goal::nearest;
     RayBlock block_;
+    LaneMask excluding_ = 0, met_ = 0; ///< rays that exclude a root, and that any() has ended
     LeafLook look_;
     LeafRoots roots_;
-    RayBlock::Lanes<std::vector<Pending>> pending_;
-    /// Where the first pending leaf ends that may turn out to hold nothing.
-    RayBlock::Lanes<double> doubtful_until_;
-    RayBlock::Lanes<std::vector<Crossing>> found_;
+    PendingLeaves pending_;
+    RayBlock::Lanes<std::uint32_t> boxes_{}; ///< what settle() is about to solve
+    std::span<Crossing> nearest_;
+    RayBlock::Lanes<std::vector<Crossing>> all_;
     std::vector<Crossing> clipped_;
 };
 

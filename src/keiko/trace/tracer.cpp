@@ -52,26 +52,34 @@ struct Tracer::Scene {
         for (HotLeaf& leaf : model.hot) leaf.set_unbounded();
     }
 
-    template <class Each>
-    void search(Goal goal, std::span<const Ray> rays, const Each& each) const;
+    template <class Work>
+    void each_block(std::span<const Ray> rays, const Work& work) const;
+    /// Puts the nearest crossing of each ray into `found`, which must hold as many without a hit.
+    void find_nearest(std::span<const Ray> rays, std::span<Crossing> found) const {
+        each_block(rays, [&](BlockSearch& search, const SearchScene& scene, std::size_t begin,
+                             std::span<const Ray> block) {
+            search.nearest(scene, block, found.subspan(begin, block.size()));
+        });
+    }
+    /// All that Tracer::all has of a ray that crosses the model there.
+    std::vector<Hit> merged_hits(const Ray& ray, std::span<const Crossing> crossings) const;
     HitEvaluation evaluation() const { return {model, kernels, options.second_derivatives}; }
     Hit evaluate(const Crossing& crossing) const {
         return evaluated(model, kernels, crossing, options.second_derivatives);
     }
 };
 
-/// Calls `each(index, crossings)` for every ray.
-template <class Each>
-void Tracer::Scene::search(Goal goal, std::span<const Ray> rays, const Each& each) const {
+/// Calls `work(search, scene, first, rays)` for every block of rays, the first of which it names.
+template <class Work>
+void Tracer::Scene::each_block(std::span<const Ray> rays, const Work& work) const {
     if (boxes.bounds().empty()) return;
-    BlockSearch& block = block_search();
+    BlockSearch& search = block_search();
     const SearchScene scene{model, boxes, kernels, options.clipping_only};
     for (std::size_t begin = 0; begin < rays.size(); begin += RayBlock::capacity) {
         const std::size_t count = std::min(RayBlock::capacity, rays.size() - begin);
         fetch(
             rays.subspan(begin + count, std::min(RayBlock::capacity, rays.size() - begin - count)));
-        block.run(scene, goal, rays.subspan(begin, count));
-        for (std::size_t lane = 0; lane < count; ++lane) each(begin + lane, block.found(lane));
+        work(search, scene, begin, rays.subspan(begin, count));
     }
 }
 
@@ -102,18 +110,15 @@ std::optional<Hit> Tracer::hit_of(const Ray& ray, const Crossing& crossing) cons
 
 std::optional<Hit> Tracer::nearest(const Ray& ray) const {
     Crossing first;
-    scene_->search(Goal::nearest, std::span(&ray, 1),
-                   [&](std::size_t, std::span<const Crossing> crossings) {
-                       if (!crossings.empty()) first = crossings.front();
-                   });
+    scene_->find_nearest(std::span(&ray, 1), std::span(&first, 1));
     return hit_of(ray, first);
 }
 
 bool Tracer::any(const Ray& ray) const {
     bool hit = false;
-    scene_->search(
-        Goal::any, std::span(&ray, 1),
-        [&](std::size_t, std::span<const Crossing> crossings) { hit = !crossings.empty(); });
+    scene_->each_block(std::span(&ray, 1),
+                       [&](BlockSearch& search, const SearchScene& scene, std::size_t,
+                           std::span<const Ray> block) { hit = search.any(scene, block) != 0; });
     return hit;
 }
 
@@ -123,9 +128,7 @@ std::vector<Hit> Tracer::all(const Ray& ray) const {
 
 std::vector<Crossing> Tracer::nearest_crossings(std::span<const Ray> rays) const {
     std::vector<Crossing> found(rays.size());
-    scene_->search(Goal::nearest, rays, [&](std::size_t i, std::span<const Crossing> crossings) {
-        if (!crossings.empty()) found[i] = crossings.front();
-    });
+    scene_->find_nearest(rays, found);
     return found;
 }
 
@@ -152,28 +155,38 @@ std::vector<std::optional<Hit>> Tracer::nearest(std::span<const Ray> rays) const
 
 std::vector<bool> Tracer::any(std::span<const Ray> rays) const {
     std::vector<bool> hits(rays.size());
-    scene_->search(Goal::any, rays, [&](std::size_t i, std::span<const Crossing> crossings) {
-        hits[i] = !crossings.empty();
+    scene_->each_block(rays, [&](BlockSearch& search, const SearchScene& scene, std::size_t begin,
+                                 std::span<const Ray> block) {
+        const LaneMask met = search.any(scene, block);
+        for (std::size_t lane = 0; lane < block.size(); ++lane)
+            hits[begin + lane] = (met >> lane & 1) != 0;
     });
     return hits;
 }
 
+std::vector<Hit> Tracer::Scene::merged_hits(const Ray& ray,
+                                            std::span<const Crossing> crossings) const {
+    std::vector<Crossing> sorted(crossings.begin(), crossings.end());
+    std::sort(sorted.begin(), sorted.end(),
+              [](const Crossing& a, const Crossing& b) { return a.before(b); });
+    std::vector<Hit> at(sorted.size());
+    HitEvaluation several = evaluation();
+    for (std::size_t k = 0; k < sorted.size(); ++k) several.add(sorted[k], at[k]);
+    several.finish();
+    std::vector<BorderHit> border_hits;
+    border_hits.reserve(sorted.size());
+    for (std::size_t k = 0; k < sorted.size(); ++k)
+        border_hits.push_back(border_hit(model, sorted[k], std::move(at[k]), ray.direction));
+    return merged(std::move(border_hits), model, ray.direction);
+}
+
 std::vector<std::vector<Hit>> Tracer::all(std::span<const Ray> rays) const {
     std::vector<std::vector<Hit>> hits(rays.size());
-    scene_->search(Goal::all, rays, [&](std::size_t i, std::span<const Crossing> crossings) {
-        std::vector<Crossing> sorted(crossings.begin(), crossings.end());
-        std::sort(sorted.begin(), sorted.end(),
-                  [](const Crossing& a, const Crossing& b) { return a.before(b); });
-        std::vector<Hit> at(sorted.size());
-        HitEvaluation evaluation = scene_->evaluation();
-        for (std::size_t k = 0; k < sorted.size(); ++k) evaluation.add(sorted[k], at[k]);
-        evaluation.finish();
-        std::vector<BorderHit> border_hits;
-        border_hits.reserve(sorted.size());
-        for (std::size_t k = 0; k < sorted.size(); ++k)
-            border_hits.push_back(
-                border_hit(scene_->model, sorted[k], std::move(at[k]), rays[i].direction));
-        hits[i] = merged(std::move(border_hits), scene_->model, rays[i].direction);
+    scene_->each_block(rays, [&](BlockSearch& search, const SearchScene& scene, std::size_t begin,
+                                 std::span<const Ray> block) {
+        const std::span<const std::vector<Crossing>> found = search.all(scene, block);
+        for (std::size_t lane = 0; lane < block.size(); ++lane)
+            hits[begin + lane] = scene_->merged_hits(block[lane], found[lane]);
     });
     return hits;
 }
