@@ -23,6 +23,11 @@ std::size_t first_lane(LaneMask mask) {
     return static_cast<std::size_t>(std::countr_zero(mask));
 }
 
+/// std::has_single_bit calls a library where a processor may lack the instruction.
+constexpr bool is_one_lane(LaneMask mask) {
+    return (mask & (mask - 1)) == 0;
+}
+
 /// Calls `work(lane)` for each lane of a mask.
 template <class Work>
 void for_lanes(LaneMask mask, const Work& work) {
@@ -70,7 +75,7 @@ void BlockSearch::run(const SearchScene& scene, Goal goal, std::span<const Ray> 
 
 void BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
     const HotLeaf& hot = scene_->model.hot[box];
-    if (std::has_single_bit(lanes))
+    if (is_one_lane(lanes))
         scene_->kernels.look_single(block_, first_lane(lanes), hot, look_);
     else
         scene_->kernels.look(block_, lanes, hot, look_);
@@ -158,24 +163,20 @@ void BlockSearch::settle(LaneMask lanes, const RayBlock::Lanes<double>& until) {
 }
 
 LaneMask BlockSearch::together(LaneMask lanes) const {
-    // So many share their leaf's coefficients rather than have them copied.
-    constexpr int enough = 3;
-    const std::uint32_t box = boxes_[first_lane(lanes)];
-    LaneMask same = 0;
-    for_lanes(lanes, [&](std::size_t lane) {
-        if (boxes_[lane] == box) same |= bit(lane);
-    });
-    const std::vector<HotLeaf>& leaves = scene_->model.hot;
-    const HotLeaf& first = leaves[box];
-    if (same == lanes || std::popcount(same) >= enough || first.coefficients() > largest_gathered)
-        return same;
-    for_lanes(lanes & ~same, [&](std::size_t lane) {
-        const HotLeaf& leaf = leaves[boxes_[lane]];
-        if (leaf.degree_u == first.degree_u && leaf.degree_v == first.degree_v &&
-            leaf.rational == first.rational)
-            same |= bit(lane);
-    });
-    return same;
+    // So many gain more by sharing a leaf's coefficients than by having all others beside them.
+    const auto few = [](LaneMask mask) { return is_one_lane(mask & (mask - 1)); };
+    LaneMask alone = 0;
+    for (LaneMask left = lanes; left != 0;) {
+        const std::uint32_t box = boxes_[first_lane(left)];
+        LaneMask same = 0;
+        for_lanes(left, [&](std::size_t lane) {
+            if (boxes_[lane] == box) same |= bit(lane);
+        });
+        if (!few(same)) return same;
+        alone |= same;
+        left &= ~same;
+    }
+    return alone;
 }
 
 void BlockSearch::find_single_roots(LaneMask lanes) {
@@ -190,8 +191,8 @@ void BlockSearch::find_single_roots(LaneMask lanes) {
     });
     const LeafKernels& kernels = scene_->kernels;
     if (!one_leaf)
-        kernels.solve_gathered(block_, lanes, leaves, polynomials, roots_);
-    else if (std::has_single_bit(lanes))
+        kernels.solve_apart(block_, lanes, leaves, polynomials, roots_);
+    else if (is_one_lane(lanes))
         kernels.solve_single(block_, first_lane(lanes), first, polynomials + first.polynomial,
                              roots_);
     else

@@ -43,7 +43,7 @@ private:
     void consider(std::size_t lane, PendingLeaf leaf, bool certain);
     /// Solves what is pending in lanes and ends before their `until`.
     void settle(LaneMask lanes, const RayBlock::Lanes<double>& until);
-    /// Those of the lanes that are best solved together with the first.
+    /// Lanes that are best solved together: several on one leaf, else all that are left.
     LaneMask together(LaneMask lanes) const;
     /// Each lane's single root on the leaf in boxes_.
     void solve(LaneMask lanes);

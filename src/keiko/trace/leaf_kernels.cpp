@@ -36,33 +36,33 @@ void look_single(const RayBlock& rays, std::size_t lane, const HotLeaf& leaf, Le
 
 void solve(const RayBlock& rays, LaneMask mask, const HotLeaf& leaf, const Component4* polynomial,
            LeafRoots& result) {
-    result.found = result.failed = 0;
-    for_vectors(mask, [&](std::size_t lane) {
-        result.found |= solve_lanes(Wide(), rays, lane, mask, SameLeaf{leaf, polynomial}, result);
-    });
+    solve_lanes(
+        rays, mask,
+        [&](std::size_t) {
+            return SameLeaf{leaf, polynomial};
+        },
+        result);
 }
 
 void solve_single(const RayBlock& rays, std::size_t lane, const HotLeaf& leaf,
                   const Component4* polynomial, LeafRoots& result) {
-    result.found = result.failed = 0;
-    result.found =
-        solve_lanes(One(), rays, lane, LaneMask{1} << lane, SameLeaf{leaf, polynomial}, result);
+    result.failed = 0;
+    Newton<One, SameLeaf> one(rays, lane, LaneMask{1} << lane, {leaf, polynomial});
+    result.found = solve_in_turns(result, one);
 }
 
-void solve_gathered(const RayBlock& rays, LaneMask mask,
-                    const RayBlock::Lanes<const HotLeaf*>& leaves, const Component4* polynomials,
-                    LeafRoots& result) {
-    result.found = result.failed = 0;
-    for_vectors(mask, [&](std::size_t lane) {
+void solve_apart(const RayBlock& rays, LaneMask mask, const RayBlock::Lanes<const HotLeaf*>& leaves,
+                 const Component4* polynomials, LeafRoots& result) {
+    const auto leaves_at = [&](std::size_t lane) {
         const auto any = static_cast<std::size_t>(std::countr_zero(mask >> lane));
-        std::array<const HotLeaf*, GatheredLeaves::lanes> here;
+        std::array<const HotLeaf*, OwnLeaves::lanes> here;
         for (std::size_t i = 0; i < here.size(); ++i) {
             const bool wanted = lane + i < RayBlock::capacity && (mask >> (lane + i) & 1) != 0;
             here[i] = leaves[lane + (wanted ? i : any)];
         }
-        result.found |=
-            solve_lanes(Wide(), rays, lane, mask, GatheredLeaves(here, polynomials), result);
-    });
+        return OwnLeaves(here, polynomials);
+    };
+    solve_lanes(rays, mask, leaves_at, result);
 }
 
 LeafKernels kernels() {
@@ -72,7 +72,7 @@ LeafKernels kernels() {
             look_single,
             solve,
             solve_single,
-            solve_gathered,
+            solve_apart,
             find_roots,
             evaluate,
             evaluate_hits};

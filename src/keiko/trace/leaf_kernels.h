@@ -27,9 +27,6 @@ struct LeafRoots {
 
 using Component4 = std::array<double, 4>;
 
-/// Leaves with more coefficients lose more by being gathered than the lanes gain.
-constexpr std::size_t largest_gathered = 16;
-
 /// Two planes through a ray, as two functions of a leaf's homogeneous components: the ray meets
 /// the leaf where both vanish.
 struct PlanePair {
@@ -68,10 +65,9 @@ struct LeafKernels {
     void (*solve)(const RayBlock&, LaneMask, const HotLeaf&, const Component4*, LeafRoots&);
     void (*solve_single)(const RayBlock&, std::size_t lane, const HotLeaf&, const Component4*,
                          LeafRoots&);
-    /// The same with a leaf for each lane: all of the same degrees, all rational or none, with at
-    /// most `largest_gathered` coefficients, which begin at the leaf's place in the array.
-    void (*solve_gathered)(const RayBlock&, LaneMask, const RayBlock::Lanes<const HotLeaf*>&,
-                           const Component4*, LeafRoots&);
+    /// The same with a leaf for each lane, all of one array, and all leaves' coefficients.
+    void (*solve_apart)(const RayBlock&, LaneMask, const RayBlock::Lanes<const HotLeaf*>&,
+                        const Component4*, LeafRoots&);
     /// All roots in a part of the leaf by Krawczyk's method in boxes, many side by side. False when
     /// boxes stay undecided down to where only clipping helps, as near a tangency.
     bool (*find_roots)(const PlanePair&, const HotLeaf&, const Component4*, const Box2& where,

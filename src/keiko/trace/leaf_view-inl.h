@@ -32,14 +32,15 @@ struct View {
         };
         const auto get = [&](const auto& read) { return leaves.number(d, read); };
         const auto away = [&](std::size_t k) {
-            return hn::Sub(load(rays.start[k]), get([k](const HotLeaf& h) { return h.center[k]; }));
+            return hn::Sub(load(rays.start[k]),
+                           get([k](const HotLeaf& h) -> const double& { return h.center[k]; }));
         };
         const V o0 = away(0), o1 = away(1), o2 = away(2);
         const V d0 = load(rays.direction[0]), d1 = load(rays.direction[1]);
         const V d2 = load(rays.direction[2]);
         const auto row = [&](std::size_t r, V x, V y, V z) {
             const auto entry = [&](std::size_t k) {
-                return get([r, k](const HotLeaf& h) { return h.rows[r][k]; });
+                return get([r, k](const HotLeaf& h) -> const double& { return h.rows[r][k]; });
             };
             return hn::MulAdd(entry(2), z, hn::MulAdd(entry(1), y, hn::Mul(entry(0), x)));
         };
@@ -52,18 +53,20 @@ struct View {
         depth = hn::Neg(hn::Mul(height, step));
 
         const auto length = [&](std::size_t k) {
-            return get([k](const HotLeaf& h) { return h.row_length[k]; });
+            return get([k](const HotLeaf& h) -> const double& { return h.row_length[k]; });
         };
         const V pp = hn::Abs(p), qq = hn::Abs(q), length_n = length(2);
         steep = hn::Mul(hn::Abs(step), length_n);
         const V blur =
             hn::MulAdd(hn::Set(d, ray_rounding), hn::Abs(depth),
-                       hn::Add(load(rays.blur), get([](const HotLeaf& h) { return h.blur; })));
+                       hn::Add(load(rays.blur),
+                               get([](const HotLeaf& h) -> const double& { return h.blur; })));
         blur_u = hn::Mul(blur, hn::MulAdd(pp, length_n, length(0)));
         blur_v = hn::Mul(blur, hn::MulAdd(qq, length_n, length(1)));
         const auto mixed = [&](auto bounds, std::size_t own, V turn, V at) {
             const auto entry = [&](std::size_t k) {
-                return get([bounds, k](const HotLeaf& h) { return (h.*bounds)[k]; });
+                return get(
+                    [bounds, k](const HotLeaf& h) -> const double& { return (h.*bounds)[k]; });
             };
             return hn::MulAdd(hn::Abs(at), entry(3), hn::MulAdd(turn, entry(2), entry(own)));
         };
@@ -74,7 +77,8 @@ struct View {
         bend_ = larger(&HotLeaf::bend);
         strip_u_ = hn::Add(mixed(&HotLeaf::value, 0, pp, a), blur_u);
         strip_v_ = hn::Add(mixed(&HotLeaf::value, 1, qq, b), blur_v);
-        reach_ = hn::MulAdd(hn::Abs(step), get([](const HotLeaf& h) { return h.height; }),
+        reach_ = hn::MulAdd(hn::Abs(step),
+                            get([](const HotLeaf& h) -> const double& { return h.height; }),
                             hn::Mul(blur, steep));
     }
 
