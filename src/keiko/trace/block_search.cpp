@@ -23,9 +23,11 @@ std::size_t first_lane(LaneMask mask) {
     return static_cast<std::size_t>(std::countr_zero(mask));
 }
 
-/// std::has_single_bit calls a library where a processor may lack the instruction.
-constexpr bool is_one_lane(LaneMask mask) {
-    return (mask & (mask - 1)) == 0;
+/// Whether a mask has so many lanes. std::popcount calls a library where a processor may lack the
+/// instruction.
+constexpr bool has_lanes(LaneMask mask, int count) {
+    for (; count > 1; --count) mask &= mask - 1;
+    return mask != 0;
 }
 
 /// Calls `work(lane)` for each lane of a mask.
@@ -75,10 +77,11 @@ void BlockSearch::run(const SearchScene& scene, Goal goal, std::span<const Ray> 
 
 void BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
     const HotLeaf& hot = scene_->model.hot[box];
-    if (is_one_lane(lanes))
+    if (!has_lanes(lanes, 2))
         scene_->kernels.look_single(block_, first_lane(lanes), hot, look_);
     else
         scene_->kernels.look(block_, lanes, hot, look_);
+    const LaneMask material = hot.material ? look_.certain : judge_trim(hot.cells);
     const LaneMask left = look_.certain | look_.single | look_.undecided;
     if (left == 0) return;
     fetch_polynomial(hot);
@@ -87,10 +90,23 @@ void BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
         if (pending_.doubtful_until(lane) < look_.nearest[lane]) in_front |= bit(lane);
     });
     if (in_front != 0) settle(in_front, look_.nearest);
-    const LaneMask certain = hot.material ? look_.certain : 0;
     for_lanes(left, [&](std::size_t lane) {
-        consider(lane, candidate(lane, box), (certain & bit(lane)) != 0);
+        consider(lane, candidate(lane, box), (material & bit(lane)) != 0);
     });
+}
+
+/// The lanes whose certain root is material. Drops those whose roots are not from the look.
+LaneMask BlockSearch::judge_trim(const TrimCells& cells) {
+    LaneMask material = 0;
+    if (!cells) return material;
+    for_lanes(look_.certain | look_.single, [&](std::size_t lane) {
+        const TrimCells::Set met = TrimCells::met(look_.box(lane));
+        if ((met & ~cells.material) == 0) material |= bit(lane);
+        if ((met & ~cells.empty) != 0) return;
+        look_.certain &= ~bit(lane);
+        look_.single &= ~bit(lane);
+    });
+    return material & look_.certain;
 }
 
 /// Has the coefficients in the cache by the time the search is over.
@@ -163,20 +179,22 @@ void BlockSearch::settle(LaneMask lanes, const RayBlock::Lanes<double>& until) {
 }
 
 LaneMask BlockSearch::together(LaneMask lanes) const {
-    // So many gain more by sharing a leaf's coefficients than by having all others beside them.
-    const auto few = [](LaneMask mask) { return is_one_lane(mask & (mask - 1)); };
-    LaneMask alone = 0;
+    // So many gain more by sharing a leaf's coefficients than by having all others beside them; and
+    // fewer than these do not fill a vector.
+    constexpr int enough_on_a_leaf = 3, enough_apart = 4;
+    LaneMask first = 0, alone = 0;
     for (LaneMask left = lanes; left != 0;) {
         const std::uint32_t box = boxes_[first_lane(left)];
         LaneMask same = 0;
         for_lanes(left, [&](std::size_t lane) {
             if (boxes_[lane] == box) same |= bit(lane);
         });
-        if (!few(same)) return same;
+        if (has_lanes(same, enough_on_a_leaf)) return same;
+        if (first == 0) first = same;
         alone |= same;
         left &= ~same;
     }
-    return alone;
+    return has_lanes(alone, enough_apart) ? alone : first;
 }
 
 void BlockSearch::find_single_roots(LaneMask lanes) {
@@ -192,7 +210,7 @@ void BlockSearch::find_single_roots(LaneMask lanes) {
     const LeafKernels& kernels = scene_->kernels;
     if (!one_leaf)
         kernels.solve_apart(block_, lanes, leaves, polynomials, roots_);
-    else if (is_one_lane(lanes))
+    else if (!has_lanes(lanes, 2))
         kernels.solve_single(block_, first_lane(lanes), first, polynomials + first.polynomial,
                              roots_);
     else
@@ -224,7 +242,11 @@ void BlockSearch::clip(std::uint32_t box, std::size_t lane) {
 /// Whether a root is a hit; marks seam hits.
 bool BlockSearch::counts(std::size_t lane, Crossing& crossing) const {
     const HotLeaf& hot = scene_->model.hot[crossing.leaf];
-    const bool plain = hot.material && hot.on_patch(2 * crossing.uv.x - 1, 2 * crossing.uv.y - 1);
+    const Vec2 at = crossing.uv * 2 - Vec2(1);
+    const TrimCells::Set cell = TrimCells::met({at, at});
+    if ((cell & hot.cells.empty) != 0) return false;
+    const bool plain =
+        (hot.material && hot.on_patch(at.x, at.y)) || (cell & hot.cells.material) != 0;
     if (plain && (excluding_ & bit(lane)) == 0) return true;
     const TracedRay ray = block_.ray(lane);
     return RootCheck(scene_->model, ray, scene_->model.placed[crossing.leaf]).passes(crossing);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/trace/leaf.h"
+#include "keiko/trace/trim_cells.h"
 
 namespace keiko {
 
@@ -23,6 +24,7 @@ struct alignas(64) HotLeaf {
     bool material = false; ///< wholly inside the trim loops as far as its patch goes
     /// Where the patch ends, in x and y: a leaf may go on beyond it, for seams.
     std::array<double, 2> patch_low{}, patch_high{};
+    TrimCells cells{}; ///< of a leaf that is not `material`
 
     std::size_t coefficients() const {
         return (degree_u + std::size_t{1}) * (degree_v + std::size_t{1});

@@ -14,6 +14,13 @@ struct LeafLook {
     LaneMask undecided = 0; ///< nothing: only clipping can tell
     /// Where the root is if there is one, for lanes of `certain` and `single`.
     alignas(64) RayBlock::Lanes<double> nearest, farthest;
+    /// Of the same lanes: it is no farther from (x, y) of the leaf's square.
+    RayBlock::Lanes<double> x, y, off_x, off_y;
+
+    Box2 box(std::size_t lane) const {
+        const Vec2 at(x[lane], y[lane]), off(off_x[lane], off_y[lane]);
+        return {at - off, at + off};
+    }
 };
 
 /// The roots of rays that have at most one on a leaf.

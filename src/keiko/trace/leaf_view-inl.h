@@ -117,8 +117,15 @@ void look_at(D d, const RayBlock& rays, std::size_t lane, const HotLeaf& leaf, L
                        hn::Le(hn::Add(place, strip), hn::Set(d, leaf.patch_high[axis])));
     };
     const auto inside = hn::And(within(v.a, v.strip_u(), 0), within(v.b, v.strip_v(), 1));
-    hn::Store(near_s, d, result.nearest.data() + lane);
-    hn::Store(far_s, d, result.farthest.data() + lane);
+    const auto store = [&](auto from, RayBlock::Lanes<double>& to) {
+        hn::Store(from, d, to.data() + lane);
+    };
+    store(near_s, result.nearest);
+    store(far_s, result.farthest);
+    store(v.a, result.x);
+    store(v.b, result.y);
+    store(v.strip_u(), result.off_x);
+    store(v.strip_v(), result.off_y);
     const auto bits = [&](hn::Mask<D> mask) { return lane_bits(d, mask, lane); };
     result.certain |= bits(hn::And(single, inside));
     result.single |= bits(hn::AndNot(inside, single));

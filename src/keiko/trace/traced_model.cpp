@@ -78,12 +78,18 @@ std::vector<double> edge_widths(const SurfaceModel& model, const std::vector<Sea
     return widths;
 }
 
-void place_leaves(TracedModel& traced) {
+PatchFrame patch_frame(const SurfaceModel& model, const Patch& patch) {
+    return {patch.face, patch.map_u, patch.map_v, model.faces[patch.face].reversed};
+}
+
+/// `cells`, a leaf.
+void place_leaves(TracedModel& traced, const std::vector<TrimCells>& cells) {
     for (std::uint32_t i = 0; i < traced.placements.size(); ++i) {
         const PartPlacement& placement = traced.placements[i];
         for (std::uint32_t k = 0; k < placement.leaf_count; ++k) {
             traced.placed.push_back({i, placement.first_leaf + k});
             traced.hot.push_back(hot_leaf(traced.leaves, placement.first_leaf + k, placement));
+            traced.hot.back().cells = cells[placement.first_leaf + k];
         }
     }
     // The records hold all that tracing reads of them.
@@ -100,28 +106,32 @@ TracedModel traced_model(const SurfaceModel& model, double join, double flat_eno
     for (const SeamGap& gap : gaps) widths.push_back(gap.width);
     std::vector<std::optional<FaceTrim>> trims(model.faces.size());
     std::vector<LeafSet> sets(model.faces.size());
+    std::vector<std::vector<TrimCells>> cells_by_face(model.faces.size());
     parallel_for(model.faces.size(), job, "build", [&](std::size_t i) {
         const Face& face = model.faces[i];
         trims[i] = FaceTrim{TrimRegion(model, face, widths), widest_seam(model, face, gaps)};
         sets[i] =
             make_leaves(model, face, trims[i]->region, seam_depth * trims[i]->reach, flat_enough);
+        for (const Leaf& leaf : sets[i].leaves)
+            cells_by_face[i].push_back(
+                trim_cells(leaf, patch_frame(model, model.patches[leaf.patch]), *trims[i]));
     });
 
     TracedModel traced;
     std::vector<std::uint32_t> first_leaf;
+    std::vector<TrimCells> cells;
     for (std::size_t i = 0; i < sets.size(); ++i) {
         first_leaf.push_back(static_cast<std::uint32_t>(traced.leaves.leaves.size()));
         append(traced.leaves, std::move(sets[i]));
+        cells.insert(cells.end(), cells_by_face[i].begin(), cells_by_face[i].end());
         traced.faces.push_back(std::move(*trims[i]));
     }
     first_leaf.push_back(static_cast<std::uint32_t>(traced.leaves.leaves.size()));
-    for (const Patch& patch : model.patches)
-        traced.patches.push_back(
-            {patch.face, patch.map_u, patch.map_v, model.faces[patch.face].reversed});
+    for (const Patch& patch : model.patches) traced.patches.push_back(patch_frame(model, patch));
     traced.seam_widths = edge_widths(model, gaps);
     traced.seam_gaps = std::move(gaps);
     traced.placements = placements(model, first_leaf);
-    place_leaves(traced);
+    place_leaves(traced, cells);
     return traced;
 }
 
