@@ -27,30 +27,48 @@ TEST(TrimCells, AreMetByTheBoxesThatTouchThem) {
     EXPECT_EQ(TrimCells::met({Vec2(-9), Vec2(-5)}), 1U) << "beyond the square: at its border";
 }
 
-TEST(TrimCells, AgreeWithTheLoopsEverywhere) {
-    const TracedModel model =
+/// The only leaf that curves cross.
+struct MixedLeaf {
+    TracedModel model =
         traced_model(sheet_with_hole(), TracerOptions().join, TracerOptions().leaf_contraction, {});
-    Random random(7);
-    std::size_t told = 0, asked = 0;
-    for (std::size_t i = 0; i < model.hot.size(); ++i) {
-        const Leaf& leaf = model.leaves.leaves[model.placed[i].leaf];
-        if (leaf.trim != TrimSide::mixed) continue;
-        const TrimCells& cells = model.hot[i].cells;
-        EXPECT_EQ(cells.material & cells.empty, 0U);
-        for (int k = 0; k < 20000; ++k) {
-            const Vec2 uv(uniform(random, 0, 1), uniform(random, 0, 1)), at = uv * 2 - Vec2(1);
-            const TrimCells::Set cell = TrimCells::met({at, at});
-            const PatchFrame& patch = model.patches[leaf.patch];
-            const Vec2 in_face = patch.to_face(leaf.patch_parameters(uv));
-            const bool inside = model.faces[patch.face].region.contains(in_face);
-            const bool material = (cell & cells.material) != 0, empty = (cell & cells.empty) != 0;
-            ASSERT_FALSE(inside ? empty : material) << in_face;
-            told += material || empty;
-            ++asked;
-        }
+    const Leaf& leaf = model.leaves.leaves.front();
+    const TrimCells& cells = model.hot.front().cells;
+
+    const TrimRegion& region() const { return model.faces.front().region; }
+    Vec2 on_face(const Vec2& uv) const {
+        return model.patches.front().to_face(leaf.patch_parameters(uv));
     }
-    ASSERT_GT(asked, 0U);
-    EXPECT_GT(told, asked / 3) << "a curve crosses far fewer cells than it leaves alone";
+};
+
+TEST(TrimCells, AgreeWithTheLoopsEverywhere) {
+    const MixedLeaf mixed;
+    ASSERT_EQ(mixed.model.hot.size(), 1U);
+    ASSERT_EQ(mixed.leaf.trim, TrimSide::mixed);
+    Random random(7);
+    for (int k = 0; k < 20000; ++k) {
+        const Vec2 uv(uniform(random, 0, 1), uniform(random, 0, 1)), at = uv * 2 - Vec2(1);
+        const TrimCells::Set cell = TrimCells::met({at, at});
+        const bool inside = mixed.region().contains(mixed.on_face(uv));
+        ASSERT_EQ((inside ? mixed.cells.empty : mixed.cells.material) & cell, 0U) << uv;
+    }
+}
+
+TEST(TrimCells, TellEveryCellThatNoCurveCrosses) {
+    const MixedLeaf mixed;
+    int told = 0;
+    for (unsigned cell = 0; cell < 64; ++cell) {
+        const Vec2 corner = Vec2(cell % 8, cell / 8) / 8, margin(1e-6);
+        Box2 box;
+        box.extend(mixed.on_face(corner - margin));
+        box.extend(mixed.on_face(corner + Vec2(1.0 / 8) + margin));
+        const TrimSide side = mixed.region().classify(box);
+        if (side == TrimSide::mixed) continue;
+        const TrimCells::Set& set =
+            side == TrimSide::inside ? mixed.cells.material : mixed.cells.empty;
+        EXPECT_EQ(set >> cell & 1, 1U) << cell;
+        ++told;
+    }
+    EXPECT_GT(told, 10);
 }
 
 } // namespace
