@@ -164,7 +164,8 @@ bool TrimRegion::contains(const Vec2& p) const {
 
 TrimSide TrimRegion::classify(const Box2& box) const {
     // Rounding of box and curves must not turn a near miss into a proof.
-    const Box2 grown = box.padded(1e-14 * (bounds_.size() + box.size()));
+    const double away = std::max(box.lower.length(), box.upper.length());
+    const Box2 grown = box.padded(1e-14 * (bounds_.size() + box.size()) + 4e-15 * away);
     const auto [begin, end] = pieces_between(grown.lower.y, grown.upper.y);
     for (std::size_t i = begin; i < end; ++i)
         if (pieces_[row_pieces_[i]].touches(grown)) return TrimSide::mixed;

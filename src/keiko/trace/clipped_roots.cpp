@@ -8,11 +8,15 @@
 namespace keiko {
 namespace {
 
-/// At a pole many parameters give one point: several roots, yet no tangency.
-bool grazes(const BezierPatchView& points, const Vec2& uv, const Vec3& direction) {
-    const auto normal = steady_normal(evaluate(points, uv, 2), uv);
-    constexpr double grazing = 1e-3;
-    return !normal || std::abs(normal->dot(direction)) < grazing;
+/// Whether a box of several roots is a tangency, or not known. At a pole many parameters give one
+/// point: several roots, yet no tangency.
+bool is_tangency(const BezierPatchView& points, const LeafRoot& root, const Vec3& direction,
+                 double size) {
+    const SurfaceDerivatives s = evaluate(points, root.uv, 2);
+    const auto normal = steady_normal(s, root.uv);
+    constexpr double grazing = 1e-3, one_point = 1e-6;
+    const double extent = s.du().length() * root.error.x + s.dv().length() * root.error.y;
+    return !normal || std::abs(normal->dot(direction)) < grazing || extent > one_point * size;
 }
 
 } // namespace
@@ -36,7 +40,7 @@ void clipped_roots(const TracedModel& model, std::uint32_t index, const TracedRa
                    .uv = root.uv,
                    .error = root.error};
         if (root.clipped) c.flags = c.flags | HitFlags::clipped;
-        if (root.tangential && grazes(points, root.uv, part.direction))
+        if (root.tangential && is_tangency(points, root, part.direction, leaf.radius))
             c.flags = c.flags | HitFlags::tangential;
         found.push_back(c);
     }

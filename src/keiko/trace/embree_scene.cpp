@@ -38,6 +38,12 @@ float far_end(double high) {
     return high == -std::numeric_limits<double>::infinity() ? static_cast<float>(high) : 0.0F;
 }
 
+/// Embree knows no distances below 0: where a ray may be met behind its start its own begins so
+/// many mm along it.
+double begin_of(const RayBlock& rays, std::size_t lane) {
+    return rays.low[lane] < 0 ? rays.low[lane] : 0;
+}
+
 void visit(Search& search, unsigned box, LaneMask lanes) {
     try {
         search.visitor->visit(box, lanes);
@@ -65,11 +71,13 @@ void on_intersect(const RTCIntersectFunctionNArguments* arguments) {
     for (unsigned i = 0; i < count; ++i)
         if (arguments->valid[i] != 0) lanes |= LaneMask{1} << RTCRayN_id(rays, count, i);
     if (!search.failure) visit(search, arguments->primID, lanes);
-    for (unsigned i = 0; i < count; ++i)
-        if (arguments->valid[i] != 0)
-            RTCRayN_tfar(rays, count, i) =
-                search.failure ? -std::numeric_limits<float>::infinity()
-                               : far_end(search.rays->high[RTCRayN_id(rays, count, i)]);
+    for (unsigned i = 0; i < count; ++i) {
+        if (arguments->valid[i] == 0) continue;
+        const std::size_t lane = RTCRayN_id(rays, count, i);
+        RTCRayN_tfar(rays, count, i) =
+            search.failure ? -std::numeric_limits<float>::infinity()
+                           : far_end(search.rays->high[lane] - begin_of(*search.rays, lane));
+    }
 }
 
 } // namespace
@@ -131,14 +139,18 @@ namespace {
 void trace_single(RTCScene scene, Search& search, const Vec3& center, std::size_t lane) {
     const RayBlock& rays = *search.rays;
     RTCRayHit query;
-    query.ray.org_x = static_cast<float>(rays.start[0][lane] - center.x);
-    query.ray.org_y = static_cast<float>(rays.start[1][lane] - center.y);
-    query.ray.org_z = static_cast<float>(rays.start[2][lane] - center.z);
+    const double begin = begin_of(rays, lane);
+    const auto origin = [&](std::size_t k, double middle) {
+        return static_cast<float>(rays.start[k][lane] + rays.direction[k][lane] * begin - middle);
+    };
+    query.ray.org_x = origin(0, center.x);
+    query.ray.org_y = origin(1, center.y);
+    query.ray.org_z = origin(2, center.z);
     query.ray.dir_x = static_cast<float>(rays.direction[0][lane]);
     query.ray.dir_y = static_cast<float>(rays.direction[1][lane]);
     query.ray.dir_z = static_cast<float>(rays.direction[2][lane]);
-    query.ray.tnear = near_end(rays.low[lane]);
-    query.ray.tfar = far_end(rays.high[lane]);
+    query.ray.tnear = near_end(rays.low[lane] - begin);
+    query.ray.tfar = far_end(rays.high[lane] - begin);
     query.ray.time = 0;
     query.ray.mask = 0xffffffff;
     query.ray.id = static_cast<unsigned>(lane);
@@ -151,20 +163,22 @@ void trace_packet(RTCScene scene, Search& search, const Vec3& center) {
     const RayBlock& rays = *search.rays;
     RTCRayHit16 query;
     alignas(64) int valid[RayBlock::capacity];
-    const auto moved = [](const RayBlock::Lanes<double>& from, double by, float* to) {
-        for (std::size_t i = 0; i < RayBlock::capacity; ++i)
-            to[i] = static_cast<float>(from[i] - by);
+    RayBlock::Lanes<double> begin;
+    for (std::size_t i = 0; i < RayBlock::capacity; ++i) begin[i] = begin_of(rays, i);
+    const auto set = [&](std::size_t k, double middle, float* origin, float* direction) {
+        for (std::size_t i = 0; i < RayBlock::capacity; ++i) {
+            origin[i] =
+                static_cast<float>(rays.start[k][i] + rays.direction[k][i] * begin[i] - middle);
+            direction[i] = static_cast<float>(rays.direction[k][i]);
+        }
     };
-    moved(rays.start[0], center.x, query.ray.org_x);
-    moved(rays.start[1], center.y, query.ray.org_y);
-    moved(rays.start[2], center.z, query.ray.org_z);
-    moved(rays.direction[0], 0, query.ray.dir_x);
-    moved(rays.direction[1], 0, query.ray.dir_y);
-    moved(rays.direction[2], 0, query.ray.dir_z);
+    set(0, center.x, query.ray.org_x, query.ray.dir_x);
+    set(1, center.y, query.ray.org_y, query.ray.dir_y);
+    set(2, center.z, query.ray.org_z, query.ray.dir_z);
     for (unsigned i = 0; i < RayBlock::capacity; ++i) {
         valid[i] = (rays.active >> i & 1) != 0 ? -1 : 0;
-        query.ray.tnear[i] = near_end(rays.low[i]);
-        query.ray.tfar[i] = far_end(rays.high[i]);
+        query.ray.tnear[i] = near_end(rays.low[i] - begin[i]);
+        query.ray.tfar[i] = far_end(rays.high[i] - begin[i]);
         query.ray.time[i] = 0;
         query.ray.mask[i] = 0xffffffff;
         query.ray.id[i] = i;

@@ -57,10 +57,13 @@ struct View {
         };
         const V pp = hn::Abs(p), qq = hn::Abs(q), length_n = length(2);
         steep = hn::Mul(hn::Abs(step), length_n);
-        const V blur =
+        const V way =
             hn::MulAdd(hn::Set(d, ray_rounding), hn::Abs(depth),
                        hn::Add(load(rays.blur),
                                get([](const HotLeaf& h) -> const double& { return h.blur; })));
+        // F and G are multiplied by the weight, and so is what moves them.
+        const V weight = get([](const HotLeaf& h) -> const double& { return h.value[3]; });
+        const V blur = hn::MulAdd(way, weight, way);
         blur_u = hn::Mul(blur, hn::MulAdd(pp, length_n, length(0)));
         blur_v = hn::Mul(blur, hn::MulAdd(qq, length_n, length(1)));
         const auto mixed = [&](auto bounds, std::size_t own, V turn, V at) {

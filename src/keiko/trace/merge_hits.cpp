@@ -62,16 +62,20 @@ private:
     const FaceTrim& trim(const BorderHit& a) const { return model_.faces[a.hit.face]; }
 
     bool are_copies(const BorderHit& a, const BorderHit& b) const {
+        if (!same_sense(a, b)) return false;
         if (!(apart(a, b) * std::min(sine(a), sine(b)) <= bounds(a, b))) return false;
-        if (a.hit.face == b.hit.face) {
-            const bool ends = (a.at_end && b.at_end) || a.beyond || b.beyond ||
-                              ((a.at_end || b.at_end) && clipped(a, b) && same_sense(a, b) &&
-                               apart(a, b) <= bounds(a, b));
-            if (!ends || (a.own && b.own)) return false;
-            return a.leaf != b.leaf || meet_around(a, b);
-        }
+        if (a.hit.face == b.hit.face) return are_copies_in_face(a, b);
         const auto at_border = [&](const BorderHit& x) { return x.at_end || leaf(x).near_border; };
-        return at_border(a) && at_border(b) && same_sense(a, b);
+        return at_border(a) && at_border(b);
+    }
+
+    bool are_copies_in_face(const BorderHit& a, const BorderHit& b) const {
+        if (a.own && b.own) return false;
+        // Leaves of different size reach over each other by different lengths: the smaller may hold
+        // well inside what is at the end of the larger.
+        const bool at_end = (a.at_end || b.at_end) && apart(a, b) <= bounds(a, b);
+        const bool ends = at_end || (a.at_end && b.at_end) || a.beyond || b.beyond;
+        return ends && (a.leaf != b.leaf || meet_around(a, b));
     }
 
     /// Whether one of them ended in a box without a proof.
@@ -163,8 +167,11 @@ private:
         // But for a seam hit, what is dropped may stand for a root of its own beside the other's:
         // where the ray leaves a sharp edge low over the next face, say.
         const bool covers = seam(kept) == seam(next) || has(dropped.hit.flags, HitFlags::clipped);
+        const bool undecided = has(dropped.hit.flags, HitFlags::tangential);
         if (swap) kept = std::move(next);
-        if (covers) kept.hit.position_bound = std::max(kept.hit.position_bound, cover);
+        if (!covers) return;
+        kept.hit.position_bound = std::max(kept.hit.position_bound, cover);
+        if (undecided) kept.hit.flags = kept.hit.flags | HitFlags::tangential;
     }
 
     static constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -46,9 +46,16 @@ std::optional<NewtonRoot> newton(const Preconditioned& p, const Vec2& start) {
     }
     // Above rounding it has not settled: another clip will say more.
     if (!(residual(here) <= 2 * blur)) return std::nullopt;
-    const double error = (residual(here) + blur) / reach;
-    const Box2 grown{Vec2(-error), Vec2(1 + error)};
-    if (!(error < poor_bound) || !grown.contains(uv)) return std::nullopt;
+    const auto bound = [&] { return (residual(here) + blur) / reach; };
+    const Box2 grown{Vec2(-bound()), Vec2(1 + bound())};
+    if (!grown.contains(uv)) return std::nullopt;
+    // The contraction is known of the square alone.
+    if (!unit_square.contains(uv)) {
+        uv = unit_square.nearest(uv);
+        here = evaluate(p.net, uv);
+    }
+    const double error = bound();
+    if (!(error < poor_bound)) return std::nullopt;
     return NewtonRoot{uv, Vec2(error)};
 }
 

@@ -19,8 +19,10 @@ void set_plane(FrameRay& seen, const HotLeaf& leaf, std::size_t which, const Vec
     for (std::size_t k = 0; k < 3; ++k) {
         const double share = std::abs(normal[static_cast<unsigned>(k)]);
         bend += share * leaf.bend[k];
-        noise += share * leaf.row_length[k] * blur;
+        noise += share * leaf.row_length[k] * blur * (1 + leaf.value[3]);
     }
+    // The constant is that of every place of the ray, so that of a root on the leaf: below 2, as
+    // the leaf's own blur takes it to be.
     seen.planes.bend[which] = bend + std::abs(normal.dot(seen.foot)) * leaf.bend[3];
     seen.planes.noise[which] = noise;
 }

@@ -61,7 +61,9 @@ LaneMask enter_lanes(D d, const SceneBall& scene, RayBlock& rays, std::size_t la
     const V way = hn::Mul(t_start, speed);
     const V slack = hn::Mul(set(8 * epsilon), hn::Add(away, ball));
     const V ball_size = set(std::max(scene.radius, 1e-30));
-    const V error = hn::Mul(set(2 * epsilon), hn::Add(hn::Sqrt(dot(origin, origin)), hn::Abs(way)));
+    // A start that is not moved is not rounded.
+    const V moved = hn::Mul(set(2 * epsilon), hn::Add(hn::Sqrt(dot(origin, origin)), hn::Abs(way)));
+    const V error = hn::IfThenZeroElse(inside, moved);
     const V t_low = hn::Mul(load(rays.low), speed), t_high = hn::Mul(load(rays.high), speed);
     const V low = hn::Sub(hn::Sub(hn::Max(t_low, hn::Sub(foot, half)), way), slack);
     const V high = hn::Add(hn::Sub(hn::Min(t_high, hn::Add(foot, half)), way), slack);

@@ -19,25 +19,6 @@ constexpr double near_end = 1e-3;
 /// At angles still lower it is some other place.
 constexpr double farthest_behind_seam = 2 * seam_depth;
 
-/// A place on a leaf as a ray sees it.
-struct SeenPlace {
-    Vec3 position{0};                         ///< relative to the leaf's centre
-    std::optional<TrimRegion::NearEdge> edge; ///< within whose seam it is
-    bool leaving = false;                     ///< the ray goes along the face's outward normal
-};
-
-SeenPlace seen_place(const TracedModel& model, const Leaf& leaf, const Vec2& own,
-                     const Vec3& direction) {
-    const PatchFrame& patch = model.patches[leaf.patch];
-    const FaceTrim& trim = model.faces[patch.face];
-    const Vec2 uv = leaf.patch_parameters(own), extent = leaf.domain.extent();
-    const SurfaceDerivatives s = evaluate(model.leaves.view(leaf), own, 1);
-    const ParameterMetric width =
-        seam_width(patch, unit_square.nearest(uv), s.du() / extent.x, s.dv() / extent.y, direction);
-    return {s.position(), trim.region.nearest_edge(patch.to_face(uv), width, trim.reach),
-            patch.orientation(uv) * s.du().cross(s.dv()).dot(direction) > 0};
-}
-
 /// The leaf of the instance that a root is on.
 const Leaf* leaf_of(const TracedModel& model, const Root& root) {
     const PartPlacement& placement = model.placements[root.instance];
@@ -47,6 +28,13 @@ const Leaf* leaf_of(const TracedModel& model, const Root& root) {
         return leaf.patch == root.patch && leaf.domain.contains(root.uv.center());
     });
     return found == leaves.end() ? nullptr : &*found;
+}
+
+/// Whether a ray leaves the face at a place of a leaf, as the file turns it.
+bool leaves(const TracedModel& model, const Leaf& leaf, const Vec2& own, const Vec3& direction) {
+    const SurfaceDerivatives s = evaluate(model.leaves.view(leaf), own, 1);
+    const double out = model.patches[leaf.patch].orientation(leaf.patch_parameters(own));
+    return out * s.du().cross(s.dv()).dot(direction) > 0;
 }
 
 } // namespace
@@ -105,17 +93,36 @@ bool RootCheck::is_at_end(const Crossing& c, const PartRay& part, double distanc
 }
 
 bool RootCheck::is_behind_own_seam(const Crossing& c, const PartRay& part, double distance) const {
-    const FaceTrim& trim = model_.faces[model_.patches[leaf_.patch].face];
+    const PatchFrame& patch = model_.patches[leaf_.patch];
+    const FaceTrim& trim = model_.faces[patch.face];
     if (!(distance <= farthest_behind_seam * trim.reach)) return false;
-    const Root& root = *ray_.ray->excluded;
-    const Leaf* own = leaf_of(model_, root);
-    if (!own) return false;
-    const SeenPlace here = seen_place(model_, leaf_, c.uv, part.direction);
-    if (!here.edge || distance > farthest_behind_seam * model_.seam_widths[here.edge->edge])
+    const FaceTrim& own = model_.faces[model_.patches[ray_.ray->excluded->patch].face];
+    if (own.region.edges().empty()) return false;
+    const NearPlace place = near_place(c, trim, part.direction, own.region.edges());
+    if (!place.edge) return false;
+    const TrimRegion::NearCurve& border = place.edge->at;
+    const SeamGap& gap = model_.seam_gaps[border.curve];
+    if (gap.samples.empty() || distance > farthest_behind_seam * gap.width ||
+        !gap.holds(border.t, place.position - point(border.place), part.direction))
         return false;
-    const Vec2 at = (root.uv.center() - own->domain.lower) / own->domain.extent();
-    const SeenPlace start = seen_place(model_, *own, at, part.direction);
-    return start.edge && start.edge->edge == here.edge->edge && start.leaving == here.leaving;
+    const Root& root = *ray_.ray->excluded;
+    const Leaf* start = leaf_of(model_, root);
+    if (!start) return false;
+    const Vec2 at = (root.uv.center() - start->domain.lower) / start->domain.extent();
+    return leaves(model_, *start, at, part.direction) ==
+           leaves(model_, leaf_, c.uv, part.direction);
+}
+
+/// Where a root is, relative to the leaf's centre, and of which edge's seam.
+RootCheck::NearPlace RootCheck::near_place(const Crossing& c, const FaceTrim& trim,
+                                           const Vec3& direction,
+                                           std::span<const std::uint32_t> among) const {
+    const PatchFrame& patch = model_.patches[leaf_.patch];
+    const Vec2 uv = leaf_.patch_parameters(c.uv), extent = leaf_.domain.extent();
+    const SurfaceDerivatives s = evaluate(model_.leaves.view(leaf_), c.uv, 1);
+    const ParameterMetric width =
+        seam_width(patch, unit_square.nearest(uv), s.du() / extent.x, s.dv() / extent.y, direction);
+    return {s.position(), trim.region.nearest_edge(patch.to_face(uv), width, trim.reach, among)};
 }
 
 bool RootCheck::is_material(Crossing& c) const {
@@ -155,7 +162,7 @@ Vec3 RootCheck::point(const Vec2& in_face) const {
 bool RootCheck::is_seam(Crossing& c, const Vec2& uv, const FaceTrim& trim) const {
     if (!may_be_near_edge(uv, trim)) return false;
     const PartRay part = part_ray();
-    const SeenPlace place = seen_place(model_, leaf_, c.uv, part.direction);
+    const NearPlace place = near_place(c, trim, part.direction);
     if (!place.edge) return false;
     const TrimRegion::NearCurve& border = place.edge->at;
     const Vec3 off = place.position - point(border.place);

@@ -5,6 +5,7 @@
 #include "keiko/trace/traced_ray.h"
 
 #include <optional>
+#include <span>
 
 namespace keiko {
 
@@ -13,9 +14,10 @@ namespace keiko {
 /// inside its box; on any patch of its instance, roots at either end of the ray where the end is on
 /// the surface to within rounding, which keeps a ray that starts on a patch border from hitting
 /// the neighbour's copy of the same point (it is measured across the surface, so that a concave
-/// surface met again at a low angle still counts); and, where the end is near an edge, roots on the
-/// neighbour near the same edge that the ray meets from the other side, for what is open there is
-/// closed: only a gap lets it get behind the neighbour.
+/// surface met again at a low angle still counts); and, where the end is near an edge of two faces,
+/// roots on the other one that it meets from behind, coming between the two borders: what is open
+/// there counts as closed. Gaps below 1e-7 of the part's size are not looked at, nor faces that the
+/// file turns against each other.
 class RootCheck {
 public:
     RootCheck(const TracedModel& model, const TracedRay& ray, const PlacedLeaf& placed);
@@ -36,6 +38,12 @@ private:
     bool is_excluded(const Crossing& crossing) const;
     bool is_at_end(const Crossing& crossing, const PartRay& part, double distance) const;
     bool is_behind_own_seam(const Crossing& crossing, const PartRay& part, double distance) const;
+    struct NearPlace {
+        Vec3 position{0};
+        std::optional<TrimRegion::NearEdge> edge;
+    };
+    NearPlace near_place(const Crossing& crossing, const FaceTrim& trim, const Vec3& direction,
+                         std::span<const std::uint32_t> among = {}) const;
     bool is_material(Crossing& crossing) const;
     bool may_be_near_edge(const Vec2& uv, const FaceTrim& trim) const;
     bool is_seam(Crossing& crossing, const Vec2& uv, const FaceTrim& trim) const;

@@ -157,7 +157,11 @@ Box3 TracedModel::bounds(const PlacedLeaf& at) const {
             const Vec3 point = leaf.center + Vec3(p.x, p.y, p.z) / p.w;
             box.extend(placement.identity ? point : placement.to_world.point(point));
         }
-    return box;
+    // What the leaf is off, and the rounding of placing it.
+    const double away = leaf.center.length() + leaf.radius;
+    const double rounding =
+        4 * epsilon * (placement.magnification * away + placement.to_world.translation.length());
+    return box.padded(placement.magnification * leaf.coefficient_error + rounding);
 }
 
 std::size_t TracedModel::bytes() const {

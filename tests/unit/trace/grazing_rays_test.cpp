@@ -124,7 +124,9 @@ TEST(Rulings, AlongABorderOfAPlaneGiveItsEnds) {
         const double turn = uniform(random, 0, 1.5), a = uniform(random, 1, 50);
         const Vec3 u(std::cos(turn) * a, std::sin(turn) * a, 0), v(-u.y, u.x, 0), o(0, 0, 5);
         const Tracer tracer(ShapeBuilder().face({bilinear(o, o + u, o + v, o + u + v)}).model());
-        for (const Hit& hit : tracer.all(ray_through(o - u * 0.3, u))) {
+        const std::vector<Hit> hits = tracer.all(ray_through(o - u * 0.3, u));
+        EXPECT_EQ(hits.size(), 2u) << i;
+        for (const Hit& hit : hits) {
             const double nearest_end =
                 std::min((hit.position - o).length(), (hit.position - (o + u)).length());
             EXPECT_LT(nearest_end, 1e-9 * a) << i;

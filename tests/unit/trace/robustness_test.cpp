@@ -84,6 +84,32 @@ TEST(Rays, MayRunBackwards) {
     EXPECT_NEAR(hits[1].t, -4, 1e-12);
 }
 
+/// Alone and in a packet.
+TEST(Rays, MayRunBackwardsFromWithinTheScene) {
+    const Tracer tracer(ShapeBuilder().face(sphere(Vec3(0), 1)).model());
+    std::vector<Ray> rays;
+    for (int i = 0; i < 16; ++i)
+        rays.push_back(ray_through(Vec3(0.05 * i, 0.1, 0.05), Vec3(1, 1e-3 * i, 0), -20, 20));
+    const auto together = tracer.all(std::span<const Ray>(rays));
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const std::vector<Hit> hits = tracer.all(rays[i]);
+        ASSERT_EQ(hits.size(), 2u) << i;
+        EXPECT_LT(hits[0].t, 0);
+        EXPECT_GT(hits[1].t, 0);
+        EXPECT_EQ(together[i].size(), 2u) << i;
+        EXPECT_EQ(tracer.nearest(rays[i])->t, hits[0].t);
+    }
+}
+
+/// Coordinates may be as large beside the body as doubles can still hold it.
+TEST(Eyes, OfSmallBodiesFarFromTheOriginSee) {
+    for (const double away : {0.0, 1e6, 1e9}) {
+        const Vec3 center(away, away, -away);
+        const Tracer tracer(ShapeBuilder().face(sphere(center, 1)).model());
+        EXPECT_TRUE(tracer.nearest(ray_through(center + Vec3(0.5, 0, 0), Vec3(-1, 0, 0)))) << away;
+    }
+}
+
 TEST(Threads, DoNotChangeAHit) {
     const SurfaceModel model = layers();
     Job alone, both;

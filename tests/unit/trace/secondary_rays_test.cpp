@@ -101,7 +101,7 @@ SurfaceModel step(double gap) {
 }
 
 TEST(MirrorRays, DoNotGetBehindTheNeighbourThroughTheirSeam) {
-    for (const double gap : {1e-2, 1e-4, 1e-6}) {
+    for (const double gap : {1e-2, 1e-3, 1e-4, 1e-5}) {
         const Tracer tracer(step(gap));
         Random random(33);
         int seams = 0;
@@ -136,6 +136,27 @@ TEST(MirrorRays, MeetTheNeighbourInAnInnerCorner) {
             const auto next = tracer.nearest(mirrored);
             ASSERT_TRUE(next) << gap << ' ' << target << ' ' << in;
             EXPECT_EQ(next->face, 1u);
+        }
+    }
+}
+
+/// Files may turn faces against each other.
+TEST(MirrorRays, MeetATurnedNeighbourInAnInnerCorner) {
+    constexpr double right_angle = 1.5707963267948966;
+    for (const double gap : {0.0, 5e-3}) {
+        SurfaceModel model = squares(gap, 1e-2, right_angle);
+        model.faces[1].reversed = !model.faces[1].reversed;
+        const Tracer tracer(model);
+        Random random(35);
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3 target(uniform(random, -2e-2, -5e-3), uniform(random, -9, 9), 0);
+            const Vec3 in(uniform(random, 0.2, 0.8), uniform(random, -1, 1), -1);
+            const auto hit = tracer.nearest(ray_through(target - in, in));
+            ASSERT_TRUE(hit);
+            if (hit->face != 0) continue;
+            const Ray mirrored =
+                excluding(hit->root, ray_through(hit->position, reflect(in, hit->normal)));
+            EXPECT_TRUE(tracer.any(mirrored)) << gap << ' ' << target << ' ' << in;
         }
     }
 }

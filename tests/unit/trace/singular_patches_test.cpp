@@ -29,8 +29,6 @@ TEST(Poles, AreHitOnceOnEachSide) {
         }
 }
 
-/// A bicubic patch with one side in a point, seen from above: hit once wherever the plan view of
-/// its triangle says, the point itself included.
 /// 7e-11 mm off the pole: one leaf proves the root, its neighbour's clipping ends at it unproved.
 TEST(Poles, AreHitOnceWhereClippingEndsBesideAProof) {
     const Tracer tracer(ShapeBuilder().face(sphere(Vec3(0), 10)).model());
@@ -40,6 +38,8 @@ TEST(Poles, AreHitOnceWhereClippingEndsBesideAProof) {
     EXPECT_EQ(tracer.all(ray).size(), 2u);
 }
 
+/// A bicubic patch with one side in a point, seen from above: hit once wherever the plan view of
+/// its triangle says, the point itself included.
 TEST(CollapsedEdges, AreHitOnce) {
     PatchData fan{3, 3, {}, {}, {}};
     for (int i = 0; i <= 3; ++i)
