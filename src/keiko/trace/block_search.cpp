@@ -84,15 +84,16 @@ void BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
     const LaneMask material = hot.material ? look_.certain : judge_trim(hot.cells);
     const LaneMask left = look_.certain | look_.single | look_.undecided;
     if (left == 0) return;
-    fetch_polynomial(hot);
     LaneMask in_front = 0;
     for_lanes(left & pending_.doubtful(), [&](std::size_t lane) {
         if (pending_.doubtful_until(lane) < look_.nearest[lane]) in_front |= bit(lane);
     });
     if (in_front != 0) settle(in_front, look_.nearest);
+    bool kept = false;
     for_lanes(left, [&](std::size_t lane) {
-        consider(lane, candidate(lane, box), (material & bit(lane)) != 0);
+        kept = consider(lane, candidate(lane, box), (material & bit(lane)) != 0) || kept;
     });
+    if (kept) fetch_polynomial(hot);
 }
 
 /// The lanes whose certain root is material. Drops those whose roots are not from the look.
@@ -141,22 +142,26 @@ void BlockSearch::set_reach(std::size_t lane, PendingLeaf& pending) const {
     pending.farthest = foot + reach;
 }
 
-void BlockSearch::consider(std::size_t lane, PendingLeaf leaf, bool certain) {
-    if (!(leaf.nearest <= block_.high[lane])) return;
+bool BlockSearch::consider(std::size_t lane, PendingLeaf leaf, bool certain) {
+    if (!(leaf.nearest <= block_.high[lane])) return false;
     if ((excluding_ & bit(lane)) != 0) {
         const TracedRay ray = block_.ray(lane);
         const RootCheck check(scene_->model, ray, scene_->model.placed[leaf.box]);
-        if (leaf.single && check.meets_excluded_only(leaf.nearest, leaf.farthest)) return;
+        if (leaf.single && check.meets_excluded_only(leaf.nearest, leaf.farthest)) return false;
         certain = certain && check.clear_of_excluded(leaf.nearest, leaf.farthest);
     }
     const double room = 2 * block_.slack[lane];
     certain = certain && leaf.nearest > block_.low[lane] + room &&
               leaf.farthest < block_.high[lane] - room;
-    if (certain && goal_ == Goal::any) return end(lane);
+    if (certain && goal_ == Goal::any) {
+        end(lane);
+        return false;
+    }
     if (certain && goal_ == Goal::nearest)
         block_.high[lane] = std::min(block_.high[lane], leaf.farthest);
     leaf.doubtful = !certain && goal_ != Goal::all;
     pending_.add(lane, leaf);
+    return true;
 }
 
 void BlockSearch::settle(LaneMask lanes, const RayBlock::Lanes<double>& until) {

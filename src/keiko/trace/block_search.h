@@ -41,7 +41,8 @@ private:
     PendingLeaf candidate(std::size_t lane, std::uint32_t box) const;
     /// Between which distances a leaf without bounds can be met.
     void set_reach(std::size_t lane, PendingLeaf& leaf) const;
-    void consider(std::size_t lane, PendingLeaf leaf, bool certain);
+    /// Whether the leaf is put off, for it may hold the hit.
+    bool consider(std::size_t lane, PendingLeaf leaf, bool certain);
     /// Solves what is pending in lanes and ends before their `until`.
     void settle(LaneMask lanes, const RayBlock::Lanes<double>& until);
     /// Lanes that are best solved together: several on one leaf, else all that are left.
