@@ -21,7 +21,8 @@ struct TracerOptions {
     /// counts, flagged as seam, so that sewn faces do not leak; see SeamGap.
     double join = 0.5;
     /// Patches are halved until LeafFrame::contraction is no larger, at most a few times. Changes
-    /// what a ray costs, never what it hits.
+    /// what a ray costs, not what it hits; but where two faces lie on each other, it is on the
+    /// leaves whether they count as one there.
     double leaf_contraction = 0.65;
 };
 
