@@ -8,25 +8,19 @@ namespace {
 /// Inserts `knot`, which lies in the valid domain, once (Boehm 1980).
 template <class P>
 void insert_knot(NurbsCurve<P>& curve, double knot) {
-    const auto degree = static_cast<std::size_t>(curve.degree);
     auto& knots = curve.knots;
+    auto& points = curve.points;
+    const auto degree = static_cast<std::size_t>(curve.degree);
     const auto above =
         std::upper_bound(knots.begin() + curve.degree, knots.end() - curve.degree - 1, knot);
     const auto span = static_cast<std::size_t>(above - knots.begin()) - 1;
-    std::vector<P> points;
-    points.reserve(curve.points.size() + 1);
-    for (std::size_t i = 0; i <= curve.points.size(); ++i) {
-        if (i + degree <= span) {
-            points.push_back(curve.points[i]);
-        } else if (i > span || knots[i] >= knot) {
-            points.push_back(curve.points[i - 1]);
-        } else {
-            const double a = (knot - knots[i]) / (knots[i + degree] - knots[i]);
-            points.push_back(curve.points[i - 1] * (1 - a) + curve.points[i] * a);
-        }
+    points.insert(points.begin() + static_cast<std::ptrdiff_t>(span), P(points[span]));
+    // From the end on, so that a point still finds the old one before it.
+    for (std::size_t i = span; i + degree > span && i > 0; --i) {
+        const double a = knots[i] >= knot ? 0 : (knot - knots[i]) / (knots[i + degree] - knots[i]);
+        points[i] = a == 0 ? points[i - 1] : points[i - 1] * (1 - a) + points[i] * a;
     }
     knots.insert(above, knot);
-    curve.points = std::move(points);
 }
 
 /// Raises every knot of the valid domain to multiplicity `degree` (the ends to degree at least).
@@ -36,6 +30,8 @@ void saturate_knots(NurbsCurve<P>& curve) {
     std::vector<double> distinct(curve.knots.begin() + curve.degree,
                                  curve.knots.end() - curve.degree);
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+    curve.knots.reserve(curve.knots.size() + distinct.size() * degree);
+    curve.points.reserve(curve.points.size() + distinct.size() * degree);
     for (const double knot : distinct) {
         const auto [first, last] = std::equal_range(curve.knots.begin(), curve.knots.end(), knot);
         for (auto have = static_cast<std::size_t>(last - first); have < degree; ++have)
@@ -43,20 +39,49 @@ void saturate_knots(NurbsCurve<P>& curve) {
     }
 }
 
+/// Where a Bezier segment lies in a curve whose knots are saturated.
+struct SpanPlace {
+    double begin = 0, end = 1;
+    std::size_t first_point = 0;
+};
+
+template <class P>
+std::vector<SpanPlace> span_places(const NurbsCurve<P>& saturated) {
+    const auto degree = static_cast<std::size_t>(saturated.degree);
+    const double domain_begin = saturated.knots[degree];
+    const double domain_end = saturated.knots[saturated.points.size()];
+    std::vector<SpanPlace> places;
+    for (std::size_t i = degree; i < saturated.points.size(); ++i) {
+        const double begin = saturated.knots[i], end = saturated.knots[i + 1];
+        if (begin < end && begin >= domain_begin && end <= domain_end)
+            places.push_back({begin, end, i - degree});
+    }
+    return places;
+}
+
+/// Columns of control points (u runs along them) with the knots of u saturated.
+std::vector<NurbsCurve<Vec4>> saturated_columns(const NurbsSurface& surface) {
+    const std::size_t count_u = surface.count_u(), count_v = surface.count_v();
+    std::vector<NurbsCurve<Vec4>> columns;
+    for (std::size_t j = 0; j < count_v; ++j) {
+        NurbsCurve<Vec4> column{surface.degree_u, surface.knots_u, {}};
+        for (std::size_t i = 0; i < count_u; ++i)
+            column.points.push_back(surface.points[i * count_v + j]);
+        saturate_knots(column);
+        columns.push_back(std::move(column));
+    }
+    return columns;
+}
+
 } // namespace
 
 template <class P>
 std::vector<BezierSpan<P>> bezier_spans(NurbsCurve<P> curve) {
-    const auto degree = static_cast<std::size_t>(curve.degree);
     saturate_knots(curve);
-    const double domain_begin = curve.knots[degree];
-    const double domain_end = curve.knots[curve.points.size()];
     std::vector<BezierSpan<P>> spans;
-    for (std::size_t i = degree; i < curve.points.size(); ++i) {
-        const double begin = curve.knots[i], end = curve.knots[i + 1];
-        if (!(begin < end) || begin < domain_begin || end > domain_end) continue;
-        const auto first = curve.points.begin() + static_cast<std::ptrdiff_t>(i - degree);
-        spans.push_back({begin, end, {first, first + curve.degree + 1}});
+    for (const SpanPlace& place : span_places(curve)) {
+        const auto first = curve.points.begin() + static_cast<std::ptrdiff_t>(place.first_point);
+        spans.push_back({place.begin, place.end, {first, first + curve.degree + 1}});
     }
     return spans;
 }
@@ -65,32 +90,25 @@ template std::vector<BezierSpan<Vec3>> bezier_spans(NurbsCurve<Vec3>);
 template std::vector<BezierSpan<Vec4>> bezier_spans(NurbsCurve<Vec4>);
 
 std::vector<BezierPatchSpan> bezier_spans(const NurbsSurface& surface) {
-    const std::size_t count_u = surface.count_u(), count_v = surface.count_v();
     const auto order_u = static_cast<std::size_t>(surface.degree_u) + 1;
     const auto order_v = static_cast<std::size_t>(surface.degree_v) + 1;
-
-    // columns[v index][u span]
-    std::vector<std::vector<BezierSpan<Vec4>>> columns;
-    for (std::size_t j = 0; j < count_v; ++j) {
-        NurbsCurve<Vec4> column{surface.degree_u, surface.knots_u, {}};
-        for (std::size_t i = 0; i < count_u; ++i)
-            column.points.push_back(surface.points[i * count_v + j]);
-        columns.push_back(bezier_spans(std::move(column)));
-    }
-
+    const std::vector<NurbsCurve<Vec4>> columns = saturated_columns(surface);
     std::vector<BezierPatchSpan> patches;
-    for (std::size_t s = 0; s < columns.front().size(); ++s) {
+    for (const SpanPlace& in_u : span_places(columns.front())) {
         const std::size_t first = patches.size();
         for (std::size_t i = 0; i < order_u; ++i) {
             NurbsCurve<Vec4> row{surface.degree_v, surface.knots_v, {}};
-            for (const auto& column : columns) row.points.push_back(column[s].points[i]);
-            const auto spans = bezier_spans(std::move(row));
-            for (std::size_t r = 0; r < spans.size(); ++r) {
+            for (const auto& column : columns)
+                row.points.push_back(column.points[in_u.first_point + i]);
+            saturate_knots(row);
+            const std::vector<SpanPlace> places = span_places(row);
+            for (std::size_t r = 0; r < places.size(); ++r) {
+                const SpanPlace& in_v = places[r];
                 if (i == 0)
-                    patches.push_back({columns[0][s].begin, columns[0][s].end, spans[r].begin,
-                                       spans[r].end, std::vector<Vec4>(order_u * order_v)});
-                std::copy(
-                    spans[r].points.begin(), spans[r].points.end(),
+                    patches.push_back({in_u.begin, in_u.end, in_v.begin, in_v.end,
+                                       std::vector<Vec4>(order_u * order_v)});
+                std::copy_n(
+                    row.points.begin() + static_cast<std::ptrdiff_t>(in_v.first_point), order_v,
                     patches[first + r].points.begin() + static_cast<std::ptrdiff_t>(i * order_v));
             }
         }

@@ -58,6 +58,7 @@ SurfaceModel convert_document(const CadDocument& document, const Job& job) {
     model.diagnostics = document.diagnostics;
     if (std::string missing = without_files(document); !missing.empty())
         model.diagnostics.push_back({Severity::warning, "", std::move(missing)});
+    reserve(model, faces);
     auto begin = faces.begin();
     for (std::size_t part = 0; part < document.parts.size(); ++part) {
         const auto end = std::find_if(begin, faces.end(),

@@ -2,11 +2,13 @@
 
 #include "keiko/base/error.h"
 #include "keiko/io/cad/transforms.h"
+#include "keiko/patch/bernstein.h"
 #include "keiko/patch/bezier_patch.h"
 
 #include <BRep_Tool.hxx>
 #include <TopLoc_Location.hxx>
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -17,20 +19,56 @@ BezierPatchView view(const SurfacePatch& patch) {
     return {patch.degree_u, patch.degree_v, patch.points};
 }
 
-/// Largest distance between the patches and the CAD surface at points inside each patch.
+/// In each direction of a patch: where it is held against the surface.
+constexpr std::array<double, 3> places{0, 0.37, 1};
+
+using BasisValues = std::array<BernsteinRow, places.size()>;
+
+BasisValues basis_at_places(int degree) {
+    BasisValues rows{};
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        rows[k][0] = 1;
+        for (int n = 1; n <= degree; ++n)
+            raise_degree(rows[k], static_cast<std::size_t>(n), places[k]);
+    }
+    return rows;
+}
+
+/// The point of a patch by the values of its basis polynomials there.
+Vec3 point(const BezierPatchView& patch, const BernsteinRow& in_u, const BernsteinRow& in_v) {
+    Vec4 sum(0);
+    for (int i = 0; i <= patch.degree_u; ++i)
+        for (int j = 0; j <= patch.degree_v; ++j)
+            sum += patch.point(i, j) *
+                   (in_u[static_cast<std::size_t>(i)] * in_v[static_cast<std::size_t>(j)]);
+    return Vec3(sum.x, sum.y, sum.z) / sum.w;
+}
+
+/// A NaN is larger than any number, so that none is passed over.
+double larger(double a, double b) {
+    return a >= b || std::isnan(a) ? a : b;
+}
+
+double largest_deviation(const SurfacePatch& patch, const Geom_Surface& surface) {
+    const BasisValues in_u = basis_at_places(patch.degree_u);
+    const BasisValues in_v = basis_at_places(patch.degree_v);
+    double worst = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t j = 0; j < places.size(); ++j) {
+            gp_Pnt p;
+            surface.D0(patch.map_u.to_face(places[i]), patch.map_v.to_face(places[j]), p);
+            const double distance =
+                (point(view(patch), in_u[i], in_v[j]) - Vec3(p.X(), p.Y(), p.Z())).length();
+            worst = larger(worst, distance);
+        }
+    return worst;
+}
+
+/// Largest distance between the patches and the CAD surface at points of each patch.
 double largest_deviation(const std::vector<SurfacePatch>& patches, const Geom_Surface& surface) {
-    constexpr double places[] = {0, 0.37, 1};
     double worst = 0;
     for (const SurfacePatch& patch : patches)
-        for (const double u : places)
-            for (const double v : places) {
-                gp_Pnt p;
-                surface.D0(patch.map_u.to_face(u), patch.map_v.to_face(v), p);
-                const Vec3 ours = evaluate(view(patch), {u, v}, 0).position();
-                const double distance = (ours - Vec3(p.X(), p.Y(), p.Z())).length();
-                // Not std::max, which would pass over a NaN.
-                if (!(distance <= worst)) worst = distance;
-            }
+        worst = larger(worst, largest_deviation(patch, surface));
     return worst;
 }
 

@@ -37,13 +37,22 @@ Job share_of(const Job& job, double from, double to) {
     return share;
 }
 
+/// Loops that needed repair tell nothing of the wires they were made from.
+KnownLoops known_loops(const FaceResult& face) {
+    const bool whole = face.converted && face.converted->trim.loops.size() == 1 &&
+                       face.converted->trim.log.empty();
+    return whole && face.shape.NbChildren() == 1 && !face.shape.Infinite()
+               ? KnownLoops::one_forward_loop
+               : KnownLoops::nothing;
+}
+
 void convert(FaceResult& face, const std::vector<TopoDS_Edge>& built) {
     try {
         face.converted = convert_face(face.shape, face.edges, built);
     } catch (...) {
         face.loss = current_failure();
     }
-    face.fault = fault_of(face.shape);
+    face.fault = fault_of(face.shape, known_loops(face));
 }
 
 } // namespace

@@ -135,6 +135,27 @@ void append_part(SurfaceModel& model, const CadPart& part, std::span<FaceResult>
     PartWriter(model, part).write(faces);
 }
 
+void reserve(SurfaceModel& model, std::span<const FaceResult> faces) {
+    std::size_t patches = 0, control_points = 0, loops = 0, curves = 0, trim_points = 0;
+    for (const FaceResult& face : faces) {
+        if (!face.converted) continue;
+        patches += face.converted->patches.size();
+        for (const SurfacePatch& patch : face.converted->patches)
+            control_points += patch.points.size();
+        loops += face.converted->trim.loops.size();
+        for (const Chain& loop : face.converted->trim.loops) {
+            curves += loop.size();
+            for (const LoopCurve& curve : loop) trim_points += curve.points.size();
+        }
+    }
+    model.faces.reserve(faces.size());
+    model.patches.reserve(patches);
+    model.control_points.reserve(control_points);
+    model.trim_loops.reserve(loops);
+    model.trim_curves.reserve(curves);
+    model.trim_points.reserve(trim_points);
+}
+
 std::size_t face_count(const TopoDS_Shape& shape) {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(shape, TopAbs_FACE, faces);

@@ -12,6 +12,9 @@ namespace keiko::cad {
 /// what was converted out of `faces`.
 void append_part(SurfaceModel& model, const CadPart& part, std::span<FaceResult> faces);
 
+/// Makes room in `model` for all that append_part will add of these faces.
+void reserve(SurfaceModel& model, std::span<const FaceResult> faces);
+
 /// Number of faces of a shape; one that two solids share counts once.
 std::size_t face_count(const TopoDS_Shape& shape);
 
