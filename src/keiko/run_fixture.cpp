@@ -87,7 +87,8 @@ FixtureRecord run_fixture(const FixtureSpec& spec, const LoadOptions& load, cons
 
 std::string fixture_key(const FixtureSpec& spec, const LoadOptions& load) {
     static const std::string program = file_hash("/proc/self/exe");
-    std::string text = program + "\n" + file_hash(worker_path(load)) + "\n" + load.unit + "\n";
+    std::string text =
+        program + "\n" + file_hash(worker_path(load)) + "\n" + load.unit + "\n" + load.axes + "\n";
     const fs::path folder = spec.file.lexically_normal().parent_path();
     for (const fs::path& file : files_named_by(spec.file))
         text += file.lexically_relative(folder).string() + " " + file_hash(file) + "\n";

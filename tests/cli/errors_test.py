@@ -6,6 +6,7 @@ import unittest
 from keiko_process import BINARY, SMALL, SOURCE, KeikoTest, surface
 
 SADDLE = surface("saddle.bpt")
+ONE_TUBE = str(SOURCE / "lightrigs/single-tube.toml")
 PATCH = "1\n1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 2\n"
 
 
@@ -41,6 +42,14 @@ class Errors(KeikoTest):
             self.fails("is not MIN:MAX with 0 < MIN < MAX", "render", SADDLE, "-o", "a.png",
                        "--false-color", "--scale", scale)
         self.fails("--false-color", "render", SADDLE, "-o", "a.png", "--scale", "1:10")
+
+    def test_axes_that_no_body_can_have(self):
+        for command, *rest in (["info"], ["trace"], ["check"], ["compare", SADDLE], ["illuminance"],
+                               ["render", "-o", "a.png"], ["place", "-o", "a.toml"],
+                               ["inspect", "-o", "out"], ["lines", "-o", "a.json", "--rig", ONE_TUBE]):
+            self.fails('saddle.bpt: axes "x,z,y": would mirror the body', command, SADDLE, *rest,
+                       "--axes", "x,z,y")
+        self.fails("not three words of x, y, z", "info", SADDLE, "--axes", "up")
 
     def test_a_model_that_is_no_file(self):
         self.every_command_fails_on("none.step", "none.step: no such file")

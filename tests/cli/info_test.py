@@ -4,6 +4,7 @@ import unittest
 from xml.etree import ElementTree
 
 from keiko_process import KeikoTest, luminaire, surface
+from step_text import StepText
 
 FACES = {"concept-car.step": 185, "dent.step": 1, "dome.bpt": 4, "hood.step": 3, "pole.step": 4,
          "saddle.bpt": 4, "seam-g0-gap.step": 2, "rational-sphere.step": 8, "trimmed-hole.step": 1,
@@ -41,6 +42,22 @@ class Info(KeikoTest):
         self.assertEqual(len({f["name"] for f in faces}), 3)
         self.assertEqual((facts["edges"], facts["degenerate_edges"]), (12, 0))
         self.assertEqual(facts["remarks"], {"notes": 0, "warnings": 0, "errors": 0})
+
+    def test_a_face_beyond_all_measure_is_lost_alone(self):
+        def reasons(point: int, x: str) -> list:
+            step.entities[point] = f"CARTESIAN_POINT('',({x},0.,700.))"
+            step.write(self.folder / "far.step")
+            facts = json.loads(self.keiko("info", "far.step", "--json", "-q").stdout)
+            self.assertEqual(facts["faces"], 2)
+            return [lost["reason"] for lost in facts["lost_faces"]]
+
+        for x in "1.E16", "1.E300":
+            step = StepText(surface("hood.step"))
+            inside = step.net(step.surface_of(step.faces()[1]))[2][2]
+            self.assertEqual(reasons(inside, x), ["it reaches beyond 1e15 mm"])
+        step = StepText(surface("hood.step"))
+        on_edge = step.references(step.of_type("B_SPLINE_CURVE_WITH_KNOTS")[0])[2]
+        self.assertEqual(reasons(on_edge, "1.E300"), ["its edges are infinitely far apart"])
 
     def test_what_was_done_to_the_file_is_listed_and_counted(self):
         run = self.keiko("info", surface("saddle.bpt"), "--json", "-q", "--unit", "in")

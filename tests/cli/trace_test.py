@@ -9,6 +9,7 @@ import time
 import unittest
 
 from keiko_process import BINARY, KeikoTest, surface
+from step_text import StepText
 
 SADDLE = surface("saddle.bpt")  # z = (x^2 - y^2) / 400 over +-100 mm
 SPHERE = surface("rational-sphere.step")  # radius 100 mm about the origin
@@ -46,6 +47,46 @@ class Trace(KeikoTest):
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         return process
+
+    def test_a_body_whose_file_has_y_up(self):
+        as_it_lies, turned = "300,3000,-200,0,-1,0\n", "300,200,3000,0,0,-1\n"
+        model = self.write("y-up.bpt", "1\n1 1\n0 9 -500\n0 9 0\n999 9 -500\n999 99 0\n")
+        lying = self.rows(as_it_lies, model)[0]
+        upright = self.rows(turned, model, "--axes", "x,-z,y")[0]
+        self.assertNotEqual(lying["t"], "")
+        for column in "t", "face", "u", "v":
+            self.assertEqual(upright[column], lying[column])
+        for here, there, sign in ("x", "x", 1), ("y", "z", -1), ("z", "y", 1):
+            self.assertEqual(float(upright[here]), sign * float(lying[there]))
+            self.assertEqual(float(upright["n" + here]), sign * float(lying["n" + there]))
+
+    def test_mirrored_and_scaled_placements_of_one_part(self):
+        block = surface("bored-block.step")
+        step = StepText(block)
+        x, y, z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+        step.place(((x, y, (0.0, 0.0, -1.0)), 1.0, (200.0, 0.0, 0.0)), ((x, y, z), 2.0, (0.0, 300.0, 0.0)))
+        step.write(self.folder / "placed.step")
+        part, = json.loads(self.succeed("info", "placed.step", "--json", "-q"))["part_list"]
+        self.assertEqual((part["faces"], part["instances"], part["mirrored_instances"]), (27, 2, 1))
+        rays = [(-29.0 + 4.1 * i, -17.0 + 2.3 * i, 60.0, 0.02 * i, -0.1, -1.0) for i in range(15)]
+        line = "{},{},{},{},{},{}\n".format
+        straight = self.rows("".join(line(*r) for r in rays), block)
+        mirrored = self.rows("".join(line(a + 200, b, -c, d, e, -f) for a, b, c, d, e, f in rays), "placed.step")
+        scaled = self.rows("".join(line(2 * a, 2 * b + 300, 2 * c, d, e, f) for a, b, c, d, e, f in rays),
+                           "placed.step")
+        self.assertGreater(sum(row["t"] != "" for row in straight), 10)
+        for one, image, twice in zip(straight, mirrored, scaled):
+            self.assertEqual((image["face"], twice["face"]), (one["face"], one["face"]))
+            if not one["face"]:
+                continue
+            there = [float(one[c]) for c in ("x", "y", "z")]
+            for k, c in enumerate("xyz"):
+                self.assertAlmostEqual(float(image[c]), (there[0] + 200, there[1], -there[2])[k], delta=1e-9)
+                self.assertAlmostEqual(float(twice[c]), 2 * there[k] + (300 if c == "y" else 0), delta=1e-9)
+                normal = float(one["n" + c])
+                # The normal is that of the mapped tangents' cross product.
+                self.assertAlmostEqual(float(image["n" + c]), normal if c == "z" else -normal, delta=1e-9)
+                self.assertAlmostEqual(float(twice["n" + c]), normal, delta=1e-9)
 
     def test_a_row_for_each_ray_in_order(self):
         for header in "", HEADER:

@@ -43,6 +43,9 @@ void add_load_options(CLI::App& command, SceneArguments& arguments) {
     command.add_option(
         "--unit", arguments.options.load.unit,
         "length unit of the file's numbers, whatever the file says (mm, cm, m, in, ft)");
+    command.add_option("--axes", arguments.options.load.axes,
+                       "axes of the file that point rearwards, to the right and up: x,-z,y where y "
+                       "is up and z to the left [x,y,z]");
     command.add_option("--import-timeout", arguments.import_timeout, "seconds to read one model")
         ->check(number_between(0.001, 1e6))
         ->capture_default_str();

@@ -19,10 +19,18 @@ std::string seconds(std::chrono::milliseconds duration) {
     return text.str();
 }
 
+/// Some of OpenCASCADE crashes where it gets no memory. A limit counts address space, of which a
+/// good part never becomes memory.
+bool short_of_memory(const WorkerExit& exit, const LoadOptions& options) {
+    return options.memory_limit > 0 && exit.peak_memory > options.memory_limit / 4;
+}
+
 /// The one line about a worker that did not answer.
 std::string failure(const WorkerExit& exit, const LoadOptions& options) {
     if (exit.timed_out) return "the reader did not finish within " + seconds(options.timeout);
-    if (exit.signal != 0) return std::string("the reader crashed on it: ") + strsignal(exit.signal);
+    if (exit.signal != 0)
+        return std::string("the reader crashed on it: ") + strsignal(exit.signal) +
+               (short_of_memory(exit, options) ? ", perhaps for lack of memory" : "");
     return "the reader gave no model (exit code " + std::to_string(exit.code) + ")" +
            (exit.last_complaint.empty() ? "" : ": " + shortened(exit.last_complaint));
 }

@@ -3,6 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/units.h"
 #include "keiko/io/bezier_file.h"
+#include "keiko/io/file_axes.h"
 #include "keiko/io/import_worker.h"
 #include "keiko/io/model_cache.h"
 #include "keiko/io/model_format.h"
@@ -65,6 +66,7 @@ SurfaceModel load_model(const std::filesystem::path& path, const LoadOptions& op
     if (!model.faces.empty() && bounds(model).size() == 0)
         throw Error(path.string(), "", "all its points are in one place: it is no surface");
     if (!options.unit.empty()) override_unit(model, options.unit);
+    if (!options.axes.empty()) turn_axes(model, options.axes);
     job.report("import", 1);
     return model;
 }

@@ -14,6 +14,8 @@ namespace keiko {
 struct LoadOptions {
     /// Length unit to read the file's numbers in, whatever the file says; empty: believe it.
     std::string unit;
+    /// Axes of the file that point rearwards, to the right and up, "x,-z,y" say; empty: x, y and z.
+    std::string axes;
     /// The worker that reads CAD files and cages; empty: $KEIKO_IMPORT, else `keiko-import` beside
     /// the running program.
     std::filesystem::path worker;

@@ -6,6 +6,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -106,10 +107,14 @@ public:
 
     /// Whether it has ended; then `status` is known.
     bool ended() {
-        if (pid_ != 0 && waitpid(pid_, &status_, WNOHANG) == pid_) pid_ = 0;
+        if (pid_ != 0 && wait4(pid_, &status_, WNOHANG, &usage_) == pid_) pid_ = 0;
         return pid_ == 0;
     }
     int status() const { return status_; }
+    /// Bytes, once it has ended.
+    std::uint64_t peak_memory() const {
+        return static_cast<std::uint64_t>(usage_.ru_maxrss) * 1024;
+    }
     void kill() {
         if (pid_ == 0) return;
         ::kill(-pid_, SIGKILL);
@@ -120,6 +125,7 @@ public:
 private:
     pid_t pid_ = 0;
     int status_ = 0;
+    rusage usage_{};
 };
 
 /// Reads once what is there; closes the descriptor at its end.
@@ -183,6 +189,7 @@ WorkerExit run_worker(const std::filesystem::path& program,
     }
     exit.signal = WIFSIGNALED(child.status()) ? WTERMSIG(child.status()) : 0;
     exit.code = WIFEXITED(child.status()) ? WEXITSTATUS(child.status()) : 0;
+    exit.peak_memory = child.peak_memory();
     exit.last_complaint = last_line(stderr_tail);
     return exit;
 }

@@ -3,6 +3,7 @@
 #include "keiko/base/job.h"
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -14,9 +15,10 @@ namespace keiko {
 /// How a worker executable ended.
 struct WorkerExit {
     bool timed_out = false;
-    int signal = 0;             ///< it died of, 0: none
-    int code = 0;               ///< its exit code when it did not die of a signal
-    std::string last_complaint; ///< last line it wrote to stderr
+    int signal = 0;                ///< it died of, 0: none
+    int code = 0;                  ///< its exit code when it did not die of a signal
+    std::uint64_t peak_memory = 0; ///< bytes that it held at most
+    std::string last_complaint;    ///< last line it wrote to stderr
 };
 
 /// Runs `program` with `arguments`, without a shell and without forking this process's threads,

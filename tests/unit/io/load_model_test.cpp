@@ -113,6 +113,11 @@ TEST_F(LoadModel, TheWorkerAnswersAProgramWhoseStandardStreamsAreClosed) {
 
 TEST_F(LoadModel, AWorkerThatCrashes) {
     EXPECT_EQ(reason_with_worker("kill -SEGV $$"), "the reader crashed on it: Segmentation fault");
+    LoadOptions options;
+    options.worker = folder.script("worker", "kill -SEGV $$");
+    options.memory_limit = 1 << 20;
+    EXPECT_EQ(reason_for(folder.file("part.step", step_text), options),
+              "the reader crashed on it: Segmentation fault, perhaps for lack of memory");
 }
 
 TEST_F(LoadModel, AWorkerThatHangsIsKilledWithItsChildren) {
@@ -176,6 +181,35 @@ TEST_F(LoadModel, TheUnitCanBeOverridden) {
     EXPECT_EQ(model.diagnostics.size(), 1u);
     options.unit = "furlong";
     EXPECT_EQ(reason_for(path, options), "unknown length unit \"furlong\"");
+}
+
+TEST_F(LoadModel, TheAxesOfTheFileAreTurnedIntoTheVehicleFrameExactly) {
+    const auto path = folder.file("p.bpt", "1\n1 1\n0 0 0\n0 0.1 0\n1 0 0\n1 0.1 2\n");
+    LoadOptions options;
+    options.axes = "x,-z,y";
+    const SurfaceModel model = load_model(path, options);
+    const Affine& placed = model.instances.at(0).transform;
+    EXPECT_EQ(placed.point({1, 0.1, 2}), Vec3(1, -2, 0.1));
+    EXPECT_EQ(placed.determinant(), 1);
+    EXPECT_EQ(model.control_points, load_model(path).control_points);
+    ASSERT_EQ(model.diagnostics.size(), 1u);
+    EXPECT_EQ(model.diagnostics[0].message,
+              "turned: its x,-z,y point rearwards, to the right and up");
+}
+
+TEST_F(LoadModel, AxesThatAreNoRotationAreRefused) {
+    const auto path = folder.file("p.bpt", "1\n1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 2\n");
+    LoadOptions options;
+    for (const char* axes : {"x", "x,y", "x,y,y", "x,y,w", "x,y,z,", "x,y,z,x", "x,y,--z", ",,",
+                             "x, y, z", "X,Y,Z", "xyz"}) {
+        options.axes = axes;
+        EXPECT_EQ(reason_for(path, options),
+                  "axes \"" + options.axes +
+                      "\": not three words of x, y, z, -x, -y and -z with each letter once");
+    }
+    options.axes = "x,z,y";
+    EXPECT_EQ(reason_for(path, options),
+              "axes \"x,z,y\": would mirror the body; one of them points the other way");
 }
 
 } // namespace

@@ -84,6 +84,17 @@ TEST_F(Cache, TheUnitIsChangedAfterwards) {
     EXPECT_EQ(times_asked(), 1u);
 }
 
+TEST_F(Cache, TheAxesAreTurnedAfterwards) {
+    const auto path = folder.file("part.step", step_text);
+    const auto placement = [&] { return load_model(path, options).instances.at(0).transform; };
+    const Affine as_read = placement();
+    options.axes = "y,z,x";
+    EXPECT_NE(placement(), as_read);
+    options.axes.clear();
+    EXPECT_EQ(placement(), as_read);
+    EXPECT_EQ(times_asked(), 1u);
+}
+
 TEST_F(Cache, ADamagedEntryIsReadAnewAndRewritten) {
     const auto path = folder.file("part.step", step_text);
     const std::string sound = serialize(load_model(path, options));

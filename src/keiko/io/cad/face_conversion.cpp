@@ -72,17 +72,31 @@ double largest_deviation(const std::vector<SurfacePatch>& patches, const Geom_Su
     return worst;
 }
 
+/// Throws where a damaged file has left numbers that no computation survives.
+void check(const FaceLoops& trim) {
+    for (const Chain& loop : trim.loops)
+        for (const LoopCurve& curve : loop)
+            for (const Vec3& p : curve.points)
+                if (!std::isfinite(p.x + p.y + p.z) || !(p.z > 0))
+                    throw Error("", "", "its trim curves are not finite with positive weights");
+    for (const Repair& repair : trim.log.repairs())
+        if (!std::isfinite(repair.size)) throw Error("", "", "its edges are infinitely far apart");
+}
+
+/// mm from the origin: as far as rays and the points of Keiko's own files may lie.
+constexpr double farthest = 1e15;
+
 /// Throws when the patches are not the surface.
 void check(const SurfacePatches& converted, const Geom_Surface& surface) {
     Box3 box;
-    double magnitude = 0;
     for (const SurfacePatch& patch : converted.patches) {
         for (const Vec4& p : patch.points)
             if (!std::isfinite(p.x + p.y + p.z + p.w) || !(p.w > 0))
                 throw Error("", "", "its control points are not finite with positive weights");
         box.extend(hull_bounds(view(patch)));
     }
-    magnitude = std::max(box.lower.length(), box.upper.length());
+    const double magnitude = std::max(box.lower.length(), box.upper.length());
+    if (!(magnitude <= farthest)) throw Error("", "", "it reaches beyond 1e15 mm");
     // Far from the origin, coordinates themselves are only good to their own rounding.
     const double tolerance = 1e-9 * box.size() + 1e-13 * magnitude + 2 * converted.approximated;
     const double deviation = largest_deviation(converted.patches, surface);
@@ -102,6 +116,7 @@ ConvertedFace convert_face(const TopoDS_Face& face, EdgeTable& edges,
     ConvertedFace result{{}, 0, face_loops(face, edges, built)};
     SurfacePatches converted = surface_patches(surface, result.trim.domain);
     if (converted.patches.empty()) throw Error("", "", "its trim loops lie outside of its surface");
+    check(result.trim);
     check(converted, *untrimmed(surface));
     const Affine to_part = affine(location.Transformation());
     if (!to_part.is_identity())

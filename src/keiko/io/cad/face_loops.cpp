@@ -4,13 +4,12 @@
 #include "keiko/io/cad/curve_spans.h"
 #include "keiko/io/cad/loop_directions.h"
 #include "keiko/io/cad/surface_patches.h"
+#include "keiko/io/cad/wire_order.h"
 
-#include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -43,16 +42,6 @@ ParameterSpace parameter_space(const TopoDS_Face& face) {
         return Vec3(p.X(), p.Y(), p.Z());
     };
     return space;
-}
-
-/// Edges of a wire in the order in which they chain, or in the file's where the wire is broken.
-std::vector<TopoDS_Edge> ordered_edges(const TopoDS_Wire& wire, const TopoDS_Face& face) {
-    std::vector<TopoDS_Edge> all, chained;
-    for (TopExp_Explorer e(wire, TopAbs_EDGE); e.More(); e.Next())
-        all.push_back(TopoDS::Edge(e.Current()));
-    for (BRepTools_WireExplorer e(wire, face); e.More() && chained.size() <= all.size(); e.Next())
-        chained.push_back(e.Current());
-    return chained.size() == all.size() ? chained : all;
 }
 
 /// mm, of an edge that is wholly within its own tolerance of a point, but no degenerate one.

@@ -4,6 +4,8 @@
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 
+#include <cmath>
+
 namespace keiko::cad {
 namespace {
 
@@ -117,8 +119,10 @@ private:
         edge_uses_.resize(edges_.count());
         for (std::uint32_t i = 0; i < edges_.count(); ++i) {
             const TopoDS_Edge& edge = TopoDS::Edge(edges_.edge(i));
-            model_.edges.push_back(
-                {BRep_Tool::Tolerance(edge), edge_uses_[i], BRep_Tool::Degenerated(edge)});
+            const double tolerance = BRep_Tool::Tolerance(edge);
+            // OpenCASCADE gives an infinite one to an edge with a point beyond all numbers.
+            model_.edges.push_back({std::isfinite(tolerance) ? tolerance : 0, edge_uses_[i],
+                                    BRep_Tool::Degenerated(edge)});
         }
     }
 

@@ -1,6 +1,7 @@
 #include "keiko/base/error.h"
 #include "keiko/io/cad/assembly.h"
 #include "keiko/io/cad/cad_files.h"
+#include "keiko/io/cad/mapped_items.h"
 #include "keiko/io/cad/reader_remarks.h"
 
 #include <IFSelect_ReturnStatus.hxx>
@@ -88,6 +89,7 @@ CadDocument read_step_file(const std::filesystem::path& path) {
     document.unit = file_unit(reader);
     document.missing_files = missing_files(reader);
     read_assembly(source, face_names(reader, document.diagnostics), document);
+    place_mapped_items(reader.Reader().WS(), document);
     const auto remarks = reader_remarks(reader.Reader().WS(), document.diagnostics);
     for (CadPart& part : document.parts) part.remarks_on = remarks;
     return document;
