@@ -1,5 +1,8 @@
+#include "keiko/io/model_serialization.h"
+
 #include "tests/unit/io/converted_shape.h"
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -178,6 +181,30 @@ TEST(CadRepairs, ATinyEdgeIsKeptAndTold) {
 TEST(CadRepairs, ALoopThatTouchesItselfNeedsNone) {
     expect_whole(
         FaceMaker(plane()).wire(ring({{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}})).face(), 8);
+}
+
+/// The mantle of a cylinder, whose wire holds its seam twice; the wire begins with its edge
+/// `first`.
+TopoDS_Face mantle(std::size_t first) {
+    static const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 20).Shape();
+    const TopoDS_Face face = TopoDS::Face(TopExp_Explorer(cylinder, TopAbs_FACE).Current());
+    std::vector<TopoDS_Shape> edges;
+    for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) edges.push_back(e.Current());
+    std::rotate(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(first), edges.end());
+    BRep_Builder builder;
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (const TopoDS_Shape& edge : edges) builder.Add(wire, edge);
+    wire.Closed(true);
+    TopoDS_Face turned = TopoDS::Face(face.EmptyCopied());
+    builder.Add(turned, wire);
+    return turned;
+}
+
+TEST(CadRepairs, AWireThatHoldsAnEdgeTwiceBeginsAtOnePlaceWhateverTheOrder) {
+    const std::string one = serialize(converted(mantle(0)));
+    for (const std::size_t first : {1u, 2u, 3u})
+        EXPECT_EQ(serialize(converted(mantle(first))), one) << first;
 }
 
 TEST(CadRepairs, AnEdgeInsideTheFaceIsLeftOut) {
