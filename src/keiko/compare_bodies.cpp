@@ -1,120 +1,96 @@
 #include "keiko/compare_bodies.h"
 
-#include <cmath>
-#include <cstdio>
+#include "keiko/base/output_file.h"
+#include "keiko/compare_views.h"
+#include "keiko/inspect/face_names.h"
+
+#include <array>
 
 namespace keiko {
+namespace fs = std::filesystem;
 namespace {
 
-constexpr double mostly = 0.5;
+Scene opened(const fs::path& file, const CompareBodiesOptions& options, const Job& job) {
+    const std::array inputs{file};
+    Scene scene = open_scene(inputs, options.scene, job);
+    if (!options.views || options.views->width == 0) return scene;
+    scene.width = options.views->width, scene.height = options.views->height;
+    if (scene.camera) scene.camera->width = scene.width, scene.camera->height = scene.height;
+    return scene;
+}
 
-std::vector<std::string> turned_faces(const PlacedModel& body, const Deviation& deviation) {
+std::vector<std::string> names_of(const SurfaceModel& model, const PlacedModel& placed) {
     std::vector<std::string> names;
-    for (std::size_t f = 0; f < deviation.turned.size(); ++f)
-        if (deviation.turned[f] > mostly) names.push_back(body.model.describe(body.model.faces[f]));
+    for (const PlacedFace& face : placed.origin)
+        names.push_back(placed_face_name(model, face.instance, face.face));
     return names;
 }
 
-std::string number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", value);
-    return text.data();
+/// Moves the latter onto the former, if that is asked for.
+SurfaceFeet aligned(Scene& after, const SurfaceFeet& before, const CompareBodiesOptions& options,
+                    Comparison& comparison, const Job& job) {
+    SurfaceFeet feet(placed_model(after.model), job);
+    if (!options.align) return feet;
+    comparison.alignment = align_bodies(feet, before, {}, job);
+    after = moved_scene(std::move(after), comparison.alignment->motion, options.scene, job);
+    return SurfaceFeet(placed_model(after.model), job);
 }
 
-std::string place(const Vec3& p) {
-    return "(" + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + ")";
+void compare_geometry(const SurfaceFeet& before, const SurfaceFeet& after,
+                      const CompareBodiesOptions& options, Comparison& comparison, const Job& job) {
+    DeviationOptions deviation = options.deviation;
+    constexpr double fiftieth = 0.02;
+    deviation.reach =
+        options.reach > 0 ? options.reach : fiftieth * bounds(before.body().model).size();
+    comparison.deviation = measure_deviation(after, before, deviation, job);
+    comparison.missing = measure_deviation(before, after, deviation, job);
 }
 
-std::string deviation_text(const std::string& what, const Deviation& d) {
-    std::string text = what + ": at most " + number(d.worst.value) + " mm at " +
-                       place(d.worst.place) + "; 99 % of the area within " + number(d.percent_99) +
-                       " mm, half within " + number(d.median) + " mm";
-    if (d.uncertain_share > 0)
-        text += "; not proved on " + number(100 * d.uncertain_share) + " % of the area";
-    return text + "\n";
-}
-
-/// "face 1 (left) and face 2 (right)"
-std::string sides_of(std::string faces) {
-    if (const std::size_t bar = faces.find(" | "); bar != std::string::npos)
-        faces.replace(bar, 3, " and ");
-    return faces;
-}
-
-std::string change_text(const MeasuredSeam& before, const MeasuredSeam& after) {
-    std::string text = "seam of " + sides_of(after.faces) + ": gap " + number(before.gap.value) +
-                       " mm before, " + number(after.gap.value) + " mm after";
-    if (before.angle && after.angle)
-        text += "; angle " + number(before.angle->value) + " degrees before, " +
-                number(after.angle->value) + " after";
-    return text + "; " + std::string(name_of(before.verdict)) + " before, " +
-           std::string(name_of(after.verdict)) + " after\n";
-}
-
-std::string seams_text(const BodyComparison& c) {
-    std::string text;
-    for (const SeamChange& change : c.seams.changed)
-        text += change_text(c.inspection_before.seams[change.before],
-                            c.inspection_after.seams[change.after]);
-    for (const std::uint32_t seam : c.seams.removed)
-        text += "seam gone: " + sides_of(c.inspection_before.seams[seam].faces) + "\n";
-    for (const std::uint32_t seam : c.seams.added)
-        text += "seam new: " + sides_of(c.inspection_after.seams[seam].faces) + "\n";
-    for (const Check& finding : c.seams.new_findings)
-        text += "finding new: " + sides_of(finding.faces) + ": " + finding.message + "\n";
-    for (const Check& finding : c.seams.solved_findings)
-        text += "finding fixed: " + sides_of(finding.faces) + ": " + finding.message + "\n";
-    return text;
-}
-
-bool within(const Deviation& d, const BodyTolerance& tolerance) {
-    return std::abs(d.worst.value) <= tolerance.deviation &&
-           d.worst_border.value <= tolerance.deviation && d.worst_normal.value <= tolerance.normal;
+void compare_seams(const Scene& before, const Scene& after, const CompareBodiesOptions& options,
+                   Comparison& comparison, const Job& job) {
+    comparison.inspection_before = inspect(before.model, options.preset, options.join, job);
+    comparison.inspection_after = inspect(after.model, options.preset, options.join, job);
+    comparison.seams = compare_inspections(comparison.inspection_before,
+                                           comparison.inspection_after, options.seams);
 }
 
 } // namespace
 
-bool BodyComparison::same() const {
-    return within(deviation, tolerance) && within(missing, tolerance) && turned.empty() &&
-           faces_before == faces_after && seams.empty();
-}
-
-BodyComparison compare_bodies(const std::filesystem::path& before,
-                              const std::filesystem::path& after,
-                              const CompareBodiesOptions& options, const Job& job) {
-    const SurfaceModel a = load_model(before, options.load, job);
-    const SurfaceModel b = load_model(after, options.load, job);
-    const SurfaceFeet feet_a(placed_model(a), job), feet_b(placed_model(b), job);
-    BodyComparison result;
-    result.before = before.string(), result.after = after.string();
-    result.tolerance = options.tolerance;
-    result.deviation = measure_deviation(feet_b, feet_a, options.deviation, job);
-    result.missing = measure_deviation(feet_a, feet_b, options.deviation, job);
-    result.faces_before = feet_a.body().model.faces.size();
-    result.faces_after = feet_b.body().model.faces.size();
-    result.turned = turned_faces(feet_b.body(), result.deviation);
-    result.inspection_before = inspect(a, options.preset, options.join, job);
-    result.inspection_after = inspect(b, options.preset, options.join, job);
-    result.seams =
-        compare_inspections(result.inspection_before, result.inspection_after, options.seams);
+CompareResult compare_bodies(const fs::path& before, const fs::path& after,
+                             const CompareBodiesOptions& options, const Job& job) {
+    CompareResult result;
+    Comparison& comparison = result.comparison;
+    comparison.tool_version = version();
+    comparison.before = before.string(), comparison.after = after.string();
+    comparison.tolerance = options.tolerance;
+    const Scene scene_before = opened(before, options, job);
+    Scene scene_after = opened(after, options, job);
+    const SurfaceFeet feet_before(placed_model(scene_before.model), job);
+    const SurfaceFeet feet_after = aligned(scene_after, feet_before, options, comparison, job);
+    comparison.faces_before = names_of(scene_before.model, feet_before.body());
+    comparison.faces_after = names_of(scene_after.model, feet_after.body());
+    compare_geometry(feet_before, feet_after, options, comparison, job);
+    compare_seams(scene_before, scene_after, options, comparison, job);
+    if (!options.views) return result;
+    SharedFaces faces(feet_before.body(), comparison.missing, feet_after.body(),
+                      comparison.deviation);
+    compare_views({scene_before, scene_after, feet_before, faces, comparison.deviation}, options,
+                  result, job);
     return result;
 }
 
-std::string comparison_text(const BodyComparison& c) {
-    std::string text = c.same() ? "same within tolerance\n" : "different\n";
-    text += deviation_text("deviation of " + c.after, c.deviation);
-    text += deviation_text("deviation of " + c.before + " from it", c.missing);
-    text += "normals: at most " + number(c.deviation.worst_normal.value) + " degrees apart at " +
-            place(c.deviation.worst_normal.place) + "\n";
-    text += "borders: at most " + number(c.deviation.worst_border.value) + " mm apart at " +
-            place(c.deviation.worst_border.place) + ", seen from before at most " +
-            number(c.missing.worst_border.value) + " mm at " + place(c.missing.worst_border.place) +
-            "\n";
-    if (c.faces_before != c.faces_after)
-        text += "faces: " + std::to_string(c.faces_before) + " before, " +
-                std::to_string(c.faces_after) + " after\n";
-    for (const std::string& face : c.turned) text += "turned inside out: " + face + "\n";
-    return text + seams_text(c);
+void write_comparison(const fs::path& target, const CompareResult& result) {
+    if (target.extension() == ".html") {
+        write_text_file(target, comparison_html(result.comparison));
+        return;
+    }
+    std::error_code code;
+    fs::create_directories(target, code);
+    if (code) throw Error(target.string(), "", "cannot make the folder: " + code.message());
+    for (const auto& [name, bytes] : result.comparison.pngs) write_text_file(target / name, bytes);
+    if (result.rig) write_rig(target / "rig.toml", *result.rig);
+    write_text_file(target / "compare.json", comparison_json(result.comparison));
+    write_text_file(target / "compare.html", comparison_html(result.comparison));
 }
 
 } // namespace keiko

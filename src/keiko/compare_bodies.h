@@ -1,47 +1,45 @@
 #pragma once
 
-#include "keiko/compare/compare_inspections.h"
-#include "keiko/compare/deviation.h"
 #include "keiko/keiko.h"
+#include "keiko/report/comparison.h"
 
 namespace keiko {
 
-/// What counts as the same body.
-struct BodyTolerance {
-    double deviation = 5e-4; ///< mm
-    double normal = 0.01;    ///< degrees between the normals
+/// The views and lines that revisions are shown by.
+struct CompareViewsOptions {
+    std::vector<std::string> views;           ///< names; empty: three automatic ones of the former
+    std::optional<std::filesystem::path> rig; ///< none: the former's own, or else placed on it
+    int width = 0, height = 0;                ///< pixels; 0: as the former's scene has it
+    FilmTolerance tolerance{};
+    LineShiftOptions shift{};
 };
 
 struct CompareBodiesOptions {
-    LoadOptions load;
+    SceneOptions scene;
     CriteriaPreset preset;
     double join = 0.5; ///< mm
-    BodyTolerance tolerance;
-    CompareOptions seams;
-    DeviationOptions deviation;
+    BodyTolerance tolerance{};
+    CompareOptions seams{};
+    DeviationOptions deviation{};
+    double reach = 0;                           ///< mm; 0: a fiftieth of the former's size
+    bool align = false;                         ///< move the latter onto the former first
+    std::optional<CompareViewsOptions> views{}; ///< none: geometry alone
 };
 
-/// Two revisions of a part held against each other.
-struct BodyComparison {
-    std::string before, after; ///< files
-    BodyTolerance tolerance;
-    Deviation deviation; ///< of the latter from the former
-    Deviation missing;   ///< of the former from the latter: what the latter has lost
-    std::size_t faces_before = 0, faces_after = 0;
-    std::vector<std::string> turned; ///< faces of the latter with the inside outside
-    InspectionDifference seams;
-    Inspection inspection_before, inspection_after;
-
-    /// Whether everything is within the tolerances, with the same faces and findings.
-    bool same() const;
+/// A comparison, and the lamps of its views.
+struct CompareResult {
+    Comparison comparison;
+    std::optional<LightRig> rig{};
 };
 
-/// Reads, measures and compares two models, in the same coordinates. Throws Error, Cancelled.
-BodyComparison compare_bodies(const std::filesystem::path& before,
-                              const std::filesystem::path& after,
-                              const CompareBodiesOptions& options = {}, const Job& job = {});
+/// Reads, measures and compares two models or scenes, in the same coordinates or aligned. Throws
+/// Error, Cancelled.
+CompareResult compare_bodies(const std::filesystem::path& before,
+                             const std::filesystem::path& after,
+                             const CompareBodiesOptions& options = {}, const Job& job = {});
 
-/// For people, some lines; the same text for any number of threads.
-std::string comparison_text(const BodyComparison& comparison);
+/// Writes a page to a path that ends in .html; else into a folder compare.html, compare.json, the
+/// pictures and, if there are views, rig.toml.
+void write_comparison(const std::filesystem::path& target, const CompareResult& result);
 
 } // namespace keiko

@@ -111,6 +111,11 @@ PictureOptions picture_options(const Scene& scene, PictureOptions options = {});
 Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options = {},
                  const Job& job = {});
 
+/// The same scene with its body moved; ground, lamps and camera stay. `options` as it was opened
+/// by.
+Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options = {},
+                  const Job& job = {});
+
 /// A picture to be made: the views asked for by name, "auto" being the one that shows the body
 /// best, "scene" the scene file's own and NAME.toml that of a view file. No names: the scene's own,
 /// or else `automatic` views from different sides, the best first. Throws Error for an unknown

@@ -13,6 +13,8 @@ void require_same_suite(const Regression& one, const Regression& first, const fs
     };
     if (one.suite != first.suite) fail("its suite has other fixtures");
     if (one.shards != first.shards) fail("it is divided in another number of shards");
+    if (one.suite_key != first.suite_key)
+        fail("files, baselines or the program were others when it ran");
     if (one.tool_version != first.tool_version) fail("it is of another version of Keiko");
 }
 

@@ -82,16 +82,17 @@ struct Traced {
 };
 
 Traced traced(const SurfaceModel& body, const std::vector<Material>& materials,
-              const SceneSpec& spec, const SceneOptions& options, const Job& job) {
+              const std::optional<GroundSpec>& ground, const SceneOptions& options,
+              const Job& job) {
     const TracerOptions tracing{.second_derivatives = true, .clipping_only = options.clipping_only};
     Traced all{Tracer(body, tracing, job)};
-    if (!spec.ground) {
+    if (!ground) {
         if (options.shadows) all.occluders.emplace(body, all.tracer, job);
         return all;
     }
-    const SurfaceModel seen = on_ground(body, all.tracer.bounds(), spec.ground->z);
-    all.surroundings = Surroundings{spec.ground->z, materials, Tracer(seen, tracing, job)};
-    all.surroundings->materials.push_back(spec.ground->material);
+    const SurfaceModel seen = on_ground(body, all.tracer.bounds(), ground->z);
+    all.surroundings = Surroundings{ground->z, materials, Tracer(seen, tracing, job)};
+    all.surroundings->materials.push_back(ground->material);
     if (options.shadows) all.occluders.emplace(seen, all.surroundings->tracer, job);
     return all;
 }
@@ -112,7 +113,7 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
                  const Job& job) {
     const SceneSpec spec = spec_of(inputs, options);
     auto [body, materials] = read_body(spec, options.load, job);
-    Traced all = traced(body, materials, spec, options, job);
+    Traced all = traced(body, materials, spec.ground, options, job);
     return {.model = std::move(body),
             .materials = std::move(materials),
             .tracer = std::move(all.tracer),
@@ -126,6 +127,19 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
             .surroundings = std::move(all.surroundings),
             .max_depth = spec.max_depth,
             .min_weight = spec.min_weight};
+}
+
+Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options, const Job& job) {
+    for (Instance& instance : scene.model.instances)
+        instance.transform = motion * instance.transform;
+    std::optional<GroundSpec> ground;
+    if (scene.surroundings)
+        ground = {scene.surroundings->ground, scene.surroundings->materials.back()};
+    Traced all = traced(scene.model, scene.materials, ground, options, job);
+    scene.tracer = std::move(all.tracer);
+    scene.surroundings = std::move(all.surroundings);
+    scene.occluders = std::move(all.occluders);
+    return scene;
 }
 
 PictureOptions picture_options(const Scene& scene, PictureOptions options) {

@@ -20,11 +20,15 @@ std::vector<FixtureSpec> share_of(const std::vector<FixtureSpec>& fixtures, cons
     return share;
 }
 
+std::optional<KeptRecord> locked_baseline(const RegressOptions& options, const std::string& name) {
+    const FolderReadLock lock(baseline_folder(options));
+    return kept_baseline(baseline_folder(options) / name);
+}
+
 FixtureOutcome run_one(const FixtureSpec& spec, const RegressOptions& options, const Job& job) {
     try {
         const FixtureRecord candidate = candidate_of(spec, options, job);
-        const std::optional<KeptRecord> baseline =
-            kept_baseline(baseline_folder(options) / spec.name);
+        const std::optional<KeptRecord> baseline = locked_baseline(options, spec.name);
         return fixture_outcome(spec, baseline ? &baseline->record : nullptr, candidate);
     } catch (const Cancelled&) {
         throw;
@@ -42,6 +46,8 @@ Regression run_regression(const RegressOptions& options, const Job& job) {
     remove_reports(options.output);
     Regression regression{.tool_version = version(),
                           .suite = names_of(suite),
+                          .suite_key = suite_key(suite, options),
+                          .stale_baselines = stale_baselines(suite, options),
                           .shard = options.shard.number,
                           .shards = options.shard.count};
     for (std::size_t i = 0; i < share.size(); ++i) {

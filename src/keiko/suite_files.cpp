@@ -2,6 +2,7 @@
 
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
+#include "keiko/base/sha256.h"
 #include "keiko/io/fixture_file.h"
 #include "keiko/run_fixture.h"
 #include "keiko/spec/suggestion.h"
@@ -81,6 +82,38 @@ std::optional<KeptRecord> kept_baseline(const fs::path& folder) {
     const FolderContent files = read_folder(folder);
     if (files.empty()) return std::nullopt;
     return record_of(files, folder.string());
+}
+
+std::string suite_key(std::span<const FixtureSpec> suite, const RegressOptions& options) {
+    std::string text;
+    for (const FixtureSpec& fixture : suite) {
+        text += fixture.name + " ";
+        try {
+            text += fixture_key(fixture, options.load);
+        } catch (const Error& error) { // it will be the fixture's outcome
+            text += error.what();
+        }
+        for (const auto& [name, bytes] : read_folder(baseline_folder(options) / fixture.name))
+            text += " " + name + " " + sha256_hex(bytes);
+        text += "\n";
+    }
+    return sha256_hex(text);
+}
+
+std::vector<std::string> stale_baselines(std::span<const FixtureSpec> suite,
+                                         const RegressOptions& options) {
+    const std::vector<std::string> known = names_of(suite);
+    std::vector<std::string> stale;
+    std::error_code ignored; // there need not be any baselines
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(baseline_folder(options), ignored)) {
+        const std::string name = entry.path().filename().string();
+        const bool known_name = std::find(known.begin(), known.end(), name) != known.end();
+        if (entry.is_directory(ignored) && !name.starts_with(".") && !known_name)
+            stale.push_back(name);
+    }
+    std::sort(stale.begin(), stale.end());
+    return stale;
 }
 
 Job job_of_fixture(const Job& job, std::size_t index, std::size_t count, const std::string& name) {

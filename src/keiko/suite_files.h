@@ -20,6 +20,14 @@ std::filesystem::path baseline_folder(const RegressOptions& options);
 /// Nothing where there is no baseline. Throws Error for a damaged one.
 std::optional<KeptRecord> kept_baseline(const std::filesystem::path& folder);
 
+/// SHA-256 of the keys of all fixtures and of their baselines: the same for runs that must have the
+/// same outcome.
+std::string suite_key(std::span<const FixtureSpec> suite, const RegressOptions& options);
+
+/// Names of baselines that belong to no fixture.
+std::vector<std::string> stale_baselines(std::span<const FixtureSpec> suite,
+                                         const RegressOptions& options);
+
 /// Tells which fixture of how many a stage belongs to: "2/7 hood: render".
 Job job_of_fixture(const Job& job, std::size_t index, std::size_t count, const std::string& name);
 

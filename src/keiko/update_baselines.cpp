@@ -57,6 +57,7 @@ AcceptedBaseline accept(const FixtureSpec& spec, const FixtureRecord& candidate,
                               " metrics, " + std::to_string(candidate.pictures.size()) + " views"};
         }
     } catch (const Error& error) {
+        kept.changes = changes_in(read_folder(folder));
         change.changed = {std::string("replaces a baseline that was damaged: ") + error.what()};
     }
     kept.changes.push_back(change);

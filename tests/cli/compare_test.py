@@ -1,12 +1,46 @@
 """keiko compare: what it tells of two revisions, and its exit codes."""
+import json
+import shutil
+import signal
+import subprocess
 import unittest
+import xml.etree.ElementTree as ElementTree
+from html.parser import HTMLParser
 from pathlib import Path
 
-from keiko_process import KeikoTest, surface
+from keiko_process import BINARY, SOURCE, KeikoTest, surface
+from step_text import StepText
 
 DOME = surface("dome.bpt")
 # What the tests tell apart shows at these as well, in a tenth of the time.
 FEW = "compare", "-q", "--samples", "500"
+VIEW = "--view", "high-front", "--size", "64x36", "--rig", str(SOURCE / "lightrigs" / "bench-6.toml")
+SCHEMA = json.loads((SOURCE / "docs" / "schema" / "keiko-comparison.schema.json").read_text())
+
+
+class Page(HTMLParser):
+    """What a page holds: its tags, its text, and whether every tag is closed."""
+
+    VOID = {"meta", "img", "input", "br", "link"}
+
+    def __init__(self, text: str):
+        super().__init__()
+        self.tags, self.open, self.text = [], [], ""
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.append((tag, dict(attributes)))
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag, tag
+
+    def handle_data(self, data):
+        self.text += data
+
+    def sources(self) -> list:
+        return [attributes["src"] for tag, attributes in self.tags if "src" in attributes]
 
 
 class Compare(KeikoTest):
@@ -50,10 +84,156 @@ class Compare(KeikoTest):
         texts = {self.keiko(*FEW, *pair, "--threads", n).stdout for n in ("1", "2")}
         self.assertEqual(len(texts), 1)
 
+    def test_bodies_that_have_nothing_in_common_are_told_soon(self):
+        run = self.keiko(*FEW, DOME, surface("hood.step"), "--reach", "30")
+        self.assertEqual((run.returncode, run.stderr), (1, ""))
+        self.assertIn("further than 30 mm", run.stdout)
+        self.assertIn("face gone: ", run.stdout)
+        self.assertIn("face new: ", run.stdout)
+
+    def test_a_dropped_face_is_told_by_name(self):
+        step = StepText(surface("seam-g1-only.step"))
+        step.drop_face(step.faces()[1])
+        step.write(self.folder / "less.step")
+        run = self.keiko(*FEW, surface("seam-g1-only.step"), "less.step")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("face gone: face 2", run.stdout)
+        self.assertIn("seam gone: ", run.stdout)
+        back = self.keiko(*FEW, "less.step", surface("seam-g1-only.step"))
+        self.assertIn("face new: face 2", back.stdout)
+
+    def test_a_part_that_was_moved_is_found_and_told(self):
+        moved = self.write("scene.toml", f'''format = "keiko-scene/1"
+[[model]]
+file = "{surface('hood.step')}"
+transform = {{ rotate = [0, 0, 1, 0.25], translate = [3, -2, 1] }}
+''')
+        self.assertEqual(self.keiko(*FEW, surface("hood.step"), moved).returncode, 1)
+        run = self.keiko(*FEW, surface("hood.step"), moved, "--align", "--json", "out.json")
+        self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
+        self.assertIn("aligned: turned by 0.25 degrees", run.stdout)
+        found = json.loads((self.folder / "out.json").read_text())
+        self.assertTrue(found["alignment"]["converged"])
+        self.assertLess(found["alignment"]["residual"], 1e-6)
+        self.assertLess(abs(found["deviation"]["worst"]["value"]), 1e-6)
+
     def test_a_missing_file_is_an_error(self):
         run = self.keiko("compare", DOME, "nowhere.step")
         self.assertEqual((run.returncode, run.stdout), (2, ""))
         self.assertIn("nowhere.step", run.stderr)
+
+
+class Reports(KeikoTest):
+    def moved(self, millimetres: float) -> str:
+        step = StepText(surface("seam-g1-only.step"))
+        step.move_inner_point(step.faces()[0], millimetres)
+        step.write(self.folder / "moved.step")
+        return "moved.step"
+
+    def compare(self, *arguments: str):
+        run = self.keiko(*FEW, surface("seam-g1-only.step"), *arguments)
+        self.assertEqual(run.stderr, "")
+        return run
+
+    def found(self) -> dict:
+        found = json.loads((self.folder / "out.json").read_text())
+        try:
+            import jsonschema
+            jsonschema.validate(found, SCHEMA)
+        except ImportError:
+            pass
+        self.assertEqual(set(found), set(SCHEMA["required"]))
+        return found
+
+    def test_the_page_stands_alone_and_tells_the_verdict_first(self):
+        run = self.compare(self.moved(0.5), "-o", "page.html", *VIEW)
+        self.assertEqual(run.returncode, 1, run.stdout)
+        self.assertEqual(self.content(), ["moved.step", "page.html"])
+        text = (self.folder / "page.html").read_text()
+        page = Page(text)
+        self.assertEqual(page.open, [])
+        self.assertNotIn("http", text)
+        self.assertTrue(all(source.startswith("data:image/png;base64,") for source in page.sources()))
+        self.assertEqual(len(page.sources()), 4)  # map, before, after, difference
+        self.assertIn(("input", "range"), [(tag, a.get("type")) for tag, a in page.tags])
+        for part in "different", "Deviation", "Worst places", "View high-front", "99.9 %", "moved in the mean":
+            self.assertIn(part, page.text)
+        self.assertLess(page.text.index("different"), page.text.index("Checks"))
+
+    def test_a_folder_gets_page_numbers_pictures_and_lamps(self):
+        self.compare(self.moved(0.5), "-o", "out", *VIEW)
+        self.assertEqual([p for p in self.content() if p.startswith("out/")],
+                         ["out/compare.html", "out/compare.json", "out/high-front-after.png",
+                          "out/high-front-before.png", "out/high-front-deviation.png",
+                          "out/high-front-difference.png", "out/rig.toml"])
+
+    def test_the_json_holds_its_schema_and_what_was_moved(self):
+        self.compare(self.moved(0.5), "--json", "out.json", *VIEW)
+        found = self.found()
+        self.assertEqual((found["format"], found["verdict"]), ("keiko-comparison/1", "different"))
+        self.assertGreater(found["deviation"]["worst"]["value"], 0.01)
+        self.assertEqual(found["faces"]["gone"] + found["faces"]["new"], [])
+        view = found["views"][0]
+        self.assertEqual(view["view"], "high-front")
+        self.assertGreater(max(line["largest"] for line in view["lines"]), 0.1)
+        self.assertFalse(view["lines_within"])
+
+    def test_the_same_part_is_the_same_in_every_report(self):
+        shutil.copy(surface("seam-g1-only.step"), self.folder / "copy.step")
+        run = self.compare("copy.step", "-o", "out", "--json", "out.json", "--junit", "out.xml", *VIEW)
+        self.assertEqual(run.returncode, 0, run.stdout)
+        found = self.found()
+        self.assertEqual(found["verdict"], "same")
+        self.assertTrue(all(check["within"] for check in found["checks"]))
+        self.assertEqual([layer["beyond"] for layer in found["views"][0]["layers"]], [0, 0, 0])
+        suites = ElementTree.parse(self.folder / "out.xml").getroot()
+        self.assertEqual(suites.get("failures"), "0")
+
+    def test_junit_has_a_case_for_every_check_view_and_layer(self):
+        self.compare(self.moved(0.5), "--junit", "out.xml", *VIEW)
+        suites = ElementTree.parse(self.folder / "out.xml").getroot()
+        cases = {case.get("name"): case.find("failure") is not None for case in suites.iter("testcase")}
+        for name in ("deviation", "missing", "normals", "borders", "faces", "seams", "findings",
+                     "high-front: lines", "high-front: silhouette", "high-front: color"):
+            self.assertIn(name, cases)
+        self.assertTrue(cases["deviation"])
+        self.assertFalse(cases["faces"])
+        self.assertEqual(int(suites.get("failures")), sum(cases.values()))
+
+    def test_geometry_alone_needs_no_pictures(self):
+        self.compare(self.moved(0.5), "--json", "out.json")
+        self.assertEqual(self.found()["views"], [])
+
+    def test_the_bytes_do_not_depend_on_threads(self):
+        pages = set()
+        for threads in "1", "2":
+            self.compare(self.moved(0.5), "-o", "page.html", *VIEW, "--threads", threads)
+            pages.add((self.folder / "page.html").read_bytes())
+        self.assertEqual(len(pages), 1)
+
+    def test_what_cannot_be_written_or_read_is_told_before_the_work(self):
+        part = surface("seam-g1-only.step")
+        for arguments, reason in ((("-o", "nowhere/page.html"), "there is no folder"),
+                                  (("--json", "nowhere/a.json"), "there is no folder"),
+                                  (("--view", "sideways", "-o", "out"), "sideways"),
+                                  (("--size", "0x9", "-o", "out"), "--size"),
+                                  (("--rig", "none.toml"), "none.toml")):
+            run = self.keiko("compare", part, part, *arguments)
+            self.assertEqual((run.returncode, run.stdout), (2, ""), arguments)
+            self.assertIn(reason, run.stderr)
+            self.assertEqual(self.content(), [])
+
+    def test_ctrl_c_leaves_nothing(self):
+        car = surface("concept-car.step")
+        process = subprocess.Popen([BINARY, "compare", car, car, "-o", "out", "--json", "out.json"],
+                                   cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        for line in process.stderr:
+            if line == "keiko: deviation\n":
+                break
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, output), (130, ""), errors)
+        self.assertEqual(self.content(), [])
 
 
 if __name__ == "__main__":

@@ -67,6 +67,41 @@ class Baselines(RegressTest):
         self.assertIn("damaged or edited", run.stdout)
         self.accept("dome")
         self.assertEqual(self.regress().returncode, 0)
+        changes = json.loads((self.folder / "suite/baselines/dome/manifest.json").read_text())["changes"]
+        self.assertEqual(len(changes), 2)  # the first one is still known
+        self.assertIn("replaces a baseline that was damaged", changes[1]["changed"][0])
+
+    def test_a_baseline_without_a_fixture_is_told(self):
+        self.add_fixture("dome")
+        self.accept("dome")
+        (self.folder / "suite/baselines/dome").rename(self.folder / "suite/baselines/gone")
+        run = self.regress()
+        self.assertIn("stale baseline gone: no fixture has this name\n", run.stdout)
+        self.assertIn("gone", (self.folder / "out/index.html").read_text())
+
+    def test_baselines_are_not_read_while_another_writes_them(self):
+        self.add_fixture("dome")
+        self.accept("dome")
+        held = os.open(self.folder / "suite/baselines", os.O_RDONLY)
+        fcntl.flock(held, fcntl.LOCK_EX)
+        process = subprocess.Popen([BINARY, "regress", "-q", "suite", "-o", "out"], cwd=self.folder,
+                                   stdout=subprocess.PIPE, text=True)
+        with self.assertRaises(subprocess.TimeoutExpired):
+            process.communicate(timeout=3)
+        os.close(held)
+        output, _ = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, output.splitlines()[0]), (0, "same dome"))
+
+    def test_hidden_files_are_no_fixtures_and_names_of_reports_are_refused(self):
+        model = self.add_fixture("dome")
+        (self.folder / "suite/.#dome.toml").write_text("half a line of an edi")
+        self.assertEqual(self.regress().stdout.splitlines()[0], "missing dome")
+        (self.folder / "suite/regression.json.toml").write_text(
+            (self.folder / "suite/dome.toml").read_text())
+        run = self.regress(output="other")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertIn("regression.json.toml: is called as a file that keiko regress writes", run.stderr)
+        self.assertTrue(model.exists())
 
 
 class Differences(RegressTest):
@@ -95,6 +130,7 @@ class Differences(RegressTest):
         outcome = json.loads((self.folder / "out/regression.json").read_text())["fixtures"][0]
         layers = {layer["layer"]: layer["within"] for layer in outcome["pictures"][0]["layers"]}
         self.assertEqual(layers, {"color": False, "depth": True, "normal": True})
+        self.assertIn("; high-front: color\n", run.stdout)
 
     def test_tolerances_of_the_fixture_are_those_it_is_held_to(self):
         model = self.add_fixture("dome", more='checks = ["shape"]\n[tolerance]\nplace = 0.1\n'
@@ -102,6 +138,13 @@ class Differences(RegressTest):
         self.accept("dome")
         move_point_of_dome(model, 0.01)
         self.assertEqual(self.regress().returncode, 0)
+
+    def test_junit_tells_only_of_what_was_asked_for(self):
+        self.add_fixture("dome", more='checks = ["shape"]\n')
+        self.accept("dome")
+        self.assertEqual(self.regress().returncode, 0)
+        suites = ElementTree.parse(self.folder / "out/junit.xml").getroot()
+        self.assertEqual([case.get("name") for case in suites.iter("testcase")], ["shape"])
 
     def test_a_fixture_that_cannot_be_read_is_an_error_and_the_others_run(self):
         self.add_fixture("dome")
@@ -182,6 +225,15 @@ class Runs(RegressTest):
             self.assertEqual((run.returncode, run.stdout), (2, ""))
             self.assertIn(reason, run.stderr)
         self.assertFalse((self.folder / "joined").exists())
+
+    def test_shards_of_different_files_are_refused(self):
+        models = [self.add_fixture(name) for name in ("a", "b")]
+        self.regress("--shard", "1/2", output="out-1")
+        move_point_of_dome(models[0], 1)
+        self.regress("--shard", "2/2", output="out-2")
+        run = self.keiko("merge", "-q", "out-1", "out-2", "-o", "joined")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertIn("files, baselines or the program were others", run.stderr)
 
     def test_a_shard_that_is_none_is_refused(self):
         self.add_fixture("dome")

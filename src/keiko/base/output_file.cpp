@@ -2,6 +2,7 @@
 
 #include "keiko/base/error.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -9,6 +10,13 @@
 
 namespace keiko {
 namespace fs = std::filesystem;
+
+void sync_to_disk(const fs::path& path) {
+    const int descriptor = open(path.empty() ? "." : path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    fsync(descriptor);
+    close(descriptor);
+}
 
 void write_atomically(const fs::path& target,
                       const std::function<void(const fs::path& temporary)>& write) {
@@ -20,7 +28,9 @@ void write_atomically(const fs::path& target,
                                 ".tmp" + target.extension().string());
     try {
         write(temporary);
+        sync_to_disk(temporary);
         fs::rename(temporary, target);
+        sync_to_disk(target.parent_path());
     } catch (const fs::filesystem_error& error) {
         fs::remove(temporary, ignored);
         throw Error(target.string(), "", "cannot write: " + error.code().message());

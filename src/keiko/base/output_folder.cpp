@@ -10,11 +10,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 namespace keiko {
@@ -90,6 +92,16 @@ void put_in_place(const fs::path& fresh, const fs::path& target) {
     fs::remove_all(aside);
 }
 
+/// Whether the lock is had before the time is over.
+bool locks_within(int descriptor, int kind, std::chrono::milliseconds time) {
+    const auto end = std::chrono::steady_clock::now() + time;
+    while (flock(descriptor, kind | LOCK_NB) != 0) {
+        if (std::chrono::steady_clock::now() >= end) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return true;
+}
+
 } // namespace
 
 FolderLock::FolderLock(const fs::path& folder) {
@@ -99,7 +111,7 @@ FolderLock::FolderLock(const fs::path& folder) {
     descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor_ < 0)
         throw Error(folder.string(), "", std::string("cannot read: ") + std::strerror(errno));
-    const bool locked = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+    const bool locked = locks_within(descriptor_, LOCK_EX, std::chrono::seconds(1));
     if (!locked || access(folder.c_str(), W_OK | X_OK) != 0) {
         close(descriptor_);
         throw Error(folder.string(), "",
@@ -113,6 +125,17 @@ FolderLock::~FolderLock() {
     close(descriptor_);
 }
 
+FolderReadLock::FolderReadLock(const fs::path& folder)
+    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ < 0 || locks_within(descriptor_, LOCK_SH, std::chrono::seconds(10))) return;
+    close(descriptor_);
+    throw Error(folder.string(), "", "another process is writing to this folder");
+}
+
+FolderReadLock::~FolderReadLock() {
+    if (descriptor_ >= 0) close(descriptor_);
+}
+
 void write_folder_atomically(const fs::path& target, const FolderContent& content) {
     const fs::path temporary = target.parent_path() / ("." + target.filename().string() + "." +
                                                        std::to_string(getpid()) + ".tmp");
@@ -122,6 +145,7 @@ void write_folder_atomically(const fs::path& target, const FolderContent& conten
         fs::create_directories(temporary);
         for (const auto& [name, bytes] : content) write_text_file(temporary / name, bytes);
         put_in_place(temporary, target);
+        sync_to_disk(target.parent_path());
     } catch (const fs::filesystem_error& error) {
         fs::remove_all(temporary, ignored);
         throw Error(target.string(), "", "cannot write: " + error.code().message());

@@ -11,12 +11,26 @@ namespace keiko {
 /// behind there is gone when it is made.
 class FolderLock {
 public:
-    /// Makes the folder where it is missing. Throws Error when another process holds it, and when
-    /// it cannot be written.
+    /// Makes the folder where it is missing; waits a moment for readers. Throws Error when another
+    /// process holds it, and when it cannot be written.
     explicit FolderLock(const std::filesystem::path& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
+
+private:
+    int descriptor_ = -1;
+};
+
+/// Keeps writers out of a folder while it lives; any number of readers may be there. A folder that
+/// is not there is not locked.
+class FolderReadLock {
+public:
+    /// Waits some seconds for a writer to end. Throws Error when it does not.
+    explicit FolderReadLock(const std::filesystem::path& folder);
+    ~FolderReadLock();
+    FolderReadLock(const FolderReadLock&) = delete;
+    FolderReadLock& operator=(const FolderReadLock&) = delete;
 
 private:
     int descriptor_ = -1;

@@ -1,5 +1,8 @@
+#include "keiko/base/log.h"
+#include "keiko/base/output_file.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/number_check.h"
+#include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/compare_bodies.h"
 
@@ -7,55 +10,133 @@
 #include <memory>
 
 namespace keiko::cli {
+namespace fs = std::filesystem;
 namespace {
 
 struct CompareArguments {
-    SceneArguments loading;
-    std::filesystem::path before, after;
+    SceneArguments scene; ///< all but its inputs
+    fs::path before, after, output, json, junit;
     CompareBodiesOptions options;
-    std::string preset;
+    CompareViewsOptions views;
+    std::string preset, rig = "auto";
 };
 
-int compare(const CompareArguments& arguments, const Job& job) {
+bool shows_pictures(const CompareArguments& arguments) {
+    return !arguments.output.empty() || !arguments.views.views.empty() || arguments.rig != "auto";
+}
+
+void require_outputs(const CompareArguments& arguments) {
+    for (const fs::path& file : {arguments.json, arguments.junit})
+        if (!file.empty()) require_place_for_file(file);
+    if (arguments.output.extension() == ".html")
+        require_place_for_file(arguments.output);
+    else if (!arguments.output.empty())
+        require_place_for_folder(arguments.output);
+}
+
+CompareBodiesOptions options_of(const CompareArguments& arguments) {
     CompareBodiesOptions options = arguments.options;
-    if (!arguments.preset.empty()) options.preset = preset_by_name(arguments.preset);
-    options.load = load_options(arguments.loading);
-    const BodyComparison comparison =
-        compare_bodies(arguments.before, arguments.after, options, job);
+    if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
+    options.scene = arguments.scene.scene_options();
+    if (!shows_pictures(arguments)) return options;
+    options.views = arguments.views;
+    require_view_names(options.views->views);
+    const PictureSize size = arguments.scene.picture_size();
+    options.views->width = size.width, options.views->height = size.height;
+    if (arguments.rig == "auto") return options;
+    options.views->rig = arguments.rig;
+    read_rig(arguments.rig); // a misspelt key is told before the long work
+    return options;
+}
+
+void warn_of_lost_faces(const Comparison& comparison) {
+    for (const Inspection* inspection :
+         {&comparison.inspection_before, &comparison.inspection_after})
+        for (const LostFace& face : inspection->facts.lost_faces)
+            log_warning(inspection->facts.source + ": face " + std::to_string(face.id) +
+                        " is missing: " + face.reason);
+}
+
+int compare(const CompareArguments& arguments, const Job& job) {
+    require_outputs(arguments);
+    const CompareBodiesOptions options = options_of(arguments);
+    const CompareResult result = compare_bodies(arguments.before, arguments.after, options, job);
+    const Comparison& comparison = result.comparison;
+    warn_of_lost_faces(comparison);
+    if (!arguments.output.empty()) write_comparison(arguments.output, result);
+    if (!arguments.json.empty()) write_text_file(arguments.json, comparison_json(comparison));
+    if (!arguments.junit.empty()) write_text_file(arguments.junit, comparison_junit(comparison));
     std::cout << comparison_text(comparison);
     return comparison.same() ? exit_pass : exit_findings;
+}
+
+void add_outputs(CLI::App& command, CompareArguments& arguments) {
+    command.add_option("-o,--output", arguments.output,
+                       "folder for the report, or a page FILE.html; views are shown and judged");
+    command.add_option("--json", arguments.json, "JSON file to write (keiko-comparison/1)");
+    command.add_option("--junit", arguments.junit, "JUnit XML file to write");
+    command
+        .add_option("--view", arguments.views.views,
+                    "view by name, or auto; may repeat [three automatic ones of BEFORE]")
+        ->allow_extra_args(false);
+    command
+        .add_option("--rig", arguments.rig,
+                    "rig file, or auto: place the lamps on BEFORE; the same for both")
+        ->capture_default_str();
+}
+
+void add_tolerances(CLI::App& command, CompareBodiesOptions& options) {
+    const auto add = [&](const char* name, double& value, double least, double most,
+                         const char* text) {
+        command.add_option(name, value, text)
+            ->check(number_between(least, most))
+            ->capture_default_str();
+    };
+    add("--join", options.join, 1e-6, 1000, "mm within which borders are a seam");
+    add("--tolerance", options.tolerance.deviation, 0, 1e6,
+        "mm that surfaces may be apart and still be the same");
+    add("--border-tolerance", options.tolerance.border, 0, 1e6,
+        "mm that borders may be apart and still be the same");
+    add("--angle-tolerance", options.tolerance.normal, 0, 180,
+        "degrees that their normals may be apart");
+    add("--line-tolerance", options.tolerance.line, 0, 1e6,
+        "mm that reflection lines may move on the part");
+    add("--place", options.seams.place, 1e-6, 1e6,
+        "mm that a seam may have moved and still be the same seam");
+    command
+        .add_option("--reach", options.reach,
+                    "mm that distances are sought within; what is further away is told as that "
+                    "[a fiftieth of the size of BEFORE]")
+        ->check(number_between(1e-9, 1e9));
+    command
+        .add_option("--samples", options.deviation.samples,
+                    "about how many places of a body deviations are measured at, and sought from")
+        ->check(number_between(1, 1e8))
+        ->capture_default_str();
 }
 
 } // namespace
 
 void add_compare(CLI::App& app, Session& session) {
     auto arguments = std::make_shared<CompareArguments>();
-    CompareBodiesOptions& options = arguments->options;
     CLI::App& command = *app.add_subcommand(
         "compare", "tell how a revision of a part deviates from the one before");
-    command.add_option("BEFORE", arguments->before, "model file")->required();
-    command.add_option("AFTER", arguments->after, "model file in the same coordinates")->required();
-    add_load_options(command, arguments->loading);
-    command.add_option("--preset", arguments->preset, "limits by name [class-a-outer]");
-    command.add_option("--join", options.join, "mm within which borders are a seam")
-        ->check(number_between(1e-6, 1000))
-        ->capture_default_str();
-    command
-        .add_option("--tolerance", options.tolerance.deviation,
-                    "mm that surfaces may be apart and still be the same")
-        ->check(number_between(0, 1e6))
-        ->capture_default_str();
-    command
-        .add_option("--angle-tolerance", options.tolerance.normal,
-                    "degrees that their normals may be apart")
-        ->check(number_between(0, 180))
-        ->capture_default_str();
-    command
-        .add_option("--samples", options.deviation.samples,
-                    "about how many places of a body deviations are measured at, and sought from")
-        ->check(number_between(1, 1e8))
-        ->capture_default_str();
-    command.footer("Example: keiko compare fender-a.step fender-b.step");
+    command.add_option("BEFORE", arguments->before, "model file, or scene file (.toml)")
+        ->required();
+    command.add_option("AFTER", arguments->after, "model or scene file, in the same coordinates")
+        ->required();
+    command.add_flag("--align", arguments->options.align,
+                     "move AFTER onto BEFORE first, by least squares of their distance");
+    add_outputs(command, *arguments);
+    command.add_option("--preset", arguments->preset,
+                       "limits by name, or a preset file (.toml) [class-a-outer]");
+    add_tolerances(command, arguments->options);
+    arguments->scene.add_picture_size(command);
+    arguments->scene.add_shadows(command);
+    arguments->scene.add_reading(command);
+    command.footer(
+        "Exit codes: 0 same within tolerance, 1 different, 2 error, 130 interrupted.\n"
+        "Example: keiko compare fender-a.step fender-b.step -o out");
     session.add_command(command, [arguments](const Job& job) { return compare(*arguments, job); });
 }
 

@@ -55,7 +55,7 @@ void InspectionFiles::require_places() const {
 void InspectionFiles::write(const Inspection& inspection, std::span<const fs::path> inputs) const {
     for (const auto& [path, format] : files()) switch (format) {
             case Format::json:
-                write_text_file(path, inspection_json(inspection));
+                write_text_file(path, inspection_json(inspection, version()));
                 break;
             case Format::junit:
                 write_text_file(path, junit_xml(inspection));

@@ -121,6 +121,7 @@ void add_lines(CLI::App& app, Session& session) {
     command.add_option("--rows", arguments->rows, "worst crossings to print")
         ->capture_default_str();
     command.footer(
+        "Exit codes: 0 all crossings pass, 1 one fails or is undecided, 2 error, 130 interrupted.\n"
         "Example: keiko lines hood.step --rig lightrigs/tunnel-12.toml -o hood-lines.json");
     session.add_command(command, [arguments](const Job& job) { return lines(*arguments, job); });
 }

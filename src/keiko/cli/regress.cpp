@@ -44,6 +44,19 @@ int exit_code_of(FixtureState state) {
     return state == FixtureState::same ? exit_pass : exit_findings;
 }
 
+/// "high-front: color", the first view and layer that are beyond their tolerance; else empty.
+std::string worst_picture(const FixtureOutcome& fixture) {
+    for (const PictureOutcome& picture : fixture.pictures) {
+        if (picture.within()) continue;
+        if (!picture.problem.empty()) return picture.view + " " + picture.problem;
+        std::string layers = picture.flips_within ? "" : "silhouette";
+        for (const LayerDifference& layer : picture.layers)
+            if (!layer.within) layers += (layers.empty() ? "" : ", ") + layer.layer;
+        return picture.view + ": " + layers;
+    }
+    return "";
+}
+
 std::string line_of(const FixtureOutcome& fixture) {
     std::string text(name_of(fixture.state));
     text += " " + fixture.name;
@@ -55,11 +68,15 @@ std::string line_of(const FixtureOutcome& fixture) {
             std::to_string(fixture.metrics_compared) + " metrics, " + std::to_string(views) +
             " of " + std::to_string(fixture.pictures.size()) + " views";
     if (!fixture.metrics.empty()) text += "; " + text_of(fixture.metrics.front());
+    if (const std::string picture = worst_picture(fixture); !picture.empty())
+        text += "; " + picture;
     return text;
 }
 
 int tell(const Regression& regression, const std::filesystem::path& output) {
     for (const FixtureOutcome& fixture : regression.fixtures) std::cout << line_of(fixture) << "\n";
+    for (const std::string& name : regression.stale_baselines)
+        std::cout << "stale baseline " << name << ": no fixture has this name\n";
     std::cout << summary_of(regression) << "; see " << (output / "index.html").string() << "\n";
     return exit_code_of(regression.state());
 }
@@ -114,7 +131,9 @@ void add_regress(CLI::App& app, Session& session) {
     command.add_option("--by", arguments->by, "who, for the manifest [your login name]")
         ->needs(update);
     add_load_options(command, arguments->loading);
-    command.footer("Example: keiko regress surfaces -o out --shard 1/4");
+    command.footer(
+        "Exit codes: 0 all the same, 1 different or no baseline, 2 error, 130 interrupted.\n"
+        "Example: keiko regress surfaces -o out --shard 1/4");
     session.add_command(command, [arguments](const Job& job) { return regress(*arguments, job); });
 }
 

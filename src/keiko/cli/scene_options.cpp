@@ -9,10 +9,6 @@
 namespace keiko::cli {
 namespace {
 
-struct PictureSize {
-    int width = 0, height = 0;
-};
-
 PictureSize parse_size(const std::string& text) {
     PictureSize size;
     int end = 0;
@@ -67,6 +63,10 @@ LoadOptions load_options(const SceneArguments& arguments) {
 void SceneArguments::add_to(CLI::App& command, const std::string& what) {
     command.add_option(what, inputs, "model files of one body, or one scene file (.toml)")
         ->required();
+    add_reading(command);
+}
+
+void SceneArguments::add_reading(CLI::App& command) {
     command.add_option("--material", options.material, "paint of models that no scene file paints")
         ->capture_default_str();
     command
@@ -88,12 +88,20 @@ void SceneArguments::add_shadows(CLI::App& command) {
         "bodies cast shadows, cut along the axis of each lamp; takes many times as long");
 }
 
-Scene SceneArguments::open(const Job& job) const {
+SceneOptions SceneArguments::scene_options() const {
     SceneOptions all = options;
     all.load = load_options(*this);
     all.clipping_only = intersector == "clipping";
-    const PictureSize wanted = size.empty() ? PictureSize{} : parse_size(size);
-    Scene scene = open_scene(inputs, all, job);
+    return all;
+}
+
+PictureSize SceneArguments::picture_size() const {
+    return size.empty() ? PictureSize{} : parse_size(size);
+}
+
+Scene SceneArguments::open(const Job& job) const {
+    const PictureSize wanted = picture_size();
+    Scene scene = open_scene(inputs, scene_options(), job);
     tell_build(scene);
     for (const LostFace& face : scene.model.lost_faces)
         log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);

@@ -10,6 +10,11 @@
 
 namespace keiko::cli {
 
+/// In pixels; 0: as the scene has it.
+struct PictureSize {
+    int width = 0, height = 0;
+};
+
 /// The options of every command that looks at a body.
 struct SceneArguments {
     std::vector<std::filesystem::path> inputs;
@@ -20,10 +25,15 @@ struct SceneArguments {
 
     /// Adds the inputs (as `what`) and options to a command.
     void add_to(CLI::App& command, const std::string& what);
+    /// Adds the options alone.
+    void add_reading(CLI::App& command);
     /// Adds the size of the pictures that a command makes.
     void add_picture_size(CLI::App& command);
     /// Adds the option that bodies cast shadows.
     void add_shadows(CLI::App& command);
+    SceneOptions scene_options() const;
+    /// Throws Error for a --size that is none.
+    PictureSize picture_size() const;
     /// Opens the scene, and warns of every face that could not be read.
     Scene open(const Job& job) const;
 };

@@ -1,92 +1,119 @@
 #include "keiko/compare/compare_inspections.h"
 
-#include "keiko/patch/surface_model.h"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <tuple>
+#include <set>
 
 namespace keiko {
 namespace {
 
-/// partner[i] is the other side's seam, or no_index.
-struct Matching {
-    std::vector<std::uint32_t> of_before, of_after;
+template <class T>
+void keep_larger(std::optional<T>& kept, const std::optional<T>& other) {
+    if (other && (!kept || *other > *kept)) kept = other;
+}
+
+SeamState state_of(const Inspection& inspection, const std::vector<std::uint32_t>& seams) {
+    SeamState state;
+    for (const std::uint32_t i : seams) {
+        const MeasuredSeam& seam = inspection.seams[i];
+        state.gap = std::max(state.gap, seam.gap.value);
+        if (seam.angle) keep_larger(state.angle, std::optional(seam.angle->value));
+        if (seam.curvature && !seam.curvature->flat)
+            keep_larger(state.curvature, std::optional(seam.curvature->mismatch));
+        state.verdict = std::max(state.verdict, seam.verdict);
+        if (i == seams.front() || seam.severity > state.severity) {
+            state.severity = seam.severity;
+            state.place = worst_place(seam);
+        }
+    }
+    return state;
+}
+
+double change(const std::optional<double>& before, const std::optional<double>& after) {
+    return before && after ? *after - *before : 0;
+}
+
+SeamTrend trend_between(const SeamState& before, const SeamState& after) {
+    if (before.verdict != after.verdict)
+        return after.verdict > before.verdict ? SeamTrend::worse : SeamTrend::better;
+    if (before.severity == after.severity) return SeamTrend::other;
+    return after.severity > before.severity ? SeamTrend::worse : SeamTrend::better;
+}
+
+bool is_change(const SeamChange& c, const CompareOptions& options) {
+    return c.before.verdict != c.after.verdict || std::abs(c.gap()) > options.gap ||
+           std::abs(c.angle()) > options.angle || std::abs(c.curvature()) > options.curvature;
+}
+
+/// Divides the findings of `one` by whether a partner of their seam, as the groups have them, has
+/// one of the same code in `other`, or has not changed.
+struct DividedFindings {
+    std::vector<Check> alone, shared;
 };
 
-Matching match_seams(const Inspection& before, const Inspection& after, double reach) {
-    struct Pair {
-        bool renamed;
-        double distance;
-        std::uint32_t before, after;
-    };
-    std::vector<Pair> pairs;
-    for (std::uint32_t i = 0; i < before.seams.size(); ++i)
-        for (std::uint32_t j = 0; j < after.seams.size(); ++j) {
-            const MeasuredSeam &a = before.seams[i], &b = after.seams[j];
-            const double distance = (a.middle - b.middle).length();
-            if (distance <= reach) pairs.push_back({a.faces != b.faces, distance, i, j});
+using Side = std::vector<std::uint32_t> SeamGroup::*;
+
+DividedFindings divided(const Inspection& one, Side side_one, const Inspection& other,
+                        Side side_other, const std::vector<SeamGroup>& groups,
+                        const std::vector<bool>& changed) {
+    std::vector<std::set<std::string>> codes(other.seams.size()), known(one.seams.size());
+    std::vector<bool> as_before(one.seams.size());
+    for (const Check& finding : other.findings) codes[finding.seam].insert(finding.code);
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        for (const std::uint32_t i : groups[g].*side_one) {
+            as_before[i] = !changed[g];
+            for (const std::uint32_t j : groups[g].*side_other)
+                known[i].insert(codes[j].begin(), codes[j].end());
         }
-    std::sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) {
-        return std::tie(x.renamed, x.distance, x.before, x.after) <
-               std::tie(y.renamed, y.distance, y.before, y.after);
-    });
-    Matching matching{std::vector(before.seams.size(), no_index),
-                      std::vector(after.seams.size(), no_index)};
-    for (const Pair& pair : pairs) {
-        std::uint32_t &i = matching.of_before[pair.before], &j = matching.of_after[pair.after];
-        if (i == no_index && j == no_index) i = pair.after, j = pair.before;
-    }
-    return matching;
-}
-
-SeamChange change_between(const Inspection& before, const Inspection& after, std::uint32_t i,
-                          std::uint32_t j) {
-    const MeasuredSeam &a = before.seams[i], &b = after.seams[j];
-    const double angle = a.angle && b.angle ? b.angle->value - a.angle->value : 0;
-    return {i, j, b.gap.value - a.gap.value, angle, a.verdict, b.verdict};
-}
-
-std::vector<std::uint32_t> unmatched(const std::vector<std::uint32_t>& partners) {
-    std::vector<std::uint32_t> alone;
-    for (std::uint32_t i = 0; i < partners.size(); ++i)
-        if (partners[i] == no_index) alone.push_back(i);
-    return alone;
-}
-
-/// The findings of `one` whose seam has no partner with a finding of the same code in `other`.
-std::vector<Check> only_in(const Inspection& one, const Inspection& other,
-                           const std::vector<std::uint32_t>& partners) {
-    std::vector<Check> only;
+    DividedFindings found;
     for (const Check& finding : one.findings) {
-        const std::uint32_t partner = partners[finding.seam];
-        const bool known = std::any_of(
-            other.findings.begin(), other.findings.end(),
-            [&](const Check& f) { return f.seam == partner && f.code == finding.code; });
-        if (!known) only.push_back(finding);
+        const bool shared = as_before[finding.seam] || known[finding.seam].contains(finding.code);
+        (shared ? found.shared : found.alone).push_back(finding);
     }
-    return only;
+    return found;
 }
 
 } // namespace
 
+std::string_view name_of(SeamTrend trend) {
+    constexpr std::array<std::string_view, 3> names{"better", "worse", "other"};
+    return names[static_cast<std::size_t>(trend)];
+}
+
+double SeamChange::angle() const {
+    return change(before.angle, after.angle);
+}
+
+double SeamChange::curvature() const {
+    return change(before.curvature, after.curvature);
+}
+
 InspectionDifference compare_inspections(const Inspection& before, const Inspection& after,
                                          const CompareOptions& options) {
-    const Matching matching = match_seams(before, after, options.place);
+    SeamMatching matching = match_seams(before.seams, after.seams, options.place);
     InspectionDifference difference;
-    for (std::uint32_t i = 0; i < before.seams.size(); ++i) {
-        const std::uint32_t j = matching.of_before[i];
-        if (j == no_index) continue;
-        ++difference.matched;
-        const SeamChange change = change_between(before, after, i, j);
-        if (std::abs(change.gap) > options.gap || std::abs(change.angle) > options.angle ||
-            change.verdict_before != change.verdict_after)
-            difference.changed.push_back(change);
+    std::vector<bool> changed; // a group
+    for (const SeamGroup& group : matching.groups) {
+        difference.matched += group.before.size();
+        SeamChange c{group, state_of(before, group.before), state_of(after, group.after)};
+        c.trend = trend_between(c.before, c.after);
+        changed.push_back(is_change(c, options));
+        if (changed.back()) difference.changed.push_back(std::move(c));
     }
-    difference.removed = unmatched(matching.of_before);
-    difference.added = unmatched(matching.of_after);
-    difference.new_findings = only_in(after, before, matching.of_after);
-    difference.solved_findings = only_in(before, after, matching.of_before);
+    std::stable_sort(difference.changed.begin(), difference.changed.end(),
+                     [](const SeamChange& a, const SeamChange& b) {
+                         return a.after.severity > b.after.severity;
+                     });
+    difference.removed = std::move(matching.removed);
+    difference.added = std::move(matching.added);
+    DividedFindings late =
+        divided(after, &SeamGroup::after, before, &SeamGroup::before, matching.groups, changed);
+    DividedFindings early =
+        divided(before, &SeamGroup::before, after, &SeamGroup::after, matching.groups, changed);
+    difference.new_findings = std::move(late.alone);
+    difference.same_findings = std::move(late.shared);
+    difference.solved_findings = std::move(early.alone);
     return difference;
 }
 

@@ -1,35 +1,56 @@
 #pragma once
 
+#include "keiko/compare/seam_matching.h"
 #include "keiko/inspect/inspection.h"
 
-#include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace keiko {
 
 /// Knobs of compare_inspections.
 struct CompareOptions {
-    double place = 10;   ///< mm: seams whose middles are further apart are not the same seam
-    double gap = 1e-4;   ///< mm: a smaller change of a gap is none
-    double angle = 1e-3; ///< degrees: a smaller change of an angle is none
+    double place = 10;       ///< mm: seams that run farther apart are not the same seam
+    double gap = 1e-3;       ///< mm: a smaller change of a gap is none
+    double angle = 1e-3;     ///< degrees: a smaller change of an angle is none
+    double curvature = 5e-3; ///< share of 1: a smaller change of a mismatch of curvature is none
 };
+
+/// Where a seam stands in one revision: the worst of a group.
+struct SeamState {
+    double gap = 0;                  ///< mm
+    std::optional<double> angle;     ///< degrees
+    std::optional<double> curvature; ///< mismatch by the preset's formula; none where nearly flat
+    Verdict verdict = Verdict::pass;
+    double severity = 0; ///< as MeasuredSeam
+    Vec3 place{0};       ///< where it is worst
+};
+
+/// What became of a seam.
+enum class SeamTrend { better, worse, other };
+std::string_view name_of(SeamTrend trend);
 
 /// One seam in two revisions of a part.
 struct SeamChange {
-    std::uint32_t before = 0, after = 0; ///< into the seams of the two inspections
-    double gap = 0;                      ///< mm, after - before
-    double angle = 0;                    ///< degrees, after - before; 0 where either has none
-    Verdict verdict_before = Verdict::pass, verdict_after = Verdict::pass;
+    SeamGroup seams; ///< into the seams of the two inspections
+    SeamState before, after;
+    SeamTrend trend = SeamTrend::other; ///< by verdict, else by severity
+
+    /// After - before; 0 where either has none.
+    double gap() const { return after.gap - before.gap; }
+    double angle() const;
+    double curvature() const;
 };
 
 /// What became of the seams and findings of a part from one revision to the next.
 struct InspectionDifference {
-    std::vector<SeamChange> changed;    ///< beyond the tolerances, or in verdict
+    std::vector<SeamChange> changed;    ///< beyond the tolerances, or in verdict; worst first
     std::vector<std::uint32_t> removed; ///< seams of the former without a partner
     std::vector<std::uint32_t> added;   ///< seams of the latter without a partner
     std::vector<Check> new_findings;    ///< of the latter, that the former did not have
     std::vector<Check> solved_findings; ///< of the former, that the latter does not have
-    std::size_t matched = 0;            ///< seams found in both
+    std::vector<Check> same_findings;   ///< of the latter, that the former had as well
+    std::size_t matched = 0;            ///< seams of the former found in the latter
 
     bool empty() const {
         return changed.empty() && removed.empty() && added.empty() && new_findings.empty() &&
@@ -37,8 +58,8 @@ struct InspectionDifference {
     }
 };
 
-/// Matches seams by the names of their faces and by place, names first, nearest first, each once.
-/// A finding is new where the seam's partner has none of the same code.
+/// Matches seams by where they run, see match_seams, and tells what changed of them. A finding is
+/// new where no partner of its seam has one of the same code, unless the seam has not changed.
 InspectionDifference compare_inspections(const Inspection& before, const Inspection& after,
                                          const CompareOptions& options = {});
 

@@ -2,8 +2,10 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/base/units.h"
+#include "keiko/compare/surface_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -11,61 +13,43 @@
 namespace keiko {
 namespace {
 
-/// A place of the body, how much of it stands for, and its nearest point of the other.
-struct Sample {
-    SurfacePoint point;
-    double area = 0; ///< mm2
-    Vec2 cell{0};    ///< extent in parameters of the piece
-    SurfaceFoot foot;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// A place of the body and its nearest point of the other.
+struct Sample : SurfaceSample {
+    std::optional<SurfaceFoot> foot; ///< nothing: beyond reach
+
+    double distance() const { return foot ? foot->distance : infinity; }
     /// Positive outside the other.
     double deviation() const {
-        return (point.position - foot.position).dot(foot.normal) < 0 ? -foot.distance
-                                                                     : foot.distance;
+        const bool inside = foot && (point.position - foot->position).dot(foot->normal) < 0;
+        return inside ? -distance() : distance();
     }
-    bool turned() const { return point.normal.dot(foot.normal) < 0; }
+    /// Whether the nearest point lies aside rather than above or below.
+    bool beside(double noise) const {
+        if (!foot || foot->distance <= noise) return false;
+        constexpr double steep = 0.7; // of the way there across the normal
+        const Vec3 way = point.position - foot->position;
+        return way.cross(foot->normal).length() > steep * foot->distance;
+    }
+    bool turned() const { return foot && point.normal.dot(foot->normal) < 0; }
     /// Degrees between the tangent planes; 0 beyond a border, where they need not agree.
     double tilt() const {
-        if (foot.on_border || point.normal == Vec3(0) || foot.normal == Vec3(0)) return 0;
-        const Vec3 normal = turned() ? -foot.normal : foot.normal;
+        if (!foot || foot->on_border || point.normal == Vec3(0) || foot->normal == Vec3(0))
+            return 0;
+        const Vec3 normal = turned() ? -foot->normal : foot->normal;
         return radians_to_degrees(angle_between(point.normal, normal));
     }
 };
 
-double area_of(const SurfaceFeet& body) {
-    double area = 0;
-    for (std::size_t i = 0; i < body.piece_count(); ++i)
-        area += body.piece_size(i).x * body.piece_size(i).y;
-    return area;
-}
-
-/// The middles of a piece's cells that are material.
-std::vector<Sample> spread(const SurfaceFeet& body, std::size_t piece, double spacing) {
-    constexpr int least = 4, most = 256;
-    const auto cells = [&](double length) {
-        return static_cast<int>(
-            std::clamp(std::ceil(length / spacing), double{least}, double{most}));
-    };
-    const Vec2 size = body.piece_size(piece);
-    const int nu = cells(size.x), nv = cells(size.y);
-    std::vector<Sample> samples;
-    for (int i = 0; i < nu; ++i)
-        for (int j = 0; j < nv; ++j) {
-            const auto point = body.point(piece, {(i + 0.5) / nu, (j + 0.5) / nv});
-            if (!point) continue;
-            const Vec2 cell(1.0 / nu, 1.0 / nv);
-            samples.push_back({*point, point->stretch * cell.x * cell.y, cell, {}});
-        }
-    return samples;
-}
-
 std::vector<Sample> measured_samples(const SurfaceFeet& body, const SurfaceFeet& other,
                                      const DeviationOptions& options, const Job& job) {
-    const double spacing = std::sqrt(area_of(body) / static_cast<double>(options.samples));
+    constexpr int least = 4;
+    const double spacing = sample_spacing(body, options.samples);
     std::vector<std::vector<Sample>> pieces(body.piece_count());
     parallel_for(pieces.size(), job, "deviation", [&](std::size_t i) {
-        pieces[i] = spread(body, i, spacing);
-        for (Sample& sample : pieces[i]) sample.foot = other.foot(sample.point.position);
+        for (const SurfaceSample& sample : piece_samples(body, i, spacing, least))
+            pieces[i].push_back({sample, other.foot(sample.point.position, options.reach)});
     });
     std::vector<Sample> all;
     for (std::vector<Sample>& piece : pieces)
@@ -75,7 +59,7 @@ std::vector<Sample> measured_samples(const SurfaceFeet& body, const SurfaceFeet&
 
 /// Climbs by steps that shrink, within the piece and its material.
 template <class Quantity>
-Sample climbed(const SurfaceFeet& body, const SurfaceFeet& other, Sample best,
+Sample climbed(const SurfaceFeet& body, const SurfaceFeet& other, double reach, Sample best,
                const Quantity& quantity) {
     Vec2 step = best.cell * 0.5;
     for (int round = 0; round < 40 && step.x > best.cell.x * 1e-3; ++round) {
@@ -85,7 +69,7 @@ Sample climbed(const SurfaceFeet& body, const SurfaceFeet& other, Sample best,
             if (!unit_square.contains(uv)) continue;
             const auto point = body.point(best.point.piece, uv);
             if (!point) continue;
-            const Sample there{*point, best.area, best.cell, other.foot(point->position)};
+            const Sample there{{*point, best.area, best.cell}, other.foot(point->position, reach)};
             if (quantity(there) > quantity(best)) best = there, higher = true;
         }
         if (!higher) step *= 0.5;
@@ -95,8 +79,8 @@ Sample climbed(const SurfaceFeet& body, const SurfaceFeet& other, Sample best,
 
 /// The largest of a quantity, climbed to from the samples that have most of it.
 template <class Quantity>
-Sample peak(const SurfaceFeet& body, const SurfaceFeet& other, const std::vector<Sample>& samples,
-            const Job& job, const Quantity& quantity) {
+Sample peak(const SurfaceFeet& body, const SurfaceFeet& other, double reach,
+            const std::vector<Sample>& samples, const Job& job, const Quantity& quantity) {
     constexpr std::size_t starts = 16;
     std::vector<std::size_t> order(samples.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -108,7 +92,7 @@ Sample peak(const SurfaceFeet& body, const SurfaceFeet& other, const std::vector
                       });
     std::vector<Sample> tops(count);
     parallel_for(count, job, "", [&](std::size_t i) {
-        tops[i] = climbed(body, other, samples[order[i]], quantity);
+        tops[i] = climbed(body, other, reach, samples[order[i]], quantity);
     });
     return *std::max_element(tops.begin(), tops.end(), [&](const Sample& a, const Sample& b) {
         return quantity(a) < quantity(b);
@@ -117,7 +101,7 @@ Sample peak(const SurfaceFeet& body, const SurfaceFeet& other, const std::vector
 
 void take_percentiles(const std::vector<Sample>& samples, Deviation& result) {
     std::vector<std::pair<double, double>> sizes; // distance, area
-    for (const Sample& sample : samples) sizes.emplace_back(sample.foot.distance, sample.area);
+    for (const Sample& sample : samples) sizes.emplace_back(sample.distance(), sample.area);
     std::sort(sizes.begin(), sizes.end());
     double below = 0;
     const std::array<std::pair<double, double*>, 4> wanted{{{0.5, &result.median},
@@ -133,53 +117,89 @@ void take_percentiles(const std::vector<Sample>& samples, Deviation& result) {
 }
 
 void take_sums(const std::vector<Sample>& samples, double certainty, Deviation& result) {
-    double uncertain = 0, sum = 0, squares = 0;
+    double uncertain = 0, beyond = 0, sum = 0, squares = 0;
     for (const Sample& sample : samples) {
-        const double d = sample.deviation();
         result.area += sample.area;
+        if (!sample.foot) {
+            beyond += sample.area;
+            continue;
+        }
+        const double d = sample.deviation();
         sum += d * sample.area;
         squares += d * d * sample.area;
         result.lowest = std::min(result.lowest, d);
         result.highest = std::max(result.highest, d);
-        if (sample.foot.certain(certainty)) continue;
+        if (sample.foot->certain(certainty)) continue;
         uncertain += sample.area;
         result.largest_uncertainty =
-            std::max(result.largest_uncertainty, sample.foot.distance - sample.foot.nearest);
+            std::max(result.largest_uncertainty, sample.foot->distance - sample.foot->nearest);
     }
     if (!(result.area > 0)) return;
-    result.mean = sum / result.area;
-    result.root_mean_square = std::sqrt(squares / result.area);
+    result.beyond = beyond / result.area;
     result.uncertain_share = uncertain / result.area;
+    if (!(result.area > beyond)) return;
+    result.mean = sum / (result.area - beyond);
+    result.root_mean_square = std::sqrt(squares / (result.area - beyond));
 }
 
-void take_faces(const std::vector<Sample>& samples, std::size_t faces, Deviation& result) {
-    result.turned.assign(faces, 0);
-    result.partners.assign(faces, no_index);
-    std::vector<double> area(faces);
-    std::vector<std::map<std::uint32_t, double>> votes(faces);
-    for (const Sample& sample : samples) {
-        area[sample.point.face] += sample.area;
-        if (sample.turned()) result.turned[sample.point.face] += sample.area;
-        votes[sample.point.face][sample.foot.face] += sample.area;
+/// What is added up of a face.
+struct FaceSums {
+    FaceDeviation face;
+    double turned = 0, beyond = 0, beside = 0, squares = 0;
+    std::map<std::uint32_t, double> votes; ///< area by the other's face
+
+    void add(const Sample& sample, double noise) {
+        face.area += sample.area;
+        const double d = sample.deviation();
+        if (std::abs(d) > std::abs(face.worst.value))
+            face.worst = {d, sample.point.position, sample.point.face};
+        if (!sample.foot) {
+            beyond += sample.area;
+            return;
+        }
+        if (sample.turned()) turned += sample.area;
+        if (sample.beside(noise)) beside += sample.area;
+        squares += d * d * sample.area;
+        votes[sample.foot->face] += sample.area;
     }
-    for (std::size_t f = 0; f < faces; ++f) {
-        if (!(area[f] > 0)) continue;
-        result.turned[f] /= area[f];
-        result.partners[f] =
-            std::max_element(votes[f].begin(), votes[f].end(), [](const auto& a, const auto& b) {
+    FaceDeviation result() const {
+        FaceDeviation all = face;
+        if (!(face.area > 0)) return all;
+        all.turned = turned / face.area, all.beyond = beyond / face.area;
+        all.beside = beside / face.area;
+        if (votes.empty()) return all;
+        all.root_mean_square = std::sqrt(squares / (face.area - beyond));
+        all.partner =
+            std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
                 return a.second < b.second;
             })->first;
+        return all;
     }
+};
+
+void take_faces(const std::vector<Sample>& samples, std::size_t faces, double noise,
+                Deviation& result) {
+    std::vector<FaceSums> sums(faces);
+    for (const Sample& sample : samples) sums[sample.point.face].add(sample, noise);
+    for (const FaceSums& face : sums) result.faces.push_back(face.result());
+}
+
+/// Whether the nearest point may as well be that of a neighbouring face, with another normal.
+bool at_border(const SurfaceFeet& other, const Sample& sample) {
+    constexpr double there = 1e-3; // mm
+    return sample.foot && sample.tilt() > 0 &&
+           other.border_distance(sample.foot->position, there) < there;
 }
 
 /// Where the body's borders are farthest from those of the other.
-DeviationPlace worst_border(const SurfaceFeet& body, const SurfaceFeet& other, const Job& job) {
+DeviationPlace worst_border(const SurfaceFeet& body, const SurfaceFeet& other, double reach,
+                            const Job& job) {
     const std::vector<BorderPoint> points = body.border_points();
     std::vector<double> distances(points.size());
     constexpr std::size_t chunk = 256;
     parallel_for((points.size() + chunk - 1) / chunk, job, "borders", [&](std::size_t c) {
         for (std::size_t i = c * chunk; i < std::min(points.size(), (c + 1) * chunk); ++i)
-            distances[i] = other.border_distance(points[i].position);
+            distances[i] = other.border_distance(points[i].position, reach);
     });
     DeviationPlace worst;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -193,19 +213,22 @@ Deviation measure_deviation(const SurfaceFeet& body, const SurfaceFeet& other,
                             const DeviationOptions& options, const Job& job) {
     const std::vector<Sample> samples = measured_samples(body, other, options, job);
     Deviation result;
-    result.samples = samples.size();
-    take_faces(samples, body.body().model.faces.size(), result);
-    result.worst_border = worst_border(body, other, job);
+    result.samples = samples.size(), result.reach = options.reach;
+    take_faces(samples, body.body().model.faces.size(), options.noise, result);
+    result.worst_border = worst_border(body, other, options.reach, job);
     if (samples.empty()) return result;
     take_sums(samples, options.certainty, result);
     take_percentiles(samples, result);
-    const Sample far =
-        peak(body, other, samples, job, [](const Sample& sample) { return sample.foot.distance; });
+    const Sample far = peak(body, other, options.reach, samples, job,
+                            [](const Sample& sample) { return sample.distance(); });
     result.worst = {far.deviation(), far.point.position, far.point.face};
-    result.lowest = std::min(result.lowest, far.deviation());
-    result.highest = std::max(result.highest, far.deviation());
-    const Sample tilted =
-        peak(body, other, samples, job, [](const Sample& sample) { return sample.tilt(); });
+    if (far.foot) {
+        result.lowest = std::min(result.lowest, far.deviation());
+        result.highest = std::max(result.highest, far.deviation());
+    }
+    const Sample tilted = peak(body, other, options.reach, samples, job, [&](const Sample& sample) {
+        return at_border(other, sample) ? 0 : sample.tilt();
+    });
     result.worst_normal = {tilted.tilt(), tilted.point.position, tilted.point.face};
     return result;
 }

@@ -48,6 +48,60 @@ std::optional<MetricDifference> difference_between(const Metric& before, const M
     return found;
 }
 
+/// What metrics tell of, "face 3" of "face 3: area", and what of it.
+struct Split {
+    std::string_view subject, rest;
+};
+
+Split split(const Metric& metric) {
+    const std::string_view name = metric.name;
+    const std::size_t colon = name.rfind(": ");
+    if (colon == std::string_view::npos) return {name, {}};
+    return {name.substr(0, colon), name.substr(colon)};
+}
+
+using Subjects = std::map<Key, std::vector<const Metric*>>; ///< by check and subject
+
+/// The metrics that the other list does not have.
+Subjects lone_subjects(std::span<const Metric> metrics, const std::map<Key, const Metric*>& other) {
+    Subjects lone;
+    for (const Metric& metric : metrics)
+        if (!other.contains(key_of(metric)))
+            lone[{metric.check, split(metric).subject}].push_back(&metric);
+    return lone;
+}
+
+bool differ_by_name_alone(const std::vector<const Metric*>& a, const std::vector<const Metric*>& b,
+                          const MetricTolerances& tolerances) {
+    return a.size() == b.size() &&
+           std::equal(a.begin(), a.end(), b.begin(), [&](const Metric* x, const Metric* y) {
+               return x->check == y->check && split(*x).rest == split(*y).rest &&
+                      !difference_between(*x, *y, tolerances[y->quantity]);
+           });
+}
+
+/// The metrics with the names that the later list has for the same things.
+std::vector<Metric> renamed(std::span<const Metric> before, std::span<const Metric> after,
+                            const MetricTolerances& tolerances) {
+    std::map<Key, std::string_view> names; // of subjects
+    Subjects fresh = lone_subjects(after, by_key(before));
+    for (const auto& [subject, metrics] : lone_subjects(before, by_key(after))) {
+        const auto found = std::find_if(fresh.begin(), fresh.end(), [&](const auto& candidate) {
+            return differ_by_name_alone(metrics, candidate.second, tolerances);
+        });
+        if (found == fresh.end()) continue;
+        names[subject] = found->first.second;
+        fresh.erase(found);
+    }
+    std::vector<Metric> all(before.begin(), before.end());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto [subject, rest] = split(before[i]);
+        const auto name = names.find({before[i].check, subject});
+        if (name != names.end()) all[i].name = std::string(name->second) + std::string(rest);
+    }
+    return all;
+}
+
 std::string number(double value, const char* format) {
     char text[40];
     std::snprintf(text, sizeof text, format, value);
@@ -71,9 +125,10 @@ std::string change_text(const MetricDifference& d) {
 
 } // namespace
 
-std::vector<MetricDifference> metric_differences(std::span<const Metric> before,
+std::vector<MetricDifference> metric_differences(std::span<const Metric> baseline,
                                                  std::span<const Metric> after,
                                                  const MetricTolerances& tolerances) {
+    const std::vector<Metric> before = renamed(baseline, after, tolerances);
     std::vector<MetricDifference> differences;
     std::map<Key, const Metric*> left = by_key(before);
     for (const Metric& metric : after) {

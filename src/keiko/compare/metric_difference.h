@@ -18,7 +18,9 @@ struct MetricDifference {
 };
 
 /// What is farther apart than the tolerances, or in one list only; in the order of `after`, then
-/// what is gone. Metrics belong together by check and name, which must be unique in a list.
+/// what is gone. Metrics belong together by check and name, which must be unique in a list. A face
+/// or seam ("face 3" of "face 3: area") that only its name tells apart from one that is gone is the
+/// same: programs that write a part anew name and number as they like.
 std::vector<MetricDifference> metric_differences(std::span<const Metric> before,
                                                  std::span<const Metric> after,
                                                  const MetricTolerances& tolerances);

@@ -19,6 +19,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// How often a piece is halved before its distance stays unproved.
 constexpr int most_halvings = 12;
+/// Share of its distance below which a piece is not halved either: its own minimum will do.
+constexpr double small_piece = 0.01;
 
 /// The outward unit normal of a face, or 0.
 Vec3 outward(const SurfaceDerivatives& s, const Vec2& uv, const Face& face) {
@@ -95,16 +97,19 @@ SurfaceFeet::Pieces::Pieces(PlacedModel placed, const Job& job) : body(std::move
 /// What is known of the nearest point so far.
 class SurfaceFeet::Search {
 public:
-    Search(const Pieces& pieces, const Vec3& p) : pieces_(pieces), p_(p) {}
+    Search(const Pieces& pieces, const Vec3& p, double reach)
+        : pieces_(pieces), p_(p), material_(reach) {}
 
-    SurfaceFoot run() {
-        pieces_.tree->visit_near(p_, infinity, [&](std::uint32_t leaf) {
+    std::optional<SurfaceFoot> run() {
+        pieces_.tree->visit_near(p_, material_, [&](std::uint32_t leaf) {
             const BezierPatchView view = pieces_.leaves.view(pieces_.leaves.leaves[leaf]);
             look(leaf, view, unit_square, pieces_.convex[leaf], 0);
             return material_;
         });
         if (trimmed_ < material_) look_at_borders();
-        return border_ ? border_foot() : inner_foot();
+        if (border_) return border_foot();
+        if (leaf_ != no_index) return inner_foot();
+        return std::nullopt;
     }
 
 private:
@@ -117,7 +122,8 @@ private:
         const double nearest = (hull.nearest(local) - local).length();
         if (nearest >= material_) return;
         const bool proved = convex.holds(piece, local);
-        if (proved || halved == most_halvings) {
+        const bool small = hull.size() < small_piece * nearest;
+        if (proved || small || halved == most_halvings) {
             if (!proved) unproved_ = std::min(unproved_, nearest);
             take(index, piece_foot(piece, local), box);
             return;
@@ -181,10 +187,10 @@ private:
 
     const Pieces& pieces_;
     Vec3 p_;
-    double material_ = infinity; ///< mm, of the nearest place found in the material
+    double material_;            ///< mm, of the nearest place found in the material, or the reach
     double trimmed_ = infinity;  ///< mm, of the nearest place found that is trimmed away
     double unproved_ = infinity; ///< mm, pieces without a proof are not nearer than this
-    std::uint32_t leaf_ = 0;
+    std::uint32_t leaf_ = no_index;
     Vec2 uv_{0}; ///< of the leaf
     std::optional<BorderFoot> border_;
 };
@@ -194,13 +200,22 @@ SurfaceFeet::SurfaceFeet(PlacedModel body, const Job& job)
 SurfaceFeet::~SurfaceFeet() = default;
 SurfaceFeet::SurfaceFeet(SurfaceFeet&&) noexcept = default;
 
-SurfaceFoot SurfaceFeet::foot(const Vec3& p) const {
-    return Search(*pieces_, p).run();
+std::optional<SurfaceFoot> SurfaceFeet::foot(const Vec3& p, double reach) const {
+    return Search(*pieces_, p, reach).run();
 }
 
-double SurfaceFeet::border_distance(const Vec3& p) const {
-    const auto found = pieces_->borders->foot(p, infinity);
+SurfaceFoot SurfaceFeet::foot(const Vec3& p) const {
+    return *foot(p, infinity);
+}
+
+double SurfaceFeet::border_distance(const Vec3& p, double reach) const {
+    const auto found = pieces_->borders->foot(p, reach);
     return found ? found->distance : infinity;
+}
+
+std::optional<Vec3> SurfaceFeet::border_foot(const Vec3& p, double reach) const {
+    const auto found = pieces_->borders->foot(p, reach);
+    return found ? std::optional(found->position) : std::nullopt;
 }
 
 std::vector<BorderPoint> SurfaceFeet::border_points() const {

@@ -3,6 +3,7 @@
 #include "keiko/base/job.h"
 #include "keiko/compare/placed_model.h"
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -50,10 +51,16 @@ public:
     ~SurfaceFeet();
     SurfaceFeet(SurfaceFeet&&) noexcept;
 
-    /// Of the whole body.
+    /// Of the whole body; nothing where it is `reach` mm away or farther.
+    std::optional<SurfaceFoot> foot(const Vec3& p, double reach) const;
+    /// Of the whole body, however far it is.
     SurfaceFoot foot(const Vec3& p) const;
-    /// The distance of a point to the borders of all faces, mm.
-    double border_distance(const Vec3& p) const;
+    /// The distance of a point to the borders of all faces, mm; infinity where it is `reach` or
+    /// more, and where no face has a border.
+    double border_distance(const Vec3& p,
+                           double reach = std::numeric_limits<double>::infinity()) const;
+    /// The point of the borders of all faces that is nearest, where it is within `reach` mm.
+    std::optional<Vec3> border_foot(const Vec3& p, double reach) const;
     /// Points of all borders: where they turn, and three between each two of those.
     std::vector<BorderPoint> border_points() const;
     const PlacedModel& body() const;

@@ -147,7 +147,9 @@ double position_error(const SurfaceModel& model, const SeamLine& line, const Vec
 void judge_beyond_gap(MeasuredSeam& seam, const LineExtremes& found, const CriteriaPreset& preset) {
     seam.angle = worst(*found.angle, angle_rounding, preset.angle);
     seam.smallest_angle = -found.negated_angle->value;
-    seam.crease = seam.angle->value > preset.feature_angle;
+    // Faces that lie on each other all along are folded back on the same material: no edge.
+    constexpr double folded = 179; // degrees
+    seam.crease = seam.angle->value > preset.feature_angle && !(seam.smallest_angle > folded);
     if (seam.crease) return;
     take(seam, *seam.angle);
     if (seam.verdict != Verdict::pass || !found.curvature) return;
@@ -164,6 +166,14 @@ Vec3 middle_of(const SeamLine& line) {
     return line.probes.size() % 2 == 0 ? probe.at(probe.begin()).place : probe.middle();
 }
 
+std::vector<Vec3> course_of(const SeamProbe& probe) {
+    constexpr int steps = 32;
+    std::vector<Vec3> course;
+    for (int i = 0; i <= steps; ++i)
+        course.push_back(probe.place(probe.begin() + (probe.end() - probe.begin()) * i / steps));
+    return course;
+}
+
 } // namespace
 
 MeasuredSeam measure_line(const SurfaceModel& model, const SeamLine& line,
@@ -174,6 +184,7 @@ MeasuredSeam measure_line(const SurfaceModel& model, const SeamLine& line,
     seam.instance_b = line.instance_b, seam.face_b = line.face_b;
     seam.id_a = model.faces[line.face_a].id, seam.id_b = model.faces[line.face_b].id;
     seam.middle = middle_of(line);
+    for (const SeamProbe& probe : line.probes) seam.course.push_back(course_of(probe));
     seam.length = found.length;
     const SeamPoint& widest = found.gap->point;
     seam.gap = worst(*found.gap, position_error(model, line, widest.place), preset.gap);

@@ -37,9 +37,11 @@ struct MeasuredSeam {
     std::uint32_t id_a = 0, id_b = 0; ///< Face::id of the sides
     std::string
         faces; ///< "face 12 (fender-outer) | face 13"; instances too where there are several
-    std::vector<std::uint32_t> pieces;      ///< into the seams measured; empty where internal
-    double length = 0;                      ///< mm
-    Vec3 middle{0};                         ///< a point halfway along, world, mm
+    std::vector<std::uint32_t> pieces; ///< into the seams measured; empty where internal
+    double length = 0;                 ///< mm
+    Vec3 middle{0};                    ///< a point halfway along, world, mm
+    /// Where it runs: of each of its pieces 33 points from end to end, world, mm.
+    std::vector<std::vector<Vec3>> course{};
     Worst gap;                              ///< G0, mm
     std::optional<Worst> angle;             ///< G1, degrees; nothing where a side has no normal
     double smallest_angle = 0;              ///< degrees, where there is an angle

@@ -39,8 +39,10 @@ public:
     SeamPoint at(double t) const;
     /// mm, of side a.
     double length() const { return a_.length(begin(), end()); }
+    /// The point at parameter t of side a; world, mm.
+    Vec3 place(double t) const { return a_.at(t).position; }
     /// A point halfway along, on side a; world, mm.
-    Vec3 middle() const { return a_.at((begin() + end()) / 2).position; }
+    Vec3 middle() const { return place((begin() + end()) / 2); }
 
     /// The larger number of patches that either side runs through: where it may change its ways.
     int patch_count() const { return std::max(a_.patch_count(), b_.patch_count()); }

@@ -157,6 +157,19 @@ bool is_of_another_format(const fs::path& file) {
     return format.starts_with("keiko-") && !format.starts_with("keiko-fixture/");
 }
 
+/// What editors and file managers leave beside a file.
+bool is_hidden(const fs::path& file) {
+    return file.filename().string().starts_with(".");
+}
+
+/// The output folder holds a folder of the fixture's name beside these.
+void require_usable_name(const FixtureSpec& fixture) {
+    for (const char* taken : {"regression.json", "junit.xml", "index.html"})
+        if (fixture.name == taken)
+            throw Error(fixture.file.string(), "",
+                        "is called as a file that keiko regress writes; rename it");
+}
+
 } // namespace
 
 FixtureSpec parse_fixture(std::string_view text, const std::string& source) {
@@ -191,12 +204,16 @@ std::vector<FixtureSpec> read_fixtures(const fs::path& folder) {
     if (code) throw Error(folder.string(), "", "cannot read the folder: " + code.message());
     std::vector<fs::path> paths;
     for (const fs::directory_entry& entry : files)
-        if (entry.path().extension() == ".toml") paths.push_back(entry.path());
+        if (entry.path().extension() == ".toml" && !is_hidden(entry.path()))
+            paths.push_back(entry.path());
     std::sort(paths.begin(), paths.end(),
               [](const fs::path& a, const fs::path& b) { return a.stem() < b.stem(); });
     std::vector<FixtureSpec> fixtures;
     for (const fs::path& path : paths)
-        if (!is_of_another_format(path)) fixtures.push_back(read_fixture(path));
+        if (!is_of_another_format(path)) {
+            fixtures.push_back(read_fixture(path));
+            require_usable_name(fixtures.back());
+        }
     if (fixtures.empty())
         throw Error(folder.string(), "",
                     "holds no fixture: no .toml file with format = \"" +

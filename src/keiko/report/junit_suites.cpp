@@ -3,61 +3,71 @@
 #include "keiko/report/html_text.h"
 #include "keiko/report/xml_attribute.h"
 
-#include <algorithm>
-
 namespace keiko {
 namespace {
 
 using Outcome = JunitCase::Outcome;
 
-std::size_t count(const JunitSuite& suite, Outcome outcome) {
-    return static_cast<std::size_t>(
-        std::count_if(suite.cases.begin(), suite.cases.end(),
-                      [&](const JunitCase& one) { return one.outcome == outcome; }));
-}
+struct Counts {
+    std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
 
-std::string counts(std::size_t tests, std::size_t failures, std::size_t errors) {
-    return xml_attribute("tests", std::to_string(tests)) +
-           xml_attribute("failures", std::to_string(failures)) +
-           xml_attribute("errors", std::to_string(errors));
-}
-
-std::string lines_escaped(const std::string& text) {
-    std::string escaped;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        escaped += html_escaped(std::string_view(text).substr(begin, end - begin)) + "\n";
-        begin = end + 1;
+    void add(const JunitSuite& suite) {
+        for (const JunitCase& one : suite.cases) {
+            ++tests;
+            failures += one.outcome == Outcome::failure;
+            errors += one.outcome == Outcome::error;
+            skipped += one.outcome == Outcome::skipped;
+        }
     }
-    return escaped;
+    std::string attributes() const {
+        return xml_attribute("tests", tests) + xml_attribute("failures", failures) +
+               xml_attribute("errors", errors);
+    }
+};
+
+std::string outcome_xml(const JunitCase& one) {
+    if (one.outcome == Outcome::skipped)
+        return "<skipped" + xml_attribute("message", one.message) + "/>";
+    const std::string element = one.outcome == Outcome::failure ? "failure" : "error";
+    const std::string type = one.type.empty() ? "" : xml_attribute("type", one.type);
+    const std::string head = "<" + element + type + xml_attribute("message", one.message);
+    if (one.details.empty()) return head + "/>";
+    return head + ">" + html_escaped(one.details) + "</" + element + ">";
 }
 
 std::string case_xml(const JunitCase& one) {
     const std::string head = "    <testcase" + xml_attribute("classname", one.class_name) +
                              xml_attribute("name", one.name);
     if (one.outcome == Outcome::pass) return head + "/>\n";
-    const std::string element = one.outcome == Outcome::failure ? "failure" : "error";
-    return head + ">\n      <" + element + xml_attribute("message", one.message) + ">" +
-           lines_escaped(one.details) + "</" + element + ">\n    </testcase>\n";
+    return head + ">\n      " + outcome_xml(one) + "\n    </testcase>\n";
+}
+
+std::string properties_xml(const JunitSuite& suite) {
+    if (suite.properties.empty()) return "";
+    std::string xml = "    <properties>\n";
+    for (const auto& [name, value] : suite.properties)
+        xml += "      <property" + xml_attribute("name", name) + xml_attribute("value", value) +
+               "/>\n";
+    return xml + "    </properties>\n";
+}
+
+std::string suite_xml(const JunitSuite& suite) {
+    Counts counts;
+    counts.add(suite);
+    std::string xml = "  <testsuite" + xml_attribute("name", suite.name) + counts.attributes() +
+                      xml_attribute("skipped", counts.skipped) + ">\n" + properties_xml(suite);
+    for (const JunitCase& one : suite.cases) xml += case_xml(one);
+    return xml + "  </testsuite>\n";
 }
 
 } // namespace
 
 std::string junit_xml(const std::vector<JunitSuite>& suites) {
-    std::size_t tests = 0, failures = 0, errors = 0;
+    Counts counts;
     std::string body;
-    for (const JunitSuite& suite : suites) {
-        const std::size_t failed = count(suite, Outcome::failure),
-                          broken = count(suite, Outcome::error);
-        body += "  <testsuite" + xml_attribute("name", suite.name) +
-                counts(suite.cases.size(), failed, broken) + ">\n";
-        for (const JunitCase& one : suite.cases) body += case_xml(one);
-        body += "  </testsuite>\n";
-        tests += suite.cases.size(), failures += failed, errors += broken;
-    }
+    for (const JunitSuite& suite : suites) counts.add(suite), body += suite_xml(suite);
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" +
-           xml_attribute("name", "keiko") + counts(tests, failures, errors) + ">\n" + body +
-           "</testsuites>\n";
+           xml_attribute("name", "keiko") + counts.attributes() + ">\n" + body + "</testsuites>\n";
 }
 
 } // namespace keiko

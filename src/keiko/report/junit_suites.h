@@ -1,22 +1,25 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace keiko {
 
 /// A test case as build servers show it.
 struct JunitCase {
-    enum class Outcome { pass, failure, error };
+    enum class Outcome { pass, failure, error, skipped };
     std::string class_name, name;
     Outcome outcome = Outcome::pass;
-    std::string message; ///< one line
-    std::string details; ///< any number of lines
+    std::string message{}; ///< one line
+    std::string details{}; ///< any number of lines
+    std::string type{};    ///< of a failure or an error: a code, or empty
 };
 
 struct JunitSuite {
     std::string name;
-    std::vector<JunitCase> cases;
+    std::vector<JunitCase> cases{};
+    std::vector<std::pair<std::string, std::string>> properties{}; ///< name and value
 };
 
 /// JUnit XML (the schema of the xUnit plugin of Jenkins, junit-10.xsd), without times, so that

@@ -74,6 +74,12 @@ BaselineChange change_from(const Json& json) {
             json.at("changed").get<std::vector<std::string>>()};
 }
 
+std::vector<BaselineChange> changes_from(const Json& manifest) {
+    std::vector<BaselineChange> changes;
+    for (const Json& change : manifest.at("changes")) changes.push_back(change_from(change));
+    return changes;
+}
+
 std::string manifest_text(const KeptRecord& kept, const FolderContent& files) {
     Json json = {{"format", manifest_format}};
     if (!kept.key.empty()) json["key"] = kept.key;
@@ -123,7 +129,7 @@ KeptRecord parsed_record(const FolderContent& files) {
     require_unharmed(files, manifest);
     KeptRecord kept;
     kept.key = manifest.value("key", "");
-    for (const Json& change : manifest.at("changes")) kept.changes.push_back(change_from(change));
+    kept.changes = changes_from(manifest);
     const Json metrics = parsed(files, metrics_file, metrics_format);
     for (const Json& metric : metrics.at("metrics"))
         kept.record.metrics.push_back(metric_from(metric));
@@ -150,6 +156,14 @@ KeptRecord record_of(const FolderContent& files, const std::string& folder) {
         throw Error(folder, error.where(), error.reason());
     } catch (const std::exception& error) { // of the JSON library, and of stod
         throw Error(folder, "", std::string("cannot be read: ") + error.what());
+    }
+}
+
+std::vector<BaselineChange> changes_in(const FolderContent& files) {
+    try {
+        return changes_from(parsed(files, manifest_file, manifest_format));
+    } catch (const std::exception&) { // ours, and of the JSON library
+        return {};
     }
 }
 

@@ -30,4 +30,8 @@ FolderContent files_of(const KeptRecord& kept);
 /// too many, damaged or of another format.
 KeptRecord record_of(const FolderContent& files, const std::string& folder);
 
+/// The changes that manifest.json tells of, whatever became of the other files; none where it
+/// cannot be read itself.
+std::vector<BaselineChange> changes_in(const FolderContent& files);
+
 } // namespace keiko

@@ -9,12 +9,6 @@ std::string_view name_of(FixtureState state) {
     return names[static_cast<std::size_t>(state)];
 }
 
-bool PictureOutcome::within() const {
-    return problem.empty() && flips_within &&
-           std::all_of(layers.begin(), layers.end(),
-                       [](const LayerDifference& layer) { return layer.within; });
-}
-
 std::size_t Regression::count(FixtureState state) const {
     return static_cast<std::size_t>(
         std::count_if(fixtures.begin(), fixtures.end(),

@@ -2,6 +2,7 @@
 
 #include "keiko/base/output_folder.h"
 #include "keiko/compare/fixture_record.h"
+#include "keiko/report/picture_outcome.h"
 
 #include <array>
 #include <string>
@@ -21,26 +22,13 @@ inline constexpr std::array every_fixture_state{FixtureState::same, FixtureState
                                                 FixtureState::missing, FixtureState::error};
 std::string_view name_of(FixtureState state);
 
-/// What became of one view of a fixture.
-struct PictureOutcome {
-    std::string view;
-    std::string problem{}; ///< as PictureDifference::problem
-    std::size_t pixels = 0, coverage_flips = 0, face_flips = 0;
-    bool flips_within = true;
-    std::vector<LayerDifference> layers{};
-    int width = 0, height = 0;
-    /// Names in FixtureOutcome::pngs of the pictures before, after, and of their difference; empty
-    /// where there is none.
-    std::string before{}, after{}, difference{};
-
-    bool within() const;
-};
-
 /// What became of a fixture.
 struct FixtureOutcome {
     std::string name;
     FixtureState state = FixtureState::same;
     std::string error{}; ///< one line, of an error
+    /// Of "shape", "seams" and "lines" those that were asked for.
+    std::vector<std::string> checks{};
     std::size_t metrics_compared = 0;
     std::vector<MetricDifference> metrics{};
     std::vector<PictureOutcome> pictures{};
@@ -50,9 +38,11 @@ struct FixtureOutcome {
 /// One run of a suite, or of a share of it.
 struct Regression {
     std::string tool_version;
-    std::vector<std::string> suite;         ///< every fixture of the suite, by name
-    int shard = 1, shards = 1;              ///< fixture i is of shard i % shards + 1
-    std::vector<FixtureOutcome> fixtures{}; ///< those of the shard, by name
+    std::vector<std::string> suite;             ///< every fixture of the suite, by name
+    std::string suite_key{};                    ///< of all that the suite's outcome depends on
+    std::vector<std::string> stale_baselines{}; ///< folders of baselines that no fixture has
+    int shard = 1, shards = 1;                  ///< fixture i is of shard i % shards + 1
+    std::vector<FixtureOutcome> fixtures{};     ///< those of the shard, by name
 
     std::size_t count(FixtureState state) const;
     /// The worst of all fixtures.

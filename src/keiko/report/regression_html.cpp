@@ -1,5 +1,6 @@
 #include "keiko/report/html_text.h"
 #include "keiko/report/picture_slider.h"
+#include "keiko/report/plain_table.h"
 #include "keiko/report/regression.h"
 #include "keiko/report/report_style.h"
 
@@ -31,15 +32,6 @@ std::string head(const Regression& regression) {
     return html + "</div>\n";
 }
 
-std::string table(const std::string& header, const std::string& rows) {
-    return "<div class=\"card scroll\"><table><thead><tr>" + header + "</tr></thead><tbody>" +
-           rows + "</tbody></table></div>\n";
-}
-
-std::string cell(const std::string& text, bool left = false) {
-    return std::string(left ? "<td class=\"left\">" : "<td>") + html_escaped(text) + "</td>";
-}
-
 std::string value_text(const std::optional<std::variant<double, std::string>>& value) {
     if (!value) return "–";
     const double* real = std::get_if<double>(&*value);
@@ -51,43 +43,18 @@ std::string metric_row(const MetricDifference& d) {
     const double* before = d.before ? std::get_if<double>(&*d.before) : nullptr;
     const double* after = d.after ? std::get_if<double>(&*d.after) : nullptr;
     if (before && after) change = short_number(*after - *before);
-    return "<tr>" + cell(d.check, true) + cell(d.name, true) + cell(value_text(d.before)) +
-           cell(value_text(d.after)) + cell(change) +
-           cell(change.empty() ? "" : short_number(d.allowed)) +
-           cell(std::string(unit_of(d.quantity))) + "</tr>";
+    return "<tr>" + html_text_cell(d.check, true) + html_text_cell(d.name, true) +
+           html_text_cell(value_text(d.before)) + html_text_cell(value_text(d.after)) +
+           html_text_cell(change) + html_text_cell(change.empty() ? "" : short_number(d.allowed)) +
+           html_text_cell(std::string(unit_of(d.quantity))) + "</tr>";
 }
 
 std::string metrics_table(const FixtureOutcome& fixture) {
     if (fixture.metrics.empty()) return "";
     std::string rows;
     for (const MetricDifference& metric : fixture.metrics) rows += metric_row(metric);
-    return table(
-        "<th class=\"left\">check</th><th class=\"left\">metric</th><th>before</th>"
-        "<th>after</th><th>change</th><th>allowed</th><th>unit</th>",
-        rows);
-}
-
-std::string layer_row(const LayerDifference& layer) {
-    const std::string tone = layer.within ? "pass" : "fail";
-    return "<tr class=\"" + tone + "\">" + cell(layer.layer, true) + "<td class=\"tone\">" +
-           (layer.within ? "within" : "beyond") + "</td>" + cell(std::to_string(layer.beyond)) +
-           cell(short_number(layer.excess)) + cell(short_number(layer.largest)) +
-           cell(short_number(layer.root_mean_square)) +
-           cell(std::to_string(layer.x) + ", " + std::to_string(layer.y)) + "</tr>";
-}
-
-std::string layers_table(const PictureOutcome& picture) {
-    std::string rows;
-    for (const LayerDifference& layer : picture.layers) rows += layer_row(layer);
-    return "<p class=\"small soft\">" + std::to_string(picture.pixels) + " pixels; " +
-           std::to_string(picture.coverage_flips) + " where the outline moved, " +
-           std::to_string(picture.face_flips) + " others with another face" +
-           (picture.flips_within ? "" : ": too many") + "</p>" +
-           table(
-               "<th class=\"left\">layer</th><th></th><th>pixels beyond</th>"
-               "<th>worst, in tolerances</th><th>largest difference</th>"
-               "<th>root mean square</th><th>at pixel</th>",
-               rows);
+    return html_plain_table({"<check", "<metric", "before", "after", "change", "allowed", "unit"},
+                            rows);
 }
 
 std::string_view png(const FixtureOutcome& fixture, const std::string& name) {
@@ -102,7 +69,7 @@ std::string picture_section(const FixtureOutcome& fixture, const PictureOutcome&
     html += html_slider({png(fixture, picture.before), png(fixture, picture.after),
                          png(fixture, picture.difference), picture.width, picture.height},
                         picture.view);
-    if (!picture.layers.empty()) html += layers_table(picture);
+    if (!picture.layers.empty()) html += html_layers(picture);
     return html;
 }
 
@@ -130,6 +97,16 @@ std::string same_section(const Regression& regression) {
     return names.empty() ? "" : "<section><h2>Same</h2><p>" + names + "</p></section>\n";
 }
 
+std::string stale_section(const Regression& regression) {
+    std::string names;
+    for (const std::string& name : regression.stale_baselines)
+        names += (names.empty() ? "" : ", ") + html_escaped(name);
+    return names.empty()
+               ? ""
+               : "<section><h2>Stale baselines</h2><p>No fixture has the name of: " + names +
+                     "</p></section>\n";
+}
+
 } // namespace
 
 std::string regression_html(const Regression& regression) {
@@ -141,7 +118,7 @@ std::string regression_html(const Regression& regression) {
     html += slider_style;
     html += "</style>\n</head>\n<body>\n<main>\n" + head(regression);
     for (const FixtureOutcome& fixture : regression.fixtures) html += fixture_section(fixture);
-    return html + same_section(regression) + "<footer><p>Keiko " +
+    return html + same_section(regression) + stale_section(regression) + "<footer><p>Keiko " +
            html_escaped(regression.tool_version) + "</p></footer>\n</main>\n</body>\n</html>\n";
 }
 

@@ -1,5 +1,5 @@
 #include "keiko/base/error.h"
-#include "keiko/report/json_text.h"
+#include "keiko/report/picture_outcome_json.h"
 #include "keiko/report/regression.h"
 
 namespace keiko {
@@ -39,70 +39,18 @@ MetricDifference metric_from(const Json& json) {
             json.at("allowed")};
 }
 
-Json layer_json(const LayerDifference& layer) {
-    return {{"layer", layer.layer},
-            {"beyond", layer.beyond},
-            {"largest", real_json(layer.largest)},
-            {"excess", real_json(layer.excess)},
-            {"root_mean_square", real_json(layer.root_mean_square)},
-            {"x", layer.x},
-            {"y", layer.y},
-            {"within", layer.within}};
-}
-
-LayerDifference layer_from(const Json& json) {
-    return {.layer = json.at("layer"),
-            .beyond = json.at("beyond"),
-            .largest = real_from(json.at("largest")),
-            .excess = real_from(json.at("excess")),
-            .root_mean_square = real_from(json.at("root_mean_square")),
-            .x = json.at("x"),
-            .y = json.at("y"),
-            .within = json.at("within")};
-}
-
-Json picture_json(const PictureOutcome& picture) {
-    Json json = {{"view", picture.view},
-                 {"problem", picture.problem},
-                 {"pixels", picture.pixels},
-                 {"coverage_flips", picture.coverage_flips},
-                 {"face_flips", picture.face_flips},
-                 {"flips_within", picture.flips_within},
-                 {"layers", Json::array()},
-                 {"width", picture.width},
-                 {"height", picture.height},
-                 {"before", picture.before},
-                 {"after", picture.after},
-                 {"difference", picture.difference}};
-    for (const LayerDifference& layer : picture.layers) json["layers"].push_back(layer_json(layer));
-    return json;
-}
-
-PictureOutcome picture_from(const Json& json) {
-    PictureOutcome picture{.view = json.at("view"),
-                           .problem = json.at("problem"),
-                           .pixels = json.at("pixels"),
-                           .coverage_flips = json.at("coverage_flips"),
-                           .face_flips = json.at("face_flips"),
-                           .flips_within = json.at("flips_within"),
-                           .layers = {},
-                           .width = json.at("width"),
-                           .height = json.at("height"),
-                           .before = json.at("before"),
-                           .after = json.at("after"),
-                           .difference = json.at("difference")};
-    for (const Json& layer : json.at("layers")) picture.layers.push_back(layer_from(layer));
-    return picture;
-}
-
 Json fixture_json(const FixtureOutcome& fixture) {
-    Json json = {{"name", fixture.name},     {"state", name_of(fixture.state)},
-                 {"error", fixture.error},   {"metrics_compared", fixture.metrics_compared},
-                 {"metrics", Json::array()}, {"pictures", Json::array()}};
+    Json json = {{"name", fixture.name},
+                 {"state", name_of(fixture.state)},
+                 {"error", fixture.error},
+                 {"checks", fixture.checks},
+                 {"metrics_compared", fixture.metrics_compared},
+                 {"metrics", Json::array()},
+                 {"pictures", Json::array()}};
     for (const MetricDifference& metric : fixture.metrics)
         json["metrics"].push_back(metric_json(metric));
     for (const PictureOutcome& picture : fixture.pictures)
-        json["pictures"].push_back(picture_json(picture));
+        json["pictures"].push_back(picture_outcome_json(picture));
     return json;
 }
 
@@ -117,10 +65,11 @@ FixtureOutcome fixture_from(const Json& json) {
     fixture.name = json.at("name");
     fixture.state = state_from(json.at("state"));
     fixture.error = json.at("error");
+    fixture.checks = json.at("checks").get<std::vector<std::string>>();
     fixture.metrics_compared = json.at("metrics_compared");
     for (const Json& metric : json.at("metrics")) fixture.metrics.push_back(metric_from(metric));
     for (const Json& picture : json.at("pictures"))
-        fixture.pictures.push_back(picture_from(picture));
+        fixture.pictures.push_back(picture_outcome_from(picture));
     return fixture;
 }
 
@@ -130,6 +79,8 @@ Regression regression_from(const Json& json) {
     Regression regression;
     regression.tool_version = json.at("tool").at("version");
     regression.suite = json.at("suite").get<std::vector<std::string>>();
+    regression.suite_key = json.at("suite_key");
+    regression.stale_baselines = json.at("stale_baselines").get<std::vector<std::string>>();
     regression.shard = json.at("shard"), regression.shards = json.at("shards");
     for (const Json& fixture : json.at("fixtures"))
         regression.fixtures.push_back(fixture_from(fixture));
@@ -145,6 +96,8 @@ std::string regression_json(const Regression& regression) {
                  {"shard", regression.shard},
                  {"shards", regression.shards},
                  {"suite", regression.suite},
+                 {"suite_key", regression.suite_key},
+                 {"stale_baselines", regression.stale_baselines},
                  {"fixtures", Json::array()}};
     for (const FixtureOutcome& fixture : regression.fixtures)
         json["fixtures"].push_back(fixture_json(fixture));

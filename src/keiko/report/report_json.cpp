@@ -38,7 +38,13 @@ Json slope(const CurvatureSlopeStep& step) {
     return json;
 }
 
-Json seam_json(const MeasuredSeam& seam) {
+/// A value that nothing was held against.
+Json without_verdict(Json json) {
+    json["limit"] = Json(), json["verdict"] = Json();
+    return json;
+}
+
+Json seam_json(const MeasuredSeam& seam, const CriteriaPreset& preset) {
     Json json = {{"faces", seam.faces},
                  {"face_ids", {seam.id_a, seam.id_b}},
                  {"instances", {seam.instance_a, seam.instance_b}},
@@ -51,10 +57,15 @@ Json seam_json(const MeasuredSeam& seam) {
                  {"length", seam.length},
                  {"middle", point(seam.middle)},
                  {"gap", worst(seam.gap)}};
-    json["angle"] = seam.angle ? worst(*seam.angle) : Json();
+    const auto judged = [](Json value, bool is_judged) {
+        return is_judged || value.is_null() ? value : without_verdict(std::move(value));
+    };
+    json["angle"] = judged(seam.angle ? worst(*seam.angle) : Json(), !seam.crease);
     if (seam.angle) json["angle"]["smallest"] = seam.smallest_angle;
-    json["curvature"] = seam.curvature ? curvature(*seam.curvature) : Json();
-    json["curvature_slope"] = seam.slope ? slope(*seam.slope) : Json();
+    json["curvature"] =
+        judged(seam.curvature ? curvature(*seam.curvature) : Json(), preset.curvature.has_value());
+    json["curvature_slope"] =
+        judged(seam.slope ? slope(*seam.slope) : Json(), preset.curvature_slope.has_value());
     return json;
 }
 
@@ -99,7 +110,8 @@ Json inspection_json_value(const Inspection& inspection) {
                  {"worst_seams", worst_seams(inspection, worst_seam_count)},
                  {"seams", Json::array()},
                  {"findings", Json::array()}};
-    for (const MeasuredSeam& seam : inspection.seams) json["seams"].push_back(seam_json(seam));
+    for (const MeasuredSeam& seam : inspection.seams)
+        json["seams"].push_back(seam_json(seam, inspection.preset));
     for (const Check& finding : inspection.findings)
         json["findings"].push_back(finding_json(finding));
     return json;
@@ -144,8 +156,9 @@ std::string report_json(const Report& report) {
     return text_of(json);
 }
 
-std::string inspection_json(const Inspection& inspection) {
-    Json json = {{"format", "keiko-inspection/1"}};
+std::string inspection_json(const Inspection& inspection, const std::string& tool_version) {
+    Json json = {{"format", "keiko-inspection/1"},
+                 {"tool", {{"name", "keiko"}, {"version", tool_version}}}};
     json.update(inspection_json_value(inspection));
     return text_of(json);
 }

@@ -21,14 +21,14 @@ namespace keiko {
 /// approximated}] with `part` an index of part_list.
 std::string facts_json(const ModelFacts& facts);
 
-/// The geometry against criteria, "keiko-inspection/1": verdict ("pass", "undecided", "fail"),
-/// counts {fail, undecided, pass, creases}, preset, join, model (as
+/// The geometry against criteria, "keiko-inspection/1": tool {name, version}, verdict ("pass",
+/// "undecided", "fail"), counts {fail, undecided, pass, creases}, preset, join, model (as
 /// facts_json, without face_list), worst_seams
 /// [indices], seams [{faces, face_ids, instances, verdict, crease, severity, length, middle, gap,
 /// angle, curvature, curvature_slope, internal, overlap}], findings [{code, rule, seam, faces,
 /// quantity, unit, formula?, message}]. Each gap, angle, curvature and finding has value, bound,
-/// limit, verdict and place.
-std::string inspection_json(const Inspection& inspection);
+/// limit, verdict and place; limit and verdict are null where the value is not judged.
+std::string inspection_json(const Inspection& inspection, const std::string& tool_version);
 
 /// The whole report, "keiko-report/1": tool {name, version}, the keys of inspection_json with the
 /// verdict of lines and seams together, then lines {rig, look, preset, verdict, counts, crossings}

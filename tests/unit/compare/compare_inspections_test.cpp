@@ -34,10 +34,11 @@ TEST(CompareInspections, FindsNoDifferenceOfAPartToItself) {
 TEST(CompareInspections, MeasuresHowASeamGotWorse) {
     const auto difference = compare_inspections(strips({0.02, 0.05}), strips({0.02, 0.35}));
     ASSERT_EQ(difference.changed.size(), 1u);
-    EXPECT_NEAR(difference.changed[0].angle, 0.3, 1e-9);
-    EXPECT_NEAR(difference.changed[0].gap, 0, 1e-12);
-    EXPECT_EQ(difference.changed[0].verdict_before, Verdict::pass);
-    EXPECT_EQ(difference.changed[0].verdict_after, Verdict::fail);
+    EXPECT_NEAR(difference.changed[0].angle(), 0.3, 1e-9);
+    EXPECT_NEAR(difference.changed[0].gap(), 0, 1e-12);
+    EXPECT_EQ(difference.changed[0].before.verdict, Verdict::pass);
+    EXPECT_EQ(difference.changed[0].after.verdict, Verdict::fail);
+    EXPECT_EQ(difference.changed[0].trend, SeamTrend::worse);
     ASSERT_EQ(difference.new_findings.size(), 1u);
     EXPECT_EQ(difference.new_findings[0].code, "G-SU-NT");
     EXPECT_TRUE(difference.solved_findings.empty());
@@ -46,7 +47,8 @@ TEST(CompareInspections, MeasuresHowASeamGotWorse) {
 TEST(CompareInspections, CreditsASeamThatWasRepaired) {
     const auto difference = compare_inspections(strips({0}, 0.04), strips({0}, 0));
     ASSERT_EQ(difference.changed.size(), 1u);
-    EXPECT_NEAR(difference.changed[0].gap, -0.04, 1e-12);
+    EXPECT_NEAR(difference.changed[0].gap(), -0.04, 1e-12);
+    EXPECT_EQ(difference.changed[0].trend, SeamTrend::better);
     ASSERT_EQ(difference.solved_findings.size(), 1u);
     EXPECT_EQ(difference.solved_findings[0].code, "G-SU-LG");
     EXPECT_TRUE(difference.new_findings.empty());
@@ -55,6 +57,7 @@ TEST(CompareInspections, CreditsASeamThatWasRepaired) {
 TEST(CompareInspections, DoesNotCallAKnownFindingNew) {
     const auto difference = compare_inspections(strips({0.2}), strips({0.3}));
     EXPECT_EQ(difference.changed.size(), 1u);
+    EXPECT_EQ(difference.same_findings.size(), 1u);
     EXPECT_TRUE(difference.new_findings.empty());
     EXPECT_TRUE(difference.solved_findings.empty());
 }
@@ -70,18 +73,56 @@ TEST(CompareInspections, ListsSeamsWithoutAPartner) {
     EXPECT_EQ(shrunk.solved_findings.size(), 1u);
 }
 
-TEST(CompareInspections, PrefersTheFacesNameToANearerStranger) {
-    Inspection before, after;
+/// A seam of these faces along x at height y.
+MeasuredSeam straight(const std::string& faces, double y, double from = 0, double to = 100) {
     MeasuredSeam seam;
-    seam.faces = "face 1 | face 2", seam.middle = Vec3(0, 0, 0);
-    before.seams = {seam};
-    MeasuredSeam stranger = seam, renamed = seam;
-    stranger.faces = "face 8 | face 9", stranger.middle = Vec3(1, 0, 0);
-    renamed.middle = Vec3(5, 0, 0);
-    after.seams = {stranger, renamed};
+    seam.faces = faces, seam.length = to - from;
+    seam.course.emplace_back();
+    for (int i = 0; i <= 32; ++i)
+        seam.course.back().emplace_back(from + (to - from) * i / 32, y, 0);
+    return seam;
+}
+
+Inspection with(std::vector<MeasuredSeam> seams) {
+    Inspection inspection;
+    inspection.seams = std::move(seams);
+    return inspection;
+}
+
+TEST(CompareInspections, PrefersTheFacesNameToANearerStranger) {
+    const Inspection before = with({straight("face 1 | face 2", 0)});
+    Inspection after = with({straight("face 8 | face 9", 1), straight("face 1 | face 2", 5)});
     EXPECT_EQ(compare_inspections(before, after).added, std::vector<std::uint32_t>{0});
-    after.seams[1].middle = Vec3(50, 0, 0); // too far to be the same seam
+    after.seams[1] = straight("face 1 | face 2", 50); // too far to be the same seam
     EXPECT_EQ(compare_inspections(before, after).added, std::vector<std::uint32_t>{1});
+}
+
+TEST(CompareInspections, PairsByPlaceWhereFacesAreNumberedAnew) {
+    const Inspection before =
+        with({straight("face 1 | face 2", 0), straight("face 2 | face 3", 4)});
+    const Inspection after = with({straight("face 2 | face 3", 0), straight("face 1 | face 2", 4)});
+    const InspectionDifference difference = compare_inspections(before, after);
+    EXPECT_TRUE(difference.empty());
+    EXPECT_EQ(difference.matched, 2u);
+}
+
+TEST(CompareInspections, TakesASeamThatWasDividedForTheSame) {
+    const Inspection before = with({straight("face 1 | face 2", 0)});
+    const Inspection after =
+        with({straight("face 1 | face 2", 0, 0, 60), straight("face 1 | face 3", 0, 60, 100)});
+    EXPECT_TRUE(compare_inspections(before, after).empty());
+    EXPECT_TRUE(compare_inspections(after, before).empty());
+    EXPECT_EQ(match_seams(before.seams, after.seams, 10).groups[0].after,
+              (std::vector<std::uint32_t>{0, 1}));
+}
+
+TEST(CompareInspections, DoesNotPairSeamsThatOnlyCross) {
+    MeasuredSeam across = straight("face 1 | face 2", 0);
+    for (Vec3& p : across.course[0]) p = Vec3(50, p.x - 50, 0);
+    const InspectionDifference difference =
+        compare_inspections(with({straight("face 1 | face 2", 0)}), with({across}));
+    EXPECT_EQ(difference.removed.size(), 1u);
+    EXPECT_EQ(difference.added.size(), 1u);
 }
 
 } // namespace

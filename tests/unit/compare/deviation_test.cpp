@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace keiko {
 namespace {
@@ -33,8 +34,11 @@ TEST(Deviation, IsNoneOfABodyToItself) {
     EXPECT_LT(std::abs(none.worst.value), 1e-10);
     EXPECT_LT(none.worst_normal.value, 1e-9);
     EXPECT_EQ(none.uncertain_share, 0);
-    EXPECT_EQ(none.turned, std::vector<double>{0});
-    EXPECT_EQ(none.partners, std::vector<std::uint32_t>{0});
+    ASSERT_EQ(none.faces.size(), 1u);
+    EXPECT_EQ(none.faces[0].turned, 0);
+    EXPECT_EQ(none.faces[0].partner, 0u);
+    EXPECT_FALSE(none.faces[0].alone());
+    EXPECT_EQ(none.beyond, 0);
 }
 
 TEST(Deviation, IsTheOffsetOfAParallelPlane) {
@@ -72,7 +76,7 @@ TEST(Deviation, NoticesAFaceTurnedInsideOut) {
     SurfaceModel turned = sheet();
     turned.faces[0].reversed = true;
     const Deviation found = between(turned, sheet());
-    EXPECT_EQ(found.turned, std::vector<double>{1});
+    EXPECT_EQ(found.faces[0].turned, 1);
     EXPECT_LT(found.worst_normal.value, 1e-9);
 }
 
@@ -88,6 +92,42 @@ TEST(Deviation, NoticesATrimThatMoved) {
     EXPECT_NEAR(wider.worst_border.value, 0.01, 1e-9);
     EXPECT_NEAR(wider.worst_border.place.x, 60.01, 1e-9);
     EXPECT_LT(between(holed(0.6), holed(0.6)).worst_border.value, 1e-12);
+}
+
+/// Two plates beside each other; the second is left out where `both` is false.
+SurfaceModel plates(bool both) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, {100, 0, 0}, {0, 100, 0});
+    if (both) builder.plane({100, 0, 0}, {100, 0, 0}, {0, 100, 0});
+    return builder.build();
+}
+
+TEST(Deviation, TellsWhatIsFurtherThanTheReachWithoutItsDistance) {
+    const Deviation found =
+        measure_deviation(SurfaceFeet(placed_model(plates(true))),
+                          SurfaceFeet(placed_model(plates(false))), {.reach = 20});
+    EXPECT_EQ(found.worst.value, std::numeric_limits<double>::infinity());
+    EXPECT_NEAR(found.beyond, 0.4, 0.01); // 80 of 200 mm
+    EXPECT_LT(found.median, 1e-9);
+    EXPECT_EQ(found.percent_99, std::numeric_limits<double>::infinity());
+    EXPECT_LE(found.highest, 20);
+}
+
+TEST(Deviation, TellsAFaceThatTheOtherDoesNotHave) {
+    const Deviation found = between(plates(true), plates(false));
+    EXPECT_FALSE(found.faces[0].alone());
+    EXPECT_TRUE(found.faces[1].alone());
+    EXPECT_EQ(found.faces[1].partner, 0u); // what of it is nearest
+}
+
+TEST(Deviation, EndsSoonForBodiesThatAreFarApart) {
+    ModelBuilder far;
+    far.plane({1e5, 0, 0}, {100, 0, 0}, {0, 100, 0});
+    const Deviation found = measure_deviation(
+        SurfaceFeet(placed_model(sheet())), SurfaceFeet(placed_model(far.build())), {.reach = 20});
+    EXPECT_EQ(found.beyond, 1);
+    EXPECT_EQ(found.faces[0].partner, no_index);
+    EXPECT_EQ(found.worst_border.value, std::numeric_limits<double>::infinity());
 }
 
 TEST(Deviation, IsTheSameForAnyNumberOfThreads) {

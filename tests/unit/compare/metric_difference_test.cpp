@@ -61,5 +61,22 @@ TEST(MetricDifference, TellsHowMuchMoreOrLessAndWhatIsAllowed) {
               "seams: a | b: gap: 1 -> 0.5 mm, 0.5 less; 0.01 allowed");
 }
 
+std::vector<Metric> face(const std::string& name, double area, double place) {
+    return {{"shape", name + ": area", Quantity::area, area},
+            {"shape", name + ": centre x", Quantity::place, place}};
+}
+
+TEST(MetricDifference, ANewNameAloneIsNone) {
+    EXPECT_TRUE(
+        metric_differences(face("face 7 (roof)", 100, 5), face("face 1", 100, 5), {}).empty());
+}
+
+TEST(MetricDifference, ANewNameWithOtherNumbersIsOneThingGoneAndOneNew) {
+    EXPECT_EQ(metric_differences(face("face 7", 100, 5), face("face 1", 100, 5.1), {}).size(), 4u);
+    std::vector<Metric> less = face("face 1", 100, 5);
+    less.pop_back();
+    EXPECT_EQ(metric_differences(face("face 7", 100, 5), less, {}).size(), 3u);
+}
+
 } // namespace
 } // namespace keiko

@@ -124,5 +124,13 @@ TEST(Inspect, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
+TEST(Inspection, AFaceThatIsThereTwiceIsNoCrease) {
+    test::ModelBuilder builder;
+    for (int i = 0; i < 2; ++i) builder.plane({0, 0, 0}, {100, 0, 0}, {0, 50, 0});
+    const Inspection doubled = inspect(builder.build());
+    EXPECT_EQ(doubled.verdict, Verdict::fail);
+    EXPECT_EQ(doubled.counts.creases, 0u);
+}
+
 } // namespace
 } // namespace keiko

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "keiko/inspect/seam_measure.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// Seams of two revisions that run along each other: mostly one of each; several where one of them
+/// divides what the other has in one.
+struct SeamGroup {
+    std::vector<std::uint32_t> before, after; ///< ascending, never empty
+};
+
+struct SeamMatching {
+    std::vector<SeamGroup> groups;             ///< by the first of `before`
+    std::vector<std::uint32_t> removed, added; ///< ascending: without a partner
+};
+
+/// Pairs seams by where they run: first those within a hundredth of `reach` (mm) of each other all
+/// along, nearest first; then those whose faces have the same names, then the nearest within
+/// `reach`, each once. What is left over joins the pair that it runs along.
+SeamMatching match_seams(std::span<const MeasuredSeam> before, std::span<const MeasuredSeam> after,
+                         double reach);
+
+} // namespace keiko

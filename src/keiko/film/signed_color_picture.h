@@ -1,0 +1,19 @@
+#pragma once
+
+#include "keiko/film/film.h"
+
+namespace keiko {
+
+/// Display colour of a signed share: from -1 (deep blue) over 0 (light grey) to 1 (deep red).
+Rgb signed_color(double share);
+
+/// Display picture of signed values (1 channel) with a legend at its right: blue below, grey at,
+/// red above 0, full at +-`most`, in `unit`. Infinite values are magenta, what is no number is
+/// dark. `facing` (1 channel, 0 to 1) shades it, so that the form shows.
+Image signed_color_picture(const Image& values, const Image& facing, double most,
+                           const std::string& unit);
+
+/// The round number (1, 2 or 5 times a power of ten) at or above a positive value.
+double round_scale(double value);
+
+} // namespace keiko

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "keiko/math/vec.h"
+
+#include <array>
+
+namespace keiko {
+
+/// A symmetric matrix of 3 x 3: a sum of weighted products of vectors with themselves.
+struct SecondMoments {
+    std::array<Vec3, 3> rows{Vec3(0), Vec3(0), Vec3(0)};
+
+    void add(const Vec3& v, double weight);
+};
+
+/// Unit eigenvectors by falling eigenvalue, right-handed, by Jacobi's rotations.
+std::array<Vec3, 3> principal_axes(const SecondMoments& moments);
+
+} // namespace keiko

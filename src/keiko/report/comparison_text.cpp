@@ -1,0 +1,103 @@
+#include "keiko/report/comparison.h"
+#include "keiko/report/comparison_words.h"
+#include "keiko/report/html_text.h"
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+std::string place(const Vec3& p) {
+    return "(" + place_text(p) + ")";
+}
+
+std::string alignment_text(const Alignment& a) {
+    return "aligned: turned by " + short_number(a.angle, 6) + " degrees about (" +
+           short_number(a.axis.x, 6) + ", " + short_number(a.axis.y, 6) + ", " +
+           short_number(a.axis.z, 6) + "), its centre shifted by (" + short_number(a.shift.x, 6) +
+           ", " + short_number(a.shift.y, 6) + ", " + short_number(a.shift.z, 6) +
+           ") mm; root mean square distance left " + short_number(a.residual) + " mm" +
+           (a.converged ? "" : "; not converged") + "\n";
+}
+
+std::string share_text(const std::string& share, double value, const Deviation& d) {
+    if (std::isinf(value)) return "less than " + share + " within " + short_number(d.reach) + " mm";
+    return share + " within " + distance_words(value, d.reach);
+}
+
+std::string deviation_text(const std::string& what, const Deviation& d) {
+    std::string text =
+        what + ": " + at_most(d.worst.value, d.reach) + " at " + place(d.worst.place) + "; " +
+        share_text("99 % of the area", d.percent_99, d) + ", " + share_text("half", d.median, d);
+    if (d.beyond > 0)
+        text += "; " + short_number(100 * d.beyond) + " % of the area further than " +
+                short_number(d.reach) + " mm";
+    if (d.uncertain_share > 0)
+        text += "; not proved on " + short_number(100 * d.uncertain_share) + " % of the area";
+    return text + "\n";
+}
+
+/// "face 1 (left) and face 2 (right)"
+std::string sides_of(std::string faces) {
+    if (const std::size_t bar = faces.find(" | "); bar != std::string::npos)
+        faces.replace(bar, 3, " and ");
+    return faces;
+}
+
+std::string change_text(const Comparison& c, const SeamChange& change) {
+    const MeasuredSeam& seam = c.inspection_after.seams[change.seams.after.front()];
+    std::string text = "seam " + std::string(name_of(change.trend)) + ": " + sides_of(seam.faces) +
+                       ": gap " + short_number(change.before.gap) + " mm before, " +
+                       short_number(change.after.gap) + " mm after";
+    if (change.before.angle && change.after.angle)
+        text += "; angle " + short_number(*change.before.angle) + " degrees before, " +
+                short_number(*change.after.angle) + " after";
+    if (change.before.curvature && change.after.curvature)
+        text += "; curvature mismatch " + short_number(100 * *change.before.curvature) +
+                " % before, " + short_number(100 * *change.after.curvature) + " % after";
+    return text + "; " + std::string(name_of(change.before.verdict)) + " before, " +
+           std::string(name_of(change.after.verdict)) + " after\n";
+}
+
+std::string seams_text(const Comparison& c) {
+    std::string text;
+    for (const SeamChange& change : c.seams.changed) text += change_text(c, change);
+    for (const std::uint32_t seam : c.seams.removed)
+        text += "seam gone: " + sides_of(c.inspection_before.seams[seam].faces) + "\n";
+    for (const std::uint32_t seam : c.seams.added)
+        text += "seam new: " + sides_of(c.inspection_after.seams[seam].faces) + "\n";
+    for (const Check& finding : c.seams.new_findings)
+        text += "finding new: " + sides_of(finding.faces) + ": " + finding.message + "\n";
+    for (const Check& finding : c.seams.solved_findings)
+        text += "finding fixed: " + sides_of(finding.faces) + ": " + finding.message + "\n";
+    return text;
+}
+
+std::string faces_text(const Comparison& c) {
+    std::string text;
+    if (c.faces_before.size() != c.faces_after.size())
+        text += "faces: " + std::to_string(c.faces_before.size()) + " before, " +
+                std::to_string(c.faces_after.size()) + " after\n";
+    for (const std::string& face : faces_gone(c)) text += "face gone: " + face + "\n";
+    for (const std::string& face : faces_new(c)) text += "face new: " + face + "\n";
+    for (const std::string& face : faces_turned(c)) text += "turned inside out: " + face + "\n";
+    return text;
+}
+
+} // namespace
+
+std::string comparison_text(const Comparison& c) {
+    std::string text = c.same() ? "same within tolerance\n" : "different\n";
+    if (c.alignment) text += alignment_text(*c.alignment);
+    text += deviation_text("deviation of " + c.after, c.deviation);
+    text += deviation_text("deviation of " + c.before + " from it", c.missing);
+    for (const ComparisonCheck& check : comparison_checks(c))
+        if (check.name != "deviation" && check.name != "missing")
+            text += (check.within ? "  " : "! ") + check.name + ": " + check.message + "\n";
+    for (const ComparedView& view : c.views)
+        text += (view.picture.within() ? "  " : "! ") + view.picture.view +
+                ": pictures: " + picture_words(view.picture) + "\n";
+    return text + faces_text(c) + seams_text(c);
+}
+
+} // namespace keiko

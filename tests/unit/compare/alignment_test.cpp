@@ -1,0 +1,80 @@
+#include "keiko/compare/alignment.h"
+
+#include "keiko/base/units.h"
+
+#include "tests/support/model_builder.h"
+#include <gtest/gtest.h>
+
+namespace keiko {
+namespace {
+
+using test::ModelBuilder;
+
+/// A bulging sheet of 300 x 200 mm without any symmetry.
+SurfaceModel sheet() {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            points.emplace_back(100 * i, 200.0 / 3 * j, 9 * i + 20 * (i % 3 != 0) + 7 * j * j);
+    points[5].z += 11;
+    ModelBuilder builder;
+    builder.patch(3, 3, points);
+    return builder.build();
+}
+
+SurfaceModel flat() {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, {300, 0, 0}, {0, 200, 0});
+    return builder.build();
+}
+
+Affine about_middle(const Vec3& axis, double degrees, const Vec3& shift) {
+    const Vec3 middle(150, 100, 20);
+    return Affine::translate(middle + shift) * Affine::rotate(axis, degrees_to_radians(degrees)) *
+           Affine::translate(-middle);
+}
+
+/// mm that the copy, moved and brought back, is off at the corners of the sheet.
+double left_over(const SurfaceModel& model, const Affine& motion, const Job& job = {}) {
+    const Alignment found = align_bodies(SurfaceFeet(placed_model(model, motion)),
+                                         SurfaceFeet(placed_model(model)), {}, job);
+    EXPECT_TRUE(found.converged);
+    const Affine both = found.motion * motion;
+    double worst = 0;
+    for (const Vec3& p : {Vec3(0, 0, 0), Vec3(300, 0, 30), Vec3(0, 200, 60), Vec3(300, 200, 90)})
+        worst = std::max(worst, (both.point(p) - p).length());
+    return worst;
+}
+
+TEST(Alignment, RecoversASmallMotionOfACopy) {
+    EXPECT_LT(left_over(sheet(), about_middle({1, 2, 3}, 0.7, {3, -2, 1.5})), 1e-6);
+    EXPECT_LT(left_over(sheet(), {}), 1e-6);
+}
+
+TEST(Alignment, RecoversALargeMotionOfACopy) {
+    EXPECT_LT(left_over(sheet(), about_middle({-1, 0.3, 0.2}, 100, {2000, -700, 90})), 1e-6);
+    EXPECT_LT(left_over(sheet(), about_middle({0, 0, 1}, 180, {0, 0, 500})), 1e-6);
+}
+
+TEST(Alignment, LetsBordersSettleWhatAPlaneLeavesFree) {
+    EXPECT_LT(left_over(flat(), about_middle({0, 0, 1}, 1.5, {3, -2, 0.5})), 1e-6);
+}
+
+TEST(Alignment, TellsTheMotionInWords) {
+    const Affine motion = about_middle({0, 0, 1}, 2, {5, 0, 0});
+    const Alignment found = align_bodies(SurfaceFeet(placed_model(sheet(), motion)),
+                                         SurfaceFeet(placed_model(sheet())));
+    EXPECT_NEAR(found.angle, 2, 1e-8);
+    EXPECT_NEAR(found.axis.z, -1, 1e-9); // it turns back
+    EXPECT_LT(found.residual, 1e-9);
+}
+
+TEST(Alignment, IsTheSameForAnyNumberOfThreads) {
+    const SurfaceFeet moved(placed_model(sheet(), about_middle({1, 0, 0}, 3, {1, 2, 3})));
+    const SurfaceFeet still(placed_model(sheet()));
+    EXPECT_EQ(align_bodies(moved, still, {}, {.threads = 1}).motion,
+              align_bodies(moved, still, {}, {.threads = 3}).motion);
+}
+
+} // namespace
+} // namespace keiko

@@ -1,0 +1,41 @@
+#include "keiko/film/signed_color_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+namespace keiko {
+namespace {
+
+TEST(SignedColor, IsBlueBelowGreyAtAndRedAboveZero) {
+    const Rgb below = signed_color(-0.5), zero = signed_color(0), above = signed_color(0.5);
+    EXPECT_GT(below.b, below.r);
+    EXPECT_GT(above.r, above.b);
+    EXPECT_EQ(zero, Rgb(zero.r));
+    EXPECT_EQ(signed_color(-7), signed_color(-1));
+    EXPECT_EQ(signed_color(7), signed_color(1));
+}
+
+TEST(SignedColor, PictureMarksWhatIsOutOfReachAndHasALegend) {
+    Image values(3, 100, 1, 0.0F);
+    *values.pixel(1, 0) = std::numeric_limits<float>::infinity();
+    *values.pixel(2, 0) = std::numeric_limits<float>::quiet_NaN();
+    const Image picture = signed_color_picture(values, Image(3, 100, 1, 1.0F), 0.5, "mm");
+    EXPECT_GT(picture.width, values.width);
+    EXPECT_EQ(picture.height, values.height);
+    const float* far = picture.pixel(1, 0);
+    EXPECT_EQ((std::array{far[0], far[1], far[2]}), (std::array{1.0F, 0.0F, 1.0F}));
+    EXPECT_LT(*picture.pixel(2, 0), 0.1F);
+    EXPECT_GT(*picture.pixel(0, 0), 0.8F);
+}
+
+TEST(SignedColor, ScalesAreRound) {
+    EXPECT_DOUBLE_EQ(round_scale(0.00031), 0.0005);
+    EXPECT_DOUBLE_EQ(round_scale(1), 1);
+    EXPECT_DOUBLE_EQ(round_scale(1.2), 2);
+    EXPECT_DOUBLE_EQ(round_scale(60), 100);
+}
+
+} // namespace
+} // namespace keiko
