@@ -59,6 +59,7 @@ DividedFindings divided(const Inspection& one, Side side_one, const Inspection& 
                         const std::vector<bool>& changed) {
     std::vector<std::set<std::string>> codes(other.seams.size()), known(one.seams.size());
     std::vector<bool> as_before(one.seams.size());
+    for (std::size_t i = 0; i < one.seams.size(); ++i) as_before[i] = is_sliver(one.seams[i]);
     for (const Check& finding : other.findings) codes[finding.seam].insert(finding.code);
     for (std::size_t g = 0; g < groups.size(); ++g)
         for (const std::uint32_t i : groups[g].*side_one) {

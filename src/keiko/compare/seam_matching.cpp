@@ -108,9 +108,11 @@ public:
     SeamMatching run() {
         pair();
         for (std::uint32_t i = 0; i < before_.size(); ++i)
-            if (of_before_[i] == no_index) of_before_[i] = joined(beside_before_[i], of_after_);
+            if (of_before_[i] == no_index && !is_sliver(before_[i]))
+                of_before_[i] = joined(beside_before_[i], of_after_);
         for (std::uint32_t j = 0; j < after_.size(); ++j)
-            if (of_after_[j] == no_index) of_after_[j] = joined(beside_after_[j], of_before_);
+            if (of_after_[j] == no_index && !is_sliver(after_[j]))
+                of_after_[j] = joined(beside_after_[j], of_before_);
         return result();
     }
 
@@ -122,6 +124,7 @@ private:
         std::vector<Candidate> all;
         for (std::uint32_t i = 0; i < before_.size(); ++i)
             for (const auto& [j, along] : beside_before_[i]) {
+                if (is_sliver(before_[i]) || is_sliver(after_[j])) continue;
                 const auto back = beside_after_[j].find(i);
                 if (back == beside_after_[j].end()) continue;
                 if (along.share < mostly || back->second.share < mostly) continue;
@@ -158,15 +161,15 @@ private:
         SeamMatching matching;
         matching.groups.resize(groups_);
         for (std::uint32_t i = 0; i < before_.size(); ++i)
-            if (of_before_[i] == no_index)
-                matching.removed.push_back(i);
-            else
+            if (of_before_[i] != no_index)
                 matching.groups[of_before_[i]].before.push_back(i);
+            else if (!is_sliver(before_[i]))
+                matching.removed.push_back(i);
         for (std::uint32_t j = 0; j < after_.size(); ++j)
-            if (of_after_[j] == no_index)
-                matching.added.push_back(j);
-            else
+            if (of_after_[j] != no_index)
                 matching.groups[of_after_[j]].after.push_back(j);
+            else if (!is_sliver(after_[j]))
+                matching.added.push_back(j);
         std::sort(matching.groups.begin(), matching.groups.end(),
                   [](const SeamGroup& a, const SeamGroup& b) { return a.before < b.before; });
         return matching;

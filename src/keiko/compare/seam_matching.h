@@ -19,9 +19,15 @@ struct SeamMatching {
     std::vector<std::uint32_t> removed, added; ///< ascending: without a partner
 };
 
+/// Shorter than 0.01 mm: where a trim turns in a hook that another program may well leave out.
+inline bool is_sliver(const MeasuredSeam& seam) {
+    return seam.length < 0.01;
+}
+
 /// Pairs seams by where they run: first those within a hundredth of `reach` (mm) of each other all
 /// along, nearest first; then those whose faces have the same names, then the nearest within
-/// `reach`, each once. What is left over joins the pair that it runs along.
+/// `reach`, each once. What is left over joins the pair that it runs along. Slivers are
+/// left out.
 SeamMatching match_seams(std::span<const MeasuredSeam> before, std::span<const MeasuredSeam> after,
                          double reach);
 

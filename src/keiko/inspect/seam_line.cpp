@@ -147,9 +147,11 @@ double position_error(const SurfaceModel& model, const SeamLine& line, const Vec
 void judge_beyond_gap(MeasuredSeam& seam, const LineExtremes& found, const CriteriaPreset& preset) {
     seam.angle = worst(*found.angle, angle_rounding, preset.angle);
     seam.smallest_angle = -found.negated_angle->value;
-    // Faces that lie on each other all along are folded back on the same material: no edge.
-    constexpr double folded = 179; // degrees
-    seam.crease = seam.angle->value > preset.feature_angle && !(seam.smallest_angle > folded);
+    // Faces that lie on each other all along are folded back on the same material: no edge. Trims
+    // may have hooks of a few um.
+    constexpr double folded = 179, hook = 1; // degrees, mm
+    const bool doubled = seam.smallest_angle > folded && seam.length > hook;
+    seam.crease = seam.angle->value > preset.feature_angle && !doubled;
     if (seam.crease) return;
     take(seam, *seam.angle);
     if (seam.verdict != Verdict::pass || !found.curvature) return;

@@ -48,7 +48,9 @@ struct MeasuredSeam {
     std::optional<CurvatureStep> curvature; ///< G2; only where gap and angle pass
     /// G3; only where gap, angle and curvature pass, and not all along nearly flat.
     std::optional<CurvatureSlopeStep> slope;
-    bool crease = false; ///< the largest angle exceeds the preset's feature angle
+    /// The largest angle exceeds the preset's feature angle, and the sides are not folded back on
+    /// each other all along, as those of a face that is there twice are.
+    bool crease = false;
 
     /// Its worst place lies in the last ring around an irregular point of a subdivision surface,
     /// which has no curvature there.
