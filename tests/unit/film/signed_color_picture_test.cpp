@@ -18,10 +18,10 @@ TEST(SignedColor, IsBlueBelowGreyAtAndRedAboveZero) {
 }
 
 TEST(SignedColor, PictureMarksWhatIsOutOfReachAndHasALegend) {
-    Image values(3, 100, 1, 0.0F);
+    Image values(3, 200, 1, 0.0F);
     *values.pixel(1, 0) = std::numeric_limits<float>::infinity();
     *values.pixel(2, 0) = std::numeric_limits<float>::quiet_NaN();
-    const Image picture = signed_color_picture(values, Image(3, 100, 1, 1.0F), 0.5, "mm");
+    const Image picture = signed_color_picture(values, Image(3, 200, 1, 1.0F), 0.5, "mm");
     EXPECT_GT(picture.width, values.width);
     EXPECT_EQ(picture.height, values.height);
     const float* far = picture.pixel(1, 0);
