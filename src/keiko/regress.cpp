@@ -7,11 +7,6 @@
 namespace keiko {
 namespace {
 
-std::vector<FixtureSpec> read_suite(const RegressOptions& options) {
-    std::vector<FixtureSpec> fixtures = read_fixtures(options.suite);
-    return options.only.empty() ? fixtures : chosen(std::move(fixtures), options.only);
-}
-
 std::vector<FixtureSpec> share_of(const std::vector<FixtureSpec>& fixtures, const Shard& shard) {
     std::vector<FixtureSpec> share;
     for (std::size_t i = 0; i < fixtures.size(); ++i)
@@ -40,14 +35,15 @@ FixtureOutcome run_one(const FixtureSpec& spec, const RegressOptions& options, c
 } // namespace
 
 Regression run_regression(const RegressOptions& options, const Job& job) {
-    const std::vector<FixtureSpec> suite = read_suite(options);
+    const std::vector<FixtureSpec> all = read_fixtures(options.suite);
+    const std::vector<FixtureSpec> suite = options.only.empty() ? all : chosen(all, options.only);
     const std::vector<FixtureSpec> share = share_of(suite, options.shard);
     const FolderLock lock(options.output);
     remove_reports(options.output);
     Regression regression{.tool_version = version(),
                           .suite = names_of(suite),
                           .suite_key = suite_key(suite, options),
-                          .stale_baselines = stale_baselines(suite, options),
+                          .stale_baselines = stale_baselines(all, options),
                           .shard = options.shard.number,
                           .shards = options.shard.count};
     for (std::size_t i = 0; i < share.size(); ++i) {

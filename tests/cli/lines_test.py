@@ -34,6 +34,11 @@ class Lines(KeikoTest):
                 self.assertAlmostEqual(line["length"], sum(p["length"] for p in line["pieces"]))
                 self.assertLess(line["lamp"], 6 if line["plane"] == 0 else 3)
 
+    def test_lamps_along_the_seams_judge_nothing_and_say_so(self):
+        run = self.keiko("lines", surface("hood.step"), "--rig", TUNNEL, "-o", "lines.json", "-q")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertIn("no line crosses a seam: nothing is judged", run.stdout)
+
     def test_csv_has_the_points_of_the_json(self):
         found = self.lines("--view", "high-front", "--view", "top", "--csv", "lines.csv")
         with open(self.folder / "lines.csv", newline="") as file:

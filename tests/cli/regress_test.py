@@ -78,6 +78,10 @@ class Baselines(RegressTest):
         run = self.regress()
         self.assertIn("stale baseline gone: no fixture has this name\n", run.stdout)
         self.assertIn("gone", (self.folder / "out/index.html").read_text())
+        self.add_fixture("saddle")
+        run = self.keiko("regress", "suite", "-o", "out", "--only", "saddle", "-q")
+        self.assertIn("stale baseline gone: ", run.stdout)
+        self.assertNotIn("stale baseline dome", run.stdout)
 
     def test_baselines_are_not_read_while_another_writes_them(self):
         self.add_fixture("dome")

@@ -33,6 +33,8 @@ void print_summary(const LineList& list, const LinesArguments& arguments) {
         for (const JoinedLine& line : view.found.lines) length += line.length;
     }
     const CrossingCounts counts = count_crossings(list);
+    if (counts.fail + counts.undecided + counts.pass == 0)
+        std::cout << "no line crosses a seam: nothing is judged; try lamps aslant to the seams\n";
     std::cout << crossings_table(list, arguments.rows) << name_of(verdict_of(list)) << ": "
               << counts.fail << " crossings of lines and seams fail, " << counts.undecided
               << " undecided, " << counts.pass << " pass, " << counts.not_judged << " not judged; "

@@ -93,7 +93,7 @@ std::string comparison_text(const Comparison& c) {
     text += deviation_text("deviation of " + c.before + " from it", c.missing);
     for (const ComparisonCheck& check : comparison_checks(c))
         if (check.name != "deviation" && check.name != "missing")
-            text += (check.within ? "  " : "! ") + check.name + ": " + check.message + "\n";
+            text += (check.within ? "  " : "! ") + check.message + "\n";
     for (const ComparedView& view : c.views)
         text += (view.picture.within() ? "  " : "! ") + view.picture.view +
                 ": pictures: " + picture_words(view.picture) + "\n";

@@ -3,9 +3,12 @@
 #include "keiko/base/output_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
+#include <string>
+#include <thread>
 
 namespace fs = std::filesystem;
 using namespace keiko;
@@ -62,6 +65,27 @@ TEST_F(Files, AFailedWriteKeepsTheOldFileAndNoTemporary) {
     };
     EXPECT_THROW(write_atomically(folder_ / "x.txt", fail), Cancelled);
     EXPECT_EQ(read_file(folder_ / "x.txt"), "old");
+    EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(Files, ALinkStaysALinkToTheFileThatIsWritten) {
+    write_text_file(folder_ / "x.txt", "old");
+    fs::create_symlink("x.txt", folder_ / "link.txt");
+    write_text_file(folder_ / "link.txt", "new");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
+    EXPECT_EQ(read_file(folder_ / "x.txt"), "new");
+    EXPECT_EQ(entries(), 2u);
+}
+
+TEST_F(Files, APipeIsWrittenIntoAndStays) {
+    const fs::path pipe = folder_ / "pipe.txt";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    std::string got;
+    std::thread reader([&] { std::getline(std::ifstream(pipe), got); });
+    write_text_file(pipe, "through\n");
+    reader.join();
+    EXPECT_EQ(got, "through");
+    EXPECT_TRUE(fs::is_fifo(pipe));
     EXPECT_EQ(entries(), 1u);
 }
 
