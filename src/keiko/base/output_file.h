@@ -8,9 +8,9 @@ namespace keiko {
 
 /// Runs `write` on a temporary path beside `target` (same extension, so that image writers
 /// recognise the format) and renames it to `target` when `write` returned: a reader never sees
-/// half a file, after a power failure neither, and nothing remains when `write` throws. A link stays
-/// one to the file that is written; into a device or a pipe the bytes are copied in the end. Throws
-/// Error when the folder cannot be written.
+/// half a file, after a power failure neither, and nothing remains when `write` throws. A link
+/// stays one to the file that is written; into a device or a pipe the bytes are copied in the end.
+/// Throws Error when the folder cannot be written.
 void write_atomically(const std::filesystem::path& target,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
 
