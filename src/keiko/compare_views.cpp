@@ -3,6 +3,7 @@
 #include "keiko/compare/deviation_map.h"
 #include "keiko/draw_outcome.h"
 #include "keiko/film/signed_color_picture.h"
+#include "keiko/find_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,30 +26,19 @@ Lights lights_of(const Scene& scene, const CompareViewsOptions& options,
             "placed on the part before"};
 }
 
-/// The lines of a rig's lamps on one body, view after view.
-class BodyLines {
-public:
-    BodyLines(const Scene& scene, const LightRig& rig, const CompareBodiesOptions& options,
-              const Job& job)
-        : scene_(scene), options_(options), job_(job) {
-        for (const LightSource& source : rig.sources)
-            if (const auto* plane = std::get_if<CPlane>(&source)) planes_.push_back(*plane);
-        if (!planes_.empty()) seams_.emplace(scene.model, options.join, job);
-    }
-    JoinedLines in(const Camera& camera) const {
-        if (planes_.empty()) return {};
-        return join_lines(scene_.model, *seams_,
-                          surface_lines(scene_.model, scene_.seen(), planes_, camera, {}, job_),
-                          planes_, camera, LineLook::reflection, options_.preset, job_);
-    }
-
-private:
-    const Scene& scene_;
-    const CompareBodiesOptions& options_;
-    const Job& job_;
-    std::vector<CPlane> planes_;
-    std::optional<LineSeams> seams_;
-};
+/// The lines of a rig's lamps on one body, a view each.
+std::vector<JoinedLines> lines_of(const Scene& scene, const LightRig& rig,
+                                  std::span<const NamedView> views,
+                                  const CompareBodiesOptions& options, const Job& job) {
+    std::vector<JoinedLines> lines(views.size());
+    if (!has_lines(rig)) return lines;
+    LinesOptions asked;
+    asked.preset = options.preset;
+    asked.join = options.join;
+    LineList list = lines_under(scene, rig, views, asked, job);
+    for (std::size_t i = 0; i < views.size(); ++i) lines[i] = std::move(list.views[i].found);
+    return lines;
+}
 
 /// What a map is full at, mm: nearly all of the area lies within.
 double map_scale(const Deviation& deviation, double tolerance) {
@@ -61,22 +51,16 @@ class ViewComparer {
 public:
     ViewComparer(const ComparedScenes& scenes, const LightRig& rig,
                  const CompareBodiesOptions& options, const Job& job)
-        : scenes_(scenes),
-          rig_(rig),
-          options_(options),
-          job_(job),
-          lines_before_(scenes.before, rig, options, job),
-          lines_after_(scenes.after, rig, options, job) {
+        : scenes_(scenes), rig_(rig), options_(options), job_(job) {
         picture_.aovs = {Aov::normal, Aov::face, Aov::depth};
     }
 
-    ComparedView compare(const NamedView& view, FolderContent& pngs) {
+    ComparedView compare(const NamedView& view, const JoinedLines& before, const JoinedLines& after,
+                         FolderContent& pngs) {
         ComparedView compared;
         compared.picture.view = view.name;
         compare_pictures(view.camera, compared.picture, pngs);
         draw_map(view.camera, compared, pngs);
-        const JoinedLines before = lines_before_.in(view.camera),
-                          after = lines_after_.in(view.camera);
         compared.lines = line_shifts(before, after, options_.views->shift, job_);
         compared.after_lines = line_shifts(after, before, options_.views->shift, job_);
         return compared;
@@ -107,7 +91,6 @@ private:
     const LightRig& rig_;
     const CompareBodiesOptions& options_;
     const Job& job_;
-    BodyLines lines_before_, lines_after_;
     PictureOptions picture_;
 };
 
@@ -122,8 +105,11 @@ void compare_views(const ComparedScenes& scenes, const CompareBodiesOptions& opt
     result.rig = std::move(rig);
     result.comparison.rig = std::move(source);
     ViewComparer comparer(scenes, *result.rig, options, job);
-    for (const NamedView& view : views)
-        result.comparison.views.push_back(comparer.compare(view, result.comparison.pngs));
+    const auto before = lines_of(scenes.before, *result.rig, views, options, job);
+    const auto after = lines_of(scenes.after, *result.rig, views, options, job);
+    for (std::size_t i = 0; i < views.size(); ++i)
+        result.comparison.views.push_back(
+            comparer.compare(views[i], before[i], after[i], result.comparison.pngs));
 }
 
 } // namespace keiko

@@ -1,8 +1,8 @@
 #include "keiko/report/base64.h"
 #include "keiko/report/comparison_tables.h"
+#include "keiko/report/html_page.h"
 #include "keiko/report/html_text.h"
 #include "keiko/report/picture_slider.h"
-#include "keiko/report/report_style.h"
 
 namespace keiko {
 namespace {
@@ -116,14 +116,7 @@ std::string footer(const Comparison& c) {
 } // namespace
 
 std::string comparison_html(const Comparison& c) {
-    std::string html =
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>Keiko: comparison</title>\n<style>";
-    html += report_style;
-    html += slider_style;
-    html += maps_style;
-    html += "</style>\n</head>\n<body>\n<main>\n" + head(c);
+    std::string html = head(c);
     html += section("Checks", html_checks(c));
     html += section("Alignment", alignment(c));
     html += section("Deviation", maps(c) + html_percentiles(c));
@@ -132,7 +125,8 @@ std::string comparison_html(const Comparison& c) {
     for (const ComparedView& view : c.views) html += view_section(c, view);
     html += section("Seams", html_seam_changes(c));
     html += section("Findings", html_finding_changes(c));
-    return html + footer(c) + "</main>\n</body>\n</html>\n";
+    return html_page("comparison", std::string(slider_style) + std::string(maps_style),
+                     html + footer(c));
 }
 
 } // namespace keiko

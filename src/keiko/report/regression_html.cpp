@@ -1,8 +1,8 @@
+#include "keiko/report/html_page.h"
 #include "keiko/report/html_text.h"
 #include "keiko/report/picture_slider.h"
 #include "keiko/report/plain_table.h"
 #include "keiko/report/regression.h"
-#include "keiko/report/report_style.h"
 
 namespace keiko {
 namespace {
@@ -110,16 +110,11 @@ std::string stale_section(const Regression& regression) {
 } // namespace
 
 std::string regression_html(const Regression& regression) {
-    std::string html =
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>Keiko: regression</title>\n<style>";
-    html += report_style;
-    html += slider_style;
-    html += "</style>\n</head>\n<body>\n<main>\n" + head(regression);
+    std::string html = head(regression);
     for (const FixtureOutcome& fixture : regression.fixtures) html += fixture_section(fixture);
-    return html + same_section(regression) + stale_section(regression) + "<footer><p>Keiko " +
-           html_escaped(regression.tool_version) + "</p></footer>\n</main>\n</body>\n</html>\n";
+    html += same_section(regression) + stale_section(regression) + "<footer><p>Keiko " +
+            html_escaped(regression.tool_version) + "</p></footer>\n";
+    return html_page("regression", slider_style, html);
 }
 
 } // namespace keiko

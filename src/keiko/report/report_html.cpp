@@ -1,5 +1,6 @@
 #include "keiko/report/report_html.h"
 
+#include "keiko/report/html_page.h"
 #include "keiko/report/html_sections.h"
 #include "keiko/report/html_text.h"
 #include "keiko/report/report_style.h"
@@ -30,21 +31,12 @@ std::string footer(const Report& report) {
 } // namespace
 
 std::string report_html(const Report& report) {
-    const std::string title = html_escaped(report.inspection.facts.source);
-    std::string html =
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>Keiko: " +
-        title + "</title>\n<style>";
-    html += report_style;
-    html += "</style>\n</head>\n<body>\n<main>\n";
+    std::string html;
     for (const auto section : {html_verdict, html_pictures, html_worst_seams, html_lines,
                                html_coverage, html_all_seams, html_facts})
         html += section(report);
-    html += footer(report) + "\n</main>\n<script>";
-    html += report_script;
-    html += "</script>\n</body>\n</html>\n";
-    return html;
+    html += footer(report) + "\n";
+    return html_page(html_escaped(report.inspection.facts.source), "", html, report_script);
 }
 
 } // namespace keiko

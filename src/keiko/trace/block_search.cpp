@@ -2,9 +2,8 @@
 
 #include "keiko/trace/clipped_roots.h"
 #include "keiko/trace/narrowed_roots.h"
+#include "keiko/trace/prefetch.h"
 #include "keiko/trace/ray_blur.h"
-
-#include <hwy/cache_control.h>
 
 #include <algorithm>
 #include <bit>
@@ -113,11 +112,8 @@ LaneMask BlockSearch::judge_trim(const TrimCells& cells) {
 /// Has the coefficients in the cache by the time the search is over.
 void BlockSearch::fetch_polynomial(const HotLeaf& hot) const {
     if (!hot.regular) return;
-    constexpr std::size_t line = 64;
     const Component4* first = &scene_->model.leaves.polynomials[hot.polynomial];
-    const auto* bytes = reinterpret_cast<const char*>(first);
-    for (std::size_t at = 0; at < hot.coefficients() * sizeof(*first); at += line)
-        hwy::Prefetch(bytes + at);
+    prefetch(std::span(first, hot.coefficients()));
 }
 
 PendingLeaf BlockSearch::candidate(std::size_t lane, std::uint32_t box) const {

@@ -1,10 +1,9 @@
 #include "keiko/trace/evaluated_hit.h"
 
+#include "keiko/trace/prefetch.h"
 #include "keiko/trace/steady_normal.h"
 #include "keiko/trace/subpatch.h"
 #include "keiko/trace/surface_jet.h"
-
-#include <hwy/cache_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,13 +60,8 @@ Box2 root_box(const Vec2& uv, const Vec2& error) {
 void HitEvaluation::announce(const Crossing& crossing) const {
     const LeafSet& leaves = model_.leaves;
     const HotLeaf& hot = model_.hot[crossing.leaf];
-    const auto fetch = [](const auto* first, std::size_t count) {
-        constexpr std::size_t line = 64;
-        const auto* begin = reinterpret_cast<const char*>(first);
-        for (std::size_t at = 0; at < count * sizeof(*first); at += line) hwy::Prefetch(begin + at);
-    };
-    fetch(&leaves.leaves[model_.placed[crossing.leaf].leaf], 1);
-    fetch(&leaves.points[hot.polynomial], hot.coefficients());
+    prefetch(std::span(&leaves.leaves[model_.placed[crossing.leaf].leaf], 1));
+    prefetch(std::span(&leaves.points[hot.polynomial], hot.coefficients()));
 }
 
 void HitEvaluation::add(const Crossing& crossing, Hit& hit) {

@@ -4,8 +4,7 @@
 #include "keiko/trace/block_search.h"
 #include "keiko/trace/evaluated_hit.h"
 #include "keiko/trace/merge_hits.h"
-
-#include <hwy/cache_control.h>
+#include "keiko/trace/prefetch.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,13 +18,6 @@ std::vector<Box3> boxes_of(const TracedModel& model, const Job& job) {
     parallel_for(boxes.size(), job, "",
                  [&](std::size_t i) { boxes[i] = model.bounds(model.placed[i]); });
     return boxes;
-}
-
-/// Has rays in the cache by the time the block before them is done.
-void fetch(std::span<const Ray> rays) {
-    constexpr std::size_t line = 64;
-    const auto* bytes = reinterpret_cast<const char*>(rays.data());
-    for (std::size_t at = 0; at < rays.size_bytes(); at += line) hwy::Prefetch(bytes + at);
 }
 
 BlockSearch& block_search() {
@@ -77,7 +69,8 @@ void Tracer::Scene::each_block(std::span<const Ray> rays, const Work& work) cons
     const SearchScene scene{model, boxes, kernels, options.clipping_only};
     for (std::size_t begin = 0; begin < rays.size(); begin += RayBlock::capacity) {
         const std::size_t count = std::min(RayBlock::capacity, rays.size() - begin);
-        fetch(
+        // Read when the block before them is done.
+        prefetch(
             rays.subspan(begin + count, std::min(RayBlock::capacity, rays.size() - begin - count)));
         work(search, scene, begin, rays.subspan(begin, count));
     }

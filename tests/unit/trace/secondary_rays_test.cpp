@@ -120,21 +120,30 @@ TEST(MirrorRays, DoNotGetBehindTheNeighbourThroughTheirSeam) {
     }
 }
 
+constexpr double right_angle = 1.5707963267948966;
+
+/// What the first of two squares in an inner corner mirrors beside their edge, from x within a
+/// range.
+std::vector<Ray> mirrored_beside_edge(const Tracer& tracer, int seed, double low, double high) {
+    Random random(static_cast<std::uint64_t>(seed));
+    std::vector<Ray> rays;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 target(uniform(random, low, high), uniform(random, -9, 9), 0);
+        const Vec3 in(uniform(random, 0.2, 0.8), uniform(random, -1, 1), -1);
+        const auto hit = tracer.nearest(ray_through(target - in, in));
+        EXPECT_TRUE(hit);
+        if (!hit || hit->face != 0) continue;
+        rays.push_back(excluding(hit->root, ray_through(hit->position, reflect(in, hit->normal))));
+    }
+    return rays;
+}
+
 TEST(MirrorRays, MeetTheNeighbourInAnInnerCorner) {
-    constexpr double right_angle = 1.5707963267948966;
     for (const double gap : {1e-2, 1e-4}) {
         const Tracer tracer(squares(gap, 2 * gap, right_angle));
-        Random random(34);
-        for (int i = 0; i < 2000; ++i) {
-            const Vec3 target(uniform(random, -10, 0.5) * gap, uniform(random, -9, 9), 0);
-            const Vec3 in(uniform(random, 0.2, 0.8), uniform(random, -1, 1), -1);
-            const auto hit = tracer.nearest(ray_through(target - in, in));
-            ASSERT_TRUE(hit);
-            if (hit->face != 0) continue;
-            const Ray mirrored =
-                excluding(hit->root, ray_through(hit->position, reflect(in, hit->normal)));
+        for (const Ray& mirrored : mirrored_beside_edge(tracer, 34, -10 * gap, 0.5 * gap)) {
             const auto next = tracer.nearest(mirrored);
-            ASSERT_TRUE(next) << gap << ' ' << target << ' ' << in;
+            ASSERT_TRUE(next) << gap << ' ' << mirrored.origin << ' ' << mirrored.direction;
             EXPECT_EQ(next->face, 1u);
         }
     }
@@ -142,22 +151,12 @@ TEST(MirrorRays, MeetTheNeighbourInAnInnerCorner) {
 
 /// Files may turn faces against each other.
 TEST(MirrorRays, MeetATurnedNeighbourInAnInnerCorner) {
-    constexpr double right_angle = 1.5707963267948966;
     for (const double gap : {0.0, 5e-3}) {
         SurfaceModel model = squares(gap, 1e-2, right_angle);
         model.faces[1].reversed = !model.faces[1].reversed;
         const Tracer tracer(model);
-        Random random(35);
-        for (int i = 0; i < 2000; ++i) {
-            const Vec3 target(uniform(random, -2e-2, -5e-3), uniform(random, -9, 9), 0);
-            const Vec3 in(uniform(random, 0.2, 0.8), uniform(random, -1, 1), -1);
-            const auto hit = tracer.nearest(ray_through(target - in, in));
-            ASSERT_TRUE(hit);
-            if (hit->face != 0) continue;
-            const Ray mirrored =
-                excluding(hit->root, ray_through(hit->position, reflect(in, hit->normal)));
-            EXPECT_TRUE(tracer.any(mirrored)) << gap << ' ' << target << ' ' << in;
-        }
+        for (const Ray& mirrored : mirrored_beside_edge(tracer, 35, -2e-2, -5e-3))
+            EXPECT_TRUE(tracer.any(mirrored)) << gap << ' ' << mirrored.origin;
     }
 }
 

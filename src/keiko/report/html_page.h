@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace keiko {
+
+/// A whole HTML page in the report's style; `title` and `more_style` as they stand in it, `body`
+/// what its main part holds, `script` what follows it, if anything.
+std::string html_page(std::string_view title, std::string_view more_style, std::string_view body,
+                      std::string_view script = {});
+
+} // namespace keiko
