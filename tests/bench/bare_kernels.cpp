@@ -66,14 +66,14 @@ LaneMask bare_solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask 
 }
 
 void bare_look(const RayBlock& rays, LaneMask mask, const HotLeaf& leaf, LeafLook& result) {
-    result.certain = result.single = result.undecided = 0;
+    result.certain = result.material = result.single = result.undecided = 0;
     for_vectors(mask, [&](std::size_t lane) { bare_look_at(Wide(), rays, lane, leaf, result); });
     result.undecided &= mask;
 }
 
 void bare_look_single(const RayBlock& rays, std::size_t lane, const HotLeaf& leaf,
                       LeafLook& result) {
-    result.certain = result.single = result.undecided = 0;
+    result.certain = result.material = result.single = result.undecided = 0;
     bare_look_at(One(), rays, lane, leaf, result);
 }
 

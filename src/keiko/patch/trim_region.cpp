@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace keiko {
 namespace {
@@ -108,21 +109,10 @@ void TrimRegion::list_edges(const SurfaceModel& model, std::span<const double> s
 
 void TrimRegion::build_rows() {
     if (pieces_.empty()) return;
-    std::vector<double> ends;
-    for (const MonotonePiece& piece : pieces_) {
-        ends.push_back(piece.box().lower.y);
-        ends.push_back(piece.box().upper.y);
-    }
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    const std::size_t stride = (ends.size() + most_rows - 1) / most_rows;
-    for (std::size_t i = 0; i < ends.size(); i += stride) row_borders_.push_back(ends[i]);
-    row_borders_.back() = ends.back();
-    if (row_borders_.size() == 1) row_borders_.push_back(row_borders_.front());
-
+    find_row_borders();
     std::vector<std::vector<std::uint32_t>> rows(row_borders_.size() - 1);
     std::vector<std::uint32_t> order(pieces_.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return pieces_[a].box().upper.x > pieces_[b].box().upper.x;
     });
@@ -139,15 +129,32 @@ void TrimRegion::build_rows() {
     row_begin_.push_back(static_cast<std::uint32_t>(row_pieces_.size()));
 }
 
+/// Where pieces begin and end, but for some where they are many.
+void TrimRegion::find_row_borders() {
+    std::vector<double> ends;
+    for (const MonotonePiece& piece : pieces_) {
+        ends.push_back(piece.box().lower.y);
+        ends.push_back(piece.box().upper.y);
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    const std::size_t stride = (ends.size() + most_rows - 1) / most_rows;
+    for (std::size_t i = 0; i < ends.size(); i += stride) row_borders_.push_back(ends[i]);
+    row_borders_.back() = ends.back();
+    if (row_borders_.size() == 1) row_borders_.push_back(row_borders_.front());
+}
+
 std::pair<std::size_t, std::size_t> TrimRegion::pieces_between(double lower, double upper) const {
     if (pieces_.empty() || !(lower <= row_borders_.back() && upper >= row_borders_.front()))
         return {0, 0};
+    const std::size_t first = row_of(lower), last = lower == upper ? first : row_of(upper);
+    return {row_begin_[first], row_begin_[last + 1]};
+}
+
+std::size_t TrimRegion::row_of(double v) const {
     // The last border closes the last row instead of opening another.
-    const auto inner_begin = row_borders_.begin() + 1, inner_end = row_borders_.end() - 1;
-    const auto first = std::upper_bound(inner_begin, inner_end, lower) - inner_begin;
-    const auto last = std::upper_bound(inner_begin, inner_end, upper) - inner_begin;
-    return {row_begin_[static_cast<std::size_t>(first)],
-            row_begin_[static_cast<std::size_t>(last) + 1]};
+    const auto begin = row_borders_.begin() + 1, end = row_borders_.end() - 1;
+    return static_cast<std::size_t>(std::upper_bound(begin, end, v) - begin);
 }
 
 bool TrimRegion::contains(const Vec2& p) const {

@@ -65,7 +65,10 @@ private:
     /// Pieces that meet the rows from the one that holds v = `lower` to the one that holds
     /// `upper`, as [begin, end) of row_pieces_. A piece may occur in several rows.
     std::pair<std::size_t, std::size_t> pieces_between(double lower, double upper) const;
+    /// The row that holds v, which is within the bounds.
+    std::size_t row_of(double v) const;
     void build_rows();
+    void find_row_borders();
     void list_edges(const SurfaceModel& model, std::span<const double> seam_widths);
 
     /// Of one of pieces_.

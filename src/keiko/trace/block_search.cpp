@@ -80,7 +80,6 @@ void BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
         scene_->kernels.look_single(block_, first_lane(lanes), hot, look_);
     else
         scene_->kernels.look(block_, lanes, hot, look_);
-    const LaneMask material = hot.material ? look_.certain : judge_trim(hot.cells);
     const LaneMask left = look_.certain | look_.single | look_.undecided;
     if (left == 0) return;
     LaneMask in_front = 0;
@@ -90,23 +89,9 @@ void BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
     if (in_front != 0) settle(in_front, look_.nearest);
     bool kept = false;
     for_lanes(left, [&](std::size_t lane) {
-        kept = consider(lane, candidate(lane, box), (material & bit(lane)) != 0) || kept;
+        kept = consider(lane, candidate(lane, box), (look_.material & bit(lane)) != 0) || kept;
     });
     if (kept) fetch_polynomial(hot);
-}
-
-/// The lanes whose certain root is material. Drops those whose roots are not from the look.
-LaneMask BlockSearch::judge_trim(const TrimCells& cells) {
-    LaneMask material = 0;
-    if (!cells) return material;
-    for_lanes(look_.certain | look_.single, [&](std::size_t lane) {
-        const TrimCells::Set met = TrimCells::met(look_.box(lane));
-        if ((met & ~cells.material) == 0) material |= bit(lane);
-        if ((met & ~cells.empty) != 0) return;
-        look_.certain &= ~bit(lane);
-        look_.single &= ~bit(lane);
-    });
-    return material & look_.certain;
 }
 
 /// Has the coefficients in the cache by the time the search is over.
@@ -244,10 +229,12 @@ void BlockSearch::clip(std::uint32_t box, std::size_t lane) {
 bool BlockSearch::counts(std::size_t lane, Crossing& crossing) const {
     const HotLeaf& hot = scene_->model.hot[crossing.leaf];
     const Vec2 at = crossing.uv * 2 - Vec2(1);
-    const TrimCells::Set cell = TrimCells::met({at, at});
-    if ((cell & hot.cells.empty) != 0) return false;
-    const bool plain =
-        (hot.material && hot.on_patch(at.x, at.y)) || (cell & hot.cells.material) != 0;
+    bool plain = hot.material && hot.on_patch(at.x, at.y);
+    if (!hot.material) {
+        const TrimCells::Set cell = TrimCells::at(at);
+        if ((cell & hot.cells.empty) != 0) return false;
+        plain = (cell & hot.cells.material) != 0;
+    }
     if (plain && (excluding_ & bit(lane)) == 0) return true;
     const TracedRay ray = block_.ray(lane);
     return RootCheck(scene_->model, ray, scene_->model.placed[crossing.leaf]).passes(crossing);

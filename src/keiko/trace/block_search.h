@@ -36,7 +36,6 @@ private:
 
     void run(const SearchScene& scene, Goal goal, std::span<const Ray> rays);
     void visit(std::uint32_t box, LaneMask lanes) override;
-    LaneMask judge_trim(const TrimCells& cells);
     void fetch_polynomial(const HotLeaf& hot) const;
     PendingLeaf candidate(std::size_t lane, std::uint32_t box) const;
     /// Between which distances a leaf without bounds can be met.

@@ -38,8 +38,8 @@ float far_end(double high) {
     return high == -std::numeric_limits<double>::infinity() ? static_cast<float>(high) : 0.0F;
 }
 
-/// Embree knows no distances below 0: where a ray may be met behind its start its own begins so
-/// many mm along it.
+/// mm along a ray to where Embree's own begins: it knows no distances below 0, and a ray may be
+/// met behind its start.
 double begin_of(const RayBlock& rays, std::size_t lane) {
     return rays.low[lane] < 0 ? rays.low[lane] : 0;
 }
@@ -83,15 +83,30 @@ void on_intersect(const RTCIntersectFunctionNArguments* arguments) {
 } // namespace
 
 struct EmbreeScene::Handles {
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
+    RTCDevice device;
+    RTCScene scene;
 
-    Handles() = default;
+    explicit Handles(const char* settings)
+        : device(rtcNewDevice(settings)), scene(rtcNewScene(device)) {}
     Handles(const Handles&) = delete;
     Handles& operator=(const Handles&) = delete;
     ~Handles() {
         if (scene) rtcReleaseScene(scene);
         if (device) rtcReleaseDevice(device);
+    }
+    /// Embree reads the boxes while it builds, not later.
+    void build(std::vector<Box3> boxes) {
+        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+        rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes.size()));
+        rtcSetGeometryUserData(geometry, boxes.data());
+        rtcSetGeometryBoundsFunction(
+            geometry, [](const RTCBoundsFunctionArguments* a) { on_bounds(a); }, nullptr);
+        rtcSetGeometryIntersectFunction(geometry, on_intersect);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(scene);
     }
     void check() const {
         if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
@@ -99,37 +114,28 @@ struct EmbreeScene::Handles {
     }
 };
 
-EmbreeScene::EmbreeScene(std::span<const Box3> boxes, int threads)
-    : handles_(std::make_unique<Handles>()) {
+EmbreeScene::EmbreeScene(std::span<const Box3> boxes, int threads) {
     for (const Box3& box : boxes) bounds_.extend(box);
     center_ = bounds_.empty() ? Vec3(0) : bounds_.center();
     radius_ = bounds_.size() / 2;
     // Embree drops larger boxes without a word.
     constexpr double largest = 1e18;
     if (!(radius_ < largest)) throw Error("", "model", "it is larger than 1e18 mm");
+    const std::string settings = threads > 0 ? "threads=" + std::to_string(threads) : "";
+    handles_ = std::make_unique<Handles>(settings.c_str());
+    handles_->check();
+    handles_->build(padded(boxes));
+    handles_->check();
+}
+
+std::vector<Box3> EmbreeScene::padded(std::span<const Box3> boxes) const {
     // Rounding of the boxes as they came; and a single point still has a box with an inside.
     const double came = 8 * std::numeric_limits<double>::epsilon() * (center_.length() + radius_);
     const double padding = std::max(radius_ * pad_in_radii + came, 1e-30);
-    std::vector<Box3> padded;
+    std::vector<Box3> result;
     for (const Box3& box : boxes)
-        padded.push_back(Box3{box.lower - center_, box.upper - center_}.padded(padding));
-
-    handles_->device =
-        rtcNewDevice(threads > 0 ? ("threads=" + std::to_string(threads)).c_str() : nullptr);
-    handles_->check();
-    handles_->scene = rtcNewScene(handles_->device);
-    rtcSetSceneFlags(handles_->scene, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry geometry = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(padded.size()));
-    rtcSetGeometryUserData(geometry, padded.data());
-    rtcSetGeometryBoundsFunction(
-        geometry, [](const RTCBoundsFunctionArguments* a) { on_bounds(a); }, nullptr);
-    rtcSetGeometryIntersectFunction(geometry, on_intersect);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(handles_->scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(handles_->scene);
-    handles_->check();
+        result.push_back(Box3{box.lower - center_, box.upper - center_}.padded(padding));
+    return result;
 }
 
 EmbreeScene::~EmbreeScene() = default;

@@ -40,6 +40,9 @@ public:
 
 private:
     struct Handles;
+    /// Relative to the centre.
+    std::vector<Box3> padded(std::span<const Box3> boxes) const;
+
     std::unique_ptr<Handles> handles_;
     Box3 bounds_;
     Vec3 center_{0};

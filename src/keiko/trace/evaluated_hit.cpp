@@ -104,35 +104,41 @@ void HitEvaluation::write(std::size_t lane) {
     const PartPlacement& placement = model_.placements[placed.instance];
     Hit& hit = *hits_[lane];
     hit.t = c.t;
+    hit.flags = c.flags;
+    if (c.seam != no_index) hit.seam = c.seam;
     hit.instance = placed.instance;
     hit.patch = leaf.patch;
     hit.face = model_.patches[leaf.patch].face;
     hit.uv = unit_square.nearest(leaf.patch_parameters(c.uv));
-    hit.position = HitBlock::at(block_.position, lane);
-    hit.dpdu = HitBlock::at(block_.du, lane);
-    hit.dpdv = HitBlock::at(block_.dv, lane);
+    hit.root = {hit.instance, hit.patch,
+                root_box(hit.uv, Vec2(block_.error_u[lane], block_.error_v[lane]))};
+    write_surface(lane, placement, hit);
+    hit.position_bound = position_bound(lane, leaf, placement, hit.position);
+}
+
+void HitEvaluation::write_surface(std::size_t lane, const PartPlacement& placement,
+                                  Hit& hit) const {
+    const SurfaceJet jet = jet_of(block_, lane);
+    hit.position = jet.position;
+    hit.dpdu = jet.du;
+    hit.dpdv = jet.dv;
     const bool plain = (block_.plain >> lane & 1) != 0;
     hit.normal = plain ? HitBlock::at(block_.normal, lane)
-                       : limit_normal(jet_of(block_, lane), hit.uv, block_.leaf[lane], placement);
-    if (second_derivatives_)
-        hit.second =
-            SecondDerivatives{HitBlock::at(block_.duu, lane), HitBlock::at(block_.duv, lane),
-                              HitBlock::at(block_.dvv, lane)};
-    hit.flags = c.flags;
-    if (c.seam != no_index) hit.seam = c.seam;
+                       : limit_normal(jet, hit.uv, block_.leaf[lane], placement);
+    if (second_derivatives_) hit.second = SecondDerivatives{jet.duu, jet.duv, jet.dvv};
+}
 
+double HitEvaluation::position_bound(std::size_t lane, const Leaf& leaf,
+                                     const PartPlacement& placement, const Vec3& position) const {
     const Vec2 error = Vec2(block_.error_u[lane], block_.error_v[lane]) / leaf.domain.extent();
     double reach = block_.reach[lane];
     if (std::max(error.x, error.y) > widest_for_derivatives)
         reach = reach_in_box(block_.leaf[lane], {block_.u[lane], block_.v[lane]}, error,
                              placement.to_world);
-
     const double steps = 8 + 4.0 * (leaf.degree_u + leaf.degree_v);
-    const double away = hit.position.length() + placement.to_world.translation.length();
+    const double away = position.length() + placement.to_world.translation.length();
     const double rounding = epsilon * (8 * away + steps * leaf.radius * placement.magnification);
-    hit.position_bound = reach + leaf.coefficient_error * placement.magnification + rounding;
-    hit.root = {hit.instance, hit.patch,
-                root_box(hit.uv, Vec2(block_.error_u[lane], block_.error_v[lane]))};
+    return reach + leaf.coefficient_error * placement.magnification + rounding;
 }
 
 Hit evaluated(const TracedModel& model, const LeafKernels& kernels, const Crossing& crossing,

@@ -22,6 +22,11 @@ public:
 private:
     void ask(std::size_t lane);
     void write(std::size_t lane);
+    /// What depends on the derivatives, but for the bound.
+    void write_surface(std::size_t lane, const PartPlacement& placement, Hit& hit) const;
+    /// mm, of the world.
+    double position_bound(std::size_t lane, const Leaf& leaf, const PartPlacement& placement,
+                          const Vec3& position) const;
 
     const TracedModel& model_;
     const LeafKernels& kernels_;

@@ -41,6 +41,38 @@ double polynomial_blur(const std::array<double, 4>& rounding,
     return blur;
 }
 
+/// Puts a regular frame at its placement.
+void set_frame(HotLeaf& hot, const Leaf& leaf, const LeafFrame& frame,
+               const PartPlacement& placement) {
+    const Vec3 part_center = leaf.center + frame.center;
+    const Vec3 center = placement.identity ? part_center : placement.to_world.point(part_center);
+    for (unsigned k = 0; k < 3; ++k) {
+        hot.center[k] = center[k];
+        const Vec3& row = frame.rows[k];
+        const auto& to_part = placement.to_part.rows;
+        // A row of coordinates is turned like a normal: by the inverse transposed.
+        const Vec3 turned = to_part[0] * row.x + to_part[1] * row.y + to_part[2] * row.z;
+        const Vec3& used = placement.identity ? row : turned;
+        hot.rows[k] = {used.x, used.y, used.z};
+        hot.row_length[k] = used.length() * (1 + 4 * epsilon);
+    }
+}
+
+/// mm: the stored centre and rows miss the exact ones by some roundings of what they are made of,
+/// the centre's in world size, the rows' in the leaf's, and by what the inverse of the placement is
+/// off; there also a control point's five on its way into the frame, and one where an affine part
+/// was taken off.
+double frame_blur(const HotLeaf& hot, const Leaf& leaf, const LeafFrame& frame,
+                  const PartPlacement& placement) {
+    const double size = placement.magnification * (leaf.radius + frame.center.length());
+    const double away = Vec3(hot.center[0], hot.center[1], hot.center[2]).length() +
+                        placement.to_world.translation.length() +
+                        placement.magnification * leaf.center.length();
+    const double turning = placement.identity ? 1 : placement.magnification * placement.reduction;
+    return placement.magnification * leaf.coefficient_error + 4 * epsilon * away +
+           (16 * epsilon * turning + 2 * placement.inverse_error) * size;
+}
+
 } // namespace
 
 void HotLeaf::set_unbounded() {
@@ -61,34 +93,14 @@ HotLeaf hot_leaf(const LeafSet& leaves, std::uint32_t index, const PartPlacement
     hot.rational = leaves.view(leaf).rational();
     hot.material = leaf.trim == TrimSide::inside;
     set_patch_ends(hot, leaf);
+    hot.regular = frame.regular;
     if (!frame.regular) {
         hot.set_unbounded();
         return hot;
     }
-    hot.regular = true;
     set_bounds(hot, frame);
-    const Vec3 part_center = leaf.center + frame.center;
-    const Vec3 center = placement.identity ? part_center : placement.to_world.point(part_center);
-    for (unsigned k = 0; k < 3; ++k) {
-        hot.center[k] = center[k];
-        const Vec3& row = frame.rows[k];
-        const auto& to_part = placement.to_part.rows;
-        // A row of coordinates is turned like a normal: by the inverse transposed.
-        const Vec3 turned = to_part[0] * row.x + to_part[1] * row.y + to_part[2] * row.z;
-        const Vec3& used = placement.identity ? row : turned;
-        hot.rows[k] = {used.x, used.y, used.z};
-        hot.row_length[k] = used.length() * (1 + 4 * epsilon);
-    }
-    // The stored centre and rows miss the exact ones by some roundings of what they are made of,
-    // the centre's in world size, the rows' in the leaf's, and by what the inverse of the placement
-    // is off; there also a control point's five on its way into the frame, and one where an affine
-    // part was taken off.
-    const double size = placement.magnification * (leaf.radius + frame.center.length());
-    const double away = center.length() + placement.to_world.translation.length() +
-                        placement.magnification * leaf.center.length();
-    const double turning = placement.identity ? 1 : placement.magnification * placement.reduction;
-    hot.blur = placement.magnification * leaf.coefficient_error + 4 * epsilon * away +
-               (16 * epsilon * turning + 2 * placement.inverse_error) * size +
+    set_frame(hot, leaf, frame, placement);
+    hot.blur = frame_blur(hot, leaf, frame, placement) +
                polynomial_blur(leaves.roundings[index], hot.row_length);
     return hot;
 }

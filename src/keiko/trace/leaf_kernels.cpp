@@ -22,15 +22,16 @@ HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
 void look(const RayBlock& rays, LaneMask mask, const HotLeaf& leaf, LeafLook& result) {
-    result.certain = result.single = result.undecided = 0;
+    result.certain = result.material = result.single = result.undecided = 0;
     for_vectors(mask, [&](std::size_t lane) { look_at(Wide(), rays, lane, leaf, result); });
     result.certain &= mask;
+    result.material &= mask;
     result.single &= mask;
     result.undecided &= mask;
 }
 
 void look_single(const RayBlock& rays, std::size_t lane, const HotLeaf& leaf, LeafLook& result) {
-    result.certain = result.single = result.undecided = 0;
+    result.certain = result.material = result.single = result.undecided = 0;
     look_at(One(), rays, lane, leaf, result);
 }
 

@@ -7,20 +7,14 @@
 namespace keiko {
 
 /// What a first look at a leaf proves for each ray of a block. A lane in none of the masks misses
-/// the leaf, or meets it outside of its range of s.
+/// the leaf, meets it outside of its range of s, or where there is no material.
 struct LeafLook {
     LaneMask certain = 0;   ///< exactly one root on the leaf, and that on its patch
+    LaneMask material = 0;  ///< of `certain`: the root is material
     LaneMask single = 0;    ///< at most one
     LaneMask undecided = 0; ///< nothing: only clipping can tell
     /// Where the root is if there is one, for lanes of `certain` and `single`.
     alignas(64) RayBlock::Lanes<double> nearest, farthest;
-    /// Of the same lanes: it is no farther from (x, y) of the leaf's square.
-    RayBlock::Lanes<double> x, y, off_x, off_y;
-
-    Box2 box(std::size_t lane) const {
-        const Vec2 at(x[lane], y[lane]), off(off_x[lane], off_y[lane]);
-        return {at - off, at + off};
-    }
 };
 
 /// The roots of rays that have at most one on a leaf.

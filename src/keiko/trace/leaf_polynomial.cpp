@@ -61,37 +61,46 @@ Coefficients changed(const Coefficients& net, const PowerBasis& basis, std::size
     return result;
 }
 
+/// Of each component.
+std::array<double, 4> largest_magnitude(const Coefficients& net) {
+    std::array<double, 4> largest{};
+    for (const auto& p : net)
+        for (std::size_t c = 0; c < 4; ++c)
+            largest[c] = std::max(largest[c], static_cast<double>(std::abs(p[c])));
+    return largest;
+}
+
+std::array<double, 4> rounded(const std::array<long double, 4>& from) {
+    std::array<double, 4> to{};
+    for (std::size_t c = 0; c < 4; ++c) to[c] = static_cast<double>(from[c]);
+    return to;
+}
+
+/// Without weights the kernels take 1 for granted.
+void set_weight_to_one(LeafPolynomial& polynomial) {
+    for (auto& c : polynomial.coefficients) c[3] = 0;
+    polynomial.coefficients.front()[3] = 1;
+}
+
 } // namespace
 
 LeafPolynomial leaf_polynomial(const BezierPatchView& leaf, const LeafFrame& frame) {
     const auto rows = static_cast<std::size_t>(leaf.degree_u) + 1;
     const auto columns = static_cast<std::size_t>(leaf.degree_v) + 1;
     Coefficients net;
-    std::array<double, 4> largest{};
-    for (const Vec4& p : leaf.points) {
-        net.push_back(in_frame(p, frame));
-        for (std::size_t c = 0; c < 4; ++c)
-            largest[c] = std::max(largest[c], static_cast<double>(std::abs(net.back()[c])));
-    }
+    for (const Vec4& p : leaf.points) net.push_back(in_frame(p, frame));
+    const std::array<double, 4> largest = largest_magnitude(net);
     const PowerBasis u(leaf.degree_u), v(leaf.degree_v);
     net = changed(net, u, rows, columns, columns, 1);
     net = changed(net, v, columns, 1, rows, columns);
 
     LeafPolynomial polynomial;
     std::array<double, 4> sum{};
-    for (const auto& from : net) {
-        std::array<double, 4> to{};
-        for (std::size_t c = 0; c < 4; ++c) {
-            to[c] = static_cast<double>(from[c]);
-            sum[c] += std::abs(to[c]);
-        }
-        polynomial.coefficients.push_back(to);
+    for (const auto& coefficients : net) {
+        polynomial.coefficients.push_back(rounded(coefficients));
+        for (std::size_t c = 0; c < 4; ++c) sum[c] += std::abs(polynomial.coefficients.back()[c]);
     }
-    // Without weights the kernels take 1 for granted.
-    if (!leaf.rational()) {
-        for (auto& c : polynomial.coefficients) c[3] = 0;
-        polynomial.coefficients.front()[3] = 1;
-    }
+    if (!leaf.rational()) set_weight_to_one(polynomial);
     // The sums: one rounding a term. Horner: two a step, and one when a coefficient was stored.
     const double terms = static_cast<double>(rows + columns);
     for (std::size_t c = 0; c < 4; ++c)

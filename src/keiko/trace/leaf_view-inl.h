@@ -8,6 +8,7 @@
 
 #include "keiko/trace/leaves-inl.h"
 #include "keiko/trace/ray_blur.h"
+#include "keiko/trace/trim_cells-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
@@ -113,8 +114,9 @@ void look_at(D d, const RayBlock& rays, std::size_t lane, const HotLeaf& leaf, L
         hn::Or(hn::Or(hn::Gt(a, hn::Add(one, v.strip_u())), hn::Gt(b, hn::Add(one, v.strip_v()))),
                hn::Or(hn::Lt(far_s, low), hn::Gt(near_s, high)));
     const auto left = hn::Not(hn::And(sane, missed));
-    const auto single =
+    auto single =
         hn::And(hn::And(left, sane), hn::Lt(v.contraction, hn::Set(d, largest_contraction)));
+    const auto undecided = hn::AndNot(single, left);
     const auto within = [&](auto place, auto strip, std::size_t axis) {
         return hn::And(hn::Ge(hn::Sub(place, strip), hn::Set(d, leaf.patch_low[axis])),
                        hn::Le(hn::Add(place, strip), hn::Set(d, leaf.patch_high[axis])));
@@ -125,14 +127,18 @@ void look_at(D d, const RayBlock& rays, std::size_t lane, const HotLeaf& leaf, L
     };
     store(near_s, result.nearest);
     store(far_s, result.farthest);
-    store(v.a, result.x);
-    store(v.b, result.y);
-    store(v.strip_u(), result.off_x);
-    store(v.strip_v(), result.off_y);
     const auto bits = [&](hn::Mask<D> mask) { return lane_bits(d, mask, lane); };
+    if (leaf.material) {
+        result.material |= bits(hn::And(single, inside));
+    } else if (leaf.cells) {
+        const auto met = cells_met(d, v.a, v.b, v.strip_u(), v.strip_v());
+        single = hn::AndNot(lie_in(d, met, leaf.cells.empty), single);
+        result.material |=
+            bits(hn::And(hn::And(single, inside), lie_in(d, met, leaf.cells.material)));
+    }
     result.certain |= bits(hn::And(single, inside));
     result.single |= bits(hn::AndNot(inside, single));
-    result.undecided |= bits(hn::AndNot(single, left));
+    result.undecided |= bits(undecided);
 }
 
 } // namespace keiko::HWY_NAMESPACE

@@ -31,6 +31,8 @@ struct TrimCells {
         const Set rows = (~Set{0} >> 8 * (7 - top)) & (~Set{0} << 8 * bottom);
         return row * 0x0101010101010101U & rows;
     }
+    /// The one that holds a place.
+    static Set at(const Vec2& place) { return Set{1} << (8 * index(place.y) + index(place.x)); }
 
 private:
     static unsigned index(double place) {
