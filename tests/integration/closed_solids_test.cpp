@@ -17,7 +17,7 @@ using namespace test;
 void expect_closed(const std::filesystem::path& file) {
     const ClosedModel model(load_model(file));
     const std::size_t count = ray_count(10'000, 1'000'000);
-    Random random(1);
+    Random random(first_seed());
     ClosureCounts counts;
     for (std::size_t i = 0; i < count; ++i) {
         model.count_parity(model.random_ray(random), counts);

@@ -20,10 +20,11 @@ TEST_P(ConstructedModelRays, FindTheirPointAmongAllHits) {
     const RayScene scene(load_model(repository("surfaces") / GetParam()));
     const std::size_t count = ray_count(20'000, 2'000'000);
     RayTally tally(GetParam());
-    Random random(1);
+    const std::uint64_t seed = first_seed();
+    Random random(seed);
     for (std::size_t i = 0; tally.rays() < count && i < 10 * count; ++i) {
         const auto aimed = scene.aim(random, ray_classes[i % ray_classes.size()]);
-        const std::string label = "seed 1, ray " + std::to_string(i);
+        const std::string label = "seed " + std::to_string(seed) + ", ray " + std::to_string(i);
         if (!aimed) {
             tally.add_unmade();
             continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
@@ -14,6 +15,12 @@ inline bool long_run() {
 /// How many rays a property test takes.
 inline std::size_t ray_count(std::size_t usual, std::size_t in_long_run) {
     return long_run() ? in_long_run : usual;
+}
+
+/// What a test's seeds count from: KEIKO_SEED, for rays that no run has seen yet; else 1.
+inline std::uint64_t first_seed() {
+    const char* value = std::getenv("KEIKO_SEED");
+    return value != nullptr ? std::strtoull(value, nullptr, 10) : 1;
 }
 
 } // namespace keiko::test

@@ -100,16 +100,13 @@ std::vector<BezierPatchSpan> bezier_spans(const NurbsSurface& surface) {
             NurbsCurve<Vec4> row{surface.degree_v, surface.knots_v, {}};
             for (const auto& column : columns)
                 row.points.push_back(column.points[in_u.first_point + i]);
-            saturate_knots(row);
-            const std::vector<SpanPlace> places = span_places(row);
-            for (std::size_t r = 0; r < places.size(); ++r) {
-                const SpanPlace& in_v = places[r];
-                if (i == 0)
-                    patches.push_back({in_u.begin, in_u.end, in_v.begin, in_v.end,
-                                       std::vector<Vec4>(order_u * order_v)});
-                std::copy_n(
-                    row.points.begin() + static_cast<std::ptrdiff_t>(in_v.first_point), order_v,
-                    patches[first + r].points.begin() + static_cast<std::ptrdiff_t>(i * order_v));
+            const std::vector<BezierSpan<Vec4>> spans = bezier_spans(std::move(row));
+            for (std::size_t r = 0; r < spans.size(); ++r) {
+                const BezierSpan<Vec4>& in_v = spans[r];
+                if (i == 0) patches.push_back({in_u.begin, in_u.end, in_v.begin, in_v.end, {}});
+                std::vector<Vec4>& points = patches[first + r].points;
+                points.reserve(order_u * order_v);
+                points.insert(points.end(), in_v.points.begin(), in_v.points.end());
             }
         }
     }

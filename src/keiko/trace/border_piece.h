@@ -44,10 +44,12 @@ struct BorderPiece {
     Vec3 inward_at(double t) const;
 };
 
+/// Of a curve of degree 5 at t.
+Vec3 point_on(const std::array<Vec3, BorderPiece::points>& curve, double t);
+
 /// The borders of every placed face, trimmed or natural, and the knot lines along which the normal
 /// jumps. Left out: the sides of a closed face that join smoothly, and sides collapsed into a
-/// point. Pieces are as short as it takes to be within 1e-9 of the curve's size. `tracer` is of the
-/// same model, and not kept. Throws Cancelled.
+/// point. `tracer` is of the same model, and not kept. Throws Cancelled.
 std::vector<BorderPiece> border_pieces(const SurfaceModel& model, const Tracer& tracer,
                                        const Job& job);
 

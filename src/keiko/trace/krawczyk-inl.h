@@ -34,81 +34,121 @@ struct NarrowedBoxes {
     hn::Mask<D> left, single, root, poor;
 };
 
-/// Krawczyk's method: in a box around z of half size r, with J the Jacobian at z, every root is
-/// within J^-1 (K r^2 / 2 + noise) of Newton's z - J^-1 F(z); where |J^-1| K r is below 1 there is
-/// at most one.
+/// A step of Krawczyk's method in a vector of boxes: in a box around z of half size r, with J the
+/// Jacobian at z, every root is within J^-1 (K r^2 / 2 + noise) of Newton's z - J^-1 F(z); where
+/// |J^-1| K r is below 1 there is at most one.
 template <class D>
-NarrowedBoxes<D> narrowed(D d, const PlanePair& planes, const SameLeaf& leaf,
-                          const Boxes<hn::Vec<D>>& b) {
+class KrawczykStep {
     using V = hn::Vec<D>;
-    const Jet<V> at = jet_of(d, leaf, b.x, b.y);
-    const auto seen = [&](const std::array<V, 4>& c, std::size_t plane) {
-        const Component4& w = planes.weights[plane];
-        return hn::MulAdd(
-            hn::Set(d, w[3]), c[3],
-            hn::MulAdd(hn::Set(d, w[2]), c[2],
-                       hn::MulAdd(hn::Set(d, w[1]), c[1], hn::Mul(hn::Set(d, w[0]), c[0]))));
-    };
-    const V f = seen(at.value, 0), g = seen(at.value, 1);
-    const V fx = seen(at.by_x, 0), gx = seen(at.by_x, 1);
-    const V fy = seen(at.by_y, 0), gy = seen(at.by_y, 1);
-    const V one = hn::Set(d, 1), half = hn::Set(d, 0.5);
-    const V r = hn::Max(b.half_x, b.half_y), half_square = hn::Mul(hn::Mul(half, r), r);
-    const auto rest = [&](std::size_t plane) {
-        // As in newton-inl.h, for the rounding of the Jacobian.
-        const V noise = hn::Set(d, planes.noise[plane]);
-        const V turned = hn::Mul(noise, hn::Set(d, degrees_of(leaf.shape())));
-        return hn::MulAdd(hn::Set(d, planes.bend[plane]), half_square,
-                          hn::MulAdd(turned, r, noise));
-    };
-    const V rest_f = rest(0), rest_g = rest(1);
-    const auto clear = [&](V value, V by_x, V by_y, V remainder) {
-        return hn::Gt(hn::Abs(value), hn::MulAdd(hn::Abs(by_x), b.half_x,
-                                                 hn::MulAdd(hn::Abs(by_y), b.half_y, remainder)));
-    };
-    const V scale = hn::Div(one, hn::NegMulAdd(fy, gx, hn::Mul(fx, gy)));
-    const V newton_x = hn::MulAdd(hn::NegMulAdd(gy, f, hn::Mul(fy, g)), scale, b.x);
-    const V newton_y = hn::MulAdd(hn::NegMulAdd(fx, g, hn::Mul(gx, f)), scale, b.y);
-    const auto spread = [&](V along_g, V along_f, V first, V second) {
-        return hn::Mul(hn::Abs(scale),
-                       hn::MulAdd(hn::Abs(along_g), first, hn::Mul(hn::Abs(along_f), second)));
-    };
-    const auto widest = [&](V first, V second) {
-        return hn::Max(spread(gy, fy, first, second), spread(gx, fx, first, second));
-    };
-    const V rest_x = spread(gy, fy, rest_f, rest_g), rest_y = spread(gx, fx, rest_f, rest_g);
-    const V contraction =
-        widest(hn::Mul(hn::Set(d, planes.bend[0]), r), hn::Mul(hn::Set(d, planes.bend[1]), r));
-    const V noise = widest(hn::Set(d, planes.noise[0]), hn::Set(d, planes.noise[1]));
+    using Pair = std::array<V, 2>; ///< one a plane
 
-    const V low_x = hn::Max(hn::Sub(b.x, b.half_x), hn::Sub(newton_x, rest_x));
-    const V high_x = hn::Min(hn::Add(b.x, b.half_x), hn::Add(newton_x, rest_x));
-    const V low_y = hn::Max(hn::Sub(b.y, b.half_y), hn::Sub(newton_y, rest_y));
-    const V high_y = hn::Min(hn::Add(b.y, b.half_y), hn::Add(newton_y, rest_y));
-    // Where J is singular Newton says nothing, not even that: the box stays as it was.
-    const auto sane = hn::And(hn::Le(low_x, high_x), hn::Le(low_y, high_y));
-    const auto empty = hn::Or(hn::Or(hn::Gt(low_x, high_x), hn::Gt(low_y, high_y)),
-                              hn::Or(clear(f, fx, fy, rest_f), clear(g, gx, gy, rest_g)));
-    const V half_x = hn::IfThenElse(sane, hn::Mul(half, hn::Sub(high_x, low_x)), b.half_x);
-    const V half_y = hn::IfThenElse(sane, hn::Mul(half, hn::Sub(high_y, low_y)), b.half_y);
-    const auto poor = hn::And(hn::Gt(half_x, hn::Mul(hn::Set(d, 0.6), b.half_x)),
-                              hn::Gt(half_y, hn::Mul(hn::Set(d, 0.6), b.half_y)));
-    const auto single = hn::Lt(contraction, hn::Set(d, largest_contraction));
-    const auto close = hn::Le(hn::Mul(contraction, r), far_below(d, noise));
-    const auto root = hn::And(single, hn::Or(close, poor));
-    // Of a root Newton's own place and bound, not the middle of what two boxes have in common.
-    const auto place = [&](V newton, V low, V high, V old) {
-        const V on_leaf = hn::Min(hn::Max(newton, hn::Neg(one)), one);
-        const V middle = hn::IfThenElse(sane, hn::Mul(half, hn::Add(low, high)), old);
-        return hn::IfThenElse(root, on_leaf, middle);
+public:
+    KrawczykStep(const PlanePair& planes, const SameLeaf& leaf, const Boxes<V>& boxes)
+        : boxes_(boxes), r_(hn::Max(boxes.half_x, boxes.half_y)) {
+        const Jet<V> at = jet_of(d_, leaf, boxes.x, boxes.y);
+        value_ = seen(planes, at.value);
+        by_x_ = seen(planes, at.by_x);
+        by_y_ = seen(planes, at.by_y);
+        scale_ = hn::Div(one(), hn::NegMulAdd(by_y_[0], by_x_[1], hn::Mul(by_x_[0], by_y_[1])));
+        noise_ = {hn::Set(d_, planes.noise[0]), hn::Set(d_, planes.noise[1])};
+        bend_ = {hn::Set(d_, planes.bend[0]), hn::Set(d_, planes.bend[1])};
+        const V degrees = hn::Set(d_, degrees_of(leaf.shape()));
+        rest_ = {rest(0, degrees), rest(1, degrees)};
+    }
+
+    NarrowedBoxes<D> narrowed() const {
+        const auto& [f, g] = value_;
+        const V newton_x =
+            hn::MulAdd(hn::NegMulAdd(by_y_[1], f, hn::Mul(by_y_[0], g)), scale_, boxes_.x);
+        const V newton_y =
+            hn::MulAdd(hn::NegMulAdd(by_x_[0], g, hn::Mul(by_x_[1], f)), scale_, boxes_.y);
+        const Range x = range(boxes_.x, boxes_.half_x, newton_x, spread(by_y_, rest_));
+        const Range y = range(boxes_.y, boxes_.half_y, newton_y, spread(by_x_, rest_));
+        // Where J is singular Newton says nothing, not even that: the box stays as it was.
+        const auto sane = hn::And(hn::Le(x.low, x.high), hn::Le(y.low, y.high));
+        const auto empty = hn::Or(hn::Or(hn::Gt(x.low, x.high), hn::Gt(y.low, y.high)),
+                                  hn::Or(is_clear(0), is_clear(1)));
+        const V half_x = half_of(x, sane, boxes_.half_x), half_y = half_of(y, sane, boxes_.half_y);
+        const auto poor =
+            hn::And(hardly_less(half_x, boxes_.half_x), hardly_less(half_y, boxes_.half_y));
+        const V contraction = widest({hn::Mul(bend_[0], r_), hn::Mul(bend_[1], r_)});
+        const auto single = hn::Lt(contraction, hn::Set(d_, largest_contraction));
+        const auto close = hn::Le(hn::Mul(contraction, r_), far_below(d_, widest(noise_)));
+        const auto root = hn::And(single, hn::Or(close, poor));
+        return {{place(x, sane, root, boxes_.x), place(y, sane, root, boxes_.y),
+                 hn::IfThenElse(root, x.rest, half_x), hn::IfThenElse(root, y.rest, half_y)},
+                hn::Not(empty),
+                single,
+                root,
+                poor};
+    }
+
+private:
+    /// Along one parameter: Newton's place, how far a root may be from it, and the part of the box
+    /// that is left.
+    struct Range {
+        V newton, rest, low, high;
     };
-    return {{place(newton_x, low_x, high_x, b.x), place(newton_y, low_y, high_y, b.y),
-             hn::IfThenElse(root, rest_x, half_x), hn::IfThenElse(root, rest_y, half_y)},
-            hn::Not(empty),
-            single,
-            root,
-            poor};
-}
+
+    static V one() { return hn::Set(d_, 1); }
+
+    static Pair seen(const PlanePair& planes, const std::array<V, 4>& c) {
+        const auto by = [&](const Component4& w) {
+            return hn::MulAdd(
+                hn::Set(d_, w[3]), c[3],
+                hn::MulAdd(hn::Set(d_, w[2]), c[2],
+                           hn::MulAdd(hn::Set(d_, w[1]), c[1], hn::Mul(hn::Set(d_, w[0]), c[0]))));
+        };
+        return {by(planes.weights[0]), by(planes.weights[1])};
+    }
+
+    /// Of Taylor's formula, with the rounding; that of the Jacobian as in newton-inl.h.
+    V rest(std::size_t plane, V degrees) const {
+        const V half_square = hn::Mul(hn::Mul(hn::Set(d_, 0.5), r_), r_);
+        const V turned = hn::Mul(noise_[plane], degrees);
+        return hn::MulAdd(bend_[plane], half_square, hn::MulAdd(turned, r_, noise_[plane]));
+    }
+
+    /// Whether a plane passes the whole box by.
+    hn::Mask<D> is_clear(std::size_t k) const {
+        const V most = hn::MulAdd(hn::Abs(by_x_[k]), boxes_.half_x,
+                                  hn::MulAdd(hn::Abs(by_y_[k]), boxes_.half_y, rest_[k]));
+        return hn::Gt(hn::Abs(value_[k]), most);
+    }
+
+    /// What J^-1 makes of bounds of both functions, along one parameter; `by` are the derivatives
+    /// by the other one.
+    V spread(const Pair& by, const Pair& bounds) const {
+        return hn::Mul(hn::Abs(scale_),
+                       hn::MulAdd(hn::Abs(by[1]), bounds[0], hn::Mul(hn::Abs(by[0]), bounds[1])));
+    }
+    V widest(const Pair& bounds) const {
+        return hn::Max(spread(by_y_, bounds), spread(by_x_, bounds));
+    }
+
+    static Range range(V middle, V half, V newton, V rest) {
+        return {newton, rest, hn::Max(hn::Sub(middle, half), hn::Sub(newton, rest)),
+                hn::Min(hn::Add(middle, half), hn::Add(newton, rest))};
+    }
+    static V half_of(const Range& r, hn::Mask<D> sane, V old) {
+        return hn::IfThenElse(sane, hn::Mul(hn::Set(d_, 0.5), hn::Sub(r.high, r.low)), old);
+    }
+    static hn::Mask<D> hardly_less(V half, V old) {
+        return hn::Gt(half, hn::Mul(hn::Set(d_, 0.6), old));
+    }
+    /// Of a root Newton's own place and bound, not the middle of what two boxes have in common.
+    static V place(const Range& r, hn::Mask<D> sane, hn::Mask<D> root, V old) {
+        const V on_leaf = hn::Min(hn::Max(r.newton, hn::Neg(one())), one());
+        const V middle =
+            hn::IfThenElse(sane, hn::Mul(hn::Set(d_, 0.5), hn::Add(r.low, r.high)), old);
+        return hn::IfThenElse(root, on_leaf, middle);
+    }
+
+    static constexpr D d_{};
+    Boxes<V> boxes_;
+    V r_, scale_;
+    Pair value_, by_x_, by_y_, noise_, bend_, rest_;
+};
 
 /// Appends the boxes of a mask to arrays with room for a vector.
 template <class D, class Arrays>
@@ -150,8 +190,9 @@ bool narrow_last(D d, const PlanePair& planes, const SameLeaf& leaf, BoxStack& s
     const std::size_t count = std::min(stack.size, hn::Lanes(d));
     stack.size -= count;
     const auto load = [&](const auto& from) { return hn::LoadU(d, from.data() + stack.size); };
-    const NarrowedBoxes<D> n = narrowed(
-        d, planes, leaf, {load(stack.x), load(stack.y), load(stack.half_x), load(stack.half_y)});
+    const Boxes<hn::Vec<D>> boxes{load(stack.x), load(stack.y), load(stack.half_x),
+                                  load(stack.half_y)};
+    const NarrowedBoxes<D> n = KrawczykStep<D>(planes, leaf, boxes).narrowed();
     const auto left = hn::And(n.left, hn::FirstN(d, count));
     const auto found = hn::And(left, n.root), kept = hn::AndNot(n.root, left);
     const auto wide = hn::Gt(hn::Max(n.boxes.half_x, n.boxes.half_y), hn::Set(d, narrowest));

@@ -1,5 +1,8 @@
 #include "keiko/trace/planar_net.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace keiko {
 namespace {
 
@@ -74,6 +77,42 @@ PlanarPoint evaluate(const PlanarNet& net, const Vec2& uv) {
         p.dv += slope * u.value[i];
     }
     return p;
+}
+
+Vec2 variation(const PlanarNet& net) {
+    const std::size_t rows = net.rows(), columns = net.columns();
+    const auto difference = [&](std::size_t a, std::size_t b) {
+        return std::abs(net.f[a] - net.f[b]) + std::abs(net.g[a] - net.g[b]);
+    };
+    Vec2 most(0);
+    for (std::size_t j = 0; j < columns; ++j) {
+        double sum = 0;
+        for (std::size_t i = 1; i < rows; ++i)
+            sum += difference(i * columns + j, (i - 1) * columns + j);
+        most.x = std::max(most.x, sum);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        double sum = 0;
+        for (std::size_t j = 1; j < columns; ++j)
+            sum += difference(i * columns + j, i * columns + j - 1);
+        most.y = std::max(most.y, sum);
+    }
+    return most;
+}
+
+std::optional<Vec2> containing_plane(const PlanarNet& net, double slack) {
+    const std::size_t last = net.size() - 1, row = net.columns() - 1, column = last - row;
+    // The widest chord gives the direction across which a flat net has no extent.
+    Vec2 chord(0);
+    for (const auto& [a, b] : {std::pair<std::size_t, std::size_t>{0, last}, {row, column}}) {
+        const Vec2 d(net.f[b] - net.f[a], net.g[b] - net.g[a]);
+        if (d.length2() > chord.length2()) chord = d;
+    }
+    if (!(chord.length2() > 0)) return std::nullopt;
+    const Vec2 plane = Vec2(-chord.y, chord.x) / chord.length();
+    for (std::size_t i = 0; i <= last; ++i)
+        if (!(std::abs(plane.x * net.f[i] + plane.y * net.g[i]) <= slack)) return std::nullopt;
+    return plane;
 }
 
 } // namespace keiko

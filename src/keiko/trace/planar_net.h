@@ -4,6 +4,7 @@
 #include "keiko/patch/bernstein.h"
 
 #include <array>
+#include <optional>
 
 namespace keiko {
 
@@ -33,5 +34,12 @@ struct PlanarPoint {
 };
 
 PlanarPoint evaluate(const PlanarNet& net, const Vec2& uv);
+
+/// How much the two functions vary along u and along v, summed along the steepest line.
+Vec2 variation(const PlanarNet& net);
+
+/// A plane through the ray in which the whole piece lies to within `slack`, as its coordinates in
+/// the normals of the two planes of the net.
+std::optional<Vec2> containing_plane(const PlanarNet& net, double slack);
 
 } // namespace keiko

@@ -1,20 +1,11 @@
 #pragma once
 
-#include "keiko/trace/planar_net.h"
+#include "keiko/trace/root_list.h"
 
 #include <span>
 #include <vector>
 
 namespace keiko {
-
-/// A common zero of the two functions of a PlanarNet.
-struct LeafRoot {
-    Vec2 uv;         ///< in the net's own [0, 1]^2
-    Vec2 error;      ///< half the size of the box that holds the exact root
-    bool clipped;    ///< found by clipping down to rounding, not by a uniqueness proof
-    bool tangential; ///< several roots may lie in that box
-    Vec2 alone{0};   ///< half the size of a box around uv that holds no second root, if known
-};
 
 /// Finds every common zero of f and g in [0, 1]^2: Bezier clipping with preconditioned fat lines,
 /// cut short by Newton's method wherever a box is proved to hold at most one. Sub-boxes are always
@@ -37,18 +28,12 @@ private:
     void accept_box(const Box2& box);
     /// The ray lies in the surface on the whole box: the places where it enters and leaves.
     void accept_line(const PlanarNet& net, const Box2& box, const Vec2& plane);
-    void split_lines();
-    void add(LeafRoot root);
-    /// Whether two finds are one root, or pieces of one tangency.
-    bool same(const LeafRoot& a, const LeafRoot& b) const;
 
     bool clipping_only_;
     const PlanarNet* whole_ = nullptr; ///< of the call that runs
     double slack_ = 0;
     std::vector<Box2> open_;
-    std::vector<LeafRoot> roots_;
-    /// Of roots_, before they were united: those too long for points.
-    std::vector<LeafRoot> stretches_;
+    RootList roots_;
 };
 
 } // namespace keiko

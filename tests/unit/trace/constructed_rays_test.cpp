@@ -56,7 +56,7 @@ TEST_P(ConstructedRays, FindTheirPointAmongAllHits) {
     const auto count = static_cast<std::size_t>(
         tested.share * static_cast<double>(ray_count(1'000'000, 100'000'000)));
     RayTally tally(tested.name);
-    for (std::uint64_t seed = 1; tally.rays() < count; ++seed) {
+    for (std::uint64_t seed = first_seed(); tally.rays() < count; ++seed) {
         Random random(seed);
         const RayScene scene(next_face(random), {.clipping_only = tested.clipping_only});
         const std::size_t end = std::min(count, tally.rays() + rays_a_face);

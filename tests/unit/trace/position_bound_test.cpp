@@ -87,7 +87,7 @@ TEST_P(PositionBound, HoldsAgainstLongDoubleAndIsNarrow) {
     const std::size_t count = ray_count(tested.rays, 100 * tested.rays);
     Comparison sum;
     for (std::size_t i = 0; i < count;) {
-        Random random(i + 1);
+        Random random(first_seed() + i);
         const SurfaceModel model = random_face(random, tested.kind);
         const Tracer tracer(model, {.clipping_only = tested.clipping_only});
         const ExactPatch patch(model.patch(0), model.instances[0].transform);
