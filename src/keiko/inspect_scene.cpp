@@ -71,6 +71,7 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     constexpr int automatic_views = 3;
     const std::vector<NamedView> views = choose_views(scene, options.views, automatic_views, job);
     InspectResult result;
+    if (options.register_hits) result.hits = register_hits(scene.tracer, scene.model, views, job);
     auto [rig, coverage] = choose_lights(scene, options, views, job);
     result.rig = std::move(rig);
     result.report.tool_version = version();

@@ -12,6 +12,7 @@
 #include "keiko/patch/seam.h"
 #include "keiko/placement/best_view.h"
 #include "keiko/placement/place_lamps.h"
+#include "keiko/placement/registered_hits.h"
 #include "keiko/render/picture.h"
 #include "keiko/report/checks_csv.h"
 #include "keiko/report/facts_text.h"
@@ -131,11 +132,16 @@ void require_view_names(std::span<const std::string> names);
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
                  const PictureOptions& options = {}, const Job& job = {});
 
+/// Reads what write_hits wrote. Throws Error for any other file.
+RegisteredHits read_hits(const std::filesystem::path& file);
+void write_hits(const std::filesystem::path& file, const RegisteredHits& hits);
+
 struct PlaceOptions {
-    std::vector<std::string> views;  ///< names; empty: the best one
-    std::vector<std::string> faces;  ///< numbers or patterns of names; empty: all count
-    std::optional<LightRig> rated{}; ///< tells of these lamps instead of placing others
-    PlacementOptions placement;      ///< but for its `sampling.faces`
+    std::vector<std::string> views;       ///< names; empty: the best one
+    std::vector<std::string> faces;       ///< numbers or patterns of names; empty: all count
+    std::optional<LightRig> rated{};      ///< tells of these lamps instead of placing others
+    std::optional<RegisteredHits> hits{}; ///< instead of another look at the body; with their views
+    PlacementOptions placement;           ///< but for its `sampling.faces`
 };
 
 struct PlaceResult {
@@ -144,7 +150,7 @@ struct PlaceResult {
 };
 
 /// Hangs lamps where the body mirrors them into the eyes of all views. Throws Error for a pattern
-/// that no face matches.
+/// that no face matches, and for hits of another body.
 PlaceResult place_scene(const Scene& scene, const PlaceOptions& options = {}, const Job& job = {});
 
 /// Writes placement.json, histogram-N.png for each plane and plan.png (body, lamps and eyes from
@@ -177,12 +183,14 @@ struct InspectOptions {
     double join = 0.5; ///< mm
     PlacementOptions placement;
     PictureOptions picture;
+    bool register_hits = false; ///< of the views, for InspectResult::hits
 };
 
 /// What an inspection made: to be written, or looked at.
 struct InspectResult {
     Report report;
     LightRig rig;
+    std::optional<RegisteredHits> hits{};
     std::vector<std::pair<std::string, Film>> films; ///< by view name
 };
 

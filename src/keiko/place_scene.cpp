@@ -1,7 +1,9 @@
+#include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
 #include "keiko/keiko.h"
 #include "keiko/placement/rated_rig.h"
 #include "keiko/placement_pictures.h"
+#include "keiko/report/hits_json.h"
 #include "keiko/report/placement_json.h"
 
 #include <fnmatch.h>
@@ -35,18 +37,32 @@ std::vector<std::uint32_t> faces_meant(const SurfaceModel& model,
     return faces;
 }
 
+std::vector<ViewSample> looks(const Scene& scene, const PlaceOptions& options,
+                              std::span<const NamedView> views, const SamplingOptions& sampling,
+                              const Job& job) {
+    if (options.hits) return options.hits->chosen(scene.model, scene.tracer.bounds(), sampling);
+    std::vector<Camera> cameras;
+    for (const NamedView& view : views) cameras.push_back(view.camera);
+    return sample_views(scene.tracer, scene.model, cameras, sampling, job);
+}
+
 } // namespace
+
+RegisteredHits read_hits(const std::filesystem::path& file) {
+    return hits_from_json(read_text_file(file), file.string());
+}
+
+void write_hits(const std::filesystem::path& file, const RegisteredHits& hits) {
+    write_text_file(file, hits_json(hits, version()));
+}
 
 PlaceResult place_scene(const Scene& scene, const PlaceOptions& options, const Job& job) {
     PlacementOptions placing = options.placement;
     placing.sampling.faces = faces_meant(scene.model, options.faces);
     PlaceResult result;
-    result.views = choose_views(scene, options.views, 1, job);
-    std::vector<Camera> cameras;
-    for (const NamedView& view : result.views) cameras.push_back(view.camera);
-    std::vector<ViewSample> seen =
-        sample_views(scene.tracer, scene.model, cameras, placing.sampling, job);
-    const int height = cameras.front().height;
+    result.views = options.hits ? options.hits->views : choose_views(scene, options.views, 1, job);
+    std::vector<ViewSample> seen = looks(scene, options, result.views, placing.sampling, job);
+    const int height = result.views.front().camera.height;
     result.placement = options.rated ? rated_rig(std::move(seen), scene.model, height,
                                                  *options.rated, placing.spacing)
                                      : place_lamps(std::move(seen), scene.model,

@@ -43,6 +43,47 @@ class Place(KeikoTest):
                          r"(?m)^keiko: looks of [1-9]\d* hits: [\d.]+ % unique, [\d.]+ % clipped, "
                          r"[\d.]+ % tangential$")
 
+    def test_registered_hits_give_the_same_rig(self):
+        """Whether a picture registered them or `place` looks itself; with the same choices."""
+        self.succeed("render", HOOD, "-o", "hood.png", "--view", "high-front", "--register",
+                     "hits.json", "-q", *SMALL)
+        for choices in ((), ("--plane", "above", "--faces", "1", "--weigh-pixels")):
+            self.succeed("place", HOOD, "--view", "high-front", "-o", "looked.toml", "--report",
+                         "looked", *choices, "-q", *SMALL)
+            self.succeed("place", HOOD, "--from", "hits.json", "-o", "read.toml", "--report",
+                         "read", *choices, "-q")
+            for name in ("placement.json", "plan.png", "histogram-1.png"):
+                self.assertEqual((self.folder / "read" / name).read_bytes(),
+                                 (self.folder / "looked" / name).read_bytes(), name)
+            self.assertEqual((self.folder / "read.toml").read_bytes(),
+                             (self.folder / "looked.toml").read_bytes())
+
+    def test_an_inspection_registers_all_its_views(self):
+        self.keiko("inspect", HOOD, "-o", "report", "--view", "front", "--view", "top",
+                   "--register", "hits.json", "-q", *SMALL)
+        hits = json.loads((self.folder / "hits.json").read_text())
+        self.assertEqual([view["name"] for view in hits["views"]], ["front", "top"])
+        self.assertEqual({hit[0] for hit in hits["hits"]}, {0, 1})
+        self.succeed("place", HOOD, "--from", "hits.json", "-o", "rig.toml", "-q")
+
+    def test_hits_of_another_body_and_damaged_ones_are_refused(self):
+        self.succeed("render", HOOD, "-o", "hood.png", "--view", "front", "--register", "hits.json",
+                     "-q", *SMALL)
+        whole = (self.folder / "hits.json").read_text()
+        (self.folder / "cut.json").write_text(whole[:len(whole) // 2])
+        (self.folder / "short.json").write_text(whole.replace(",", "", 40)[:-20] + "]}")
+        wrong = json.loads(whole)
+        wrong["hits"][3][2] = 99999
+        (self.folder / "wrong.json").write_text(json.dumps(wrong))
+        for model, file, word in ((surface("dent.step"), "hits.json", "another body"),
+                                  (HOOD, "cut.json", "cut.json"), (HOOD, "short.json", "short.json"),
+                                  (HOOD, "wrong.json", "not there"), (HOOD, "none.json", "none.json")):
+            run = self.keiko("place", model, "--from", file, "-o", "rig.toml", "-q")
+            self.assertEqual(run.returncode, 2, file)
+            self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
+            self.assertIn(word, run.stderr)
+            self.assertNotIn("rig.toml", self.content())
+
     def test_refusals_are_one_line(self):
         for arguments, word in ((("--faces", "door*"), "door*"), (("--stripes", "9:3"), "9:3"),
                                 (("--plane", "below"), "below"), ((), "--output")):

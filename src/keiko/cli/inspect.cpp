@@ -16,6 +16,7 @@ struct InspectArguments {
     std::string rig = "auto", preset;
     std::filesystem::path output = "keiko-out";
     InspectionFiles files;
+    std::filesystem::path hits;
 };
 
 void print_summary(const Report& report, const std::filesystem::path& folder) {
@@ -39,12 +40,15 @@ int inspect(InspectArguments arguments, const Job& job) {
         read_rig(*options.rig); // a misspelt key is told before the long work
     }
     require_place_for_folder(arguments.output);
+    if (!arguments.hits.empty()) require_place_for_file(arguments.hits);
     arguments.files.require_places();
     require_view_names(options.views);
     const Scene scene = arguments.scene.open(job);
     options.picture.aovs = every_aov();
+    options.register_hits = !arguments.hits.empty();
     const InspectResult result = inspect_scene(scene, options, job);
     write_result(arguments.output, result);
+    if (result.hits) write_hits(arguments.hits, *result.hits);
     arguments.files.write(result.report.inspection, arguments.scene.inputs);
     print_summary(result.report, arguments.output);
     return verdict_of(result.report) == Verdict::pass ? exit_pass : exit_findings;
@@ -74,6 +78,8 @@ void add_inspect(CLI::App& app, Session& session) {
         ->check(number_between(1e-6, 1000))
         ->capture_default_str();
     arguments->files.add_to(command);
+    command.add_option("--register", arguments->hits,
+                       "file (.json) for what the pictures mirror, for keiko place --from");
     command.footer("Example: keiko inspect fender.step -o out --view three-quarter-front");
     session.add_command(command, [arguments](const Job& job) { return inspect(*arguments, job); });
 }

@@ -24,7 +24,7 @@ struct PlaceArguments {
     std::string direction = "auto", stripes;
     std::vector<std::string> planes;
     bool pixels = false, each = false;
-    std::filesystem::path output, report, rated;
+    std::filesystem::path output, report, rated, hits;
 };
 
 /// Any other name may be that of the model, which would be overwritten.
@@ -70,6 +70,7 @@ PlaceOptions placing(const PlaceArguments& arguments) {
     if (arguments.direction == "across") placement.direction = LampDirection::across;
     if (arguments.pixels) placement.sampling.weight = SampleWeight::pixels;
     if (!arguments.rated.empty()) options.rated = read_rig(arguments.rated);
+    if (!arguments.hits.empty()) options.hits = read_hits(arguments.hits);
     return options;
 }
 
@@ -174,13 +175,20 @@ void add_place(CLI::App& app, Session& session) {
     arguments->scene.add_to(command, "MODEL|SCENE");
     arguments->scene.add_picture_size(command);
     command.add_option("-o,--output", arguments->output, "rig file to write");
+    add_choices(command, *arguments);
     CLI::Option* views =
         command
             .add_option("--view", arguments->options.views,
                         "view by name, or auto; may repeat: one rig serves them all [auto]")
             ->allow_extra_args(false);
+    command
+        .add_option("--from", arguments->hits,
+                    "hits that keiko render or inspect has registered, with their views, instead "
+                    "of another look at the body")
+        ->excludes(views)
+        ->excludes("--size")
+        ->excludes("--samples");
     command.add_flag("--each", arguments->each, "a rig for each view, RIG-VIEW.toml")->needs(views);
-    add_choices(command, *arguments);
     command.add_option("--report", arguments->report,
                        "folder for placement.json, the histograms and a plan");
     command.add_option("--rate", arguments->rated, "rig file to tell of, instead of placing lamps");

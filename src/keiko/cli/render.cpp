@@ -13,7 +13,7 @@ namespace {
 
 struct RenderArguments {
     SceneArguments scene;
-    std::filesystem::path output;
+    std::filesystem::path output, hits;
     std::string view, rig = "auto", aovs;
     bool false_color = false, iso_lines = false;
     std::string scale, tone = "linear", frames;
@@ -98,6 +98,7 @@ void require_output(const RenderArguments& arguments) {
         throw Error(arguments.output.string(), "", "--false-color makes a .png");
     scale_of(arguments.scale);
     require_place_for_file(arguments.output);
+    if (!arguments.hits.empty()) require_place_for_file(arguments.hits);
 }
 
 void render_picture(const RenderArguments& arguments, const Job& job) {
@@ -115,6 +116,8 @@ void render_picture(const RenderArguments& arguments, const Job& job) {
                   false_color_picture(film, scale_of(arguments.scale), arguments.iso_lines));
     else
         write_film(arguments.output, film, mapping_of(arguments));
+    if (!arguments.hits.empty())
+        write_hits(arguments.hits, register_hits(scene.tracer, scene.model, {view}, job));
 }
 
 int render(const RenderArguments& arguments, const Job& job) {
@@ -175,6 +178,10 @@ void add_render(CLI::App& app, Session& session) {
     auto* frames = command.add_option("--frames", arguments->frames,
                                       "A:B, of a scene with [[animation]]: a picture of each, "
                                       "image-0000.png and on");
+    command
+        .add_option("--register", arguments->hits,
+                    "file (.json) for what the picture mirrors, for keiko place --from")
+        ->excludes(frames);
     command.add_flag("--resume", arguments->resume, "leave out frames whose picture is there")
         ->needs(frames);
     command.footer("Example: keiko render hood.step -o hood.exr --view front --aov normal,depth");
