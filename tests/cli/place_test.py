@@ -43,6 +43,12 @@ class Place(KeikoTest):
                          r"(?m)^keiko: looks of [1-9]\d* hits: [\d.]+ % unique, [\d.]+ % clipped, "
                          r"[\d.]+ % tangential$")
 
+    def test_the_best_row_need_not_be_the_first_of_the_best_rows(self):
+        """Hung first, the best single row leaves no room for more than 48 % from these sides."""
+        self.succeed("place", HOOD, "--view", "high-front", "--view", "top", "--view",
+                     "high-three-quarter-rear", "-o", "rig.toml", "--report", "out", *QUICK)
+        self.assertGreater(self.report()["coverage"], 0.65)
+
     def test_registered_hits_give_the_same_rig(self):
         """Whether a picture registered them or `place` looks itself; with the same choices."""
         self.succeed("render", HOOD, "-o", "hood.png", "--view", "high-front", "--register",
