@@ -49,6 +49,16 @@ void add_load(CLI::App& app, LoadOptions& options) {
         ->check(CLI::ExistingFile);
 }
 
+void add_lights(CLI::App& app, LightsOptions& options) {
+    CLI::App* lights = app.add_subcommand(
+        "lights", "the smallest defects seen under a point light, parallel light and tubes");
+    lights->add_option("-o,--output", options.output, "PNG file of dents under the three");
+    lights
+        ->add_option("--markdown", options.markdown,
+                     "page to put the table into, between its markers")
+        ->check(CLI::ExistingFile);
+}
+
 } // namespace
 
 Command parse_command_line(int argc, char** argv) {
@@ -58,6 +68,7 @@ Command parse_command_line(int argc, char** argv) {
     app.footer("Without a group: trace. ./dev bench trace --help tells its options.");
     add_trace(app, command.trace);
     add_load(app, command.load);
+    add_lights(app, command.lights);
     CLI::App* picture = app.add_subcommand(
         "picture", "the same stripes from meshes and from the surface, side by side");
     command.picture.output = test::repository("docs/images/mesh-or-surface.png");
@@ -76,9 +87,10 @@ Command parse_command_line(int argc, char** argv) {
         command.exit_code = app.exit(error) == 0 ? 0 : 2;
         return command;
     }
-    command.group = app.got_subcommand("picture") ? Group::picture
-                    : app.got_subcommand("load")  ? Group::load
-                                                  : Group::trace;
+    command.group = app.got_subcommand("picture")  ? Group::picture
+                    : app.got_subcommand("load")   ? Group::load
+                    : app.got_subcommand("lights") ? Group::lights
+                                                   : Group::trace;
     return command;
 }
 

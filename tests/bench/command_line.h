@@ -22,13 +22,19 @@ struct PictureOptions {
     std::filesystem::path output{};
 };
 
-enum class Group { trace, picture, load, help };
+struct LightsOptions {
+    std::filesystem::path output{}; ///< picture; empty: none
+    std::filesystem::path markdown{};
+};
+
+enum class Group { trace, picture, load, lights, help };
 
 struct Command {
     Group group = Group::trace;
     TraceOptions trace{};
     PictureOptions picture{};
     LoadOptions load{};
+    LightsOptions lights{};
     int exit_code = 0; ///< of help and usage errors
 };
 

@@ -3,6 +3,7 @@
 #include "tests/bench/mesh_or_surface.h"
 #include "tests/bench/results_json.h"
 #include "tests/bench/targets.h"
+#include "tests/bench/three_lights.h"
 #include "tests/bench/trace_benchmark.h"
 #include "tests/bench/trace_tables.h"
 
@@ -36,6 +37,13 @@ void load(const LoadOptions& options) {
     if (!options.markdown.empty()) update_page(options.markdown, "load", table);
 }
 
+void lights(const LightsOptions& options) {
+    if (!options.output.empty()) draw_three_lights(options.output);
+    const Table table = three_lights_table();
+    print(text_of(table));
+    if (!options.markdown.empty()) update_page(options.markdown, "lights", markdown_of(table));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -50,6 +58,9 @@ int main(int argc, char** argv) {
                 return 0;
             case Group::load:
                 load(command.load);
+                return 0;
+            case Group::lights:
+                lights(command.lights);
                 return 0;
             case Group::help:
                 return command.exit_code;

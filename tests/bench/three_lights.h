@@ -1,0 +1,16 @@
+#pragma once
+
+#include "tests/bench/table.h"
+
+#include <filesystem>
+
+namespace keiko::bench {
+
+/// The smallest defects that a panel shows one eye under a point light, parallel light and twelve
+/// tubes, by paint.
+Table three_lights_table();
+
+/// The same dents under the three lights, side by side, as a PNG.
+void draw_three_lights(const std::filesystem::path& output);
+
+} // namespace keiko::bench

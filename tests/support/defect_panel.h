@@ -1,0 +1,24 @@
+#pragma once
+
+#include "keiko/patch/surface_model.h"
+
+#include <array>
+
+namespace keiko::test {
+
+/// What is planted into a panel, and by how much.
+enum class Defect {
+    dent, ///< mm, depth of nine hollows 80 mm wide
+    wave, ///< mm, half the height of waves 100 mm long, over all of it
+    kink, ///< degrees, angle at the seam
+    bend  ///< 1/m, jump of the curvature at the seam
+};
+
+/// A gently curved panel of 1000 x 700 mm in two smooth sheets, with a seam across its middle where
+/// x is 0. What a defect does at the seam has faded 60 mm beyond it.
+SurfaceModel defect_panel(Defect defect, double size);
+
+/// Where to look for it: nine places all over the panel, or along the seam.
+std::array<Vec3, 9> places_of(Defect defect);
+
+} // namespace keiko::test

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "keiko/film/film.h"
+#include "keiko/rig/light_rig.h"
+#include "keiko/spec/camera.h"
+#include "keiko/spec/material.h"
+
+#include "tests/support/defect_panel.h"
+
+#include <array>
+
+namespace keiko::test {
+
+enum class TrialLight {
+    point,    ///< a bare lamp in the middle of the C-plane
+    parallel, ///< light from that direction
+    tubes     ///< twelve tubes on the C-plane, placed for the eye
+};
+constexpr std::array<TrialLight, 3> trial_lights{TrialLight::point, TrialLight::parallel,
+                                                 TrialLight::tubes};
+const char* name_of(TrialLight light);
+
+/// How small a defect may be to be seen on a panel, by one eye under different lights.
+class LightTrial {
+public:
+    /// Pictures are `height` pixels high and 3 : 2.
+    LightTrial(Material paint, int height);
+
+    Film picture(TrialLight light, Defect defect, double size) const;
+
+    /// At how many of its nine places a defect is seen: where it changes the brightness of a
+    /// display by 2 % on average over 5 x 5 pixels within 50 mm of the place, white being the
+    /// brightest percent of the clean panel.
+    int seen(TrialLight light, Defect defect, double size) const;
+
+    /// Sizes from which on a defect is seen at one of its places, and at all nine of them; found
+    /// to a factor of `step`, infinite where `most` does not do.
+    struct Threshold {
+        double somewhere, everywhere;
+    };
+    Threshold threshold(TrialLight light, Defect defect, double least, double most,
+                        double step) const;
+
+private:
+    Material paint_;
+    Camera camera_;
+    std::array<LightRig, 3> rigs_;
+    std::array<Film, 3> clean_;
+};
+
+} // namespace keiko::test
