@@ -64,6 +64,15 @@ class Pictures(KeikoTest):
         for other in (*base, "--scale", "5:500"), (*base, "--iso-lines"):
             self.assertNotEqual(plain, self.written("b.png", *other), other)
 
+    def test_options_that_the_format_has_no_use_for_are_refused(self):
+        for name, arguments, word in (("a.exr", ("--tone", "log"), "--tone"), ("a.exr", ("--ev", "3"), "--ev"),
+                                      ("a.exr", ("--false-color",), "--false-color"),
+                                      ("a.png", ("--aov", "depth"), "--aov")):
+            run = self.keiko("render", HOOD, "-o", name, *arguments, "-q", *SMALL)
+            self.assertEqual(run.returncode, 2, arguments)
+            self.assertRegex(run.stderr, rf"\Akeiko: {name}: {word} .*\n\Z")
+            self.assertEqual(self.content(), [])
+
     def test_ground_sun_and_reflections_of_a_scene_count(self):
         scene = 'format = "keiko-scene/1"\nview = "high-front"\nsize = [32, 18]\n'
         model = f'ambient = 100\n[[model]]\nfile = "{HOOD}"\nmaterial = "chrome"\n'

@@ -74,16 +74,19 @@ PlaceOptions placing(const PlaceArguments& arguments) {
     return options;
 }
 
-void print_summary(const Placement& placement, const std::filesystem::path& output) {
+void print_summary(const PlaceResult& result, const std::filesystem::path& output) {
+    const Placement& placement = result.placement;
     const std::size_t rows = placement.planes.size();
     const StripeStatistics& stripes = placement.stripes;
+    const double scale = 540.0 / result.views.front().camera.height;
     std::array<char, 160> text{};
     std::snprintf(
         text.data(), text.size(),
-        "%zu %s of lamps %s %.1f %% of the picture, stripes %.0f px apart (%.0f to %.0f), "
-        "%.0f %% of them as wanted",
+        "%zu %s of lamps %s %.1f %% of the picture, stripes %.0f px apart (%.0f to %.0f) in one "
+        "540 high, %.0f %% of them as wanted",
         rows, rows == 1 ? "row" : "rows", rows == 1 ? "covers" : "cover", 100 * placement.coverage,
-        stripes.median, stripes.narrow, stripes.wide, 100 * stripes.in_range);
+        scale * stripes.median, scale * stripes.narrow, scale * stripes.wide,
+        100 * stripes.in_range);
     std::cout << text.data();
     if (!output.empty()) std::cout << "; see " << output.string();
     std::cout << "\n";
@@ -102,7 +105,7 @@ void place_one(const PlaceArguments& arguments, const Scene& scene, const PlaceO
     if (!report.empty()) write_placement(report, scene, result, job);
     if (!output.empty()) write_rig(output, result.placement.rig);
     if (arguments.each) std::cout << result.views.front().name << ": ";
-    print_summary(result.placement, output);
+    print_summary(result, output);
 }
 
 void require_output(const PlaceArguments& arguments) {

@@ -91,11 +91,15 @@ std::filesystem::path numbered(const std::filesystem::path& path, int frame) {
     return path.parent_path() / (path.stem().string() + "-" + digits + path.extension().string());
 }
 
-/// False colours are no luminance, which is what an .exr holds.
+/// An .exr holds luminance as it is, and layers; a .png neither.
 void require_output(const RenderArguments& arguments) {
     require_image_extension(arguments.output);
-    if (arguments.false_color && !is_png(arguments.output))
-        throw Error(arguments.output.string(), "", "--false-color makes a .png");
+    const std::string file = arguments.output.string();
+    const bool png = is_png(arguments.output);
+    if (arguments.false_color && !png) throw Error(file, "", "--false-color makes a .png");
+    if (arguments.mapping.ev && !png) throw Error(file, "", "--ev is for a .png");
+    if (arguments.tone != "linear" && !png) throw Error(file, "", "--tone is for a .png");
+    if (!arguments.aovs.empty() && png) throw Error(file, "", "--aov is for an .exr");
     scale_of(arguments.scale);
     require_place_for_file(arguments.output);
     if (!arguments.hits.empty()) require_place_for_file(arguments.hits);
