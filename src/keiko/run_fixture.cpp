@@ -1,10 +1,7 @@
 #include "keiko/run_fixture.h"
 
-#include "keiko/base/input_file.h"
-#include "keiko/base/sha256.h"
 #include "keiko/compare/body_metrics.h"
-#include "keiko/io/import_worker.h"
-#include "keiko/io/named_files.h"
+#include "keiko/input_key.h"
 
 #include <iterator>
 
@@ -61,10 +58,6 @@ void measure_lines(const Scene& scene, const LightRig& rig, const NamedView& vie
     append(record.metrics, line_metrics(view.name, planes, lines));
 }
 
-std::string file_hash(const fs::path& file) {
-    return sha256_hex(read_file(file));
-}
-
 } // namespace
 
 FixtureRecord run_fixture(const FixtureSpec& spec, const LoadOptions& load, const Job& job) {
@@ -86,13 +79,7 @@ FixtureRecord run_fixture(const FixtureSpec& spec, const LoadOptions& load, cons
 }
 
 std::string fixture_key(const FixtureSpec& spec, const LoadOptions& load) {
-    static const std::string program = file_hash("/proc/self/exe");
-    std::string text =
-        program + "\n" + file_hash(worker_path(load)) + "\n" + load.unit + "\n" + load.axes + "\n";
-    const fs::path folder = spec.file.lexically_normal().parent_path();
-    for (const fs::path& file : files_named_by(spec.file))
-        text += file.lexically_relative(folder).string() + " " + file_hash(file) + "\n";
-    return sha256_hex(text);
+    return input_key({&spec.file, 1}, spec.file.lexically_normal().parent_path(), load);
 }
 
 } // namespace keiko

@@ -64,6 +64,34 @@ class Pictures(KeikoTest):
         for other in (*base, "--scale", "5:500"), (*base, "--iso-lines"):
             self.assertNotEqual(plain, self.written("b.png", *other), other)
 
+    def test_frames_resume_where_files_and_options_are_the_same(self):
+        scene = ('format = "keiko-scene/1"\n'
+                 f'[[model]]\nfile = "{HOOD}"\n[[animation]]\ntarget = "camera.vertical_fov"\n'
+                 'keys = [[0, 20], [4, 30]]\n[camera]\neye = [-3000, 0, 3000]\ntarget = [500, 0, 700]\n'
+                 'size = [32, 18]\n')
+
+        def made(*arguments: str) -> list:
+            """The frames that a run makes anew."""
+            before = {p.name: p.stat().st_mtime_ns for p in self.folder.glob("a-*.png")}
+            self.succeed("render", "s.toml", "-o", "a.png", "--frames", "0:2", *arguments, "-q")
+            return sorted(p.name for p in self.folder.glob("a-*.png")
+                          if before.get(p.name) != p.stat().st_mtime_ns)
+
+        every = ["a-0000.png", "a-0001.png", "a-0002.png"]
+        self.write("s.toml", scene)
+        self.assertEqual(made("--resume"), every)
+        self.assertEqual(made("--resume"), [])
+        (self.folder / "a-0001.png").unlink()
+        self.assertEqual(made("--resume"), ["a-0001.png"])
+        self.assertEqual(made("--resume", "--ev", "5"), every)
+        self.assertEqual(made("--resume", "--ev", "5"), [])
+        self.write("s.toml", scene.replace("[4, 30]", "[4, 31]"))
+        self.assertEqual(made("--resume", "--ev", "5"), every)
+        self.assertEqual(made("--ev", "5"), every)
+        (self.folder / "a-frames.txt").write_text("no frames 0 at all\n")
+        self.assertEqual(made("--resume", "--ev", "5"), every)
+        self.assertEqual(len(set((self.folder / name).read_bytes() for name in every)), 3)
+
     def test_options_that_the_format_has_no_use_for_are_refused(self):
         for name, arguments, word in (("a.exr", ("--tone", "log"), "--tone"), ("a.exr", ("--ev", "3"), "--ev"),
                                       ("a.exr", ("--false-color",), "--false-color"),

@@ -1,12 +1,16 @@
 #include "keiko/cli/commands.h"
+#include "keiko/cli/frame_log.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/input_key.h"
 
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <iomanip>
 #include <memory>
+#include <sstream>
 
 namespace keiko::cli {
 namespace {
@@ -124,21 +128,43 @@ void render_picture(const RenderArguments& arguments, const Job& job) {
         write_hits(arguments.hits, register_hits(scene.tracer, scene.model, {view}, job));
 }
 
-int render(const RenderArguments& arguments, const Job& job) {
-    require_output(arguments);
-    if (arguments.frames.empty()) {
-        render_picture(arguments, job);
-        return exit_pass;
-    }
+/// Of all that a picture is made of but the number of its frame.
+std::string key_of(const RenderArguments& a) {
+    std::vector<std::filesystem::path> inputs = a.scene.inputs;
+    for (const std::string& name : {a.rig, a.view})
+        if (std::filesystem::path(name).extension() == ".toml") inputs.emplace_back(name);
+    const SceneOptions options = a.scene.scene_options();
+    std::ostringstream settings;
+    settings << std::setprecision(17) << options.material << '\n'
+             << options.clipping_only << options.shadows << a.false_color << a.iso_lines << '\n';
+    for (const std::string& text : {a.scene.size, a.view, a.rig, a.aovs, a.scale, a.tone})
+        settings << text << '\n';
+    if (a.mapping.ev) settings << *a.mapping.ev;
+    return input_key(inputs, "", options.load, settings.str());
+}
+
+void render_frames(const RenderArguments& arguments, const Job& job) {
     const Frames frames = frames_of(arguments.frames);
+    const std::string key = key_of(arguments);
+    FrameLog log(arguments.output);
     for (int frame = frames.first; frame <= frames.last; ++frame) {
         RenderArguments one = arguments;
         one.output = numbered(arguments.output, frame);
         one.scene.options.frame = frame;
         // Pictures appear whole or not at all.
-        if (arguments.resume && std::filesystem::exists(one.output)) continue;
+        if (arguments.resume && std::filesystem::exists(one.output) && log.holds(frame, key))
+            continue;
         render_picture(one, job);
+        log.note(frame, key);
     }
+}
+
+int render(const RenderArguments& arguments, const Job& job) {
+    require_output(arguments);
+    if (arguments.frames.empty())
+        render_picture(arguments, job);
+    else
+        render_frames(arguments, job);
     return exit_pass;
 }
 
@@ -186,7 +212,9 @@ void add_render(CLI::App& app, Session& session) {
         .add_option("--register", arguments->hits,
                     "file (.json) for what the picture mirrors, for keiko place --from")
         ->excludes(frames);
-    command.add_flag("--resume", arguments->resume, "leave out frames whose picture is there")
+    command
+        .add_flag("--resume", arguments->resume,
+                  "leave out frames whose picture is there, made of the same files and options")
         ->needs(frames);
     command.footer("Example: keiko render hood.step -o hood.exr --view front --aov normal,depth");
     session.add_command(command, [arguments](const Job& job) { return render(*arguments, job); });

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "keiko/io/load_model.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// SHA-256 of all that a run reads: this program, the one that imports models, `settings`, and each
+/// input file, those that TOML files name included, under its path from `folder`.
+std::string input_key(std::span<const std::filesystem::path> inputs,
+                      const std::filesystem::path& folder, const LoadOptions& load,
+                      const std::string& settings = "");
+
+} // namespace keiko
