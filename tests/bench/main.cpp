@@ -39,9 +39,10 @@ void load(const LoadOptions& options) {
 
 void lights(const LightsOptions& options) {
     if (!options.output.empty()) draw_three_lights(options.output);
-    const Table table = three_lights_table();
-    print(text_of(table));
-    if (!options.markdown.empty()) update_page(options.markdown, "lights", markdown_of(table));
+    const Table lines = seen_lines_table(), table = three_lights_table();
+    print(text_of(lines) + "\n" + text_of(table));
+    if (!options.markdown.empty())
+        update_page(options.markdown, "lights", markdown_of(table) + "\n" + markdown_of(lines));
 }
 
 } // namespace

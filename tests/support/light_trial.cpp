@@ -1,6 +1,7 @@
 #include "tests/support/light_trial.h"
 
 #include "keiko/film/tone_mapping.h"
+#include "keiko/inspect/joined_lines.h"
 #include "keiko/placement/place_lamps.h"
 #include "keiko/render/picture.h"
 
@@ -120,6 +121,20 @@ LightTrial::Threshold LightTrial::threshold(TrialLight light, Defect defect, dou
         return high;
     };
     return {smallest(1), smallest(9)};
+}
+
+std::vector<LineCrossing> LightTrial::crossings(Defect defect, double size) const {
+    const SurfaceModel model = defect_panel(defect, size);
+    const std::array planes{
+        std::get<CPlane>(rigs_[std::size_t(TrialLight::tubes)].sources.front())};
+    const Job job;
+    JoinedLines lines = join_lines(model, LineSeams(model, 0.5, job),
+                                   surface_lines(model, tracer_of(model), planes, camera_, {}, job),
+                                   planes, camera_, LineLook::reflection, CriteriaPreset{}, job);
+    constexpr double at_seam = 0.01; // mm
+    std::erase_if(lines.crossings,
+                  [](const LineCrossing& c) { return std::abs(c.place.x) > at_seam; });
+    return std::move(lines.crossings);
 }
 
 } // namespace keiko::test

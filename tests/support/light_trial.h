@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/film/film.h"
+#include "keiko/inspect/line_crossing.h"
 #include "keiko/rig/light_rig.h"
 #include "keiko/spec/camera.h"
 #include "keiko/spec/material.h"
@@ -8,6 +9,7 @@
 #include "tests/support/defect_panel.h"
 
 #include <array>
+#include <vector>
 
 namespace keiko::test {
 
@@ -40,6 +42,9 @@ public:
     };
     Threshold threshold(TrialLight light, Defect defect, double least, double most,
                         double step) const;
+
+    /// Where lines of the tubes cross the seam of a panel with a defect.
+    std::vector<LineCrossing> crossings(Defect defect, double size) const;
 
 private:
     Material paint_;

@@ -1,8 +1,23 @@
 #include "keiko/inspect/line_sight.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keiko {
+
+namespace {
+
+/// mm, and of the size of what is seen: what is in the way so near is the other side of a seam,
+/// which stands a little higher; a line does not end there.
+constexpr double nearest_occluder = 0.2, nearest_in_sizes = 2e-4;
+
+} // namespace
+
+LineSight::LineSight(const Tracer& seen, const LineField& field, double level)
+    : seen_(seen),
+      field_(field),
+      level_(level),
+      begin_(std::min(nearest_occluder, nearest_in_sizes * seen.bounds().size())) {}
 
 bool LineSight::on_lamp(const LineField::Image& image) const {
     // At a collapsed edge the field is 0 on every level, and says nothing of the lamp.
@@ -19,6 +34,7 @@ Ray LineSight::to_eye(const Vec3& place) const {
     ray.origin = place;
     ray.direction = -field_.eye().towards(place);
     if (!field_.eye().parallel) ray.t_max = 1;
+    ray.t_min = begin_ / ray.direction.length();
     return ray;
 }
 
@@ -33,6 +49,7 @@ bool LineSight::sees(const Vec3& place, const Vec3& normal, const Root& root) co
     Ray mirrored;
     mirrored.origin = place;
     mirrored.direction = reflect(towards, normal);
+    mirrored.t_min = begin_;
     mirrored.t_max = image.reach;
     mirrored.excluded = root;
     return !seen_.any(mirrored);

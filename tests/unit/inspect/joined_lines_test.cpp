@@ -351,6 +351,24 @@ TEST(JoinedLines, AreTheSameForOneAndTwoThreads) {
 }
 
 /// A sheet whose neighbour across the x axis is two sheets that meet in the middle.
+/// The lower sheet of two begins behind the edge of the upper one, for eye and lamps.
+TEST(JoinedLines, GoOnOverAStepFromEitherSide) {
+    for (const double step : {-0.02, 0.02})
+        for (const Vec3& direction : {Vec3(0.2, 0.8, -0.6), Vec3(0.2, -0.8, -0.6)}) {
+            test::ModelBuilder builder;
+            test::flat_sheet(builder, {0, -100, 0});
+            test::flat_sheet(builder, {0, 100, 0}, {0, 0, step});
+            const JoinedLines found = joined(builder.build(), lamps_turned(0.9, 300),
+                                             parallel_camera(direction.normalized()));
+            EXPECT_GT(found.crossings.size(), 3u);
+            for (const LineCrossing& crossing : found.crossings) {
+                const Vec3& place = crossing.place;
+                if (place.x < 1 || place.x > test::sheet_length - 1) continue;
+                EXPECT_TRUE(crossing.continued()) << step << direction << place;
+            }
+        }
+}
+
 TEST(JoinedLines, GoOnOverATJunction) {
     test::ModelBuilder builder;
     test::flat_sheet(builder, {0, -100, 0});
