@@ -57,6 +57,7 @@ std::vector<Wave> waves_from(const TomlTable& table) {
     std::vector<Wave> waves;
     for (const TomlTable& wave : table.tables("waves")) waves.push_back(wave_from(wave));
     if (bump == 0 && !waves.empty()) throw table.error("waves", "belong to bump = \"waves\"");
+    if (bump == 2 && waves.empty()) table.refuse_misspelt();
     if (bump == 2 && (waves.empty() || waves.size() > most_waves))
         throw table.error("waves", "must be 1 to " + std::to_string(most_waves) + " tables");
     return waves;

@@ -76,7 +76,10 @@ LightRig rig_from(const TomlTable& table) {
     const std::vector<TomlTable> windows = table.tables("window");
     const auto sun = table.table("sun");
     if (sun) take(*sun, sun_from(*sun, windows));
-    if (!sun && !windows.empty()) throw table.error("window", "lets in no light without [sun]");
+    if (!sun && !windows.empty()) {
+        table.refuse_misspelt();
+        throw table.error("window", "lets in no light without [sun]");
+    }
     std::sort(order.begin(), order.end());
     for (const auto& [line, source] : order) rig.sources.push_back(std::move(sources[source]));
     if (const auto fog = table.table("fog")) rig.medium = medium_from(*fog);

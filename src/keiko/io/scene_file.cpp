@@ -51,7 +51,7 @@ PaintOverride override_from(const TomlTable& table, const std::vector<Material>&
     PaintOverride paint;
     paint.faces = table.required("faces", table.texts("faces"));
     if (paint.faces.empty()) throw table.error("faces", "must name at least one face");
-    if (!table.has("material")) throw table.error("", "has no 'material'");
+    if (!table.has("material")) table.refuse_missing("material");
     paint.material = material_of(table, materials);
     table.finish();
     return paint;

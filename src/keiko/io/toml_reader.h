@@ -10,12 +10,17 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace keiko {
+
+struct TomlDocument;
+struct TomlEntry;
+struct TomlValue;
 
 /// What a number of a file may be.
 struct TomlLimits {
@@ -71,12 +76,17 @@ public:
     /// "other", or "" when absent.
     std::string_view kind(std::string_view key) const;
 
-    /// The value, or an Error at this table saying that `key` is missing.
+    /// The value, or the Error of refuse_missing.
     template <class T>
     T required(std::string_view key, const std::optional<T>& value) const {
-        if (!value) throw missing(key);
+        if (!value) refuse_missing(key);
         return *value;
     }
+    /// Throws Error at a key that no getter has asked for and that looks like one that was asked
+    /// for and is absent.
+    void refuse_misspelt() const;
+    /// Throws Error at a misspelt key, or else at this table saying that `key` is missing.
+    [[noreturn]] void refuse_missing(std::string_view key) const;
     /// Throws Error unless `format = "expected"` stands in this table.
     void require_format(std::string_view expected) const;
     /// Throws Error 'not supported yet' where one of the keys is present.
@@ -92,27 +102,23 @@ public:
     const std::filesystem::path& source() const;
 
 private:
-    struct Value;
-    struct Entry;
-    struct Document;
-    TomlTable(std::shared_ptr<const Document> document, const Value& value, std::string name);
+    TomlTable(std::shared_ptr<const TomlDocument> document, const TomlValue& value,
+              std::string name);
 
-    const Entry* find(std::string_view key) const;
+    const std::vector<TomlEntry>& entries() const;
+    const TomlEntry* find(std::string_view key) const;
+    bool asked_for(const TomlEntry& entry) const;
     std::string path_of(std::string_view key) const;
-    Error missing(std::string_view key) const;
+    Error unknown(const TomlEntry& entry, std::span<const std::string> known) const;
     Error mismatch(std::string_view key, const std::string& wanted) const;
-    double checked(std::string_view key, const Value& value, const TomlLimits& limits) const;
-    std::vector<double> checked_list(std::string_view key, const Value& value,
+    double checked(std::string_view key, const TomlValue& value, const TomlLimits& limits) const;
+    std::vector<double> checked_list(std::string_view key, const TomlValue& value,
                                      const TomlLimits& limits) const;
 
-    std::shared_ptr<const Document> document_; ///< keeps value_ alive
-    const Value* value_;
+    std::shared_ptr<const TomlDocument> document_; ///< keeps value_ alive
+    const TomlValue* value_;
     std::string name_;                       ///< "c_plane[2]"; empty for the root
     mutable std::vector<std::string> asked_; ///< the keys this table may hold
 };
-
-/// The shortest decimal that reads back as the same double, in TOML's syntax. Requires a finite
-/// number.
-std::string toml_number(double value);
 
 } // namespace keiko

@@ -1,12 +1,22 @@
 #include "keiko/io/toml_text.h"
 
 #include "keiko/base/error.h"
-#include "keiko/io/toml_reader.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 
 namespace keiko {
+
+std::string toml_number(double value) {
+    char buffer[32];
+    const auto end = std::to_chars(std::begin(buffer), std::end(buffer), value).ptr;
+    std::string text(buffer, end);
+    // Without a point TOML reads an integer, which has no -0 and ends at 2^63.
+    const bool whole = text.find_first_of(".e") == std::string::npos;
+    const bool no_integer = text == "-0" || std::abs(value) > 1e15;
+    return whole && no_integer ? text + ".0" : text;
+}
 
 std::string toml_value(double value) {
     if (!std::isfinite(value)) throw Error("", "rig", "holds a number that is not finite");

@@ -9,6 +9,10 @@
 
 namespace keiko {
 
+/// The shortest decimal that reads back as the same double, in TOML's syntax. Requires a finite
+/// number.
+std::string toml_number(double value);
+
 // Values and lines of the TOML files that Keiko writes. All throw Error for numbers that are not
 // finite, which no file can hold.
 

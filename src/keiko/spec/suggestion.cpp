@@ -38,7 +38,9 @@ std::string did_you_mean(std::string_view typed, std::span<const std::string> ca
     std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
     const std::string* nearest = nullptr;
     for (const std::string& candidate : candidates)
-        if (const std::size_t d = edit_distance(typed, candidate); d < least)
+        // Words that share no letter are not like each other, however short they are.
+        if (const std::size_t d = edit_distance(typed, candidate);
+            d < least && d < std::max(typed.size(), candidate.size()))
             least = d, nearest = &candidate;
     return nearest ? " (did you mean '" + shortened(*nearest) + "'?)" : "";
 }

@@ -70,6 +70,7 @@ TEST(FixtureFile, WhatIsWrongIsToldWithItsPlace) {
     EXPECT_EQ(refusal("view = \"top\"\nmodel = \"dome.bpt\""),
               "2:1: unknown key 'view' (did you mean 'views'?)");
     EXPECT_TRUE(refusal("views = []").ends_with(": 'model' is missing"));
+    EXPECT_EQ(refusal("modle = \"dome.bpt\""), "2:1: unknown key 'modle' (did you mean 'model'?)");
     EXPECT_TRUE(refusal("model = \"dome.bpt\"\nviews = [\"auto\"]")
                     .starts_with("3:9: views: unknown 'auto'"));
     EXPECT_TRUE(refusal("model = \"dome.bpt\"\nlayers = [\"patch\"]")

@@ -93,6 +93,9 @@ TEST(MaterialFile, SaysWhatDoesNotGoTogether) {
               "half vectors");
     EXPECT_EQ(refused("diffuse = 0.1\nroughness = { distribution = \"phong\", width = 0.1 }\n"),
               "m.toml:5:13: material[0].roughness: 'exponent' is missing");
+    EXPECT_EQ(refused("metl = { n = 1, k = 3 }\n"),
+              "m.toml:4:1: unknown key 'material[0].metl' (did you mean 'metal'?)");
+    EXPECT_EQ(refused("metal = { k = 3 }\n"), "m.toml:4:9: material[0].metal: 'n' is missing");
 }
 
 } // namespace

@@ -74,6 +74,11 @@ std::string refused(const std::string& body) {
 TEST(PresetFile, SaysWhereAFileIsWrong) {
     EXPECT_EQ(refused("name = \"x\"\n"), "p.toml:1:1: 'seam' is missing");
     EXPECT_EQ(refused("name = \"x\"\n[seam]\nangle = 1\n"), "p.toml:3:1: seam: 'gap' is missing");
+    EXPECT_EQ(refused("nmae = \"x\"\n"), "p.toml:2:1: unknown key 'nmae' (did you mean 'name'?)");
+    EXPECT_EQ(refused("name = \"x\"\n[saem]\n"),
+              "p.toml:3:2: unknown key 'saem' (did you mean 'seam'?)");
+    EXPECT_EQ(refused("name = \"x\"\n[seam]\ngpa = 1\nangle = 1\n"),
+              "p.toml:4:1: unknown key 'seam.gpa' (did you mean 'gap'?)");
     EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 0\nangle = 1\n"),
               "p.toml:4:7: seam.gap: must be above 0 and at most 1e+06, is 0");
     EXPECT_EQ(

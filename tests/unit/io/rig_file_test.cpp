@@ -237,6 +237,21 @@ TEST(RigFile, AMisspeltKeyIsNamedWithItsPlace) {
               "bad.toml:6:2: unknown key 'fgo' (did you mean 'fog'?)");
 }
 
+TEST(RigFile, ARequiredKeyThatIsMisspeltIsNamedRatherThanMissing) {
+    EXPECT_EQ(rig_error("formt = \"keiko-rig/1\"\n" + whole_plane),
+              "bad.toml:1:1: unknown key 'formt' (did you mean 'format'?)");
+    EXPECT_EQ(rig_error(head + "[[c_plane]]\norigni = [0, 0, 0]\nu = [1, 0, 0]\nv = [0, 1, 0]\n"),
+              "bad.toml:3:1: unknown key 'c_plane[0].origni' (did you mean 'origin'?)");
+    EXPECT_EQ(rig_error(head + "[snu]\n[[window]]\n"),
+              "bad.toml:2:2: unknown key 'snu' (did you mean 'sun'?)");
+    EXPECT_EQ(rig_error(head + "[fog]\nextinction = 1\nlayer = { height = 1, extinction_above = 0, "
+                               "bump = \"waves\", wave = [] }\n"),
+              "bad.toml:4:61: unknown key 'fog.layer.wave' (did you mean 'waves'?)");
+    // Another required key of the table is no misspelling of the one that is missing.
+    EXPECT_EQ(rig_error(head + "[[c_plane]]\norigin = [0, 0, 0]\nv = [0, 1, 0]\n"),
+              "bad.toml:2:1: c_plane[0]: 'u' is missing");
+}
+
 TEST(RigFile, AWrongValueIsNamedWithItsPlace) {
     EXPECT_EQ(rig_error(head + whole_plane + "pitch = 0\n"),
               "bad.toml:6:9: c_plane[0].pitch: must be above 0, is 0");

@@ -142,6 +142,10 @@ TEST_F(SceneFile, ErrorsNameTheirPlace) {
               "4:24: model[0].override[0].faces: must be an array of texts");
     EXPECT_EQ(error(model + "override = [ { faces = [] , material = \"chrome\" } ]\n"),
               "4:24: model[0].override[0].faces: must name at least one face");
+    EXPECT_EQ(error(model + "override = [ { faces = [\"a\"], materal = \"chrome\" } ]\n"),
+              "4:31: unknown key 'model[0].override[0].materal' (did you mean 'material'?)");
+    EXPECT_EQ(error("[[model]]\nfiel = \"a.step\"\n"),
+              "3:1: unknown key 'model[0].fiel' (did you mean 'file'?)");
     EXPECT_EQ(error(model + "override = [ { faces = [\"a\"], layer = \"x\" } ]\n"),
               "4:39: model[0].override[0].layer: is not supported yet");
     EXPECT_EQ(error(model + "[ground]\nheight = 0\n").substr(0, 34),

@@ -20,6 +20,7 @@ TEST(Suggestion, StaysSilentWhereNothingIsNear) {
     EXPECT_EQ(did_you_mean("diameter", words), "");
     EXPECT_EQ(did_you_mean("", words), "");
     EXPECT_EQ(did_you_mean("pitch", {}), "");
+    EXPECT_EQ(did_you_mean("v", std::vector<std::string>{"u"}), "") << "nothing in common";
 }
 
 TEST(Suggestion, ListsWords) {
