@@ -10,10 +10,12 @@ using namespace keiko;
 /// A right header before any payload: no mutation would ever hit its checksum.
 std::string with_header(std::string_view payload) {
     constexpr std::size_t magic_and_version = 8 + 4;
-    ByteWriter rest;
+    std::string bytes = serialize({}).substr(0, magic_and_version);
+    ByteWriter rest([&](std::string_view piece) { bytes += piece; });
     rest.put(checksum(payload));
     rest.put(payload);
-    return serialize({}).substr(0, magic_and_version) + rest.bytes();
+    rest.flush();
+    return bytes;
 }
 
 } // namespace

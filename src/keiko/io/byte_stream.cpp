@@ -15,10 +15,16 @@ std::string_view ByteReader::take_bytes(std::size_t count) {
     return taken;
 }
 
-std::uint64_t checksum(std::string_view bytes) {
-    std::uint64_t hash = 0xcbf29ce484222325;
+void Checksum::add(std::string_view bytes) {
+    std::uint64_t hash = hash_;
     for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-    return hash;
+    hash_ = hash;
+}
+
+std::uint64_t checksum(std::string_view bytes) {
+    Checksum sum;
+    sum.add(bytes);
+    return sum.value();
 }
 
 } // namespace keiko

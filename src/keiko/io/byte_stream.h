@@ -1,41 +1,53 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <span>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace keiko {
 
 static_assert(std::endian::native == std::endian::little,
               "numbers are written as they lie in memory, which must be little-endian");
 
-/// Appends values to a string of bytes, little-endian, without padding.
+/// Takes bytes, piece by piece.
+using ByteSink = std::function<void(std::string_view piece)>;
+
+/// Hands values on as bytes, little-endian, without padding, in pieces of a size that files and
+/// pipes like.
 class ByteWriter {
 public:
+    explicit ByteWriter(ByteSink sink) : sink_(std::move(sink)) {}
+
     template <class T>
     requires std::is_arithmetic_v<T>
-    void put(T value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof value); }
+    void put(T value) { put_bytes({reinterpret_cast<const char*>(&value), sizeof value}); }
     void put(std::string_view text) {
         put(static_cast<std::uint64_t>(text.size()));
-        bytes_.append(text);
+        put_bytes(text);
     }
-    void put_bytes(std::string_view bytes) { bytes_.append(bytes); }
-    /// Writes over a value that was put before.
-    void replace(std::size_t at, std::uint64_t value) {
-        std::memcpy(&bytes_[at], &value, sizeof value);
+    void put_bytes(std::string_view bytes) {
+        if (bytes.size() > piece_.size() - size_) flush();
+        if (bytes.size() > piece_.size()) return sink_(bytes);
+        std::memcpy(piece_.data() + size_, bytes.data(), bytes.size());
+        size_ += bytes.size();
     }
-    void reserve(std::size_t size) { bytes_.reserve(size); }
-    const std::string& bytes() const { return bytes_; }
-    std::string take() && { return std::move(bytes_); }
+    /// Hands on what has not been yet.
+    void flush() {
+        sink_({piece_.data(), size_});
+        size_ = 0;
+    }
 
 private:
-    std::string bytes_;
+    ByteSink sink_;
+    std::size_t size_ = 0;
+    std::array<char, 1 << 16> piece_;
 };
 
 /// What a ByteReader throws when the bytes do not hold what is asked for.
@@ -67,7 +79,17 @@ private:
     std::string_view bytes_;
 };
 
-/// FNV-1a, 64 bits.
+/// FNV-1a, 64 bits, of pieces that follow each other.
+class Checksum {
+public:
+    void add(std::string_view bytes);
+    std::uint64_t value() const { return hash_; }
+
+private:
+    std::uint64_t hash_ = 0xcbf29ce484222325;
+};
+
+/// The same of bytes in one piece.
 std::uint64_t checksum(std::string_view bytes);
 
 } // namespace keiko

@@ -63,9 +63,10 @@ void answer(std::FILE* out, const std::string& file, const std::string& format, 
         std::fprintf(out, "progress %.3f\n", told);
         std::fflush(out);
     };
-    const std::string bytes = serialize(read(file, format_named(format), job));
+    const SurfaceModel model = read(file, format_named(format), job);
     std::fputs("model\n", out);
-    std::fwrite(bytes.data(), 1, bytes.size(), out);
+    serialize(model,
+              [&](std::string_view piece) { std::fwrite(piece.data(), 1, piece.size(), out); });
 }
 
 } // namespace

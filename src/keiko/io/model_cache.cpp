@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 
+#include <fstream>
+
 namespace keiko {
 namespace fs = std::filesystem;
 namespace {
@@ -55,7 +57,14 @@ std::optional<SurfaceModel> ModelCache::find(const std::string& key) const {
 
 void ModelCache::keep(const std::string& key, SurfaceModel& model) const {
     try {
-        write_text_file(entry(key), serialize(model));
+        write_atomically(entry(key), [&](const fs::path& temporary) {
+            std::ofstream file(temporary, std::ios::binary);
+            serialize(model, [&](std::string_view piece) {
+                file.write(piece.data(), static_cast<std::streamsize>(piece.size()));
+            });
+            file.close();
+            if (!file) throw Error(temporary.string(), "", "cannot write");
+        });
     } catch (const Error& e) {
         model.diagnostics.push_back(
             {Severity::warning, "", std::string("not kept in the cache: ") + e.what()});

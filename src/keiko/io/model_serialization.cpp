@@ -9,7 +9,6 @@ namespace keiko {
 namespace {
 
 constexpr std::string_view magic = "KEIKO-SM";
-constexpr std::size_t header_size = 8 + 4 + 8 + 8; ///< magic, version, checksum, length
 
 template <class T>
 constexpr std::uint8_t last_value = 0;
@@ -115,23 +114,30 @@ std::string_view checked_payload(std::string_view bytes) {
 
 } // namespace
 
-std::string serialize(const SurfaceModel& model) {
-    // The payload is written where it stays: a large model has no room for a second copy.
-    Writer writer;
-    writer.out.reserve(header_size + model.control_points.size() * sizeof(Vec4) +
-                       model.patches.size() * least_size<Patch> +
-                       model.trim_points.size() * sizeof(Vec3));
+void serialize(const SurfaceModel& model, const ByteSink& sink) {
+    // The header tells what comes after it, so the model is gone through twice.
+    Checksum sum;
+    std::uint64_t size = 0;
+    Writer measure{ByteWriter([&](std::string_view piece) {
+        sum.add(piece);
+        size += piece.size();
+    })};
+    measure(model);
+    measure.out.flush();
+
+    Writer writer{ByteWriter(sink)};
     writer.out.put_bytes(magic);
     writer.out.put(model_serialization_version);
-    const std::size_t sum_at = writer.out.bytes().size();
-    writer.out.put(std::uint64_t{0});
-    writer.out.put(std::uint64_t{0});
+    writer.out.put(sum.value());
+    writer.out.put(size);
     writer(model);
-    const std::string_view payload = std::string_view(writer.out.bytes()).substr(header_size);
-    const std::uint64_t sum = checksum(payload), size = payload.size();
-    writer.out.replace(sum_at, sum);
-    writer.out.replace(sum_at + sizeof sum, size);
-    return std::move(writer.out).take();
+    writer.out.flush();
+}
+
+std::string serialize(const SurfaceModel& model) {
+    std::string bytes;
+    serialize(model, [&](std::string_view piece) { bytes += piece; });
+    return bytes;
 }
 
 SurfaceModel deserialize(std::string_view bytes, const std::string& file) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/io/byte_stream.h"
 #include "keiko/patch/surface_model.h"
 
 #include <cstdint>
@@ -11,7 +12,10 @@ namespace keiko {
 /// Rises with every change of what is written.
 constexpr std::uint32_t model_serialization_version = 2;
 
-/// A model as bytes, the same bytes for the same model: docs/model-serialization.md.
+/// Hands a model on as bytes, the same bytes for the same model: docs/model-serialization.md. A
+/// large one never lies in memory as bytes.
+void serialize(const SurfaceModel& model, const ByteSink& sink);
+/// The same bytes at once.
 std::string serialize(const SurfaceModel& model);
 
 /// The model in `bytes`. Throws Error naming `file` when they are damaged, cut short, of another

@@ -27,6 +27,7 @@ public:
     }
 
     SurfaceModel write() {
+        reserve();
         for (const std::vector<LimitTable::Index>& indices : patches_by_face(table_)) {
             begin_face(table_.place(indices.front()).face);
             for (const LimitTable::Index index : indices)
@@ -44,6 +45,7 @@ private:
         std::uint32_t face, corner; ///< of an n-gon
     };
 
+    void reserve();
     void begin_face(std::uint32_t base);
     void append(const std::vector<LimitPatch>& patches);
     void append_irregular(LimitTable::Index cap);
@@ -55,6 +57,14 @@ private:
     std::vector<Base> bases_;
     SurfaceModel model_;
 };
+
+/// A list that grows by itself is there twice for a moment. Strips beside creases make it grow.
+void ModelWriter::reserve() {
+    constexpr std::size_t quad_points = 16, triangle_points = 25, thirds = 3;
+    const std::size_t pieces = table_.patches().size() * (table_.triangular() ? thirds : 1);
+    model_.patches.reserve(pieces);
+    model_.control_points.reserve(pieces * (table_.triangular() ? triangle_points : quad_points));
+}
 
 void ModelWriter::begin_face(std::uint32_t base) {
     Face face;
