@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -73,6 +74,14 @@ std::optional<ModelFormat> patch_text(const std::string& text) {
     return std::nullopt;
 }
 
+/// Whether a word is a number or was meant to be one; what is wrong with it the parser knows.
+bool like_number(std::string word) {
+    word.erase(0, word.find_first_not_of("+-"));
+    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return word.find_first_of("0123456789.") == 0 || word.starts_with("nan") ||
+           word.starts_with("inf");
+}
+
 /// The first statement of an OBJ file is one of these. OBJ has no signature, so a vertex, or
 /// a keyword that nothing else begins with, must do.
 bool is_obj(const std::string& text) {
@@ -81,10 +90,9 @@ bool is_obj(const std::string& text) {
     for (std::string line; std::getline(in, line);) {
         line = line.substr(0, line.find('#'));
         std::istringstream words(line);
-        std::string word, rest;
+        std::string word, next;
         if (!(words >> word)) continue;
-        std::getline(words, rest);
-        if (word == "v") return numbers_on(rest) >= 3;
+        if (word == "v") return words >> next && like_number(next);
         if (std::find(keywords.begin(), keywords.end(), word) != keywords.end()) return true;
         if (word != "g" && word != "o" && word != "s" && word != "t") return false;
     }

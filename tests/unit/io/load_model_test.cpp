@@ -58,6 +58,14 @@ TEST_F(LoadModel, ContentCountsNotTheName) {
     EXPECT_EQ(load_model(folder.file("cage.txt", cage)).format, "OBJ");
     EXPECT_EQ(reason_for(folder.file("empty.obj", "v 0 0 0\n")),
               "no faces in the file (an OBJ file needs v and f)");
+    EXPECT_EQ(reason_for(folder.file("v.txt", "v is the fifth letter from the end\n")), expected);
+}
+
+TEST_F(LoadModel, ACageWhoseFirstVertexIsNoneIsACageAllTheSame) {
+    EXPECT_EQ(reason_for(folder.file("a.obj", "v nan 0 0\n")), "not a finite number: \"nan\"");
+    EXPECT_EQ(reason_for(folder.file("b.obj", "v -inf 0 0\n")), "not a finite number: \"-inf\"");
+    EXPECT_EQ(reason_for(folder.file("c.obj", "v 0,5 1 2\n")), "not a finite number: \"0,5\"");
+    EXPECT_EQ(reason_for(folder.file("d.obj", "v 1.5 2\n")), "a vertex needs x, y and z");
 }
 
 TEST_F(LoadModel, AFileThatShrinksToAPoint) {

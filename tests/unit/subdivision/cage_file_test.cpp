@@ -5,6 +5,7 @@
 #include "tests/unit/io/temporary_folder.h"
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace keiko::subdivision {
@@ -97,6 +98,29 @@ TEST_F(CageFile, WrongStatementsAreToldWithTheirLine) {
               "6: free-form geometry is not supported: only the faces of a cage");
     EXPECT_EQ(reason(square + "vertex 1\n"), "6: not an OBJ statement: \"vertex\"");
     EXPECT_EQ(reason("v 0 0 0\n"), ": no faces in the file (an OBJ file needs v and f)");
+}
+
+TEST_F(CageFile, AFileThatIsCutIsToldWhereItShows) {
+    const std::string more = square + "v 2 0 0\nv 2 1 0\nf 2 5 6 3\n";
+    const std::string remark = "its last line has no end: the file may be cut short";
+    int read_without_remark = 0;
+    for (std::size_t size = square.size() - 1; size <= more.size(); ++size) {
+        const std::string cut = more.substr(0, size);
+        std::vector<std::string> remarks;
+        try {
+            for (const Diagnostic& d : read(cut).diagnostics) remarks.push_back(d.message);
+        } catch (const Error&) {
+            continue;
+        }
+        const bool told = std::find(remarks.begin(), remarks.end(), remark) != remarks.end();
+        EXPECT_EQ(told, !cut.ends_with('\n')) << cut;
+        read_without_remark += told ? 0 : 1;
+    }
+    EXPECT_EQ(read_without_remark, 4) << "the ends of lines";
+    EXPECT_EQ(reason("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\n"),
+              "5: there is no vertex 4 before this line");
+    EXPECT_EQ(reason(square + "f 1 2"), "6: a face needs at least three corners");
+    EXPECT_EQ(reason(square + "v 1 2"), "6: a vertex needs x, y and z");
 }
 
 TEST_F(CageFile, TheByteOrderMarkOfUtf8IsNoStatement) {

@@ -2,9 +2,11 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/error_text.h"
+#include "keiko/base/input_file.h"
 #include "keiko/io/cad/cad_files.h"
 #include "keiko/io/cad/failure.h"
 #include "keiko/io/cad/part_conversion.h"
+#include "keiko/io/number_check.h"
 
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
@@ -78,6 +80,7 @@ SurfaceModel convert_document(const CadDocument& document, const Job& job) {
 
 SurfaceModel import_cad_file(const std::filesystem::path& path, ModelFormat format,
                              const Job& job) {
+    require_finite_numbers(read_file(path), format, path.string());
     const CadDocument document = read_document(path, format);
     SurfaceModel model = convert_document(document, job);
     if (model.faces.empty() && model.lost_faces.empty()) {

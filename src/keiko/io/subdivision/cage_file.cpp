@@ -48,6 +48,9 @@ public:
         if (cage_.faces.empty())
             throw Error(lines_.file(), "", "no faces in the file (an OBJ file needs v and f)");
         apply(tags_, lines_, cage_);
+        if (lines_.ends_open())
+            cage_.diagnostics.push_back(
+                {Severity::warning, "", "its last line has no end: the file may be cut short"});
         make_manifold(cage_, lines_);
         check_areas(cage_, lines_);
         return std::move(cage_);

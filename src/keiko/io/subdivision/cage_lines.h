@@ -29,6 +29,8 @@ public:
     }
 
     const std::string& file() const { return file_; }
+    /// Whether the text ends within a line, as one that was cut may.
+    bool ends_open() const { return !text_.ends_with('\n'); }
     /// A finite number.
     double number(const Statement& statement, std::string_view word) const;
     /// A whole number.

@@ -1,0 +1,11 @@
+// numbers of STEP, IGES and BREP files, before OpenCASCADE sees them
+#include "keiko/io/number_check.h"
+
+#include "tests/fuzz/fuzz_target.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace keiko;
+    for (const ModelFormat format : {ModelFormat::step, ModelFormat::iges, ModelFormat::brep})
+        fuzz::accepts([&] { require_finite_numbers(fuzz::text_of(data, size), format, "model"); });
+    return 0;
+}
