@@ -34,26 +34,27 @@ class StepText:
         place = [a + b for a, b in zip(self.point(number), offset)]
         self.entities[number] = "CARTESIAN_POINT('',(" + ",".join(f"{x!r}" for x in place) + "))"
 
-    def place(self, *placements: tuple):
-        """Shows the body at these places alone: (axes x, y and z, scale, origin) of each operator."""
+    def add(self, body: str) -> int:
+        number = max(self.entities) + 1
+        self.entities[number] = body
+        return number
+
+    def place(self, *levels: list):
+        """Shows the body at places alone, given as (axes x, y and z, scale, origin) of each operator. Each
+        level places all of the one before."""
         shown, = self.of_type("SHAPE_DEFINITION_REPRESENTATION")
         body = self.references(shown)[-1]
         origin, *_, context = self.references(body)
-        first = max(self.entities) + 1
-        self.entities[first] = self.entities[body]
-        self.entities[first + 1] = f"REPRESENTATION_MAP(#{origin},#{first})"
-        items = []
-        for axes, scale, place in placements:
-            item = max(self.entities) + 1
-            items.append(item)
-            self.entities[item] = f"MAPPED_ITEM('',#{first + 1},#{item + 1})"
-            self.entities[item + 1] = ("CARTESIAN_TRANSFORMATION_OPERATOR_3D('','',$,"
-                                       f"#{item + 2},#{item + 3},#{item + 5},{scale!r},#{item + 4})")
-            for k, axis in enumerate(axes):
-                self.entities[item + 2 + k] = "DIRECTION('',(" + ",".join(f"{x!r}" for x in axis) + "))"
-            self.entities[item + 5] = "CARTESIAN_POINT('',(" + ",".join(f"{x!r}" for x in place) + "))"
-        listed = ",".join(f"#{n}" for n in [origin] + items)
-        self.entities[body] = f"SHAPE_REPRESENTATION('',({listed}),#{context})"
+        for placements in levels:
+            mapping = self.add(f"REPRESENTATION_MAP(#{origin},#{self.add(self.entities[body])})")
+            items = [self.add(f"MAPPED_ITEM('',#{mapping},#{self.operator(*placement)})") for placement in placements]
+            listed = ",".join(f"#{n}" for n in [origin] + items)
+            self.entities[body] = f"SHAPE_REPRESENTATION('',({listed}),#{context})"
+
+    def operator(self, axes, scale: float, origin) -> int:
+        x, y, z = (self.add("DIRECTION('',(" + ",".join(f"{c!r}" for c in axis) + "))") for axis in axes)
+        place = self.add("CARTESIAN_POINT('',(" + ",".join(f"{c!r}" for c in origin) + "))")
+        return self.add(f"CARTESIAN_TRANSFORMATION_OPERATOR_3D('','',$,#{x},#{y},#{place},{scale!r},#{z})")
 
     def faces(self) -> list:
         return self.of_type("ADVANCED_FACE")

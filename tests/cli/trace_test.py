@@ -1,6 +1,7 @@
 """`keiko trace`: rays from standard input, hits to standard output."""
 import csv
 import io
+import itertools
 import json
 import math
 import signal
@@ -23,6 +24,21 @@ def rays_down(count: int) -> str:
     lines = (f"{-110 + 220 * (i % 97) / 97!r},{-110 + 220 * (i % 89) / 89!r},200,0,0,-1\n"
              for i in range(count))
     return "".join(lines)
+
+
+def mapped(operator, place, vector=False) -> tuple:
+    """A place, or a direction, that an operator (axes, scale, origin) maps."""
+    axes, scale, origin = operator
+    turned = (scale * sum(axis[k] * c for axis, c in zip(axes, place)) for k in range(3))
+    return tuple(c + (0 if vector else o) for c, o in zip(turned, origin))
+
+
+def mapped_normal(operator, normal) -> tuple:
+    """That of the mapped tangents' cross product."""
+    axes, _, _ = operator
+    (a, b, c), (d, e, f), (g, h, i) = axes
+    sign = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+    return tuple(sign * sum(axis[k] * n for axis, n in zip(axes, normal)) for k in range(3))
 
 
 class Trace(KeikoTest):
@@ -60,33 +76,50 @@ class Trace(KeikoTest):
             self.assertEqual(float(upright[here]), sign * float(lying[there]))
             self.assertEqual(float(upright["n" + here]), sign * float(lying["n" + there]))
 
+    def check_images(self, chains, rays, hits):
+        """Rays that go through operators, the outermost of each chain first, meet what they met, moved likewise."""
+        placed = ""
+        for chain in chains:
+            for ray in rays:
+                start, direction = ray[:3], ray[3:]
+                for operator in reversed(chain):
+                    start, direction = mapped(operator, start), mapped(operator, direction, vector=True)
+                placed += ",".join(map(repr, start + direction)) + "\n"
+        images = iter(self.rows(placed, "placed.step"))
+        for chain in chains:
+            for hit, image in zip(hits, images):
+                self.assertEqual(image["face"], hit["face"])
+                place, normal = ([float(hit[n + c]) for c in "xyz"] for n in ("", "n"))
+                for operator in reversed(chain):
+                    place, normal = mapped(operator, place), mapped_normal(operator, normal)
+                for k, c in enumerate("xyz"):
+                    self.assertAlmostEqual(float(image[c]), place[k], delta=1e-8)
+                    self.assertAlmostEqual(float(image["n" + c]), normal[k], delta=1e-9)
+
     def test_mirrored_and_scaled_placements_of_one_part(self):
-        block = surface("bored-block.step")
-        step = StepText(block)
         x, y, z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
-        step.place(((x, y, (0.0, 0.0, -1.0)), 1.0, (200.0, 0.0, 0.0)), ((x, y, z), 2.0, (0.0, 300.0, 0.0)))
-        step.write(self.folder / "placed.step")
-        part, = json.loads(self.succeed("info", "placed.step", "--json", "-q"))["part_list"]
-        self.assertEqual((part["faces"], part["instances"], part["mirrored_instances"]), (27, 2, 1))
+        upside_down = (x, y, (0.0, 0.0, -1.0)), 1.0, (200.0, 0.0, 0.0)
+        twice = (x, y, z), 2.0, (0.0, 300.0, 0.0)
+        swapped = (y, x, z), 1.0, (10.0, 20.0, 30.0)
+        moved = (x, y, z), 1.0, (0.0, 0.0, 1000.0)
+        left = ((x, (0.0, -1.0, 0.0), z), 1.0, (0.0, 0.0, 0.0))
+        block = surface("bored-block.step")
         rays = [(-29.0 + 4.1 * i, -17.0 + 2.3 * i, 60.0, 0.02 * i, -0.1, -1.0) for i in range(15)]
-        line = "{},{},{},{},{},{}\n".format
-        straight = self.rows("".join(line(*r) for r in rays), block)
-        mirrored = self.rows("".join(line(a + 200, b, -c, d, e, -f) for a, b, c, d, e, f in rays), "placed.step")
-        scaled = self.rows("".join(line(2 * a, 2 * b + 300, 2 * c, d, e, f) for a, b, c, d, e, f in rays),
-                           "placed.step")
-        self.assertGreater(sum(row["t"] != "" for row in straight), 10)
-        for one, image, twice in zip(straight, mirrored, scaled):
-            self.assertEqual((image["face"], twice["face"]), (one["face"], one["face"]))
-            if not one["face"]:
-                continue
-            there = [float(one[c]) for c in ("x", "y", "z")]
-            for k, c in enumerate("xyz"):
-                self.assertAlmostEqual(float(image[c]), (there[0] + 200, there[1], -there[2])[k], delta=1e-9)
-                self.assertAlmostEqual(float(twice[c]), 2 * there[k] + (300 if c == "y" else 0), delta=1e-9)
-                normal = float(one["n" + c])
-                # The normal is that of the mapped tangents' cross product.
-                self.assertAlmostEqual(float(image["n" + c]), normal if c == "z" else -normal, delta=1e-9)
-                self.assertAlmostEqual(float(twice["n" + c]), normal, delta=1e-9)
+        hits = self.rows("".join(",".join(map(repr, r)) + "\n" for r in rays), block)
+        rays, hits = zip(*((ray, hit) for ray, hit in zip(rays, hits) if hit["face"]))
+        self.assertGreater(len(hits), 10)
+        for levels, mirrored in (([[upside_down, twice]], 1), ([[left]], 1), ([[swapped], [moved]], 1),
+                                 ([[swapped], [upside_down]], 0), ([[upside_down, twice], [moved]], 1),
+                                 ([[swapped, moved], [twice, upside_down]], 2)):
+            step = StepText(block)
+            step.place(*levels)
+            step.write(self.folder / "placed.step")
+            facts = json.loads(self.succeed("info", "placed.step", "--json", "-q"))
+            part, = facts["part_list"]
+            instances = math.prod(len(level) for level in levels)
+            self.assertEqual((part["faces"], part["instances"], part["mirrored_instances"]), (27, instances, mirrored))
+            self.assertEqual(facts["diagnostics"], [])
+            self.check_images(list(itertools.product(*reversed(levels))), rays, hits)
 
     def test_a_row_for_each_ray_in_order(self):
         for header in "", HEADER:

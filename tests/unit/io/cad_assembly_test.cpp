@@ -86,6 +86,12 @@ std::size_t near(const std::vector<Vec3>& points, const Vec3& wanted) {
         points.begin(), points.end(), [&](const Vec3& p) { return (p - wanted).length() < 1e-6; }));
 }
 
+bool near(const Affine& a, const Affine& b) {
+    const Vec3 places[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    return std::all_of(std::begin(places), std::end(places),
+                       [&](const Vec3& p) { return (a.point(p) - b.point(p)).length() < 1e-6; });
+}
+
 struct CadAssembly : testing::TestWithParam<const char*> {
     test::TemporaryFolder folder;
 
@@ -118,6 +124,52 @@ TEST_P(CadAssembly, KeepsNestedPlacementsNamesColoursAndLayers) {
     }
     EXPECT_EQ(red, 1u);
     EXPECT_EQ(tread, 1u);
+}
+
+/// The car with its wheel shown through mapped items alone: mirrored across y = 5, as it is, or
+/// both.
+std::string with_mapped_wheel(std::string step, bool as_it_is) {
+    const std::string kind = "ADVANCED_BREP_SHAPE_REPRESENTATION";
+    const std::size_t at = step.find(kind), open = step.find('(', at), end = step.find(';', at);
+    const std::string body = step.substr(open, end - open);
+    const std::string context = body.substr(body.rfind('#'));
+    const std::string items = as_it_is ? "#900006,#900007" : "#900006";
+    step.replace(at, end - at, "SHAPE_REPRESENTATION('',(#900001," + items + ")," + context);
+    const std::string added =
+        "#900000=" + kind + body + ";\n#900001=AXIS2_PLACEMENT_3D('',#900002,$,$);\n" +
+        "#900002=CARTESIAN_POINT('',(0.,0.,0.));\n#900003=DIRECTION('',(0.,-1.,0.));\n" +
+        "#900004=CARTESIAN_POINT('',(0.,10.,0.));\n#900005=REPRESENTATION_MAP(#900001,#900000);\n" +
+        "#900006=MAPPED_ITEM('',#900005,#900008);\n#900007=MAPPED_ITEM('',#900005,#900009);\n" +
+        "#900008=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','',$,$,#900003,#900004,$,$);\n" +
+        "#900009=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','',$,$,$,#900002,1.,$);\n";
+    return step.insert(step.rfind("ENDSEC;"), added);
+}
+
+TEST_P(CadAssembly, PlacesMirroredItemsOfItsProducts) {
+    const SurfaceModel plain = car(GetParam());
+    const std::string text = read_file(folder.path() / "car.step");
+    const Affine mirror =
+        Affine::translate({0, 10, 0}) * Affine{{Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, 1)}};
+    for (const bool as_it_is : {false, true}) {
+        const SurfaceModel model =
+            load_model(folder.file("mapped.step", with_mapped_wheel(text, as_it_is)));
+        EXPECT_EQ(model.parts.size(), 1u) << "the geometry is held once";
+        EXPECT_EQ(model.faces.size(), plain.faces.size());
+        std::vector<Affine> wanted;
+        for (const Instance& instance : plain.instances) {
+            wanted.push_back(instance.transform * mirror);
+            if (as_it_is) wanted.push_back(instance.transform);
+        }
+        ASSERT_EQ(model.instances.size(), wanted.size());
+        for (const Affine& place : wanted)
+            EXPECT_EQ(std::count_if(model.instances.begin(), model.instances.end(),
+                                    [&](const Instance& instance) {
+                                        return near(instance.transform, place);
+                                    }),
+                      1);
+        for (const Diagnostic& d : model.diagnostics)
+            EXPECT_NE(d.severity, Severity::warning) << d.message;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Step, CadAssembly, testing::Values("AP203", "AP214IS", "AP242DIS"));

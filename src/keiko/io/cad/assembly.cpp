@@ -1,5 +1,6 @@
 #include "keiko/io/cad/assembly.h"
 
+#include "keiko/io/cad/alike_shapes.h"
 #include "keiko/io/cad/part_conversion.h"
 #include "keiko/io/cad/transforms.h"
 
@@ -47,8 +48,10 @@ using AttributeMap = std::unordered_map<TopoDS_Shape, FaceAttributes, SameShape,
 
 class AssemblyReader {
 public:
-    AssemblyReader(const TDF_Label& main, FaceNames face_names, CadDocument& document)
+    AssemblyReader(const TDF_Label& main, FaceNames face_names, MappedItems& mapped,
+                   CadDocument& document)
         : face_names_(std::move(face_names)),
+          mapped_(mapped),
           shapes_(XCAFDoc_DocumentTool::ShapeTool(main)),
           colors_(XCAFDoc_DocumentTool::ColorTool(main)),
           layers_(XCAFDoc_DocumentTool::LayerTool(main)),
@@ -57,12 +60,11 @@ public:
     void read() {
         TDF_LabelSequence roots;
         shapes_->GetFreeShapes(roots);
-        std::vector<TDF_Label> loose_faces;
+        std::vector<TDF_Label> loose_faces, trees;
         for (const TDF_Label& root : roots)
-            if (XCAFDoc_ShapeTool::GetShape(root).ShapeType() == TopAbs_FACE)
-                loose_faces.push_back(root);
-            else
-                place(root, {}, name_of(root), {});
+            (shape_of(root).ShapeType() == TopAbs_FACE ? loose_faces : trees).push_back(root);
+        for (const TDF_Label& root : trees)
+            if (!shown_elsewhere(root, trees)) place_root(root, trees);
         if (!loose_faces.empty()) gather(loose_faces);
     }
 
@@ -88,25 +90,64 @@ private:
                                    }});
     }
 
-    /// Walks down to the parts; `inherited` holds what the components above say.
-    void place(const TDF_Label& label, const Affine& above, const std::string& name,
-               const FaceAttributes& inherited) {
+    static TopoDS_Shape shape_of(const TDF_Label& label) {
+        return XCAFDoc_ShapeTool::GetShape(label);
+    }
+
+    /// Whether a root is an assembly and `lump` a place of the same compound as one piece: XCAF
+    /// makes both of a compound that is not in its own place.
+    static bool spreads_out(const TDF_Label& root, const TDF_Label& lump) {
+        TDF_Label referred;
+        return XCAFDoc_ShapeTool::IsAssembly(root) &&
+               XCAFDoc_ShapeTool::GetReferredShape(lump, referred) &&
+               !XCAFDoc_ShapeTool::IsAssembly(referred) &&
+               alike(shape_of(root), shape_of(referred));
+    }
+
+    bool shown_elsewhere(const TDF_Label& root, const std::vector<TDF_Label>& roots) const {
+        return !mapped_.is_product(shape_of(root)) &&
+               std::any_of(roots.begin(), roots.end(),
+                           [&](const TDF_Label& lump) { return spreads_out(root, lump); });
+    }
+
+    void place_root(const TDF_Label& root, const std::vector<TDF_Label>& roots) {
+        const Affine correction = mapped_.corrections({shape_of(root)})[0];
+        const auto spread = std::find_if(roots.begin(), roots.end(), [&](const TDF_Label& other) {
+            return spreads_out(other, root);
+        });
+        if (spread == roots.end()) return place(root, correction, {}, name_of(root), {});
+        place(*spread, correction, affine(place_of(shape_of(root))), name_of(root),
+              own_attributes(root));
+    }
+
+    /// Walks down to the parts; `inherited` holds what the components above say, `correction` what
+    /// comes before the place of the label.
+    void place(const TDF_Label& label, const Affine& correction, const Affine& above,
+               const std::string& name, const FaceAttributes& inherited) {
         if (XCAFDoc_ShapeTool::IsReference(label)) {
             TDF_Label referred;
             XCAFDoc_ShapeTool::GetReferredShape(label, referred);
             const Affine here = affine(XCAFDoc_ShapeTool::GetLocation(label).Transformation());
             const std::string own = name_of(label);
-            place(referred, above * here, own.empty() ? name_of(referred) : own,
+            place(referred, {}, above * here * correction, own.empty() ? name_of(referred) : own,
                   merged(own_attributes(label), inherited));
         } else if (XCAFDoc_ShapeTool::IsAssembly(label)) {
-            TDF_LabelSequence components;
-            XCAFDoc_ShapeTool::GetComponents(label, components);
-            for (const TDF_Label& component : components)
-                place(component, above, name_of(component),
-                      merged(own_attributes(label), inherited));
+            place_components(label, above * correction, merged(own_attributes(label), inherited));
         } else if (const auto part = part_of(label, inherited)) {
-            document_.instances.push_back({*part, name, above});
+            document_.instances.push_back({*part, name, above * correction});
         }
+    }
+
+    void place_components(const TDF_Label& label, const Affine& above,
+                          const FaceAttributes& inherited) {
+        TDF_LabelSequence components;
+        XCAFDoc_ShapeTool::GetComponents(label, components);
+        std::vector<TopoDS_Shape> shapes;
+        for (const TDF_Label& component : components) shapes.push_back(shape_of(component));
+        const std::vector<Affine> corrections = mapped_.corrections(shapes);
+        for (int i = 0; i < components.Length(); ++i)
+            place(components(i + 1), corrections[static_cast<std::size_t>(i)], above,
+                  name_of(components(i + 1)), inherited);
     }
 
     std::optional<std::size_t> part_of(const TDF_Label& label, const FaceAttributes& inherited) {
@@ -189,6 +230,7 @@ private:
     }
 
     FaceNames face_names_;
+    MappedItems& mapped_;
     opencascade::handle<XCAFDoc_ShapeTool> shapes_;
     opencascade::handle<XCAFDoc_ColorTool> colors_;
     opencascade::handle<XCAFDoc_LayerTool> layers_;
@@ -207,8 +249,8 @@ opencascade::handle<TDocStd_Document> new_document() {
 }
 
 void read_assembly(const opencascade::handle<TDocStd_Document>& source, const FaceNames& face_names,
-                   CadDocument& document) {
-    AssemblyReader(source->Main(), face_names, document).read();
+                   MappedItems& mapped, CadDocument& document) {
+    AssemblyReader(source->Main(), face_names, mapped, document).read();
 }
 
 } // namespace keiko::cad

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/io/cad/cad_document.h"
+#include "keiko/io/cad/mapped_items.h"
 
 #include <TDocStd_Document.hxx>
 
@@ -14,8 +15,9 @@ using FaceNames = std::function<std::string(const TopoDS_Shape& face)>;
 
 /// Parts, instances, names, layers and colours of a document that a reader has filled. A part
 /// without faces is left out with a note; faces that lie loose at the top become one part.
-/// `face_names` may be empty: then the document's own are used.
+/// `face_names` may be empty: then the document's own are used. `mapped` says what OpenCASCADE has
+/// put in the wrong place.
 void read_assembly(const opencascade::handle<TDocStd_Document>& source, const FaceNames& face_names,
-                   CadDocument& document);
+                   MappedItems& mapped, CadDocument& document);
 
 } // namespace keiko::cad

@@ -66,7 +66,8 @@ CadDocument read_iges_file(const std::filesystem::path& path) {
     CadDocument document;
     document.unit = file_unit(reader);
     note_untranslated(reader, document.diagnostics);
-    read_assembly(source, {}, document);
+    MappedItems none;
+    read_assembly(source, {}, none, document);
     const auto remarks = reader_remarks(reader.WS(), document.diagnostics);
     for (CadPart& part : document.parts) part.remarks_on = remarks;
     return document;

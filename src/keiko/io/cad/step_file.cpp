@@ -88,8 +88,9 @@ CadDocument read_step_file(const std::filesystem::path& path) {
     CadDocument document;
     document.unit = file_unit(reader);
     document.missing_files = missing_files(reader);
-    read_assembly(source, face_names(reader, document.diagnostics), document);
-    place_mapped_items(reader.Reader().WS(), document);
+    MappedItems mapped(reader.Reader().WS());
+    read_assembly(source, face_names(reader, document.diagnostics), mapped, document);
+    mapped.remark_unmet(document.diagnostics);
     const auto remarks = reader_remarks(reader.Reader().WS(), document.diagnostics);
     for (CadPart& part : document.parts) part.remarks_on = remarks;
     return document;
