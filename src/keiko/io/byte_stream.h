@@ -17,13 +17,13 @@ static_assert(std::endian::native == std::endian::little,
               "numbers are written as they lie in memory, which must be little-endian");
 
 /// Takes bytes, piece by piece.
-using ByteSink = std::function<void(std::string_view piece)>;
+using TakeBytes = std::function<void(std::string_view piece)>;
 
 /// Hands values on as bytes, little-endian, without padding, in pieces of a size that files and
 /// pipes like.
 class ByteWriter {
 public:
-    explicit ByteWriter(ByteSink sink) : sink_(std::move(sink)) {}
+    explicit ByteWriter(TakeBytes sink) : sink_(std::move(sink)) {}
 
     template <class T>
     requires std::is_arithmetic_v<T>
@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    ByteSink sink_;
+    TakeBytes sink_;
     std::size_t size_ = 0;
     std::array<char, 1 << 16> piece_;
 };

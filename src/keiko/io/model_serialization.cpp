@@ -114,7 +114,7 @@ std::string_view checked_payload(std::string_view bytes) {
 
 } // namespace
 
-void serialize(const SurfaceModel& model, const ByteSink& sink) {
+void serialize(const SurfaceModel& model, const TakeBytes& sink) {
     // The header tells what comes after it, so the model is gone through twice.
     Checksum sum;
     std::uint64_t size = 0;

@@ -14,7 +14,7 @@ constexpr std::uint32_t model_serialization_version = 2;
 
 /// Hands a model on as bytes, the same bytes for the same model: docs/model-serialization.md. A
 /// large one never lies in memory as bytes.
-void serialize(const SurfaceModel& model, const ByteSink& sink);
+void serialize(const SurfaceModel& model, const TakeBytes& sink);
 /// The same bytes at once.
 std::string serialize(const SurfaceModel& model);
 

@@ -182,7 +182,9 @@ WorkerExit run_worker(const std::filesystem::path& program,
             child.kill();
             break;
         }
-        pump(result.read, complaints.read, 20ms, receive, stderr_tail);
+        // A worker closes both a moment before it has ended.
+        const bool open = result.read.open() || complaints.read.open();
+        pump(result.read, complaints.read, open ? 20ms : 1ms, receive, stderr_tail);
     }
     while ((result.read.open() || complaints.read.open()) &&
            pump(result.read, complaints.read, 0ms, receive, stderr_tail)) {
