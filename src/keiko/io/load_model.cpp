@@ -16,10 +16,11 @@ SurfaceModel import_cached(const std::filesystem::path& path, ModelFormat format
                            const LoadOptions& options, const Job& job) {
     if (options.cache.empty()) return import_in_worker(path, format, options, job);
     const ModelCache cache(options.cache);
-    const std::string key = ModelCache::key(path, format, worker_path(options));
-    if (auto known = cache.find(key)) return std::move(*known);
+    const auto key = ModelCache::key(path, format, worker_path(options));
+    if (!key) return import_in_worker(path, format, options, job);
+    if (auto known = cache.find(*key)) return std::move(*known);
     SurfaceModel model = import_in_worker(path, format, options, job);
-    cache.keep(key, model);
+    cache.keep(*key, model);
     return model;
 }
 

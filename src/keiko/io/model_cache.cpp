@@ -32,11 +32,15 @@ ModelCache::ModelCache(fs::path folder) : folder_(std::move(folder)) {
         throw Error(folder_.string(), "", "no permission to write in the folder");
 }
 
-std::string ModelCache::key(const fs::path& file, ModelFormat format, const fs::path& worker) {
+std::optional<std::string> ModelCache::key(const fs::path& file, ModelFormat format,
+                                           const fs::path& worker) {
+    const std::string bytes = read_file(file);
+    if (format == ModelFormat::step && bytes.find("DOCUMENT_FILE") != std::string::npos)
+        return std::nullopt;
     std::string text;
     // The name of the file becomes that of a part without a name of its own.
     for (const std::string& part :
-         {sha256_hex(read_file(file)), std::string(name_of(format)), file.stem().string(),
+         {sha256_hex(bytes), std::string(name_of(format)), file.stem().string(),
           std::string(KEIKO_READERS), std::to_string(model_serialization_version), stamp(worker)})
         text += part + "\n";
     return sha256_hex(text);

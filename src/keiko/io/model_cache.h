@@ -18,10 +18,11 @@ public:
     /// there.
     explicit ModelCache(std::filesystem::path folder);
 
-    /// What the model of a file is kept under, read by `worker`. Throws Error when the file cannot
-    /// be read.
-    static std::string key(const std::filesystem::path& file, ModelFormat format,
-                           const std::filesystem::path& worker);
+    /// What the model of a file is kept under, read by `worker`; nothing for a STEP file that names
+    /// other files for its parts, which may change without it. Throws Error when the file cannot be
+    /// read.
+    static std::optional<std::string> key(const std::filesystem::path& file, ModelFormat format,
+                                          const std::filesystem::path& worker);
     /// The model kept under a key; nothing where there is none, or a damaged one.
     std::optional<SurfaceModel> find(const std::string& key) const;
     /// Keeps a model, atomically. One that cannot be kept gets a warning and stays usable.

@@ -74,6 +74,17 @@ TEST_F(Cache, FilesOfOneContentAndNameShareAnEntry) {
     EXPECT_EQ(times_asked(), 1u);
 }
 
+TEST_F(Cache, AFileThatNamesOthersIsReadEachTimeForTheyMayChange) {
+    const auto path =
+        folder.file("car.step",
+                    "ISO-10303-21;\nDATA;\n#1=DOCUMENT_FILE('wheel.stp','','',#2,'',$);\nENDSEC;\n"
+                    "END-ISO-10303-21;\n");
+    load_model(path, options);
+    load_model(path, options);
+    EXPECT_EQ(times_asked(), 2u);
+    EXPECT_TRUE(entries().empty());
+}
+
 TEST_F(Cache, TheUnitIsChangedAfterwards) {
     const auto path = folder.file("part.step", step_text);
     load_model(path, options);
