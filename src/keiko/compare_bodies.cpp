@@ -1,6 +1,5 @@
 #include "keiko/compare_bodies.h"
 
-#include "keiko/base/output_file.h"
 #include "keiko/compare_views.h"
 #include "keiko/inspect/face_names.h"
 
@@ -13,9 +12,8 @@ namespace {
 Scene opened(const fs::path& file, const CompareBodiesOptions& options, const Job& job) {
     const std::array inputs{file};
     Scene scene = open_scene(inputs, options.scene, job);
-    if (!options.views || options.views->width == 0) return scene;
-    scene.width = options.views->width, scene.height = options.views->height;
-    if (scene.camera) scene.camera->width = scene.width, scene.camera->height = scene.height;
+    if (options.views && options.views->width > 0)
+        scene.set_picture_size(options.views->width, options.views->height);
     return scene;
 }
 
@@ -79,18 +77,12 @@ CompareResult compare_bodies(const fs::path& before, const fs::path& after,
     return result;
 }
 
-void write_comparison(const fs::path& target, const CompareResult& result) {
-    if (target.extension() == ".html") {
-        write_text_file(target, comparison_html(result.comparison));
-        return;
-    }
-    std::error_code code;
-    fs::create_directories(target, code);
-    if (code) throw Error(target.string(), "", "cannot make the folder: " + code.message());
-    for (const auto& [name, bytes] : result.comparison.pngs) write_text_file(target / name, bytes);
-    if (result.rig) write_rig(target / "rig.toml", *result.rig);
-    write_text_file(target / "compare.json", comparison_json(result.comparison));
-    write_text_file(target / "compare.html", comparison_html(result.comparison));
+FolderContent comparison_files(const fs::path& folder, const CompareResult& result) {
+    FolderContent files = result.comparison.pngs;
+    if (result.rig) files["rig.toml"] = rig_text(*result.rig, folder);
+    files["compare.json"] = comparison_json(result.comparison);
+    files["compare.html"] = comparison_html(result.comparison);
+    return files;
 }
 
 } // namespace keiko

@@ -38,8 +38,8 @@ CompareResult compare_bodies(const std::filesystem::path& before,
                              const std::filesystem::path& after,
                              const CompareBodiesOptions& options = {}, const Job& job = {});
 
-/// Writes a page to a path that ends in .html; else into a folder compare.html, compare.json, the
-/// pictures and, if there are views, rig.toml.
-void write_comparison(const std::filesystem::path& target, const CompareResult& result);
+/// compare.html, compare.json, the pictures and, if there are views, rig.toml, for a folder: its
+/// path is what the rig names its files from.
+FolderContent comparison_files(const std::filesystem::path& folder, const CompareResult& result);
 
 } // namespace keiko

@@ -1,5 +1,6 @@
 #include "keiko/compare_views.h"
 
+#include "keiko/choose_lights.h"
 #include "keiko/compare/deviation_map.h"
 #include "keiko/draw_outcome.h"
 #include "keiko/film/signed_color_picture.h"
@@ -11,19 +12,10 @@
 namespace keiko {
 namespace {
 
-struct Lights {
-    LightRig rig;
-    std::string source; ///< what to tell of it
-};
-
-Lights lights_of(const Scene& scene, const CompareViewsOptions& options,
-                 std::span<const NamedView> views, const Job& job) {
-    if (options.rig) return {read_rig(*options.rig), options.rig->string()};
-    if (scene.rig) return {*scene.rig, "those of the scene before"};
-    std::vector<Camera> cameras;
-    for (const NamedView& view : views) cameras.push_back(view.camera);
-    return {place_lamps(scene.tracer, scene.model, cameras, {}, job).rig,
-            "placed on the part before"};
+/// What to tell of the lamps of the views.
+std::string source_of(const ChosenLights& lights, const CompareViewsOptions& options) {
+    if (options.rig) return options.rig->string();
+    return lights.placement ? "placed on the part before" : "those of the scene before";
 }
 
 /// The lines of a rig's lamps on one body, a view each.
@@ -101,9 +93,9 @@ void compare_views(const ComparedScenes& scenes, const CompareBodiesOptions& opt
     constexpr int automatic_views = 3;
     const std::vector<NamedView> views =
         choose_views(scenes.before, options.views->views, automatic_views, job);
-    auto [rig, source] = lights_of(scenes.before, *options.views, views, job);
-    result.rig = std::move(rig);
-    result.comparison.rig = std::move(source);
+    ChosenLights lights = choose_lights(scenes.before, options.views->rig, views, {}, job);
+    result.comparison.rig = source_of(lights, *options.views);
+    result.rig = std::move(lights.rig);
     ViewComparer comparer(scenes, *result.rig, options, job);
     const auto before = lines_of(scenes.before, *result.rig, views, options, job);
     const auto after = lines_of(scenes.after, *result.rig, views, options, job);

@@ -1,4 +1,4 @@
-#include "keiko/base/output_file.h"
+#include "keiko/choose_lights.h"
 #include "keiko/find_lines.h"
 #include "keiko/lines_picture.h"
 #include "keiko/marked_pictures.h"
@@ -9,11 +9,6 @@
 
 namespace keiko {
 namespace {
-
-struct LightsAndCoverage {
-    LightRig rig;
-    std::optional<CoverageSummary> coverage;
-};
 
 std::string percent(double share) {
     std::array<char, 32> text{};
@@ -31,16 +26,6 @@ CoverageSummary summary_of(const SurfaceModel& model, const Placement& placement
                                     percent(face.share) + " of the pictures");
     }
     return summary;
-}
-
-LightsAndCoverage choose_lights(const Scene& scene, const InspectOptions& options,
-                                std::span<const NamedView> views, const Job& job) {
-    if (options.rig) return {read_rig(*options.rig), std::nullopt};
-    if (scene.rig) return {*scene.rig, std::nullopt};
-    std::vector<Camera> cameras;
-    for (const NamedView& view : views) cameras.push_back(view.camera);
-    Placement placement = place_lamps(scene.tracer, scene.model, cameras, options.placement, job);
-    return {placement.rig, summary_of(scene.model, placement)};
 }
 
 ReportPicture picture_of_lines(const std::string& view, Image drawn) {
@@ -72,10 +57,10 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     const std::vector<NamedView> views = choose_views(scene, options.views, automatic_views, job);
     InspectResult result;
     if (options.register_hits) result.hits = register_hits(scene.tracer, scene.model, views, job);
-    auto [rig, coverage] = choose_lights(scene, options, views, job);
-    result.rig = std::move(rig);
+    ChosenLights lights = choose_lights(scene, options.rig, views, options.placement, job);
+    result.rig = std::move(lights.rig);
     result.report.tool_version = version();
-    result.report.coverage = std::move(coverage);
+    if (lights.placement) result.report.coverage = summary_of(scene.model, *lights.placement);
     result.report.inspection = inspect(scene.model, options.preset, options.join, job);
     result.report.inspection.facts.tracing = trace_facts(scene.tracer.statistics());
     for (const NamedView& view : views) {
@@ -90,18 +75,16 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     return result;
 }
 
-void write_result(const std::filesystem::path& folder, const InspectResult& result) {
-    std::error_code code;
-    std::filesystem::create_directories(folder, code);
-    if (code) throw Error(folder.string(), "", "cannot make the folder: " + code.message());
+FolderContent result_files(const std::filesystem::path& folder, const InspectResult& result) {
+    FolderContent files = report_files(result.report);
     for (std::size_t i = 0; i < result.films.size(); ++i) {
         const auto& [name, film] = result.films[i];
-        write_film(folder / (name + ".exr"), film);
-        write_png(folder / (name + "-marked.png"),
-                  marked_image(film, result.report.pictures[i].markers));
+        files[name + ".exr"] = encode_exr(film);
+        files[name + "-marked.png"] =
+            encode_png(marked_image(film, result.report.pictures[i].markers));
     }
-    write_rig(folder / "rig.toml", result.rig);
-    write_report(folder, result.report);
+    files["rig.toml"] = rig_text(result.rig, folder);
+    return files;
 }
 
 } // namespace keiko

@@ -98,6 +98,8 @@ struct Scene {
     PictureScene picture(const LightRig& under) const {
         return {seen(), seen_materials(), under, background, occluders ? &*occluders : nullptr};
     }
+    /// Of its pictures, in pixels; of its camera too.
+    void set_picture_size(int wide, int high);
     /// The number that files and reports give a face of what is seen; 0: the ground.
     std::uint32_t face_id(std::size_t face) const {
         return face < model.faces.size() ? model.faces[face].id : 0;
@@ -132,9 +134,9 @@ void require_view_names(std::span<const std::string> names);
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
                  const PictureOptions& options = {}, const Job& job = {});
 
-/// Reads what write_hits wrote. Throws Error for any other file.
+/// Registered hits as a file keeps them, and read from one. Throws Error for any other file.
+std::string hits_text(const RegisteredHits& hits);
 RegisteredHits read_hits(const std::filesystem::path& file);
-void write_hits(const std::filesystem::path& file, const RegisteredHits& hits);
 
 struct PlaceOptions {
     std::vector<std::string> views;       ///< names; empty: the best one
@@ -198,7 +200,8 @@ struct InspectResult {
 InspectResult inspect_scene(const Scene& scene, const InspectOptions& options = {},
                             const Job& job = {});
 
-/// Writes report.html, report.json, the pictures (PNG and EXR) and rig.toml into a folder.
-void write_result(const std::filesystem::path& folder, const InspectResult& result);
+/// report.html, report.json, the pictures (PNG and EXR) and rig.toml, for a folder: its path is
+/// what the rig names its files from.
+FolderContent result_files(const std::filesystem::path& folder, const InspectResult& result);
 
 } // namespace keiko

@@ -109,6 +109,11 @@ Inspection check_models(std::span<const std::filesystem::path> inputs, const Che
     return inspect(read_body(spec, options.load, job).model, options.preset, options.join, job);
 }
 
+void Scene::set_picture_size(int wide, int high) {
+    width = wide, height = high;
+    if (camera) camera->width = wide, camera->height = high;
+}
+
 Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options,
                  const Job& job) {
     const SceneSpec spec = spec_of(inputs, options);

@@ -48,12 +48,12 @@ std::vector<ViewSample> looks(const Scene& scene, const PlaceOptions& options,
 
 } // namespace
 
-RegisteredHits read_hits(const std::filesystem::path& file) {
-    return hits_from_json(read_text_file(file), file.string());
+std::string hits_text(const RegisteredHits& hits) {
+    return hits_json(hits, version());
 }
 
-void write_hits(const std::filesystem::path& file, const RegisteredHits& hits) {
-    write_text_file(file, hits_json(hits, version()));
+RegisteredHits read_hits(const std::filesystem::path& file) {
+    return hits_from_json(read_text_file(file), file.string());
 }
 
 PlaceResult place_scene(const Scene& scene, const PlaceOptions& options, const Job& job) {

@@ -1,5 +1,6 @@
 #include "keiko/run_fixture.h"
 
+#include "keiko/choose_lights.h"
 #include "keiko/compare/body_metrics.h"
 #include "keiko/input_key.h"
 
@@ -13,8 +14,7 @@ Scene open_fixture(const FixtureSpec& spec, const LoadOptions& load, const Job& 
     SceneOptions options{.load = load, .shadows = spec.shadows};
     if (spec.material) options.material = *spec.material;
     Scene scene = open_scene(spec.models, options, job);
-    scene.width = spec.width, scene.height = spec.height;
-    if (scene.camera) scene.camera->width = spec.width, scene.camera->height = spec.height;
+    scene.set_picture_size(spec.width, spec.height);
     return scene;
 }
 
@@ -38,14 +38,11 @@ void measure_geometry(const Scene& scene, const FixtureSpec& spec, FixtureRecord
 
 LightRig rig_of(const Scene& scene, const FixtureSpec& spec, std::span<const NamedView> views,
                 FixtureRecord& record, const Job& job) {
-    if (spec.rig) return read_rig(*spec.rig);
-    if (scene.rig) return *scene.rig;
-    std::vector<Camera> cameras;
-    for (const NamedView& view : views) cameras.push_back(view.camera);
-    const Placement placement = place_lamps(scene.tracer, scene.model, cameras, {}, job);
-    record.metrics.push_back(
-        {"lines", "coverage of the lamps placed", Quantity::share, placement.coverage});
-    return placement.rig;
+    ChosenLights lights = choose_lights(scene, spec.rig, views, {}, job);
+    if (lights.placement)
+        record.metrics.push_back(
+            {"lines", "coverage of the lamps placed", Quantity::share, lights.placement->coverage});
+    return std::move(lights.rig);
 }
 
 void measure_lines(const Scene& scene, const LightRig& rig, const NamedView& view,

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* report_file = "regression.json";
-constexpr std::array report_files{report_file, "junit.xml", "index.html"};
+constexpr std::array report_names{report_file, "junit.xml", "index.html"};
 
 /// Nothing where there is none, or one of other inputs, or a damaged one.
 std::optional<FixtureRecord> finished_candidate(const fs::path& folder, const std::string& key) {
@@ -130,7 +130,7 @@ Job job_of_fixture(const Job& job, std::size_t index, std::size_t count, const s
 
 void remove_reports(const fs::path& output) {
     std::error_code ignored; // what cannot be removed shows when it is written
-    for (const char* name : report_files) fs::remove(output / name, ignored);
+    for (const char* name : report_names) fs::remove(output / name, ignored);
 }
 
 void write_reports(const fs::path& output, const Regression& regression) {

@@ -225,7 +225,7 @@ class Reports(KeikoTest):
 
     def test_ctrl_c_leaves_nothing(self):
         car = surface("concept-car.step")
-        process = subprocess.Popen([BINARY, "compare", car, car, "-o", "out", "--json", "out.json"],
+        process = subprocess.Popen([BINARY, "compare", car, car, "-o", "out", "--json", "out.json", "--verbose"],
                                    cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         for line in process.stderr:
             if line == "keiko: deviation\n":

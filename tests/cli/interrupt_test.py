@@ -13,7 +13,7 @@ LARGE = ("--size", "1920x1080", "--view", "front")
 class Interrupted(KeikoTest):
     def interrupt(self, stage: str, stop: int, *arguments: str):
         """Sends a signal once the progress tells of `stage`."""
-        process = subprocess.Popen([BINARY, *arguments], cwd=self.folder, text=True,
+        process = subprocess.Popen([BINARY, *arguments, "--verbose"], cwd=self.folder, text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         for line in process.stderr:
             if line == f"keiko: {stage}\n":

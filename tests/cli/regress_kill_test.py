@@ -75,8 +75,8 @@ class Killed(RegressTest):
         slow = self.folder / "suite/c.toml"
         quick = slow.read_text()
         slow.write_text(quick.replace("[32, 18]", "[2400, 1350]"))
-        process = subprocess.Popen([BINARY, "regress", "suite", "-o", "out"], cwd=self.folder, text=True,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        process = subprocess.Popen([BINARY, "regress", "suite", "-o", "out", "--verbose"], cwd=self.folder,
+                                   text=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         for line in process.stderr:
             if line == "keiko: 3/3 c: render\n":
                 break

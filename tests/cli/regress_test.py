@@ -262,7 +262,7 @@ class Runs(RegressTest):
         (self.folder / "suite/b.toml").write_text(
             (self.folder / "suite/b.toml").read_text().replace("[32, 18]", "[2400, 1350]"))
         kept = self.candidate("a")
-        process = subprocess.Popen([BINARY, "regress", "suite", "-o", "out"], cwd=self.folder, text=True,
+        process = subprocess.Popen([BINARY, "regress", "suite", "-o", "out", "--verbose"], cwd=self.folder, text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         for line in process.stderr:
             if line == "keiko: 2/2 b: render\n":

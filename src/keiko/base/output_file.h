@@ -18,6 +18,10 @@ void write_atomically(const std::filesystem::path& target,
 /// systems that cannot tell are believed.
 void sync_to_disk(const std::filesystem::path& path);
 
+/// Writes the whole content of a file, not atomically. Throws Error naming `name`.
+void write_bytes(const std::filesystem::path& path, std::string_view bytes,
+                 const std::filesystem::path& name);
+
 /// Writes `text` as the whole content of `target`, atomically.
 void write_text_file(const std::filesystem::path& target, std::string_view text);
 

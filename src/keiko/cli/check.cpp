@@ -21,11 +21,13 @@ int check(CheckArguments arguments, const Job& job) {
     CheckOptions& options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     options.load = load_options(arguments.models);
-    arguments.files.require_places();
+    arguments.files.require_places(arguments.models.inputs);
     const Inspection inspection = check_models(arguments.models.inputs, options, job);
     for (const LostFace& face : inspection.facts.lost_faces)
         log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
-    arguments.files.write(inspection, arguments.models.inputs);
+    OutputBatch outputs;
+    arguments.files.add_to(outputs, inspection, arguments.models.inputs);
+    outputs.write();
     std::cout << inspection_text(inspection);
     return inspection.verdict == Verdict::pass ? exit_pass : exit_findings;
 }

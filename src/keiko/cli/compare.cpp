@@ -1,11 +1,13 @@
 #include "keiko/base/log.h"
-#include "keiko/base/output_file.h"
+#include "keiko/base/output_batch.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/compare_bodies.h"
 
+#include <array>
+#include <cctype>
 #include <iostream>
 #include <memory>
 
@@ -25,13 +27,39 @@ bool shows_pictures(const CompareArguments& arguments) {
     return !arguments.output.empty() || !arguments.views.views.empty() || arguments.rig != "auto";
 }
 
+/// Whether -o names a page rather than a folder.
+bool is_page(const fs::path& output) {
+    std::string ending = output.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending == ".html" || ending == ".htm";
+}
+
 void require_outputs(const CompareArguments& arguments) {
-    for (const fs::path& file : {arguments.json, arguments.junit})
+    std::vector<fs::path> files{arguments.json, arguments.junit};
+    const fs::path& output = arguments.output;
+    if (is_page(output)) {
+        files.push_back(output);
+    } else if (!output.empty()) {
+        require_place_for_folder(output);
+        for (const char* name : {"compare.html", "compare.json", "rig.toml"})
+            files.push_back(output / name);
+    }
+    const std::array inputs{arguments.before, arguments.after};
+    require_distinct(files, inputs);
+    for (const fs::path& file : {arguments.json, arguments.junit, is_page(output) ? output : ""})
         if (!file.empty()) require_place_for_file(file);
-    if (arguments.output.extension() == ".html")
-        require_place_for_file(arguments.output);
+}
+
+void write_outputs(const CompareArguments& arguments, const CompareResult& result) {
+    const Comparison& comparison = result.comparison;
+    OutputBatch batch;
+    if (is_page(arguments.output))
+        batch.add(arguments.output, comparison_html(comparison));
     else if (!arguments.output.empty())
-        require_place_for_folder(arguments.output);
+        batch.add_folder(arguments.output, comparison_files(arguments.output, result));
+    if (!arguments.json.empty()) batch.add(arguments.json, comparison_json(comparison));
+    if (!arguments.junit.empty()) batch.add(arguments.junit, comparison_junit(comparison));
+    batch.write();
 }
 
 CompareBodiesOptions options_of(const CompareArguments& arguments) {
@@ -63,16 +91,15 @@ int compare(const CompareArguments& arguments, const Job& job) {
     const CompareResult result = compare_bodies(arguments.before, arguments.after, options, job);
     const Comparison& comparison = result.comparison;
     warn_of_lost_faces(comparison);
-    if (!arguments.output.empty()) write_comparison(arguments.output, result);
-    if (!arguments.json.empty()) write_text_file(arguments.json, comparison_json(comparison));
-    if (!arguments.junit.empty()) write_text_file(arguments.junit, comparison_junit(comparison));
+    write_outputs(arguments, result);
     std::cout << comparison_text(comparison);
     return comparison.same() ? exit_pass : exit_findings;
 }
 
 void add_outputs(CLI::App& command, CompareArguments& arguments) {
-    command.add_option("-o,--output", arguments.output,
-                       "folder for the report, or a page FILE.html; views are shown and judged");
+    command.add_option(
+        "-o,--output", arguments.output,
+        "folder for the report, or a page FILE.html (or .htm); views are shown and judged");
     command.add_option("--json", arguments.json, "JSON file to write (keiko-comparison/1)");
     command.add_option("--junit", arguments.junit, "JUnit XML file to write");
     command

@@ -41,15 +41,17 @@ int inspect(InspectArguments arguments, const Job& job) {
     }
     require_place_for_folder(arguments.output);
     if (!arguments.hits.empty()) require_place_for_file(arguments.hits);
-    arguments.files.require_places();
+    arguments.files.require_places(arguments.scene.inputs);
     require_view_names(options.views);
     const Scene scene = arguments.scene.open(job);
     options.picture.aovs = every_aov();
     options.register_hits = !arguments.hits.empty();
     const InspectResult result = inspect_scene(scene, options, job);
-    write_result(arguments.output, result);
-    if (result.hits) write_hits(arguments.hits, *result.hits);
-    arguments.files.write(result.report.inspection, arguments.scene.inputs);
+    OutputBatch outputs;
+    outputs.add_folder(arguments.output, result_files(arguments.output, result));
+    if (result.hits) outputs.add(arguments.hits, hits_text(*result.hits));
+    arguments.files.add_to(outputs, result.report.inspection, arguments.scene.inputs);
+    outputs.write();
     print_summary(result.report, arguments.output);
     return verdict_of(result.report) == Verdict::pass ? exit_pass : exit_findings;
 }

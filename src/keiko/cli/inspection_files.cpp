@@ -1,6 +1,5 @@
 #include "keiko/cli/inspection_files.h"
 
-#include "keiko/base/output_file.h"
 #include "keiko/cli/output_place.h"
 
 namespace keiko::cli {
@@ -48,23 +47,29 @@ std::vector<InspectionFiles::File> InspectionFiles::files() const {
     return all;
 }
 
-void InspectionFiles::require_places() const {
-    for (const File& file : files()) require_place_for_file(file.path);
+void InspectionFiles::require_places(std::span<const fs::path> inputs) const {
+    std::vector<fs::path> paths;
+    for (const File& file : files()) {
+        require_place_for_file(file.path);
+        paths.push_back(file.path);
+    }
+    require_distinct(paths, inputs);
 }
 
-void InspectionFiles::write(const Inspection& inspection, std::span<const fs::path> inputs) const {
+void InspectionFiles::add_to(OutputBatch& batch, const Inspection& inspection,
+                             std::span<const fs::path> inputs) const {
     for (const auto& [path, format] : files()) switch (format) {
             case Format::json:
-                write_text_file(path, inspection_json(inspection, version()));
+                batch.add(path, inspection_json(inspection, version()));
                 break;
             case Format::junit:
-                write_text_file(path, junit_xml(inspection));
+                batch.add(path, junit_xml(inspection));
                 break;
             case Format::sarif:
-                write_text_file(path, sarif_json(inspection, version(), inputs));
+                batch.add(path, sarif_json(inspection, version(), inputs));
                 break;
             case Format::csv:
-                write_text_file(path, checks_csv(inspection));
+                batch.add(path, checks_csv(inspection));
                 break;
         }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/output_batch.h"
 #include "keiko/keiko.h"
 
 #include <CLI/App.hpp>
@@ -19,10 +20,12 @@ public:
     /// Adds --json, and -o, whose format is told by the ending.
     void add_json_and_output(CLI::App& command);
 
-    /// Throws Error where a file cannot be written or has an ending that names no format.
-    void require_places() const;
-    /// Writes every file that was asked for; `inputs` are the model files.
-    void write(const Inspection& inspection, std::span<const std::filesystem::path> inputs) const;
+    /// Throws Error where a file cannot be written, has an ending that names no format, is asked
+    /// for twice or is one of the model files, `inputs`.
+    void require_places(std::span<const std::filesystem::path> inputs) const;
+    /// Adds every file that was asked for.
+    void add_to(OutputBatch& batch, const Inspection& inspection,
+                std::span<const std::filesystem::path> inputs) const;
 
 private:
     enum class Format { json, junit, sarif, csv };

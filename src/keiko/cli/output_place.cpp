@@ -4,6 +4,8 @@
 
 #include <unistd.h>
 
+#include <map>
+
 namespace keiko::cli {
 namespace fs = std::filesystem;
 namespace {
@@ -16,6 +18,19 @@ void require_writable(const fs::path& folder, const fs::path& wanted) {
         throw Error(wanted.string(), "", folder.string() + " is a file, not a folder");
     if (access(folder.c_str(), W_OK | X_OK) != 0)
         throw Error(wanted.string(), "", "no permission to write in " + folder.string());
+}
+
+/// Without links, also of what is not there yet.
+fs::path real_path(const fs::path& path) {
+    std::error_code code;
+    const fs::path real = fs::weakly_canonical(path, code);
+    return code ? fs::absolute(path, code).lexically_normal() : real;
+}
+
+bool is_stream(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) &&
+           !fs::is_directory(path, ignored);
 }
 
 } // namespace
@@ -37,6 +52,16 @@ void require_place_for_folder(const fs::path& folder) {
         there = higher ? above : fs::path(".");
     }
     require_writable(there, folder);
+}
+
+void require_distinct(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
+    std::map<fs::path, const char*> known;
+    for (const fs::path& input : inputs) known.emplace(real_path(input), "is an input as well");
+    for (const fs::path& output : outputs) {
+        if (output.empty() || is_stream(output)) continue;
+        const auto [found, is_new] = known.emplace(real_path(output), "is named for two outputs");
+        if (!is_new) throw Error(output.string(), "", found->second);
+    }
 }
 
 } // namespace keiko::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 namespace keiko::cli {
 
@@ -9,5 +10,10 @@ void require_place_for_file(const std::filesystem::path& path);
 
 /// The same for files in a folder, which may be missing itself, its parents too.
 void require_place_for_folder(const std::filesystem::path& folder);
+
+/// Throws Error where two outputs are the same file, or one is an input; devices and pipes may be
+/// named more than once. Empty paths stand for nothing.
+void require_distinct(std::span<const std::filesystem::path> outputs,
+                      std::span<const std::filesystem::path> inputs);
 
 } // namespace keiko::cli

@@ -7,7 +7,8 @@
 
 namespace keiko::cli {
 
-ProgressBar::ProgressBar(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(bool quiet, bool every_stage)
+    : quiet_(quiet), every_stage_(every_stage), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() {
     clear();
@@ -20,14 +21,29 @@ void ProgressBar::show(const Progress& progress) {
     if (!new_stage && percent == percent_) return;
     stage_ = progress.stage;
     percent_ = percent;
-    if (terminal_) {
-        constexpr int width = 32;
-        const std::string done(static_cast<std::size_t>(percent * width / 100), '#');
-        std::fprintf(stderr, "\r\x1b[K%-12s [%-*s] %3d %%", stage_.c_str(), width, done.c_str(),
-                     percent);
-    } else if (new_stage) {
+    if (terminal_)
+        draw();
+    else
+        tell(new_stage);
+}
+
+void ProgressBar::draw() {
+    constexpr int width = 32;
+    const std::string done(static_cast<std::size_t>(percent_ * width / 100), '#');
+    std::fprintf(stderr, "\r\x1b[K%-12s [%-*s] %3d %%", stage_.c_str(), width, done.c_str(),
+                 percent_);
+}
+
+void ProgressBar::tell(bool new_stage) {
+    constexpr std::chrono::seconds rest{10};
+    const bool late = Clock::now() - told_ >= rest;
+    if (every_stage_ && new_stage)
         std::fprintf(stderr, "keiko: %s\n", stage_.c_str());
-    }
+    else if (late)
+        std::fprintf(stderr, "keiko: %s, %d %%\n", stage_.c_str(), percent_);
+    else
+        return;
+    told_ = Clock::now();
 }
 
 void ProgressBar::clear() {

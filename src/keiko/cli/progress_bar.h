@@ -2,15 +2,16 @@
 
 #include "keiko/base/job.h"
 
+#include <chrono>
 #include <string>
 
 namespace keiko::cli {
 
-/// Shows progress on stderr: a bar that redraws itself on a terminal, a plain line a stage
-/// elsewhere.
+/// Shows progress on stderr: a bar that redraws itself on a terminal; elsewhere plain lines, where
+/// the work has come to every ten seconds, or each stage if that is asked for.
 class ProgressBar {
 public:
-    explicit ProgressBar(bool quiet);
+    ProgressBar(bool quiet, bool every_stage);
     /// Clears the bar.
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
@@ -21,9 +22,15 @@ public:
     void clear();
 
 private:
-    bool quiet_, terminal_;
+    using Clock = std::chrono::steady_clock;
+
+    void draw();
+    void tell(bool new_stage);
+
+    bool quiet_, every_stage_, terminal_;
     std::string stage_;
     int percent_ = -1;
+    Clock::time_point told_ = Clock::now();
 };
 
 } // namespace keiko::cli

@@ -1,5 +1,6 @@
 #include "keiko/regress.h"
 
+#include "keiko/base/counted.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
@@ -65,8 +66,8 @@ std::string line_of(const FixtureOutcome& fixture) {
     std::size_t views = 0;
     for (const PictureOutcome& picture : fixture.pictures) views += !picture.within();
     text += ": " + std::to_string(fixture.metrics.size()) + " of " +
-            std::to_string(fixture.metrics_compared) + " metrics, " + std::to_string(views) +
-            " of " + std::to_string(fixture.pictures.size()) + " views";
+            counted(fixture.metrics_compared, "metric") + ", " + std::to_string(views) + " of " +
+            counted(fixture.pictures.size(), "view");
     if (!fixture.metrics.empty()) text += "; " + text_of(fixture.metrics.front());
     if (const std::string picture = worst_picture(fixture); !picture.empty())
         text += "; " + picture;

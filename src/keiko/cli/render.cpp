@@ -1,3 +1,4 @@
+#include "keiko/base/output_file.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/frame_log.h"
 #include "keiko/cli/number_check.h"
@@ -125,7 +126,8 @@ void render_picture(const RenderArguments& arguments, const Job& job) {
     else
         write_film(arguments.output, film, mapping_of(arguments));
     if (!arguments.hits.empty())
-        write_hits(arguments.hits, register_hits(scene.tracer, scene.model, {view}, job));
+        write_text_file(arguments.hits,
+                        hits_text(register_hits(scene.tracer, scene.model, {view}, job)));
 }
 
 /// Of all that a picture is made of but the number of its frame.

@@ -105,14 +105,7 @@ Scene SceneArguments::open(const Job& job) const {
     tell_build(scene);
     for (const LostFace& face : scene.model.lost_faces)
         log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
-    if (wanted.width > 0) {
-        scene.width = wanted.width;
-        scene.height = wanted.height;
-        if (scene.camera) {
-            scene.camera->width = wanted.width;
-            scene.camera->height = wanted.height;
-        }
-    }
+    if (wanted.width > 0) scene.set_picture_size(wanted.width, wanted.height);
     return scene;
 }
 

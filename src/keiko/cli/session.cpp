@@ -61,7 +61,7 @@ int Session::run(CLI::App& app, int argc, char** argv) {
 }
 
 int Session::run_action() {
-    ProgressBar bar(quiet_);
+    ProgressBar bar(quiet_, verbose_);
     const Job job{.progress = [&](const Progress& progress) { bar.show(progress); },
                   .stop = interrupt_.token(),
                   .threads = threads_};

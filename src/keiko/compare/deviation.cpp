@@ -77,10 +77,12 @@ Sample climbed(const SurfaceFeet& body, const SurfaceFeet& other, double reach, 
     return best;
 }
 
-/// The largest of a quantity, climbed to from the samples that have most of it.
+/// Where a quantity is largest, climbed to from the samples that have most of it; the largest
+/// first.
 template <class Quantity>
-Sample peak(const SurfaceFeet& body, const SurfaceFeet& other, double reach,
-            const std::vector<Sample>& samples, const Job& job, const Quantity& quantity) {
+std::vector<Sample> peaks(const SurfaceFeet& body, const SurfaceFeet& other, double reach,
+                          const std::vector<Sample>& samples, const Job& job,
+                          const Quantity& quantity) {
     constexpr std::size_t starts = 16;
     std::vector<std::size_t> order(samples.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -94,9 +96,9 @@ Sample peak(const SurfaceFeet& body, const SurfaceFeet& other, double reach,
     parallel_for(count, job, "", [&](std::size_t i) {
         tops[i] = climbed(body, other, reach, samples[order[i]], quantity);
     });
-    return *std::max_element(tops.begin(), tops.end(), [&](const Sample& a, const Sample& b) {
-        return quantity(a) < quantity(b);
-    });
+    std::stable_sort(tops.begin(), tops.end(),
+                     [&](const Sample& a, const Sample& b) { return quantity(a) > quantity(b); });
+    return tops;
 }
 
 void take_percentiles(const std::vector<Sample>& samples, Deviation& result) {
@@ -184,6 +186,27 @@ void take_faces(const std::vector<Sample>& samples, std::size_t faces, double no
     for (const FaceSums& face : sums) result.faces.push_back(face.result());
 }
 
+double distance_of(const Sample& sample) {
+    return sample.distance();
+}
+
+DeviationPlace place_of(const Sample& sample) {
+    return {sample.deviation(), sample.point.position, sample.point.face};
+}
+
+/// The peaks of the distance, the largest first: of the whole and of their faces.
+void take_peaks(const std::vector<Sample>& peaks, Deviation& result) {
+    result.worst = place_of(peaks.front());
+    for (const Sample& peak : peaks) {
+        const DeviationPlace there = place_of(peak);
+        DeviationPlace& of_face = result.faces[there.face].worst;
+        if (std::abs(there.value) > std::abs(of_face.value)) of_face = there;
+        if (!peak.foot) continue;
+        result.lowest = std::min(result.lowest, there.value);
+        result.highest = std::max(result.highest, there.value);
+    }
+}
+
 /// Whether the nearest point may as well be that of a neighbouring face, with another normal.
 bool at_border(const SurfaceFeet& other, const Sample& sample) {
     constexpr double there = 1e-3; // mm
@@ -219,16 +242,11 @@ Deviation measure_deviation(const SurfaceFeet& body, const SurfaceFeet& other,
     if (samples.empty()) return result;
     take_sums(samples, options.certainty, result);
     take_percentiles(samples, result);
-    const Sample far = peak(body, other, options.reach, samples, job,
-                            [](const Sample& sample) { return sample.distance(); });
-    result.worst = {far.deviation(), far.point.position, far.point.face};
-    if (far.foot) {
-        result.lowest = std::min(result.lowest, far.deviation());
-        result.highest = std::max(result.highest, far.deviation());
-    }
-    const Sample tilted = peak(body, other, options.reach, samples, job, [&](const Sample& sample) {
+    take_peaks(peaks(body, other, options.reach, samples, job, distance_of), result);
+    const auto tilt = [&](const Sample& sample) {
         return at_border(other, sample) ? 0 : sample.tilt();
-    });
+    };
+    const Sample tilted = peaks(body, other, options.reach, samples, job, tilt).front();
     result.worst_normal = {tilted.tilt(), tilted.point.position, tilted.point.face};
     return result;
 }

@@ -26,7 +26,7 @@ struct DeviationPlace {
 /// How a face of a body lies to the other.
 struct FaceDeviation {
     double area = 0;             ///< mm2, sampled
-    DeviationPlace worst;        ///< the largest of its samples by size, signed
+    DeviationPlace worst;        ///< the largest of its samples and peaks by size, signed
     double root_mean_square = 0; ///< mm, of what is within reach
     double turned = 0;           ///< share of its area with the inside outside
     double beyond = 0;           ///< share of its area from which nothing is within reach

@@ -2,6 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/units.h"
+#include "keiko/film/image_difference.h"
 #include "keiko/math/vec.h"
 
 #include <algorithm>
@@ -17,39 +18,53 @@ std::string size_text(const Image& image) {
     return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
-/// Two values that are equal, infinite ones too, or that are both no numbers, do not differ.
-double distance(float a, float b) {
-    if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
-    const double difference = std::abs(double{a} - double{b});
-    return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
+/// Also of two that are no numbers.
+bool are_alike(float a, float b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-/// A difference and what it is relative to.
+/// How far apart two images of a layer are at each pixel, and the sizes that a relative tolerance
+/// is a share of.
 struct Apart {
-    double distance = 0, size = 0;
+    Image distance, size;
 };
 
-Apart apart_by_channel(const float* a, const float* b, int channels) {
-    Apart apart;
-    for (int c = 0; c < channels; ++c) {
-        apart.distance = std::max(apart.distance, distance(a[c], b[c]));
-        for (const float value : {a[c], b[c]})
-            if (std::isfinite(value)) apart.size = std::max(apart.size, std::abs(double{value}));
+/// OpenImageIO subtracts numbers. Infinities and values that are no numbers become 0 where they are
+/// alike, and infinitely far apart where they are not; pixels to be left out become 0.
+void settle(Image& a, Image& b, const Image& left_out) {
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        float &x = a.values[i], &y = b.values[i];
+        const bool out = left_out.values[i / static_cast<std::size_t>(a.channels)] > 0;
+        if (!out && std::isfinite(x) && std::isfinite(y)) continue;
+        x = out || are_alike(x, y) ? 0 : infinity;
+        y = 0;
+    }
+}
+
+Apart apart_by_channel(Image a, Image b, const Image& left_out) {
+    settle(a, b, left_out);
+    return {largest_difference(a, b), largest_size(a, b)};
+}
+
+Vec3 vector_at(const Image& image, std::size_t pixel) {
+    const float* v = image.values.data() + 3 * pixel;
+    return {v[0], v[1], v[2]};
+}
+
+/// In degrees.
+Apart apart_by_angle(const Image& a, const Image& b, const Image& left_out) {
+    Apart apart{Image(a.width, a.height, 1), Image(a.width, a.height, 1)};
+    for (std::size_t i = 0; i < apart.distance.values.size(); ++i) {
+        if (left_out.values[i] > 0) continue;
+        const double angle = radians_to_degrees(angle_between(vector_at(a, i), vector_at(b, i)));
+        apart.distance.values[i] = std::isnan(angle) ? infinity : static_cast<float>(angle);
     }
     return apart;
 }
 
-Apart apart_by_angle(const float* a, const float* b, int) {
-    const double angle =
-        radians_to_degrees(angle_between(Vec3(a[0], a[1], a[2]), Vec3(b[0], b[1], b[2])));
-    return {std::isnan(angle) ? std::numeric_limits<double>::infinity() : angle, 0};
-}
-
-using Measure = Apart (*)(const float*, const float*, int);
-
 bool covers_alike(float a, float b) {
     constexpr double half_a_sample = 1.0 / 32; // outlines are sampled 4 x 4 times
-    return distance(a, b) <= half_a_sample;
+    return are_alike(a, b) || std::abs(double{a} - double{b}) <= half_a_sample;
 }
 
 class FilmComparison {
@@ -62,7 +77,7 @@ public:
 
     FilmDifference run() && {
         find_flips();
-        layer("color", a_.color, b_.color, tolerance_.color, apart_by_channel);
+        layer("color", apart_by_channel(a_.color, b_.color, flipped_), tolerance_.color);
         aov(Aov::normal, tolerance_.normal, apart_by_angle);
         aov(Aov::uv, tolerance_.uv, apart_by_channel);
         aov(Aov::depth, tolerance_.depth, apart_by_channel);
@@ -94,36 +109,36 @@ private:
         flipped_ = result_.excess;
     }
 
-    void aov(Aov aov, const LayerTolerance& tolerance, Measure measure) {
+    template <class Measure>
+    void aov(Aov aov, const LayerTolerance& tolerance, const Measure& measure) {
         const auto a = a_.aovs.find(aov), b = b_.aovs.find(aov);
         if (a != a_.aovs.end() && b != b_.aovs.end())
-            layer(std::string(name_of(aov)), a->second, b->second, tolerance, measure);
+            layer(std::string(name_of(aov)), measure(a->second, b->second, flipped_), tolerance);
     }
 
-    void layer(const std::string& name, const Image& a, const Image& b,
-               const LayerTolerance& tolerance, Measure measure) {
-        LayerDifference found{.layer = name};
-        double squares = 0;
-        for (int y = 0; y < a.height; ++y)
-            for (int x = 0; x < a.width; ++x) {
-                if (*flipped_.pixel(x, y) > 0) continue;
-                const Apart apart = measure(a.pixel(x, y), b.pixel(x, y), a.channels);
-                const double excess =
-                    apart.distance == 0
-                        ? 0
-                        : apart.distance / (tolerance.absolute + tolerance.relative * apart.size);
-                squares += apart.distance * apart.distance;
-                found.beyond += excess > 1;
-                found.largest = std::max(found.largest, apart.distance);
-                if (excess > found.excess) found.excess = excess, found.x = x, found.y = y;
-                float& most = *result_.excess.pixel(x, y);
-                most = std::max(most, static_cast<float>(excess));
-            }
-        const auto compared = double(result_.compared);
-        found.root_mean_square = compared > 0 ? std::sqrt(squares / compared) : 0;
-        found.within = double(found.beyond) <= tolerance.allowed * compared &&
-                       found.excess <= std::max(1.0, tolerance.hard);
-        result_.layers.push_back(found);
+    void layer(const std::string& name, const Apart& apart, const LayerTolerance& tolerance) {
+        const Image excess =
+            in_tolerances(apart.distance, apart.size, tolerance.absolute, tolerance.relative);
+        const PixelStatistics times = pixel_statistics(excess, 1);
+        const PixelStatistics distances = pixel_statistics(apart.distance, 0);
+        const auto compared = static_cast<double>(result_.compared);
+        const bool few = static_cast<double>(times.above) <= tolerance.allowed * compared;
+        result_.layers.push_back({.layer = name,
+                                  .beyond = times.above,
+                                  .largest = distances.largest,
+                                  .excess = times.largest,
+                                  .root_mean_square = over_the_compared(distances.root_mean_square),
+                                  .x = times.x,
+                                  .y = times.y,
+                                  .within = few && times.largest <= std::max(1.0, tolerance.hard)});
+        result_.excess = larger_of(result_.excess, excess);
+    }
+
+    /// The root mean square over all pixels, of which those left out are 0, as that over the rest.
+    double over_the_compared(double root_mean_square) const {
+        if (result_.compared == 0) return 0;
+        return root_mean_square * std::sqrt(static_cast<double>(result_.pixels) /
+                                            static_cast<double>(result_.compared));
     }
 
     const Film &a_, &b_;

@@ -52,7 +52,9 @@ FixtureDifference fixture_difference(const FixtureRecord& before, const FixtureR
                                      const FixtureSpec& spec) {
     FixtureDifference difference;
     difference.metrics = metric_differences(before.metrics, after.metrics, spec.metric_tolerance);
-    difference.metrics_compared = after.metrics.size();
+    const auto gone = std::count_if(difference.metrics.begin(), difference.metrics.end(),
+                                    [](const MetricDifference& metric) { return !metric.after; });
+    difference.metrics_compared = after.metrics.size() + static_cast<std::size_t>(gone);
     for (const FixturePicture& picture : after.pictures)
         difference.pictures.push_back(picture_difference(picture.view, before.picture(picture.view),
                                                          &picture, spec.film_tolerance));

@@ -36,7 +36,7 @@ struct PictureDifference {
 
 /// How two records of a fixture differ.
 struct FixtureDifference {
-    std::size_t metrics_compared = 0;
+    std::size_t metrics_compared = 0;        ///< of either
     std::vector<MetricDifference> metrics;   ///< those beyond their tolerance
     std::vector<PictureDifference> pictures; ///< every view of either
 

@@ -54,6 +54,7 @@ struct ComparisonCheck {
     std::string name; ///< "deviation", "seams", "front: lines"
     bool within = true;
     std::string message; ///< one sentence, whether within or not
+    bool judged = true;  ///< false: there was nothing to hold it against; nor is it within
 };
 
 /// Everything that is judged but the pictures: those tell for themselves.

@@ -1,3 +1,4 @@
+#include "keiko/base/counted.h"
 #include "keiko/report/comparison.h"
 #include "keiko/report/comparison_words.h"
 #include "keiko/report/html_text.h"
@@ -8,8 +9,6 @@
 namespace keiko {
 namespace {
 
-constexpr double nothing = 1e-9; // mm: roundings
-
 ComparisonCheck surface_check(const char* name, const std::string& what, const Deviation& d,
                               double tolerance) {
     const bool within = std::abs(d.worst.value) <= tolerance;
@@ -18,7 +17,18 @@ ComparisonCheck surface_check(const char* name, const std::string& what, const D
                 place_text(d.worst.place) + "; " + short_number(tolerance) + " mm allowed"};
 }
 
+/// Whether no place of either body has any of the other within reach.
+bool are_apart(const Comparison& c) {
+    return c.deviation.beyond >= 1 && c.missing.beyond >= 1;
+}
+
 ComparisonCheck normals_check(const Comparison& c) {
+    if (are_apart(c))
+        return {.name = "normals",
+                .within = false,
+                .message = "normals cannot be compared: nothing of one part lies within " +
+                           short_number(c.deviation.reach) + " mm of the other",
+                .judged = false};
     const DeviationPlace &a = c.deviation.worst_normal, &b = c.missing.worst_normal;
     const DeviationPlace& worst = a.value >= b.value ? a : b;
     return {"normals", worst.value <= c.tolerance.normal,
@@ -38,7 +48,7 @@ ComparisonCheck faces_check(const Comparison& c) {
     const std::size_t gone = faces_gone(c).size(), fresh = faces_new(c).size(),
                       turned = faces_turned(c).size();
     return {"faces", gone + fresh + turned == 0,
-            std::to_string(gone) + " faces gone, " + std::to_string(fresh) + " new, " +
+            counted(gone, "face") + " gone, " + std::to_string(fresh) + " new, " +
                 std::to_string(turned) + " turned inside out; " +
                 std::to_string(c.faces_before.size()) + " before, " +
                 std::to_string(c.faces_after.size()) + " after"};
@@ -52,7 +62,7 @@ ComparisonCheck seams_check(const Comparison& c) {
     }
     const std::size_t other = c.seams.changed.size() - better - worse;
     return {"seams", c.seams.changed.empty() && c.seams.removed.empty() && c.seams.added.empty(),
-            std::to_string(worse) + " seams worse, " + std::to_string(better) + " better, " +
+            counted(worse, "seam") + " worse, " + std::to_string(better) + " better, " +
                 std::to_string(other) + " otherwise changed, " +
                 std::to_string(c.seams.removed.size()) + " gone, " +
                 std::to_string(c.seams.added.size()) + " new; " + std::to_string(c.seams.matched) +
@@ -62,47 +72,35 @@ ComparisonCheck seams_check(const Comparison& c) {
 ComparisonCheck findings_check(const Comparison& c) {
     const std::size_t fresh = c.seams.new_findings.size(), fixed = c.seams.solved_findings.size();
     return {"findings", fresh + fixed == 0,
-            std::to_string(fresh) + " findings new, " + std::to_string(fixed) + " fixed, " +
+            counted(fresh, "finding") + " new, " + std::to_string(fixed) + " fixed, " +
                 std::to_string(c.seams.same_findings.size()) + " the same"};
 }
 
-ComparisonCheck lines_check(const ComparedView& view, const BodyTolerance& tolerance) {
+/// "reflection lines moved by at most 0.2 mm on the part, 0.1 allowed"
+std::string movement(const ComparedView& view, const BodyTolerance& tolerance) {
     double largest = 0;
+    bool paired = false;
     for (const auto* lines : {&view.lines, &view.after_lines})
-        for (const LineShift& line : *lines) largest = std::max(largest, line.largest);
+        for (const LineShift& line : *lines) {
+            largest = std::max(largest, line.largest);
+            paired = paired || line.alone < line.length;
+        }
+    if (!paired) return "no reflection line lies near one of the other part";
+    return "reflection lines moved by at most " + short_number(largest) + " mm on the part, " +
+           short_number(tolerance.line) + " allowed";
+}
+
+ComparisonCheck lines_check(const ComparedView& view, const BodyTolerance& tolerance) {
     const auto alone = [](const std::vector<LineShift>& lines) {
         return std::to_string(std::count_if(lines.begin(), lines.end(), is_alone));
     };
     return {view.picture.view + ": lines", lines_within(view, tolerance),
-            "reflection lines moved by at most " + short_number(largest) + " mm on the part, " +
-                short_number(tolerance.line) + " allowed; of " + std::to_string(view.lines.size()) +
-                " lines " + alone(view.lines) + " gone or shorter, " + alone(view.after_lines) +
+            movement(view, tolerance) + "; of " + counted(view.lines.size(), "line") + " " +
+                alone(view.lines) + " gone or shorter, " + alone(view.after_lines) +
                 " new or longer"};
 }
 
 } // namespace
-
-std::string distance_words(double value, double reach) {
-    if (std::isinf(value)) return "further than " + short_number(reach) + " mm";
-    return (std::abs(value) < nothing ? "< 1e-9" : short_number(value)) + std::string(" mm");
-}
-
-std::string at_most(double value, double reach) {
-    const bool in_words = std::isinf(value) || std::abs(value) < nothing;
-    return (in_words ? "" : "at most ") + distance_words(std::abs(value), reach);
-}
-
-std::string picture_words(const PictureOutcome& picture) {
-    if (!picture.problem.empty()) return picture.problem;
-    if (picture.within()) return "the same within tolerance";
-    std::string text = std::to_string(picture.coverage_flips) + " pixels of the outline, " +
-                       std::to_string(picture.face_flips) + " of another face";
-    for (const LayerDifference& layer : picture.layers)
-        if (!layer.within)
-            text += "; " + layer.layer + " beyond its tolerance in " +
-                    std::to_string(layer.beyond) + " pixels";
-    return text;
-}
 
 std::vector<ComparisonCheck> comparison_checks(const Comparison& c) {
     std::vector<ComparisonCheck> checks{

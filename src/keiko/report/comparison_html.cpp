@@ -1,5 +1,6 @@
 #include "keiko/report/base64.h"
 #include "keiko/report/comparison_tables.h"
+#include "keiko/report/comparison_words.h"
 #include "keiko/report/html_page.h"
 #include "keiko/report/html_text.h"
 #include "keiko/report/picture_slider.h"
@@ -48,13 +49,7 @@ std::string section(const std::string& title, const std::string& content) {
 
 std::string alignment(const Comparison& c) {
     if (!c.alignment) return "";
-    const Alignment& a = *c.alignment;
-    return "<p>The part after was turned by " + short_number(a.angle, 6) + "° about (" +
-           short_number(a.axis.x, 4) + ", " + short_number(a.axis.y, 4) + ", " +
-           short_number(a.axis.z, 4) + "), its centre shifted by (" + short_number(a.shift.x, 6) +
-           ", " + short_number(a.shift.y, 6) + ", " + short_number(a.shift.z, 6) +
-           ") mm; root mean square distance left " + short_number(a.residual) + " mm" +
-           (a.converged ? "" : "; not converged") + ".</p>";
+    return "<p>The part after was " + html_escaped(alignment_words(*c.alignment)) + ".</p>";
 }
 
 std::string_view png(const Comparison& c, const std::string& name) {

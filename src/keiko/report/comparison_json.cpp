@@ -32,7 +32,7 @@ Json face_json(const FaceDeviation& face, const std::string& name,
             {"area", face.area},
             {"worst", real_json(face.worst.value)},
             {"place", point(face.worst.place)},
-            {"root_mean_square", face.root_mean_square},
+            {"root_mean_square", face.beyond < 1 ? Json(face.root_mean_square) : Json()},
             {"beyond", face.beyond},
             {"beside", face.beside},
             {"turned", face.turned},
@@ -41,14 +41,15 @@ Json face_json(const FaceDeviation& face, const std::string& name,
 
 Json deviation_json(const Deviation& d, const std::vector<std::string>& faces,
                     const std::vector<std::string>& others) {
+    const auto near = [&](double value) { return d.beyond < 1 ? Json(value) : Json(); };
     Json json = {{"samples", d.samples},
                  {"area", d.area},
                  {"reach", real_json(d.reach)},
                  {"beyond", d.beyond},
-                 {"mean", d.mean},
-                 {"root_mean_square", d.root_mean_square},
-                 {"lowest", d.lowest},
-                 {"highest", d.highest},
+                 {"mean", near(d.mean)},
+                 {"root_mean_square", near(d.root_mean_square)},
+                 {"lowest", near(d.lowest)},
+                 {"highest", near(d.highest)},
                  {"percentiles",
                   {{"50", real_json(d.median)},
                    {"90", real_json(d.percent_90)},
@@ -135,8 +136,10 @@ Json view_json(const ComparedView& view, const BodyTolerance& tolerance) {
 Json checks_json(const Comparison& c) {
     Json json = Json::array();
     for (const ComparisonCheck& check : comparison_checks(c))
-        json.push_back(
-            {{"name", check.name}, {"within", check.within}, {"message", check.message}});
+        json.push_back({{"name", check.name},
+                        {"within", check.within},
+                        {"judged", check.judged},
+                        {"message", check.message}});
     return json;
 }
 

@@ -19,17 +19,20 @@ std::string row(const std::string& tone, const std::string& cells) {
     return "<tr class=\"" + tone + "\">" + cells + "</tr>";
 }
 
+/// Where there is no number.
+const std::string none = "–";
+
 std::string number(const std::optional<double>& value, double scale = 1) {
-    return value ? short_number(*value * scale) : "–";
+    return value ? short_number(*value * scale) : none;
 }
 
 std::string percentile_row(const std::string& name, const Deviation& d) {
     std::string cells = html_text_cell(name, true);
     for (const double value : {d.median, d.percent_90, d.percent_99, d.percent_99_9, d.worst.value})
         cells += html_text_cell(distance_words(value, d.reach));
-    return "<tr>" + cells + html_text_cell(short_number(d.mean)) +
-           html_text_cell(short_number(d.root_mean_square)) +
-           html_text_cell(short_number(100 * d.beyond)) +
+    const auto near = [&](double value) { return d.beyond < 1 ? short_number(value) : none; };
+    return "<tr>" + cells + html_text_cell(near(d.mean)) +
+           html_text_cell(near(d.root_mean_square)) + html_text_cell(short_number(100 * d.beyond)) +
            html_text_cell(short_number(100 * d.uncertain_share)) + "</tr>";
 }
 
@@ -53,12 +56,13 @@ std::string place_rows(const std::string& side, const Deviation& d,
     std::string rows;
     for (const std::size_t f : worst_faces(d, tolerance, most)) {
         const FaceDeviation& face = d.faces[f];
-        const std::string partner = face.partner == no_index ? "–" : others[face.partner];
+        const std::string partner = face.partner == no_index ? none : others[face.partner];
         rows += row("fail", html_text_cell(side, true) + html_text_cell(names[f], true) +
                                 html_text_cell(face.alone() ? "none" : partner, true) +
                                 tone_cell(distance_words(face.worst.value, d.reach)) +
                                 html_text_cell(place_text(face.worst.place)) +
-                                html_text_cell(short_number(face.root_mean_square)));
+                                html_text_cell(face.beyond < 1 ? short_number(face.root_mean_square)
+                                                               : none));
     }
     return rows;
 }
@@ -87,7 +91,7 @@ std::string lone_rows(const Inspection& inspection, const std::vector<std::uint3
         rows += row("undecided",
                     tone_cell(word) + html_text_cell(seam.faces, true) +
                         html_text_cell(short_number(seam.gap.value)) +
-                        html_text_cell(seam.angle ? short_number(seam.angle->value) : "–") +
+                        html_text_cell(seam.angle ? short_number(seam.angle->value) : none) +
                         html_text_cell("") + html_text_cell(std::string(name_of(seam.verdict))) +
                         html_text_cell(place_text(seam.middle)));
     }
@@ -122,20 +126,21 @@ std::string line_rows(const std::vector<LineShift>& lines, const std::string& si
     return rows;
 }
 
+std::string check_row(const ComparisonCheck& check) {
+    const std::string tone = !check.judged ? "undecided" : check.within ? "pass" : "fail";
+    const std::string word = !check.judged ? "not judged" : check.within ? "within" : "beyond";
+    return row(tone, html_text_cell(check.name, true) + tone_cell(word) +
+                         html_text_cell(check.message, true));
+}
+
 } // namespace
 
 std::string html_checks(const Comparison& c) {
     std::string rows;
-    for (const ComparisonCheck& check : comparison_checks(c))
-        rows +=
-            row(check.within ? "pass" : "fail", html_text_cell(check.name, true) +
-                                                    tone_cell(check.within ? "within" : "beyond") +
-                                                    html_text_cell(check.message, true));
+    for (const ComparisonCheck& check : comparison_checks(c)) rows += check_row(check);
     for (const ComparedView& view : c.views)
-        rows += row(view.picture.within() ? "pass" : "fail",
-                    html_text_cell(view.picture.view + ": pictures", true) +
-                        tone_cell(view.picture.within() ? "within" : "beyond") +
-                        html_text_cell(picture_words(view.picture), true));
+        rows += check_row(
+            {view.picture.view + ": pictures", view.picture.within(), picture_words(view.picture)});
     return html_plain_table({"<check", "", "<"}, rows);
 }
 

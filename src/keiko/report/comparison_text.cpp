@@ -11,15 +11,6 @@ std::string place(const Vec3& p) {
     return "(" + place_text(p) + ")";
 }
 
-std::string alignment_text(const Alignment& a) {
-    return "aligned: turned by " + short_number(a.angle, 6) + " degrees about (" +
-           short_number(a.axis.x, 6) + ", " + short_number(a.axis.y, 6) + ", " +
-           short_number(a.axis.z, 6) + "), its centre shifted by (" + short_number(a.shift.x, 6) +
-           ", " + short_number(a.shift.y, 6) + ", " + short_number(a.shift.z, 6) +
-           ") mm; root mean square distance left " + short_number(a.residual) + " mm" +
-           (a.converged ? "" : "; not converged") + "\n";
-}
-
 std::string share_text(const std::string& share, double value, const Deviation& d) {
     if (std::isinf(value)) return "less than " + share + " within " + short_number(d.reach) + " mm";
     return share + " within " + distance_words(value, d.reach);
@@ -35,6 +26,11 @@ std::string deviation_text(const std::string& what, const Deviation& d) {
     if (d.uncertain_share > 0)
         text += "; not proved on " + short_number(100 * d.uncertain_share) + " % of the area";
     return text + "\n";
+}
+
+std::string mark_of(const ComparisonCheck& check) {
+    if (!check.judged) return "? ";
+    return check.within ? "  " : "! ";
 }
 
 /// "face 1 (left) and face 2 (right)"
@@ -88,12 +84,12 @@ std::string faces_text(const Comparison& c) {
 
 std::string comparison_text(const Comparison& c) {
     std::string text = c.same() ? "same within tolerance\n" : "different\n";
-    if (c.alignment) text += alignment_text(*c.alignment);
+    if (c.alignment) text += "aligned: " + alignment_words(*c.alignment) + "\n";
     text += deviation_text("deviation of " + c.after, c.deviation);
     text += deviation_text("deviation of " + c.before + " from it", c.missing);
     for (const ComparisonCheck& check : comparison_checks(c))
         if (check.name != "deviation" && check.name != "missing")
-            text += (check.within ? "  " : "! ") + check.message + "\n";
+            text += mark_of(check) + check.message + "\n";
     for (const ComparedView& view : c.views)
         text += (view.picture.within() ? "  " : "! ") + view.picture.view +
                 ": pictures: " + picture_words(view.picture) + "\n";

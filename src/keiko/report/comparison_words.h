@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/compare/alignment.h"
 #include "keiko/report/picture_outcome.h"
 
 #include <string>
@@ -12,5 +13,7 @@ std::string distance_words(double value, double reach);
 std::string at_most(double value, double reach);
 /// How the pictures of a view differ.
 std::string picture_words(const PictureOutcome& picture);
+/// "turned by 0.25 degrees about (0, 0, 1), its centre shifted by (3, -2, 1) mm; ..."
+std::string alignment_words(const Alignment& alignment);
 
 } // namespace keiko

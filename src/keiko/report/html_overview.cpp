@@ -90,8 +90,12 @@ std::string html_coverage(const Report& report) {
     std::string html = "<section><h2>Coverage</h2><div class=\"card coverage\"><b>" +
                        percent(share) + "</b> of the surface in view mirrors the lamps of " +
                        html_escaped(coverage.rig) + html_bar(share);
-    if (coverage.unreached.empty())
+    if (share >= 1)
         html += "<div class=\"soft\">Nothing was left out.</div>";
+    else if (coverage.unreached.empty())
+        html += "<div class=\"soft\">The other " + percent(1 - share) +
+                " are on faces of which more than half is reached, or of less than 0.5 % of the "
+                "pictures.</div>";
     else
         html += "<p class=\"soft\">Not reached, so not judged by reflections:</p><ul>";
     for (const std::string& name : coverage.unreached)

@@ -1,14 +1,20 @@
 #include "keiko/report/junit.h"
 
 #include "keiko/report/check_place.h"
-#include "keiko/report/junit_suites.h"
 
 namespace keiko {
 namespace {
 
 using Outcome = JunitCase::Outcome;
 
-JunitCase case_of(const std::string& source, const Check& check) {
+JunitCase case_of(const std::string& source, const LostFace& face) {
+    return {source, "face " + std::to_string(face.id) + ": read", Outcome::error, face.reason, "",
+            "lost"};
+}
+
+} // namespace
+
+JunitCase check_case(const std::string& source, const Check& check) {
     JunitCase one{source, subject_of(check) + ": " + check.quantity};
     if (!check.judged) {
         one.outcome = Outcome::skipped, one.message = check.message;
@@ -19,13 +25,6 @@ JunitCase case_of(const std::string& source, const Check& check) {
     return one;
 }
 
-JunitCase case_of(const std::string& source, const LostFace& face) {
-    return {source, "face " + std::to_string(face.id) + ": read", Outcome::error, face.reason, "",
-            "lost"};
-}
-
-} // namespace
-
 std::string junit_xml(const Inspection& inspection) {
     const std::string& source = inspection.facts.source;
     JunitSuite suite{source,
@@ -35,7 +34,7 @@ std::string junit_xml(const Inspection& inspection) {
                       {"verdict", std::string(name_of(inspection.verdict))}}};
     for (const LostFace& face : inspection.facts.lost_faces)
         suite.cases.push_back(case_of(source, face));
-    for (const Check& check : inspection.checks) suite.cases.push_back(case_of(source, check));
+    for (const Check& check : inspection.checks) suite.cases.push_back(check_case(source, check));
     return junit_xml(std::vector{std::move(suite)});
 }
 

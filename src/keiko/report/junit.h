@@ -1,10 +1,14 @@
 #pragma once
 
 #include "keiko/inspect/inspection.h"
+#include "keiko/report/junit_suites.h"
 
 #include <string>
 
 namespace keiko {
+
+/// What a check came to, of the file that it was made on.
+JunitCase check_case(const std::string& source, const Check& check);
 
 /// An inspection for build servers, as JUnit XML (the schema of the xUnit plugin of Jenkins,
 /// junit-10.xsd): one suite, one case a seam and criterion. A limit that is passed over is a

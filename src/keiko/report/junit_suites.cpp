@@ -62,6 +62,13 @@ std::string suite_xml(const JunitSuite& suite) {
 
 } // namespace
 
+JunitCase judged_case(std::string class_name, std::string name, bool within,
+                      const std::string& message) {
+    JunitCase one{std::move(class_name), std::move(name)};
+    if (!within) one.outcome = Outcome::failure, one.message = message;
+    return one;
+}
+
 std::string junit_xml(const std::vector<JunitSuite>& suites) {
     Counts counts;
     std::string body;

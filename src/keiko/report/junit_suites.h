@@ -16,6 +16,10 @@ struct JunitCase {
     std::string type{};    ///< of a failure or an error: a code, or empty
 };
 
+/// A case that passes, or fails with a message.
+JunitCase judged_case(std::string class_name, std::string name, bool within,
+                      const std::string& message);
+
 struct JunitSuite {
     std::string name;
     std::vector<JunitCase> cases{};

@@ -1,5 +1,6 @@
 #include "keiko/report/picture_outcome.h"
 
+#include "keiko/base/counted.h"
 #include "keiko/report/html_text.h"
 #include "keiko/report/plain_table.h"
 
@@ -8,8 +9,6 @@
 
 namespace keiko {
 namespace {
-
-using Outcome = JunitCase::Outcome;
 
 std::string layer_row(const LayerDifference& layer) {
     const std::string tone = layer.within ? "pass" : "fail";
@@ -26,25 +25,16 @@ std::string number(double value) {
     return std::isfinite(value) ? short_number(value, 4) : "infinite";
 }
 
-JunitCase flips_case(const PictureOutcome& picture, const std::string& class_name) {
-    JunitCase one{class_name, picture.view + ": silhouette"};
-    if (picture.flips_within) return one;
-    one.outcome = Outcome::failure;
-    one.message = std::to_string(picture.coverage_flips) + " pixels where the outline moved, " +
-                  std::to_string(picture.face_flips) + " with another face, of " +
-                  std::to_string(picture.pixels);
-    return one;
+std::string flips_text(const PictureOutcome& picture) {
+    return counted(picture.coverage_flips, "pixel") + " where the outline moved, " +
+           std::to_string(picture.face_flips) + " with another face, of " +
+           std::to_string(picture.pixels);
 }
 
-JunitCase layer_case(const PictureOutcome& picture, const LayerDifference& layer,
-                     const std::string& class_name) {
-    JunitCase one{class_name, picture.view + ": " + layer.layer};
-    if (layer.within) return one;
-    one.outcome = Outcome::failure;
-    one.message = std::to_string(layer.beyond) + " pixels beyond the tolerance; the worst, (" +
-                  std::to_string(layer.x) + ", " + std::to_string(layer.y) + "), " +
-                  number(layer.excess) + " times; largest difference " + number(layer.largest);
-    return one;
+std::string layer_text(const LayerDifference& layer) {
+    return counted(layer.beyond, "pixel") + " beyond the tolerance; the worst, (" +
+           std::to_string(layer.x) + ", " + std::to_string(layer.y) + "), " + number(layer.excess) +
+           " times; largest difference " + number(layer.largest);
 }
 
 } // namespace
@@ -65,7 +55,7 @@ bool PictureOutcome::within() const {
 std::string html_layers(const PictureOutcome& picture) {
     std::string rows;
     for (const LayerDifference& layer : picture.layers) rows += layer_row(layer);
-    return "<p class=\"small soft\">" + std::to_string(picture.pixels) + " pixels; " +
+    return "<p class=\"small soft\">" + counted(picture.pixels, "pixel") + "; " +
            std::to_string(picture.coverage_flips) + " where the outline moved, " +
            std::to_string(picture.face_flips) + " others with another face" +
            (picture.flips_within ? "" : ": too many") + "</p>" +
@@ -76,13 +66,13 @@ std::string html_layers(const PictureOutcome& picture) {
 
 void add_picture_cases(const PictureOutcome& picture, const std::string& class_name,
                        JunitSuite& suite) {
-    if (!picture.problem.empty()) {
-        suite.cases.push_back({class_name, picture.view, Outcome::failure, picture.problem});
-        return;
-    }
-    suite.cases.push_back(flips_case(picture, class_name));
+    const auto add = [&](const std::string& what, bool within, const std::string& message) {
+        suite.cases.push_back(judged_case(class_name, picture.view + what, within, message));
+    };
+    if (!picture.problem.empty()) return add("", false, picture.problem);
+    add(": silhouette", picture.flips_within, flips_text(picture));
     for (const LayerDifference& layer : picture.layers)
-        suite.cases.push_back(layer_case(picture, layer, class_name));
+        add(": " + layer.layer, layer.within, layer_text(layer));
 }
 
 } // namespace keiko

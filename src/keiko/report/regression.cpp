@@ -1,5 +1,7 @@
 #include "keiko/report/regression.h"
 
+#include "keiko/base/counted.h"
+
 #include <algorithm>
 
 namespace keiko {
@@ -22,7 +24,7 @@ FixtureState Regression::state() const {
 }
 
 std::string summary_of(const Regression& regression) {
-    std::string text = std::to_string(regression.fixtures.size()) + " fixtures";
+    std::string text = counted(regression.fixtures.size(), "fixture");
     for (const FixtureState state : every_fixture_state)
         text += ", " + std::to_string(regression.count(state)) + " " + std::string(name_of(state));
     return text;

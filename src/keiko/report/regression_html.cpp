@@ -1,3 +1,4 @@
+#include "keiko/base/counted.h"
 #include "keiko/report/html_page.h"
 #include "keiko/report/html_text.h"
 #include "keiko/report/picture_slider.h"
@@ -23,7 +24,7 @@ std::string head(const Regression& regression) {
     std::string html = "<header class=\"card head " + tone_of(regression.state()) +
                        "\"><div class=\"verdict\">" + verdict +
                        "</div><div class=\"names\"><h1>Regression of " +
-                       std::to_string(regression.fixtures.size()) + " fixtures</h1>";
+                       counted(regression.fixtures.size(), "fixture") + "</h1>";
     if (regression.shards > 1)
         html += "<div class=\"soft\">shard " + std::to_string(regression.shard) + " of " +
                 std::to_string(regression.shards) + "</div>";

@@ -28,10 +28,11 @@ JunitSuite suite_of(const FixtureOutcome& fixture) {
         return suite;
     }
     if (fixture.state == FixtureState::missing) {
-        suite.cases.push_back({fixture.name, "baseline", Outcome::failure,
-                               "there is no baseline; look at the candidate, then accept it with "
-                               "--update " +
-                                   fixture.name});
+        suite.cases.push_back(
+            judged_case(fixture.name, "baseline", false,
+                        "there is no baseline; look at the candidate, then accept it with "
+                        "--update " +
+                            fixture.name));
         return suite;
     }
     for (const std::string& check : fixture.checks)

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "keiko/base/output_folder.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/report/line_list.h"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,8 +56,7 @@ Verdict verdict_of(const Report& report);
 /// How many seams count as the worst ones, which pictures number and the first screen shows.
 constexpr std::size_t worst_seam_count = 5;
 
-/// Writes report.html (self-contained), report.json and the pictures into the folder, which is
-/// made where it is missing; each file atomically. Throws Error when it cannot be written.
-void write_report(const std::filesystem::path& folder, const Report& report);
+/// report.html (self-contained), report.json and the pictures.
+FolderContent report_files(const Report& report);
 
 } // namespace keiko

@@ -57,6 +57,13 @@ TEST(Deviation, IsTheOffsetOfAParallelPlane) {
     EXPECT_EQ(back.uncertain_share, 0); // it ends where its patch ends: nothing is trimmed away
 }
 
+TEST(Deviation, TheWorstPlaceOfAllIsThatOfItsFace) {
+    const Deviation moved = between(sheet(3), sheet());
+    EXPECT_GT(moved.worst.value, 0.5);
+    EXPECT_EQ(moved.worst.value, moved.faces[moved.worst.face].worst.value);
+    EXPECT_EQ(moved.worst.place, moved.faces[moved.worst.face].worst.place);
+}
+
 TEST(Deviation, FindsThePeakOfAMovedControlPoint) {
     // The largest B1(u) B1(v) of degree 3 is (4/9)^2, at (1/3, 1/3).
     for (const double change : {1e-3, 1e-2, 1e-1}) {

@@ -282,29 +282,12 @@ TEST(ReportHtml, LeavesOutWhatThereIsNot) {
     EXPECT_NE(html.find("<header class=\"card head pass\">"), std::string::npos);
 }
 
-TEST(WriteReport, WritesEveryFileAndTheSameBytesAgain) {
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "keiko-report" / "deep";
-    std::filesystem::remove_all(folder);
-    write_report(folder, report());
-    const std::string html = read_file(folder / "report.html");
-    const std::string json = read_file(folder / "report.json");
-    EXPECT_EQ(read_file(folder / "front.png"), "not really a PNG");
-    EXPECT_TRUE(std::filesystem::exists(folder / "seam-1.png"));
-    write_report(folder, report());
-    EXPECT_EQ(read_file(folder / "report.html"), html);
-    EXPECT_EQ(read_file(folder / "report.json"), json);
-    std::filesystem::remove_all(folder.parent_path());
-}
-
-TEST(WriteReport, NamesTheFolderItCannotMake) {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "keiko-in-way";
-    write_report(file.parent_path() / "keiko-ok", Report{});
-    std::filesystem::copy_file(file.parent_path() / "keiko-ok" / "report.json", file,
-                               std::filesystem::copy_options::overwrite_existing);
-    EXPECT_THROW(write_report(file / "sub", Report{}), Error);
-    std::filesystem::remove_all(file);
-    std::filesystem::remove_all(file.parent_path() / "keiko-ok");
+TEST(ReportFiles, AreAllOfItAndTheSameBytesAgain) {
+    const FolderContent files = report_files(report());
+    EXPECT_EQ(files.at("front.png"), "not really a PNG");
+    EXPECT_TRUE(files.contains("seam-1.png"));
+    EXPECT_EQ(files.at("report.html"), report_html(report()));
+    EXPECT_EQ(report_files(report()), files);
 }
 
 } // namespace

@@ -38,6 +38,20 @@ std::string name_of(const TDF_Label& label) {
     return label.FindAttribute(TDataStd_Name::GetID(), name) ? utf8(name->Get()) : "";
 }
 
+/// Many programs leave an occurrence of STEP without a name; what OpenCASCADE calls it then is its
+/// number in the file.
+bool is_number(const std::string& name) {
+    return !name.empty() &&
+           std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// What a component is called: as it says itself, or else as the product that it places.
+std::string name_of(const TDF_Label& component, const TDF_Label& product) {
+    const std::string own = name_of(component), of_product = name_of(product);
+    const bool says_nothing = own.empty() || (is_number(own) && !of_product.empty());
+    return says_nothing ? of_product : own;
+}
+
 struct SameShape {
     std::size_t operator()(const TopoDS_Shape& s) const {
         return static_cast<std::size_t>(s.HashCode(2147483647));
@@ -128,8 +142,7 @@ private:
             TDF_Label referred;
             XCAFDoc_ShapeTool::GetReferredShape(label, referred);
             const Affine here = affine(XCAFDoc_ShapeTool::GetLocation(label).Transformation());
-            const std::string own = name_of(label);
-            place(referred, {}, above * here * correction, own.empty() ? name_of(referred) : own,
+            place(referred, {}, above * here * correction, name_of(label, referred),
                   merged(own_attributes(label), inherited));
         } else if (XCAFDoc_ShapeTool::IsAssembly(label)) {
             place_components(label, above * correction, merged(own_attributes(label), inherited));

@@ -1,0 +1,16 @@
+#include "keiko/choose_lights.h"
+
+namespace keiko {
+
+ChosenLights choose_lights(const Scene& scene, const std::optional<std::filesystem::path>& rig,
+                           std::span<const NamedView> views, const PlacementOptions& options,
+                           const Job& job) {
+    if (rig) return {read_rig(*rig)};
+    if (scene.rig) return {*scene.rig};
+    std::vector<Camera> cameras;
+    for (const NamedView& view : views) cameras.push_back(view.camera);
+    Placement placement = place_lamps(scene.tracer, scene.model, cameras, options, job);
+    return {placement.rig, std::move(placement)};
+}
+
+} // namespace keiko

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "keiko/film/film.h"
+
+#include <cstddef>
+
+namespace keiko {
+
+// Arithmetic of images by OpenImageIO, on the calling thread alone. Images must be of one size.
+
+/// 1 channel: |a - b| of the channel that differs most. Neither image may hold NaNs.
+Image largest_difference(const Image& a, const Image& b);
+
+/// 1 channel: the size of the largest value of a or b in any channel; infinity counts as the
+/// largest float.
+Image largest_size(const Image& a, const Image& b);
+
+/// How many times `absolute + relative * size` a distance is (1 channel each); a tolerance of 0
+/// counts as the least float. 0 for no distance, infinity for an infinite one.
+Image in_tolerances(const Image& distance, const Image& size, double absolute, double relative);
+
+/// The larger of both at each pixel.
+Image larger_of(const Image& a, const Image& b);
+
+/// What the pixels of a channel of numbers >= 0 come to.
+struct PixelStatistics {
+    double largest = 0;
+    int x = 0, y = 0;            ///< of the largest, the first of equals by rows
+    double root_mean_square = 0; ///< infinity where a pixel is
+    std::size_t above = 0;       ///< pixels above the limit
+};
+PixelStatistics pixel_statistics(const Image& channel, double limit);
+
+} // namespace keiko
