@@ -90,6 +90,15 @@ class Compare(KeikoTest):
         self.assertIn("further than 30 mm", run.stdout)
         self.assertIn("face gone: ", run.stdout)
         self.assertIn("face new: ", run.stdout)
+        self.assertIn("? normals cannot be compared: nothing of one part lies within 30 mm", run.stdout)
+        self.assertNotIn("at most 0 ", run.stdout)
+
+    def test_a_number_of_one_has_no_plural(self):
+        step = StepText(surface("seam-g1-only.step"))
+        step.drop_face(step.faces()[1])
+        step.write(self.folder / "less.step")
+        run = self.keiko(*FEW, surface("seam-g1-only.step"), "less.step")
+        self.assertIn("! 1 face gone, 0 new", run.stdout)
 
     def test_a_dropped_face_is_told_by_name(self):
         step = StepText(surface("seam-g1-only.step"))
@@ -160,6 +169,29 @@ class Reports(KeikoTest):
             self.assertIn(part, page.text)
         self.assertLess(page.text.index("different"), page.text.index("Checks"))
 
+    def test_a_page_may_end_in_htm(self):
+        self.compare(self.moved(0.5), "-o", "page.HTM", *VIEW)
+        self.assertEqual(self.content(), ["moved.step", "page.HTM"])
+
+    def test_an_input_is_not_written_over(self):
+        shutil.copy(surface("seam-g1-only.step"), self.folder / "copy.step")
+        run = self.keiko(*FEW, surface("seam-g1-only.step"), "copy.step", "--json", "./copy.step")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertIn("./copy.step: is an input as well", run.stderr)
+        self.assertTrue((self.folder / "copy.step").read_text().startswith("ISO-10303-21"))
+
+    def test_nothing_is_written_where_one_of_the_outputs_cannot_be(self):
+        # The name fits, that of the temporary beside it does not.
+        run = self.keiko(*FEW, surface("seam-g1-only.step"), self.moved(0.5), "-o", "out", "--json", "a.json",
+                         "--junit", "j" * 250 + ".xml", *VIEW)
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertIn("File name too long", run.stderr)
+        self.assertEqual(self.content(), ["moved.step"])
+
+    def test_progress_is_silent_for_a_while_where_there_is_no_terminal(self):
+        run = self.keiko("compare", "--samples", "500", surface("seam-g1-only.step"), self.moved(0.5))
+        self.assertEqual(run.stderr, "")
+
     def test_a_folder_gets_page_numbers_pictures_and_lamps(self):
         self.compare(self.moved(0.5), "-o", "out", *VIEW)
         self.assertEqual([p for p in self.content() if p.startswith("out/")],
@@ -215,6 +247,9 @@ class Reports(KeikoTest):
         part = surface("seam-g1-only.step")
         for arguments, reason in ((("-o", "nowhere/page.html"), "there is no folder"),
                                   (("--json", "nowhere/a.json"), "there is no folder"),
+                                  (("--json", "a", "--junit", "./a"), "./a: is named for two outputs"),
+                                  (("-o", "a.html", "--json", "a.html"), "is named for two outputs"),
+                                  (("-o", "out", "--json", "out/compare.json"), "for two outputs"),
                                   (("--view", "sideways", "-o", "out"), "sideways"),
                                   (("--size", "0x9", "-o", "out"), "--size"),
                                   (("--rig", "none.toml"), "none.toml")):

@@ -2,7 +2,7 @@
 
 Everything of 10 um or 0.02 degrees and above must be caught, and nothing else. KEIKO_TABLE=1 prints
 the table of docs/regression.md; KEIKO_LONG=1 asks `keiko compare` as well, and takes the real panels of
-../shared/models where they are.
+../shared/models where they are: some minutes.
 """
 import json
 import os
@@ -56,7 +56,12 @@ PARTS = {
 
 LONG = bool(os.environ.get("KEIKO_LONG"))
 SHARED = SOURCE.parent / "shared" / "models"
-PANELS = "car-hood.brep", "car-rear-deck-half-panel.brep", "car-front-fender.brep"
+# Where lamps begin over each.
+PANELS = {"car-hood.brep": -1730, "car-front-fender.brep": -1625, "car-rear-deck-half-panel.brep": 1306}
+PANEL_CHANGES = [
+    *POINT,
+    ("tangents at a border turned by 0.02 degrees", lambda step: step.tilt_at_end(step.faces()[0], 0.02)),
+    *FACES]
 
 
 def reexport(before, after):
@@ -78,15 +83,15 @@ class Mutations(KeikoTest):
                 caught.add("silhouette")
         return [check for check in CHECKS if check in caught]
 
-    def prepare(self, part: str):
+    def prepare(self, source, x: float = -1500):
         (self.folder / "part.toml").write_text(FIXTURE)
-        (self.folder / "rig.toml").write_text(RIG.format(x=-900 if part == "hood" else -1500))
-        StepText(surface(f"{part}.step")).write(self.folder / "part.step")
+        (self.folder / "rig.toml").write_text(RIG.format(x=x))
+        StepText(source).write(self.folder / "part.step")
         run = self.regress("--update", "part")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 
-    def mutate(self, part: str, change) -> list:
-        step = StepText(surface(f"{part}.step"))
+    def mutate(self, source, change) -> list:
+        step = StepText(source)
         change(step)
         step.write(self.folder / "part.step")
         run = self.regress()
@@ -95,47 +100,56 @@ class Mutations(KeikoTest):
         self.assertEqual(run.returncode, 1 if caught else 0)
         return caught
 
-    def compared(self, part: str) -> list:
-        run = self.keiko("compare", "-q", surface(f"{part}.step"), "part.step")
+    def compared(self, source) -> list:
+        run = self.keiko("compare", "-q", str(source), "part.step")
         self.assertIn(run.returncode, (0, 1), run.stderr)
         return ["keiko compare"] if run.returncode == 1 else []
 
-    def study(self, part: str):
-        self.prepare(part)
-        for name, change in PARTS[part]:
+    def study(self, part: str, source, changes: list):
+        for name, change in changes:
             with self.subTest(part=part, change=name):
-                caught = self.mutate(part, change)
-                if LONG:
-                    caught += self.compared(part)
+                caught = self.mutate(source, change)
+                compared = self.compared(source) if LONG else []
                 if os.environ.get("KEIKO_TABLE"):
-                    print(f"| {part} | {name} | {', '.join(caught) or '–'} |", flush=True)
+                    print(f"| {part} | {name} | {', '.join(caught + compared) or '–'} |", flush=True)
                 if "by 1 um" not in name:
-                    self.assertTrue(caught, "not caught")
+                    self.assertTrue(caught, "not caught by keiko regress")
+                    self.assertTrue(compared or not LONG, "not caught by keiko compare")
         with self.subTest(part=part, change="none"):
-            self.assertEqual(self.mutate(part, lambda step: None), [])
+            self.assertEqual(self.mutate(source, lambda step: None), [])
+
+    def study_fixture(self, part: str):
+        source = surface(f"{part}.step")
+        self.prepare(source, -900 if part == "hood" else -1500)
+        self.study(part, source, PARTS[part])
 
     def test_a_seam(self):
-        self.study("seam-g1-only")
+        self.study_fixture("seam-g1-only")
 
     def test_spline_faces_with_inner_knots(self):
-        self.study("hood")
+        self.study_fixture("hood")
 
     def test_rational_patches(self):
-        self.study("rational-sphere")
+        self.study_fixture("rational-sphere")
 
     def test_a_trimmed_face(self):
-        self.study("trimmed-hole")
+        self.study_fixture("trimmed-hole")
 
     def test_a_second_import_other_threads_and_a_file_written_anew_raise_no_alarm(self):
-        self.prepare("seam-g1-only")
-        for threads in "1", "3":
-            self.assertEqual(self.regress("--fresh", "--threads", threads).returncode, 0)
+        self.prepare(surface("seam-g1-only.step"))
+        self.assert_threads_do_not_matter()
         original = Path(surface("seam-g1-only.step")).read_text()
         for text in original, original.replace(";\n#", ";\n\n#").replace(",(", ", ("):
             (self.folder / "part.step").write_text(text)
-            run = self.regress()
-            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
-            self.assertEqual(self.caught_by(), [])
+            self.assert_same()
+
+    def assert_threads_do_not_matter(self):
+        for threads in "1", "3":
+            self.assert_same("--fresh", "--threads", threads)
+
+    def assert_same(self, *arguments: str):
+        run = self.regress(*arguments)
+        self.assertEqual((run.returncode, self.caught_by()), (0, []), run.stdout + run.stderr)
 
     def test_a_part_that_was_written_anew_raises_no_alarm_in_compare(self):
         parts = PARTS if LONG else ("seam-g1-only", "trimmed-hole")
@@ -149,33 +163,35 @@ class Mutations(KeikoTest):
 
     def test_a_part_that_was_written_anew_raises_no_alarm_in_regress(self):
         for part in PARTS if LONG else ("seam-g1-only",):
-            self.prepare(part)
+            self.prepare(surface(f"{part}.step"), -900 if part == "hood" else -1500)
             with self.subTest(part=part):
                 reexport(surface(f"{part}.step"), self.folder / "part.step")
-                run = self.regress()
-                self.assertEqual((run.returncode, self.caught_by()), (0, []), run.stdout)
+                self.assert_same()
 
     @unittest.skipUnless(LONG, "only with KEIKO_LONG=1")
     def test_real_panels(self):
-        for panel in PANELS:
+        for panel, x in PANELS.items():
             if not (SHARED / panel).exists():
                 self.skipTest(f"{SHARED / panel} is not there")
-            original, changed = self.folder / "original.step", self.folder / "changed.step"
-            reexport(SHARED / panel, original)
-            self.assert_compared(panel, "written anew as STEP", SHARED / panel, original, 0)
-            for name, change in [*POINT[1:], *FACES]:
-                step = StepText(original)
-                change(step)
-                step.write(changed)
-                self.assert_compared(panel, name, original, changed, 1)
+            source = self.settled(SHARED / panel)
+            self.prepare(source, x)
+            with self.subTest(panel=panel, change="other threads"):
+                self.assert_threads_do_not_matter()
+            with self.subTest(panel=panel, change="written anew as STEP"):
+                reexport(source, self.folder / "part.step")
+                self.assertEqual(self.compared(source), [])
+                self.assert_same()
+            self.study(panel, source, PANEL_CHANGES)
 
-    def assert_compared(self, panel: str, name: str, before, after, expected: int):
-        with self.subTest(panel=panel, change=name):
-            run = subprocess.run([os.environ["KEIKO_BINARY"], "compare", "-q", str(before), str(after)],
-                                 capture_output=True, text=True, timeout=600)
-            if os.environ.get("KEIKO_TABLE"):
-                print(f"| {panel} | {name} | {run.returncode} |", flush=True)
-            self.assertEqual(run.returncode, expected, run.stdout + run.stderr)
+    def settled(self, panel: Path) -> Path:
+        """The panel as STEP. Its p-curves lie up to 0.3 mm beside its edges, so that OpenCASCADE makes
+        some of them anew when it reads them, until it finds them as it would make them itself."""
+        source = panel
+        for again in range(4):
+            written = self.folder / f"written-{again}.step"
+            reexport(source, written)
+            source = written
+        return source
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 namespace keiko {
 namespace {
@@ -13,19 +14,39 @@ void keep_larger(std::optional<T>& kept, const std::optional<T>& other) {
     if (other && (!kept || *other > *kept)) kept = other;
 }
 
+/// The first quantity that a seam does not pass, in the order in which they are judged: 0 gap,
+/// 1 angle, 2 curvature, 3 its slope, 4 none. What comes after it is not judged.
+int first_failed(const MeasuredSeam& seam) {
+    if (seam.gap.verdict != Verdict::pass) return 0;
+    if (seam.crease) return 4;
+    if (seam.angle && seam.angle->verdict != Verdict::pass) return 1;
+    if (seam.curvature && seam.curvature->worst.verdict != Verdict::pass) return 2;
+    return seam.slope && seam.slope->worst.verdict != Verdict::pass ? 3 : 4;
+}
+
+int first_failed(const Inspection& inspection, const std::vector<std::uint32_t>& seams) {
+    int first = 4;
+    for (const std::uint32_t i : seams) first = std::min(first, first_failed(inspection.seams[i]));
+    return first;
+}
+
+/// A seam that one revision divides is judged there piece by piece. Pieces that pass what the
+/// others fail are judged further than the seam would be as a whole: that does not count.
 SeamState state_of(const Inspection& inspection, const std::vector<std::uint32_t>& seams) {
+    const int failed = first_failed(inspection, seams);
     SeamState state;
+    state.severity = -1;
     for (const std::uint32_t i : seams) {
         const MeasuredSeam& seam = inspection.seams[i];
         state.gap = std::max(state.gap, seam.gap.value);
         if (seam.angle) keep_larger(state.angle, std::optional(seam.angle->value));
+        if (first_failed(seam) > failed) continue;
         if (seam.curvature && !seam.curvature->flat)
             keep_larger(state.curvature, std::optional(seam.curvature->mismatch));
         state.verdict = std::max(state.verdict, seam.verdict);
-        if (i == seams.front() || seam.severity > state.severity) {
-            state.severity = seam.severity;
-            state.place = worst_place(seam);
-        }
+        if (seam.severity <= state.severity) continue;
+        state.severity = seam.severity;
+        state.place = worst_place(seam);
     }
     return state;
 }
@@ -46,6 +67,15 @@ bool is_change(const SeamChange& c, const CompareOptions& options) {
            std::abs(c.angle()) > options.angle || std::abs(c.curvature()) > options.curvature;
 }
 
+/// Worse seams first, each kind by how much gap and angle have changed. A mismatch of curvature is
+/// a share that is soon full, so it only decides between equals.
+std::tuple<int, double, double> rank(const SeamChange& c, const CompareOptions& options) {
+    const int kind = c.trend == SeamTrend::worse ? 0 : c.trend == SeamTrend::other ? 1 : 2;
+    const double amount =
+        std::max(std::abs(c.gap()) / options.gap, std::abs(c.angle()) / options.angle);
+    return {kind, -amount, -std::abs(c.curvature())};
+}
+
 /// Divides the findings of `one` by whether a partner of their seam, as the groups have them, has
 /// one of the same code in `other`, or has not changed.
 struct DividedFindings {
@@ -61,12 +91,14 @@ DividedFindings divided(const Inspection& one, Side side_one, const Inspection& 
     std::vector<bool> as_before(one.seams.size());
     for (std::size_t i = 0; i < one.seams.size(); ++i) as_before[i] = is_sliver(one.seams[i]);
     for (const Check& finding : other.findings) codes[finding.seam].insert(finding.code);
-    for (std::size_t g = 0; g < groups.size(); ++g)
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const int failed = first_failed(one, groups[g].*side_one);
         for (const std::uint32_t i : groups[g].*side_one) {
-            as_before[i] = !changed[g];
+            as_before[i] = !changed[g] || first_failed(one.seams[i]) > failed;
             for (const std::uint32_t j : groups[g].*side_other)
                 known[i].insert(codes[j].begin(), codes[j].end());
         }
+    }
     DividedFindings found;
     for (const Check& finding : one.findings) {
         const bool shared = as_before[finding.seam] || known[finding.seam].contains(finding.code);
@@ -103,8 +135,8 @@ InspectionDifference compare_inspections(const Inspection& before, const Inspect
         if (changed.back()) difference.changed.push_back(std::move(c));
     }
     std::stable_sort(difference.changed.begin(), difference.changed.end(),
-                     [](const SeamChange& a, const SeamChange& b) {
-                         return a.after.severity > b.after.severity;
+                     [&](const SeamChange& a, const SeamChange& b) {
+                         return rank(a, options) < rank(b, options);
                      });
     difference.removed = std::move(matching.removed);
     difference.added = std::move(matching.added);

@@ -12,7 +12,9 @@ namespace keiko {
 struct CompareOptions {
     double place = 10;       ///< mm: seams that run farther apart are not the same seam
     double gap = 1e-3;       ///< mm: a smaller change of a gap is none
-    double angle = 1e-3;     ///< degrees: a smaller change of an angle is none
+    /// Degrees: a smaller change of an angle is none. A border that has moved by 1e-3 mm on a bead
+    /// of radius 12 mm turns as much.
+    double angle = 5e-3;
     double curvature = 5e-3; ///< share of 1: a smaller change of a mismatch of curvature is none
 };
 
@@ -44,7 +46,8 @@ struct SeamChange {
 
 /// What became of the seams and findings of a part from one revision to the next.
 struct InspectionDifference {
-    std::vector<SeamChange> changed;    ///< beyond the tolerances, or in verdict; worst first
+    /// Beyond the tolerances, or in verdict: worse seams first, by how much they have changed.
+    std::vector<SeamChange> changed;
     std::vector<std::uint32_t> removed; ///< seams of the former without a partner
     std::vector<std::uint32_t> added;   ///< seams of the latter without a partner
     std::vector<Check> new_findings;    ///< of the latter, that the former did not have

@@ -1,66 +1,36 @@
 #include "keiko/compare/deviation.h"
 
 #include "keiko/base/parallel.h"
-#include "keiko/base/units.h"
-#include "keiko/compare/surface_samples.h"
+#include "keiko/compare/deviation_sample.h"
+#include "keiko/compare/face_deviation.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 namespace keiko {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A place of the body and its nearest point of the other.
-struct Sample : SurfaceSample {
-    std::optional<SurfaceFoot> foot; ///< nothing: beyond reach
-
-    double distance() const { return foot ? foot->distance : infinity; }
-    /// Positive outside the other.
-    double deviation() const {
-        const bool inside = foot && (point.position - foot->position).dot(foot->normal) < 0;
-        return inside ? -distance() : distance();
-    }
-    /// Whether the nearest point lies aside rather than above or below.
-    bool beside(double noise) const {
-        if (!foot || foot->distance <= noise) return false;
-        constexpr double steep = 0.7; // of the way there across the normal
-        const Vec3 way = point.position - foot->position;
-        return way.cross(foot->normal).length() > steep * foot->distance;
-    }
-    bool turned() const { return foot && point.normal.dot(foot->normal) < 0; }
-    /// Degrees between the tangent planes; 0 beyond a border, where they need not agree.
-    double tilt() const {
-        if (!foot || foot->on_border || point.normal == Vec3(0) || foot->normal == Vec3(0))
-            return 0;
-        const Vec3 normal = turned() ? -foot->normal : foot->normal;
-        return radians_to_degrees(angle_between(point.normal, normal));
-    }
-};
-
-std::vector<Sample> measured_samples(const SurfaceFeet& body, const SurfaceFeet& other,
-                                     const DeviationOptions& options, const Job& job) {
+std::vector<DeviationSample> measured_samples(const SurfaceFeet& body, const SurfaceFeet& other,
+                                              const DeviationOptions& options, const Job& job) {
     constexpr int least = 4;
     const double spacing = sample_spacing(body, options.samples);
-    std::vector<std::vector<Sample>> pieces(body.piece_count());
+    std::vector<std::vector<DeviationSample>> pieces(body.piece_count());
     parallel_for(pieces.size(), job, "deviation", [&](std::size_t i) {
         for (const SurfaceSample& sample : piece_samples(body, i, spacing, least))
             pieces[i].push_back({sample, other.foot(sample.point.position, options.reach)});
     });
-    std::vector<Sample> all;
-    for (std::vector<Sample>& piece : pieces)
+    std::vector<DeviationSample> all;
+    for (std::vector<DeviationSample>& piece : pieces)
         std::move(piece.begin(), piece.end(), std::back_inserter(all));
     return all;
 }
 
 /// Climbs by steps that shrink, within the piece and its material.
 template <class Quantity>
-Sample climbed(const SurfaceFeet& body, const SurfaceFeet& other, double reach, Sample best,
-               const Quantity& quantity) {
+DeviationSample climbed(const SurfaceFeet& body, const SurfaceFeet& other, double reach,
+                        DeviationSample best, const Quantity& quantity) {
     Vec2 step = best.cell * 0.5;
     for (int round = 0; round < 40 && step.x > best.cell.x * 1e-3; ++round) {
         bool higher = false;
@@ -69,7 +39,8 @@ Sample climbed(const SurfaceFeet& body, const SurfaceFeet& other, double reach, 
             if (!unit_square.contains(uv)) continue;
             const auto point = body.point(best.point.piece, uv);
             if (!point) continue;
-            const Sample there{{*point, best.area, best.cell}, other.foot(point->position, reach)};
+            const DeviationSample there{{*point, best.area, best.cell},
+                                        other.foot(point->position, reach)};
             if (quantity(there) > quantity(best)) best = there, higher = true;
         }
         if (!higher) step *= 0.5;
@@ -80,9 +51,9 @@ Sample climbed(const SurfaceFeet& body, const SurfaceFeet& other, double reach, 
 /// Where a quantity is largest, climbed to from the samples that have most of it; the largest
 /// first.
 template <class Quantity>
-std::vector<Sample> peaks(const SurfaceFeet& body, const SurfaceFeet& other, double reach,
-                          const std::vector<Sample>& samples, const Job& job,
-                          const Quantity& quantity) {
+std::vector<DeviationSample> peaks(const SurfaceFeet& body, const SurfaceFeet& other, double reach,
+                                   const std::vector<DeviationSample>& samples, const Job& job,
+                                   const Quantity& quantity) {
     constexpr std::size_t starts = 16;
     std::vector<std::size_t> order(samples.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -92,18 +63,21 @@ std::vector<Sample> peaks(const SurfaceFeet& body, const SurfaceFeet& other, dou
                           const double x = quantity(samples[a]), y = quantity(samples[b]);
                           return x != y ? x > y : a < b;
                       });
-    std::vector<Sample> tops(count);
+    std::vector<DeviationSample> tops(count);
     parallel_for(count, job, "", [&](std::size_t i) {
         tops[i] = climbed(body, other, reach, samples[order[i]], quantity);
     });
     std::stable_sort(tops.begin(), tops.end(),
-                     [&](const Sample& a, const Sample& b) { return quantity(a) > quantity(b); });
+                     [&](const DeviationSample& a, const DeviationSample& b) {
+                         return quantity(a) > quantity(b);
+                     });
     return tops;
 }
 
-void take_percentiles(const std::vector<Sample>& samples, Deviation& result) {
+void take_percentiles(const std::vector<DeviationSample>& samples, Deviation& result) {
     std::vector<std::pair<double, double>> sizes; // distance, area
-    for (const Sample& sample : samples) sizes.emplace_back(sample.distance(), sample.area);
+    for (const DeviationSample& sample : samples)
+        sizes.emplace_back(sample.distance(), sample.area);
     std::sort(sizes.begin(), sizes.end());
     double below = 0;
     const std::array<std::pair<double, double*>, 4> wanted{{{0.5, &result.median},
@@ -118,9 +92,9 @@ void take_percentiles(const std::vector<Sample>& samples, Deviation& result) {
     }
 }
 
-void take_sums(const std::vector<Sample>& samples, double certainty, Deviation& result) {
+void take_sums(const std::vector<DeviationSample>& samples, double certainty, Deviation& result) {
     double uncertain = 0, beyond = 0, sum = 0, squares = 0;
-    for (const Sample& sample : samples) {
+    for (const DeviationSample& sample : samples) {
         result.area += sample.area;
         if (!sample.foot) {
             beyond += sample.area;
@@ -144,60 +118,18 @@ void take_sums(const std::vector<Sample>& samples, double certainty, Deviation& 
     result.root_mean_square = std::sqrt(squares / (result.area - beyond));
 }
 
-/// What is added up of a face.
-struct FaceSums {
-    FaceDeviation face;
-    double turned = 0, beyond = 0, beside = 0, squares = 0;
-    std::map<std::uint32_t, double> votes; ///< area by the other's face
-
-    void add(const Sample& sample, double noise) {
-        face.area += sample.area;
-        const double d = sample.deviation();
-        if (std::abs(d) > std::abs(face.worst.value))
-            face.worst = {d, sample.point.position, sample.point.face};
-        if (!sample.foot) {
-            beyond += sample.area;
-            return;
-        }
-        if (sample.turned()) turned += sample.area;
-        if (sample.beside(noise)) beside += sample.area;
-        squares += d * d * sample.area;
-        votes[sample.foot->face] += sample.area;
-    }
-    FaceDeviation result() const {
-        FaceDeviation all = face;
-        if (!(face.area > 0)) return all;
-        all.turned = turned / face.area, all.beyond = beyond / face.area;
-        all.beside = beside / face.area;
-        if (votes.empty()) return all;
-        all.root_mean_square = std::sqrt(squares / (face.area - beyond));
-        all.partner =
-            std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
-                return a.second < b.second;
-            })->first;
-        return all;
-    }
-};
-
-void take_faces(const std::vector<Sample>& samples, std::size_t faces, double noise,
-                Deviation& result) {
-    std::vector<FaceSums> sums(faces);
-    for (const Sample& sample : samples) sums[sample.point.face].add(sample, noise);
-    for (const FaceSums& face : sums) result.faces.push_back(face.result());
-}
-
-double distance_of(const Sample& sample) {
+double distance_of(const DeviationSample& sample) {
     return sample.distance();
 }
 
-DeviationPlace place_of(const Sample& sample) {
+DeviationPlace place_of(const DeviationSample& sample) {
     return {sample.deviation(), sample.point.position, sample.point.face};
 }
 
 /// The peaks of the distance, the largest first: of the whole and of their faces.
-void take_peaks(const std::vector<Sample>& peaks, Deviation& result) {
+void take_peaks(const std::vector<DeviationSample>& peaks, Deviation& result) {
     result.worst = place_of(peaks.front());
-    for (const Sample& peak : peaks) {
+    for (const DeviationSample& peak : peaks) {
         const DeviationPlace there = place_of(peak);
         DeviationPlace& of_face = result.faces[there.face].worst;
         if (std::abs(there.value) > std::abs(of_face.value)) of_face = there;
@@ -208,45 +140,46 @@ void take_peaks(const std::vector<Sample>& peaks, Deviation& result) {
 }
 
 /// Whether the nearest point may as well be that of a neighbouring face, with another normal.
-bool at_border(const SurfaceFeet& other, const Sample& sample) {
+bool at_border(const SurfaceFeet& other, const DeviationSample& sample) {
     constexpr double there = 1e-3; // mm
     return sample.foot && sample.tilt() > 0 &&
            other.border_distance(sample.foot->position, there) < there;
 }
 
-/// Where the body's borders are farthest from those of the other.
-DeviationPlace worst_border(const SurfaceFeet& body, const SurfaceFeet& other, double reach,
-                            const Job& job) {
+/// Finds where the body's borders are farthest from those of the other.
+void take_borders(const SurfaceFeet& body, const SurfaceFeet& other, const Job& job,
+                  Deviation& result) {
     const std::vector<BorderPoint> points = body.border_points();
     std::vector<double> distances(points.size());
     constexpr std::size_t chunk = 256;
     parallel_for((points.size() + chunk - 1) / chunk, job, "borders", [&](std::size_t c) {
         for (std::size_t i = c * chunk; i < std::min(points.size(), (c + 1) * chunk); ++i)
-            distances[i] = other.border_distance(points[i].position, reach);
+            distances[i] = other.border_distance(points[i].position, result.reach);
     });
-    DeviationPlace worst;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (distances[i] > worst.value) worst = {distances[i], points[i].position, points[i].face};
-    return worst;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (distances[i] <= result.worst_border.value) continue;
+        result.worst_border = {distances[i], points[i].position, points[i].face};
+        result.claimed_border = points[i].claimed;
+    }
 }
 
 } // namespace
 
 Deviation measure_deviation(const SurfaceFeet& body, const SurfaceFeet& other,
                             const DeviationOptions& options, const Job& job) {
-    const std::vector<Sample> samples = measured_samples(body, other, options, job);
+    const std::vector<DeviationSample> samples = measured_samples(body, other, options, job);
     Deviation result;
     result.samples = samples.size(), result.reach = options.reach;
-    take_faces(samples, body.body().model.faces.size(), options.noise, result);
-    result.worst_border = worst_border(body, other, options.reach, job);
+    result.faces = face_deviations(samples, body.body().model.faces.size(), options.noise);
+    take_borders(body, other, job, result);
     if (samples.empty()) return result;
     take_sums(samples, options.certainty, result);
     take_percentiles(samples, result);
     take_peaks(peaks(body, other, options.reach, samples, job, distance_of), result);
-    const auto tilt = [&](const Sample& sample) {
+    const auto tilt = [&](const DeviationSample& sample) {
         return at_border(other, sample) ? 0 : sample.tilt();
     };
-    const Sample tilted = peaks(body, other, options.reach, samples, job, tilt).front();
+    const DeviationSample tilted = peaks(body, other, options.reach, samples, job, tilt).front();
     result.worst_normal = {tilted.tilt(), tilted.point.position, tilted.point.face};
     return result;
 }

@@ -50,6 +50,7 @@ struct Deviation {
     DeviationPlace worst;           ///< the largest by size, signed, sought beyond the samples
     DeviationPlace worst_normal;    ///< degrees between the normals, where they agree on a side
     DeviationPlace worst_border;    ///< mm from a border of the body to the other's borders
+    double claimed_border = 0;      ///< mm, tolerance that the file claims for the edge there
     double reach = 0;               ///< mm, as asked for
     double beyond = 0;              ///< share of the area from which nothing is within reach
     double uncertain_share = 0;     ///< of the area, whose distance is not proved

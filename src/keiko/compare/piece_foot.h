@@ -24,7 +24,8 @@ class Convexity {
 public:
     explicit Convexity(const BezierPatchView& piece);
 
-    /// Whether it is proved; `piece` is the one that this was made of. Never at a pole.
+    /// Whether it is proved over `piece`, which is what this was made of or a part of that. Never
+    /// at a pole.
     bool holds(const BezierPatchView& piece, const Vec3& p) const;
 
 private:

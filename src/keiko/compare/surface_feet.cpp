@@ -1,13 +1,7 @@
 #include "keiko/compare/surface_feet.h"
 
-#include "keiko/base/error.h"
-#include "keiko/base/parallel.h"
-#include "keiko/compare/border_feet.h"
-#include "keiko/compare/piece_foot.h"
-#include "keiko/patch/differential_geometry.h"
-#include "keiko/trace/leaf.h"
+#include "keiko/compare/surface_pieces.h"
 #include "keiko/trace/subpatch.h"
-#include "keiko/trace/tracer.h"
 
 #include <algorithm>
 #include <limits>
@@ -21,13 +15,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_halvings = 12;
 /// Share of its distance below which a piece is not halved either: its own minimum will do.
 constexpr double small_piece = 0.01;
-
-/// The outward unit normal of a face, or 0.
-Vec3 outward(const SurfaceDerivatives& s, const Vec2& uv, const Face& face) {
-    const auto normal = unit_normal(s, uv);
-    if (!normal) return Vec3(0);
-    return face.reversed ? -*normal : *normal;
-}
 
 Vec3 euclidean(const Vec4& p) {
     return Vec3(p.x, p.y, p.z) / p.w;
@@ -43,56 +30,14 @@ unsigned longer_side(const BezierPatchView& piece) {
     return along_u >= along_v ? 0 : 1;
 }
 
-} // namespace
-
-struct SurfaceFeet::Pieces {
-    PlacedModel body;
-    std::vector<TrimRegion> trims; ///< a face
-    LeafSet leaves;
-    std::vector<Convexity> convex; ///< a leaf
-    std::optional<BoxTree> tree;
-    std::optional<BorderFeet> borders;
-
-    Pieces(PlacedModel placed, const Job& job);
-
-    std::optional<SurfacePoint> point(std::uint32_t index, const Vec2& uv) const {
-        const Leaf& leaf = leaves.leaves[index];
-        if (!is_material(leaf, uv)) return std::nullopt;
-        const std::uint32_t face = body.model.patches[leaf.patch].face;
-        const SurfaceDerivatives s = evaluate(leaves.view(leaf), uv, 2);
-        return SurfacePoint{.piece = index,
-                            .uv = uv,
-                            .face = face,
-                            .position = s.position() + leaf.center,
-                            .normal = outward(s, uv, body.model.faces[face]),
-                            .stretch = s.du().cross(s.dv()).length()};
-    }
-    bool is_material(const Leaf& leaf, const Vec2& uv) const {
-        if (leaf.trim == TrimSide::inside) return true;
-        return trims[body.model.patches[leaf.patch].face].contains(
-            body.model.face_parameters(leaf.patch, leaf.patch_parameters(uv)));
-    }
-};
-
-SurfaceFeet::Pieces::Pieces(PlacedModel placed, const Job& job) : body(std::move(placed)) {
-    const SurfaceModel& model = body.model;
-    if (model.patches.empty()) throw Error(model.source, "", "has no faces to compare");
-    for (const Face& face : model.faces) trims.emplace_back(model, face);
-    std::vector<LeafSet> sets(model.faces.size());
-    parallel_for(sets.size(), job, "", [&](std::size_t f) {
-        sets[f] = make_leaves(model, model.faces[f], trims[f], 0, TracerOptions().leaf_contraction);
-    });
-    for (LeafSet& set : sets) append(leaves, std::move(set));
-    std::vector<Box3> boxes;
-    for (const Leaf& leaf : leaves.leaves) {
-        const BezierPatchView view = leaves.view(leaf);
-        const Box3 box = hull_bounds(view);
-        boxes.push_back({box.lower + leaf.center, box.upper + leaf.center});
-        convex.emplace_back(view);
-    }
-    tree.emplace(std::move(boxes));
-    borders.emplace(model);
+/// 0 for a border that is no edge of the file.
+double claimed_tolerance(const SurfaceModel& model, const BoundaryInterval& border) {
+    if (border.curve >= model.trim_curves.size()) return 0;
+    const std::uint32_t edge = model.trim_curves[border.curve].edge;
+    return edge == no_index ? 0 : model.edges[edge].tolerance;
 }
+
+} // namespace
 
 /// What is known of the nearest point so far.
 class SurfaceFeet::Search {
@@ -113,15 +58,18 @@ public:
     }
 
 private:
-    /// Tries the piece of a leaf over `box` of the leaf's parameters.
+    /// Tries the piece of a leaf over `box` of the leaf's parameters, a part of what `around` was
+    /// made of.
     void look(std::uint32_t index, const BezierPatchView& piece, const Box2& box,
-              const Convexity& convex, int halved) {
+              const Convexity& around, int halved) {
         const Leaf& leaf = pieces_.leaves.leaves[index];
         const Vec3 local = p_ - leaf.center;
         const Box3 hull = hull_bounds(piece);
         const double nearest = (hull.nearest(local) - local).length();
         if (nearest >= material_) return;
-        const bool proved = convex.holds(piece, local);
+        bool proved = around.holds(piece, local);
+        std::optional<Convexity> own; // tighter, but dearer than to halve again
+        if (!proved && halved % 3 == 2) proved = own.emplace(piece).holds(piece, local);
         const bool small = hull.size() < small_piece * nearest;
         if (proved || small || halved == most_halvings) {
             if (!proved) unproved_ = std::min(unproved_, nearest);
@@ -136,7 +84,7 @@ private:
             (upper ? half.lower : half.upper)[axis] = box.center()[axis];
             const std::vector<Vec4> points = subpatch(pieces_.leaves.view(leaf), half);
             const BezierPatchView view{piece.degree_u, piece.degree_v, points};
-            look(index, view, half, Convexity(view), halved + 1);
+            look(index, view, half, own ? *own : around, halved + 1);
         }
     }
 
@@ -166,7 +114,7 @@ private:
         const SurfaceDerivatives s = evaluate(pieces_.leaves.view(leaf), uv_, 2);
         return {.face = face,
                 .position = s.position() + leaf.center,
-                .normal = outward(s, uv_, model.faces[face]),
+                .normal = outward_normal(s, uv_, model.faces[face]),
                 .distance = material_,
                 .nearest = proved_bound(),
                 .on_border = false};
@@ -224,13 +172,15 @@ std::vector<BorderPoint> SurfaceFeet::border_points() const {
     std::vector<BorderPoint> points;
     for (std::uint32_t i = 0; i < borders.borders().size(); ++i) {
         const SurfaceCurve curve = borders.curve(i);
+        const BoundaryInterval& border = borders.borders()[i];
+        const double claimed = claimed_tolerance(body().model, border);
         const std::vector<double>& t = borders.polyline(i).t;
         for (std::size_t k = 0; k + 1 < t.size(); ++k)
             for (int j = 0; j < between; ++j) {
                 const double at = t[k] + (t[k + 1] - t[k]) * j / between;
-                points.push_back({curve.at(at).position, borders.borders()[i].face});
+                points.push_back({curve.at(at).position, border.face, claimed});
             }
-        points.push_back({curve.at(1).position, borders.borders()[i].face});
+        points.push_back({curve.at(1).position, border.face, claimed});
     }
     return points;
 }

@@ -36,6 +36,7 @@ struct SurfacePoint {
 struct BorderPoint {
     Vec3 position{0};       ///< world, mm
     std::uint32_t face = 0; ///< into the faces of the PlacedModel
+    double claimed = 0;     ///< mm, tolerance that the file claims for the edge
 };
 
 /// Finds the nearest points of the exact trimmed surface of a body. Pieces of surface are tried by

@@ -3,6 +3,7 @@
 #include "keiko/inspect/knot_lines.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace keiko {
 namespace {
@@ -24,6 +25,11 @@ void count(const MeasuredSeam& seam, SeamCounts& counts) {
 bool worse(const Check& a, const Check& b) {
     if (a.worst.verdict != b.worst.verdict) return a.worst.verdict > b.worst.verdict;
     return share_of_limit(a.worst) > share_of_limit(b.worst);
+}
+
+/// 1/mm. Where one side bends the other way, the mismatch is 100 % whatever it amounts to.
+double curvature_change(const MeasuredSeam& seam) {
+    return seam.curvature ? std::abs(seam.curvature->curvature_a - seam.curvature->curvature_b) : 0;
 }
 
 /// Whether a place of a face, in world coordinates, lies in one of its irregular patches.
@@ -83,7 +89,9 @@ std::vector<std::uint32_t> worst_seams(const Inspection& inspection, std::size_t
         if (!(seam.crease && seam.verdict == Verdict::pass)) order.push_back(i);
     }
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return inspection.seams[a].severity > inspection.seams[b].severity;
+        const MeasuredSeam &x = inspection.seams[a], &y = inspection.seams[b];
+        if (x.severity != y.severity) return x.severity > y.severity;
+        return curvature_change(x) > curvature_change(y);
     });
     order.resize(std::min(order.size(), count));
     return order;

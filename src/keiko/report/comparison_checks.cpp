@@ -37,11 +37,20 @@ ComparisonCheck normals_check(const Comparison& c) {
 }
 
 ComparisonCheck borders_check(const Comparison& c) {
-    const DeviationPlace &a = c.deviation.worst_border, &b = c.missing.worst_border;
-    const DeviationPlace& worst = a.value >= b.value ? a : b;
-    return {"borders", worst.value <= c.tolerance.border,
+    const bool after = c.deviation.worst_border.value >= c.missing.worst_border.value;
+    const Deviation& d = after ? c.deviation : c.missing;
+    const DeviationPlace& worst = d.worst_border;
+    const bool within = worst.value <= c.tolerance.border;
+    const std::string claim = within || d.claimed_border <= c.tolerance.border
+                                  ? ""
+                                  : "; the file of the part " +
+                                        std::string(after ? "after" : "before") +
+                                        " itself claims this edge to no more than " +
+                                        short_number(d.claimed_border) + " mm";
+    return {"borders", within,
             "borders " + at_most(worst.value, c.deviation.reach) + " apart, at " +
-                place_text(worst.place) + "; " + short_number(c.tolerance.border) + " mm allowed"};
+                place_text(worst.place) + "; " + short_number(c.tolerance.border) + " mm allowed" +
+                claim};
 }
 
 ComparisonCheck faces_check(const Comparison& c) {

@@ -58,6 +58,7 @@ Json deviation_json(const Deviation& d, const std::vector<std::string>& faces,
                  {"worst", place_json(d.worst, faces)},
                  {"normal", place_json(d.worst_normal, faces)},
                  {"border", place_json(d.worst_border, faces)},
+                 {"claimed_border", d.claimed_border},
                  {"uncertain_share", d.uncertain_share},
                  {"largest_uncertainty", d.largest_uncertainty},
                  {"faces", Json::array()}};

@@ -17,6 +17,8 @@ std::string share_text(const std::string& share, double value, const Deviation& 
 }
 
 std::string deviation_text(const std::string& what, const Deviation& d) {
+    if (d.beyond >= 1)
+        return what + ": everywhere " + distance_words(d.worst.value, d.reach) + "\n";
     std::string text =
         what + ": " + at_most(d.worst.value, d.reach) + " at " + place(d.worst.place) + "; " +
         share_text("99 % of the area", d.percent_99, d) + ", " + share_text("half", d.median, d);

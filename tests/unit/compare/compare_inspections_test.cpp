@@ -116,6 +116,42 @@ TEST(CompareInspections, TakesASeamThatWasDividedForTheSame) {
               (std::vector<std::uint32_t>{0, 1}));
 }
 
+/// Fails its gap, or else passes that and fails its curvature.
+MeasuredSeam failing(MeasuredSeam seam, double gap, double mismatch) {
+    seam.gap = {gap, 0, 0.01, Vec3(0), judge(gap, 0, 0.01)};
+    seam.verdict = seam.gap.verdict, seam.severity = gap / 0.01;
+    if (seam.verdict != Verdict::pass) return seam;
+    seam.curvature.emplace();
+    seam.curvature->mismatch = mismatch;
+    seam.curvature->worst = {mismatch, 0, 0.1, Vec3(0), Verdict::fail};
+    seam.verdict = Verdict::fail, seam.severity = mismatch / 0.1;
+    return seam;
+}
+
+TEST(CompareInspections, DoesNotJudgePiecesOfADividedSeamFurtherThanTheWhole) {
+    const Inspection before = with({failing(straight("face 1 | face 2", 0), 0.02, 0)});
+    Inspection after = with({failing(straight("face 1 | face 2", 0, 0, 60), 0.02, 0),
+                             failing(straight("face 1 | face 2", 0, 60, 100), 0.001, 1)});
+    after.findings.resize(1);
+    after.findings[0].code = "G-SU-NS", after.findings[0].seam = 1;
+    const InspectionDifference difference = compare_inspections(before, after);
+    EXPECT_TRUE(difference.changed.empty());
+    EXPECT_TRUE(difference.new_findings.empty());
+    after.seams[0] = failing(straight("face 1 | face 2", 0, 0, 60), 0.001, 0.2);
+    EXPECT_EQ(compare_inspections(before, after).new_findings.size(), 1u);
+}
+
+TEST(CompareInspections, RanksChangesByGapAndAngleBeforeCurvature) {
+    const auto seams = [](double gap, double mismatch) {
+        return with({failing(straight("face 1 | face 2", 0), 0, mismatch),
+                     failing(straight("face 3 | face 4", 500), gap, 0)});
+    };
+    const InspectionDifference difference =
+        compare_inspections(seams(0.012, 0.2), seams(0.02, 1.0));
+    ASSERT_EQ(difference.changed.size(), 2u);
+    EXPECT_EQ(difference.changed[0].seams.before[0], 1u);
+}
+
 TEST(CompareInspections, DoesNotPairSeamsThatOnlyCross) {
     MeasuredSeam across = straight("face 1 | face 2", 0);
     for (Vec3& p : across.course[0]) p = Vec3(50, p.x - 50, 0);

@@ -1,0 +1,54 @@
+#include "keiko/compare/surface_pieces.h"
+
+#include "keiko/base/error.h"
+#include "keiko/base/parallel.h"
+#include "keiko/trace/tracer.h"
+
+namespace keiko {
+
+Vec3 outward_normal(const SurfaceDerivatives& s, const Vec2& uv, const Face& face) {
+    const auto normal = unit_normal(s, uv);
+    if (!normal) return Vec3(0);
+    return face.reversed ? -*normal : *normal;
+}
+
+SurfaceFeet::Pieces::Pieces(PlacedModel placed, const Job& job) : body(std::move(placed)) {
+    const SurfaceModel& model = body.model;
+    if (model.patches.empty()) throw Error(model.source, "", "has no faces to compare");
+    for (const Face& face : model.faces) trims.emplace_back(model, face);
+    std::vector<LeafSet> sets(model.faces.size());
+    parallel_for(sets.size(), job, "", [&](std::size_t f) {
+        sets[f] = make_leaves(model, model.faces[f], trims[f], 0, TracerOptions().leaf_contraction);
+    });
+    for (LeafSet& set : sets) append(leaves, std::move(set));
+    std::vector<Box3> boxes;
+    for (const Leaf& leaf : leaves.leaves) {
+        const BezierPatchView view = leaves.view(leaf);
+        const Box3 box = hull_bounds(view);
+        boxes.push_back({box.lower + leaf.center, box.upper + leaf.center});
+        convex.emplace_back(view);
+    }
+    tree.emplace(std::move(boxes));
+    borders.emplace(model);
+}
+
+std::optional<SurfacePoint> SurfaceFeet::Pieces::point(std::uint32_t index, const Vec2& uv) const {
+    const Leaf& leaf = leaves.leaves[index];
+    if (!is_material(leaf, uv)) return std::nullopt;
+    const std::uint32_t face = body.model.patches[leaf.patch].face;
+    const SurfaceDerivatives s = evaluate(leaves.view(leaf), uv, 2);
+    return SurfacePoint{.piece = index,
+                        .uv = uv,
+                        .face = face,
+                        .position = s.position() + leaf.center,
+                        .normal = outward_normal(s, uv, body.model.faces[face]),
+                        .stretch = s.du().cross(s.dv()).length()};
+}
+
+bool SurfaceFeet::Pieces::is_material(const Leaf& leaf, const Vec2& uv) const {
+    if (leaf.trim == TrimSide::inside) return true;
+    return trims[body.model.patches[leaf.patch].face].contains(
+        body.model.face_parameters(leaf.patch, leaf.patch_parameters(uv)));
+}
+
+} // namespace keiko

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "keiko/compare/border_feet.h"
+#include "keiko/compare/piece_foot.h"
+#include "keiko/compare/surface_feet.h"
+#include "keiko/patch/differential_geometry.h"
+#include "keiko/trace/leaf.h"
+
+#include <optional>
+#include <vector>
+
+namespace keiko {
+
+/// The outward unit normal of a face, or 0.
+Vec3 outward_normal(const SurfaceDerivatives& s, const Vec2& uv, const Face& face);
+
+/// What feet are sought on: the faces of a body in pieces that are bent little, by place.
+struct SurfaceFeet::Pieces {
+    PlacedModel body;
+    std::vector<TrimRegion> trims; ///< a face
+    LeafSet leaves;
+    std::vector<Convexity> convex; ///< a leaf
+    std::optional<BoxTree> tree;   ///< of the leaves' boxes
+    std::optional<BorderFeet> borders;
+
+    /// Throws Error for a body without faces, Cancelled.
+    Pieces(PlacedModel placed, const Job& job);
+
+    /// Nothing where the leaf is trimmed away.
+    std::optional<SurfacePoint> point(std::uint32_t leaf, const Vec2& uv) const;
+    bool is_material(const Leaf& leaf, const Vec2& uv) const;
+};
+
+} // namespace keiko
