@@ -21,7 +21,7 @@ class Check(KeikoTest):
         code, text = self.check(GAP)
         self.assertEqual(code, 1)
         self.assertRegex(text, r"\Afail: seams 1 fail, 0 undecided, 0 pass, 0 creases; by class-a-outer\n")
-        self.assertRegex(text, r"\nfail  G-SU-LG  face 1 \(left\) of \d+ \| face 2 \(right\) of \d+: the gap of 0.05 mm is over the "
+        self.assertRegex(text, r"\nfail  G-SU-LG  face 1 \(left\) of seam-g0-gap [\d.]+ \| face 2 \(right\) of seam-g0-gap [\d.]+: the gap of 0.05 mm is over the "
                                r"limit of 0.01 mm, at [-\d.]+, [-\d.]+, [-\d.]+\n\Z")
 
     def test_the_preset_decides(self):

@@ -130,6 +130,9 @@ void add_tolerances(CLI::App& command, CompareBodiesOptions& options) {
         "mm that reflection lines may move on the part");
     add("--place", options.seams.place, 1e-6, 1e6,
         "mm that a seam may have moved and still be the same seam");
+}
+
+void add_sampling(CLI::App& command, CompareBodiesOptions& options) {
     command
         .add_option("--reach", options.reach,
                     "mm that distances are sought within; what is further away is told as that "
@@ -158,6 +161,7 @@ void add_compare(CLI::App& app, Session& session) {
     command.add_option("--preset", arguments->preset,
                        "limits by name, or a preset file (.toml) [class-a-outer]");
     add_tolerances(command, arguments->options);
+    add_sampling(command, arguments->options);
     arguments->scene.add_picture_size(command);
     arguments->scene.add_shadows(command);
     arguments->scene.add_reading(command);

@@ -23,8 +23,9 @@ void require_writable(const fs::path& folder, const fs::path& wanted) {
 /// Without links, also of what is not there yet.
 fs::path real_path(const fs::path& path) {
     std::error_code code;
-    const fs::path real = fs::weakly_canonical(path, code);
-    return code ? fs::absolute(path, code).lexically_normal() : real;
+    const fs::path whole = fs::absolute(path, code);
+    const fs::path real = fs::weakly_canonical(whole, code);
+    return code ? whole.lexically_normal() : real;
 }
 
 bool is_stream(const fs::path& path) {

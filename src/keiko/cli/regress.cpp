@@ -104,6 +104,21 @@ int regress(const RegressArguments& arguments, const Job& job) {
     return tell(run_regression(options, job), options.output);
 }
 
+/// `only` and `shard` are the options that do not go with it.
+void add_updating(CLI::App& command, RegressArguments& arguments, CLI::Option* only,
+                  CLI::Option* shard) {
+    auto* update = command
+                       .add_option("--update", arguments.update,
+                                   "accept what this fixture shows now as its baseline; may repeat")
+                       ->allow_extra_args(false)
+                       ->excludes(only)
+                       ->excludes(shard);
+    command.add_option("--reason", arguments.reason, "why, for the baseline's manifest")
+        ->needs(update);
+    command.add_option("--by", arguments.by, "who, for the manifest [your login name]")
+        ->needs(update);
+}
+
 } // namespace
 
 void add_regress(CLI::App& app, Session& session) {
@@ -121,16 +136,7 @@ void add_regress(CLI::App& app, Session& session) {
                                      "K/N: run every N-th fixture from the K-th on; see merge");
     command.add_flag("--fresh", options.fresh,
                      "run fixtures again that an earlier run has finished");
-    auto* update = command
-                       .add_option("--update", arguments->update,
-                                   "accept what this fixture shows now as its baseline; may repeat")
-                       ->allow_extra_args(false)
-                       ->excludes(only)
-                       ->excludes(shard);
-    command.add_option("--reason", arguments->reason, "why, for the baseline's manifest")
-        ->needs(update);
-    command.add_option("--by", arguments->by, "who, for the manifest [your login name]")
-        ->needs(update);
+    add_updating(command, *arguments, only, shard);
     add_load_options(command, arguments->loading);
     command.footer(
         "Exit codes: 0 all the same, 1 different or no baseline, 2 error, 130 interrupted.\n"

@@ -134,6 +134,21 @@ Json view_json(const ComparedView& view, const BodyTolerance& tolerance) {
     return json;
 }
 
+Json tolerance_json(const BodyTolerance& tolerance) {
+    return {{"deviation", tolerance.deviation},
+            {"border", tolerance.border},
+            {"normal", tolerance.normal},
+            {"line", tolerance.line}};
+}
+
+Json faces_json(const Comparison& c) {
+    return {{"before", c.faces_before.size()},
+            {"after", c.faces_after.size()},
+            {"gone", faces_gone(c)},
+            {"new", faces_new(c)},
+            {"turned", faces_turned(c)}};
+}
+
 Json checks_json(const Comparison& c) {
     Json json = Json::array();
     for (const ComparisonCheck& check : comparison_checks(c))
@@ -152,22 +167,13 @@ std::string comparison_json(const Comparison& c) {
                  {"verdict", c.same() ? "same" : "different"},
                  {"before", c.before},
                  {"after", c.after},
-                 {"tolerance",
-                  {{"deviation", c.tolerance.deviation},
-                   {"border", c.tolerance.border},
-                   {"normal", c.tolerance.normal},
-                   {"line", c.tolerance.line}}},
+                 {"tolerance", tolerance_json(c.tolerance)},
                  {"preset", c.inspection_after.preset.name},
                  {"alignment", c.alignment ? alignment_json(*c.alignment) : Json()},
                  {"checks", checks_json(c)},
                  {"deviation", deviation_json(c.deviation, c.faces_after, c.faces_before)},
                  {"missing", deviation_json(c.missing, c.faces_before, c.faces_after)},
-                 {"faces",
-                  {{"before", c.faces_before.size()},
-                   {"after", c.faces_after.size()},
-                   {"gone", faces_gone(c)},
-                   {"new", faces_new(c)},
-                   {"turned", faces_turned(c)}}},
+                 {"faces", faces_json(c)},
                  {"seams", seams_json(c)},
                  {"findings",
                   {{"new", findings_json(c.seams.new_findings)},
