@@ -32,6 +32,8 @@ def luminaire(name: str) -> str:
 class KeikoTest(unittest.TestCase):
     """Every test runs in an empty working directory."""
 
+    patience = 120  # seconds that a command may take
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="keiko-cli-")
         self.addCleanup(folder.cleanup)
@@ -39,7 +41,7 @@ class KeikoTest(unittest.TestCase):
 
     def keiko(self, *arguments: str, **options) -> subprocess.CompletedProcess:
         return subprocess.run([BINARY, *arguments], cwd=self.folder, capture_output=True,
-                              text=True, timeout=120, **options)
+                              text=True, timeout=self.patience, **options)
 
     def succeed(self, *arguments: str) -> str:
         """What is printed by a command that must exit with 0 and have nothing to complain of."""

@@ -65,11 +65,13 @@ PANEL_CHANGES = [
 
 
 def reexport(before, after):
-    subprocess.run([os.environ["KEIKO_REEXPORT"], str(before), str(after)], check=True, timeout=120,
+    subprocess.run([os.environ["KEIKO_REEXPORT"], str(before), str(after)], check=True, timeout=600,
                    stdout=subprocess.DEVNULL)
 
 
 class Mutations(KeikoTest):
+    patience = 1200 if LONG else KeikoTest.patience
+
     def regress(self, *arguments: str):
         return self.keiko("regress", "-q", ".", "-o", "out", *arguments)
 
@@ -187,7 +189,7 @@ class Mutations(KeikoTest):
         """The panel as STEP. Its p-curves lie up to 0.3 mm beside its edges, so that OpenCASCADE makes
         some of them anew when it reads them, until it finds them as it would make them itself."""
         source = panel
-        for again in range(4):
+        for again in range(6):
             written = self.folder / f"written-{again}.step"
             reexport(source, written)
             source = written

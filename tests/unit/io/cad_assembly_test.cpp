@@ -174,6 +174,29 @@ TEST_P(CadAssembly, PlacesMirroredItemsOfItsProducts) {
 
 INSTANTIATE_TEST_SUITE_P(Step, CadAssembly, testing::Values("AP203", "AP214IS", "AP242DIS"));
 
+TEST(CadAssemblyWithoutNames, CallsOccurrencesAsTheirProduct) {
+    const test::TemporaryFolder folder;
+    DocumentHandle document;
+    XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+    const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+    const TDF_Label nut =
+        shapes->AddShape(BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 3, 1, 3).Shape(), false);
+    name(nut, "nut");
+    const TDF_Label plate = shapes->NewShape();
+    name(plate, "plate");
+    for (const double x : {0.0, 100.0})
+        shapes->AddComponent(plate, nut, moved(x, 0, 0)).ForgetAttribute(TDataStd_Name::GetID());
+    shapes->UpdateAssemblies();
+    const auto path = folder.path() / "plate.step";
+    STEPCAFControl_Writer writer;
+    ASSERT_TRUE(writer.Transfer(document));
+    ASSERT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);
+    const SurfaceModel model = load_model(path);
+    ASSERT_EQ(model.instances.size(), 2u);
+    EXPECT_EQ(model.instances[0].name, "nut");
+    EXPECT_EQ(model.instances[1].name, "nut");
+}
+
 /// An assembly whose parts are files of their own, beside it.
 TEST(CadAssemblyOfFiles, ReadsThemOrSaysWhichAreMissing) {
     const test::TemporaryFolder folder;
