@@ -16,9 +16,11 @@ namespace keiko {
 namespace {
 
 /// In units of 2^-24 R, with R the scene's radius, single precision costs: 1 for the start, 2 for
-/// the way of up to 2 R along the rounded direction, and the slab test (b - o) * (1 / d) some 4
-/// roundings of values up to 2 R, 8. Taken up to the next power of two, which leaves 5 for a start
-/// that is itself off, because the ray comes from afar: enter() takes rays up to 4.
+/// the way of up to 2 R along the rounded direction, and the slab test b * r - o * r, with r = 1 /
+/// d good to some 1.5 units in its last place and b - o up to 2 R, 6 and 2 more for its own
+/// roundings. (That is Embree's test for user geometry, even where a scene is asked to be robust.)
+/// Taken up to the next power of two, which leaves 5 for a start that is itself off, because the
+/// ray comes from afar: enter() takes rays up to 4.
 constexpr double pad_in_radii = 16.0 / (1 << 24);
 
 /// Found by the callbacks through the context, and in it by ray.id: Embree may shuffle lanes.
@@ -96,7 +98,6 @@ struct EmbreeScene::Handles {
     }
     /// Embree reads the boxes while it builds, not later.
     void build(std::vector<Box3> boxes) {
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
         rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes.size()));
         rtcSetGeometryUserData(geometry, boxes.data());

@@ -39,8 +39,11 @@ constexpr double widest_for_derivatives = 1e-6;
 double reach_in_box(const BezierPatchView& leaf, const Vec2& middle, const Vec2& half,
                     const Affine& to_world) {
     const Vec3 place = evaluate(leaf, middle, 0).position();
+    // At a pole the box may be as wide as the leaf: beyond that the weights run down to zero.
+    const Box2 box =
+        unit_square.padded(widest_for_derivatives).intersection({middle - half, middle + half});
     double reach = 0;
-    for (const Vec4& p : subpatch(leaf, {middle - half, middle + half})) {
+    for (const Vec4& p : subpatch(leaf, box)) {
         if (!(p.w > 0)) return std::numeric_limits<double>::infinity();
         const Vec3 away = to_world.vector(Vec3(p.x, p.y, p.z) / p.w - place);
         reach = std::max(reach, away.length());

@@ -37,7 +37,8 @@ public:
     }
 
     LeafSet run() {
-        const std::optional<Box2> start = material_box();
+        const std::optional<Box2> start =
+            maker_.has_area() ? material_box() : std::optional<Box2>();
         if (start) split(*start, 0, 0);
         if (!start) ++set_.trimmed_away;
         return std::move(set_);

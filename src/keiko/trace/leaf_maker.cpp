@@ -64,6 +64,21 @@ LeafMaker::LeafMaker(const BezierPatchView& patch, std::uint32_t index, double r
     weights_ = weight_range(points_);
 }
 
+bool LeafMaker::has_area() const {
+    const auto place = [](const Vec4& p) { return Vec3(p.x, p.y, p.z) / p.w; };
+    const auto farthest_from = [&](const Vec3& from) {
+        return place(
+            *std::max_element(points_.begin(), points_.end(), [&](const Vec4& a, const Vec4& b) {
+                return (place(a) - from).length() < (place(b) - from).length();
+            }));
+    };
+    const Vec3 first = farthest_from(place(points_.front()));
+    const Vec3 way = (farthest_from(first) - first).normalized();
+    return std::any_of(points_.begin(), points_.end(), [&](const Vec4& p) {
+        return way.cross(place(p) - first).length() > rounding_error(1);
+    });
+}
+
 void LeafMaker::add(const Share& share, const LeafFrame& frame, LeafSet& set) const {
     Leaf leaf = leaf_of(share, frame);
     leaf.first_point = static_cast<std::uint32_t>(set.points.size());

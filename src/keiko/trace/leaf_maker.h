@@ -19,6 +19,9 @@ public:
     const BezierPatchView& patch() const { return patch_; }
     /// mm, diagonal of its control points' box.
     double size() const { return size_; }
+    /// Whether the control points leave the line through the two that are farthest apart by more
+    /// than their rounding: a patch that does not is no surface, and rays do not meet it.
+    bool has_area() const;
     /// Lets leaves at the patch's ends go on by so much, patch parameters.
     void go_on_by(const Box2& beyond) { beyond_ = beyond; }
 

@@ -18,6 +18,8 @@ namespace keiko::HWY_NAMESPACE {
 
 /// Beyond these the squares of a direction leave the range of double precision.
 constexpr double shortest_direction = 1e-140, longest_direction = 1.1e150;
+/// mm: the same of the way to the scene.
+constexpr double farthest_origin = 1e150;
 
 /// The start moved up to the ball; no lane of the result that has no direction, or misses it.
 template <class D>
@@ -84,8 +86,8 @@ LaneMask enter_lanes(D d, const SceneBall& scene, RayBlock& rays, std::size_t la
     return lane_bits(
         d,
         and_all(hn::Gt(speed, set(shortest_direction)), hn::Lt(speed, set(longest_direction)),
-                hn::Le(error, most_error), hn::Ge(half_square, hn::Zero(d)), hn::Le(t_low, t_high),
-                hn::Le(low, high)),
+                hn::Lt(away, set(farthest_origin)), hn::Le(error, most_error),
+                hn::Ge(half_square, hn::Zero(d)), hn::Le(t_low, t_high), hn::Le(low, high)),
         lane);
 }
 

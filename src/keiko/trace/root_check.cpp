@@ -71,14 +71,17 @@ PartRay RootCheck::part_ray() const {
                           ray_.error);
 }
 
+/// mm, in the part, to the nearer end of the ray.
+double RootCheck::distance_to_end(const Crossing& c, const PartRay& part) const {
+    return std::min(std::abs(c.t), std::abs(ray_.ray->t_max - c.t)) * part.speed;
+}
+
 bool RootCheck::is_excluded(const Crossing& c) const {
     const std::optional<Root>& root = ray_.ray->excluded;
     if (!root || root->instance != placed_.instance) return false;
     if (root->patch == leaf_.patch && root->uv.contains(leaf_.patch_parameters(c.uv))) return true;
     const PartRay part = part_ray();
-    const double from_start = c.t * part.speed;
-    const double from_end = (ray_.ray->t_max - c.t) * part.speed;
-    const double distance = std::min(std::abs(from_start), std::abs(from_end));
+    const double distance = distance_to_end(c, part);
     return is_at_end(c, part, distance) || is_behind_own_seam(c, part, distance);
 }
 
@@ -102,7 +105,7 @@ bool RootCheck::is_behind_own_seam(const Crossing& c, const PartRay& part, doubl
     if (!place.edge) return false;
     const TrimRegion::NearCurve& border = place.edge->at;
     const SeamGap& gap = model_.seam_gaps[border.curve];
-    if (gap.samples.empty() || distance > farthest_behind_seam * gap.width ||
+    if (distance > farthest_behind_seam * gap.width ||
         !gap.holds(border.t, place.position - point(border.place), part.direction))
         return false;
     const Root& root = *ray_.ray->excluded;
@@ -158,6 +161,20 @@ Vec3 RootCheck::point(const Vec2& in_face) const {
     return evaluate(model_.leaves.view(leaf_), own, 0).position();
 }
 
+/// Of a root beyond the border of a seam that is closed, where there is nothing but the room for
+/// rounding: whether the ray starts or ends close by, or on the seam's other face, over which that
+/// stands out. What goes through the seam from afar meets the other face's own.
+bool RootCheck::is_lip_of_own(const TrimRegion::NearEdge& near, const SeamGap& gap,
+                              double distance) const {
+    const std::optional<Root>& root = ray_.ray->excluded;
+    if (!root || root->instance != placed_.instance || !gap.samples.empty()) return false;
+    if (distance <= farthest_behind_seam * gap.width) return true;
+    const std::uint32_t own = model_.patches[root->patch].face;
+    if (own == model_.patches[leaf_.patch].face) return false;
+    const auto edges = model_.faces[own].region.edges();
+    return std::binary_search(edges.begin(), edges.end(), near.edge);
+}
+
 /// Whether the place, beyond a border, is in the gap to the neighbour's.
 bool RootCheck::is_seam(Crossing& c, const Vec2& uv, const FaceTrim& trim) const {
     if (!may_be_near_edge(uv, trim)) return false;
@@ -166,7 +183,10 @@ bool RootCheck::is_seam(Crossing& c, const Vec2& uv, const FaceTrim& trim) const
     if (!place.edge) return false;
     const TrimRegion::NearCurve& border = place.edge->at;
     const Vec3 off = place.position - point(border.place);
-    if (!model_.seam_gaps[border.curve].holds(border.t, off, part.direction)) return false;
+    const SeamGap& gap = model_.seam_gaps[border.curve];
+    if (!gap.holds(border.t, off, part.direction) ||
+        is_lip_of_own(*place.edge, gap, distance_to_end(c, part)))
+        return false;
     c.flags = c.flags | HitFlags::seam;
     c.seam = place.edge->edge;
     return true;

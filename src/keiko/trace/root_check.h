@@ -16,8 +16,9 @@ namespace keiko {
 /// the neighbour's copy of the same point (it is measured across the surface, so that a concave
 /// surface met again at a low angle still counts); and, where the end is near an edge of two faces,
 /// roots on the other one that it meets from behind, coming between the two borders: what is open
-/// there counts as closed. Gaps below 1e-7 of the part's size are not looked at, nor faces that the
-/// file turns against each other.
+/// there counts as closed. Where nothing is open (1e-7 of the part's size), also what the other
+/// face has beyond its border for the sake of rounding. Faces that the file turns against each
+/// other are not looked at.
 class RootCheck {
 public:
     RootCheck(const TracedModel& model, const TracedRay& ray, const PlacedLeaf& placed);
@@ -35,6 +36,7 @@ private:
     double end() const { return (ray_.ray->t_max - ray_.t_start) * ray_.speed; }
     PartRay part_ray() const;
     Vec3 point(const Vec2& in_face) const;
+    double distance_to_end(const Crossing& crossing, const PartRay& part) const;
     bool is_excluded(const Crossing& crossing) const;
     bool is_at_end(const Crossing& crossing, const PartRay& part, double distance) const;
     bool is_behind_own_seam(const Crossing& crossing, const PartRay& part, double distance) const;
@@ -46,6 +48,7 @@ private:
                          std::span<const std::uint32_t> among = {}) const;
     bool is_material(Crossing& crossing) const;
     bool may_be_near_edge(const Vec2& uv, const FaceTrim& trim) const;
+    bool is_lip_of_own(const TrimRegion::NearEdge& near, const SeamGap& gap, double distance) const;
     bool is_seam(Crossing& crossing, const Vec2& uv, const FaceTrim& trim) const;
 
     const TracedModel& model_;

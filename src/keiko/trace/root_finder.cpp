@@ -17,8 +17,8 @@ namespace {
 constexpr double poor_clip = 0.8;
 /// Of the domain: no box is split below.
 constexpr double narrowest = 1e-12;
-/// More boxes than any leaf with isolated roots was ever seen to need (a tangency takes some
-/// hundreds). What is left then is taken as it is and flagged.
+/// More boxes than any leaf with isolated roots was ever seen to need (a tangency mostly takes some
+/// hundreds). What may hold a root then is taken as it is and flagged.
 constexpr int most_boxes = 20000;
 
 /// Of the domain: a narrower box may look flat only because it is narrow.
@@ -124,7 +124,7 @@ std::span<const LeafRoot> RootFinder::find(const PlanarNet& net, double slack) {
         const Box2 box = open_.back();
         open_.pop_back();
         if (count >= most_boxes)
-            accept_box(box);
+            accept_unless_clear(box);
         else if (box == unit_square)
             examine(net, box);
         else
@@ -154,6 +154,12 @@ void RootFinder::examine(const PlanarNet& net, const Box2& box) {
         accept_box(inner);
     else
         split(inner, variation(net));
+}
+
+void RootFinder::accept_unless_clear(const Box2& box) {
+    const PlanarNet net = restricted(*whole_, box);
+    if (extremes(f_of(net)).may_vanish(slack_) && extremes(g_of(net)).may_vanish(slack_))
+        accept_box(box);
 }
 
 void RootFinder::split(const Box2& box, const Vec2& variation) {

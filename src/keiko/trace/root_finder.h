@@ -24,6 +24,8 @@ private:
     void examine(const PlanarNet& net, const Box2& box);
     /// Halves the box across the axis along which the functions vary most.
     void split(const Box2& box, const Vec2& variation);
+    /// For want of time: the same unless the functions have no zero in the box.
+    void accept_unless_clear(const Box2& box);
     /// The box is as narrow as rounding allows, and a zero cannot be ruled out in it.
     void accept_box(const Box2& box);
     /// The ray lies in the surface on the whole box: the places where it enters and leaves.

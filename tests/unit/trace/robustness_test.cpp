@@ -50,6 +50,10 @@ TEST(Rays, WithoutMeaningHitNothing) {
             EXPECT_FALSE(tracer.nearest(ray_through(origin, broken)));
         }
     }
+    for (const double far : {1e140, 1e153, 1.4e154, 1e200, 1e308}) {
+        EXPECT_FALSE(tracer.any(ray_through(Vec3(0, 0, far), down)));
+        EXPECT_FALSE(tracer.nearest(ray_through(Vec3(-far, far, 0), Vec3(1, -1, 0))));
+    }
     EXPECT_FALSE(tracer.any(ray_through(origin, Vec3(0))));
     EXPECT_FALSE(tracer.any(ray_through(origin, down, nan)));
     EXPECT_FALSE(tracer.any(ray_through(origin, down, 0, nan)));
@@ -172,6 +176,25 @@ TEST(Build, TakesAnEmptyModel) {
     const Tracer tracer(SurfaceModel{});
     EXPECT_FALSE(tracer.any(ray_through(Vec3(0), Vec3(0, 0, 1))));
     EXPECT_TRUE(tracer.bounds().empty());
+}
+
+TEST(Shapes, WithoutAreaAreNotHit) {
+    const PatchData segment{
+        3,
+        1,
+        {Vec4(-5, 0, 0, 1), Vec4(7, 0, 0, 1), Vec4(-2, 0, 0, 1), Vec4(1, 0, 0, 1), Vec4(6, 0, 0, 2),
+         Vec4(-6, 0, 0, 2), Vec4(3, 0, 0, 1), Vec4(5, 0, 0, 1)},
+        {},
+        {}};
+    const PatchData point = bilinear({1, 1, 5}, {1, 1, 5}, {1, 1, 5}, {1, 1, 5});
+    const Tracer tracer(
+        ShapeBuilder().face({segment}).face({point}).face({rectangle(-9, 9, -9, 9, -20)}).model());
+    for (const Vec3& through : {Vec3(0.5, 0, 0), Vec3(0), Vec3(1, 1, 5)}) {
+        const std::vector<Hit> hits =
+            tracer.all(ray_through(through + Vec3(3, 4, 30), Vec3(-3, -4, -30)));
+        ASSERT_EQ(hits.size(), 1u);
+        EXPECT_EQ(hits[0].face, 2u);
+    }
 }
 
 TEST(Shapes, MayBeCollapsedOrSlivers) {
