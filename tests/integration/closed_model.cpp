@@ -70,8 +70,8 @@ std::string ClosureCounts::text() const {
     std::ostringstream out;
     out << rays << " rays, " << hits << " hits, tangential " << tangential << ", edge-on "
         << edge_on << ", leaks " << leaks << ", doubled " << doubled << ", through steps "
-        << through_steps << ", unclear " << unclear << "; " << aimed
-        << " aimed at edges and vertices, lost " << aimed_lost;
+        << through_steps << ", unclear " << unclear << ", out of order " << out_of_order << "; "
+        << aimed << " aimed at edges and vertices, lost " << aimed_lost;
     return out.str();
 }
 
@@ -132,6 +132,29 @@ void ClosedModel::count_parity(const Ray& ray, ClosureCounts& counts) const {
         ++counts.tangential;
     else if (hits.size() % 2 != 0)
         classify_odd(ray, hits.size(), counts);
+    else if (!in_order(hits, ray))
+        report("out of order", ray), ++counts.out_of_order;
+}
+
+/// As the file turns the face.
+bool ClosedModel::leaves(const Hit& hit, const Ray& ray) const {
+    const Patch& patch = model_.patches[hit.patch];
+    const double turned = patch.map_u.derivative(hit.uv.x) * patch.map_v.derivative(hit.uv.y);
+    bool outward = (turned < 0) == model_.faces[patch.face].reversed;
+    if (model_.instances[hit.instance].transform.mirrored()) outward = !outward;
+    return (hit.normal.dot(ray.direction) > 0) == outward;
+}
+
+/// Never left more often than entered, and as often in the end. Hits closer together than 1e-6 of
+/// the size may come in any order.
+bool ClosedModel::in_order(const std::vector<Hit>& hits, const Ray& ray) const {
+    int depth = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        depth += leaves(hits[i], ray) ? -1 : 1;
+        const bool apart = i + 1 == hits.size() || hits[i + 1].t - hits[i].t > 1e-6 * size_;
+        if (apart && depth < 0) return false;
+    }
+    return depth == 0;
 }
 
 std::array<std::size_t, 4> ClosedModel::hits_beside(const Ray& ray, double away) const {

@@ -21,7 +21,8 @@ struct ClosureCounts {
     /// Like doubled, by rays that pass between the two borders of a measured seam: they come in
     /// through the opening that the file leaves, and meet one of its two faces.
     std::size_t through_steps = 0;
-    std::size_t unclear = 0; ///< odd, and none of these
+    std::size_t unclear = 0;      ///< odd, and none of these
+    std::size_t out_of_order = 0; ///< even, but somewhere left more often than entered
     std::size_t aimed = 0, aimed_lost = 0;
 
     std::string text() const;
@@ -51,6 +52,8 @@ private:
     std::array<std::size_t, 4> hits_beside(const Ray& ray, double away) const;
     void classify_odd(const Ray& ray, std::size_t hits, ClosureCounts& counts) const;
     bool passes_between_borders(const Ray& ray) const;
+    bool leaves(const Hit& hit, const Ray& ray) const;
+    bool in_order(const std::vector<Hit>& hits, const Ray& ray) const;
     void report(const char* what, const Ray& ray) const;
 
     SurfaceModel model_;

@@ -34,6 +34,7 @@ void expect_closed(const std::filesystem::path& file) {
     EXPECT_EQ(counts.doubled, 0u);
     EXPECT_LE(counts.through_steps, counts.rays / 100'000);
     EXPECT_EQ(counts.unclear, 0u);
+    EXPECT_EQ(counts.out_of_order, 0u);
     EXPECT_EQ(counts.aimed_lost, 0u);
 }
 
