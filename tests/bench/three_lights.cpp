@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace keiko::bench {
 namespace {
@@ -39,6 +41,8 @@ std::string two_digits(double value) {
     if (!std::isfinite(value)) return "none";
     char text[32];
     std::snprintf(text, sizeof text, "%.2g", value);
+    // No powers of ten where digits do.
+    if (value >= 100) std::snprintf(text, sizeof text, "%.0f", std::strtod(text, nullptr));
     return text;
 }
 
