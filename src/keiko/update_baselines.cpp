@@ -1,3 +1,4 @@
+#include "keiko/base/counted.h"
 #include "keiko/io/fixture_file.h"
 #include "keiko/suite_files.h"
 
@@ -22,10 +23,10 @@ std::string picture_change(const PictureDifference& picture) {
     std::string text = picture.view + ": ";
     for (const LayerDifference& layer : picture.film->layers)
         if (!layer.within)
-            text += layer.layer + " beyond its tolerance in " + std::to_string(layer.beyond) +
-                    " pixels; ";
-    return text + std::to_string(picture.film->coverage_flips + picture.film->face_flips) +
-           " pixels of the silhouette";
+            text +=
+                layer.layer + " beyond its tolerance in " + counted(layer.beyond, "pixel") + "; ";
+    return text + counted(picture.film->coverage_flips + picture.film->face_flips, "pixel") +
+           " of the silhouette";
 }
 
 /// What a new baseline changes, one line each.
@@ -53,8 +54,8 @@ AcceptedBaseline accept(const FixtureSpec& spec, const FixtureRecord& candidate,
             if (content_files(old->record) == content_files(candidate)) return {spec.name, {}};
             change.changed = changes_between(spec, old->record, candidate);
         } else {
-            change.changed = {"first baseline: " + std::to_string(candidate.metrics.size()) +
-                              " metrics, " + std::to_string(candidate.pictures.size()) + " views"};
+            change.changed = {"first baseline: " + counted(candidate.metrics.size(), "metric") +
+                              ", " + counted(candidate.pictures.size(), "view")};
         }
     } catch (const Error& error) {
         kept.changes = changes_in(read_folder(folder));

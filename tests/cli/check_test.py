@@ -69,7 +69,7 @@ class Check(KeikoTest):
     def test_a_file_is_not_asked_for_twice(self):
         run = self.keiko("check", "missing.step", "-o", "a.json", "--junit", "./a.json")
         self.assertEqual((run.returncode, run.stdout), (2, ""))
-        self.assertEqual(run.stderr, "keiko: ./a.json: is named for two outputs\n")
+        self.assertEqual(run.stderr, "keiko: a.json: is named for two outputs\n")
 
     def test_junit_counts_its_cases(self):
         for name, preset in (("seam-g0-gap.step", "class-a-strict"), ("dome.bpt", "class-a-strict")):
