@@ -2,63 +2,25 @@
 
 #include "keiko/io/cad/alike_shapes.h"
 #include "keiko/io/cad/part_conversion.h"
+#include "keiko/io/cad/shape_attributes.h"
 #include "keiko/io/cad/transforms.h"
 
 #include <BRep_Builder.hxx>
-#include <Quantity_Color.hxx>
-#include <TColStd_HSequenceOfExtendedString.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDF_Tool.hxx>
-#include <TDataStd_Name.hxx>
-#include <TopExp.hxx>
 #include <TopLoc_Location.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <XCAFApp_Application.hxx>
-#include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
-#include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <unordered_map>
 
 namespace keiko::cad {
 namespace {
-
-std::string utf8(const TCollection_ExtendedString& text) {
-    return TCollection_AsciiString(text).ToCString();
-}
-
-std::string name_of(const TDF_Label& label) {
-    opencascade::handle<TDataStd_Name> name;
-    return label.FindAttribute(TDataStd_Name::GetID(), name) ? utf8(name->Get()) : "";
-}
-
-/// Many programs leave an occurrence of STEP without a name; what OpenCASCADE calls it then is its
-/// number in the file.
-bool is_number(const std::string& name) {
-    return !name.empty() &&
-           std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-/// What a component is called: as it says itself, or else as the product that it places.
-std::string name_of(const TDF_Label& component, const TDF_Label& product) {
-    const std::string own = name_of(component), of_product = name_of(product);
-    const bool says_nothing = own.empty() || (is_number(own) && !of_product.empty());
-    return says_nothing ? of_product : own;
-}
-
-struct SameShape {
-    std::size_t operator()(const TopoDS_Shape& s) const {
-        return static_cast<std::size_t>(s.HashCode(2147483647));
-    }
-    bool operator()(const TopoDS_Shape& a, const TopoDS_Shape& b) const { return a.IsSame(b); }
-};
-using AttributeMap = std::unordered_map<TopoDS_Shape, FaceAttributes, SameShape, SameShape>;
 
 class AssemblyReader {
 public:
@@ -67,8 +29,7 @@ public:
         : face_names_(std::move(face_names)),
           mapped_(mapped),
           shapes_(XCAFDoc_DocumentTool::ShapeTool(main)),
-          colors_(XCAFDoc_DocumentTool::ColorTool(main)),
-          layers_(XCAFDoc_DocumentTool::LayerTool(main)),
+          attributes_(main),
           document_(document) {}
 
     void read() {
@@ -92,7 +53,7 @@ private:
         for (const TDF_Label& label : labels) {
             const TopoDS_Shape face = XCAFDoc_ShapeTool::GetShape(label);
             builder.Add(compound, face);
-            FaceAttributes own = own_attributes(label);
+            FaceAttributes own = attributes_.own(label);
             own.name = face_names_ ? face_names_(face) : name_of(label);
             attributes->emplace(face, std::move(own));
         }
@@ -131,7 +92,7 @@ private:
         });
         if (spread == roots.end()) return place(root, correction, {}, name_of(root), {});
         place(*spread, correction, affine(place_of(shape_of(root))), name_of(root),
-              own_attributes(root));
+              attributes_.own(root));
     }
 
     /// Walks down to the parts; `inherited` holds what the components above say, `correction` what
@@ -143,9 +104,9 @@ private:
             XCAFDoc_ShapeTool::GetReferredShape(label, referred);
             const Affine here = affine(XCAFDoc_ShapeTool::GetLocation(label).Transformation());
             place(referred, {}, above * here * correction, name_of(label, referred),
-                  merged(own_attributes(label), inherited));
+                  merged(attributes_.own(label), inherited));
         } else if (XCAFDoc_ShapeTool::IsAssembly(label)) {
-            place_components(label, above * correction, merged(own_attributes(label), inherited));
+            place_components(label, above * correction, merged(attributes_.own(label), inherited));
         } else if (const auto part = part_of(label, inherited)) {
             document_.instances.push_back({*part, name, above * correction});
         }
@@ -179,8 +140,8 @@ private:
                 {Severity::note, name, "a part without faces left out"});
             return std::nullopt;
         }
-        auto known = std::make_shared<AttributeMap>(sub_shape_attributes(label));
-        const FaceAttributes fallback = merged(own_attributes(label), inherited);
+        auto known = std::make_shared<AttributeMap>(attributes_.of_faces(label));
+        const FaceAttributes fallback = merged(attributes_.own(label), inherited);
         document_.parts.push_back(
             {shape, name, [known, fallback, names = face_names_](const TopoDS_Shape& face) {
                  const auto found = known->find(face);
@@ -192,61 +153,10 @@ private:
         return document_.parts.size() - 1;
     }
 
-    /// Attributes of the faces that have their own, or that a shell or solid with its own holds.
-    AttributeMap sub_shape_attributes(const TDF_Label& part) const {
-        AttributeMap map;
-        TDF_LabelSequence labels;
-        XCAFDoc_ShapeTool::GetSubShapes(part, labels);
-        std::vector<std::pair<TopoDS_Shape, FaceAttributes>> larger;
-        for (const TDF_Label& label : labels) {
-            const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
-            if (shape.IsNull() || shape.ShapeType() > TopAbs_FACE) continue;
-            FaceAttributes own = own_attributes(label);
-            if (shape.ShapeType() == TopAbs_FACE) {
-                own.name = name_of(label);
-                map[shape] = own;
-            } else {
-                larger.emplace_back(shape, std::move(own));
-            }
-        }
-        // Smaller shapes first: a face keeps what its shell says before what its solid says.
-        std::stable_sort(larger.begin(), larger.end(), [](const auto& a, const auto& b) {
-            return a.first.ShapeType() > b.first.ShapeType();
-        });
-        for (const auto& [shape, attributes] : larger) {
-            TopTools_IndexedMapOfShape faces;
-            TopExp::MapShapes(shape, TopAbs_FACE, faces);
-            for (int i = 1; i <= faces.Extent(); ++i)
-                map[faces(i)] = merged(map[faces(i)], attributes);
-        }
-        return map;
-    }
-
-    /// Layer and colour that a label itself carries.
-    FaceAttributes own_attributes(const TDF_Label& label) const {
-        FaceAttributes result;
-        Quantity_Color color;
-        if (colors_->GetColor(label, XCAFDoc_ColorSurf, color) ||
-            colors_->GetColor(label, XCAFDoc_ColorGen, color))
-            result.color = Rgb(color.Red(), color.Green(), color.Blue());
-        opencascade::handle<TColStd_HSequenceOfExtendedString> layers;
-        if (layers_->GetLayers(label, layers) && !layers.IsNull() && !layers->IsEmpty())
-            result.layer = utf8(layers->First());
-        return result;
-    }
-
-    /// `own`, with what it does not say taken from `outer`; names are not inherited.
-    static FaceAttributes merged(FaceAttributes own, const FaceAttributes& outer) {
-        if (own.layer.empty()) own.layer = outer.layer;
-        if (!own.color) own.color = outer.color;
-        return own;
-    }
-
     FaceNames face_names_;
     MappedItems& mapped_;
     opencascade::handle<XCAFDoc_ShapeTool> shapes_;
-    opencascade::handle<XCAFDoc_ColorTool> colors_;
-    opencascade::handle<XCAFDoc_LayerTool> layers_;
+    ShapeAttributes attributes_;
     CadDocument& document_;
     std::map<std::string, std::optional<std::size_t>> part_numbers_;
 };
