@@ -38,8 +38,10 @@ public:
         std::vector<TDF_Label> loose_faces, trees;
         for (const TDF_Label& root : roots)
             (shape_of(root).ShapeType() == TopAbs_FACE ? loose_faces : trees).push_back(root);
+        const std::vector<TDF_Label> spread = spread_out(trees);
         for (const TDF_Label& root : trees)
-            if (!shown_elsewhere(root, trees)) place_root(root, trees);
+            if (std::find(spread.begin(), spread.end(), root) == spread.end())
+                place_root(root, spread);
         if (!loose_faces.empty()) gather(loose_faces);
     }
 
@@ -69,29 +71,33 @@ private:
         return XCAFDoc_ShapeTool::GetShape(label);
     }
 
-    /// Whether a root is an assembly and `lump` a place of the same compound as one piece: XCAF
-    /// makes both of a compound that is not in its own place.
-    static bool spreads_out(const TDF_Label& root, const TDF_Label& lump) {
+    /// Whether `assembly` is made of what `lump` places as one piece: XCAF makes both of a compound
+    /// that is not in its own place.
+    static bool spreads_out(const TDF_Label& assembly, const TDF_Label& lump) {
         TDF_Label referred;
-        return XCAFDoc_ShapeTool::IsAssembly(root) &&
-               XCAFDoc_ShapeTool::GetReferredShape(lump, referred) &&
+        return XCAFDoc_ShapeTool::GetReferredShape(lump, referred) &&
                !XCAFDoc_ShapeTool::IsAssembly(referred) &&
-               alike(shape_of(root), shape_of(referred));
+               alike(shape_of(assembly), shape_of(referred));
     }
 
-    bool shown_elsewhere(const TDF_Label& root, const std::vector<TDF_Label>& roots) const {
-        return !mapped_.is_product(shape_of(root)) &&
-               std::any_of(roots.begin(), roots.end(),
-                           [&](const TDF_Label& lump) { return spreads_out(root, lump); });
+    /// The roots that only spread out another, which no product of the file is.
+    std::vector<TDF_Label> spread_out(const std::vector<TDF_Label>& roots) const {
+        std::vector<TDF_Label> spread;
+        for (const TDF_Label& root : roots)
+            if (XCAFDoc_ShapeTool::IsAssembly(root) && !mapped_.is_product(shape_of(root)) &&
+                std::any_of(roots.begin(), roots.end(),
+                            [&](const TDF_Label& lump) { return spreads_out(root, lump); }))
+                spread.push_back(root);
+        return spread;
     }
 
-    void place_root(const TDF_Label& root, const std::vector<TDF_Label>& roots) {
+    void place_root(const TDF_Label& root, const std::vector<TDF_Label>& spread) {
         const Affine correction = mapped_.corrections({shape_of(root)})[0];
-        const auto spread = std::find_if(roots.begin(), roots.end(), [&](const TDF_Label& other) {
-            return spreads_out(other, root);
-        });
-        if (spread == roots.end()) return place(root, correction, {}, name_of(root), {});
-        place(*spread, correction, affine(place_of(shape_of(root))), name_of(root),
+        const auto assembly =
+            std::find_if(spread.begin(), spread.end(),
+                         [&](const TDF_Label& other) { return spreads_out(other, root); });
+        if (assembly == spread.end()) return place(root, correction, {}, name_of(root), {});
+        place(*assembly, correction, affine(place_of(shape_of(root))), name_of(root),
               attributes_.own(root));
     }
 
