@@ -10,8 +10,8 @@ namespace keiko {
 
 /// Knobs of compare_inspections.
 struct CompareOptions {
-    double place = 10;       ///< mm: seams that run farther apart are not the same seam
-    double gap = 1e-3;       ///< mm: a smaller change of a gap is none
+    double place = 10; ///< mm: seams that run farther apart are not the same seam
+    double gap = 1e-3; ///< mm: a smaller change of a gap is none
     /// Degrees: a smaller change of an angle is none. A border that has moved by 1e-3 mm on a bead
     /// of radius 12 mm turns as much.
     double angle = 5e-3;
