@@ -40,11 +40,14 @@ std::optional<Vec3> unit_normal(const SurfaceDerivatives& s, const Vec2& uv) {
 }
 
 PrincipalCurvatures principal_curvatures(const SurfaceDerivatives& s, const Vec3& normal) {
+    // The second form in a frame that is orthonormal: a symmetric matrix, whose eigenvalues keep
+    // their digits where they are equal, unlike the roots of k^2 - 2 H k + K.
     const FirstForm one = first_form(s);
     const double l = s.duu().dot(normal), m = s.duv().dot(normal), n = s.dvv().dot(normal);
-    const double mean = (one.e * n - 2 * one.f * m + one.g * l) / (2 * one.determinant());
-    const double gaussian = (l * n - m * m) / one.determinant();
-    const double spread = std::sqrt(std::max(0.0, mean * mean - gaussian));
+    const double skew = one.f / one.e, width2 = one.determinant() / one.e;
+    const double h11 = l / one.e, h12 = (m - skew * l) / std::sqrt(one.determinant());
+    const double h22 = (n - 2 * skew * m + skew * skew * l) / width2;
+    const double mean = (h11 + h22) / 2, spread = std::hypot((h11 - h22) / 2, h12);
     return {mean + spread, mean - spread};
 }
 
