@@ -56,11 +56,17 @@ std::vector<double> zeros_of_edge(const std::vector<double>& c, double slack) {
     return zeros;
 }
 
-/// Where a ray that lies in the surface meets the edges of [0, 1]^2. Across the plane nothing
-/// happens; in it, the other combination of f and g tells where the ray runs.
-std::vector<Vec2> ends_of_line(const PlanarNet& net, const Vec2& plane, double slack) {
+/// Where a ray that lies in the surface may meet an edge of [0, 1]^2.
+struct LineEnd {
+    Vec2 at;
+    double error = 0; ///< in either parameter
+};
+
+/// Across the plane nothing happens; in it, the other combination of f and g tells where the ray
+/// runs, as well as `slack` lets it.
+std::vector<LineEnd> ends_of_line(const PlanarNet& net, const Vec2& plane, double slack) {
     const std::size_t rows = net.rows(), columns = net.columns();
-    std::vector<Vec2> ends;
+    std::vector<LineEnd> ends;
     const auto edge = [&](std::size_t first, std::size_t step, std::size_t count, unsigned axis,
                           double across) {
         std::vector<double> c;
@@ -68,9 +74,12 @@ std::vector<Vec2> ends_of_line(const PlanarNet& net, const Vec2& plane, double s
             const std::size_t at = first + i * step;
             c.push_back(plane.x * net.g[at] - plane.y * net.f[at]);
         }
+        const auto [low, high] = extremes(c);
+        constexpr double least = 1e-12;
+        const double error = high > low ? std::clamp(4 * slack / (high - low), least, 1.0) : 1;
         for (const double t : zeros_of_edge(c, slack)) {
-            ends.emplace_back(across);
-            ends.back()[axis] = t;
+            ends.push_back({Vec2(across), error});
+            ends.back().at[axis] = t;
         }
     };
     edge(0, columns, rows, 0, 0);
@@ -191,16 +200,15 @@ void RootFinder::accept_box(const Box2& box) {
 }
 
 void RootFinder::accept_line(const PlanarNet& net, const Box2& box, const Vec2& plane) {
-    const std::vector<Vec2> ends = ends_of_line(net, plane, 2 * slack_);
-    const auto root_at = [&](const Vec2& middle, const Vec2& half) {
-        return LeafRoot{middle, half + Vec2(1e-12), true, true};
-    };
+    const std::vector<LineEnd> ends = ends_of_line(net, plane, 2 * slack_);
     Box2 line;
-    for (const Vec2& end : ends) line.extend(box.lower + box.extent() * end);
-    if (box == unit_square)
-        for (const Vec2& end : ends) roots_.add(root_at(end, Vec2(0)));
-    else if (!ends.empty())
-        roots_.add_stretch(root_at(line.center(), line.extent() * 0.5));
+    for (const LineEnd& end : ends) {
+        const Vec2 middle = box.lower + box.extent() * end.at, half = box.extent() * end.error;
+        if (box == unit_square) roots_.add({middle, half, true, true});
+        line.extend(Box2{middle - half, middle + half});
+    }
+    if (box != unit_square && !ends.empty())
+        roots_.add_stretch({line.center(), line.extent() * 0.5, true, true});
 }
 
 } // namespace keiko

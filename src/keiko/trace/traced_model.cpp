@@ -1,5 +1,6 @@
 #include "keiko/trace/traced_model.h"
 
+#include "keiko/base/error.h"
 #include "keiko/base/parallel.h"
 #include "keiko/trace/seam_width.h"
 #include "keiko/trace/subpatch.h"
@@ -40,6 +41,17 @@ double inverse_error(const Affine& map, const Affine& inverse) {
            4 * epsilon * frobenius_norm(map.rows) * frobenius_norm(inverse.rows);
 }
 
+/// A placement that is far from turning and scaling alone leaves no bound of use to what is
+/// computed in the part.
+void require_placeable(const Instance& instance, const Affine& inverse) {
+    constexpr double most = 1e4;
+    const double condition =
+        frobenius_norm(instance.transform.rows) * frobenius_norm(inverse.rows) / 3;
+    if (condition <= most) return;
+    throw Error("", instance.name.empty() ? "instance" : "instance " + instance.name,
+                "its placement is flat, or sheared beyond all measure");
+}
+
 std::vector<PartPlacement> placements(const SurfaceModel& model,
                                       const std::vector<std::uint32_t>& first_leaf_of_face) {
     std::vector<PartPlacement> result;
@@ -48,6 +60,7 @@ std::vector<PartPlacement> placements(const SurfaceModel& model,
         const std::uint32_t first = first_leaf_of_face[part.first_face];
         const std::uint32_t end = first_leaf_of_face[part.first_face + part.face_count];
         const Affine to_part = instance.transform.inverse();
+        require_placeable(instance, to_part);
         const bool identity = instance.transform.is_identity();
         const double error = identity ? 0 : inverse_error(instance.transform, to_part);
         result.push_back({.to_world = instance.transform,

@@ -43,7 +43,8 @@ struct TracerStatistics {
 /// by a four millionth of that size.
 class Tracer {
 public:
-    /// Keeps its own copy of what it needs of `model`. Throws Cancelled.
+    /// Keeps its own copy of what it needs of `model`. Throws Cancelled, and Error for a placement
+    /// that is flat or sheared (condition number, by Frobenius norms, above 1e4).
     explicit Tracer(const SurfaceModel& model, const TracerOptions& options = {},
                     const Job& job = {});
     ~Tracer();

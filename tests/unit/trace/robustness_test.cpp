@@ -178,6 +178,20 @@ TEST(Build, TakesAnEmptyModel) {
     EXPECT_TRUE(tracer.bounds().empty());
 }
 
+TEST(Placements, ThatAreFlatOrShearedBeyondAllMeasureAreRefused) {
+    SurfaceModel model = layers();
+    Affine& placement = model.instances.front().transform;
+    for (const Vec3& row : {Vec3(0), Vec3(0, 0, 1e-7), Vec3(1e4, 0, 1)}) {
+        placement = Affine{};
+        placement.rows[2] = row;
+        EXPECT_THROW(Tracer{model}, Error) << row;
+    }
+    for (const Vec3& row : {Vec3(0, 0, 1e-3), Vec3(100, 0, 1), Vec3(0, 0, -7)}) {
+        placement.rows[2] = row;
+        EXPECT_NO_THROW(Tracer{model}) << row;
+    }
+}
+
 TEST(Shapes, WithoutAreaAreNotHit) {
     const PatchData segment{
         3,
