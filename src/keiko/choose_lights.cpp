@@ -7,9 +7,7 @@ ChosenLights choose_lights(const Scene& scene, const std::optional<std::filesyst
                            const Job& job) {
     if (rig) return {read_rig(*rig)};
     if (scene.rig) return {*scene.rig};
-    std::vector<Camera> cameras;
-    for (const NamedView& view : views) cameras.push_back(view.camera);
-    Placement placement = place_lamps(scene.tracer, scene.model, cameras, options, job);
+    Placement placement = place_lamps(scene.tracer, scene.model, cameras_of(views), options, job);
     return {placement.rig, std::move(placement)};
 }
 

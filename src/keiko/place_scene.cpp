@@ -41,9 +41,7 @@ std::vector<ViewSample> looks(const Scene& scene, const PlaceOptions& options,
                               std::span<const NamedView> views, const SamplingOptions& sampling,
                               const Job& job) {
     if (options.hits) return options.hits->chosen(scene.model, scene.tracer.bounds(), sampling);
-    std::vector<Camera> cameras;
-    for (const NamedView& view : views) cameras.push_back(view.camera);
-    return sample_views(scene.tracer, scene.model, cameras, sampling, job);
+    return sample_views(scene.tracer, scene.model, cameras_of(views), sampling, job);
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 #include "keiko/base/units.h"
 
-#include <algorithm>
+#include "keiko/base/lower_case.h"
+
 #include <array>
-#include <cctype>
 #include <string>
 #include <utility>
 
@@ -28,9 +28,7 @@ std::optional<double> millimetres_per(std::string_view unit) {
         {"foot", 304.8},
         {"yd", 914.4},
     }};
-    std::string name(unit);
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string name = lower_case(std::string(unit));
     for (const auto& [known, factor] : table)
         if (known == name) return factor;
     return std::nullopt;

@@ -1,4 +1,5 @@
 #include "keiko/base/log.h"
+#include "keiko/base/lower_case.h"
 #include "keiko/base/output_batch.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/number_check.h"
@@ -7,7 +8,6 @@
 #include "keiko/compare_bodies.h"
 
 #include <array>
-#include <cctype>
 #include <iostream>
 #include <memory>
 
@@ -29,8 +29,7 @@ bool shows_pictures(const CompareArguments& arguments) {
 
 /// Whether -o names a page rather than a folder.
 bool is_page(const fs::path& output) {
-    std::string ending = output.extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string ending = lower_case(output.extension().string());
     return ending == ".html" || ending == ".htm";
 }
 

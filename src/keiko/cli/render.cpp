@@ -1,3 +1,4 @@
+#include "keiko/base/lower_case.h"
 #include "keiko/base/output_file.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/frame_log.h"
@@ -6,7 +7,6 @@
 #include "keiko/cli/scene_options.h"
 #include "keiko/input_key.h"
 
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
@@ -38,9 +38,7 @@ std::vector<Aov> aovs_of(const std::string& list) {
 }
 
 bool is_png(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension == ".png";
+    return lower_case(path.extension().string()) == ".png";
 }
 
 /// "MIN:MAX"

@@ -2,6 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/lower_case.h"
 #include "keiko/base/output_file.h"
 #include "keiko/film/film_channels.h"
 
@@ -9,7 +10,6 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 
@@ -20,8 +20,7 @@ namespace {
 enum class Format { exr, png };
 
 Format format_of(const fs::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string extension = lower_case(path.extension().string());
     if (extension == ".exr") return Format::exr;
     if (extension == ".png") return Format::png;
     throw Error(path.string(), "",

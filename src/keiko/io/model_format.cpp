@@ -2,10 +2,10 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/lower_case.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -76,8 +76,7 @@ std::optional<ModelFormat> patch_text(const std::string& text) {
 
 /// Whether a word is a number or was meant to be one; what is wrong with it the parser knows.
 bool like_number(std::string word) {
-    word.erase(0, word.find_first_not_of("+-"));
-    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    word = lower_case(word.erase(0, word.find_first_not_of("+-")));
     return word.find_first_of("0123456789.") == 0 || word.starts_with("nan") ||
            word.starts_with("inf");
 }

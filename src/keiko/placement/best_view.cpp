@@ -106,6 +106,12 @@ std::vector<NamedView> best_views(const Tracer& tracer, const SurfaceModel& mode
     return chosen;
 }
 
+std::vector<Camera> cameras_of(std::span<const NamedView> views) {
+    std::vector<Camera> cameras;
+    for (const NamedView& view : views) cameras.push_back(view.camera);
+    return cameras;
+}
+
 NamedView best_view(const Tracer& tracer, const SurfaceModel& model, const Framing& framing,
                     const Job& job) {
     return best_views(tracer, model, 1, framing, job).front();

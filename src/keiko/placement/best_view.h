@@ -4,6 +4,7 @@
 #include "keiko/spec/view.h"
 #include "keiko/trace/tracer.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct NamedView {
     Camera camera;
     double score = 0; ///< share of the picture that shows the part well, about 0 to 1
 };
+
+/// Of all views, in their order.
+std::vector<Camera> cameras_of(std::span<const NamedView> views);
 
 /// Chooses the view that shows a part well: much of it large in the picture, at incidences that
 /// mirror clearly, and of sheet panels the convex, outer side. Tries the eight level or slightly

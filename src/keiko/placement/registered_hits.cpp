@@ -24,9 +24,7 @@ std::vector<ViewSample> RegisteredHits::chosen(const SurfaceModel& model, const 
 
 RegisteredHits register_hits(const Tracer& tracer, const SurfaceModel& model,
                              std::vector<NamedView> views, const Job& job) {
-    std::vector<Camera> cameras;
-    for (const NamedView& view : views) cameras.push_back(view.camera);
-    std::vector<ViewSample> samples = sample_views(tracer, model, cameras, {}, job);
+    std::vector<ViewSample> samples = sample_views(tracer, model, cameras_of(views), {}, job);
     return {std::move(views), std::move(samples), model.faces.size(), model.instances.size(),
             tracer.bounds()};
 }
