@@ -4,6 +4,7 @@
 #include "keiko/math/interval_set.h"
 #include "keiko/patch/boundary_curves.h"
 #include "keiko/patch/box_tree.h"
+#include "keiko/patch/seam_pieces.h"
 #include "keiko/patch/seam_stretch.h"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ private:
         const BoundaryInterval &a = intervals_[candidate.a], &b = intervals_[candidate.b];
         return a.instance == b.instance && a.face == b.face;
     }
-    bool long_enough(const Candidate& candidate, const Stretch& stretch) const;
+    SeamPiece piece(const Candidate& candidate, const Stretch& stretch) const;
     Seam seam(const Candidate& candidate, const Stretch& stretch) const;
 
     const SurfaceModel& model_;
@@ -196,22 +197,28 @@ std::vector<Stretch> SeamPairing::undominated(const Candidate& candidate) const 
     return kept;
 }
 
-/// A seam runs along further than it is wide; a scrap of one must fill the shorter border
-/// of two faces.
-bool SeamPairing::long_enough(const Candidate& candidate, const Stretch& stretch) const {
-    constexpr double slenderness = 4, scrap = 1, filled = 0.9;
-    double length = 0, widest = 0;
-    for (std::size_t i = 0; i < stretch.points.size(); ++i) {
-        widest = std::max(widest, stretch.points[i].distance);
-        if (i == 0) continue;
-        length += (borders_[candidate.a].curve.at(stretch.points[i].t).position -
-                   borders_[candidate.a].curve.at(stretch.points[i - 1].t).position)
-                      .length();
+SeamPiece SeamPairing::piece(const Candidate& candidate, const Stretch& stretch) const {
+    const BoundaryInterval &a = intervals_[candidate.a], &b = intervals_[candidate.b];
+    const Border &border_a = borders_[candidate.a], &border_b = borders_[candidate.b];
+    std::vector<std::array<Vec3, 2>> way;
+    for (const FacingPoints& p : stretch.points)
+        way.push_back({border_a.curve.at(p.t).position, border_b.curve.at(p.s).position});
+    SeamPiece result{.faces = {a.instance, a.face, b.instance, b.face}};
+    for (std::size_t side = 0; side < 2; ++side) {
+        const auto tip = [&](const auto& end, const auto& before) {
+            return SeamPiece::Tip{end[side], end[side] - before[side]};
+        };
+        result.ends[0][side] = tip(way[0], way[1]);
+        result.ends[1][side] = tip(way.back(), way[way.size() - 2]);
     }
-    const double shorter =
-        std::min(borders_[candidate.a].polyline.length, borders_[candidate.b].polyline.length);
-    const bool fills = !on_one_face(candidate) && length >= filled * shorter;
-    return length >= slenderness * widest && (length >= scrap * join_ || fills);
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        if (i > 0) result.length += (way[i][0] - way[i - 1][0]).length();
+        result.widest = std::max(result.widest, stretch.points[i].distance);
+    }
+    constexpr double filled = 0.9;
+    const double shorter = std::min(border_a.polyline.length, border_b.polyline.length);
+    result.fills_border = !on_one_face(candidate) && result.length >= filled * shorter;
+    return result;
 }
 
 Seam SeamPairing::seam(const Candidate& candidate, const Stretch& stretch) const {
@@ -227,10 +234,18 @@ Seam SeamPairing::seam(const Candidate& candidate, const Stretch& stretch) const
 }
 
 std::vector<Seam> SeamPairing::choose() const {
-    std::vector<Seam> seams;
+    std::vector<SeamPiece> pieces;
+    std::vector<Seam> all, seams;
     for (const Candidate& candidate : candidates_)
-        for (const Stretch& stretch : undominated(candidate))
-            if (long_enough(candidate, stretch)) seams.push_back(seam(candidate, stretch));
+        for (const Stretch& stretch : undominated(candidate)) {
+            const SeamPiece found = piece(candidate, stretch);
+            if (!(found.length > point_length)) continue;
+            pieces.push_back(found);
+            all.push_back(seam(candidate, stretch));
+        }
+    const std::vector<bool> kept = seams_among(pieces, join_);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (kept[i]) seams.push_back(all[i]);
     return seams;
 }
 

@@ -153,6 +153,44 @@ TEST(PairSeams, KeepsATinyFaceWhoseEdgesAreShorterThanTheJoinDistance) {
     EXPECT_NEAR(seams[0].a.end, 0.202, 1e-12);
 }
 
+/// Covers x in [0, 10] and y from 0 to 5; its border at y = 0 is cut into equal pieces.
+std::vector<Vec2> cut_rectangle(int pieces) {
+    std::vector<Vec2> corners;
+    for (int i = 0; i <= pieces; ++i) corners.emplace_back(static_cast<double>(i) / pieces, 0);
+    corners.emplace_back(1, 1);
+    corners.emplace_back(0, 1);
+    return corners;
+}
+
+TEST(PairSeams, DoNotDependOnHowBordersAreCut) {
+    // 4 times the gap is more than a piece is long, and pieces end in the middle of others.
+    const double gap = 0.05;
+    for (const auto& [upper, lower] : {std::pair(1, 200), std::pair(200, 3), std::pair(130, 170)}) {
+        ModelBuilder builder;
+        builder.plane({0, gap, 0}, {10, 0, 0}, {0, 5, 0});
+        builder.polygon(cut_rectangle(upper));
+        builder.plane({0, 0, 0}, {10, 0, 0}, {0, -5, 0});
+        builder.polygon(cut_rectangle(lower));
+        const SurfaceModel model = builder.build();
+        double length = 0;
+        for (const Seam& seam : pair_seams(model, join)) length += length_of(model, seam.a);
+        EXPECT_NEAR(length, 10, 1e-9) << upper << " and " << lower;
+    }
+}
+
+TEST(PairSeams, LeaveAScrapAtOneEndOfASeam) {
+    // Beyond x = 10 the lower border turns away by 9 degrees; the upper one ends 0.3 mm later.
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, {10.3, 0, 0}, {0, 5, 0});
+    const double away = 10 * std::tan(9 * std::numbers::pi / 180);
+    builder.plane({0, -10, 0}, {20, 0, 0}, {0, 10, 0});
+    builder.polygon({{0, 0}, {1, 0}, {1, 1 - away / 10}, {0.5, 1}, {0, 1}});
+    const SurfaceModel model = builder.build();
+    const auto seams = pair_seams(model, join);
+    ASSERT_EQ(seams.size(), 1u);
+    EXPECT_NEAR(length_of(model, seams[0].a), 10, 1e-9);
+}
+
 TEST(PairSeams, JoinsAPartToItsMirrorImage) {
     ModelBuilder builder;
     builder.plane({0, 0, 10}, along_x, up_y);
