@@ -1,7 +1,7 @@
 #include "tests/integration/closed_model.h"
 
 #include "keiko/patch/differential_geometry.h"
-#include "keiko/patch/seam_gap.h"
+#include "keiko/trace/seam_width.h"
 
 #include "tests/support/ray_class.h"
 
@@ -41,16 +41,10 @@ std::optional<std::uint32_t> patch_with(const SurfaceModel& model, const Face& f
     return std::nullopt;
 }
 
-/// Two triangles for each step of the way along the border.
-void add_strip(const SeamGap& gap, const Affine& to_world,
-               std::vector<std::array<Vec3, 3>>& strips) {
-    for (std::size_t i = 0; i + 1 < gap.samples.size(); ++i) {
-        const SeamGap::Sample &a = gap.samples[i], &b = gap.samples[i + 1];
-        const Vec3 near_a = to_world.point(a.border), far_a = to_world.point(a.border + a.across);
-        const Vec3 near_b = to_world.point(b.border), far_b = to_world.point(b.border + b.across);
-        strips.push_back({near_a, near_b, far_a});
-        strips.push_back({far_a, near_b, far_b});
-    }
+/// Whether the file leaves more open than is sealed.
+bool is_open(const SeamGap& gap) {
+    return std::any_of(gap.samples.begin(), gap.samples.end(),
+                       [&](const SeamGap::Sample& s) { return s.across.length() > gap.width; });
 }
 
 /// Whether the line of the ray passes all three sides on one hand.
@@ -62,6 +56,10 @@ bool line_meets(const Ray& ray, const std::array<Vec3, 3>& triangle) {
     }
     return std::all_of(volumes.begin(), volumes.end(), [](double v) { return v >= 0; }) ||
            std::all_of(volumes.begin(), volumes.end(), [](double v) { return v <= 0; });
+}
+
+bool line_meets(const Ray& ray, const std::array<std::array<Vec3, 3>, 2>& triangles) {
+    return line_meets(ray, triangles[0]) || line_meets(ray, triangles[1]);
 }
 
 } // namespace
@@ -89,8 +87,7 @@ ClosedModel::ClosedModel(SurfaceModel model)
     }
     const std::vector<SeamGap> gaps = seam_gaps(model_, TracerOptions().join, {});
     for (const SeamGap& gap : gaps) widest_seam_ = std::max(widest_seam_, gap.width);
-    for (const BorderCurve& border : borders_)
-        add_strip(gaps[border.curve], model_.instances[border.instance].transform, strips_);
+    for (const BorderCurve& border : borders_) add_strip(border, gaps[border.curve]);
 }
 
 Ray ClosedModel::random_ray(Random& random) const {
@@ -107,9 +104,26 @@ Ray ClosedModel::random_ray(Random& random) const {
     return ray;
 }
 
+void ClosedModel::add_strip(const BorderCurve& border, const SeamGap& gap) {
+    const Affine& to_world = model_.instances[border.instance].transform;
+    for (std::size_t i = 0; i + 1 < gap.samples.size(); ++i) {
+        const SeamGap::Sample &a = gap.samples[i], &b = gap.samples[i + 1];
+        const Vec3 near_a = to_world.point(a.border), far_a = to_world.point(a.border + a.across);
+        const Vec3 near_b = to_world.point(b.border), far_b = to_world.point(b.border + b.across);
+        const double middle = (double(i) + 0.5) / double(gap.samples.size() - 1);
+        const auto beside = edge_point(border, middle);
+        strips_.push_back({{{{near_a, near_b, far_a}, {far_a, near_b, far_b}}},
+                           beside ? std::optional(beside->normal) : std::nullopt,
+                           is_open(gap)});
+    }
+}
+
 std::optional<EdgePoint> ClosedModel::random_edge_point(Random& random) const {
     const BorderCurve& border = borders_[pick(random, borders_.size())];
-    const double t = random() % 4 == 0 ? 0 : uniform(random, 0, 1);
+    return edge_point(border, random() % 4 == 0 ? 0 : uniform(random, 0, 1));
+}
+
+std::optional<EdgePoint> ClosedModel::edge_point(const BorderCurve& border, double t) const {
     const Face& face = model_.faces[border.face];
     const Vec2 place = point_of(model_.trim_curve(border.curve), t);
     const auto patch = patch_with(model_, face, place);
@@ -170,6 +184,20 @@ std::array<std::size_t, 4> ClosedModel::hits_beside(const Ray& ray, double away)
     return hits;
 }
 
+bool ClosedModel::passes_step(const Ray& ray) const {
+    return std::any_of(strips_.begin(), strips_.end(),
+                       [&](const Strip& strip) { return line_meets(ray, strip.triangles); });
+}
+
+/// Through what is not sealed against such a ray.
+bool ClosedModel::passes_opening(const Ray& ray) const {
+    constexpr double lowest = 1 / seam_depth; // sine of the angle to the face
+    return std::any_of(strips_.begin(), strips_.end(), [&](const Strip& strip) {
+        const bool low = strip.normal && std::abs(strip.normal->dot(ray.direction)) < lowest;
+        return (strip.open || low) && line_meets(ray, strip.triangles);
+    });
+}
+
 /// By four parallel rays around it. Where the ray passes an edge seen edge-on, they are crossed an
 /// even number of times, but not all the same number: what lies within the seam is
 /// there or not. Where the ray slips through a seam, all of them have the hit that it lacks.
@@ -189,19 +217,16 @@ void ClosedModel::classify_odd(const Ray& ray, std::size_t hits, ClosureCounts& 
     const auto all = [&](std::size_t n) {
         return std::count(beside.begin(), beside.end(), n) == 4;
     };
-    if (all(hits + 1))
+    if (passes_opening(ray))
+        report("through an opening", ray), ++counts.through_steps;
+    else if (all(hits + 1))
         report("leak", ray), ++counts.leaks;
-    else if (all(hits - 1) && passes_between_borders(ray))
+    else if (all(hits - 1) && passes_step(ray))
         report("through a step", ray), ++counts.through_steps;
     else if (all(hits - 1))
         report("doubled hit", ray), ++counts.doubled;
     else
         report("unclear", ray), ++counts.unclear;
-}
-
-bool ClosedModel::passes_between_borders(const Ray& ray) const {
-    return std::any_of(strips_.begin(), strips_.end(),
-                       [&](const Triangle& strip) { return line_meets(ray, strip); });
 }
 
 void ClosedModel::count_aimed(const EdgePoint& point, Random& random, ClosureCounts& counts) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/patch/seam_gap.h"
 #include "keiko/trace/tracer.h"
 
 #include "tests/support/random.h"
@@ -19,7 +20,9 @@ struct ClosureCounts {
     std::size_t leaks = 0;   ///< all rays around have one more hit
     std::size_t doubled = 0; ///< all rays around have one hit less
     /// Like doubled, by rays that pass between the two borders of a measured seam: they come in
-    /// through the opening that the file leaves, and meet one of its two faces.
+    /// through the opening that the file leaves, and meet one of its two faces. Also all that is
+    /// odd of rays that pass an opening wider than is sealed, or at a lower angle than seams are
+    /// sealed against.
     std::size_t through_steps = 0;
     std::size_t unclear = 0;      ///< odd, and none of these
     std::size_t out_of_order = 0; ///< even, but somewhere left more often than entered
@@ -48,10 +51,14 @@ public:
     void count_aimed(const EdgePoint& point, Random& random, ClosureCounts& counts) const;
 
 private:
+    struct BorderCurve {
+        std::uint32_t instance, face, curve;
+    };
     /// Numbers of hits of four rays parallel to it, so far off in mm.
     std::array<std::size_t, 4> hits_beside(const Ray& ray, double away) const;
+    bool passes_step(const Ray& ray) const;
+    bool passes_opening(const Ray& ray) const;
     void classify_odd(const Ray& ray, std::size_t hits, ClosureCounts& counts) const;
-    bool passes_between_borders(const Ray& ray) const;
     bool leaves(const Hit& hit, const Ray& ray) const;
     bool in_order(const std::vector<Hit>& hits, const Ray& ray) const;
     void report(const char* what, const Ray& ray) const;
@@ -60,12 +67,17 @@ private:
     Tracer tracer_;
     double size_ = 0;        ///< mm
     double widest_seam_ = 0; ///< mm
-    struct BorderCurve {
-        std::uint32_t instance, face, curve;
-    };
     std::vector<BorderCurve> borders_;
-    using Triangle = std::array<Vec3, 3>;
-    std::vector<Triangle> strips_; ///< world: what spans the openings between borders
+    std::optional<EdgePoint> edge_point(const BorderCurve& border, double t) const;
+    void add_strip(const BorderCurve& border, const SeamGap& gap);
+
+    /// What spans the opening between two borders, for a step of the way along them; world.
+    struct Strip {
+        std::array<std::array<Vec3, 3>, 2> triangles;
+        std::optional<Vec3> normal; ///< of the face beside it
+        bool open = false;          ///< wider than is sealed
+    };
+    std::vector<Strip> strips_;
 };
 
 } // namespace keiko::test

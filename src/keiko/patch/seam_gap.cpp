@@ -124,17 +124,17 @@ std::vector<double> part_sizes(const SurfaceModel& model) {
 
 /// The gap of one curve of the use `own` of an edge.
 SeamGap seam_gap(const GapMeter& meter, const std::vector<EdgeUse>& uses, std::size_t own,
-                 std::uint32_t curve, double claimed, double size) {
+                 std::uint32_t curve, double claimed, double join, double size) {
     SeamGap gap{.width = claimed, .touch = rounding * size, .samples = {}};
     if (uses.size() != 2) return gap;
     const EdgeUse& other = uses[1 - own];
     const double found = widest(meter.measure(uses[own], curve, first_places(), other));
-    if (found > std::max(claimed, widest_surprise * size)) return gap;
-    if (found > smallest_gap * size)
+    if (found > smallest_gap * size && found <= join)
         gap.samples = meter.measure(uses[own], curve, equal_steps(fine_steps), other);
     // A table that misses what the first look found is none.
     if (widest(gap.samples) < found / 2) gap.samples.clear();
-    gap.width = spare_width * std::max(found, widest(gap.samples)) + least_width * size;
+    if (found <= std::max(claimed, widest_surprise * size))
+        gap.width = spare_width * std::max(found, widest(gap.samples)) + least_width * size;
     return gap;
 }
 
@@ -155,7 +155,8 @@ double bend(const std::vector<SeamGap::Sample>& samples, std::size_t interval) {
 bool SeamGap::holds(double t, const Vec3& off, const Vec3& direction) const {
     const double seen = (off - direction * off.dot(direction)).length();
     if (seen <= touch) return true;
-    if (samples.empty() || !(t > 0 && t < 1)) return seen <= width;
+    if (seen > width) return false;
+    if (samples.empty() || !(t > 0 && t < 1)) return true;
     const double place = t * static_cast<double>(samples.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(place), samples.size() - 2);
     const double share = place - static_cast<double>(i);
@@ -163,7 +164,7 @@ bool SeamGap::holds(double t, const Vec3& off, const Vec3& direction) const {
     const Vec3 side = run.cross(direction);
     // Seen end-on the border has no sides.
     constexpr double least_sine = 1e-3;
-    if (!(side.length() > least_sine * run.length())) return seen <= width;
+    if (!(side.length() > least_sine * run.length())) return true;
     const Vec3 outward = side.normalized() * (off.dot(side) < 0 ? -1 : 1);
     const Vec3 across = samples[i].across * (1 - share) + samples[i + 1].across * share;
     return off.dot(outward) <= across.dot(outward) + touch + bend(samples, i);
@@ -180,7 +181,7 @@ std::vector<SeamGap> seam_gaps(const SurfaceModel& model, double join, const Job
             for (std::uint32_t i = 0; i < uses[e][u].curve_count; ++i) {
                 const std::uint32_t curve = uses[e][u].first_curve + i;
                 const double size = sizes[model.faces[uses[e][u].face].part];
-                gaps[curve] = seam_gap(meter, uses[e], u, curve, claimed, size);
+                gaps[curve] = seam_gap(meter, uses[e], u, curve, claimed, join, size);
                 gaps[curve].width = std::min(gaps[curve].width, join);
             }
     });

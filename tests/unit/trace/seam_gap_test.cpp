@@ -39,10 +39,15 @@ TEST(SeamGap, IsMeasuredWhateverTheFileClaims) {
     }
 }
 
-TEST(SeamGap, WiderThanTheFileAndReasonSayIsNoSeam) {
-    for (const SeamGap& gap : gaps_of(squares(0.1, 1e-3, 0))) {
+TEST(SeamGap, WiderThanTheFileAndReasonSayIsSealedAsFarAsTheFileSays) {
+    const std::vector<SeamGap> gaps = gaps_of(squares(0.1, 1e-3, 0));
+    ASSERT_EQ(gaps.size(), 2u);
+    for (const SeamGap& gap : gaps) {
         EXPECT_EQ(gap.width, 1e-3);
-        EXPECT_TRUE(gap.samples.empty());
+        ASSERT_FALSE(gap.samples.empty());
+        const Vec3 across = gap.samples.front().across.normalized();
+        EXPECT_TRUE(gap.holds(0.5, across * 0.9e-3, {0, 0, 1}));
+        EXPECT_FALSE(gap.holds(0.5, across * 1.1e-3, {0, 0, 1}));
     }
     for (const SeamGap& gap : gaps_of(squares(0.1, 0.2, 0), 0.05)) EXPECT_LE(gap.width, 0.05);
 }
