@@ -9,6 +9,8 @@ AGAINST = Path(__file__).with_name("against.py")
 STAND_IN = """#!{python}
 import json, sys
 from pathlib import Path
+if "--help" in sys.argv: sys.exit(print("--json --alone"))
+assert "--alone" in sys.argv
 runs = Path(__file__ + ".runs")
 turn = int(runs.read_text()) if runs.exists() else 0
 runs.write_text(str(turn + 1))
@@ -47,6 +49,13 @@ class Against(unittest.TestCase):
     def test_one_bad_pair_is_not(self):
         run = self.against(self.program("base", keiko=[100]), self.program("head", keiko=[100, 100, 40, 101, 100]))
         self.assertEqual(run.returncode, 0, run.stdout)
+
+    def test_what_looks_slower_is_measured_again(self):
+        base = self.program("base", keiko=[100])
+        once = self.program("once", keiko=[90] * 9 + [100] * 9)
+        run = self.against(base, once)
+        self.assertEqual(run.returncode, 0, run.stdout)
+        self.assertIn("1 of 1 rates look slower: once more", run.stderr)
 
     def test_what_a_loss_may_be_is_told_by_the_limit(self):
         programs = self.program("base", keiko=[100]), self.program("head", keiko=[97])

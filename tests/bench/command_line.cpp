@@ -31,10 +31,12 @@ void add_trace(CLI::App& app, TraceOptions& options) {
                                                      : folder.string() + " is not a folder";
     };
     trace->add_option("--json", options.json, "file to write all numbers to")->check(in_folder);
+    trace->add_flag("--alone", options.alone, "Keiko without its peers, and its rates only");
     trace
         ->add_option("--markdown", options.markdown,
                      "page to put the tables into, between its markers")
-        ->check(CLI::ExistingFile);
+        ->check(CLI::ExistingFile)
+        ->excludes("--alone");
 }
 
 void add_load(CLI::App& app, LoadOptions& options) {

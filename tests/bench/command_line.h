@@ -15,6 +15,7 @@ struct TraceOptions {
     int rounds = 5;                           ///< interleaved; medians are taken
     double finest = 0;                        ///< mm, one more mesh; 0: none
     std::size_t most_triangles = 8000000;     ///< of a grid that looks for a zebra error
+    bool alone = false;                       ///< Keiko without its peers, rates only
     std::filesystem::path json{}, markdown{}; ///< files to write; empty: none
 };
 

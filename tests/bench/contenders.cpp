@@ -69,6 +69,7 @@ Contenders contenders_of(const SceneFile& scene, const SurfaceModel& model, cons
     const Box3& bounds = keiko.tracer().bounds();
     contenders.push_back(std::move(owned));
     contenders.push_back(std::make_unique<CrossingContender>(keiko.tracer()));
+    if (options.alone) return contenders;
     add_traversal(contenders, keiko);
     const TopoDS_Shape shape = shape_of(scene, model);
     contenders.push_back(

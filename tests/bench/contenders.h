@@ -13,8 +13,9 @@ namespace keiko::bench {
 
 using Contenders = std::vector<std::unique_ptr<Contender>>;
 
-/// Keiko first, then all its peers, made ready for one scene. `model` is the scene as loaded;
-/// `primary` are the rays that a grid is fitted to. Throws Error where the file cannot be read.
+/// Keiko first, then all its peers unless it is alone, made ready for one scene. `model` is the
+/// scene as loaded; `primary` are the rays that a grid is fitted to. Throws Error where the file
+/// cannot be read.
 Contenders contenders_of(const SceneFile& scene, const SurfaceModel& model, const RaySet& primary,
                          const TraceOptions& options);
 

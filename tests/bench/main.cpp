@@ -26,7 +26,7 @@ void trace(const TraceOptions& options) {
     for (const SceneResult& scene : results.scenes)
         print("\n" + title_of(scene) + "\n\n" + text_of(cost_table(scene)) + "\n" +
               text_of(rate_table(scene)));
-    print("\ntargets\n\n" + text_of(target_table(results)));
+    if (!options.alone) print("\ntargets\n\n" + text_of(target_table(results)));
     if (!options.json.empty()) write_json(options.json, results);
     if (!options.markdown.empty()) update_page(options.markdown, "trace", markdown_of(results));
 }

@@ -108,7 +108,7 @@ SceneResult measure(const SceneFile& scene, const TraceOptions& options) {
         if (rays.rays.empty()) continue;
         tell(scene.name, rays.name + " rays");
         result.classes.push_back(measure(rays, contenders, truth.bounds(), options.rounds));
-        result.classes.back().costs = kernel_costs(model, rays, options.rounds);
+        if (!options.alone) result.classes.back().costs = kernel_costs(model, rays, options.rounds);
     }
     return result;
 }
@@ -123,7 +123,7 @@ TraceResults run_trace_benchmark(const TraceOptions& options) {
         else
             results.skipped.push_back(scene.name);
     }
-    results.trimming_cost = trimming_cost(options.rounds);
+    if (!options.alone) results.trimming_cost = trimming_cost(options.rounds);
     return results;
 }
 
