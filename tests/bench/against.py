@@ -35,7 +35,7 @@ def run(bench: Path, arguments: list) -> dict:
         file = Path(folder) / "results.json"
         alone = ["--alone"] if knows_alone(bench) else []
         command = [str(bench), "trace", "--rounds", "3", "--json", str(file), *alone, *arguments]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(command, check=True, capture_output=True, text=True)
         return rates(json.loads(file.read_text()))
 
 
@@ -94,6 +94,7 @@ def main() -> int:
         ratios = ratios_of(options.base, options.head, options.pairs, arguments)
         slower = slower_twice(options, arguments, ratios)
     except (OSError, subprocess.CalledProcessError, ValueError, KeyError) as error:
+        print(getattr(error, "stderr", None) or "", end="", file=sys.stderr)
         print(f"against: {error}", file=sys.stderr)
         return 2
     if not ratios:
