@@ -19,11 +19,16 @@ Coefficients distances(const BorderPiece& border, const Vec4& weights) {
     return c;
 }
 
-double value(const Coefficients& c, double t) {
+struct ValueAndSlope {
+    double value, slope;
+};
+
+ValueAndSlope evaluate(const Coefficients& c, double t) {
     Coefficients b = c;
-    for (std::size_t level = 1; level < b.size(); ++level)
-        for (std::size_t i = 0; i + level < b.size(); ++i) b[i] = b[i] * (1 - t) + b[i + 1] * t;
-    return b[0];
+    for (std::size_t last = b.size() - 1; last > 1; --last)
+        for (std::size_t i = 0; i < last; ++i) b[i] += (b[i + 1] - b[i]) * t;
+    const double rise = b[1] - b[0];
+    return {b[0] + rise * t, rise * static_cast<double>(b.size() - 1)};
 }
 
 int sign_changes(const Coefficients& c) {
@@ -32,24 +37,20 @@ int sign_changes(const Coefficients& c) {
     return count;
 }
 
-/// The only zero of coefficients that change sign once, by the Illinois method.
+/// The only zero of coefficients that change sign once, by Newton's method kept inside.
 double single_root(const Coefficients& c) {
-    double a = 0, b = 1, at_a = c.front(), at_b = c.back();
+    double a = 0, b = 1;
+    double t = c.front() / (c.front() - c.back());
     constexpr int most_steps = 60;
     constexpr double narrow = 1e-15;
     for (int i = 0; i < most_steps && b - a > narrow; ++i) {
-        const double t = std::clamp((a * at_b - b * at_a) / (at_b - at_a), a, b);
-        const double at_t = value(c, t);
-        if (at_t == 0) return t;
-        if ((at_t < 0) == (at_b < 0)) {
-            b = t, at_b = at_t, at_a /= 2;
-        } else {
-            a = b, at_a = at_b;
-            b = t, at_b = at_t;
-        }
-        if (a > b) std::swap(a, b), std::swap(at_a, at_b);
+        const auto [value, slope] = evaluate(c, t);
+        const double step = value / slope;
+        if (value == 0 || std::abs(step) <= narrow) return t;
+        ((value < 0) == (c.front() < 0) ? a : b) = t;
+        t = t - step > a && t - step < b ? t - step : (a + b) / 2;
     }
-    return std::abs(at_a) < std::abs(at_b) ? a : b;
+    return t;
 }
 
 /// On which side of the border its own surface hides the segment: a ray moved along the segment
