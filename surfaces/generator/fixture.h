@@ -42,6 +42,13 @@ struct CageFixture {
     std::vector<GroundTruth> truths;
 };
 
+/// A text file of surfaces/, line by line.
+struct TextFixture {
+    std::string file;
+    std::vector<std::string> lines;
+    std::vector<GroundTruth> truths;
+};
+
 /// Prints the truths of a file. Throws std::runtime_error if a measurement is off.
 void report(const std::string& file, const std::vector<GroundTruth>& truths);
 

@@ -39,6 +39,15 @@ Fixture bored_block();
 BptFixture saddle();
 BptFixture dome();
 
+/// What pictures of lights need around a car, of flat patches in mm: a house front with four barred
+/// windows, a wall without, a mast with an arm that holds a lantern.
+BptFixture facade();
+BptFixture wall();
+BptFixture mast();
+
+/// A luminaire (LM-63) such as hangs over roads: computed from a formula, not measured.
+TextFixture road_lantern();
+
 /// Cages of subdivision surfaces: a cube with sharp and semi-sharp edges, an open panel of
 /// triangles, quads, a pentagon and a hexagon with a hole, and an icosahedron for Loop's scheme.
 CageFixture cage_cube();

@@ -2,6 +2,7 @@
 #include "fixtures.h"
 #include "obj_file.h"
 #include "step_file.h"
+#include "text_file.h"
 
 #include <cstdio>
 #include <exception>
@@ -21,7 +22,7 @@ int main(int argc, char** argv) {
             report(fixture.file, fixture.truths);
             write_step(directory / fixture.file, fixture.faces);
         }
-        for (const auto make : {saddle, dome}) {
+        for (const auto make : {saddle, dome, facade, wall, mast}) {
             const BptFixture fixture = make();
             report(fixture.file, fixture.truths);
             write_bpt(directory / fixture.file, fixture.patches);
@@ -31,6 +32,9 @@ int main(int argc, char** argv) {
             report(fixture.file, fixture.truths);
             write_obj(directory / fixture.file, fixture);
         }
+        const TextFixture lantern = road_lantern();
+        report(lantern.file, lantern.truths);
+        write_lines(directory / lantern.file, lantern.lines);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "keiko-fixtures: %s\n", error.what());
         return 1;

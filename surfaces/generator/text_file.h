@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace keiko::fixtures {
+
+void write_lines(const std::filesystem::path& file, const std::vector<std::string>& lines);
+
+} // namespace keiko::fixtures
