@@ -146,7 +146,8 @@ void ApexView::Candidates::add_own_events(Line& line) const {
     if (line.searches_own)
         for (const OwnCandidate& own : silhouettes_.own)
             line.certain =
-                scene_->solver.find(own, line.plane, line.elevation, line.events) && line.certain;
+                scene_->solver.find(own, line.plane, line.asked, line.elevation, line.events) &&
+                line.certain;
     if (region_touched_) add_piercings(line);
     if (has_horizon_) add_horizon(line);
 }

@@ -57,27 +57,36 @@ Matrix lowering(const Matrix& raise) {
     return inverse;
 }
 
-/// Applies a matrix to the rows of a net, along u.
-HomogeneousNet along_u(const Matrix& m, const HomogeneousNet& net) {
-    HomogeneousNet result{static_cast<int>(m.rows) - 1, net.degree_v, {}};
-    const auto columns = static_cast<std::size_t>(net.degree_v) + 1;
-    result.points.assign(m.rows * columns, Vec4(0));
+/// Coefficients of any kind, rows outer.
+template <class T>
+struct Grid {
+    std::size_t rows, columns;
+    std::vector<T> c;
+};
+
+/// Applies a matrix to the rows of a grid, along u.
+template <class T>
+Grid<T> along_u(const Matrix& m, const Grid<T>& grid) {
+    Grid<T> result{m.rows, grid.columns, std::vector<T>(m.rows * grid.columns, T(0))};
     for (std::size_t i = 0; i < m.rows; ++i)
-        for (std::size_t k = 0; k < m.columns; ++k)
-            for (std::size_t j = 0; j < columns; ++j)
-                result.points[i * columns + j] += net.points[k * columns + j] * m.at(i, k);
+        for (std::size_t k = 0; k < m.columns; ++k) {
+            if (m.at(i, k) == 0) continue;
+            for (std::size_t j = 0; j < grid.columns; ++j)
+                result.c[i * grid.columns + j] += grid.c[k * grid.columns + j] * m.at(i, k);
+        }
     return result;
 }
 
-HomogeneousNet along_v(const Matrix& m, const HomogeneousNet& net) {
-    HomogeneousNet result{net.degree_u, static_cast<int>(m.rows) - 1, {}};
-    const auto columns = static_cast<std::size_t>(net.degree_v) + 1;
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(net.degree_u); ++i)
+template <class T>
+Grid<T> along_v(const Matrix& m, const Grid<T>& grid) {
+    Grid<T> result{grid.rows, m.rows, {}};
+    result.c.reserve(grid.rows * m.rows);
+    for (std::size_t i = 0; i < grid.rows; ++i)
         for (std::size_t j = 0; j < m.rows; ++j) {
-            Vec4 sum(0);
+            T sum(0);
             for (std::size_t k = 0; k < m.columns; ++k)
-                sum += net.points[i * columns + k] * m.at(j, k);
-            result.points.push_back(sum);
+                sum += grid.c[i * grid.columns + k] * m.at(j, k);
+            result.c.push_back(sum);
         }
     return result;
 }
@@ -87,28 +96,50 @@ struct Pair {
 };
 
 /// Made once a thread and degree.
-const Pair& matrices(int low, int high) {
-    thread_local std::map<std::pair<int, int>, Pair> known;
+const Pair& matrices(std::size_t low, std::size_t high) {
+    thread_local std::map<std::pair<std::size_t, std::size_t>, Pair> known;
     const auto at = known.find({low, high});
     if (at != known.end()) return at->second;
-    const Matrix raise = raising(low, high);
+    const Matrix raise = raising(static_cast<int>(low), static_cast<int>(high));
     return known.emplace(std::pair(low, high), Pair{raise, lowering(raise)}).first->second;
+}
+
+template <class T>
+struct Fit {
+    Grid<T> low;
+    std::vector<T> off; ///< of the fit, raised again, from what was given
+};
+
+template <class T>
+Fit<T> fit(Grid<T> grid, std::size_t degree) {
+    const bool in_u = grid.rows > degree + 1, in_v = grid.columns > degree + 1;
+    if (!in_u && !in_v) return {std::move(grid), {}};
+    Grid<T> low = in_u ? along_u(matrices(degree, grid.rows - 1).lower, grid) : grid;
+    if (in_v) low = along_v(matrices(degree, grid.columns - 1).lower, low);
+    Grid<T> raised = in_v ? along_v(matrices(degree, grid.columns - 1).raise, low) : low;
+    if (in_u) raised = along_u(matrices(degree, grid.rows - 1).raise, raised);
+    for (std::size_t i = 0; i < grid.c.size(); ++i) grid.c[i] -= raised.c[i];
+    return {std::move(low), std::move(grid.c)};
 }
 
 } // namespace
 
 LoweredNet lowered(const HomogeneousNet& net, int degree) {
-    const bool in_u = net.degree_u > degree, in_v = net.degree_v > degree;
-    LoweredNet result{net, Vec4(0)};
-    if (in_u) result.net = along_u(matrices(degree, net.degree_u).lower, result.net);
-    if (in_v) result.net = along_v(matrices(degree, net.degree_v).lower, result.net);
-    HomogeneousNet raised = result.net;
-    if (in_u) raised = along_u(matrices(degree, net.degree_u).raise, raised);
-    if (in_v) raised = along_v(matrices(degree, net.degree_v).raise, raised);
-    for (std::size_t i = 0; i < net.points.size(); ++i)
+    const auto rows = static_cast<std::size_t>(net.degree_u) + 1;
+    const auto columns = static_cast<std::size_t>(net.degree_v) + 1;
+    Fit<Vec4> f = fit(Grid<Vec4>{rows, columns, net.points}, static_cast<std::size_t>(degree));
+    LoweredNet result{{static_cast<int>(f.low.rows) - 1, static_cast<int>(f.low.columns) - 1,
+                       std::move(f.low.c)}};
+    for (const Vec4& off : f.off)
         for (unsigned k = 0; k < 4; ++k)
-            result.error[k] =
-                std::max(result.error[k], std::abs(net.points[i][k] - raised.points[i][k]));
+            result.error[k] = std::max(result.error[k], std::abs(off[k]));
+    return result;
+}
+
+LoweredScalar lowered(const ScalarNet& net, std::size_t degree) {
+    Fit<double> f = fit(Grid<double>{net.rows, net.columns, net.c}, degree);
+    LoweredScalar result{{f.low.rows, f.low.columns, std::move(f.low.c)}};
+    for (const double off : f.off) result.error = std::max(result.error, std::abs(off));
     return result;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/trace/tangent_planes.h"
+#include "keiko/trace/scalar_net.h"
 
 namespace keiko {
 
@@ -14,5 +14,12 @@ struct LoweredNet {
 /// their own. The bound is proved by raising the fit to the old degrees again: no function is
 /// farther from another than their coefficients are.
 LoweredNet lowered(const HomogeneousNet& net, int degree);
+
+/// The same of one function.
+struct LoweredScalar {
+    ScalarNet net;
+    double error = 0; ///< anywhere on [0, 1]^2
+};
+LoweredScalar lowered(const ScalarNet& net, std::size_t degree);
 
 } // namespace keiko

@@ -27,6 +27,17 @@ Interval square(const NetRange& a) {
     return {a.holds_zero() ? 0 : std::min(low, high), std::max(low, high)};
 }
 
+/// In fewer coefficients where those are enough: the first ring reaches down to a hundredth of the
+/// largest values.
+LoweredScalar cheaper(const ScalarNet& edge_on) {
+    constexpr double enough = 1e-4;
+    for (const std::size_t degree : {5u, 8u}) {
+        LoweredScalar low = lowered(edge_on, degree);
+        if (low.error <= enough * range(edge_on).half) return low;
+    }
+    return {edge_on};
+}
+
 /// The parts of a box beside an inner one.
 std::vector<Box2> beside(const Box2& outer, const Box2& inner) {
     const double x[4] = {outer.lower.x, inner.lower.x, inner.upper.x, outer.upper.x};
@@ -63,10 +74,11 @@ OwnRings::OwnRings(const OccluderPatch& patch, const Box2& uv, const Vec2& foot,
 OwnRings::Shell& OwnRings::shell(std::size_t k) const {
     while (shells_.size() <= k) {
         const Box2 box = shells_.empty() ? unit_square : shrunk(shells_.back().box, foot_);
-        const ScalarNet g = restricted(edge_on_, box);
+        const ScalarNet g = shells_.empty() ? edge_on_ : restricted(edge_on_, box);
         const ScalarNet gx = derivative(g, true), gy = derivative(g, false);
-        shells_.push_back({box, part_of(patch_->points, of_patch(box)), derivative_range(gx, true),
-                           derivative_range(gx, false), derivative_range(gy, false)});
+        shells_.push_back({box, part_of(patch_->points, of_patch(box)), cheaper(g),
+                           derivative_range(gx, true), derivative_range(gx, false),
+                           derivative_range(gy, false)});
     }
     return shells_[k];
 }
@@ -87,8 +99,13 @@ std::vector<OwnRings::Part>& OwnRings::ring(std::size_t k) const {
     Shell& outer = shell(k);
     if (outer.ring) return *outer.ring;
     outer.ring.emplace();
-    for (const Box2& box : beside(outer.box, shrunk(outer.box, foot_)))
-        add_part(of_patch(box), restricted(edge_on_, box), 0, *outer.ring);
+    const Vec2 extent = outer.box.extent();
+    for (const Box2& box : beside(outer.box, shrunk(outer.box, foot_))) {
+        const Box2 in_outer{(box.lower - outer.box.lower) / extent,
+                            (box.upper - outer.box.lower) / extent};
+        add_part(of_patch(box), {restricted(outer.edge_on.net, in_outer), outer.edge_on.error},
+                 in_outer.extent(), 0, *outer.ring);
+    }
     return *outer.ring;
 }
 
@@ -101,18 +118,31 @@ std::vector<OwnRings::Part>& OwnRings::halves(Part& part) const {
         half.lower[axis] = from, half.upper[axis] = from + 0.5;
         const Vec2 extent = part.uv.extent();
         const Box2 uv{part.uv.lower + extent * half.lower, part.uv.lower + extent * half.upper};
-        add_part(uv, restricted(part.edge_on, half), part.halvings + 1, *part.halves);
+        add_part(uv, {restricted(part.edge_on, half), part.error}, part.shares * half.extent(),
+                 part.halvings + 1, *part.halves);
     }
     return *part.halves;
 }
 
-void OwnRings::add_part(const Box2& uv, ScalarNet edge_on, int halvings,
-                        std::vector<Part>& parts) const {
-    if (!may_vanish(edge_on)) return;
-    const Slopes slopes = slopes_of(edge_on);
+void OwnRings::add_part(const Box2& uv, LoweredScalar edge_on, const Vec2& shares,
+                        int halvings, std::vector<Part>& parts) const {
+    if (!may_vanish(edge_on.net, edge_on.error)) return;
+    Slopes slopes = slopes_of(edge_on.net);
+    slopes.add_error(edge_on.error, shares);
     HomogeneousNet points = part_of(patch_->points, uv);
     const double most = steepest(points);
-    parts.push_back({uv, std::move(points), std::move(edge_on), slopes, most, halvings});
+    std::vector<Vec3> seen = seen_by_apex(points);
+    double reach = 0;
+    for (const Vec3& x : seen) reach = std::max(reach, x.length());
+    parts.push_back({uv, std::move(points), std::move(seen), reach, std::move(edge_on.net),
+                     edge_on.error, shares, slopes, most, halvings});
+}
+
+std::vector<Vec3> OwnRings::seen_by_apex(const HomogeneousNet& points) const {
+    std::vector<Vec3> seen;
+    seen.reserve(points.points.size());
+    for (const Vec4& p : points.points) seen.push_back(Vec3(p.x, p.y, p.z) - apex_ * p.w);
+    return seen;
 }
 
 /// By the largest rise over the tangent plane and the least distance from the apex.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "keiko/trace/linear_pair.h"
+#include "keiko/trace/lowered_net.h"
+#include "keiko/trace/seen_wedge.h"
 #include "keiko/trace/silhouette_piece.h"
 #include "keiko/trace/slopes.h"
 
@@ -25,22 +27,36 @@ public:
     struct Part {
         Box2 uv; ///< of the patch
         HomogeneousNet points;
-        ScalarNet edge_on;
-        Slopes slopes; ///< of `edge_on`
+        std::vector<Vec3> seen; ///< control points from the apex, times their weights
+        double reach;           ///< of the farthest of `seen`
+        ScalarNet edge_on; ///< lowered
+        double error;      ///< of `edge_on`
+        Vec2 shares;       ///< sides as shares of those of the box it was lowered on
+        Slopes slopes;     ///< with their errors
         /// Sine of the elevation over the tangent plane above which it hides nothing.
         double steepest = 1;
         int halvings = 0;
         std::optional<std::vector<Part>> halves{}; ///< those that the apex may see edge-on
     };
-    /// Calls `visit(part, distance, pair)` for each part that may hold silhouettes in a plane
-    /// through the apex, at most one or as small as parts get. `distance`: of the part to that
-    /// plane; `pair`: what its slopes and those of `edge_on` prove. `weights`: the plane's,
-    /// relative to the patch's centre; `elevation`: sine of the least elevation over the tangent
-    /// plane that is asked about.
+    /// What is asked for: silhouettes in a plane through the apex.
+    struct Section {
+        Vec4 weights;     ///< of the plane, relative to the patch's centre
+        double elevation; ///< sine of the least one over the tangent plane
+        SeenWedge wedge;
+    };
+    /// Calls `visit(part, distance, pair)` for each part that may hold such silhouettes, at most
+    /// one or as small as parts get. `distance`: of the part to the plane; `pair`: what its slopes
+    /// and those of `edge_on` prove.
     template <class Visit>
-    void each_part(const Vec4& weights, double elevation, const Visit& visit) const {
-        for (std::size_t k = 0; k < most_boxes && !only_apex_in(k, weights); ++k)
-            for (Part& part : ring(k)) descend(part, weights, elevation, visit);
+    void each_part(const Section& section, const Visit& visit) const {
+        for (std::size_t k = 0; k < most_boxes && !only_apex_in(k, section.weights); ++k)
+            for (Part& part : ring(k)) descend(part, section, visit);
+    }
+
+    /// What `edge_on` of a part is an approximation of.
+    ScalarNet exact(const Part& part) const {
+        return restricted(edge_on_, {(part.uv.lower - uv_.lower) / uv_.extent(),
+                                     (part.uv.upper - uv_.lower) / uv_.extent()});
     }
 
 private:
@@ -50,6 +66,7 @@ private:
     struct Shell {
         Box2 box; ///< of the surroundings
         HomogeneousNet points;
+        LoweredScalar edge_on;
         /// Second derivatives of `edge_on`.
         NetRange xx, xy, yy;
         std::optional<std::vector<Part>> ring{}; ///< between this box and the next
@@ -58,22 +75,25 @@ private:
         return {uv_.lower + uv_.extent() * box.lower, uv_.lower + uv_.extent() * box.upper};
     }
     template <class Visit>
-    void descend(Part& part, const Vec4& weights, double elevation, const Visit& visit) const {
-        if (part.steepest < elevation) return;
-        const ScalarNet distance = weighed(part.points, weights);
+    void descend(Part& part, const Section& section, const Visit& visit) const {
+        if (part.steepest < section.elevation) return;
+        if (!section.wedge.may_hold(part.seen, part.reach)) return;
+        const ScalarNet distance = weighed(part.points, section.weights);
         if (!may_vanish(distance)) return;
         const LinearPair pair(slopes_of(distance).all, part.slopes.all);
         if (pair.root_is_outside()) return;
         if (pair.variation() < LinearPair::proved || part.halvings == most_halvings)
             return visit(part, distance, pair);
-        for (Part& half : halves(part)) descend(half, weights, elevation, visit);
+        for (Part& half : halves(part)) descend(half, section, visit);
     }
     /// Whether the plane finds no silhouette in a box but at the apex.
     bool only_apex_in(std::size_t k, const Vec4& weights) const;
     std::vector<Part>& ring(std::size_t k) const;
     std::vector<Part>& halves(Part& part) const;
-    void add_part(const Box2& uv, ScalarNet edge_on, int halvings, std::vector<Part>& parts) const;
+    void add_part(const Box2& uv, LoweredScalar edge_on, const Vec2& shares, int halvings,
+                  std::vector<Part>& parts) const;
     Shell& shell(std::size_t k) const;
+    std::vector<Vec3> seen_by_apex(const HomogeneousNet& points) const;
     double steepest(const HomogeneousNet& points) const;
 
     const OccluderPatch* patch_;

@@ -121,19 +121,22 @@ void SilhouetteSolver::finish(const Apex& apex, const std::optional<Vec3>& norma
     });
 }
 
-bool SilhouetteSolver::find(const OwnCandidate& own, const SegmentPlane& plane, double elevation,
+bool SilhouetteSolver::find(const OwnCandidate& own, const SegmentPlane& plane,
+                            const ParameterInterval& asked, double elevation,
                             std::vector<VisibilityEvent>& events) const {
     const OccluderPatch& patch = silhouettes_.patches[own.patch];
     const double size = hull_bounds(patch.points.view()).size();
-    constexpr int many = 200;
+    constexpr int few = 60, many = 200;
     bool certain = true;
     own.rings->each_part(
-        plane.weights(patch.center), elevation,
+        {plane.weights(patch.center), elevation, SeenWedge(plane, asked)},
         [&](const OwnRings::Part& in, const ScalarNet& distance, const LinearPair& pair) {
             if (add_only_root(pair, own.patch, in.uv, own.trimmed, plane, events)) return;
             const Part part{own.patch, in.uv, own.trimmed, size};
-            const SilhouetteSearch search(distance, in.edge_on);
-            certain = add(run(search, part, plane, many), part, plane, events) && certain;
+            auto found = run({distance, in.edge_on, in.error}, part, plane, few);
+            if (!found.unclear.empty())
+                found = run({distance, own.rings->exact(in)}, part, plane, many);
+            certain = add(found, part, plane, events) && certain;
         });
     return certain;
 }

@@ -56,9 +56,10 @@ public:
     /// Appends the events of a candidate; false when some could not be told apart.
     bool find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
               std::vector<VisibilityEvent>& events) const;
-    /// `elevation`: sine of the least elevation of the segment over the tangent plane.
-    bool find(const OwnCandidate& own, const SegmentPlane& plane, double elevation,
-              std::vector<VisibilityEvent>& events) const;
+    /// Those that hide some of `asked`; `elevation`: sine of the least elevation of that over the
+    /// tangent plane.
+    bool find(const OwnCandidate& own, const SegmentPlane& plane, const ParameterInterval& asked,
+              double elevation, std::vector<VisibilityEvent>& events) const;
 
 private:
     /// Where an apex on the surface lies on a piece's patch, or on its continuation close by: on

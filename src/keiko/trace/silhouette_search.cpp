@@ -8,13 +8,6 @@
 #include <limits>
 
 namespace keiko {
-namespace {
-
-/// Bound of a polynomial's slope on [-1, 1] for values up to 1: its degree squared; the higher one
-/// that the true g may have.
-constexpr double steepest = (3.0 * max_occluder_degree - 1) * (3.0 * max_occluder_degree - 1);
-
-} // namespace
 
 bool is_convex(const ScalarNet& g) {
     if (g.rows < 3 || g.columns < 3) return false;
@@ -42,9 +35,7 @@ SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread&
         const Vec2 size = box.extent();
         const double widest = std::max(size.x, size.y);
         Slopes a = slopes_of(f), b = slopes_of(g);
-        // By Markov's inequality on the searched box: derivatives of what g is off by.
-        b.all.off += error_;
-        b.all.slope += 2 * steepest * error_ * std::max(size.x, size.y);
+        b.add_error(error_, size);
         const LinearPair pair(a.all, b.all);
         if (pair.root_is_outside()) continue;
         if (pair.variation() < LinearPair::proved) {

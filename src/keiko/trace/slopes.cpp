@@ -13,6 +13,12 @@ unsigned Slopes::axis_to_halve(const Vec2& size) const {
     return bend.x >= bend.y ? 0 : 1;
 }
 
+void Slopes::add_error(double error, const Vec2& shares) {
+    constexpr double degree = 3 * max_occluder_degree - 1;
+    all.off += error;
+    all.slope += degree * degree * error * (shares.x + shares.y);
+}
+
 Slopes slopes_of(const ScalarNet& net) {
     const auto place = [](std::size_t i, std::size_t count) {
         return count < 2 ? 0 : 2 * static_cast<double>(i) / static_cast<double>(count - 1) - 1;

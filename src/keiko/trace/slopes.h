@@ -13,6 +13,10 @@ struct Slopes {
 
     /// The axis along which halving a box of this size straightens the function more.
     unsigned axis_to_halve(const Vec2& size) const;
+    /// Widens the bounds for a function that is a polynomial of the tangent planes' degree and
+    /// within `error` of this one on a box of which the sides here are these shares: by Markov's
+    /// inequality.
+    void add_error(double error, const Vec2& shares);
 };
 
 Slopes slopes_of(const ScalarNet& net);
