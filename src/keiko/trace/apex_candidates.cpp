@@ -110,7 +110,8 @@ SeenParts ApexView::Candidates::intervals(const SegmentEnds& ends) const {
     auto line = line_through(ends);
     if (!line) return end_on(ends);
     for (const SilhouetteCandidate& c : silhouettes_.pieces)
-        line->certain = scene_->solver.find(c, line->plane, line->events) && line->certain;
+        line->certain =
+            scene_->solver.find(c, line->plane, line->asked, line->events) && line->certain;
     for (const std::uint32_t border : borders_)
         find_border_events(scene_->borders[border], scene_->silhouettes.regions, line->plane,
                            line->events);

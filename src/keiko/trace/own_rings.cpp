@@ -62,21 +62,12 @@ HomogeneousNet part_of(const HomogeneousNet& net, const Box2& uv) {
 
 } // namespace
 
-OwnRings::OwnRings(const OccluderPatch& patch, const Box2& uv, const Vec2& foot,
-                   const std::optional<Vec3>& normal, ScalarNet edge_on)
-    : patch_(&patch),
-      uv_(uv),
-      foot_((foot - uv.lower) / uv.extent()),
-      apex_(evaluate(patch.points.view(), foot, 0).position()),
-      normal_(normal),
-      edge_on_(std::move(edge_on)) {}
-
 OwnRings::Shell& OwnRings::shell(std::size_t k) const {
     while (shells_.size() <= k) {
         const Box2 box = shells_.empty() ? unit_square : shrunk(shells_.back().box, foot_);
         const ScalarNet g = shells_.empty() ? edge_on_ : restricted(edge_on_, box);
         const ScalarNet gx = derivative(g, true), gy = derivative(g, false);
-        shells_.push_back({box, part_of(patch_->points, of_patch(box)), cheaper(g),
+        shells_.push_back({box, part_of(seen_.patch->points, of_patch(box)), cheaper(g),
                            derivative_range(gx, true), derivative_range(gx, false),
                            derivative_range(gy, false)});
     }
@@ -95,7 +86,7 @@ bool OwnRings::only_apex_in(std::size_t k, const Vec4& weights) const {
     return xx.low + xy.low + yy.low > 0 || xx.high + xy.high + yy.high < 0;
 }
 
-std::vector<OwnRings::Part>& OwnRings::ring(std::size_t k) const {
+std::vector<EdgeOnPart>& OwnRings::ring(std::size_t k) const {
     Shell& outer = shell(k);
     if (outer.ring) return *outer.ring;
     outer.ring.emplace();
@@ -103,61 +94,13 @@ std::vector<OwnRings::Part>& OwnRings::ring(std::size_t k) const {
     for (const Box2& box : beside(outer.box, shrunk(outer.box, foot_))) {
         const Box2 in_outer{(box.lower - outer.box.lower) / extent,
                             (box.upper - outer.box.lower) / extent};
-        add_part(of_patch(box), {restricted(outer.edge_on.net, in_outer), outer.edge_on.error},
-                 in_outer.extent(), 0, *outer.ring);
+        LoweredScalar edge_on{restricted(outer.edge_on.net, in_outer), outer.edge_on.error};
+        if (may_vanish(edge_on.net, edge_on.error))
+            outer.ring->emplace_back(seen_, of_patch(box),
+                                     part_of(seen_.patch->points, of_patch(box)),
+                                     std::move(edge_on), in_outer.extent());
     }
     return *outer.ring;
-}
-
-std::vector<OwnRings::Part>& OwnRings::halves(Part& part) const {
-    if (part.halves) return *part.halves;
-    part.halves.emplace();
-    const unsigned axis = part.slopes.axis_to_halve(part.uv.extent() / uv_.extent());
-    for (const double from : {0.0, 0.5}) {
-        Box2 half = unit_square;
-        half.lower[axis] = from, half.upper[axis] = from + 0.5;
-        const Vec2 extent = part.uv.extent();
-        const Box2 uv{part.uv.lower + extent * half.lower, part.uv.lower + extent * half.upper};
-        add_part(uv, {restricted(part.edge_on, half), part.error}, part.shares * half.extent(),
-                 part.halvings + 1, *part.halves);
-    }
-    return *part.halves;
-}
-
-void OwnRings::add_part(const Box2& uv, LoweredScalar edge_on, const Vec2& shares,
-                        int halvings, std::vector<Part>& parts) const {
-    if (!may_vanish(edge_on.net, edge_on.error)) return;
-    Slopes slopes = slopes_of(edge_on.net);
-    slopes.add_error(edge_on.error, shares);
-    HomogeneousNet points = part_of(patch_->points, uv);
-    const double most = steepest(points);
-    std::vector<Vec3> seen = seen_by_apex(points);
-    double reach = 0;
-    for (const Vec3& x : seen) reach = std::max(reach, x.length());
-    parts.push_back({uv, std::move(points), std::move(seen), reach, std::move(edge_on.net),
-                     edge_on.error, shares, slopes, most, halvings});
-}
-
-std::vector<Vec3> OwnRings::seen_by_apex(const HomogeneousNet& points) const {
-    std::vector<Vec3> seen;
-    seen.reserve(points.points.size());
-    for (const Vec4& p : points.points) seen.push_back(Vec3(p.x, p.y, p.z) - apex_ * p.w);
-    return seen;
-}
-
-/// By the largest rise over the tangent plane and the least distance from the apex.
-double OwnRings::steepest(const HomogeneousNet& points) const {
-    if (!normal_) return 1;
-    Box3 seen;
-    double rise = 0;
-    for (const Vec4& p : points.points) {
-        const Vec3 x = Vec3(p.x, p.y, p.z) / p.w - apex_;
-        seen.extend(x);
-        rise = std::max(rise, std::abs(normal_->dot(x)));
-    }
-    const double least = seen.center().length() - seen.size() / 2;
-    constexpr double rounding = 1e-9;
-    return least > rise ? rise / least + rounding : 1;
 }
 
 } // namespace keiko

@@ -37,7 +37,44 @@ void restrict_columns(ScalarNet& net, double a, double b) {
     }
 }
 
+/// One de Casteljau split at the middle: `low` becomes the lower half's coefficients, `high` the
+/// upper's. Lines of `count` coefficients `step` apart, `lines` of them `apart` from each other.
+template <class T>
+void split_lines(std::vector<T>& low, std::vector<T>& high, std::size_t count, std::size_t step,
+                 std::size_t lines, std::size_t apart) {
+    high = low;
+    for (std::size_t level = 1; level < count; ++level)
+        for (std::size_t i = 0; i + level < count; ++i)
+            for (std::size_t k = 0; k < lines; ++k) {
+                T& c = high[i * step + k * apart];
+                c = (c + high[(i + 1) * step + k * apart]) * 0.5;
+                if (i == 0) low[level * step + k * apart] = c;
+            }
+}
+
+template <class T>
+void split(std::vector<T>& low, std::vector<T>& high, std::size_t rows, std::size_t columns,
+           unsigned axis) {
+    if (axis == 0)
+        split_lines(low, high, rows, columns, columns, 1);
+    else
+        split_lines(low, high, columns, 1, rows, columns);
+}
+
 } // namespace
+
+std::array<ScalarNet, 2> halved(const ScalarNet& net, unsigned axis) {
+    std::array<ScalarNet, 2> halves{net, ScalarNet{net.rows, net.columns, {}}};
+    split(halves[0].c, halves[1].c, net.rows, net.columns, axis);
+    return halves;
+}
+
+std::array<HomogeneousNet, 2> halved(const HomogeneousNet& net, unsigned axis) {
+    std::array<HomogeneousNet, 2> halves{net, HomogeneousNet{net.degree_u, net.degree_v, {}}};
+    split(halves[0].points, halves[1].points, static_cast<std::size_t>(net.degree_u) + 1,
+          static_cast<std::size_t>(net.degree_v) + 1, axis);
+    return halves;
+}
 
 ScalarNet weighed(const HomogeneousNet& net, const Vec4& weights) {
     ScalarNet scalar{

@@ -2,6 +2,7 @@
 
 #include "keiko/trace/tangent_planes.h"
 
+#include <array>
 #include <vector>
 
 namespace keiko {
@@ -20,6 +21,10 @@ ScalarNet weighed(const HomogeneousNet& net, const Vec4& weights);
 
 /// The same function over a box of its parameters.
 ScalarNet restricted(const ScalarNet& net, const Box2& box);
+
+/// Over the two halves of [0, 1]^2, cut across the first axis or the second.
+std::array<ScalarNet, 2> halved(const ScalarNet& net, unsigned axis);
+std::array<HomogeneousNet, 2> halved(const HomogeneousNet& net, unsigned axis);
 
 /// Its derivative by x = 2 u - 1, or by y = 2 v - 1. Requires a degree of at least 1 there.
 ScalarNet derivative(const ScalarNet& net, bool by_x);

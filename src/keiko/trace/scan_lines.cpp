@@ -78,8 +78,9 @@ void ApexView::Candidates::scan(const Screen& screen, std::span<const ScanLine> 
     };
     for (std::size_t i = 0; i < screen.pieces.size(); ++i)
         each_crossed(screen.pieces[i], [&](Line& line) {
-            line.certain = scene_->solver.find(silhouettes_.pieces[i], line.plane, line.events) &&
-                           line.certain;
+            line.certain =
+                scene_->solver.find(silhouettes_.pieces[i], line.plane, line.asked, line.events) &&
+                line.certain;
         });
     for (std::size_t i = 0; i < screen.borders.size(); ++i)
         each_crossed(screen.borders[i], [&](Line& line) {

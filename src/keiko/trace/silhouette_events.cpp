@@ -2,6 +2,7 @@
 
 #include "keiko/trace/chord_elevation.h"
 #include "keiko/trace/linear_pair.h"
+#include "keiko/trace/subpatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,17 +107,21 @@ double SilhouetteCandidates::own_steepest() const {
     return steepest;
 }
 
+SeenPatch SilhouetteSolver::seen(const OccluderPatch& patch, const Apex& apex) const {
+    return {&patch, apex.place() - patch.center, apex.infinite()};
+}
+
 void SilhouetteSolver::finish(const Apex& apex, const std::optional<Vec3>& normal, double elevation,
                               SilhouetteCandidates& all) const {
     std::erase_if(all.own, [&](OwnCandidate& own) {
         const OccluderPatch& patch = silhouettes_.patches[own.patch];
-        if (normal)
-            own.steepest =
-                steepest_chord(patch.points, own.uv, apex.place() - patch.center, *normal);
+        SeenPatch seen = this->seen(patch, apex);
+        seen.normal = normal;
+        if (normal) own.steepest = steepest_chord(patch.points, own.uv, seen.apex, *normal);
         if (own.steepest < elevation) return true;
         ScalarNet edge_on = restricted(weighed(patch.planes, apex.seen_from(patch.center)), own.uv);
         if (is_convex(edge_on)) return true;
-        own.rings.emplace(patch, own.uv, own.foot, normal, std::move(edge_on));
+        own.rings.emplace(seen, own.uv, own.foot, std::move(edge_on));
         return false;
     });
 }
@@ -126,22 +131,36 @@ bool SilhouetteSolver::find(const OwnCandidate& own, const SegmentPlane& plane,
                             std::vector<VisibilityEvent>& events) const {
     const OccluderPatch& patch = silhouettes_.patches[own.patch];
     const double size = hull_bounds(patch.points.view()).size();
-    constexpr int few = 60, many = 200;
     bool certain = true;
     own.rings->each_part(
         {plane.weights(patch.center), elevation, SeenWedge(plane, asked)},
-        [&](const OwnRings::Part& in, const ScalarNet& distance, const LinearPair& pair) {
-            if (add_only_root(pair, own.patch, in.uv, own.trimmed, plane, events)) return;
-            const Part part{own.patch, in.uv, own.trimmed, size};
-            auto found = run({distance, in.edge_on, in.error}, part, plane, few);
-            if (!found.unclear.empty())
-                found = run({distance, own.rings->exact(in)}, part, plane, many);
-            certain = add(found, part, plane, events) && certain;
+        [&](const EdgeOnPart& in, const ScalarNet& distance, const LinearPair& pair) {
+            const Part part{own.patch, in.uv(), own.trimmed, size};
+            certain = find(in, part, distance, pair, plane, events) && certain;
         });
     return certain;
 }
 
+EdgeOnPart& SilhouetteSolver::part_of(const SilhouetteCandidate& candidate, const SeenPatch& seen,
+                                      const Apex& apex) const {
+    if (!candidate.part) {
+        const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
+        const HomogeneousNet& points = seen.patch->points;
+        const Box2 uv = piece.overlapped();
+        const Vec4 weights = piece.weights(apex);
+        const Vec4 sizes(std::abs(weights.x), std::abs(weights.y), std::abs(weights.z),
+                         std::abs(weights.w));
+        candidate.part = std::make_unique<EdgeOnPart>(
+            seen, uv, HomogeneousNet{points.degree_u, points.degree_v, subpatch(points.view(), uv)},
+            LoweredScalar{weighed(piece.lowered_planes.net, weights),
+                          sizes.dot(piece.lowered_planes.error)},
+            Vec2(1));
+    }
+    return *candidate.part;
+}
+
 bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
+                            const ParameterInterval& asked,
                             std::vector<VisibilityEvent>& events) const {
     const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
     const AffineNet::Weighed f = piece.points.weighed(piece.local(plane.weights(piece.center)));
@@ -149,21 +168,35 @@ bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentP
     const LinearPair pair(f, candidate.edge_on);
     if (pair.root_is_outside()) return true;
     if (add_only_root(pair, piece.patch, piece.uv, piece.trimmed, plane, events)) return true;
-    const Vec4 weights = piece.weights(plane.apex());
-    const Vec4 sizes(std::abs(weights.x), std::abs(weights.y), std::abs(weights.z),
-                     std::abs(weights.w));
+    const Apex& apex = plane.apex();
     const OccluderPatch& patch = silhouettes_.patches[piece.patch];
-    const Part part{piece.patch, piece.overlapped(), piece.trimmed, piece.box.size()};
-    ScalarNet distance = restricted(weighed(patch.points, plane.weights(patch.center)), part.uv);
-    constexpr int few = 60, many = 400;
-    const auto quick = run({distance, weighed(piece.lowered_planes.net, weights),
-                            sizes.dot(piece.lowered_planes.error)},
-                           part, plane, few);
-    if (quick.unclear.empty()) return add(quick, part, plane, events);
-    ScalarNet exact =
-        restricted(weighed(patch.planes, plane.apex().seen_from(patch.center)), part.uv);
-    return add(run({std::move(distance), std::move(exact)}, part, plane, many), part, plane,
-               events);
+    const SeenPatch seen = this->seen(patch, apex);
+    Section section{plane.weights(patch.center)};
+    if (!apex.infinite()) section.wedge.emplace(plane, asked);
+    constexpr int most_halvings = 6;
+    bool certain = true;
+    part_of(candidate, seen, apex)
+        .each_part(seen, section, most_halvings,
+                   [&](const EdgeOnPart& in, const ScalarNet& distance, const LinearPair& of_part) {
+                       const Part part{piece.patch, in.uv(), piece.trimmed, piece.box.size()};
+                       certain = find(in, part, distance, of_part, plane, events) && certain;
+                   });
+    return certain;
+}
+
+bool SilhouetteSolver::find(const EdgeOnPart& in, const Part& part, ScalarNet distance,
+                            const LinearPair& pair, const SegmentPlane& plane,
+                            std::vector<VisibilityEvent>& events) const {
+    if (add_only_root(pair, part.patch, part.uv, part.trimmed, plane, events)) return true;
+    constexpr int few = 60, many = 200;
+    auto found = run({distance, in.edge_on().net, in.edge_on().error}, part, plane, few);
+    if (!found.unclear.empty()) {
+        const OccluderPatch& patch = silhouettes_.patches[part.patch];
+        ScalarNet exact =
+            restricted(weighed(patch.planes, plane.apex().seen_from(patch.center)), part.uv);
+        found = run({std::move(distance), std::move(exact)}, part, plane, many);
+    }
+    return add(found, part, plane, events);
 }
 
 bool SilhouetteSolver::add_only_root(const LinearPair& pair, std::uint32_t index, const Box2& uv,

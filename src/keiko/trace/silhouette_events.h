@@ -6,6 +6,7 @@
 #include "keiko/trace/silhouette_search.h"
 #include "keiko/trace/surface_jet.h"
 
+#include <memory>
 #include <vector>
 
 namespace keiko {
@@ -13,7 +14,8 @@ namespace keiko {
 /// A piece that an apex may see edge-on, with what does not depend on the segment.
 struct SilhouetteCandidate {
     std::uint32_t piece = 0;
-    AffineNet::Weighed edge_on{}; ///< zero where the piece is seen edge-on
+    AffineNet::Weighed edge_on{};               ///< zero where the piece is seen edge-on
+    mutable std::unique_ptr<EdgeOnPart> part{}; ///< once a segment needs more than `edge_on`
 };
 
 /// The part of a patch around an apex that lies on it, where the zero at the apex itself makes
@@ -53,11 +55,11 @@ public:
     /// and those that no plane through the apex cuts a silhouette of.
     void finish(const Apex& apex, const std::optional<Vec3>& normal, double elevation,
                 SilhouetteCandidates& all) const;
-    /// Appends the events of a candidate; false when some could not be told apart.
+    /// Appends the events of a candidate that hide some of `asked`; false when some could not be
+    /// told apart.
     bool find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
-              std::vector<VisibilityEvent>& events) const;
-    /// Those that hide some of `asked`; `elevation`: sine of the least elevation of that over the
-    /// tangent plane.
+              const ParameterInterval& asked, std::vector<VisibilityEvent>& events) const;
+    /// `elevation`: sine of the least elevation of `asked` over the tangent plane.
     bool find(const OwnCandidate& own, const SegmentPlane& plane, const ParameterInterval& asked,
               double elevation, std::vector<VisibilityEvent>& events) const;
 
@@ -80,6 +82,12 @@ private:
         bool trimmed;
         double size; ///< mm
     };
+    SeenPatch seen(const OccluderPatch& patch, const Apex& apex) const;
+    EdgeOnPart& part_of(const SilhouetteCandidate& candidate, const SeenPatch& seen,
+                        const Apex& apex) const;
+    /// Appends the events in a part on which `pair` may prove less than what is needed.
+    bool find(const EdgeOnPart& in, const Part& part, ScalarNet distance, const LinearPair& pair,
+              const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const;
     SilhouetteSearch::Result run(const SilhouetteSearch& search, const Part& part,
                                  const SegmentPlane& plane, int most_boxes) const;
     bool add(const SilhouetteSearch::Result& found, const Part& part, const SegmentPlane& plane,

@@ -1,0 +1,64 @@
+#include "keiko/trace/edge_on_part.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+Vec3 spatial(const Vec4& p) {
+    return {p.x, p.y, p.z};
+}
+
+} // namespace
+
+double SeenPatch::steepest(const HomogeneousNet& points) const {
+    if (!normal) return 1;
+    Box3 seen;
+    double rise = 0;
+    for (const Vec4& p : points.points) {
+        const Vec3 x = spatial(p) / p.w - apex;
+        seen.extend(x);
+        rise = std::max(rise, std::abs(normal->dot(x)));
+    }
+    const double least = seen.center().length() - seen.size() / 2;
+    constexpr double rounding = 1e-9;
+    return least > rise ? rise / least + rounding : 1;
+}
+
+EdgeOnPart::EdgeOnPart(const SeenPatch& seen, const Box2& uv, HomogeneousNet points,
+                       LoweredScalar edge_on, const Vec2& shares)
+    : uv_(uv),
+      points_(std::move(points)),
+      edge_on_(std::move(edge_on)),
+      shares_(shares),
+      slopes_(slopes_of(edge_on_.net)),
+      steepest_(seen.steepest(points_)) {
+    slopes_.add_error(edge_on_.error, shares);
+    if (seen.infinite) return;
+    from_apex_.reserve(points_.points.size());
+    for (const Vec4& p : points_.points) {
+        from_apex_.push_back(spatial(p) - seen.apex * p.w);
+        reach_ = std::max(reach_, from_apex_.back().length());
+    }
+}
+
+std::vector<EdgeOnPart>& EdgeOnPart::halves(const SeenPatch& seen) {
+    if (halves_) return *halves_;
+    halves_.emplace();
+    const unsigned axis = slopes_.axis_to_halve(shares_);
+    std::array<ScalarNet, 2> nets = halved(edge_on_.net, axis);
+    std::array<HomogeneousNet, 2> points = halved(points_, axis);
+    Vec2 shares = shares_;
+    shares[axis] /= 2;
+    Box2 low = uv_, high = uv_;
+    low.upper[axis] = high.lower[axis] = uv_.center()[axis];
+    const std::array boxes{low, high};
+    for (std::size_t k = 0; k < 2; ++k)
+        if (may_vanish(nets[k], edge_on_.error))
+            halves_->emplace_back(seen, boxes[k], std::move(points[k]),
+                                  LoweredScalar{std::move(nets[k]), edge_on_.error}, shares);
+    return *halves_;
+}
+
+} // namespace keiko
