@@ -93,11 +93,10 @@ std::optional<ApexView::Candidates::Line> ApexView::Candidates::line_through(
     const SegmentEnds& ends) const {
     const auto plane = SegmentPlane::through(apex_, ends[0], ends[1]);
     if (!plane) return std::nullopt;
-    Line line{*plane, asked_of(ends), 0, !silhouettes_.own.empty()};
+    Line line{*plane, asked_of(ends), !silhouettes_.own.empty()};
     if (line.searches_own && normal_) {
         const std::array asked{plane->at(line.asked.begin), plane->at(line.asked.end)};
-        line.elevation = least_elevation(apex_, *normal_, asked);
-        line.searches_own = line.elevation <= silhouettes_.own_steepest();
+        line.searches_own = least_elevation(apex_, *normal_, asked) <= silhouettes_.own_steepest();
     }
     return line;
 }
@@ -147,8 +146,7 @@ void ApexView::Candidates::add_own_events(Line& line) const {
     if (line.searches_own)
         for (const OwnCandidate& own : silhouettes_.own)
             line.certain =
-                scene_->solver.find(own, line.plane, line.asked, line.elevation, line.events) &&
-                line.certain;
+                scene_->solver.find(own, line.plane, line.asked, line.events) && line.certain;
     if (region_touched_) add_piercings(line);
     if (has_horizon_) add_horizon(line);
 }

@@ -21,7 +21,6 @@ private:
     struct Line {
         SegmentPlane plane;
         ParameterInterval asked; ///< on the side that the apex faces
-        double elevation;        ///< sine of the least one over the apex's tangent plane
         bool searches_own;       ///< seen so low that the apex's own surroundings may hide it
         std::vector<VisibilityEvent> events{};
         bool certain = true;

@@ -12,34 +12,20 @@ Vec3 spatial(const Vec4& p) {
 
 } // namespace
 
-double SeenPatch::steepest(const HomogeneousNet& points) const {
-    if (!normal) return 1;
-    Box3 seen;
-    double rise = 0;
-    for (const Vec4& p : points.points) {
-        const Vec3 x = spatial(p) / p.w - apex;
-        seen.extend(x);
-        rise = std::max(rise, std::abs(normal->dot(x)));
-    }
-    const double least = seen.center().length() - seen.size() / 2;
-    constexpr double rounding = 1e-9;
-    return least > rise ? rise / least + rounding : 1;
-}
-
 EdgeOnPart::EdgeOnPart(const SeenPatch& seen, const Box2& uv, HomogeneousNet points,
                        LoweredScalar edge_on, const Vec2& shares)
     : uv_(uv),
       points_(std::move(points)),
       edge_on_(std::move(edge_on)),
       shares_(shares),
-      slopes_(slopes_of(edge_on_.net)),
-      steepest_(seen.steepest(points_)) {
+      slopes_(slopes_of(edge_on_.net)) {
     slopes_.add_error(edge_on_.error, shares);
-    if (seen.infinite) return;
+    if (!seen.apex) return;
     from_apex_.reserve(points_.points.size());
     for (const Vec4& p : points_.points) {
-        from_apex_.push_back(spatial(p) - seen.apex * p.w);
-        reach_ = std::max(reach_, from_apex_.back().length());
+        const Vec3 x = spatial(p) - *seen.apex * p.w;
+        reach_ = std::max({reach_, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+        from_apex_.push_back(x);
     }
 }
 

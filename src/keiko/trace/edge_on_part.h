@@ -14,21 +14,12 @@ namespace keiko {
 /// A patch that one apex looks at.
 struct SeenPatch {
     const OccluderPatch* patch;
-    Vec3 apex{0}; ///< relative to the patch's centre; nothing to say for parallel light
-    bool infinite = false;
-    /// Unit, of the surface that the apex lies on, if elevations over its tangent plane tell what
-    /// the patch can hide.
-    std::optional<Vec3> normal{};
-
-    /// Sine of the elevation over the tangent plane above which points in a convex hull hide
-    /// nothing, by their largest rise and least distance; 1 where nothing is known.
-    double steepest(const HomogeneousNet& points) const;
+    std::optional<Vec3> apex; ///< relative to the patch's centre; nothing for parallel light
 };
 
 /// What is asked for: silhouettes in a plane through the apex.
 struct Section {
-    Vec4 weights;         ///< of the plane, relative to the patch's centre
-    double elevation = 0; ///< sine of the least one over the tangent plane
+    Vec4 weights; ///< of the plane, relative to the patch's centre
     std::optional<SeenWedge> wedge{};
 };
 
@@ -50,7 +41,6 @@ public:
     template <class Visit>
     void each_part(const SeenPatch& seen, const Section& section, int most_halvings,
                    const Visit& visit) {
-        if (steepest_ < section.elevation) return;
         if (section.wedge && !section.wedge->may_hold(from_apex_, reach_)) return;
         const ScalarNet distance = weighed(points_, section.weights);
         if (!may_vanish(distance)) return;
@@ -68,11 +58,10 @@ private:
     Box2 uv_;
     HomogeneousNet points_;
     std::vector<Vec3> from_apex_; ///< to the control points, times their weights
-    double reach_ = 0;            ///< of the farthest of them
+    double reach_ = 0;            ///< largest component of them
     LoweredScalar edge_on_;
     Vec2 shares_;
-    Slopes slopes_; ///< with their errors
-    double steepest_;
+    Slopes slopes_;                                   ///< with their errors
     std::optional<std::vector<EdgeOnPart>> halves_{}; ///< those that may be seen edge-on
 };
 

@@ -65,11 +65,11 @@ HomogeneousNet part_of(const HomogeneousNet& net, const Box2& uv) {
 OwnRings::Shell& OwnRings::shell(std::size_t k) const {
     while (shells_.size() <= k) {
         const Box2 box = shells_.empty() ? unit_square : shrunk(shells_.back().box, foot_);
-        const ScalarNet g = shells_.empty() ? edge_on_ : restricted(edge_on_, box);
-        const ScalarNet gx = derivative(g, true), gy = derivative(g, false);
-        shells_.push_back({box, part_of(seen_.patch->points, of_patch(box)), cheaper(g),
-                           derivative_range(gx, true), derivative_range(gx, false),
-                           derivative_range(gy, false)});
+        const ScalarNet& exact = shells_.empty() ? edge_on_ : restricted(edge_on_, box);
+        LoweredScalar edge_on = cheaper(exact);
+        const NetCurvature second = net_curvature(edge_on, exact);
+        shells_.push_back(
+            {box, part_of(seen_.patch->points, of_patch(box)), std::move(edge_on), second});
     }
     return shells_[k];
 }
@@ -81,8 +81,8 @@ bool OwnRings::only_apex_in(std::size_t k, const Vec4& weights) const {
     const ScalarNet f = weighed(in.points, weights);
     const NetRange fx = derivative_range(f, true), fy = derivative_range(f, false);
     if (fx.holds_zero() && fy.holds_zero()) return false;
-    const Interval xx = in.xx * square(fy), yy = in.yy * square(fx);
-    const Interval xy = NetRange{-2 * in.xy.middle, 2 * in.xy.half} * product(fx, fy);
+    const Interval xx = in.second.xx * square(fy), yy = in.second.yy * square(fx);
+    const Interval xy = NetRange{-2 * in.second.xy.middle, 2 * in.second.xy.half} * product(fx, fy);
     return xx.low + xy.low + yy.low > 0 || xx.high + xy.high + yy.high < 0;
 }
 

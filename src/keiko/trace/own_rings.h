@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/trace/edge_on_part.h"
+#include "keiko/trace/net_curvature.h"
 
 namespace keiko {
 
@@ -19,6 +20,8 @@ public:
           foot_((foot - uv.lower) / uv.extent()),
           edge_on_(std::move(edge_on)) {}
 
+    /// Whether no plane through the apex finds a silhouette, as the second derivative is definite.
+    bool find_nothing() const { return shell(0).second.definite(); }
     /// Calls `visit(part, distance, pair)` for each part that may hold silhouettes, as
     /// EdgeOnPart::each_part.
     template <class Visit>
@@ -35,8 +38,7 @@ private:
         Box2 box; ///< of the surroundings
         HomogeneousNet points;
         LoweredScalar edge_on;
-        /// Second derivatives of `edge_on`.
-        NetRange xx, xy, yy;
+        NetCurvature second;                           ///< of what `edge_on` approximates
         std::optional<std::vector<EdgeOnPart>> ring{}; ///< between this box and the next
     };
     Box2 of_patch(const Box2& box) const {

@@ -21,8 +21,8 @@ public:
             if (side.dot(first + last) < 0) side = -side;
     }
 
-    /// False when the convex hull of places, seen from the apex and not farther off than `reach`,
-    /// is proved to lie outside.
+    /// False when the convex hull of places, relative to the apex and with no component above
+    /// `reach`, is proved to lie outside.
     bool may_hold(std::span<const Vec3> places, double reach) const {
         const double margin = 1e-9 * reach; // far beyond rounding
         return std::all_of(inward_.begin(), inward_.end(), [&](const Vec3& side) {

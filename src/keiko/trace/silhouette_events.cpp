@@ -108,32 +108,31 @@ double SilhouetteCandidates::own_steepest() const {
 }
 
 SeenPatch SilhouetteSolver::seen(const OccluderPatch& patch, const Apex& apex) const {
-    return {&patch, apex.place() - patch.center, apex.infinite()};
+    if (apex.infinite()) return {&patch, std::nullopt};
+    return {&patch, apex.place() - patch.center};
 }
 
 void SilhouetteSolver::finish(const Apex& apex, const std::optional<Vec3>& normal, double elevation,
                               SilhouetteCandidates& all) const {
     std::erase_if(all.own, [&](OwnCandidate& own) {
         const OccluderPatch& patch = silhouettes_.patches[own.patch];
-        SeenPatch seen = this->seen(patch, apex);
-        seen.normal = normal;
-        if (normal) own.steepest = steepest_chord(patch.points, own.uv, seen.apex, *normal);
+        const SeenPatch seen = this->seen(patch, apex);
+        if (normal) own.steepest = steepest_chord(patch.points, own.uv, *seen.apex, *normal);
         if (own.steepest < elevation) return true;
-        ScalarNet edge_on = restricted(weighed(patch.planes, apex.seen_from(patch.center)), own.uv);
-        if (is_convex(edge_on)) return true;
-        own.rings.emplace(seen, own.uv, own.foot, std::move(edge_on));
-        return false;
+        own.rings.emplace(seen, own.uv, own.foot,
+                          restricted(weighed(patch.planes, apex.seen_from(patch.center)), own.uv));
+        return own.rings->find_nothing();
     });
 }
 
 bool SilhouetteSolver::find(const OwnCandidate& own, const SegmentPlane& plane,
-                            const ParameterInterval& asked, double elevation,
+                            const ParameterInterval& asked,
                             std::vector<VisibilityEvent>& events) const {
     const OccluderPatch& patch = silhouettes_.patches[own.patch];
     const double size = hull_bounds(patch.points.view()).size();
     bool certain = true;
     own.rings->each_part(
-        {plane.weights(patch.center), elevation, SeenWedge(plane, asked)},
+        {plane.weights(patch.center), SeenWedge(plane, asked)},
         [&](const EdgeOnPart& in, const ScalarNet& distance, const LinearPair& pair) {
             const Part part{own.patch, in.uv(), own.trimmed, size};
             certain = find(in, part, distance, pair, plane, events) && certain;

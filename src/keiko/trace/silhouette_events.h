@@ -59,9 +59,8 @@ public:
     /// told apart.
     bool find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
               const ParameterInterval& asked, std::vector<VisibilityEvent>& events) const;
-    /// `elevation`: sine of the least elevation of `asked` over the tangent plane.
     bool find(const OwnCandidate& own, const SegmentPlane& plane, const ParameterInterval& asked,
-              double elevation, std::vector<VisibilityEvent>& events) const;
+              std::vector<VisibilityEvent>& events) const;
 
 private:
     /// Where an apex on the surface lies on a piece's patch, or on its continuation close by: on

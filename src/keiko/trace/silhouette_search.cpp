@@ -9,29 +9,19 @@
 
 namespace keiko {
 
-bool is_convex(const ScalarNet& g) {
-    if (g.rows < 3 || g.columns < 3) return false;
-    const ScalarNet gx = derivative(g, true);
-    const NetRange xx = derivative_range(gx, true), xy = derivative_range(gx, false),
-                   yy = derivative_range(derivative(g, false), false);
-    if (xx.holds_zero() || yy.holds_zero() || (xx.middle > 0) != (yy.middle > 0)) return false;
-    const double least = (std::abs(xx.middle) - xx.half) * (std::abs(yy.middle) - yy.half);
-    return least > xy.largest() * xy.largest();
-}
-
 SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread& spread,
                                                int most_boxes) const {
     constexpr double sharpest = 1e-11; ///< of the segment: closer events are one
     Result result;
-    std::vector<Box2> open{unit_square};
+    struct Open {
+        Box2 box;
+        ScalarNet f, g;
+    };
+    std::vector<Open> open{{unit_square, f_, g_}};
     for (int count = 0; !open.empty(); ++count) {
-        const Box2 box = open.back();
+        const auto [box, f, g] = std::move(open.back());
         open.pop_back();
-        const bool whole = box == unit_square;
-        const ScalarNet f = whole ? f_ : restricted(f_, box);
-        if (!may_vanish(f)) continue;
-        const ScalarNet g = whole ? g_ : restricted(g_, box);
-        if (!may_vanish(g, error_)) continue;
+        if (!may_vanish(f) || !may_vanish(g, error_)) continue;
         const Vec2 size = box.extent();
         const double widest = std::max(size.x, size.y);
         Slopes a = slopes_of(f), b = slopes_of(g);
@@ -55,8 +45,10 @@ SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread&
         Box2 low = box, high = box;
         const unsigned axis = Slopes{b.all, a.bend + b.bend}.axis_to_halve(size);
         low.upper[axis] = high.lower[axis] = box.center()[axis];
-        open.push_back(high);
-        open.push_back(low);
+        auto [low_f, high_f] = halved(f, axis);
+        auto [low_g, high_g] = halved(g, axis);
+        open.push_back({high, std::move(high_f), std::move(high_g)});
+        open.push_back({low, std::move(low_f), std::move(low_g)});
     }
     return result;
 }

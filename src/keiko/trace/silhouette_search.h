@@ -7,10 +7,6 @@
 
 namespace keiko {
 
-/// Whether a function with a zero of second order has no other zero on [0, 1]^2, because its second
-/// derivative is definite.
-bool is_convex(const ScalarNet& g);
-
 /// The search for common zeros of two functions on a piece where one look proves nothing: the
 /// piece is split until on each part the functions are proved to have at most one, or none.
 class SilhouetteSearch {
