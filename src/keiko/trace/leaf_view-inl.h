@@ -28,17 +28,30 @@ struct View {
 
     template <class Leaves>
     View(D d, const RayBlock& rays, std::size_t lane, const Leaves& leaves) {
-        const auto load = [&](const RayBlock::Lanes<double>& from) {
-            return hn::Load(d, from.data() + lane);
-        };
+        set_place(d, rays, lane, leaves);
+        set_blur(d, rays, lane, leaves);
+        set_bounds(d, leaves);
+    }
+
+    /// Half widths of the strips around (a, b) that a root lies in, and of the range of s.
+    V strip_u() const { return strip_u_; }
+    V strip_v() const { return strip_v_; }
+    V reach() const { return reach_; }
+    V bend() const { return bend_; }
+
+private:
+    template <class Leaves>
+    void set_place(D d, const RayBlock& rays, std::size_t lane, const Leaves& leaves) {
         const auto get = [&](const auto& read) { return leaves.number(d, read); };
         const auto away = [&](std::size_t k) {
-            return hn::Sub(load(rays.start[k]),
+            return hn::Sub(hn::Load(d, rays.start[k].data() + lane),
                            get([k](const HotLeaf& h) -> const double& { return h.center[k]; }));
         };
         const V o0 = away(0), o1 = away(1), o2 = away(2);
-        const V d0 = load(rays.direction[0]), d1 = load(rays.direction[1]);
-        const V d2 = load(rays.direction[2]);
+        const auto along = [&](std::size_t k) {
+            return hn::Load(d, rays.direction[k].data() + lane);
+        };
+        const V d0 = along(0), d1 = along(1), d2 = along(2);
         const auto row = [&](std::size_t r, V x, V y, V z) {
             const auto entry = [&](std::size_t k) {
                 return get([r, k](const HotLeaf& h) -> const double& { return h.rows[r][k]; });
@@ -52,25 +65,34 @@ struct View {
         a = hn::NegMulAdd(height, p, row(0, o0, o1, o2));
         b = hn::NegMulAdd(height, q, row(1, o0, o1, o2));
         depth = hn::Neg(hn::Mul(height, step));
+    }
 
+    template <class Leaves>
+    void set_blur(D d, const RayBlock& rays, std::size_t lane, const Leaves& leaves) {
+        const auto get = [&](const auto& read) { return leaves.number(d, read); };
         const auto length = [&](std::size_t k) {
             return get([k](const HotLeaf& h) -> const double& { return h.row_length[k]; });
         };
-        const V pp = hn::Abs(p), qq = hn::Abs(q), length_n = length(2);
+        const V length_n = length(2);
         steep = hn::Mul(hn::Abs(step), length_n);
         const V way =
             hn::MulAdd(hn::Set(d, ray_rounding), hn::Abs(depth),
-                       hn::Add(load(rays.blur),
+                       hn::Add(hn::Load(d, rays.blur.data() + lane),
                                get([](const HotLeaf& h) -> const double& { return h.blur; })));
         // F and G are multiplied by the weight, and so is what moves them.
         const V weight = get([](const HotLeaf& h) -> const double& { return h.value[3]; });
-        const V blur = hn::MulAdd(way, weight, way);
-        blur_u = hn::Mul(blur, hn::MulAdd(pp, length_n, length(0)));
-        blur_v = hn::Mul(blur, hn::MulAdd(qq, length_n, length(1)));
+        blur_ = hn::MulAdd(way, weight, way);
+        blur_u = hn::Mul(blur_, hn::MulAdd(hn::Abs(p), length_n, length(0)));
+        blur_v = hn::Mul(blur_, hn::MulAdd(hn::Abs(q), length_n, length(1)));
+    }
+
+    template <class Leaves>
+    void set_bounds(D d, const Leaves& leaves) {
+        const V pp = hn::Abs(p), qq = hn::Abs(q);
         const auto mixed = [&](auto bounds, std::size_t own, V turn, V at) {
             const auto entry = [&](std::size_t k) {
-                return get(
-                    [bounds, k](const HotLeaf& h) -> const double& { return (h.*bounds)[k]; });
+                return leaves.number(
+                    d, [bounds, k](const HotLeaf& h) -> const double& { return (h.*bounds)[k]; });
             };
             return hn::MulAdd(hn::Abs(at), entry(3), hn::MulAdd(turn, entry(2), entry(own)));
         };
@@ -81,19 +103,12 @@ struct View {
         bend_ = larger(&HotLeaf::bend);
         strip_u_ = hn::Add(mixed(&HotLeaf::value, 0, pp, a), blur_u);
         strip_v_ = hn::Add(mixed(&HotLeaf::value, 1, qq, b), blur_v);
-        reach_ = hn::MulAdd(hn::Abs(step),
-                            get([](const HotLeaf& h) -> const double& { return h.height; }),
-                            hn::Mul(blur, steep));
+        const V height =
+            leaves.number(d, [](const HotLeaf& h) -> const double& { return h.height; });
+        reach_ = hn::MulAdd(hn::Abs(step), height, hn::Mul(blur_, steep));
     }
 
-    /// Half widths of the strips around (a, b) that a root lies in, and of the range of s.
-    V strip_u() const { return strip_u_; }
-    V strip_v() const { return strip_v_; }
-    V reach() const { return reach_; }
-    V bend() const { return bend_; }
-
-private:
-    V strip_u_, strip_v_, bend_, reach_;
+    V blur_, strip_u_, strip_v_, bend_, reach_;
 };
 
 /// Beyond this the proofs' own rounding would matter.

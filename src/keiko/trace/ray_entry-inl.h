@@ -21,74 +21,102 @@ constexpr double shortest_direction = 1e-140, longest_direction = 1.1e150;
 /// mm: the same of the way to the scene.
 constexpr double farthest_origin = 1e150;
 
+template <class V>
+V dot(const std::array<V, 3>& a, const std::array<V, 3>& b) {
+    return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
+}
+
+/// The lanes of an array of vectors that begin at `lane`.
+template <class D>
+std::array<hn::Vec<D>, 3> load_vectors(D d, const std::array<RayBlock::Lanes<double>, 3>& from,
+                                       std::size_t lane) {
+    return {hn::Load(d, from[0].data() + lane), hn::Load(d, from[1].data() + lane),
+            hn::Load(d, from[2].data() + lane)};
+}
+
+/// Rays as given, and how they pass the ball around the scene.
+template <class D>
+struct BallPass {
+    using V = hn::Vec<D>;
+    static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+    std::array<V, 3> origin, given, direction; ///< `direction` of length 1
+    V speed;                                   ///< mm for each unit of t
+    V foot;              ///< mm from the origin to the place nearest to the centre
+    V away;              ///< mm from the origin to the centre
+    V ball;              ///< radius of the ball, and what may pass for it
+    V half_square, half; ///< of half the chord, mm
+
+    BallPass(D d, const SceneBall& scene, const RayBlock& rays, std::size_t lane)
+        : origin(load_vectors(d, rays.start, lane)), given(load_vectors(d, rays.direction, lane)) {
+        speed = hn::Sqrt(dot(given, given));
+        std::array<V, 3> to_center, off;
+        for (unsigned k = 0; k < 3; ++k) {
+            direction[k] = hn::Div(given[k], speed);
+            to_center[k] = hn::Sub(hn::Set(d, scene.center[k]), origin[k]);
+        }
+        foot = dot(to_center, direction);
+        away = hn::Sqrt(dot(to_center, to_center));
+        for (unsigned k = 0; k < 3; ++k) off[k] = hn::NegMulAdd(direction[k], foot, to_center[k]);
+        // Far origins blur the ball's border: whatever may touch it must come in.
+        ball = hn::MulAdd(hn::Set(d, 64 * epsilon), away, hn::Set(d, scene.radius * 1.001));
+        half_square = hn::NegMulAdd(
+            off[0], off[0],
+            hn::NegMulAdd(off[1], off[1], hn::NegMulAdd(off[2], off[2], hn::Mul(ball, ball))));
+        half = hn::Sqrt(half_square);
+    }
+
+    auto inside() const { return hn::Le(away, ball); }
+    /// Of the start within the ball. Not t_min: a hit's t must have the same last bit whatever
+    /// range it is asked in.
+    V t_start() const { return hn::IfThenZeroElse(inside(), hn::Div(hn::Sub(foot, half), speed)); }
+    V slack(D d) const { return hn::Mul(hn::Set(d, 8 * epsilon), hn::Add(away, ball)); }
+    /// mm: what a start `way` mm on is off by. One that is not moved is not rounded.
+    V error(D d, V way) const {
+        const V moved =
+            hn::Mul(hn::Set(d, 2 * epsilon), hn::Add(hn::Sqrt(dot(origin, origin)), hn::Abs(way)));
+        return hn::IfThenZeroElse(inside(), moved);
+    }
+    /// Has a direction, comes from not too far, and meets the ball.
+    auto enters(D d) const {
+        return hn::And(
+            hn::And(hn::Gt(speed, hn::Set(d, shortest_direction)),
+                    hn::Lt(speed, hn::Set(d, longest_direction))),
+            hn::And(hn::Lt(away, hn::Set(d, farthest_origin)), hn::Ge(half_square, hn::Zero(d))));
+    }
+};
+
 /// The start moved up to the ball; no lane of the result that has no direction, or misses it.
 template <class D>
 LaneMask enter_lanes(D d, const SceneBall& scene, RayBlock& rays, std::size_t lane) {
     using V = hn::Vec<D>;
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    const auto load = [&](const RayBlock::Lanes<double>& from) {
-        return hn::Load(d, from.data() + lane);
-    };
+    const BallPass<D> pass(d, scene, rays, lane);
     const auto store = [&](V value, RayBlock::Lanes<double>& to) {
         hn::Store(value, d, to.data() + lane);
     };
-    const auto set = [&](double x) { return hn::Set(d, x); };
-    const auto dot = [&](const std::array<V, 3>& a, const std::array<V, 3>& b) {
-        return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
-    };
-    const std::array<V, 3> origin{load(rays.start[0]), load(rays.start[1]), load(rays.start[2])};
-    const std::array<V, 3> given{load(rays.direction[0]), load(rays.direction[1]),
-                                 load(rays.direction[2])};
-    const V speed = hn::Sqrt(dot(given, given));
-    std::array<V, 3> direction, to_center, off;
+    const V t_start = pass.t_start();
+    const V way = hn::Mul(t_start, pass.speed), slack = pass.slack(d), error = pass.error(d, way);
     for (unsigned k = 0; k < 3; ++k) {
-        direction[k] = hn::Div(given[k], speed);
-        to_center[k] = hn::Sub(set(scene.center[k]), origin[k]);
+        store(hn::MulAdd(pass.given[k], t_start, pass.origin[k]), rays.start[k]);
+        store(pass.direction[k], rays.direction[k]);
     }
-    const V foot = dot(to_center, direction), away = hn::Sqrt(dot(to_center, to_center));
-    for (unsigned k = 0; k < 3; ++k) off[k] = hn::NegMulAdd(direction[k], foot, to_center[k]);
-    // Far origins blur the ball's border: whatever may touch it must come in.
-    const V ball = hn::MulAdd(set(64 * epsilon), away, set(scene.radius * 1.001));
-    const V half_square = hn::NegMulAdd(
-        off[0], off[0],
-        hn::NegMulAdd(off[1], off[1], hn::NegMulAdd(off[2], off[2], hn::Mul(ball, ball))));
-    const V half = hn::Sqrt(half_square);
-    // Not t_min: a hit's t must have the same last bit whatever range it is asked in.
-    const auto inside = hn::Le(away, ball);
-    const V t_start = hn::IfThenZeroElse(inside, hn::Div(hn::Sub(foot, half), speed));
-    for (unsigned k = 0; k < 3; ++k) {
-        store(hn::MulAdd(given[k], t_start, origin[k]), rays.start[k]);
-        store(direction[k], rays.direction[k]);
-    }
-    const V way = hn::Mul(t_start, speed);
-    const V slack = hn::Mul(set(8 * epsilon), hn::Add(away, ball));
-    const V ball_size = set(std::max(scene.radius, 1e-30));
-    // A start that is not moved is not rounded.
-    const V moved = hn::Mul(set(2 * epsilon), hn::Add(hn::Sqrt(dot(origin, origin)), hn::Abs(way)));
-    const V error = hn::IfThenZeroElse(inside, moved);
-    const V t_low = hn::Mul(load(rays.low), speed), t_high = hn::Mul(load(rays.high), speed);
-    const V low = hn::Sub(hn::Sub(hn::Max(t_low, hn::Sub(foot, half)), way), slack);
-    const V high = hn::Add(hn::Sub(hn::Min(t_high, hn::Add(foot, half)), way), slack);
+    const V t_low = hn::Mul(hn::Load(d, rays.low.data() + lane), pass.speed);
+    const V t_high = hn::Mul(hn::Load(d, rays.high.data() + lane), pass.speed);
+    const V begin = hn::Sub(pass.foot, pass.half), end = hn::Add(pass.foot, pass.half);
+    const V low = hn::Sub(hn::Sub(hn::Max(t_low, begin), way), slack);
+    const V high = hn::Add(hn::Sub(hn::Min(t_high, end), way), slack);
     store(low, rays.low);
     store(high, rays.high);
     store(t_start, rays.t_start);
-    store(speed, rays.speed);
+    store(pass.speed, rays.speed);
     store(error, rays.error);
     store(slack, rays.slack);
     // No leaf's frame is centred farther away than across the ball.
-    store(hn::Add(error, set(ray_rounding * 2.5 * scene.radius)), rays.blur);
-    const auto and_all = [](auto first, auto... rest) {
-        ((first = hn::And(first, rest)), ...);
-        return first;
-    };
+    store(hn::Add(error, hn::Set(d, ray_rounding * 2.5 * scene.radius)), rays.blur);
     // What the boxes are padded by has so much room for a blurred start: see pad_in_radii.
-    const V most_error = hn::Mul(set(0x1p-22), ball_size);
-    return lane_bits(
-        d,
-        and_all(hn::Gt(speed, set(shortest_direction)), hn::Lt(speed, set(longest_direction)),
-                hn::Lt(away, set(farthest_origin)), hn::Le(error, most_error),
-                hn::Ge(half_square, hn::Zero(d)), hn::Le(t_low, t_high), hn::Le(low, high)),
-        lane);
+    const V most_error = hn::Set(d, 0x1p-22 * std::max(scene.radius, 1e-30));
+    const auto ranges = hn::And(hn::Le(t_low, t_high), hn::Le(low, high));
+    return lane_bits(d, hn::And(hn::And(pass.enters(d), ranges), hn::Le(error, most_error)), lane);
 }
 
 /// Whether all active rays are close to the first, in direction and in where they start.
