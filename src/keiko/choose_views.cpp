@@ -22,15 +22,14 @@ NamedView view_by_name(const Scene& scene, const std::string& name, const Framin
     return {name, frame_view(name, scene.tracer.bounds(), framing)};
 }
 
-/// Pictures are named after them.
+} // namespace
+
 void require_different_names(std::span<const NamedView> views) {
     for (std::size_t i = 0; i < views.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
             if (views[k].name == views[i].name)
                 throw Error("", "--view", "two views are called '" + views[i].name + "'");
 }
-
-} // namespace
 
 void require_view_names(std::span<const std::string> names) {
     const Box3 any{Vec3(0), Vec3(1)};

@@ -130,6 +130,9 @@ std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::str
 /// could not read: before the long work.
 void require_view_names(std::span<const std::string> names);
 
+/// Pictures are named after views. Throws Error where two have the same name.
+void require_different_names(std::span<const NamedView> views);
+
 /// Renders one picture of the scene under a rig.
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
                  const PictureOptions& options = {}, const Job& job = {});

@@ -15,11 +15,6 @@ std::vector<FixtureSpec> share_of(const std::vector<FixtureSpec>& fixtures, cons
     return share;
 }
 
-std::optional<KeptRecord> locked_baseline(const RegressOptions& options, const std::string& name) {
-    const FolderReadLock lock(baseline_folder(options));
-    return kept_baseline(baseline_folder(options) / name);
-}
-
 FixtureOutcome run_one(const FixtureSpec& spec, const RegressOptions& options, const Job& job) {
     try {
         const FixtureRecord candidate = candidate_of(spec, options, job);

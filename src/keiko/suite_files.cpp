@@ -29,6 +29,16 @@ std::optional<FixtureRecord> finished_candidate(const fs::path& folder, const st
     return std::nullopt;
 }
 
+/// Nothing where there is no baseline, or a damaged one, of which the outcome tells.
+FixtureSetup kept_setup(const RegressOptions& options, const std::string& name) {
+    try {
+        if (auto baseline = locked_baseline(options, name))
+            return std::move(baseline->record.setup);
+    } catch (const Error&) {
+    }
+    return {};
+}
+
 void write_pictures(const fs::path& folder, const FolderContent& pngs) {
     const FolderLock lock(folder.parent_path());
     std::error_code ignored; // an older picture that stays is named by no report
@@ -62,12 +72,13 @@ std::vector<FixtureSpec> chosen(std::vector<FixtureSpec> fixtures,
 
 FixtureRecord candidate_of(const FixtureSpec& spec, const RegressOptions& options, const Job& job) {
     const fs::path folder = options.output / spec.name / "candidate";
-    const std::string key = fixture_key(spec, options.load);
+    const FixtureSetup setup = kept_setup(options, spec.name);
+    const std::string key = fixture_key(spec, setup, options.load);
     if (!options.fresh)
         if (auto finished = finished_candidate(folder, key)) return std::move(*finished);
     // The key is of the files as they are now, the spec of the fixture as it was read.
-    KeptRecord kept{run_fixture(read_fixture(spec.file), options.load, job), key, {}};
-    if (fixture_key(spec, options.load) != key)
+    KeptRecord kept{run_fixture(read_fixture(spec.file), setup, options.load, job), key, {}};
+    if (fixture_key(spec, setup, options.load) != key)
         throw Error(spec.file.string(), "", "its files were changed while it ran; run it again");
     const FolderLock lock(folder.parent_path());
     write_folder_atomically(folder, files_of(kept));
@@ -84,12 +95,17 @@ std::optional<KeptRecord> kept_baseline(const fs::path& folder) {
     return record_of(files, folder.string());
 }
 
+std::optional<KeptRecord> locked_baseline(const RegressOptions& options, const std::string& name) {
+    const FolderReadLock lock(baseline_folder(options));
+    return kept_baseline(baseline_folder(options) / name);
+}
+
 std::string suite_key(std::span<const FixtureSpec> suite, const RegressOptions& options) {
     std::string text;
     for (const FixtureSpec& fixture : suite) {
         text += fixture.name + " ";
         try {
-            text += fixture_key(fixture, options.load);
+            text += fixture_key(fixture, {}, options.load);
         } catch (const Error& error) { // it will be the fixture's outcome
             text += error.what();
         }

@@ -20,6 +20,9 @@ std::filesystem::path baseline_folder(const RegressOptions& options);
 /// Nothing where there is no baseline. Throws Error for a damaged one.
 std::optional<KeptRecord> kept_baseline(const std::filesystem::path& folder);
 
+/// The baseline of a fixture, read while no one writes it.
+std::optional<KeptRecord> locked_baseline(const RegressOptions& options, const std::string& name);
+
 /// SHA-256 of the keys of all fixtures and of their baselines: the same for runs that must have the
 /// same outcome.
 std::string suite_key(std::span<const FixtureSpec> suite, const RegressOptions& options);

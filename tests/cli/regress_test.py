@@ -121,6 +121,25 @@ class Differences(RegressTest):
         self.assertIn("shape", failed)
         self.assertEqual(int(suites.get("failures")), len(failed))
 
+    def test_a_part_that_grew_is_seen_from_the_same_place_under_the_same_lamps(self):
+        model = self.add_fixture("dome")
+        fixture = self.folder / "suite/dome.toml"
+        fixture.write_text(fixture.read_text().replace('rig = "rig.toml"\n', ""))
+        self.accept("dome")
+        move_point_of_dome(model, 80)
+        self.assertEqual(self.regress().returncode, 1)
+        kept, seen = (json.loads((self.folder / record / "metrics.json").read_text())
+                      for record in ("suite/baselines/dome", "out/dome/candidate"))
+        self.assertEqual(kept["eyes"], seen["eyes"])
+        self.assertNotEqual(kept["metrics"], seen["metrics"])
+        self.regress("--baseline", "none", output="alone")
+        rigs = [(self.folder / record / "rig.toml").read_text()
+                for record in ("suite/baselines/dome", "out/dome/candidate", "alone/dome/candidate")]
+        self.assertEqual(rigs[0], rigs[1])
+        self.assertNotEqual(rigs[0], rigs[2])
+        alone = json.loads((self.folder / "alone/dome/candidate/metrics.json").read_text())
+        self.assertNotEqual(alone["eyes"], seen["eyes"])
+
     def test_a_picture_that_differs_is_shown_before_after_and_as_difference(self):
         self.add_fixture("dome")
         self.accept("dome")

@@ -36,6 +36,13 @@ PictureDifference picture_difference(const std::string& view, const FixturePictu
 
 } // namespace
 
+const FixtureEye* FixtureSetup::eye(const std::string& asked, int width, int height) const {
+    const auto found = std::find_if(eyes.begin(), eyes.end(), [&](const FixtureEye& e) {
+        return e.asked == asked && e.camera.width == width && e.camera.height == height;
+    });
+    return found == eyes.end() ? nullptr : &*found;
+}
+
 const FixturePicture* FixtureRecord::picture(const std::string& view) const {
     const auto found = std::find_if(pictures.begin(), pictures.end(),
                                     [&](const FixturePicture& p) { return p.view == view; });

@@ -2,6 +2,7 @@
 
 #include "keiko/compare/film_difference.h"
 #include "keiko/compare/metric_difference.h"
+#include "keiko/spec/camera.h"
 #include "keiko/spec/fixture_spec.h"
 
 #include <optional>
@@ -16,10 +17,31 @@ struct FixturePicture {
     Film film;
 };
 
+/// The eye of a view that is framed by what is seen.
+struct FixtureEye {
+    std::string asked; ///< name in the fixture or its scene, as "front" or "auto"
+    std::string view;  ///< name of the view
+    Camera camera;
+
+    bool operator==(const FixtureEye&) const = default;
+};
+
+/// What follows from the body, and must not follow it when it changes: a baseline keeps it, so that
+/// whatever comes after is looked at from the same place, under the same lamps.
+struct FixtureSetup {
+    std::vector<FixtureEye> eyes;
+    std::string placed_rig; ///< text of keiko-rig/1: lamps that were placed; else empty
+
+    /// nullptr where that view was never looked at in this size.
+    const FixtureEye* eye(const std::string& asked, int width, int height) const;
+    bool operator==(const FixtureSetup&) const = default;
+};
+
 /// What a fixture showed: as its baseline keeps it, or as it is now.
 struct FixtureRecord {
     std::vector<Metric> metrics;
     std::vector<FixturePicture> pictures;
+    FixtureSetup setup{};
 
     /// nullptr where it has no such view.
     const FixturePicture* picture(const std::string& view) const;

@@ -103,10 +103,6 @@ std::string text_of(const Json& json) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Json point(const Vec3& p) {
-    return {p.x, p.y, p.z};
-}
-
 Json model_json(const ModelFacts& facts) {
     const RemarkCounts& remarks = facts.remarks;
     Json json = {

@@ -1,7 +1,7 @@
 #include "keiko/report/hits_json.h"
 
 #include "keiko/base/error.h"
-#include "keiko/report/json_text.h"
+#include "keiko/report/camera_json.h"
 
 #include <array>
 
@@ -9,37 +9,6 @@ namespace keiko {
 namespace {
 
 constexpr const char* format = "keiko-hits/1";
-
-Json camera_json(const Camera& camera) {
-    return {{"projection",
-             camera.projection == Projection::perspective ? "perspective" : "orthographic"},
-            {"eye", point(camera.eye)},
-            {"target", point(camera.target)},
-            {"up", point(camera.up)},
-            {"vertical_fov", camera.vertical_fov},
-            {"orthographic_height", camera.orthographic_height},
-            {"width", camera.width},
-            {"height", camera.height}};
-}
-
-Vec3 point_from(const Json& json) {
-    const auto p = json.get<std::array<double, 3>>();
-    return {p[0], p[1], p[2]};
-}
-
-Camera camera_from(const Json& json) {
-    Camera camera;
-    camera.projection =
-        json.at("projection") == "perspective" ? Projection::perspective : Projection::orthographic;
-    camera.eye = point_from(json.at("eye"));
-    camera.target = point_from(json.at("target"));
-    camera.up = point_from(json.at("up"));
-    camera.vertical_fov = json.at("vertical_fov");
-    camera.orthographic_height = json.at("orthographic_height");
-    camera.width = json.at("width");
-    camera.height = json.at("height");
-    return camera;
-}
 
 /// Calls `visit` with each number of a hit, in the order of the columns.
 template <class Sample, class Differentials, class Visit>

@@ -14,6 +14,8 @@ std::string text_of(const Json& json);
 
 /// [x, y, z]
 Json point(const Vec3& p);
+/// What point made. Throws Json::exception.
+Vec3 point_from(const Json& json);
 
 /// A number, or a word for what JSON has no number: "inf", "-inf", "nan".
 Json real_json(double value);

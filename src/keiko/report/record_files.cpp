@@ -3,12 +3,13 @@
 #include "keiko/base/error.h"
 #include "keiko/base/sha256.h"
 #include "keiko/film/film_channels.h"
-#include "keiko/report/json_text.h"
+#include "keiko/report/camera_json.h"
 
 namespace keiko {
 namespace {
 
-const std::string metrics_file = "metrics.json", manifest_file = "manifest.json";
+const std::string metrics_file = "metrics.json", manifest_file = "manifest.json",
+                  rig_file = "rig.toml";
 constexpr const char* metrics_format = "keiko-metrics/1";
 constexpr const char* manifest_format = "keiko-manifest/1";
 
@@ -49,16 +50,19 @@ std::string lines_of(const Json& array) {
 }
 
 std::string metrics_text(const FixtureRecord& record) {
-    Json metrics = Json::array(), pictures = Json::array();
+    Json metrics = Json::array(), pictures = Json::array(), eyes = Json::array();
     for (const Metric& metric : record.metrics) metrics.push_back(metric_json(metric));
     for (const FixturePicture& picture : record.pictures) {
         Json layers = Json::array();
         for (const auto& [name, layer] : layers_of(picture.film)) layers.push_back(name);
         pictures.push_back({{"view", picture.view}, {"layers", layers}});
     }
+    for (const FixtureEye& eye : record.setup.eyes)
+        eyes.push_back(
+            {{"asked", eye.asked}, {"view", eye.view}, {"camera", camera_json(eye.camera)}});
     return std::string("{\n \"format\": \"") + metrics_format +
            "\",\n \"metrics\": " + lines_of(metrics) + ",\n \"pictures\": " + lines_of(pictures) +
-           "\n}\n";
+           (eyes.empty() ? "" : ",\n \"eyes\": " + lines_of(eyes)) + "\n}\n";
 }
 
 Json change_json(const BaselineChange& change) {
@@ -135,6 +139,10 @@ KeptRecord parsed_record(const FolderContent& files) {
         kept.record.metrics.push_back(metric_from(metric));
     for (const Json& picture : metrics.at("pictures"))
         kept.record.pictures.push_back(picture_from(files, picture));
+    for (const Json& eye : metrics.value("eyes", Json::array()))
+        kept.record.setup.eyes.push_back(
+            {eye.at("asked"), eye.at("view"), camera_from(eye.at("camera"))});
+    if (files.count(rig_file) != 0) kept.record.setup.placed_rig = files.at(rig_file);
     return kept;
 }
 
@@ -145,6 +153,7 @@ FolderContent files_of(const KeptRecord& kept) {
     for (const FixturePicture& picture : kept.record.pictures)
         for (const auto& [layer, image] : layers_of(picture.film))
             files[file_of(picture.view, layer)] = encode_exr(image);
+    if (!kept.record.setup.placed_rig.empty()) files[rig_file] = kept.record.setup.placed_rig;
     files[manifest_file] = manifest_text(kept, files);
     return files;
 }

@@ -22,18 +22,21 @@ Film small_film() {
 }
 
 KeptRecord small_record() {
-    return {{{{"seams", "a | b: gap", Quantity::gap, 0.1},
-              {"seams", "a | b: verdict", Quantity::verdict, std::string("fail")}},
-             {{"front", small_film()}}},
-            "key",
-            {{"2026-01-02T03:04:05Z", "me", "why", "keiko 1", {"one", "two"}}}};
+    return {
+        {{{"seams", "a | b: gap", Quantity::gap, 0.1},
+          {"seams", "a | b: verdict", Quantity::verdict, std::string("fail")}},
+         {{"front", small_film()}},
+         {{{"auto", "front", {.eye = {0.1, -2e300, 3}, .width = 3, .height = 2}}}, "name = 1\n"}},
+        "key",
+        {{"2026-01-02T03:04:05Z", "me", "why", "keiko 1", {"one", "two"}}}};
 }
 
 TEST(RecordFiles, ReadBackAsTheyWere) {
     const FolderContent files = files_of(small_record());
-    EXPECT_EQ(files.size(), 5u); // metrics, manifest, color, depth, normal
+    EXPECT_EQ(files.size(), 6u); // metrics, manifest, rig, color, depth, normal
     const KeptRecord read = record_of(files, "folder");
     EXPECT_EQ(read.record.metrics, small_record().record.metrics);
+    EXPECT_EQ(read.record.setup, small_record().record.setup);
     EXPECT_EQ(read.key, "key");
     ASSERT_EQ(read.changes.size(), 1u);
     EXPECT_EQ(read.changes[0].changed, (std::vector<std::string>{"one", "two"}));
