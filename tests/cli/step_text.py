@@ -6,6 +6,12 @@ from pathlib import Path
 NUMBER = r"[-+]?\d+\.\d*(?:[eE][-+]?\d+)?"
 
 
+def real(x: float) -> str:
+    """As ISO 10303-21 has it: a point, and a large E before an exponent."""
+    mantissa, e, exponent = repr(float(x)).partition("e")
+    return mantissa + ("" if "." in mantissa else ".") + ("E" + exponent if e else "")
+
+
 class StepText:
     """Entities by number; everything else stays as it is."""
 
@@ -32,7 +38,7 @@ class StepText:
 
     def move(self, number: int, *offset: float):
         place = [a + b for a, b in zip(self.point(number), offset)]
-        self.entities[number] = "CARTESIAN_POINT('',(" + ",".join(f"{x!r}" for x in place) + "))"
+        self.entities[number] = "CARTESIAN_POINT('',(" + ",".join(real(x) for x in place) + "))"
 
     def add(self, body: str) -> int:
         number = max(self.entities) + 1
@@ -52,9 +58,9 @@ class StepText:
             self.entities[body] = f"SHAPE_REPRESENTATION('',({listed}),#{context})"
 
     def operator(self, axes, scale: float, origin) -> int:
-        x, y, z = (self.add("DIRECTION('',(" + ",".join(f"{c!r}" for c in axis) + "))") for axis in axes)
-        place = self.add("CARTESIAN_POINT('',(" + ",".join(f"{c!r}" for c in origin) + "))")
-        return self.add(f"CARTESIAN_TRANSFORMATION_OPERATOR_3D('','',$,#{x},#{y},#{place},{scale!r},#{z})")
+        x, y, z = (self.add("DIRECTION('',(" + ",".join(real(c) for c in axis) + "))") for axis in axes)
+        place = self.add("CARTESIAN_POINT('',(" + ",".join(real(c) for c in origin) + "))")
+        return self.add(f"CARTESIAN_TRANSFORMATION_OPERATOR_3D('','',$,#{x},#{y},#{place},{real(scale)},#{z})")
 
     def faces(self) -> list:
         return self.of_type("ADVANCED_FACE")
@@ -84,7 +90,7 @@ class StepText:
         head, weights = self.entities[surface].split("RATIONAL_B_SPLINE_SURFACE", 1)
         numbers = list(re.finditer(NUMBER, weights))
         middle = numbers[len(numbers) // 2]
-        changed = repr(float(middle[0]) * factor)
+        changed = real(float(middle[0]) * factor)
         self.entities[surface] = (head + "RATIONAL_B_SPLINE_SURFACE" + weights[:middle.start()] + changed
                                   + weights[middle.end():])
 
@@ -95,7 +101,7 @@ class StepText:
         knots = [float(n) for n in re.findall(NUMBER, lists[0])]
         middle = len(knots) // 2
         knots[middle] += share * (knots[middle + 1] - knots[middle])
-        changed = "(" + ",".join(repr(k) for k in knots) + ")"
+        changed = "(" + ",".join(real(k) for k in knots) + ")"
         body = self.entities[surface]
         self.entities[surface] = body[:lists.start()] + changed + body[lists.end():]
 

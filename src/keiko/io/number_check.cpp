@@ -54,11 +54,57 @@ bool is_not_finite(std::string_view word) {
     return number ? overflows(word) : is_word_for_none(word);
 }
 
-[[noreturn]] void refuse(std::string_view word, const std::string& source, std::size_t line,
-                         const std::string& entity) {
+std::size_t take_digits(std::string_view& text) {
+    const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
+    text.remove_prefix(count);
+    return count;
+}
+
+void take_sign(std::string_view& text) {
+    if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+}
+
+bool begins_as_number(std::string_view word) {
+    take_sign(word);
+    if (word.starts_with('.')) word.remove_prefix(1);
+    return word.empty() || word.front() == '+' || word.front() == '-' || is_digit(word.front());
+}
+
+/// How a format writes numbers.
+struct NumberStyle {
+    std::string_view exponents; ///< letters that may begin one
+    bool point_before_exponent; ///< which a number with an exponent must have
+    const char* reason;         ///< why another is refused
+};
+constexpr NumberStyle step_style{
+    "E", true, " is no number of STEP (ISO 10303-21: digits, a point, E before an exponent)"};
+constexpr NumberStyle iges_style{"EeDd", false, " is no number of IGES"};
+
+bool is_number(std::string_view word, const NumberStyle& style) {
+    take_sign(word);
+    std::size_t digits = take_digits(word);
+    const bool point = word.starts_with('.');
+    if (point) word.remove_prefix(1), digits += take_digits(word);
+    if (digits == 0) return false;
+    if (word.empty()) return true;
+    if (style.exponents.find(word.front()) == std::string_view::npos) return false;
+    if (style.point_before_exponent && !point) return false;
+    word.remove_prefix(1);
+    take_sign(word);
+    return take_digits(word) > 0 && word.empty();
+}
+
+/// Why OpenCASCADE must not see a word, or nothing.
+const char* fault_of(std::string_view word, const NumberStyle& style) {
+    if (word.empty()) return nullptr;
+    if (is_not_finite(word)) return " is no finite number";
+    return begins_as_number(word) && !is_number(word, style) ? style.reason : nullptr;
+}
+
+[[noreturn]] void refuse(std::string_view word, const char* reason, const std::string& source,
+                         std::size_t line, const std::string& entity) {
     throw Error(source, std::to_string(line),
-                (entity.empty() ? "" : "entity " + entity + ": ") + shortened(word) +
-                    " is no finite number");
+                (entity.empty() ? "" : "entity " + entity + ": ") + shortened(word) + reason);
 }
 
 /// ISO 10303-21: entities "#12 = NAME(...);", texts in ', binaries in ", comments as in C.
@@ -71,6 +117,8 @@ public:
             const char c = text_[at_];
             if (c == '\'' || c == '"')
                 at_ = past(text_.find(c, at_ + 1), 1);
+            else if (c == '<') // an address, of edition 3
+                at_ = past(text_.find('>', at_ + 1), 1);
             else if (c == '/' && text_.substr(at_, 2) == "/*")
                 at_ = past(text_.find("*/", at_ + 2), 2);
             else if (c == '#')
@@ -106,9 +154,10 @@ private:
         if (marked)
             word =
                 text_.substr(at_, word.size() + 1 + word_at(text_, at_ + word.size() + 1).size());
-        if (marked || is_not_finite(word)) {
+        const char* fault = marked ? " is no finite number" : fault_of(word, step_style);
+        if (fault != nullptr) {
             const auto lines = std::count(text_.begin(), text_.begin() + std::ptrdiff_t(at_), '\n');
-            refuse(word, source_, static_cast<std::size_t>(lines) + 1, std::string(entity_));
+            refuse(word, fault, source_, static_cast<std::size_t>(lines) + 1, std::string(entity_));
         }
         at_ += word.size();
     }
@@ -137,7 +186,8 @@ public:
                 continue;
             }
             const std::string_view word = word_at(data, 0);
-            if (is_not_finite(word)) refuse(word, source_, line_, label(line.substr(entry, 8)));
+            if (const char* fault = fault_of(word, iges_style); fault != nullptr)
+                refuse(word, fault, source_, line_, label(line.substr(entry, 8)));
             data.remove_prefix(std::max<std::size_t>(word.size(), 1));
         }
     }
@@ -171,7 +221,7 @@ private:
 void check_brep_line(std::string_view line, const std::string& source, std::size_t number) {
     for (std::size_t at = 0; at < line.size();) {
         const std::string_view word = word_at(line, at);
-        if (is_not_finite(word)) refuse(word, source, number, "");
+        if (is_not_finite(word)) refuse(word, " is no finite number", source, number, "");
         at += std::max<std::size_t>(word.size(), 1);
     }
 }
@@ -187,7 +237,7 @@ void for_each_line(std::string_view text, Take take) {
 
 } // namespace
 
-void require_finite_numbers(std::string_view text, ModelFormat format, const std::string& source) {
+void require_numbers(std::string_view text, ModelFormat format, const std::string& source) {
     if (format == ModelFormat::step) StepWalk(text, source).walk();
     if (format == ModelFormat::iges)
         for_each_line(text, [walk = IgesWalk(source)](std::string_view line) mutable {

@@ -9,7 +9,7 @@ namespace {
 
 std::string refusal(ModelFormat format, const std::string& text) {
     try {
-        require_finite_numbers(text, format, "m");
+        require_numbers(text, format, "m");
     } catch (const Error& error) {
         return error.what();
     }
@@ -33,8 +33,16 @@ TEST(NumberCheck, NamesLineAndEntityOfANumberThatNoDoubleHolds) {
 
 TEST(NumberCheck, LetsEveryDoublePass) {
     EXPECT_EQ(step("(1.E308,-1.7976931348623157E+308,4.9E-324,1.E-999,1.E0000000000000005)"), "");
-    EXPECT_EQ(step("(0." + std::string(400, '1') + ",.5,+3,-0.,1E+99)"), "");
+    EXPECT_EQ(step("(0." + std::string(400, '1') + ",.5,+3,-0.,1.E+99,.25E2)"), "");
     EXPECT_EQ(step("(.NAN.,.INF.,$,*,#12,NANO(1.),1.,#13)"), "") << "no numbers at all";
+}
+
+TEST(NumberCheck, NamesWhatStepDoesNotTakeForANumber) {
+    const std::string reason =
+        " is no number of STEP (ISO 10303-21: digits, a point, E before an exponent)";
+    for (const std::string word : {"1.5e3", "1.5D3", "1E3", "1.2.3", "--1.2", "0x1p3", "1_000.",
+                                   "1.E", "1.E2.5", "-.", "+", "1.5E+-3", ".5e1"})
+        EXPECT_EQ(step("(0.," + word + ",2.)"), "m:5: entity #12: " + word + reason);
 }
 
 TEST(NumberCheck, LooksIntoNeitherTextsNorComments) {
@@ -61,6 +69,14 @@ TEST(NumberCheck, NamesTheDirectoryEntryOfAnIgesFile) {
         << "a text of 75 characters runs on";
     EXPECT_EQ(iges(line("406,1,60H" + tail.substr(7)) + line("xxxxx,inf;")),
               "m:2: entity D41: inf is no finite number");
+}
+
+TEST(NumberCheck, NamesWhatIgesDoesNotTakeForANumber) {
+    const auto iges = [](const std::string& text) { return refusal(ModelFormat::iges, text); };
+    EXPECT_EQ(iges(line("110,0.,1.5,2,+3.E1,-4e2,5.d-3,6D1,.5;")), "");
+    for (const std::string word : {"900.1.9", "0x3p8", "--9", "9.E2.5", "1.F3", "-"})
+        EXPECT_EQ(iges(line("110,0.," + word + ",2.;")),
+                  "m:1: entity D41: " + word + " is no number of IGES");
 }
 
 TEST(NumberCheck, NamesTheLineOfABrepFile) {

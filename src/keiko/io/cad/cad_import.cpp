@@ -80,7 +80,7 @@ SurfaceModel convert_document(const CadDocument& document, const Job& job) {
 
 SurfaceModel import_cad_file(const std::filesystem::path& path, ModelFormat format,
                              const Job& job) {
-    require_finite_numbers(read_file(path), format, path.string());
+    require_numbers(read_file(path), format, path.string());
     const CadDocument document = read_document(path, format);
     SurfaceModel model = convert_document(document, job);
     if (model.faces.empty() && model.lost_faces.empty()) {
