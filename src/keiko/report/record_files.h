@@ -16,8 +16,8 @@ struct BaselineChange {
     std::vector<std::string> changed; ///< one line each
 };
 
-/// A record of a fixture as files: metrics.json (keiko-metrics/1), VIEW.LAYER.exr, rig.toml for lamps
-/// that were placed, and manifest.json (keiko-manifest/1) with the SHA-256 of each.
+/// A record of a fixture as files: metrics.json (keiko-metrics/1), VIEW.LAYER.exr, rig.toml for
+/// lamps that were placed, and manifest.json (keiko-manifest/1) with the SHA-256 of each.
 struct KeptRecord {
     FixtureRecord record;
     std::string key;                     ///< what it was made from; empty for a baseline

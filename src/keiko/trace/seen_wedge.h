@@ -1,8 +1,7 @@
 #pragma once
 
-#include "keiko/trace/segment_plane.h"
-
 #include "keiko/math/interval_set.h"
+#include "keiko/trace/segment_plane.h"
 
 #include <algorithm>
 #include <span>
