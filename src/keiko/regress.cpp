@@ -7,34 +7,42 @@
 namespace keiko {
 namespace {
 
-std::vector<FixtureSpec> share_of(const std::vector<FixtureSpec>& fixtures, const Shard& shard) {
-    std::vector<FixtureSpec> share;
+std::vector<FixtureFile> share_of(const std::vector<FixtureFile>& fixtures, const Shard& shard) {
+    std::vector<FixtureFile> share;
     for (std::size_t i = 0; i < fixtures.size(); ++i)
         if (i % static_cast<std::size_t>(shard.count) + 1 == static_cast<std::size_t>(shard.number))
             share.push_back(fixtures[i]);
     return share;
 }
 
-FixtureOutcome run_one(const FixtureSpec& spec, const RegressOptions& options, const Job& job) {
+FixtureOutcome run_one(const FixtureFile& fixture, const RegressOptions& options, const Job& job) {
     try {
+        const FixtureSpec spec = read_fixture(fixture.file);
         const FixtureRecord candidate = candidate_of(spec, options, job);
         const std::optional<KeptRecord> baseline = locked_baseline(options, spec.name);
         return fixture_outcome(spec, baseline ? &baseline->record : nullptr, candidate);
     } catch (const Cancelled&) {
         throw;
     } catch (const std::exception& error) {
-        return {.name = spec.name, .state = FixtureState::error, .error = error.what()};
+        return {.name = fixture.name, .state = FixtureState::error, .error = error.what()};
     }
+}
+
+/// Those of an earlier run must not pass for this one's, whatever becomes of it.
+void withdraw_reports(const std::filesystem::path& output) {
+    if (!std::filesystem::is_directory(output)) return;
+    const FolderLock lock(output);
+    remove_reports(output);
 }
 
 } // namespace
 
 Regression run_regression(const RegressOptions& options, const Job& job) {
-    const std::vector<FixtureSpec> all = read_fixtures(options.suite);
-    const std::vector<FixtureSpec> suite = options.only.empty() ? all : chosen(all, options.only);
-    const std::vector<FixtureSpec> share = share_of(suite, options.shard);
+    withdraw_reports(options.output);
+    const std::vector<FixtureFile> all = fixture_files(options.suite);
+    const std::vector<FixtureFile> suite = options.only.empty() ? all : chosen(all, options.only);
+    const std::vector<FixtureFile> share = share_of(suite, options.shard);
     const FolderLock lock(options.output);
-    remove_reports(options.output);
     Regression regression{.tool_version = version(),
                           .suite = names_of(suite),
                           .suite_key = suite_key(suite, options),

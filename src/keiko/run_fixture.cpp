@@ -127,12 +127,11 @@ FixtureRecord run_fixture(const FixtureSpec& spec, const FixtureSetup& kept,
     return record;
 }
 
-std::string fixture_key(const FixtureSpec& spec, const FixtureSetup& kept,
-                        const LoadOptions& load) {
+std::string fixture_key(const fs::path& file, const FixtureSetup& kept, const LoadOptions& load) {
     std::string settings;
     if (kept != FixtureSetup())
         for (const auto& [name, bytes] : files_of({{{}, {}, kept}, "", {}})) settings += bytes;
-    return input_key({&spec.file, 1}, spec.file.lexically_normal().parent_path(), load, settings);
+    return input_key({&file, 1}, file.lexically_normal().parent_path(), load, settings);
 }
 
 } // namespace keiko

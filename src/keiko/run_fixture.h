@@ -11,9 +11,10 @@ namespace keiko {
 FixtureRecord run_fixture(const FixtureSpec& spec, const FixtureSetup& kept,
                           const LoadOptions& load, const Job& job = {});
 
-/// SHA-256 of everything that run_fixture depends on: `kept`, the fixture file and all files that
+/// SHA-256 of everything that run_fixture depends on: `kept`, the fixture `file` and all files that
 /// it names, by their paths from its folder; this program and the worker that reads CAD files. The
 /// libraries that they load are not looked at.
-std::string fixture_key(const FixtureSpec& spec, const FixtureSetup& kept, const LoadOptions& load);
+std::string fixture_key(const std::filesystem::path& file, const FixtureSetup& kept,
+                        const LoadOptions& load);
 
 } // namespace keiko

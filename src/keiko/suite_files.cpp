@@ -50,13 +50,13 @@ void write_pictures(const fs::path& folder, const FolderContent& pngs) {
 
 } // namespace
 
-std::vector<std::string> names_of(std::span<const FixtureSpec> fixtures) {
+std::vector<std::string> names_of(std::span<const FixtureFile> fixtures) {
     std::vector<std::string> names;
-    for (const FixtureSpec& fixture : fixtures) names.push_back(fixture.name);
+    for (const FixtureFile& fixture : fixtures) names.push_back(fixture.name);
     return names;
 }
 
-std::vector<FixtureSpec> chosen(std::vector<FixtureSpec> fixtures,
+std::vector<FixtureFile> chosen(std::vector<FixtureFile> fixtures,
                                 std::span<const std::string> names) {
     const std::vector<std::string> known = names_of(fixtures);
     for (const std::string& name : names)
@@ -64,7 +64,7 @@ std::vector<FixtureSpec> chosen(std::vector<FixtureSpec> fixtures,
             throw Error("", "",
                         "no fixture is called '" + shortened(name) + "'" +
                             did_you_mean(name, known) + "; there are " + comma_list(known));
-    std::erase_if(fixtures, [&](const FixtureSpec& fixture) {
+    std::erase_if(fixtures, [&](const FixtureFile& fixture) {
         return std::find(names.begin(), names.end(), fixture.name) == names.end();
     });
     return fixtures;
@@ -73,12 +73,12 @@ std::vector<FixtureSpec> chosen(std::vector<FixtureSpec> fixtures,
 FixtureRecord candidate_of(const FixtureSpec& spec, const RegressOptions& options, const Job& job) {
     const fs::path folder = options.output / spec.name / "candidate";
     const FixtureSetup setup = kept_setup(options, spec.name);
-    const std::string key = fixture_key(spec, setup, options.load);
+    const std::string key = fixture_key(spec.file, setup, options.load);
     if (!options.fresh)
         if (auto finished = finished_candidate(folder, key)) return std::move(*finished);
     // The key is of the files as they are now, the spec of the fixture as it was read.
     KeptRecord kept{run_fixture(read_fixture(spec.file), setup, options.load, job), key, {}};
-    if (fixture_key(spec, setup, options.load) != key)
+    if (fixture_key(spec.file, setup, options.load) != key)
         throw Error(spec.file.string(), "", "its files were changed while it ran; run it again");
     const FolderLock lock(folder.parent_path());
     write_folder_atomically(folder, files_of(kept));
@@ -100,12 +100,12 @@ std::optional<KeptRecord> locked_baseline(const RegressOptions& options, const s
     return kept_baseline(baseline_folder(options) / name);
 }
 
-std::string suite_key(std::span<const FixtureSpec> suite, const RegressOptions& options) {
+std::string suite_key(std::span<const FixtureFile> suite, const RegressOptions& options) {
     std::string text;
-    for (const FixtureSpec& fixture : suite) {
+    for (const FixtureFile& fixture : suite) {
         text += fixture.name + " ";
         try {
-            text += fixture_key(fixture, {}, options.load);
+            text += fixture_key(fixture.file, {}, options.load);
         } catch (const Error& error) { // it will be the fixture's outcome
             text += error.what();
         }
@@ -116,7 +116,7 @@ std::string suite_key(std::span<const FixtureSpec> suite, const RegressOptions& 
     return sha256_hex(text);
 }
 
-std::vector<std::string> stale_baselines(std::span<const FixtureSpec> suite,
+std::vector<std::string> stale_baselines(std::span<const FixtureFile> suite,
                                          const RegressOptions& options) {
     const std::vector<std::string> known = names_of(suite);
     std::vector<std::string> stale;

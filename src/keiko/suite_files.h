@@ -1,15 +1,16 @@
 #pragma once
 
+#include "keiko/io/fixture_file.h"
 #include "keiko/regress.h"
 
 namespace keiko {
 
 // The files of a suite: what its fixtures are now, were, and are told to be.
 
-std::vector<std::string> names_of(std::span<const FixtureSpec> fixtures);
+std::vector<std::string> names_of(std::span<const FixtureFile> fixtures);
 
 /// The fixtures of these names, in the order of the suite. Throws Error for a name without one.
-std::vector<FixtureSpec> chosen(std::vector<FixtureSpec> fixtures,
+std::vector<FixtureFile> chosen(std::vector<FixtureFile> fixtures,
                                 std::span<const std::string> names);
 
 /// Runs a fixture and keeps what it showed, or takes what an earlier run has kept of it.
@@ -25,10 +26,10 @@ std::optional<KeptRecord> locked_baseline(const RegressOptions& options, const s
 
 /// SHA-256 of the keys of all fixtures and of their baselines: the same for runs that must have the
 /// same outcome.
-std::string suite_key(std::span<const FixtureSpec> suite, const RegressOptions& options);
+std::string suite_key(std::span<const FixtureFile> suite, const RegressOptions& options);
 
 /// Names of baselines that belong to no fixture.
-std::vector<std::string> stale_baselines(std::span<const FixtureSpec> suite,
+std::vector<std::string> stale_baselines(std::span<const FixtureFile> suite,
                                          const RegressOptions& options);
 
 /// Tells which fixture of how many a stage belongs to: "2/7 hood: render".

@@ -72,7 +72,9 @@ std::vector<AcceptedBaseline> update_baselines(const RegressOptions& options,
                                                std::span<const std::string> names,
                                                const std::string& by, const std::string& reason,
                                                const Job& job) {
-    const std::vector<FixtureSpec> fixtures = chosen(read_fixtures(options.suite), names);
+    std::vector<FixtureSpec> fixtures;
+    for (const FixtureFile& fixture : chosen(fixture_files(options.suite), names))
+        fixtures.push_back(read_fixture(fixture.file));
     const FolderLock output_lock(options.output);
     std::vector<FixtureRecord> candidates;
     for (std::size_t i = 0; i < fixtures.size(); ++i)

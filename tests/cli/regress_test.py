@@ -71,12 +71,20 @@ class Baselines(RegressTest):
         self.assertEqual(len(changes), 2)  # the first one is still known
         self.assertIn("replaces a baseline that was damaged", changes[1]["changed"][0])
 
-    def test_a_baseline_without_a_fixture_is_told(self):
+    def test_a_baseline_without_a_fixture_fails(self):
         self.add_fixture("dome")
         self.accept("dome")
         (self.folder / "suite/baselines/dome").rename(self.folder / "suite/baselines/gone")
+        self.assertEqual(self.regress().returncode, 1)
+        self.add_fixture("gone")
+        self.accept("dome")
+        self.assertEqual(self.regress().returncode, 0)
+        (self.folder / "suite/gone.toml").unlink()
         run = self.regress()
+        self.assertEqual(run.returncode, 1)
         self.assertIn("stale baseline gone: no fixture has this name\n", run.stdout)
+        suites = ElementTree.parse(self.folder / "out/junit.xml").getroot()
+        self.assertEqual((suites.get("failures"), suites.get("errors")), ("1", "0"))
         self.assertIn("gone", (self.folder / "out/index.html").read_text())
         self.add_fixture("saddle")
         run = self.keiko("regress", "suite", "-o", "out", "--only", "saddle", "-q")
@@ -179,12 +187,31 @@ class Differences(RegressTest):
         self.assertRegex(run.stdout, r"^error broken: .*broken\.bpt:3")
         self.assertIn("\nsame dome\n", run.stdout)
 
-    def test_a_misspelt_key_is_told_with_its_line_and_nothing_is_written(self):
+    def test_what_is_wrong_with_one_fixture_is_told_with_its_line_and_the_others_run(self):
         self.add_fixture("dome", more="vews = []\n")
+        self.add_fixture("saddle", "saddle.bpt")
+        self.accept("saddle")
+        (self.folder / "suite/lost.toml").write_text('format = "keiko-fixture/1"\nmodel = "nowhere.step"\n')
+        (self.folder / "suite/other.toml").write_text("answer = 42\n")
+        run = self.regress()
+        self.assertEqual((run.returncode, run.stderr), (2, ""))
+        dome, lost, other, saddle, _ = run.stdout.splitlines()
+        self.assertIn("dome.toml:7:1: unknown key 'vews' (did you mean 'views'?)", dome)
+        self.assertIn("nowhere.step", lost)
+        self.assertIn('must begin with format = "keiko-fixture/1"', other)
+        self.assertEqual(saddle, "same saddle")
+        suites = ElementTree.parse(self.folder / "out/junit.xml").getroot()
+        self.assertEqual(suites.get("errors"), "3")
+
+    def test_a_suite_that_cannot_be_read_leaves_no_reports_of_an_earlier_run(self):
+        self.add_fixture("dome")
+        self.accept("dome")
+        self.assertEqual(self.regress().returncode, 0)
+        (self.folder / "suite/junit.xml.toml").write_text("")
         run = self.regress()
         self.assertEqual((run.returncode, run.stdout), (2, ""))
-        self.assertIn("dome.toml:7:1: unknown key 'vews' (did you mean 'views'?)", run.stderr)
-        self.assertFalse((self.folder / "out").exists())
+        for report in "junit.xml", "index.html", "regression.json":
+            self.assertFalse((self.folder / "out" / report).exists())
 
     def test_bytes_do_not_depend_on_threads(self):
         self.add_fixture("dome")

@@ -150,11 +150,16 @@ void read_metric_tolerances(const TomlTable& table, MetricTolerances& tolerances
     table.finish();
 }
 
+/// What cannot be read may be a fixture.
 bool is_of_another_format(const fs::path& file) {
-    const TomlTable root = TomlTable::read(file);
-    if (root.kind("format") != "text") return false;
-    const std::string format = *root.text("format");
-    return format.starts_with("keiko-") && !format.starts_with("keiko-fixture/");
+    try {
+        const TomlTable root = TomlTable::read(file);
+        if (root.kind("format") != "text") return false;
+        const std::string format = *root.text("format");
+        return format.starts_with("keiko-") && !format.starts_with("keiko-fixture/");
+    } catch (const Error&) {
+        return false;
+    }
 }
 
 /// What editors and file managers leave beside a file.
@@ -163,7 +168,7 @@ bool is_hidden(const fs::path& file) {
 }
 
 /// The output folder holds a folder of the fixture's name beside these.
-void require_usable_name(const FixtureSpec& fixture) {
+void require_usable_name(const FixtureFile& fixture) {
     for (const char* taken : {"regression.json", "junit.xml", "index.html"})
         if (fixture.name == taken)
             throw Error(fixture.file.string(), "",
@@ -198,7 +203,7 @@ FixtureSpec read_fixture(const fs::path& path) {
     return parse_fixture(read_file(path), path.string());
 }
 
-std::vector<FixtureSpec> read_fixtures(const fs::path& folder) {
+std::vector<FixtureFile> fixture_files(const fs::path& folder) {
     std::error_code code;
     fs::directory_iterator files(folder, code);
     if (code) throw Error(folder.string(), "", "cannot read the folder: " + code.message());
@@ -208,10 +213,10 @@ std::vector<FixtureSpec> read_fixtures(const fs::path& folder) {
             paths.push_back(entry.path());
     std::sort(paths.begin(), paths.end(),
               [](const fs::path& a, const fs::path& b) { return a.stem() < b.stem(); });
-    std::vector<FixtureSpec> fixtures;
+    std::vector<FixtureFile> fixtures;
     for (const fs::path& path : paths)
         if (!is_of_another_format(path)) {
-            fixtures.push_back(read_fixture(path));
+            fixtures.push_back({path.stem().string(), path});
             require_usable_name(fixtures.back());
         }
     if (fixtures.empty())

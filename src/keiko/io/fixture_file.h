@@ -15,9 +15,15 @@ FixtureSpec read_fixture(const std::filesystem::path& path);
 /// The same from a text; `source` is the path that messages and relative paths refer to.
 FixtureSpec parse_fixture(std::string_view text, const std::string& source);
 
+/// Where a fixture is, whatever its file holds.
+struct FixtureFile {
+    std::string name; ///< of the file, without its extension
+    std::filesystem::path file;
+};
+
 /// Every fixture of a folder, by name: its .toml files but for those that say they are of another
 /// format of Keiko, as scenes and rigs. Throws Error for a folder that cannot be read or holds no
-/// fixture, and for the first file that is none.
-std::vector<FixtureSpec> read_fixtures(const std::filesystem::path& folder);
+/// fixture, and for a name that no fixture may have.
+std::vector<FixtureFile> fixture_files(const std::filesystem::path& folder);
 
 } // namespace keiko

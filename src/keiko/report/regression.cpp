@@ -18,7 +18,7 @@ std::size_t Regression::count(FixtureState state) const {
 }
 
 FixtureState Regression::state() const {
-    FixtureState worst = FixtureState::same;
+    FixtureState worst = stale_baselines.empty() ? FixtureState::same : FixtureState::different;
     for (const FixtureOutcome& fixture : fixtures) worst = std::max(worst, fixture.state);
     return worst;
 }

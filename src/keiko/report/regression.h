@@ -45,7 +45,7 @@ struct Regression {
     std::vector<FixtureOutcome> fixtures{};     ///< those of the shard, by name
 
     std::size_t count(FixtureState state) const;
-    /// The worst of all fixtures.
+    /// The worst of all fixtures; different where a baseline is stale, for then a fixture has gone.
     FixtureState state() const;
 };
 

@@ -6,6 +6,9 @@ namespace {
 
 using Outcome = JunitCase::Outcome;
 
+constexpr const char* stale_reason =
+    "the baseline is stale: no fixture has its name; put the fixture back or remove the baseline";
+
 /// One case for all metrics of a check.
 JunitCase metrics_case(const FixtureOutcome& fixture, const std::string& check) {
     JunitCase one{fixture.name, check};
@@ -47,6 +50,8 @@ JunitSuite suite_of(const FixtureOutcome& fixture) {
 std::string regression_junit(const Regression& regression) {
     std::vector<JunitSuite> suites;
     for (const FixtureOutcome& fixture : regression.fixtures) suites.push_back(suite_of(fixture));
+    for (const std::string& name : regression.stale_baselines)
+        suites.push_back({name, {judged_case(name, "fixture", false, stale_reason)}});
     return junit_xml(suites);
 }
 
