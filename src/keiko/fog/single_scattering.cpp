@@ -35,15 +35,16 @@ public:
 
     /// Scattered luminance per angle, cd/m2 per rad.
     Rgb operator()(double nu) const {
-        const double s = foot_ + distance_ * std::tan(nu);
+        const double tangent = std::tan(nu), secant = std::sqrt(1 + tangent * tangent);
+        const double s = foot_ + distance_ * tangent;
         const Vec3 point = origin_ + direction_ * s;
         const Rgb cd = emitter_.intensity(point);
         if (cd == Rgb()) return {};
         const Rgb scattering = extinction_at(medium_, point) * medium_.albedo;
         Rgb depth = dimmed_.depth_to(s / length_);
-        if (medium_.dims_light_leg) depth += light_leg(point, distance_ / std::cos(nu));
+        if (medium_.dims_light_leg) depth += light_leg(point, distance_ * secant);
         return scattering * cd * transmittance(depth) *
-               (phase(medium_.phase, -std::sin(nu)) / metres(distance_));
+               (phase(medium_.phase, -tangent / secant) / metres(distance_));
     }
 
     /// Scattered luminance per parameter of the ray.

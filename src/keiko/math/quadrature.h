@@ -17,9 +17,12 @@ std::span<const QuadratureNode> gauss_legendre(int order);
 template <class F>
 auto integrate(const F& f, double a, double b, int order) {
     const double half = (b - a) / 2, middle = (a + b) / 2;
-    auto sum = f(middle) * 0.0;
-    for (const QuadratureNode& node : gauss_legendre(order))
-        sum += f(middle + half * node.x) * (node.weight * half);
+    const std::span<const QuadratureNode> nodes = gauss_legendre(order);
+    const auto share = [&](const QuadratureNode& node) {
+        return f(middle + half * node.x) * (node.weight * half);
+    };
+    auto sum = share(nodes.front());
+    for (const QuadratureNode& node : nodes.subspan(1)) sum += share(node);
     return sum;
 }
 

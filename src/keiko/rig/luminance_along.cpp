@@ -44,12 +44,14 @@ PointEmitter emitter_of(const Spotlight& light, const Segment& ray) {
     const bool plain = std::holds_alternative<std::monostate>(light.pattern) && !light.hue;
     PointEmitter emitter{light.position, BeamIntensity(light)};
     if (plain && edge && edge->edge == BeamEdge::sharp) emitter.even = light.intensity;
-    if (!plain) emitter.kinks = pattern_kinks(light, ray);
+    emitter.kinks = intensity_kinks(light, ray);
     return emitter;
 }
 
-PointEmitter emitter_of(const Luminaire& luminaire, const Segment&) {
-    return {luminaire.position, LuminaireIntensity(luminaire)};
+PointEmitter emitter_of(const Luminaire& luminaire, const Segment& ray) {
+    PointEmitter emitter{luminaire.position, LuminaireIntensity(luminaire)};
+    emitter.kinks = intensity_kinks(luminaire, ray);
+    return emitter;
 }
 
 /// Answers what the medium scatters of one source into the eye ray.

@@ -21,6 +21,18 @@ Rgb LuminaireIntensity::operator()(const Vec3& point) const {
     return luminaire_.factor * intensity(*luminaire_.web, own(way / distance));
 }
 
+BeamFrame LuminaireIntensity::frame() const {
+    switch (luminaire_.web->type) {
+        case PhotometricType::a:
+            return {z_, x_, -y_};
+        case PhotometricType::b:
+            return {y_, -z_, x_};
+        case PhotometricType::c:
+            break;
+    }
+    return {-z_, x_, y_};
+}
+
 Rgb intensity_towards(const Luminaire& luminaire, const Vec3& point) {
     return LuminaireIntensity(luminaire)(point);
 }

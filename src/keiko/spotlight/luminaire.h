@@ -31,6 +31,9 @@ public:
 
     /// cd towards a point in mm; 0 at the luminaire itself.
     Rgb operator()(const Vec3& point) const;
+    /// About the axis that the file's angles go round: `axis` leads along it, phi = 0 and 90 are
+    /// the angles of its planes.
+    BeamFrame frame() const;
     /// A direction of the world in the luminaire's own frame.
     Vec3 own(const Vec3& direction) const {
         return {direction.dot(x_), direction.dot(y_), direction.dot(z_)};

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "keiko/patch/surface_model.h"
+#include "keiko/rig/light_rig.h"
+#include "keiko/trace/occluders.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko::test {
+
+/// Where marching puts its steps.
+enum class Marching {
+    even,        ///< evenly along the ray
+    equi_angular ///< evenly in the angle at the lamp (Kulla and Fajardo 2012)
+};
+
+/// Bodies under sharp spotlights in even fog, whose shafts can be had in two ways: as pictures have
+/// them, from the parts of a ray that a lamp sees, and by marching with a shadow ray each step.
+class ShaftTrial {
+public:
+    /// Lamps in a ring above the model, each aimed at it.
+    ShaftTrial(SurfaceModel model, int lamps);
+
+    const Tracer& tracer() const { return tracer_; }
+    const Occluders& occluders() const { return occluders_; }
+    const LightRig& rig() const { return rig_; }
+    /// Rays of neighbouring pixels from an eye before the model, to it or to the ground below it:
+    /// `tiles` blocks of `side` x `side` pixels, spread over a picture of 960 x 540.
+    std::vector<Segment> eye_rays(int tiles, int side) const;
+
+    /// Scattered light of each ray, cd/m2, as a picture's tile of all of them has it.
+    std::vector<Rgb> exact(std::span<const Segment> rays, double tolerance) const;
+    /// The same of one ray with so many steps in each part of it that lies in a beam.
+    Rgb marched(const Segment& ray, int steps, Marching marching) const;
+
+private:
+    Tracer tracer_;
+    Occluders occluders_;
+    LightRig rig_;
+};
+
+} // namespace keiko::test

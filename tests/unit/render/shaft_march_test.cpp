@@ -1,0 +1,29 @@
+#include "keiko/io/load_model.h"
+
+#include "tests/support/paths.h"
+#include "tests/support/shaft_trial.h"
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace keiko;
+
+/// Marching knows nothing of silhouettes, intervals or quadrature: only its shadow rays are Keiko's.
+TEST(Shafts, AreWhatMarchingWithShadowRaysComesTo) {
+    const test::ShaftTrial trial(load_model(test::repository("surfaces/dome.bpt")), 3);
+    const std::vector<Segment> rays = trial.eye_rays(4, 6);
+    const std::vector<Rgb> exact = trial.exact(rays, 1e-8);
+    double brightest = 0, cut = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        brightest = std::max(brightest, exact[i].g);
+        for (const auto marching : {test::Marching::even, test::Marching::equi_angular}) {
+            const double coarse = trial.marched(rays[i], 250, marching).g;
+            const double fine = trial.marched(rays[i], 4000, marching).g;
+            EXPECT_NEAR(fine, exact[i].g, 1e-3 * exact[i].g) << i;
+            cut = std::max(cut, std::abs(coarse / exact[i].g - 1));
+        }
+    }
+    EXPECT_GT(brightest, 0);
+    // Coarse steps miss by more: there are shadows to be missed.
+    EXPECT_GT(cut, 1e-3);
+}
