@@ -61,6 +61,23 @@ void add_lights(CLI::App& app, LightsOptions& options) {
         ->check(CLI::ExistingFile);
 }
 
+void add_shafts(CLI::App& app, ShaftsOptions& options) {
+    CLI::App* shafts = app.add_subcommand(
+        "shafts", "light shafts by visible intervals beside marching, at the same error");
+    shafts->add_option("--rays", options.rays, "rays that are marched")
+        ->check(CLI::Range(16, 3072))
+        ->capture_default_str();
+    shafts->add_option("--plot", options.plot, "SVG file of cost by lamps and by patches");
+    shafts->add_option(
+        "-o,--output", options.output,
+        "PNG file of a cut shaft with the parts of one ray that are lit; nothing else "
+        "is done");
+    shafts
+        ->add_option("--markdown", options.markdown,
+                     "page to put the table into, between its markers")
+        ->check(CLI::ExistingFile);
+}
+
 } // namespace
 
 Command parse_command_line(int argc, char** argv) {
@@ -71,6 +88,7 @@ Command parse_command_line(int argc, char** argv) {
     add_trace(app, command.trace);
     add_load(app, command.load);
     add_lights(app, command.lights);
+    add_shafts(app, command.shafts);
     CLI::App* picture = app.add_subcommand(
         "picture", "the same stripes from meshes and from the surface, side by side");
     command.picture.output = test::repository("docs/images/mesh-or-surface.png");
@@ -92,6 +110,7 @@ Command parse_command_line(int argc, char** argv) {
     command.group = app.got_subcommand("picture")  ? Group::picture
                     : app.got_subcommand("load")   ? Group::load
                     : app.got_subcommand("lights") ? Group::lights
+                    : app.got_subcommand("shafts") ? Group::shafts
                                                    : Group::trace;
     return command;
 }

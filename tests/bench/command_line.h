@@ -28,7 +28,14 @@ struct LightsOptions {
     std::filesystem::path markdown{};
 };
 
-enum class Group { trace, picture, load, lights, help };
+struct ShaftsOptions {
+    std::size_t rays = 192;           ///< that are marched
+    std::filesystem::path plot{};     ///< SVG; empty: none
+    std::filesystem::path output{};   ///< picture of a cut shaft; empty: none
+    std::filesystem::path markdown{}; ///< page; empty: none
+};
+
+enum class Group { trace, picture, load, lights, shafts, help };
 
 struct Command {
     Group group = Group::trace;
@@ -36,6 +43,7 @@ struct Command {
     PictureOptions picture{};
     LoadOptions load{};
     LightsOptions lights{};
+    ShaftsOptions shafts{};
     int exit_code = 0; ///< of help and usage errors
 };
 

@@ -1,7 +1,11 @@
+#include "keiko/base/output_file.h"
+
 #include "tests/bench/command_line.h"
+#include "tests/bench/cut_shaft.h"
 #include "tests/bench/markdown.h"
 #include "tests/bench/mesh_or_surface.h"
 #include "tests/bench/results_json.h"
+#include "tests/bench/shafts_benchmark.h"
 #include "tests/bench/targets.h"
 #include "tests/bench/three_lights.h"
 #include "tests/bench/trace_benchmark.h"
@@ -45,6 +49,16 @@ void lights(const LightsOptions& options) {
         update_page(options.markdown, "lights", markdown_of(table) + "\n" + markdown_of(lines));
 }
 
+void shafts(const ShaftsOptions& options) {
+    if (!options.output.empty()) return draw_cut_shaft(options.output);
+    const std::vector<ShaftCost> costs = run_shafts_benchmark(options.rays);
+    const Table table = shafts_table(costs);
+    print(text_of(table));
+    if (!options.plot.empty())
+        keiko::write_text_file(options.plot, cost_plot_svg(shafts_panels(costs), "µs a ray"));
+    if (!options.markdown.empty()) update_page(options.markdown, "shafts", markdown_of(table));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -62,6 +76,9 @@ int main(int argc, char** argv) {
                 return 0;
             case Group::lights:
                 lights(command.lights);
+                return 0;
+            case Group::shafts:
+                shafts(command.shafts);
                 return 0;
             case Group::help:
                 return command.exit_code;

@@ -96,22 +96,19 @@ private:
 ShaftTrial::ShaftTrial(SurfaceModel model, int lamps)
     : tracer_(model), occluders_(model, tracer_), rig_(ring_of_lamps(tracer_.bounds(), lamps)) {}
 
-std::vector<Segment> ShaftTrial::eye_rays(int tiles, int side) const {
+std::vector<Segment> ShaftTrial::eye_rays(double share, int side) const {
     const Box3& body = tracer_.bounds();
-    const Vec3 to_eye = Vec3(-1.2, -1.6, 0.6) * body.size();
-    Camera camera{.eye = body.center() + to_eye, .target = body.center(), .vertical_fov = 30};
+    const Vec3 to_eye = Vec3(-1.2, -1.6, 0.1) * body.size();
+    const Camera camera{.eye = body.center() + to_eye, .target = body.center(), .vertical_fov = 30};
+    const double left = camera.width * (0.3 + 0.4 * share), top = camera.height * 0.57;
     std::vector<Segment> rays;
-    for (int tile = 0; tile < tiles; ++tile) {
-        const double left = camera.width * (0.3 + 0.4 * (tile + 0.5) / tiles);
-        const double top = camera.height * (tile % 2 == 0 ? 0.35 : 0.55);
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x) {
-                const Ray ray = camera.ray(left + x + 0.5, top + y + 0.5);
-                const auto hit = tracer_.nearest(ray);
-                const double end = hit ? hit->t : 2.5 * to_eye.length();
-                rays.push_back({ray.origin, ray.origin + ray.direction * end});
-            }
-    }
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const Ray ray = camera.ray(left + x + 0.5, top + y + 0.5);
+            const auto hit = tracer_.nearest(ray);
+            const double end = hit ? hit->t : 2.5 * to_eye.length();
+            rays.push_back({ray.origin, ray.origin + ray.direction * end});
+        }
     return rays;
 }
 

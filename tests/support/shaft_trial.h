@@ -25,9 +25,10 @@ public:
     const Tracer& tracer() const { return tracer_; }
     const Occluders& occluders() const { return occluders_; }
     const LightRig& rig() const { return rig_; }
-    /// Rays of neighbouring pixels from an eye before the model, to it or to the ground below it:
-    /// `tiles` blocks of `side` x `side` pixels, spread over a picture of 960 x 540.
-    std::vector<Segment> eye_rays(int tiles, int side) const;
+    /// Rays of `side` x `side` neighbouring pixels at the lower rim of the model, in a picture of
+    /// 960 x 540 and `share` (0 to 1) of
+    /// the way along it: each to where it meets the model or far beyond, past its shadows.
+    std::vector<Segment> eye_rays(double share, int side) const;
 
     /// Scattered light of each ray, cd/m2, as a picture's tile of all of them has it.
     std::vector<Rgb> exact(std::span<const Segment> rays, double tolerance) const;

@@ -26,7 +26,9 @@ private:
     const Segment& ray_;
     std::vector<double> breaks_;
     std::vector<Rgb> depths_; ///< at the breaks
-    Rgb even_;                ///< of the whole ray, in an even medium
+    /// Of the whole ray if all of it were as it is between two breaks, where that is even: by the
+    /// number of breaks before. Empty where it is not.
+    std::vector<Rgb> even_;
 };
 
 } // namespace keiko

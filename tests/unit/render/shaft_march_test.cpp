@@ -8,10 +8,11 @@
 
 using namespace keiko;
 
-/// Marching knows nothing of silhouettes, intervals or quadrature: only its shadow rays are Keiko's.
+/// Marching knows nothing of silhouettes, intervals or quadrature: only its shadow rays are
+/// Keiko's.
 TEST(Shafts, AreWhatMarchingWithShadowRaysComesTo) {
     const test::ShaftTrial trial(load_model(test::repository("surfaces/dome.bpt")), 3);
-    const std::vector<Segment> rays = trial.eye_rays(4, 6);
+    const std::vector<Segment> rays = trial.eye_rays(0.5, 10);
     const std::vector<Rgb> exact = trial.exact(rays, 1e-8);
     double brightest = 0, cut = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
