@@ -2,7 +2,7 @@
 import struct
 import unittest
 
-from keiko_process import SMALL, KeikoTest, surface
+from keiko_process import SMALL, SOURCE, KeikoTest, surface
 
 HOOD = surface("hood.step")
 
@@ -54,6 +54,22 @@ class Pictures(KeikoTest):
         run = self.keiko("render", HOOD, "-o", "c.png", "--view", "none.toml", "-q")
         self.assertEqual(run.returncode, 2)
         self.assertRegex(run.stderr, r"\Akeiko: none\.toml: .+\n\Z")
+
+    def test_fog_too_thick_for_single_scattering_is_told(self):
+        light = '[[spotlight]]\nposition = [0, 0, 9000]\naim = [0, 0, 0]\n'
+        camera = '[camera]\neye = [0, -9000, 500]\ntarget = [0, 0, 0]\nsize = [8, 6]\n'
+        for extinction, told in ("0.01", False), ("0.5", True):
+            self.write("fog.toml", f'format = "keiko-scene/1"\n[[model]]\nfile = "{HOOD}"\n{camera}{light}'
+                                   f"[fog]\nextinction = {extinction}\n")
+            run = self.keiko("render", "fog.toml", "-o", "a.png", "-q")
+            self.assertEqual(run.returncode, 0)
+            self.assertEqual("the fog is thick" in run.stderr, told, run.stderr)
+
+    def test_the_scenes_of_the_repository_with_fog(self):
+        """Parse, trace and light up; their full size is for the gallery."""
+        for scene in sorted(SOURCE.glob("surfaces/*-scene.toml")):
+            if "[fog]" in scene.read_text():
+                self.succeed("render", str(scene), "-o", "a.png", "-q", "--shadows", "--size", "8x5")
 
     def test_false_colours_have_a_legend_a_scale_and_lines(self):
         base = ("--view", "front", "--false-color")

@@ -96,11 +96,11 @@ private:
 ShaftTrial::ShaftTrial(SurfaceModel model, int lamps)
     : tracer_(model), occluders_(model, tracer_), rig_(ring_of_lamps(tracer_.bounds(), lamps)) {}
 
-std::vector<Segment> ShaftTrial::eye_rays(double share, int side) const {
+std::vector<Segment> ShaftTrial::eye_rays(const Vec2& corner, int side) const {
     const Box3& body = tracer_.bounds();
     const Vec3 to_eye = Vec3(-1.2, -1.6, 0.1) * body.size();
     const Camera camera{.eye = body.center() + to_eye, .target = body.center(), .vertical_fov = 30};
-    const double left = camera.width * (0.3 + 0.4 * share), top = camera.height * 0.57;
+    const double left = camera.width * corner.x, top = camera.height * corner.y;
     std::vector<Segment> rays;
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {

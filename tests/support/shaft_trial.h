@@ -25,10 +25,10 @@ public:
     const Tracer& tracer() const { return tracer_; }
     const Occluders& occluders() const { return occluders_; }
     const LightRig& rig() const { return rig_; }
-    /// Rays of `side` x `side` neighbouring pixels at the lower rim of the model, in a picture of
-    /// 960 x 540 and `share` (0 to 1) of
-    /// the way along it: each to where it meets the model or far beyond, past its shadows.
-    std::vector<Segment> eye_rays(double share, int side) const;
+    /// Rays of `side` x `side` neighbouring pixels of a picture of 960 x 540 that shows the model
+    /// from before, a little above its middle: each to where it meets the model or far beyond.
+    /// `corner`: upper left, as shares of the picture; (0.5, 0.5) looks at the model's middle.
+    std::vector<Segment> eye_rays(const Vec2& corner, int side) const;
 
     /// Scattered light of each ray, cd/m2, as a picture's tile of all of them has it.
     std::vector<Rgb> exact(std::span<const Segment> rays, double tolerance) const;

@@ -1,3 +1,4 @@
+#include "keiko/base/log.h"
 #include "keiko/base/lower_case.h"
 #include "keiko/base/output_file.h"
 #include "keiko/cli/commands.h"
@@ -6,6 +7,7 @@
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/input_key.h"
+#include "keiko/rig/multiple_scattering.h"
 
 #include <cmath>
 #include <cstdio>
@@ -108,6 +110,16 @@ void require_output(const RenderArguments& arguments) {
     if (!arguments.hits.empty()) require_place_for_file(arguments.hits);
 }
 
+void warn_of_thick_fog(const Scene& scene, const LightRig& rig, const Vec3& eye) {
+    const double times = scatterings_by_way_of(rig, scene.tracer.bounds().center(), eye);
+    if (times <= 1) return;
+    std::ostringstream text;
+    text << std::setprecision(2)
+         << "the fog is thick: on the way from a lamp past the body to the eye light is "
+         << "scattered " << times << " times on average, in the picture once";
+    log_warning(text.str());
+}
+
 void render_picture(const RenderArguments& arguments, const Job& job) {
     const PictureOptions options{.aovs = aovs_of(arguments.aovs)};
     if (arguments.rig != "auto") read_rig(arguments.rig);
@@ -117,6 +129,7 @@ void render_picture(const RenderArguments& arguments, const Job& job) {
     const Scene scene = arguments.scene.open(job);
     const NamedView view = choose_views(scene, names, 1, job).front();
     const LightRig rig = rig_of(scene, arguments, view.camera, job);
+    warn_of_thick_fog(scene, rig, view.camera.eye);
     const Film film = render_view(scene, rig, view.camera, options, job);
     if (arguments.false_color)
         write_png(arguments.output,
