@@ -93,7 +93,8 @@ std::optional<ApexView::Candidates::Line> ApexView::Candidates::line_through(
     const SegmentEnds& ends) const {
     const auto plane = SegmentPlane::through(apex_, ends[0], ends[1]);
     if (!plane) return std::nullopt;
-    Line line{*plane, asked_of(ends), !silhouettes_.own.empty()};
+    const ParameterInterval part = asked_of(ends);
+    Line line{*plane, part, SeenWedge(*plane, part), !silhouettes_.own.empty()};
     if (line.searches_own && normal_) {
         const std::array asked{plane->at(line.asked.begin), plane->at(line.asked.end)};
         line.searches_own = least_elevation(apex_, *normal_, asked) <= silhouettes_.own_steepest();
@@ -110,7 +111,7 @@ SeenParts ApexView::Candidates::intervals(const SegmentEnds& ends) const {
     if (!line) return end_on(ends);
     for (const SilhouetteCandidate& c : silhouettes_.pieces)
         line->certain =
-            scene_->solver.find(c, line->plane, line->asked, line->events) && line->certain;
+            scene_->solver.find(c, line->plane, line->wedge, line->events) && line->certain;
     for (const std::uint32_t border : borders_)
         find_border_events(scene_->borders[border], scene_->silhouettes.regions, line->plane,
                            line->events);
@@ -146,7 +147,7 @@ void ApexView::Candidates::add_own_events(Line& line) const {
     if (line.searches_own)
         for (const OwnCandidate& own : silhouettes_.own)
             line.certain =
-                scene_->solver.find(own, line.plane, line.asked, line.events) && line.certain;
+                scene_->solver.find(own, line.plane, line.wedge, line.events) && line.certain;
     if (region_touched_) add_piercings(line);
     if (has_horizon_) add_horizon(line);
 }

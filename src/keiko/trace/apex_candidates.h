@@ -21,6 +21,7 @@ private:
     struct Line {
         SegmentPlane plane;
         ParameterInterval asked; ///< on the side that the apex faces
+        SeenWedge wedge;         ///< to that
         bool searches_own;       ///< seen so low that the apex's own surroundings may hide it
         std::vector<VisibilityEvent> events{};
         bool certain = true;

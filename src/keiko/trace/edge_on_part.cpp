@@ -1,37 +1,21 @@
 #include "keiko/trace/edge_on_part.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace keiko {
-namespace {
 
-Vec3 spatial(const Vec4& p) {
-    return {p.x, p.y, p.z};
-}
-
-} // namespace
-
-EdgeOnPart::EdgeOnPart(const SeenPatch& seen, const Box2& uv, HomogeneousNet points,
-                       LoweredScalar edge_on, const Vec2& shares)
+EdgeOnPart::EdgeOnPart(const Box2& uv, HomogeneousNet points, LoweredScalar edge_on,
+                       const Vec2& shares)
     : uv_(uv),
       points_(std::move(points)),
       edge_on_(std::move(edge_on)),
       shares_(shares),
       slopes_(slopes_of(edge_on_.net)) {
     slopes_.add_error(edge_on_.error, shares);
-    if (!seen.apex) return;
-    from_apex_.reserve(points_.points.size());
-    for (const Vec4& p : points_.points) {
-        const Vec3 x = spatial(p) - *seen.apex * p.w;
-        reach_ = std::max({reach_, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
-        from_apex_.push_back(x);
-    }
 }
 
-std::vector<EdgeOnPart>& EdgeOnPart::halves(const SeenPatch& seen) {
+std::vector<EdgeOnPart>& EdgeOnPart::halves() {
     if (halves_) return *halves_;
     halves_.emplace();
+    halves_->reserve(2);
     const unsigned axis = slopes_.axis_to_halve(shares_);
     std::array<ScalarNet, 2> nets = halved(edge_on_.net, axis);
     std::array<HomogeneousNet, 2> points = halved(points_, axis);
@@ -42,7 +26,7 @@ std::vector<EdgeOnPart>& EdgeOnPart::halves(const SeenPatch& seen) {
     const std::array boxes{low, high};
     for (std::size_t k = 0; k < 2; ++k)
         if (may_vanish(nets[k], edge_on_.error))
-            halves_->emplace_back(seen, boxes[k], std::move(points[k]),
+            halves_->emplace_back(boxes[k], std::move(points[k]),
                                   LoweredScalar{std::move(nets[k]), edge_on_.error}, shares);
     return *halves_;
 }

@@ -11,16 +11,14 @@
 
 namespace keiko {
 
-/// A patch that one apex looks at.
-struct SeenPatch {
-    const OccluderPatch* patch;
-    std::optional<Vec3> apex; ///< relative to the patch's centre; nothing for parallel light
-};
-
-/// What is asked for: silhouettes in a plane through the apex.
+/// What is asked of a patch: silhouettes in a plane through the apex that hide some of a segment.
 struct Section {
+    const OccluderPatch* patch;
     Vec4 weights; ///< of the plane, relative to the patch's centre
-    std::optional<SeenWedge> wedge{};
+    const SeenWedge* wedge;
+
+    Section(const OccluderPatch& of, const SegmentPlane& plane, const SeenWedge& hidden)
+        : patch(&of), weights(plane.weights(of.center)), wedge(&hidden) {}
 };
 
 /// A part of a patch that an apex may see edge-on. It halves where a segment needs it smaller; the
@@ -29,8 +27,7 @@ class EdgeOnPart {
 public:
     /// `edge_on`: over `uv` of the patch, zero where the apex sees it edge-on; `shares`: sides of
     /// `uv` as shares of those of the box that it was lowered on. `points`: over `uv`.
-    EdgeOnPart(const SeenPatch& seen, const Box2& uv, HomogeneousNet points, LoweredScalar edge_on,
-               const Vec2& shares);
+    EdgeOnPart(const Box2& uv, HomogeneousNet points, LoweredScalar edge_on, const Vec2& shares);
 
     const Box2& uv() const { return uv_; }
     const LoweredScalar& edge_on() const { return edge_on_; }
@@ -39,26 +36,23 @@ public:
     /// at most one, or halved `most_halvings` times. `distance`: of the part to the plane;
     /// `pair`: what its slopes and those of `edge_on` prove.
     template <class Visit>
-    void each_part(const SeenPatch& seen, const Section& section, int most_halvings,
-                   const Visit& visit) {
-        if (section.wedge && !section.wedge->may_hold(from_apex_, reach_)) return;
+    void each_part(const Section& section, int most_halvings, const Visit& visit) {
+        const OccluderPatch& patch = *section.patch;
+        if (!section.wedge->may_hold(points_, patch.center, patch.size)) return;
         const ScalarNet distance = weighed(points_, section.weights);
         if (!may_vanish(distance)) return;
         const LinearPair pair(slopes_of(distance).all, slopes_.all);
         if (pair.root_is_outside()) return;
         if (pair.variation() < LinearPair::proved || most_halvings == 0)
             return visit(*this, distance, pair);
-        for (EdgeOnPart& half : halves(seen))
-            half.each_part(seen, section, most_halvings - 1, visit);
+        for (EdgeOnPart& half : halves()) half.each_part(section, most_halvings - 1, visit);
     }
 
 private:
-    std::vector<EdgeOnPart>& halves(const SeenPatch& seen);
+    std::vector<EdgeOnPart>& halves();
 
     Box2 uv_;
     HomogeneousNet points_;
-    std::vector<Vec3> from_apex_; ///< to the control points, times their weights
-    double reach_ = 0;            ///< largest component of them
     LoweredScalar edge_on_;
     Vec2 shares_;
     Slopes slopes_;                                   ///< with their errors

@@ -79,15 +79,11 @@ Grid<T> along_u(const Matrix& m, const Grid<T>& grid) {
 
 template <class T>
 Grid<T> along_v(const Matrix& m, const Grid<T>& grid) {
-    Grid<T> result{grid.rows, m.rows, {}};
-    result.c.reserve(grid.rows * m.rows);
+    Grid<T> result{grid.rows, m.rows, std::vector<T>(grid.rows * m.rows, T(0))};
     for (std::size_t i = 0; i < grid.rows; ++i)
-        for (std::size_t j = 0; j < m.rows; ++j) {
-            T sum(0);
-            for (std::size_t k = 0; k < m.columns; ++k)
-                sum += grid.c[i * grid.columns + k] * m.at(j, k);
-            result.c.push_back(sum);
-        }
+        for (std::size_t k = 0; k < m.columns; ++k)
+            for (std::size_t j = 0; j < m.rows; ++j)
+                result.c[i * m.rows + j] += grid.c[i * grid.columns + k] * m.at(j, k);
     return result;
 }
 

@@ -69,7 +69,7 @@ OwnRings::Shell& OwnRings::shell(std::size_t k) const {
         LoweredScalar edge_on = cheaper(exact);
         const NetCurvature second = net_curvature(edge_on, exact);
         shells_.push_back(
-            {box, part_of(seen_.patch->points, of_patch(box)), std::move(edge_on), second});
+            {box, part_of(patch_->points, of_patch(box)), std::move(edge_on), second});
     }
     return shells_[k];
 }
@@ -96,8 +96,7 @@ std::vector<EdgeOnPart>& OwnRings::ring(std::size_t k) const {
                             (box.upper - outer.box.lower) / extent};
         LoweredScalar edge_on{restricted(outer.edge_on.net, in_outer), outer.edge_on.error};
         if (may_vanish(edge_on.net, edge_on.error))
-            outer.ring->emplace_back(seen_, of_patch(box),
-                                     part_of(seen_.patch->points, of_patch(box)),
+            outer.ring->emplace_back(of_patch(box), part_of(patch_->points, of_patch(box)),
                                      std::move(edge_on), in_outer.extent());
     }
     return *outer.ring;

@@ -14,8 +14,8 @@ class OwnRings {
 public:
     /// `uv`: the surroundings, of the patch; `foot`: the apex there; `edge_on`: over `uv`, zero
     /// where the apex sees the surface edge-on.
-    OwnRings(const SeenPatch& seen, const Box2& uv, const Vec2& foot, ScalarNet edge_on)
-        : seen_(seen),
+    OwnRings(const OccluderPatch& patch, const Box2& uv, const Vec2& foot, ScalarNet edge_on)
+        : patch_(&patch),
           uv_(uv),
           foot_((foot - uv.lower) / uv.extent()),
           edge_on_(std::move(edge_on)) {}
@@ -28,7 +28,7 @@ public:
     void each_part(const Section& section, const Visit& visit) const {
         constexpr int most_halvings = 8;
         for (std::size_t k = 0; k < most_boxes && !only_apex_in(k, section.weights); ++k)
-            for (EdgeOnPart& part : ring(k)) part.each_part(seen_, section, most_halvings, visit);
+            for (EdgeOnPart& part : ring(k)) part.each_part(section, most_halvings, visit);
     }
 
 private:
@@ -49,7 +49,7 @@ private:
     std::vector<EdgeOnPart>& ring(std::size_t k) const;
     Shell& shell(std::size_t k) const;
 
-    SeenPatch seen_;
+    const OccluderPatch* patch_;
     Box2 uv_;
     Vec2 foot_; ///< of the surroundings
     ScalarNet edge_on_;

@@ -1,8 +1,8 @@
 #include "keiko/trace/scalar_net.h"
 
-#include <algorithm>
+#include "keiko/trace/running_range.h"
+
 #include <cmath>
-#include <limits>
 
 namespace keiko {
 namespace {
@@ -19,7 +19,7 @@ void cut_down(std::size_t count, double a, double b, const Blend& blend) {
             for (std::size_t i = 0; i + level < count; ++i) blend(i, i + 1, a / b);
 }
 
-/// All columns at once.
+/// All columns at once, so that they run side by side.
 void restrict_rows(ScalarNet& net, double a, double b) {
     cut_down(net.rows, a, b, [&](std::size_t to, std::size_t with, double t) {
         double* const c = &net.at(to, 0);
@@ -28,13 +28,17 @@ void restrict_rows(ScalarNet& net, double a, double b) {
     });
 }
 
-void restrict_columns(ScalarNet& net, double a, double b) {
-    for (std::size_t row = 0; row < net.rows; ++row) {
-        double* const c = &net.at(row, 0);
-        cut_down(net.columns, a, b, [&](std::size_t to, std::size_t with, double t) {
-            c[to] += t * (c[with] - c[to]);
-        });
-    }
+ScalarNet transposed(const ScalarNet& net) {
+    ScalarNet other{net.columns, net.rows, std::vector<double>(net.c.size())};
+    for (std::size_t i = 0; i < net.rows; ++i)
+        for (std::size_t j = 0; j < net.columns; ++j) other.at(j, i) = net.at(i, j);
+    return other;
+}
+
+RunningRange range_of(const ScalarNet& net) {
+    RunningRange all;
+    all.add(net.c.size(), [&](std::size_t i) { return net.c[i]; });
+    return all;
 }
 
 /// One de Casteljau split at the middle: `low` becomes the lower half's coefficients, `high` the
@@ -87,8 +91,9 @@ ScalarNet weighed(const HomogeneousNet& net, const Vec4& weights) {
 ScalarNet restricted(const ScalarNet& net, const Box2& box) {
     ScalarNet part = net;
     restrict_rows(part, box.lower.x, box.upper.x);
-    restrict_columns(part, box.lower.y, box.upper.y);
-    return part;
+    part = transposed(part);
+    restrict_rows(part, box.lower.y, box.upper.y);
+    return transposed(part);
 }
 
 ScalarNet derivative(const ScalarNet& net, bool by_x) {
@@ -103,28 +108,27 @@ ScalarNet derivative(const ScalarNet& net, bool by_x) {
 
 NetRange range(const ScalarNet& net) {
     if (net.c.empty()) return {};
-    const auto [low, high] = std::minmax_element(net.c.begin(), net.c.end());
-    return {(*low + *high) / 2, (*high - *low) / 2};
+    const RunningRange all = range_of(net);
+    return {(all.low() + all.high()) / 2, (all.high() - all.low()) / 2};
 }
 
 bool may_vanish(const ScalarNet& net, double error) {
-    const auto [low, high] = std::minmax_element(net.c.begin(), net.c.end());
-    const double slack = error + 1e-14 * std::max(std::abs(*low), std::abs(*high));
-    return *low <= slack && *high >= -slack;
+    const RunningRange all = range_of(net);
+    const double low = all.low(), high = all.high();
+    const double slack = error + 1e-14 * std::max(std::abs(low), std::abs(high));
+    return low <= slack && high >= -slack;
 }
 
 NetRange derivative_range(const ScalarNet& net, bool by_x) {
     if ((by_x ? net.rows : net.columns) < 2) return {};
     const double scale = static_cast<double>((by_x ? net.rows : net.columns) - 1) / 2;
     const std::size_t columns = net.columns - !by_x, ahead = by_x ? net.columns : 1;
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t i = 0; i + by_x < net.rows; ++i)
-        for (std::size_t j = 0; j < columns; ++j) {
-            const double* const c = &net.c[i * net.columns + j];
-            const double slope = scale * (c[ahead] - c[0]);
-            low = std::min(low, slope);
-            high = std::max(high, slope);
-        }
+    RunningRange steps;
+    for (std::size_t i = 0; i + by_x < net.rows; ++i) {
+        const double* const c = &net.c[i * net.columns];
+        steps.add(columns, [&](std::size_t j) { return c[j + ahead] - c[j]; });
+    }
+    const double low = scale * steps.low(), high = scale * steps.high();
     return {(low + high) / 2, (high - low) / 2};
 }
 

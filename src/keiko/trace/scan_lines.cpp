@@ -79,7 +79,7 @@ void ApexView::Candidates::scan(const Screen& screen, std::span<const ScanLine> 
     for (std::size_t i = 0; i < screen.pieces.size(); ++i)
         each_crossed(screen.pieces[i], [&](Line& line) {
             line.certain =
-                scene_->solver.find(silhouettes_.pieces[i], line.plane, line.asked, line.events) &&
+                scene_->solver.find(silhouettes_.pieces[i], line.plane, line.wedge, line.events) &&
                 line.certain;
         });
     for (std::size_t i = 0; i < screen.borders.size(); ++i)

@@ -107,50 +107,43 @@ double SilhouetteCandidates::own_steepest() const {
     return steepest;
 }
 
-SeenPatch SilhouetteSolver::seen(const OccluderPatch& patch, const Apex& apex) const {
-    if (apex.infinite()) return {&patch, std::nullopt};
-    return {&patch, apex.place() - patch.center};
-}
-
 void SilhouetteSolver::finish(const Apex& apex, const std::optional<Vec3>& normal, double elevation,
                               SilhouetteCandidates& all) const {
     std::erase_if(all.own, [&](OwnCandidate& own) {
         const OccluderPatch& patch = silhouettes_.patches[own.patch];
-        const SeenPatch seen = this->seen(patch, apex);
-        if (normal) own.steepest = steepest_chord(patch.points, own.uv, *seen.apex, *normal);
+        if (normal)
+            own.steepest =
+                steepest_chord(patch.points, own.uv, apex.place() - patch.center, *normal);
         if (own.steepest < elevation) return true;
-        own.rings.emplace(seen, own.uv, own.foot,
+        own.rings.emplace(patch, own.uv, own.foot,
                           restricted(weighed(patch.planes, apex.seen_from(patch.center)), own.uv));
         return own.rings->find_nothing();
     });
 }
 
 bool SilhouetteSolver::find(const OwnCandidate& own, const SegmentPlane& plane,
-                            const ParameterInterval& asked,
-                            std::vector<VisibilityEvent>& events) const {
+                            const SeenWedge& wedge, std::vector<VisibilityEvent>& events) const {
     const OccluderPatch& patch = silhouettes_.patches[own.patch];
-    const double size = hull_bounds(patch.points.view()).size();
     bool certain = true;
-    own.rings->each_part(
-        {plane.weights(patch.center), SeenWedge(plane, asked)},
-        [&](const EdgeOnPart& in, const ScalarNet& distance, const LinearPair& pair) {
-            const Part part{own.patch, in.uv(), own.trimmed, size};
-            certain = find(in, part, distance, pair, plane, events) && certain;
-        });
+    own.rings->each_part({patch, plane, wedge}, [&](const EdgeOnPart& in, const ScalarNet& distance,
+                                                    const LinearPair& pair) {
+        const Part part{own.patch, in.uv(), own.trimmed, patch.size};
+        certain = find(in, part, distance, pair, plane, events) && certain;
+    });
     return certain;
 }
 
-EdgeOnPart& SilhouetteSolver::part_of(const SilhouetteCandidate& candidate, const SeenPatch& seen,
+EdgeOnPart& SilhouetteSolver::part_of(const SilhouetteCandidate& candidate,
                                       const Apex& apex) const {
     if (!candidate.part) {
         const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
-        const HomogeneousNet& points = seen.patch->points;
+        const HomogeneousNet& points = silhouettes_.patches[piece.patch].points;
         const Box2 uv = piece.overlapped();
         const Vec4 weights = piece.weights(apex);
         const Vec4 sizes(std::abs(weights.x), std::abs(weights.y), std::abs(weights.z),
                          std::abs(weights.w));
         candidate.part = std::make_unique<EdgeOnPart>(
-            seen, uv, HomogeneousNet{points.degree_u, points.degree_v, subpatch(points.view(), uv)},
+            uv, HomogeneousNet{points.degree_u, points.degree_v, subpatch(points.view(), uv)},
             LoweredScalar{weighed(piece.lowered_planes.net, weights),
                           sizes.dot(piece.lowered_planes.error)},
             Vec2(1));
@@ -159,23 +152,17 @@ EdgeOnPart& SilhouetteSolver::part_of(const SilhouetteCandidate& candidate, cons
 }
 
 bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
-                            const ParameterInterval& asked,
-                            std::vector<VisibilityEvent>& events) const {
+                            const SeenWedge& wedge, std::vector<VisibilityEvent>& events) const {
     const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
     const AffineNet::Weighed f = piece.points.weighed(piece.local(plane.weights(piece.center)));
     if (f.vanishes_nowhere()) return true;
     const LinearPair pair(f, candidate.edge_on);
     if (pair.root_is_outside()) return true;
     if (add_only_root(pair, piece.patch, piece.uv, piece.trimmed, plane, events)) return true;
-    const Apex& apex = plane.apex();
-    const OccluderPatch& patch = silhouettes_.patches[piece.patch];
-    const SeenPatch seen = this->seen(patch, apex);
-    Section section{plane.weights(patch.center)};
-    if (!apex.infinite()) section.wedge.emplace(plane, asked);
     constexpr int most_halvings = 6;
     bool certain = true;
-    part_of(candidate, seen, apex)
-        .each_part(seen, section, most_halvings,
+    part_of(candidate, plane.apex())
+        .each_part({silhouettes_.patches[piece.patch], plane, wedge}, most_halvings,
                    [&](const EdgeOnPart& in, const ScalarNet& distance, const LinearPair& of_part) {
                        const Part part{piece.patch, in.uv(), piece.trimmed, piece.box.size()};
                        certain = find(in, part, distance, of_part, plane, events) && certain;

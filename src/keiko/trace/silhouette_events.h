@@ -55,11 +55,11 @@ public:
     /// and those that no plane through the apex cuts a silhouette of.
     void finish(const Apex& apex, const std::optional<Vec3>& normal, double elevation,
                 SilhouetteCandidates& all) const;
-    /// Appends the events of a candidate that hide some of `asked`; false when some could not be
-    /// told apart.
+    /// Appends the events of a candidate at which it hides some of the segment in `wedge`; false
+    /// when some could not be told apart.
     bool find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
-              const ParameterInterval& asked, std::vector<VisibilityEvent>& events) const;
-    bool find(const OwnCandidate& own, const SegmentPlane& plane, const ParameterInterval& asked,
+              const SeenWedge& wedge, std::vector<VisibilityEvent>& events) const;
+    bool find(const OwnCandidate& own, const SegmentPlane& plane, const SeenWedge& wedge,
               std::vector<VisibilityEvent>& events) const;
 
 private:
@@ -81,9 +81,7 @@ private:
         bool trimmed;
         double size; ///< mm
     };
-    SeenPatch seen(const OccluderPatch& patch, const Apex& apex) const;
-    EdgeOnPart& part_of(const SilhouetteCandidate& candidate, const SeenPatch& seen,
-                        const Apex& apex) const;
+    EdgeOnPart& part_of(const SilhouetteCandidate& candidate, const Apex& apex) const;
     /// Appends the events in a part on which `pair` may prove less than what is needed.
     bool find(const EdgeOnPart& in, const Part& part, ScalarNet distance, const LinearPair& pair,
               const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const;

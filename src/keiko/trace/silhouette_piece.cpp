@@ -161,6 +161,7 @@ Silhouettes silhouettes_of_patch(const SurfaceModel& model, std::uint32_t instan
         patch.uv = part.uv;
         patch.center = center;
         patch.points = std::move(part.points);
+        patch.size = hull_bounds(patch.points.view()).size();
         patch.map_u = model.patches[index].map_u;
         patch.map_v = model.patches[index].map_v;
         patch.planes = tangent_planes(patch.points.view());

@@ -18,6 +18,7 @@ struct OccluderPatch {
     std::uint32_t instance = 0, face = 0, patch = 0;
     Box2 uv{Vec2(0), Vec2(1)}; ///< of the model's patch that this one covers
     Vec3 center{0};
+    double size = 0; ///< mm, of its box
     HomogeneousNet points, planes;
     bool rational = false;
     bool flat = false; ///< has no folds

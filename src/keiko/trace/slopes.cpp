@@ -1,7 +1,8 @@
 #include "keiko/trace/slopes.h"
 
+#include "keiko/trace/running_range.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace keiko {
 
@@ -24,14 +25,17 @@ Slopes slopes_of(const ScalarNet& net) {
         return count < 2 ? 0 : 2 * static_cast<double>(i) / static_cast<double>(count - 1) - 1;
     };
     const NetRange x = derivative_range(net, true), y = derivative_range(net, false);
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t i = 0; i < net.rows; ++i)
-        for (std::size_t j = 0; j < net.columns; ++j) {
-            const double rest =
-                net.at(i, j) - x.middle * place(i, net.rows) - y.middle * place(j, net.columns);
-            low = std::min(low, rest);
-            high = std::max(high, rest);
-        }
+    RunningRange rest;
+    const double step = net.columns < 2 ? 0 : 2 / static_cast<double>(net.columns - 1);
+    for (std::size_t i = 0; i < net.rows; ++i) {
+        const double* const c = &net.c[i * net.columns];
+        const double at_row = x.middle * place(i, net.rows);
+        rest.add(net.columns, [&](std::size_t j) {
+            const double at_column = net.columns < 2 ? 0 : static_cast<double>(j) * step - 1;
+            return c[j] - at_row - y.middle * at_column;
+        });
+    }
+    const double low = rest.low(), high = rest.high();
     const double size = std::abs(x.middle) + std::abs(y.middle);
     return {{(low + high) / 2, x.middle, y.middle, (high - low) / 2, x.half + y.half},
             Vec2(x.half, y.half) / std::max(size, x.half + y.half)};
