@@ -78,6 +78,23 @@ void add_shafts(CLI::App& app, ShaftsOptions& options) {
         ->check(CLI::ExistingFile);
 }
 
+void add_penumbra(CLI::App& app, PenumbraOptions& options) {
+    CLI::App* penumbra = app.add_subcommand(
+        "penumbra", "penumbrae by exact intervals beside ray casting at equal error");
+    penumbra->add_option("--scene", options.scenes, "scene names or model files [hood, teapot]");
+    penumbra->add_option("--points", options.points, "lit points of each scene")
+        ->check(CLI::Range(10, 10000000))
+        ->capture_default_str();
+    penumbra
+        ->add_option("--probes", options.probes, "only probe each lamp's intervals by so many rays")
+        ->check(CLI::Range(1, 1000000));
+    penumbra->add_option("--plot", options.plot, "SVG file of cost by lamps and by patches");
+    penumbra
+        ->add_option("--markdown", options.markdown,
+                     "page to put the tables into, between its markers")
+        ->check(CLI::ExistingFile);
+}
+
 } // namespace
 
 Command parse_command_line(int argc, char** argv) {
@@ -89,6 +106,7 @@ Command parse_command_line(int argc, char** argv) {
     add_load(app, command.load);
     add_lights(app, command.lights);
     add_shafts(app, command.shafts);
+    add_penumbra(app, command.penumbra);
     CLI::App* picture = app.add_subcommand(
         "picture", "the same stripes from meshes and from the surface, side by side");
     command.picture.output = test::repository("docs/images/mesh-or-surface.png");
@@ -107,11 +125,12 @@ Command parse_command_line(int argc, char** argv) {
         command.exit_code = app.exit(error) == 0 ? 0 : 2;
         return command;
     }
-    command.group = app.got_subcommand("picture")  ? Group::picture
-                    : app.got_subcommand("load")   ? Group::load
-                    : app.got_subcommand("lights") ? Group::lights
-                    : app.got_subcommand("shafts") ? Group::shafts
-                                                   : Group::trace;
+    command.group = app.got_subcommand("picture")    ? Group::picture
+                    : app.got_subcommand("load")     ? Group::load
+                    : app.got_subcommand("lights")   ? Group::lights
+                    : app.got_subcommand("shafts")   ? Group::shafts
+                    : app.got_subcommand("penumbra") ? Group::penumbra
+                                                     : Group::trace;
     return command;
 }
 

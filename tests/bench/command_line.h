@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/bench/load_benchmark.h"
+#include "tests/bench/penumbra_benchmark.h"
 
 #include <filesystem>
 #include <string>
@@ -35,7 +36,7 @@ struct ShaftsOptions {
     std::filesystem::path markdown{}; ///< page; empty: none
 };
 
-enum class Group { trace, picture, load, lights, shafts, help };
+enum class Group { trace, picture, load, lights, shafts, penumbra, help };
 
 struct Command {
     Group group = Group::trace;
@@ -44,6 +45,7 @@ struct Command {
     LoadOptions load{};
     LightsOptions lights{};
     ShaftsOptions shafts{};
+    PenumbraOptions penumbra{};
     int exit_code = 0; ///< of help and usage errors
 };
 

@@ -59,6 +59,19 @@ void shafts(const ShaftsOptions& options) {
     if (!options.markdown.empty()) update_page(options.markdown, "shafts", markdown_of(table));
 }
 
+void penumbra(const PenumbraOptions& options) {
+    const PenumbraTables tables = run_penumbra_benchmark(options);
+    std::string page;
+    for (const Table* table :
+         {&tables.equal_error, &tables.by_lamps, &tables.by_patches, &tables.wrong}) {
+        if (table->rows.empty()) continue;
+        print(text_of(*table) + "\n");
+        page += markdown_of(*table) + "\n";
+    }
+    if (!options.markdown.empty())
+        update_page(options.markdown, options.probes > 0 ? "wrong" : "penumbra", page);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -79,6 +92,9 @@ int main(int argc, char** argv) {
                 return 0;
             case Group::shafts:
                 shafts(command.shafts);
+                return 0;
+            case Group::penumbra:
+                penumbra(command.penumbra);
                 return 0;
             case Group::help:
                 return command.exit_code;

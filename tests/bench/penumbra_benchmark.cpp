@@ -1,0 +1,181 @@
+#include "tests/bench/penumbra_benchmark.h"
+
+#include "tests/bench/log_plot.h"
+#include "tests/bench/penumbra_methods.h"
+#include "tests/bench/progress.h"
+#include "tests/bench/scenes.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace keiko::bench {
+namespace {
+
+constexpr int lamps = 12;
+constexpr std::array errors{1e-3, 1e-5};
+
+/// The faster of some runs: what else the machine does only ever adds.
+template <class Method>
+Shares fastest(const Method& method) {
+    constexpr int rounds = 3;
+    Shares best = method();
+    for (int i = 1; i < rounds; ++i) best.seconds = std::min(best.seconds, method().seconds);
+    return best;
+}
+
+double us_a_point(const Shares& shares) {
+    return 1e6 * shares.seconds / static_cast<double>(shares.values.size());
+}
+
+/// What a method costs at the error that it was found to have.
+struct Cost {
+    double rays = 0; ///< a lamp
+    double error = 0, us = 0;
+};
+
+/// Cost at an error between or beyond the measured ones, by straight lines over logarithms; beyond,
+/// by the line through the last four.
+Cost cost_at(const std::vector<Cost>& measured, double error) {
+    const auto at = [&](const Cost& a, const Cost& b) {
+        const double t = std::log(error / a.error) / std::log(b.error / a.error);
+        return Cost{a.rays * std::pow(b.rays / a.rays, t), error, a.us * std::pow(b.us / a.us, t)};
+    };
+    for (std::size_t i = 1; i < measured.size(); ++i)
+        if (measured[i].error <= error) return at(measured[i - 1], measured[i]);
+    return at(measured[measured.size() - 4], measured.back());
+}
+
+/// More and more strata along each lamp.
+std::vector<Cost> ladder(const PenumbraScene& scene, Emitter emitter, int across,
+                         const Shares& truth) {
+    constexpr int first = 4, most = 1024; ///< rays a lamp
+    std::vector<Cost> costs;
+    for (int rays = first; rays <= most; rays *= 2) {
+        if (rays < across) continue;
+        const Strata strata{rays / across, across};
+        const Shares sampled =
+            fastest([&] { return by_samples(scene, scene.row, emitter, strata); });
+        costs.push_back({double(rays), rms(sampled, truth), us_a_point(sampled)});
+    }
+    return costs;
+}
+
+Cost best_sampling(const std::vector<std::vector<Cost>>& ladders, double error) {
+    Cost best{.us = std::numeric_limits<double>::infinity()};
+    for (const auto& costs : ladders)
+        if (const Cost cost = cost_at(costs, error); cost.us < best.us) best = cost;
+    return best;
+}
+
+std::vector<std::string> row_of(const PenumbraScene& scene, const char* emitter, double error,
+                                double us, const Cost& rays) {
+    return {scene.name,      emitter,           fmt::format("{:g}", error), digits(us),
+            digits(rays.us), digits(rays.rays), digits(rays.us / us)};
+}
+
+void add_axis(const PenumbraScene& scene, Table& table) {
+    const Shares exact = fastest([&] { return by_intervals(scene, scene.row); });
+    const std::vector<std::vector<Cost>> ladders(1, ladder(scene, Emitter::axis, 1, exact));
+    for (const double error : errors)
+        table.rows.push_back(
+            row_of(scene, "axis", error, us_a_point(exact), best_sampling(ladders, error)));
+}
+
+/// The cheapest tolerance with no more than this error.
+double width_cost(const PenumbraScene& scene, const Shares& truth, double error) {
+    for (double tolerance = 30 * error;; tolerance /= 2) {
+        const Shares shares = fastest([&] { return by_width(scene, scene.row, tolerance); });
+        if (rms(shares, truth) <= error) return us_a_point(shares);
+    }
+}
+
+void add_width(const PenumbraScene& scene, Table& table) {
+    const Shares truth = by_width(scene, scene.row, 1e-8);
+    std::vector<std::vector<Cost>> ladders;
+    for (const int across : {1, 2, 4})
+        ladders.push_back(ladder(scene, Emitter::rectangle, across, truth));
+    for (const double error : errors)
+        table.rows.push_back(row_of(scene, "width", error, width_cost(scene, truth, error),
+                                    best_sampling(ladders, error)));
+}
+
+/// us a point for a row of that many lamps.
+double exact_cost(const PenumbraScene& scene, int count) {
+    const CPlane row = scene.row_of(count);
+    return us_a_point(fastest([&] { return by_intervals(scene, row); }));
+}
+
+void add_lamps(const PenumbraScene& scene, Table& table, LogPlot& plot) {
+    LogPlot::Curve curve{scene.name};
+    std::vector<std::string> cells{scene.name};
+    for (const int count : {1, 12, 48}) {
+        const double us = exact_cost(scene, count);
+        curve.points.push_back({double(count), us});
+        cells.push_back(digits(us));
+    }
+    table.rows.push_back(std::move(cells));
+    plot.curves.push_back(std::move(curve));
+}
+
+void add_patches(std::size_t points, Table& table, LogPlot& plot) {
+    constexpr double clearance = 0.3;
+    LogPlot::Curve curve{"wavy sheet"};
+    for (const auto& [along, across] :
+         {std::array{8, 4}, {16, 8}, {32, 16}, {64, 32}, {128, 64}, {200, 100}}) {
+        tell("wavy sheet", std::to_string(along * across) + " patches");
+        const PenumbraScene scene("wavy sheet", wavy_sheet(along, across), clearance, lamps,
+                                  points);
+        const double us = exact_cost(scene, lamps);
+        curve.points.push_back({double(along * across), us});
+        table.rows.push_back({std::to_string(along * across), digits(us)});
+    }
+    plot.curves.push_back(std::move(curve));
+}
+
+void add_wrong(const PenumbraScene& scene, int probes, Table& table) {
+    const WrongLamps count = wrong_lamps(scene, scene.row, probes);
+    table.rows.push_back({scene.name, std::to_string(count.lamps), std::to_string(count.probes),
+                          std::to_string(count.uncertain), std::to_string(count.wrong)});
+}
+
+} // namespace
+
+PenumbraTables run_penumbra_benchmark(const PenumbraOptions& options) {
+    constexpr double clearance = 0.05;
+    PenumbraTables tables{
+        .equal_error = {.head = {"scene", "of a lamp", "RMS", "Keiko us", "rays us", "rays a lamp",
+                                 "ratio"},
+                        .left = 2},
+        .by_lamps = {.head = {"scene", "1 lamp us", "12 lamps us", "48 lamps us"}},
+        .by_patches = {.head = {"patches", "12 lamps us"}, .left = 0},
+        .wrong = {.head = {"scene", "lamps", "probes", "uncertain", "wrong"}}};
+    LogPlot lamp_plot{.x = "lamps", .y = "µs a point"};
+    LogPlot patch_plot{.x = "patches", .y = "µs a point, 12 lamps"};
+    const auto names =
+        options.scenes.empty() ? std::vector<std::string>{"hood", "teapot"} : options.scenes;
+    for (const SceneFile& file : chosen_scenes(names)) {
+        if (!file.present()) {
+            tell(file.name, "skipped, its file is not there");
+            continue;
+        }
+        tell(file.name, "penumbrae");
+        const PenumbraScene scene(file.name, file.load(), clearance, lamps, options.points);
+        if (options.probes > 0) {
+            add_wrong(scene, options.probes, tables.wrong);
+            continue;
+        }
+        add_axis(scene, tables.equal_error);
+        add_width(scene, tables.equal_error);
+        add_lamps(scene, tables.by_lamps, lamp_plot);
+    }
+    if (options.probes > 0) return tables;
+    add_patches(options.points, tables.by_patches, patch_plot);
+    if (!options.plot.empty()) write_svg(options.plot, {lamp_plot, patch_plot});
+    return tables;
+}
+
+} // namespace keiko::bench

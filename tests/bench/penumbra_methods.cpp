@@ -1,0 +1,202 @@
+#include "tests/bench/penumbra_methods.h"
+
+#include "keiko/tubes/tube_irradiance.h"
+#include "keiko/tubes/tube_penumbra.h"
+
+#include "tests/bench/cpu_clock.h"
+#include "tests/support/random.h"
+
+#include <cmath>
+
+namespace keiko::bench {
+namespace {
+
+using namespace test;
+
+ApexView view_from(const PenumbraScene& scene, const Receiver& at, const CPlane& row) {
+    const CPlaneFrame frame(row);
+    std::vector<Vec3> corners;
+    for (const double along : {0.0, frame.length})
+        for (const double across : {frame.axis(0), frame.last()})
+            for (const double height : {-frame.radius(), frame.radius()})
+                for (const double side : {-frame.radius(), frame.radius()})
+                    corners.push_back(frame.at(along, across + side) + frame.normal * height);
+    return {scene.occluders, scene.tracer, Apex::at(at.position, at.root), corners, at.normal};
+}
+
+/// As the core asks for it.
+class SeenFrom final : public Visible {
+public:
+    explicit SeenFrom(const ApexView& view) : view_(view) {}
+    using Visible::intervals;
+    IntervalSet intervals(const Segment& segment) const override {
+        return view_.intervals(segment.a, segment.b).intervals;
+    }
+
+private:
+    const ApexView& view_;
+};
+
+TubeModel model_of(Emitter emitter) {
+    return emitter == Emitter::axis ? TubeModel::line : TubeModel::rectangle;
+}
+
+double unhidden(const TubeLamp& lamp, const Receiver& at, Emitter emitter) {
+    return projected_solid_angle(lamp, at.position, at.normal, IntervalSet::whole(),
+                                 model_of(emitter));
+}
+
+/// Runs `lit(receiver)`, the sum over the row of what is seen, for all receivers.
+template <class Lit>
+Shares shares(const PenumbraScene& scene, const CPlane& row, Emitter emitter, const Lit& lit) {
+    Shares all;
+    const std::vector<TubeLamp> lamps = lamps_of(row);
+    all.seconds = thread_seconds([&] {
+        for (const Receiver& at : scene.receivers) all.values.push_back(lit(at, lamps));
+    });
+    for (std::size_t i = 0; i < scene.receivers.size(); ++i) {
+        double whole = 0;
+        for (const TubeLamp& lamp : lamps) whole += unhidden(lamp, scene.receivers[i], emitter);
+        all.values[i] = whole > 0 ? all.values[i] / whole : 0;
+    }
+    return all;
+}
+
+/// Light of a stratum that a receiver sees, if the ray to it is free.
+struct Sample {
+    Ray ray;
+    double light;
+};
+
+/// A lamp's rectangle as a receiver sees it.
+struct Rectangle {
+    Vec3 begin, along, across; ///< across from one edge to the other
+    Vec3 facing;               ///< unit, towards the receiver
+    double area;               ///< mm2
+
+    Rectangle(const TubeLamp& lamp, const Vec3& point) : begin(lamp.a), along(lamp.b - lamp.a) {
+        const Vec3 axis = along.normalized(), way = point - lamp.a;
+        facing = (way - axis * axis.dot(way)).normalized();
+        across = axis.cross(facing) * lamp.diameter;
+        begin -= across / 2;
+        area = along.length() * lamp.diameter;
+    }
+};
+
+void add_samples(const TubeLamp& lamp, const Receiver& at, Emitter emitter, const Strata& strata,
+                 Random& random, std::vector<Sample>& samples) {
+    const Rectangle lit(lamp, at.position);
+    const double share = lit.area / (strata.along * strata.across);
+    for (int i = 0; i < strata.along; ++i)
+        for (int j = 0; j < strata.across; ++j) {
+            const double u = (i + uniform(random, 0, 1)) / strata.along;
+            const double v =
+                emitter == Emitter::axis ? 0.5 : (j + uniform(random, 0, 1)) / strata.across;
+            const Vec3 x = lit.begin + lit.along * u + lit.across * v, way = x - at.position;
+            const double cosine = at.normal.dot(way), squared = way.length2();
+            if (!(cosine > 0)) continue;
+            const double light = -cosine * lit.facing.dot(way) / (squared * squared) * share;
+            samples.push_back({Apex::at(at.position, at.root).ray_to(x), light});
+        }
+}
+
+bool next_to_an_end(const IntervalSet& set, double t) {
+    constexpr double next = 1e-6;
+    for (const ParameterInterval& i : set)
+        if (std::abs(t - i.begin) < next || std::abs(t - i.end) < next) return true;
+    return false;
+}
+
+} // namespace
+
+Shares by_intervals(const PenumbraScene& scene, const CPlane& row) {
+    return shares(scene, row, Emitter::axis,
+                  [&](const Receiver& at, const std::vector<TubeLamp>& lamps) {
+                      const ApexView view = view_from(scene, at, row);
+                      std::vector<SegmentEnds> axes;
+                      for (const TubeLamp& lamp : lamps) axes.push_back({lamp.a, lamp.b});
+                      const std::vector<SeenParts> seen = view.intervals(axes);
+                      double sum = 0;
+                      for (std::size_t i = 0; i < lamps.size(); ++i)
+                          sum += projected_solid_angle(lamps[i], at.position, at.normal,
+                                                       seen[i].intervals, TubeModel::line);
+                      return sum;
+                  });
+}
+
+Shares by_width(const PenumbraScene& scene, const CPlane& row, double tolerance) {
+    return shares(scene, row, Emitter::rectangle,
+                  [&](const Receiver& at, const std::vector<TubeLamp>& lamps) {
+                      const ApexView view = view_from(scene, at, row);
+                      const SeenFrom seen(view);
+                      double sum = 0;
+                      for (const TubeLamp& lamp : lamps) {
+                          if (below_horizon(lamp, at.position, at.normal)) continue;
+                          sum += unhidden(lamp, at, Emitter::rectangle) *
+                                 visible_share(lamp, at.position, at.normal, seen, tolerance,
+                                               TubeShape::rectangle);
+                      }
+                      return sum;
+                  });
+}
+
+Shares by_samples(const PenumbraScene& scene, const CPlane& row, Emitter emitter,
+                  const Strata& strata) {
+    Random random(3);
+    std::vector<Sample> samples;
+    std::vector<Ray> rays;
+    return shares(scene, row, emitter, [&](const Receiver& at, const std::vector<TubeLamp>& lamps) {
+        samples.clear(), rays.clear();
+        for (const TubeLamp& lamp : lamps) add_samples(lamp, at, emitter, strata, random, samples);
+        for (const Sample& sample : samples) rays.push_back(sample.ray);
+        const std::vector<bool> hidden = scene.tracer.any(std::span<const Ray>(rays));
+        double sum = 0;
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            if (!hidden[i]) sum += samples[i].light;
+        return sum;
+    });
+}
+
+double rms(const Shares& a, const Shares& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        const double off = a.values[i] - b.values[i];
+        sum += off * off;
+    }
+    return std::sqrt(sum / static_cast<double>(a.values.size()));
+}
+
+WrongLamps wrong_lamps(const PenumbraScene& scene, const CPlane& row, int probes) {
+    WrongLamps count;
+    Random random(4);
+    for (const Receiver& at : scene.receivers) {
+        const ApexView view = view_from(scene, at, row);
+        const Apex apex = Apex::at(at.position, at.root);
+        std::vector<SegmentEnds> axes;
+        for (const TubeLamp& lamp : lamps_of(row)) axes.push_back({lamp.a, lamp.b});
+        const std::vector<SeenParts> seen = view.intervals(axes);
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            std::vector<Ray> rays;
+            std::vector<double> places;
+            for (int k = 0; k < probes; ++k) {
+                const double t = (k + uniform(random, 0, 1)) / probes;
+                const Vec3 x = axes[i][0] + (axes[i][1] - axes[i][0]) * t;
+                if (next_to_an_end(seen[i].intervals, t)) continue;
+                if (!(at.normal.dot(x - at.position) > 0)) continue;
+                rays.push_back(apex.ray_to(x));
+                places.push_back(t);
+            }
+            const std::vector<bool> hidden = scene.tracer.any(std::span<const Ray>(rays));
+            bool wrong = false;
+            for (std::size_t k = 0; k < places.size(); ++k)
+                wrong = wrong || hidden[k] == seen[i].intervals.contains(places[k]);
+            ++count.lamps;
+            count.wrong += wrong;
+            count.uncertain += !seen[i].certain;
+            count.probes += places.size();
+        }
+    }
+    return count;
+}
+
+} // namespace keiko::bench

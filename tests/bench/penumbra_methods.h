@@ -1,0 +1,42 @@
+#pragma once
+
+#include "tests/bench/penumbra_scene.h"
+
+namespace keiko::bench {
+
+/// What of a tube is integrated over.
+enum class Emitter { axis, rectangle };
+
+/// How many strata a lamp is cut into; one shadow ray each.
+struct Strata {
+    int along = 1, across = 1;
+};
+
+/// Illuminance of each receiver from a row, as a share of what the row gives it unhidden, and what
+/// it cost.
+struct Shares {
+    std::vector<double> values{};
+    double seconds = 0; ///< of processor time, all receivers
+};
+
+/// By exact intervals of the lamps' axes: the light of a thin lamp in closed form.
+Shares by_intervals(const PenumbraScene& scene, const CPlane& row);
+/// By exact intervals of sub-axes of the facing rectangle, as many as `tolerance` takes.
+Shares by_width(const PenumbraScene& scene, const CPlane& row, double tolerance);
+/// Light-sample ray casting: a ray to a random place of each stratum of each lamp, all rays of a
+/// receiver in packets. Of an axis strata lie along it; of a rectangle both ways, which is
+/// stratified Monte Carlo sampling of its area.
+Shares by_samples(const PenumbraScene& scene, const CPlane& row, Emitter emitter,
+                  const Strata& strata);
+
+/// RMS of the difference.
+double rms(const Shares& a, const Shares& b);
+
+/// Lamps of a row of which single rays say otherwise than the intervals at some place that is not
+/// within 1e-6 of an interval's end.
+struct WrongLamps {
+    std::size_t lamps = 0, wrong = 0, uncertain = 0, probes = 0;
+};
+WrongLamps wrong_lamps(const PenumbraScene& scene, const CPlane& row, int probes);
+
+} // namespace keiko::bench

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "keiko/trace/occluders.h"
+#include "keiko/tubes/c_plane.h"
+
+#include <string>
+#include <vector>
+
+namespace keiko::bench {
+
+/// A point of a surface that lamps light.
+struct Receiver {
+    Vec3 position{0}, normal{0}; ///< the normal unit, on the side that is looked at
+    Root root{};
+};
+
+/// A body on the ground under a row of lamps, and points of both that a standing eye sees.
+struct PenumbraScene {
+    std::string name{};
+    std::size_t patches = 0; ///< with the ground
+    Tracer tracer;
+    Occluders occluders;
+    CPlane row{};
+    std::vector<Receiver> receivers{};
+
+    /// The row hangs level over the body, somewhat larger than it. `clearance`: between the ground
+    /// and the body, in sizes of the body.
+    PenumbraScene(std::string name, const SurfaceModel& body, double clearance, int lamps,
+                  std::size_t points);
+
+    /// The same lamps' plane with another number of them.
+    CPlane row_of(int lamps) const;
+
+private:
+    PenumbraScene(std::string name, const Box3& box, const SurfaceModel& body, double clearance,
+                  int lamps, std::size_t points);
+    PenumbraScene(std::string name, const Box3& box, const SurfaceModel& all, int lamps,
+                  std::size_t points);
+};
+
+/// A sheet with one wave along each side, 1 m wide, as a face of so many bicubic patches: nearly
+/// the same surface for any number of them.
+SurfaceModel wavy_sheet(int along_x, int along_y);
+
+} // namespace keiko::bench
