@@ -95,6 +95,22 @@ void add_penumbra(CLI::App& app, PenumbraOptions& options) {
         ->check(CLI::ExistingFile);
 }
 
+void add_stripes(CLI::App& app, StripeOptions& options) {
+    CLI::App* stripes = app.add_subcommand(
+        "stripes", "stripes from one ray a pixel against 1024 rays and supersampling");
+    stripes->add_option("--scene", options.scenes,
+                        "scene names or model files [hood, car-front-fender]");
+    stripes->add_option("--width", options.width, "of the pictures, pixels")
+        ->check(CLI::Range(16, 4096))
+        ->capture_default_str();
+    stripes->add_option("--pictures", options.pictures, "folder to put the pictures into")
+        ->check(CLI::ExistingDirectory);
+    stripes
+        ->add_option("--markdown", options.markdown,
+                     "page to put the table into, between its markers")
+        ->check(CLI::ExistingFile);
+}
+
 } // namespace
 
 Command parse_command_line(int argc, char** argv) {
@@ -107,6 +123,7 @@ Command parse_command_line(int argc, char** argv) {
     add_lights(app, command.lights);
     add_shafts(app, command.shafts);
     add_penumbra(app, command.penumbra);
+    add_stripes(app, command.stripes);
     CLI::App* picture = app.add_subcommand(
         "picture", "the same stripes from meshes and from the surface, side by side");
     command.picture.output = test::repository("docs/images/mesh-or-surface.png");
@@ -130,6 +147,7 @@ Command parse_command_line(int argc, char** argv) {
                     : app.got_subcommand("lights")   ? Group::lights
                     : app.got_subcommand("shafts")   ? Group::shafts
                     : app.got_subcommand("penumbra") ? Group::penumbra
+                    : app.got_subcommand("stripes")  ? Group::stripes
                                                      : Group::trace;
     return command;
 }

@@ -2,6 +2,7 @@
 
 #include "tests/bench/load_benchmark.h"
 #include "tests/bench/penumbra_benchmark.h"
+#include "tests/bench/stripe_benchmark.h"
 
 #include <filesystem>
 #include <string>
@@ -36,7 +37,7 @@ struct ShaftsOptions {
     std::filesystem::path markdown{}; ///< page; empty: none
 };
 
-enum class Group { trace, picture, load, lights, shafts, penumbra, help };
+enum class Group { trace, picture, load, lights, shafts, penumbra, stripes, help };
 
 struct Command {
     Group group = Group::trace;
@@ -46,6 +47,7 @@ struct Command {
     LightsOptions lights{};
     ShaftsOptions shafts{};
     PenumbraOptions penumbra{};
+    StripeOptions stripes{};
     int exit_code = 0; ///< of help and usage errors
 };
 

@@ -72,6 +72,12 @@ void penumbra(const PenumbraOptions& options) {
         update_page(options.markdown, options.probes > 0 ? "wrong" : "penumbra", page);
 }
 
+void stripes(const StripeOptions& options) {
+    const Table table = run_stripe_benchmark(options);
+    print(text_of(table));
+    if (!options.markdown.empty()) update_page(options.markdown, "stripes", markdown_of(table));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -95,6 +101,9 @@ int main(int argc, char** argv) {
                 return 0;
             case Group::penumbra:
                 penumbra(command.penumbra);
+                return 0;
+            case Group::stripes:
+                stripes(command.stripes);
                 return 0;
             case Group::help:
                 return command.exit_code;

@@ -38,7 +38,8 @@ struct Cost {
 };
 
 /// Cost at an error between or beyond the measured ones, by straight lines over logarithms; beyond,
-/// by the line through the last four.
+/// by the line through
+/// the second half of them.
 Cost cost_at(const std::vector<Cost>& measured, double error) {
     const auto at = [&](const Cost& a, const Cost& b) {
         const double t = std::log(error / a.error) / std::log(b.error / a.error);
@@ -46,7 +47,7 @@ Cost cost_at(const std::vector<Cost>& measured, double error) {
     };
     for (std::size_t i = 1; i < measured.size(); ++i)
         if (measured[i].error <= error) return at(measured[i - 1], measured[i]);
-    return at(measured[measured.size() - 4], measured.back());
+    return at(measured[measured.size() / 2], measured.back());
 }
 
 /// More and more strata along each lamp.

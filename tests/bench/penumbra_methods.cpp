@@ -28,9 +28,15 @@ ApexView view_from(const PenumbraScene& scene, const Receiver& at, const CPlane&
 class SeenFrom final : public Visible {
 public:
     explicit SeenFrom(const ApexView& view) : view_(view) {}
-    using Visible::intervals;
     IntervalSet intervals(const Segment& segment) const override {
         return view_.intervals(segment.a, segment.b).intervals;
+    }
+    std::vector<IntervalSet> intervals(std::span<const Segment> segments) const override {
+        std::vector<SegmentEnds> ends;
+        for (const Segment& segment : segments) ends.push_back({segment.a, segment.b});
+        std::vector<IntervalSet> seen;
+        for (SeenParts& parts : view_.intervals(ends)) seen.push_back(std::move(parts.intervals));
+        return seen;
     }
 
 private:

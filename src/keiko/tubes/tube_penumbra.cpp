@@ -17,11 +17,15 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// Nodes of Gauss's rule of 3 and Kronrod's of 7, which holds it, on [-1, 1].
-constexpr std::array<double, 4> nodes{0, 0.4342437493468026, 0.7745966692414834,
-                                      0.9604912687080202};
-constexpr std::array<double, 4> kronrod{0.4509165386584741, 0.4013974147759622, 0.2684880898683334,
-                                        0.1046562260264673};
-constexpr std::array<double, 4> gauss{0.8888888888888889, 0, 0.5555555555555556, 0};
+constexpr std::size_t node_count = 7;
+constexpr std::array<double, node_count> nodes{
+    -0.9604912687080202, -0.7745966692414834, -0.4342437493468026, 0,
+    0.4342437493468026,  0.7745966692414834,  0.9604912687080202};
+constexpr std::array<double, node_count> kronrod{
+    0.1046562260264673, 0.2684880898683334, 0.4013974147759622, 0.4509165386584741,
+    0.4013974147759622, 0.2684880898683334, 0.1046562260264673};
+constexpr std::array<double, node_count> gauss{0, 0.5555555555555556, 0, 0.8888888888888889,
+                                               0, 0.5555555555555556, 0};
 
 /// A sub-axis and what it weighs.
 struct SubAxis {
@@ -35,28 +39,46 @@ public:
     Width(const TubeView& view, const Vec3& point, const Visible& visible, TubeShape shape)
         : view_(view), point_(point), visible_(visible), shape_(shape) {}
 
-    /// The slice at x in [-1, 1] across the lamp, and what of it is hidden.
+    /// A slice of the lamp, and what of it is hidden.
     struct Slice {
-        double all, hidden;
+        double all = 0, hidden = 0;
     };
-    Slice at(double x) const {
-        const SubAxis axis = sub_axis(x);
-        const double all = lit(axis, 0, 1);
-        if (all == 0) return {0, 0};
-        const Vec3 foot =
-            point_ + (view_.sideways * axis.sine - view_.towards * axis.cosine) * axis.r;
-        const Segment line{foot + view_.along * view_.x_at(0), foot + view_.along * view_.x_at(1)};
-        double hidden = 0;
-        for (const ParameterInterval& dark : visible_.intervals(line).complement())
-            hidden += lit(axis, dark.begin, dark.end);
-        return {all, hidden};
+    /// At the nodes of [middle - half, middle + half] across the lamp, which is [-1, 1]: asked for
+    /// together, as their lines are parallel.
+    std::array<Slice, node_count> slices(double middle, double half) const {
+        std::array<Slice, node_count> found;
+        std::vector<Segment> lines;
+        for (std::size_t i = 0; i < node_count; ++i) {
+            const SubAxis axis = sub_axis(middle + half * nodes[i]);
+            found[i].all = lit(axis, 0, 1);
+            if (found[i].all > 0) lines.push_back(line_of(axis));
+        }
+        const std::vector<IntervalSet> seen = visible_.intervals(lines);
+        auto of_line = seen.begin();
+        for (std::size_t i = 0; i < node_count; ++i) {
+            if (!(found[i].all > 0)) continue;
+            const SubAxis axis = sub_axis(middle + half * nodes[i]);
+            for (const ParameterInterval& dark : of_line++->complement())
+                found[i].hidden += lit(axis, dark.begin, dark.end);
+        }
+        return found;
     }
-    /// What the slice in the middle lights of a lamp as wide as this one: the scale of errors.
-    double scale() const { return 2 * lit(sub_axis(0), 0, 1); }
+    /// What the brightest slice lights of a lamp as wide as this one: the scale of errors. Of a
+    /// lamp on the horizon the middle may give nothing.
+    double scale() const {
+        double most = 0;
+        for (const double x : nodes) most = std::max(most, lit(sub_axis(x), 0, 1));
+        return 2 * most;
+    }
 
 private:
     SubAxis sub_axis(double x) const {
         return shape_ == TubeShape::cylinder ? on_tube(x) : on_rectangle(x);
+    }
+    Segment line_of(const SubAxis& axis) const {
+        const Vec3 foot =
+            point_ + (view_.sideways * axis.sine - view_.towards * axis.cosine) * axis.r;
+        return {foot + view_.along * view_.x_at(0), foot + view_.along * view_.x_at(1)};
     }
     double lit(const SubAxis& axis, double begin, double end) const {
         const double al = view_.n_lamp * axis.cosine + view_.n_sideways * axis.sine;
@@ -94,15 +116,10 @@ struct Sums {
 /// within `error`, an absolute one for the whole width, or to `depth`.
 Sums integrate(const Width& width, double middle, double half, double error, int depth) {
     Sums fine, coarse;
-    const auto add = [&](double x, std::size_t i) {
-        const Width::Slice slice = width.at(middle + half * x);
-        fine += {half * kronrod[i] * slice.all, half * kronrod[i] * slice.hidden};
-        coarse += {half * gauss[i] * slice.all, half * gauss[i] * slice.hidden};
-    };
-    add(0, 0);
-    for (std::size_t i = 1; i < nodes.size(); ++i) {
-        add(nodes[i], i);
-        add(-nodes[i], i);
+    const std::array<Width::Slice, node_count> slices = width.slices(middle, half);
+    for (std::size_t i = 0; i < node_count; ++i) {
+        fine += {half * kronrod[i] * slices[i].all, half * kronrod[i] * slices[i].hidden};
+        coarse += {half * gauss[i] * slices[i].all, half * gauss[i] * slices[i].hidden};
     }
     const double off =
         coarse.all > 0 ? coarse.hidden * (fine.all / coarse.all) - fine.hidden : fine.hidden;
