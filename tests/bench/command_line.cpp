@@ -111,6 +111,18 @@ void add_stripes(CLI::App& app, StripeOptions& options) {
         ->check(CLI::ExistingFile);
 }
 
+void add_frames(CLI::App& app, FrameOptions& options) {
+    CLI::App* frames =
+        app.add_subcommand("frames", "pictures of the concept car, with and without penumbrae");
+    frames->add_option("--width", options.width, "pixels")
+        ->check(CLI::Range(16, 16384))
+        ->capture_default_str();
+    frames
+        ->add_option("--markdown", options.markdown,
+                     "page to put the table into, between its markers")
+        ->check(CLI::ExistingFile);
+}
+
 } // namespace
 
 Command parse_command_line(int argc, char** argv) {
@@ -124,6 +136,7 @@ Command parse_command_line(int argc, char** argv) {
     add_shafts(app, command.shafts);
     add_penumbra(app, command.penumbra);
     add_stripes(app, command.stripes);
+    add_frames(app, command.frames);
     CLI::App* picture = app.add_subcommand(
         "picture", "the same stripes from meshes and from the surface, side by side");
     command.picture.output = test::repository("docs/images/mesh-or-surface.png");
@@ -148,6 +161,7 @@ Command parse_command_line(int argc, char** argv) {
                     : app.got_subcommand("shafts")   ? Group::shafts
                     : app.got_subcommand("penumbra") ? Group::penumbra
                     : app.got_subcommand("stripes")  ? Group::stripes
+                    : app.got_subcommand("frames")   ? Group::frames
                                                      : Group::trace;
     return command;
 }

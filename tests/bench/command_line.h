@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/bench/frame_benchmark.h"
 #include "tests/bench/load_benchmark.h"
 #include "tests/bench/penumbra_benchmark.h"
 #include "tests/bench/stripe_benchmark.h"
@@ -37,7 +38,7 @@ struct ShaftsOptions {
     std::filesystem::path markdown{}; ///< page; empty: none
 };
 
-enum class Group { trace, picture, load, lights, shafts, penumbra, stripes, help };
+enum class Group { trace, picture, load, lights, shafts, penumbra, stripes, frames, help };
 
 struct Command {
     Group group = Group::trace;
@@ -48,6 +49,7 @@ struct Command {
     ShaftsOptions shafts{};
     PenumbraOptions penumbra{};
     StripeOptions stripes{};
+    FrameOptions frames{};
     int exit_code = 0; ///< of help and usage errors
 };
 

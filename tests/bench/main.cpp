@@ -78,6 +78,12 @@ void stripes(const StripeOptions& options) {
     if (!options.markdown.empty()) update_page(options.markdown, "stripes", markdown_of(table));
 }
 
+void frames(const FrameOptions& options) {
+    const Table table = run_frame_benchmark(options);
+    print(text_of(table));
+    if (!options.markdown.empty()) update_page(options.markdown, "frames", markdown_of(table));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -104,6 +110,9 @@ int main(int argc, char** argv) {
                 return 0;
             case Group::stripes:
                 stripes(command.stripes);
+                return 0;
+            case Group::frames:
+                frames(command.frames);
                 return 0;
             case Group::help:
                 return command.exit_code;

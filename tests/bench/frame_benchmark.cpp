@@ -1,0 +1,65 @@
+#include "tests/bench/frame_benchmark.h"
+
+#include "keiko/keiko.h"
+
+#include "tests/bench/cpu_clock.h"
+#include "tests/bench/progress.h"
+#include "tests/support/paths.h"
+
+#include <array>
+#include <optional>
+#include <variant>
+
+namespace keiko::bench {
+namespace {
+
+constexpr int lamps = 12;
+
+/// The first C-plane of the scene alone, with twelve lamps.
+LightRig ceiling_of(const Scene& scene) {
+    LightRig rig = *scene.rig;
+    CPlane plane = std::get<CPlane>(rig.sources.front());
+    plane.lamps = lamps;
+    rig.sources = {plane};
+    return rig;
+}
+
+/// Nothing but the coat: what it mirrors is all that is drawn.
+std::vector<Material> coats_alone(std::size_t faces) {
+    Material coat;
+    coat.diffuse = Rgb(0);
+    return std::vector<Material>(faces, coat);
+}
+
+void add(Table& table, const std::string& what, const PictureScene& scene, const Camera& camera,
+         const PictureOptions& options, std::optional<double> wanted) {
+    tell("concept-car", what);
+    const double begin = seconds_on(CLOCK_MONOTONIC);
+    const double processor = process_seconds([&] { render(scene, camera, options); });
+    const double wall = seconds_on(CLOCK_MONOTONIC) - begin;
+    table.rows.push_back({what, digits(wall), digits(processor), wanted ? digits(*wanted) : ""});
+}
+
+} // namespace
+
+Table run_frame_benchmark(const FrameOptions& options) {
+    Table table{.head = {"picture", "wall s", "processor s", "wanted s on 2 cores at 1920 px"}};
+    SceneOptions with_shadows;
+    with_shadows.shadows = true;
+    const std::array inputs{test::repository("surfaces/concept-car-scene.toml")};
+    Scene scene = open_scene(inputs, with_shadows);
+    scene.set_picture_size(options.width, options.width * 9 / 16);
+    const LightRig rig = ceiling_of(scene);
+    const PictureScene all = scene.picture(rig);
+    const std::vector<Material> coats = coats_alone(scene.seen_materials().size());
+    add(table, "stripes: first hit, mirrored ray, one ray a pixel",
+        {scene.seen(), coats, rig, scene.background}, *scene.camera,
+        {.aovs = {}, .edge_samples = 1, .max_depth = 1}, 0.25);
+    PictureScene unshadowed = all;
+    unshadowed.occluders = nullptr;
+    add(table, "all light, no shadows", unshadowed, *scene.camera, picture_options(scene), {});
+    add(table, "all light, penumbrae", all, *scene.camera, picture_options(scene), 20);
+    return table;
+}
+
+} // namespace keiko::bench
