@@ -39,7 +39,7 @@ class Check(KeikoTest):
         self.keiko("inspect", GAP, "-o", "out", "--view", "top", *SMALL, "--csv", "a.csv")
         alone = json.loads((self.folder / "a.json").read_text())
         whole = json.loads((self.folder / "out/report.json").read_text())
-        for key in "verdict", "counts", "seams", "findings":
+        for key in "verdict", "counts", "seams", "faces", "findings":
             self.assertEqual(alone[key], whole[key])
         self.check(GAP, "--csv", "b.csv")
         self.assertEqual((self.folder / "a.csv").read_bytes(), (self.folder / "b.csv").read_bytes())
@@ -131,6 +131,16 @@ class Check(KeikoTest):
         self.assertEqual(float(rows[0]["limit"]), 0.001)
         self.assertEqual([row["verdict"] for row in rows], ["fail", "pass", "not judged", "not judged"])
         self.assertEqual(rows[2]["value"], "")
+
+    def test_faces_are_told_by_their_curvature(self):
+        self.check(surface("rational-sphere.step"), "--preset", "vda-4955", "--json", "a.json")
+        data = json.loads((self.folder / "a.json").read_text())
+        self.assertEqual(data["preset"]["minimum_radius"], 0.5)
+        for face in data["faces"]:
+            curvature = face["curvature"]
+            self.assertAlmostEqual(face["radius"]["value"] * abs(curvature["smallest"]["value"]), 1, delta=1e-9)
+            self.assertEqual(face["radius"]["limit"], 0.5)
+            self.assertGreater(curvature["singular"], 0)
 
     def test_json_is_what_report_json_holds_without_pictures(self):
         self.check(GAP, "--json", "a.json")

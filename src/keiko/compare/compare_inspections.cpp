@@ -76,7 +76,14 @@ std::tuple<int, double, double> rank(const SeamChange& c, const CompareOptions& 
     return {kind, -amount, -std::abs(c.curvature())};
 }
 
-/// Divides the findings of `one` by whether a partner of their seam, as the groups have them, has
+bool has_finding_of_face(const Inspection& inspection, const Check& finding) {
+    return std::any_of(inspection.findings.begin(), inspection.findings.end(), [&](const Check& f) {
+        return f.seam == no_index && f.code == finding.code && f.faces == finding.faces;
+    });
+}
+
+/// Divides the findings of `one` by whether a face of the same name has one of the same code in
+/// `other`, or by whether a partner of their seam, as the groups have them, has
 /// one of the same code in `other`, or has not changed.
 struct DividedFindings {
     std::vector<Check> alone, shared;
@@ -90,7 +97,8 @@ DividedFindings divided(const Inspection& one, Side side_one, const Inspection& 
     std::vector<std::set<std::string>> codes(other.seams.size()), known(one.seams.size());
     std::vector<bool> as_before(one.seams.size());
     for (std::size_t i = 0; i < one.seams.size(); ++i) as_before[i] = is_sliver(one.seams[i]);
-    for (const Check& finding : other.findings) codes[finding.seam].insert(finding.code);
+    for (const Check& finding : other.findings)
+        if (finding.seam != no_index) codes[finding.seam].insert(finding.code);
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const int failed = first_failed(one, groups[g].*side_one);
         for (const std::uint32_t i : groups[g].*side_one) {
@@ -101,7 +109,10 @@ DividedFindings divided(const Inspection& one, Side side_one, const Inspection& 
     }
     DividedFindings found;
     for (const Check& finding : one.findings) {
-        const bool shared = as_before[finding.seam] || known[finding.seam].contains(finding.code);
+        const bool shared =
+            finding.seam == no_index
+                ? has_finding_of_face(other, finding)
+                : as_before[finding.seam] || known[finding.seam].contains(finding.code);
         (shared ? found.shared : found.alone).push_back(finding);
     }
     return found;

@@ -19,7 +19,9 @@ constexpr std::array criteria{
               "Mismatch of the normal curvatures across a seam (G2)."},
     // Neither SASIG nor ISO 10303-59 names a check of G3.
     Criterion{"KEIKO-G3", "", "curvature_slope",
-              "Change of the slope of the normal curvature across a seam (G3)."}};
+              "Change of the slope of the normal curvature across a seam (G3)."},
+    Criterion{"G-SU-CR", "surface_with_small_curvature_radius", "radius",
+              "Smallest radius of curvature of a face, over what its trims leave of it."}};
 
 std::string short_number(double value) {
     char text[32];
@@ -94,6 +96,19 @@ Check slope_check(const MeasuredSeam& seam) {
 }
 
 } // namespace
+
+std::vector<Check> checks_of(const MeasuredFace& face, const SurfaceLimits& limits,
+                             std::uint32_t index) {
+    if (!limits.minimum_radius) return {};
+    Check check = !face.curvature ? not_judged("G-SU-CR",
+                                               "the face stands in for another, or nothing is "
+                                               "left of it")
+                  : !face.radius
+                      ? not_judged("G-SU-CR", "the face is flat")
+                      : judged("G-SU-CR", "mm", *face.radius, {"the smallest radius", " mm"});
+    check.face = index, check.faces = face.name;
+    return {std::move(check)};
+}
 
 const Criterion& criterion_of(std::string_view code) {
     const auto found = std::find_if(criteria.begin(), criteria.end(),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/inspect/face_measure.h"
 #include "keiko/inspect/seam_measure.h"
 
 #include <cstdint>
@@ -20,21 +21,27 @@ struct Criterion {
 /// The criterion of a code; throws std::out_of_range for one that there is not.
 const Criterion& criterion_of(std::string_view code);
 
-/// One criterion held against one seam. One that is judged and does not pass is a finding.
+/// One criterion held against one seam or face. One that is judged and does not pass is a finding.
 struct Check {
-    std::string code;       ///< as Criterion
-    std::string rule;       ///< as Criterion
-    std::string quantity;   ///< as Criterion
-    std::string unit;       ///< "mm", "deg", "1" (a share of 1) or "1/mm"
-    std::string formula;    ///< of a curvature mismatch, or empty
-    Worst worst;            ///< value, bound, limit, place, verdict; none where not judged
-    bool judged = true;     ///< else `message` says why not
-    std::uint32_t seam = 0; ///< into Inspection::seams
-    std::string faces;      ///< "face 12 (fender-outer) | face 13"
-    std::string message;    ///< one sentence
+    std::string code;              ///< as Criterion
+    std::string rule;              ///< as Criterion
+    std::string quantity;          ///< as Criterion
+    std::string unit;              ///< "mm", "deg", "1" (a share of 1) or "1/mm"
+    std::string formula;           ///< of a curvature mismatch, or empty
+    Worst worst;                   ///< value, bound, limit, place, verdict; none where not judged
+    bool judged = true;            ///< else `message` says why not
+    std::uint32_t seam = no_index; ///< into Inspection::seams; no_index: of a face
+    std::uint32_t face = no_index; ///< into Inspection::faces; no_index: of a seam
+    std::string faces;             ///< "face 12 (fender-outer) | face 13"
+    std::string message;           ///< one sentence
 
     bool is_finding() const { return judged && worst.verdict != Verdict::pass; }
 };
+
+/// Every criterion of the limits held against one measured face (number `index`). What they have no
+/// limit for is left out.
+std::vector<Check> checks_of(const MeasuredFace& face, const SurfaceLimits& limits,
+                             std::uint32_t index);
 
 /// Every criterion of the preset held against one measured seam (number `index`), in the order gap,
 /// angle, curvature, its slope. What the preset has no limit for is left out.

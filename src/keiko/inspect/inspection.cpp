@@ -22,6 +22,12 @@ void count(const MeasuredSeam& seam, SeamCounts& counts) {
     }
 }
 
+void count(const MeasuredFace& face, FaceCounts& counts) {
+    ++(face.verdict == Verdict::fail        ? counts.fail
+       : face.verdict == Verdict::undecided ? counts.undecided
+                                            : counts.pass);
+}
+
 bool worse(const Check& a, const Check& b) {
     if (a.worst.verdict != b.worst.verdict) return a.worst.verdict > b.worst.verdict;
     return share_of_limit(a.worst) > share_of_limit(b.worst);
@@ -56,6 +62,11 @@ void mark_irregular(const SurfaceModel& model, std::vector<MeasuredSeam>& seams)
     }
 }
 
+void take(Verdict verdict, std::vector<Check> checks, Inspection& result) {
+    result.verdict = std::max(result.verdict, verdict);
+    std::move(checks.begin(), checks.end(), std::back_inserter(result.checks));
+}
+
 } // namespace
 
 Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, double join,
@@ -70,11 +81,14 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     mark_irregular(model, result.seams);
     result.facts = model_facts(model, result.pieces, join, job);
     result.facts.seams = result.seams.size();
+    result.faces = measure_faces(model, preset.surface, job);
     for (std::uint32_t i = 0; i < result.seams.size(); ++i) {
         count(result.seams[i], result.counts);
-        result.verdict = std::max(result.verdict, result.seams[i].verdict);
-        std::vector<Check> checks = checks_of(result.seams[i], preset, i);
-        std::move(checks.begin(), checks.end(), std::back_inserter(result.checks));
+        take(result.seams[i].verdict, checks_of(result.seams[i], preset, i), result);
+    }
+    for (std::uint32_t i = 0; i < result.faces.size(); ++i) {
+        count(result.faces[i], result.face_counts);
+        take(result.faces[i].verdict, checks_of(result.faces[i], preset.surface, i), result);
     }
     std::copy_if(result.checks.begin(), result.checks.end(), std::back_inserter(result.findings),
                  [](const Check& check) { return check.is_finding(); });

@@ -15,6 +15,13 @@ struct SeamCounts {
     bool operator==(const SeamCounts&) const = default;
 };
 
+/// Faces by verdict on them alone.
+struct FaceCounts {
+    std::size_t fail = 0, undecided = 0, pass = 0;
+
+    bool operator==(const FaceCounts&) const = default;
+};
+
 /// The geometry of a model held against criteria.
 struct Inspection {
     CriteriaPreset preset;
@@ -22,14 +29,18 @@ struct Inspection {
     ModelFacts facts;
     std::vector<Seam> pieces; ///< as paired; MeasuredSeam::pieces points here
     std::vector<MeasuredSeam> seams;
-    std::vector<Check> checks;   ///< seam by seam: all that was held against the preset
+    std::vector<MeasuredFace> faces; ///< each as it is placed
+    std::vector<Check> checks;   ///< seam by seam, then face by face: all held against the preset
     std::vector<Check> findings; ///< those that do not pass: failures before undecided, worst first
     SeamCounts counts;
-    /// The worst of all seams; never pass where faces were lost, since nobody judged their seams.
+    FaceCounts face_counts;
+    /// The worst of all seams and faces; never pass where faces were lost, since nobody judged
+    /// their seams.
     Verdict verdict = Verdict::pass;
 };
 
-/// Pairs, measures and judges every seam. `join` in mm. Throws Cancelled.
+/// Pairs, measures and judges every seam, and measures and judges every face. `join` in mm. Throws
+/// Cancelled.
 Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset = {}, double join = 0.5,
                    const Job& job = {});
 

@@ -32,11 +32,12 @@ public:
     };
     Values values(double x, double y) const;
 
+    /// Its own control points; looks into the box.
+    BezierPatchView view() const { return {degree_u_, degree_v_, points_}; }
+
 private:
     PatchBox(int degree_u, int degree_v, const Box2& uv, std::vector<Vec4> points)
         : degree_u_(degree_u), degree_v_(degree_v), uv_(uv), points_(std::move(points)) {}
-
-    BezierPatchView view() const { return {degree_u_, degree_v_, points_}; }
 
     int degree_u_, degree_v_;
     Box2 uv_;

@@ -54,6 +54,13 @@ LineLimits line_limits_from(const TomlTable& table) {
     return limits;
 }
 
+SurfaceLimits surface_limits_from(const TomlTable& table) {
+    SurfaceLimits limits;
+    limits.minimum_radius = table.number("minimum_radius", lengths);
+    table.finish();
+    return limits;
+}
+
 std::vector<CriteriaPreset> parsed_standard_presets() {
     std::vector<CriteriaPreset> presets;
     for (const StandardPreset& preset : standard_preset_files)
@@ -74,7 +81,7 @@ CriteriaPreset parse_preset(std::string_view text, const std::string& source) {
     read_seam(root.required("seam", root.table("seam")), preset);
     const auto lines = root.table("lines");
     preset.lines = lines ? line_limits_from(*lines) : LineLimits{};
-    root.not_yet({"surface"});
+    if (const auto surface = root.table("surface")) preset.surface = surface_limits_from(*surface);
     root.finish();
     return preset;
 }

@@ -5,6 +5,7 @@
 namespace keiko {
 
 std::string subject_of(const Check& check) {
+    if (check.seam == no_index) return check.faces;
     return "seam " + std::to_string(check.seam + 1) + " (" + check.faces + ")";
 }
 

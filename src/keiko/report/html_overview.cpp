@@ -71,6 +71,9 @@ std::string html_verdict(const Report& report) {
     if (report.coverage)
         html += count("open", percent(1 - report.coverage->covered), report.coverage->covered >= 1,
                       "not covered");
+    if (inspection.preset.surface != SurfaceLimits{})
+        html += count("fail", inspection.face_counts.fail, "faces fail") +
+                count("undecided", inspection.face_counts.undecided, "faces undecided");
     if (!inspection.facts.lost_faces.empty())
         html += count("fail", inspection.facts.lost_faces.size(), "faces lost");
     return html + "</div>\n";

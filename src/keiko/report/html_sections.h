@@ -23,6 +23,8 @@ std::string html_worst_seams(const Report& report);
 std::string html_coverage(const Report& report);
 /// Every seam in a table.
 std::string html_all_seams(const Report& report);
+/// Every face by itself in a table.
+std::string html_faces(const Report& report);
 /// The file, what was lost of it and what was repaired.
 std::string html_facts(const Report& report);
 

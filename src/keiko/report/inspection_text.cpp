@@ -5,14 +5,24 @@
 #include <algorithm>
 
 namespace keiko {
+namespace {
+
+std::string faces_text(const Inspection& inspection) {
+    if (inspection.preset.surface == SurfaceLimits{}) return "";
+    const FaceCounts& counts = inspection.face_counts;
+    return "; faces " + std::to_string(counts.fail) + " fail, " + std::to_string(counts.undecided) +
+           " undecided, " + std::to_string(counts.pass) + " pass";
+}
+
+} // namespace
 
 std::string inspection_text(const Inspection& inspection, std::size_t most) {
     const SeamCounts& counts = inspection.counts;
     std::string text(name_of(inspection.verdict));
     text += ": seams " + std::to_string(counts.fail) + " fail, " +
             std::to_string(counts.undecided) + " undecided, " + std::to_string(counts.pass) +
-            " pass, " + std::to_string(counts.creases) + " creases; by " + inspection.preset.name +
-            "\n";
+            " pass, " + std::to_string(counts.creases) + " creases" + faces_text(inspection) +
+            "; by " + inspection.preset.name + "\n";
     const std::size_t shown = std::min(most, inspection.findings.size());
     for (std::size_t i = 0; i < shown; ++i) {
         const Check& finding = inspection.findings[i];

@@ -23,7 +23,9 @@ std::string footer(const Report& report) {
            "° are creases: listed, no findings. Lines: where the eye sees the axis of a lamp; jump "
            "across the line on the part, turn the seam angle that moves the lamp's image as far, "
            "kink its angle and bend the change of its curvature. Undecided: the error bound "
-           "straddles the limit. "
+           "straddles the limit. Faces: curvature is positive where a face bends towards its "
+           "outward "
+           "normal; \"to\" tells how far beyond the value found the extreme may lie. "
            "Lengths in mm, places in the coordinates of the model.</p><p>Keiko " +
            html_escaped(report.tool_version) + "</p></footer>";
 }
@@ -33,7 +35,7 @@ std::string footer(const Report& report) {
 std::string report_html(const Report& report) {
     std::string html;
     for (const auto section : {html_verdict, html_pictures, html_worst_seams, html_lines,
-                               html_coverage, html_all_seams, html_facts})
+                               html_coverage, html_all_seams, html_faces, html_facts})
         html += section(report);
     html += footer(report) + "\n";
     return html_page(html_escaped(report.inspection.facts.source), "", html, report_script);

@@ -69,9 +69,43 @@ Json seam_json(const MeasuredSeam& seam, const CriteriaPreset& preset) {
     return json;
 }
 
+Json extreme(const CurvatureExtreme& e) {
+    return {{"value", e.value},
+            {"bound", e.bound},
+            {"undecided", e.undecided},
+            {"place", point(e.place)}};
+}
+
+Json curvature(const FaceCurvature& c) {
+    return {{"largest", extreme(c.largest)},
+            {"smallest", extreme(c.smallest)},
+            {"largest_mean", extreme(c.largest_mean)},
+            {"smallest_mean", extreme(c.smallest_mean)},
+            {"largest_gaussian", extreme(c.largest_gaussian)},
+            {"smallest_gaussian", extreme(c.smallest_gaussian)},
+            {"singular", c.singular}};
+}
+
+Json face_json(const MeasuredFace& face, const SurfaceLimits& limits) {
+    Json json = {{"name", face.name},
+                 {"face_id", face.id},
+                 {"instance", face.instance},
+                 {"verdict", name_of(face.verdict)},
+                 {"radius", Json()},
+                 {"curvature", face.curvature ? curvature(*face.curvature) : Json()}};
+    if (face.radius)
+        json["radius"] =
+            limits.minimum_radius ? worst(*face.radius) : without_verdict(worst(*face.radius));
+    return json;
+}
+
 Json finding_json(const Check& finding) {
-    Json json = {{"code", finding.code},   {"rule", finding.rule},         {"seam", finding.seam},
-                 {"faces", finding.faces}, {"quantity", finding.quantity}, {"unit", finding.unit}};
+    Json json = {{"code", finding.code}, {"rule", finding.rule}};
+    if (finding.seam != no_index) json["seam"] = finding.seam;
+    if (finding.face != no_index) json["face"] = finding.face;
+    json["faces"] = finding.faces;
+    json["quantity"] = finding.quantity;
+    json["unit"] = finding.unit;
     if (!finding.formula.empty()) json["formula"] = finding.formula;
     json.update(worst(finding.worst));
     json["message"] = finding.message;
@@ -93,25 +127,33 @@ Json preset_json(const CriteriaPreset& preset) {
                              {"formula_text", formula_text(preset.curvature->formula)},
                              {"limit", preset.curvature->limit}};
     if (preset.curvature_slope) json["curvature_slope"] = *preset.curvature_slope;
+    json["minimum_radius"] =
+        preset.surface.minimum_radius ? Json(*preset.surface.minimum_radius) : Json();
     return json;
 }
 
 Json inspection_json_value(const Inspection& inspection) {
     const SeamCounts& counts = inspection.counts;
+    const FaceCounts& faces = inspection.face_counts;
     Json json = {{"verdict", name_of(inspection.verdict)},
                  {"counts",
                   {{"fail", counts.fail},
                    {"undecided", counts.undecided},
                    {"pass", counts.pass},
                    {"creases", counts.creases}}},
+                 {"face_counts",
+                  {{"fail", faces.fail}, {"undecided", faces.undecided}, {"pass", faces.pass}}},
                  {"preset", preset_json(inspection.preset)},
                  {"join", inspection.join},
                  {"model", model_json(inspection.facts)},
                  {"worst_seams", worst_seams(inspection, worst_seam_count)},
                  {"seams", Json::array()},
+                 {"faces", Json::array()},
                  {"findings", Json::array()}};
     for (const MeasuredSeam& seam : inspection.seams)
         json["seams"].push_back(seam_json(seam, inspection.preset));
+    for (const MeasuredFace& face : inspection.faces)
+        json["faces"].push_back(face_json(face, inspection.preset.surface));
     for (const Check& finding : inspection.findings)
         json["findings"].push_back(finding_json(finding));
     return json;

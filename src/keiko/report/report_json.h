@@ -22,11 +22,15 @@ namespace keiko {
 std::string facts_json(const ModelFacts& facts);
 
 /// The geometry against criteria, "keiko-inspection/1": tool {name, version}, verdict ("pass",
-/// "undecided", "fail"), counts {fail, undecided, pass, creases}, preset, join, model (as
+/// "undecided", "fail"), counts {fail, undecided, pass, creases} of seams, face_counts {fail,
+/// undecided, pass}, preset, join, model (as
 /// facts_json, without face_list), worst_seams
 /// [indices], seams [{faces, face_ids, instances, verdict, crease, severity, length, middle, gap,
-/// angle, curvature, curvature_slope, internal, overlap}], findings [{code, rule, seam, faces,
-/// quantity, unit, formula?, message}]. Each gap, angle, curvature and finding has value, bound,
+/// angle, curvature, curvature_slope, internal, overlap}], faces [{name, face_id, instance,
+/// verdict, radius, curvature {largest, smallest, largest_mean, smallest_mean, largest_gaussian,
+/// smallest_gaussian: each {value, bound, undecided, place}, singular (mm)}}], findings [{code,
+/// rule, seam or face (indices), faces, quantity, unit, formula?, message}]. A bound is null where
+/// there is none. Each gap, radius, angle, curvature and finding has value, bound,
 /// limit, verdict and place; limit and verdict are null where the value is not judged.
 std::string inspection_json(const Inspection& inspection, const std::string& tool_version);
 

@@ -57,8 +57,9 @@ Json location(const Check& check, Files files) {
     Json json;
     if (files.size() == 1)
         json["physicalLocation"] = {{"artifactLocation", artifact(files.front(), 0)}};
-    json["logicalLocations"] = Json::array(
-        {{{"name", check.faces}, {"fullyQualifiedName", subject_of(check)}, {"kind", "seam"}}});
+    json["logicalLocations"] = Json::array({{{"name", check.faces},
+                                             {"fullyQualifiedName", subject_of(check)},
+                                             {"kind", check.seam == no_index ? "face" : "seam"}}});
     return json;
 }
 

@@ -30,6 +30,13 @@ struct LineLimits {
     bool operator==(const LineLimits&) const = default;
 };
 
+/// What each face is held to, whatever its neighbours; what is absent is not judged.
+struct SurfaceLimits {
+    std::optional<double> minimum_radius; ///< mm, G-SU-CR: of the principal curvatures
+
+    bool operator==(const SurfaceLimits&) const = default;
+};
+
 /// What a surface is held to. Limits are practice, not a standard; `source` says whose. Users name
 /// or write a preset file (keiko-preset/1, read_preset); the values here are those of the
 /// class-a-outer that comes with Keiko.
@@ -45,6 +52,7 @@ struct CriteriaPreset {
     std::string caveat;                    ///< what the limits are not, or empty
     std::optional<double> curvature_slope; ///< degrees, G3; nothing: not judged
     LineLimits lines{std::nullopt, 0.1, 5.7, std::nullopt};
+    SurfaceLimits surface{};
 
     bool operator==(const CriteriaPreset&) const = default;
 };

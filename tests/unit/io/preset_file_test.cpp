@@ -86,8 +86,15 @@ TEST(PresetFile, SaysWhereAFileIsWrong) {
         "p.toml:3:1: seam.feature_angle: is below the limit of the angle: no seam could fail");
     EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\ncurvatur = 1\n"),
               "p.toml:6:1: unknown key 'seam.curvatur' (did you mean 'curvature'?)");
-    EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\n[surface]\ndegree = 6\n"),
-              "p.toml:6:1: surface: is not supported yet");
+    EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\n[surface]\nradius = 6\n"),
+              "p.toml:7:1: unknown key 'surface.radius'");
+    EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\n[surface]\nminimum_radius = 0\n"),
+              "p.toml:7:18: surface.minimum_radius: must be above 0 and at most 1e+06, is 0");
+}
+
+TEST(PresetFile, HoldsLimitsOfFaces) {
+    EXPECT_EQ(preset_by_name("vda-4955").surface.minimum_radius, 0.5);
+    EXPECT_EQ(preset_by_name("class-a-outer").surface, SurfaceLimits{});
 }
 
 TEST(PresetFile, IsReadWhereItsPathIsGiven) {

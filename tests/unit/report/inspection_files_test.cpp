@@ -4,7 +4,7 @@
 #include "keiko/report/sarif.h"
 #include "keiko/report/utf8.h"
 
-#include "tests/support/model_builder.h"
+#include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -108,6 +108,37 @@ TEST(ChecksCsv, QuotesFieldsThatNeedIt) {
     EXPECT_NE(csv.find("curvature,not judged,,,,,,,,,the curvature is not judged"),
               std::string::npos)
         << csv;
+}
+
+/// A rod that is bent tighter than its preset allows.
+Inspection tight_face() {
+    CriteriaPreset preset;
+    preset.surface.minimum_radius = 0.5;
+    return inspect(test::cylinder_model(test::stretched({0.4, 0.4, 20}, {0, 0, 1}, Vec3(0))),
+                   preset);
+}
+
+TEST(ChecksCsv, HasNoSeamForACheckOfAFace) {
+    const std::string csv = checks_csv(tight_face());
+    EXPECT_NE(csv.find("\n,face 1,G-SU-CR,radius,fail,0.4"), std::string::npos) << csv;
+}
+
+TEST(SarifJson, NamesTheFaceThatACheckIsOf) {
+    const auto log = nlohmann::json::parse(sarif_json(tight_face(), "1", Paths{"rod.step"}));
+    const auto& result = log["runs"][0]["results"][0];
+    EXPECT_EQ(result["ruleId"], "G-SU-CR");
+    const auto& place = result["locations"][0]["logicalLocations"][0];
+    EXPECT_EQ(place["kind"], "face");
+    EXPECT_EQ(place["fullyQualifiedName"], "face 1");
+}
+
+TEST(InspectionText, CountsFacesWhereTheyAreJudged) {
+    EXPECT_EQ(inspection_text(tight_face(), 0)
+                  .rfind("fail: seams 0 fail, 0 undecided, 0 pass, 0 "
+                         "creases; faces 1 fail, 0 undecided, 0 pass; "
+                         "by ",
+                         0),
+              0u);
 }
 
 TEST(InspectionText, TellsTheFirstFindingsAndHowManyMoreThereAre) {

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/inspect/face_curvature.h"
+#include "keiko/inspect/worst.h"
+#include "keiko/spec/criteria_preset.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// Everything known of one placed face by itself, whatever its neighbours are.
+struct MeasuredFace {
+    std::uint32_t instance = 0, face = 0;
+    std::uint32_t id = 0; ///< Face::id
+    std::string name;     ///< "face 12 (fender-outer)"; its instance too where there are several
+    /// Nothing where the face stands in for one of the file, approximated or at an irregular point
+    /// of a cage, whose curvature it does not have; or where trims leave nothing of it.
+    std::optional<FaceCurvature> curvature;
+    /// The smallest radius of curvature, mm; nothing of a plane. Measured where the preset does not
+    /// judge it too; its limit is then 0.
+    std::optional<Worst> radius;
+    Verdict verdict = Verdict::pass;
+};
+
+/// Measures and judges every placed face, in the order of instances and faces. Throws Cancelled.
+std::vector<MeasuredFace> measure_faces(const SurfaceModel& model, const SurfaceLimits& limits,
+                                        const Job& job = {});
+
+} // namespace keiko

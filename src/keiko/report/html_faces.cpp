@@ -1,0 +1,68 @@
+#include "keiko/report/html_sections.h"
+#include "keiko/report/html_table.h"
+#include "keiko/report/html_text.h"
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+std::string no_cell() {
+    return html_cell("", "–");
+}
+
+/// The value, and where it is not settled how far beyond it the true one may lie.
+std::string extreme(const CurvatureExtreme& k, double direction) {
+    std::string text = short_number(k.value);
+    if (k.undecided && std::isfinite(k.bound))
+        text += " <span class=\"soft small\">to " + short_number(k.value + direction * k.bound) +
+                "</span>";
+    else if (k.undecided)
+        text += " <span class=\"soft small\">no bound</span>";
+    return html_number_cell(k.value, text, false);
+}
+
+std::string curvature_cells(const MeasuredFace& face) {
+    if (!face.curvature) return no_cell() + no_cell() + no_cell() + no_cell();
+    const FaceCurvature& c = *face.curvature;
+    return extreme(c.largest, 1) + extreme(c.smallest, -1) + extreme(c.largest_gaussian, 1) +
+           extreme(c.smallest_gaussian, -1);
+}
+
+std::string row(const MeasuredFace& face) {
+    const std::string verdict(name_of(face.verdict));
+    std::string html = "<tr class=\"" + verdict + "\">" +
+                       html_cell(std::to_string(face.id), html_escaped(face.name), "left") +
+                       html_cell(std::to_string(static_cast<int>(face.verdict)),
+                                 "<span class=\"chip\">" + verdict + "</span>");
+    html += face.radius ? html_number_cell(face.radius->value, short_number(face.radius->value, 4),
+                                           face.radius->verdict != Verdict::pass)
+                        : no_cell();
+    html += curvature_cells(face);
+    html += face.radius
+                ? html_cell(short_number(face.radius->place.x, 9), place_text(face.radius->place))
+                : no_cell();
+    return html + "</tr>\n";
+}
+
+std::string radius_heading(const SurfaceLimits& limits) {
+    const std::string name = "smallest radius mm";
+    return limits.minimum_radius ? name + " ≥ " + short_number(*limits.minimum_radius) : name;
+}
+
+} // namespace
+
+std::string html_faces(const Report& report) {
+    const std::vector<MeasuredFace>& faces = report.inspection.faces;
+    if (faces.empty()) return "";
+    std::string html =
+        "<section><h2>All faces</h2>" +
+        html_table_head({"face", "verdict", radius_heading(report.inspection.preset.surface),
+                         "curvature 1/mm, largest", "smallest", "Gaussian 1/mm², largest",
+                         "smallest", "tightest place x, y, z"},
+                        "face");
+    for (const MeasuredFace& face : faces) html += row(face);
+    return html + std::string(html_table_end) + "</section>\n";
+}
+
+} // namespace keiko
