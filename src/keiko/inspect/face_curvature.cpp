@@ -20,9 +20,17 @@ constexpr double singular_share = 1e-2;
 /// What is maximised: the six extremes, least ones with their sign turned.
 constexpr std::size_t goal_count = 6;
 using Goals = std::array<double, goal_count>;
+constexpr Goals nothing_known{infinity, infinity, infinity, infinity, infinity, infinity};
 
 Goals uppers(const CurvatureRange& r) {
-    return {r.k1.high, -r.k2.low, r.mean.high, -r.mean.low, r.gaussian.high, -r.gaussian.low};
+    return {r.k1.range.high,   -r.k2.range.low,       r.mean.range.high,
+            -r.mean.range.low, r.gaussian.range.high, -r.gaussian.range.low};
+}
+
+/// Where a piece is likely to reach them, by its own parameters.
+std::array<Vec2, goal_count> places(const CurvatureRange& r) {
+    return {r.k1.highest,  r.k2.lowest,        r.mean.highest,
+            r.mean.lowest, r.gaussian.highest, r.gaussian.lowest};
 }
 
 Goals values(const PrincipalCurvatures& k) {
@@ -34,9 +42,14 @@ struct Cell {
     std::size_t patch = 0; ///< into the placed patches
     Box2 uv;
     std::vector<Vec4> points;
-    Goals upper{};
+    Goals upper = nothing_known;
     bool cut_u = true; ///< the way to cut it
 };
+
+bool bounded(const Cell& cell) {
+    return std::none_of(cell.upper.begin(), cell.upper.end(),
+                        [](double upper) { return upper == infinity; });
+}
 
 void centre(std::vector<Vec4>& points) {
     const Vec4 first = points.front(), last = points.back();
@@ -82,7 +95,7 @@ public:
         }
         size_ = bounds.extent().length();
         for (std::size_t i = 0; i < patches_.size(); ++i)
-            add({i, unit_square, patches_[i].points, {}, true});
+            add({i, unit_square, patches_[i].points, nothing_known, true});
     }
 
     std::optional<FaceCurvature> run(std::size_t most_splits) {
@@ -124,19 +137,30 @@ private:
         const BezierPatchView view = view_of(cell);
         CurvatureRange range = curvature_range(view, patches_[cell.patch].rounding);
         if (sign_ < 0) range = range.turned();
-        cell.upper = uppers(range);
-        // Trims often run along sides of a patch: on them nobody knows what is material.
-        constexpr double inwards = 1e-7;
-        for (const double u : {inwards, 1 - inwards})
-            for (const double v : {inwards, 1 - inwards}) look(cell, {u, v}, side);
+        const Goals own = uppers(range);
+        for (std::size_t g = 0; g < goal_count; ++g)
+            cell.upper[g] = std::min(own[g], cell.upper[g]); // its whole's hold too
         look(cell, {0.5, 0.5}, side);
+        look_at_peaks(cell, places(range), side);
         const std::array<double, 2> size = extents(view);
-        const bool known = std::isfinite(range.spread_u) && std::isfinite(range.spread_v);
-        cell.cut_u = known ? range.spread_u >= range.spread_v : size[0] >= size[1];
-        if (!range.finite() && std::max(size[0], size[1]) < singular_share * size_)
+        const bool known = std::isfinite(range.bend_u) && std::isfinite(range.bend_v);
+        cell.cut_u = known ? range.bend_u >= range.bend_v : size[0] >= size[1];
+        if (!bounded(cell) && std::max(size[0], size[1]) < singular_share * size_)
             singular_ = singular_share * size_;
         else
             cells_.push_back(std::move(cell));
+    }
+
+    void look_at_peaks(const Cell& cell, const std::array<Vec2, goal_count>& peaks, TrimSide side) {
+        // Trims often run along sides of a patch: on them nobody knows what is material.
+        constexpr double inwards = 1e-7;
+        for (std::size_t goal = 0; goal < goal_count; ++goal) {
+            if (!(cell.upper[goal] > best_[goal].value)) continue;
+            const Vec2& p = peaks[goal];
+            look(cell,
+                 {std::clamp(p.x, inwards, 1 - inwards), std::clamp(p.y, inwards, 1 - inwards)},
+                 side);
+        }
     }
 
     /// Takes the curvatures at a place of the cell for better ones, if they are.
@@ -178,7 +202,10 @@ private:
 
     /// Sets what the best may be below the true extreme, by the piece that promises most.
     void judge(std::size_t goal, const Cell& most) {
-        const double flat = goal < 4 ? 1 / size_ : 1 / (size_ * size_);
+        // What a Gaussian curvature is when the lesser of the principal ones is 1 / size.
+        const double bent =
+            std::max({std::abs(best_[0].value), std::abs(best_[1].value), 1 / size_});
+        const double flat = (goal < 4 ? 1 : bent) / size_;
         CurvatureExtreme& best = best_[goal];
         best.bound = std::max(0.0, most.upper[goal] - best.value);
         best.undecided = !std::isfinite(best.value) ||
@@ -211,7 +238,7 @@ private:
             add({whole.patch,
                  part_of(whole.uv, half.uv()),
                  {half.view().points.begin(), half.view().points.end()},
-                 {},
+                 whole.upper,
                  true});
     }
 

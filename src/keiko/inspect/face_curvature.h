@@ -15,7 +15,7 @@ struct CurvatureExtreme {
 };
 
 /// Of an extreme, as a share of the larger of it and what a sphere as large as the face has.
-constexpr double curvature_tolerance = 1e-2;
+constexpr double curvature_tolerance = 1e-3;
 
 /// The extremes of the curvatures of a placed face over what its trims leave of it; positive where
 /// the surface bends towards its outward normal.
@@ -34,6 +34,6 @@ struct FaceCurvature {
 /// pieces, and one a patch, suffice; `bound` tells what was reached. Nothing for a face that trims
 /// leave nothing of to look at.
 std::optional<FaceCurvature> face_curvature(const SurfaceModel& model, std::uint32_t instance,
-                                            std::uint32_t face, std::size_t most_splits = 30);
+                                            std::uint32_t face, std::size_t most_splits = 300);
 
 } // namespace keiko

@@ -7,8 +7,8 @@
 namespace keiko {
 
 /// A patch moved to its centre, turned so that its tangents there lie in the plane z = 0, and given
-/// parameters that run evenly: in intervals its derivatives then tell of its bend alone, not of how
-/// it lies in space or is run through (docs/theory/inspection.md).
+/// parameters that run evenly: its derivatives then tell of its bend alone, not of how it lies in
+/// space or is run through (docs/theory/inspection.md).
 class LevelledPatch {
 public:
     /// `rounding`: how far each coordinate of a control point may be off, mm.

@@ -154,9 +154,9 @@ TEST(CurvatureRange, HoldsTheCurvaturesOfEveryPlaceOfAPiece) {
             const auto holds = [](const Interval& i, double value) {
                 return i.low <= value + 1e-12 && value - 1e-12 <= i.high;
             };
-            EXPECT_TRUE(holds(range.k1, k.k1) && holds(range.k2, k.k2));
-            EXPECT_TRUE(holds(range.mean, k.mean()));
-            EXPECT_TRUE(holds(range.gaussian, k.gaussian()));
+            EXPECT_TRUE(holds(range.k1.range, k.k1) && holds(range.k2.range, k.k2));
+            EXPECT_TRUE(holds(range.mean.range, k.mean()));
+            EXPECT_TRUE(holds(range.gaussian.range, k.gaussian()));
         }
     }
 }

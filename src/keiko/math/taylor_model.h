@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace keiko {
+
+/// A function over [-1, 1]^2 as a polynomial of total degree 3 and how far it may be off from that
+/// anywhere, rounding included: a Taylor model (Makino and Berz, Taylor models and other validated
+/// functional inclusion methods, 2003). Unlike in intervals, what cancels stays cancelled.
+struct TaylorModel {
+    static constexpr std::size_t count = 10;
+    /// Of 1; x, y; xx, xy, yy; xxx, xxy, xyy, yyy.
+    std::array<double, count> c{};
+    double error = 0;
+
+    TaylorModel() = default;
+    TaylorModel(double constant) { c[0] = constant; }
+
+    double linear_part() const { return std::abs(c[1]) + std::abs(c[2]); }
+    double square_part() const { return std::abs(c[3]) + std::abs(c[4]) + std::abs(c[5]); }
+    double cubic_part() const {
+        return std::abs(c[6]) + std::abs(c[7]) + std::abs(c[8]) + std::abs(c[9]);
+    }
+    /// By how much the function may differ from its constant.
+    double deviation() const { return linear_part() + square_part() + cubic_part() + error; }
+    /// Terms that change along x, and along y.
+    double along_x() const {
+        return std::abs(c[1]) + std::abs(c[3]) + std::abs(c[4]) + cubic_part() - std::abs(c[9]);
+    }
+    double along_y() const {
+        return std::abs(c[2]) + std::abs(c[4]) + std::abs(c[5]) + cubic_part() - std::abs(c[6]);
+    }
+};
+
+namespace taylor_rounding {
+/// Of a coefficient that sums up to ten products, and of the sums of absolute values around it.
+constexpr double product = 8e-15;
+constexpr double sum = 4e-16;
+} // namespace taylor_rounding
+
+inline TaylorModel operator+(const TaylorModel& a, const TaylorModel& b) {
+    TaylorModel sum;
+    for (std::size_t i = 0; i < TaylorModel::count; ++i) sum.c[i] = a.c[i] + b.c[i];
+    sum.error = a.error + b.error +
+                taylor_rounding::sum * (std::abs(sum.c[0]) + sum.deviation() + a.error + b.error);
+    return sum;
+}
+inline TaylorModel operator-(const TaylorModel& a) {
+    TaylorModel negative(a);
+    for (double& coefficient : negative.c) coefficient = -coefficient;
+    return negative;
+}
+inline TaylorModel operator-(const TaylorModel& a, const TaylorModel& b) {
+    return a + -b;
+}
+inline TaylorModel operator*(const TaylorModel& a, double factor) {
+    TaylorModel product(a);
+    for (double& coefficient : product.c) coefficient *= factor;
+    product.error =
+        (a.error + taylor_rounding::sum * (std::abs(a.c[0]) + a.deviation())) * std::abs(factor);
+    return product;
+}
+inline TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
+    const auto &p = a.c, &q = b.c;
+    TaylorModel r;
+    r.c = {p[0] * q[0],
+           p[0] * q[1] + p[1] * q[0],
+           p[0] * q[2] + p[2] * q[0],
+           p[0] * q[3] + p[1] * q[1] + p[3] * q[0],
+           p[0] * q[4] + p[1] * q[2] + p[2] * q[1] + p[4] * q[0],
+           p[0] * q[5] + p[2] * q[2] + p[5] * q[0],
+           p[0] * q[6] + p[1] * q[3] + p[3] * q[1] + p[6] * q[0],
+           p[0] * q[7] + p[1] * q[4] + p[2] * q[3] + p[3] * q[2] + p[4] * q[1] + p[7] * q[0],
+           p[0] * q[8] + p[1] * q[5] + p[2] * q[4] + p[4] * q[2] + p[5] * q[1] + p[8] * q[0],
+           p[0] * q[9] + p[2] * q[5] + p[5] * q[2] + p[9] * q[0]};
+    const double a1 = a.linear_part(), a2 = a.square_part(), a3 = a.cubic_part();
+    const double b1 = b.linear_part(), b2 = b.square_part(), b3 = b.cubic_part();
+    const double all_a = std::abs(p[0]) + a1 + a2 + a3, all_b = std::abs(q[0]) + b1 + b2 + b3;
+    const double beyond = a1 * b3 + a2 * (b2 + b3) + a3 * (b1 + b2 + b3);
+    r.error = beyond + all_a * b.error + a.error * (all_b + b.error) +
+              taylor_rounding::product * (all_a + a.error) * (all_b + b.error);
+    return r;
+}
+inline TaylorModel square(const TaylorModel& a) {
+    return a * a;
+}
+
+} // namespace keiko
