@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 #include <stdexcept>
 
 namespace keiko {
@@ -21,7 +22,19 @@ constexpr std::array criteria{
     Criterion{"KEIKO-G3", "", "curvature_slope",
               "Change of the slope of the normal curvature across a seam (G3)."},
     Criterion{"G-SU-CR", "surface_with_small_curvature_radius", "radius",
-              "Smallest radius of curvature of a face, over what its trims leave of it."}};
+              "Smallest radius of curvature of a face, over what its trims leave of it."},
+    Criterion{"G-SU-WV", "", "waviness", "Depth of waves inside a face, off the form around them."},
+    Criterion{"KEIKO-DENT", "", "dent",
+              "Depth of a dent or height of a bump inside a face, off the form around it."},
+    Criterion{"KEIKO-LINE-JUMP", "", "line_jump",
+              "Jump of a reflection line across itself where it crosses a seam."},
+    Criterion{
+        "KEIKO-LINE-TURN", "", "line_turn",
+        "Seam angle that moves a lamp's image as far as it jumps where its line crosses a seam."},
+    Criterion{"KEIKO-LINE-KINK", "", "line_kink",
+              "Angle of a reflection line where it crosses a seam."},
+    Criterion{"KEIKO-LINE-BEND", "", "line_bend",
+              "Change of a reflection line's curvature where it crosses a seam."}};
 
 std::string short_number(double value) {
     char text[32];
@@ -95,19 +108,70 @@ Check slope_check(const MeasuredSeam& seam) {
     return check;
 }
 
+constexpr const char* no_curvature = "the face stands in for another, or nothing is left of it";
+
+Check radius_check(const MeasuredFace& face) {
+    if (!face.curvature) return not_judged("G-SU-CR", no_curvature);
+    if (!face.radius) return not_judged("G-SU-CR", "the face is flat");
+    return judged("G-SU-CR", "mm", *face.radius, {"the smallest radius", " mm"});
+}
+
+Check flaw_check(const Flaw& flaw) {
+    Check check = flaw.kind == Flaw::Kind::waves
+                      ? judged("G-SU-WV", "mm", flaw.depth, {"the depth of the waves", " mm"})
+                  : flaw.kind == Flaw::Kind::dent
+                      ? judged("KEIKO-DENT", "mm", flaw.depth, {"the dent", " mm"})
+                      : judged("KEIKO-DENT", "mm", flaw.depth, {"the bump", " mm"});
+    check.message += ", some " + short_number(flaw.width) + " mm wide";
+    return check;
+}
+
+/// One a flaw; where there is none, one that tells so.
+std::vector<Check> flaw_checks(const MeasuredFace& face, const WavinessLimit& limit) {
+    if (!face.curvature) return {not_judged("G-SU-WV", no_curvature)};
+    std::vector<Check> checks;
+    for (const Flaw& flaw : face.flaws) checks.push_back(flaw_check(flaw));
+    if (!checks.empty()) return checks;
+    Worst none;
+    none.limit = limit.depth, none.place = face.curvature->largest.place;
+    checks.push_back(judged("G-SU-WV", "mm", none, {"the depth of dents and waves", " mm"}));
+    return checks;
+}
+
 } // namespace
+
+Check check_of_lines(std::string_view code, const Worst& worst, std::size_t lines,
+                     std::size_t failing) {
+    struct LineWording {
+        std::string_view code;
+        const char* unit;
+        Wording wording;
+    };
+    static constexpr LineWording wordings[] = {
+        {"KEIKO-LINE-JUMP", "mm", {"the jump of a line", " mm"}},
+        {"KEIKO-LINE-TURN", "deg", {"the turn of a line", " degrees"}},
+        {"KEIKO-LINE-KINK", "deg", {"the kink of a line", " degrees"}},
+        {"KEIKO-LINE-BEND", "1/mm", {"the change of a line's curvature", " /mm"}}};
+    const auto found = std::find_if(std::begin(wordings), std::end(wordings),
+                                    [&](const LineWording& w) { return w.code == code; });
+    if (found == std::end(wordings))
+        throw std::out_of_range("no criterion of lines " + std::string(code));
+    Check check = judged(code, found->unit, worst, found->wording);
+    check.message += "; of " + std::to_string(lines) + (lines == 1 ? " line " : " lines ") +
+                     std::to_string(failing) + " not within it";
+    return check;
+}
 
 std::vector<Check> checks_of(const MeasuredFace& face, const SurfaceLimits& limits,
                              std::uint32_t index) {
-    if (!limits.minimum_radius) return {};
-    Check check = !face.curvature ? not_judged("G-SU-CR",
-                                               "the face stands in for another, or nothing is "
-                                               "left of it")
-                  : !face.radius
-                      ? not_judged("G-SU-CR", "the face is flat")
-                      : judged("G-SU-CR", "mm", *face.radius, {"the smallest radius", " mm"});
-    check.face = index, check.faces = face.name;
-    return {std::move(check)};
+    std::vector<Check> checks;
+    if (limits.minimum_radius) checks.push_back(radius_check(face));
+    if (limits.waviness) {
+        std::vector<Check> flaws = flaw_checks(face, *limits.waviness);
+        std::move(flaws.begin(), flaws.end(), std::back_inserter(checks));
+    }
+    for (Check& check : checks) check.face = index, check.faces = face.name;
+    return checks;
 }
 
 const Criterion& criterion_of(std::string_view code) {

@@ -21,7 +21,8 @@ struct Criterion {
 /// The criterion of a code; throws std::out_of_range for one that there is not.
 const Criterion& criterion_of(std::string_view code);
 
-/// One criterion held against one seam or face. One that is judged and does not pass is a finding.
+/// One criterion held against one seam or face, or against the lines that cross a seam. One that is
+/// judged and does not pass is a finding.
 struct Check {
     std::string code;              ///< as Criterion
     std::string rule;              ///< as Criterion
@@ -32,11 +33,17 @@ struct Check {
     bool judged = true;            ///< else `message` says why not
     std::uint32_t seam = no_index; ///< into Inspection::seams; no_index: of a face
     std::uint32_t face = no_index; ///< into Inspection::faces; no_index: of a seam
+    std::string view;              ///< of lines: the view that shows them; else empty
     std::string faces;             ///< "face 12 (fender-outer) | face 13"
     std::string message;           ///< one sentence
 
     bool is_finding() const { return judged && worst.verdict != Verdict::pass; }
 };
+
+/// A criterion of reflection lines, "KEIKO-LINE-...", held against the worst of `lines` that cross
+/// a seam in a view, of which `failing` do not pass. Without seam and face.
+Check check_of_lines(std::string_view code, const Worst& worst, std::size_t lines,
+                     std::size_t failing);
 
 /// Every criterion of the limits held against one measured face (number `index`). What they have no
 /// limit for is left out.

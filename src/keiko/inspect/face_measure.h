@@ -2,6 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/inspect/face_curvature.h"
+#include "keiko/inspect/face_flaws.h"
 #include "keiko/inspect/worst.h"
 #include "keiko/spec/criteria_preset.h"
 
@@ -22,7 +23,10 @@ struct MeasuredFace {
     /// The smallest radius of curvature, mm; nothing of a plane. Measured where the preset does not
     /// judge it too; its limit is then 0.
     std::optional<Worst> radius;
-    Verdict verdict = Verdict::pass;
+    /// Dents, bumps and waves at least half as deep as the limit, the deepest first; looked for
+    /// only where the preset has one.
+    std::vector<Flaw> flaws;
+    Verdict verdict = Verdict::pass; ///< the worst of all
 };
 
 /// Measures and judges every placed face, in the order of instances and faces. Throws Cancelled.

@@ -54,9 +54,20 @@ LineLimits line_limits_from(const TomlTable& table) {
     return limits;
 }
 
+WavinessLimit waviness_from(const TomlTable& table) {
+    WavinessLimit limit;
+    limit.depth = table.required("depth", table.number("depth", lengths));
+    limit.window = table.required("window", table.number("window", lengths));
+    if (limit.depth > limit.window / 50)
+        throw table.error("depth", "is more than a fiftieth of the window: such is form, no flaw");
+    table.finish();
+    return limit;
+}
+
 SurfaceLimits surface_limits_from(const TomlTable& table) {
     SurfaceLimits limits;
     limits.minimum_radius = table.number("minimum_radius", lengths);
+    if (const auto waviness = table.table("waviness")) limits.waviness = waviness_from(*waviness);
     table.finish();
     return limits;
 }

@@ -29,7 +29,18 @@ std::string curvature_cells(const MeasuredFace& face) {
            extreme(c.smallest_gaussian, -1);
 }
 
-std::string row(const MeasuredFace& face) {
+std::string flaw_cell(const MeasuredFace& face) {
+    if (face.flaws.empty()) return no_cell();
+    const Flaw& flaw = face.flaws.front();
+    const std::string more =
+        face.flaws.size() > 1 ? " and " + std::to_string(face.flaws.size() - 1) + " more" : "";
+    return html_number_cell(flaw.depth.value,
+                            short_number(flaw.depth.value, 3) + " <span class=\"soft small\">at " +
+                                place_text(flaw.depth.place) + more + "</span>",
+                            flaw.depth.verdict != Verdict::pass);
+}
+
+std::string row(const MeasuredFace& face, const SurfaceLimits& limits) {
     const std::string verdict(name_of(face.verdict));
     std::string html = "<tr class=\"" + verdict + "\">" +
                        html_cell(std::to_string(face.id), html_escaped(face.name), "left") +
@@ -39,6 +50,7 @@ std::string row(const MeasuredFace& face) {
                                            face.radius->verdict != Verdict::pass)
                         : no_cell();
     html += curvature_cells(face);
+    if (limits.waviness) html += flaw_cell(face);
     html += face.radius
                 ? html_cell(short_number(face.radius->place.x, 9), place_text(face.radius->place))
                 : no_cell();
@@ -55,13 +67,19 @@ std::string radius_heading(const SurfaceLimits& limits) {
 std::string html_faces(const Report& report) {
     const std::vector<MeasuredFace>& faces = report.inspection.faces;
     if (faces.empty()) return "";
-    std::string html =
-        "<section><h2>All faces</h2>" +
-        html_table_head({"face", "verdict", radius_heading(report.inspection.preset.surface),
-                         "curvature 1/mm, largest", "smallest", "Gaussian 1/mm², largest",
-                         "smallest", "tightest place x, y, z"},
-                        "face");
-    for (const MeasuredFace& face : faces) html += row(face);
+    const SurfaceLimits& limits = report.inspection.preset.surface;
+    std::vector<std::string> headings{"face",
+                                      "verdict",
+                                      radius_heading(limits),
+                                      "curvature 1/mm, largest",
+                                      "smallest",
+                                      "Gaussian 1/mm², largest",
+                                      "smallest"};
+    if (limits.waviness)
+        headings.push_back("dents, waves mm ≤ " + short_number(limits.waviness->depth));
+    headings.push_back("tightest place x, y, z");
+    std::string html = "<section><h2>All faces</h2>" + html_table_head(headings, "face");
+    for (const MeasuredFace& face : faces) html += row(face, limits);
     return html + std::string(html_table_end) + "</section>\n";
 }
 

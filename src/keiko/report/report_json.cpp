@@ -86,6 +86,16 @@ Json curvature(const FaceCurvature& c) {
             {"singular", c.singular}};
 }
 
+std::string_view name_of(Flaw::Kind kind) {
+    return kind == Flaw::Kind::waves ? "waves" : kind == Flaw::Kind::dent ? "dent" : "bump";
+}
+
+Json flaw_json(const Flaw& flaw) {
+    Json json = {{"kind", name_of(flaw.kind)}, {"width", flaw.width}};
+    json.update(worst(flaw.depth));
+    return json;
+}
+
 Json face_json(const MeasuredFace& face, const SurfaceLimits& limits) {
     Json json = {{"name", face.name},
                  {"face_id", face.id},
@@ -96,6 +106,10 @@ Json face_json(const MeasuredFace& face, const SurfaceLimits& limits) {
     if (face.radius)
         json["radius"] =
             limits.minimum_radius ? worst(*face.radius) : without_verdict(worst(*face.radius));
+    if (limits.waviness) {
+        json["flaws"] = Json::array();
+        for (const Flaw& flaw : face.flaws) json["flaws"].push_back(flaw_json(flaw));
+    }
     return json;
 }
 
@@ -129,6 +143,8 @@ Json preset_json(const CriteriaPreset& preset) {
     if (preset.curvature_slope) json["curvature_slope"] = *preset.curvature_slope;
     json["minimum_radius"] =
         preset.surface.minimum_radius ? Json(*preset.surface.minimum_radius) : Json();
+    if (const auto& waviness = preset.surface.waviness)
+        json["waviness"] = {{"depth", waviness->depth}, {"window", waviness->window}};
     return json;
 }
 

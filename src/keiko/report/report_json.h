@@ -28,7 +28,8 @@ std::string facts_json(const ModelFacts& facts);
 /// [indices], seams [{faces, face_ids, instances, verdict, crease, severity, length, middle, gap,
 /// angle, curvature, curvature_slope, internal, overlap}], faces [{name, face_id, instance,
 /// verdict, radius, curvature {largest, smallest, largest_mean, smallest_mean, largest_gaussian,
-/// smallest_gaussian: each {value, bound, undecided, place}, singular (mm)}}], findings [{code,
+/// smallest_gaussian: each {value, bound, undecided, place}, singular (mm)}, flaws? [{kind ("dent",
+/// "bump", "waves"), width (mm), value, bound, limit, verdict, place}]}], findings [{code,
 /// rule, seam or face (indices), faces, quantity, unit, formula?, message}]. A bound is null where
 /// there is none. Each gap, radius, angle, curvature and finding has value, bound,
 /// limit, verdict and place; limit and verdict are null where the value is not judged.

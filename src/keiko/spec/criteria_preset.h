@@ -30,9 +30,18 @@ struct LineLimits {
     bool operator==(const LineLimits&) const = default;
 };
 
+/// How deep dents, bumps and waves inside a face may be.
+struct WavinessLimit {
+    double depth = 0.01; ///< mm, off the form around them
+    double window = 100; ///< mm: how wide a piece of the face that form is taken from
+
+    bool operator==(const WavinessLimit&) const = default;
+};
+
 /// What each face is held to, whatever its neighbours; what is absent is not judged.
 struct SurfaceLimits {
-    std::optional<double> minimum_radius; ///< mm, G-SU-CR: of the principal curvatures
+    std::optional<double> minimum_radius;  ///< mm, G-SU-CR: of the principal curvatures
+    std::optional<WavinessLimit> waviness; ///< G-SU-WV and KEIKO-DENT
 
     bool operator==(const SurfaceLimits&) const = default;
 };

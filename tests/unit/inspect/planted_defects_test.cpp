@@ -3,10 +3,10 @@
 #include "keiko/io/preset_file.h"
 
 #include "tests/support/model_builder.h"
+#include "tests/unit/inspect/bernstein.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace keiko {
@@ -24,31 +24,13 @@ struct Defect {
 constexpr double length = 100, worst = 37; ///< mm: of each sheet either way; along the seam
 constexpr double radius = 1000;            ///< mm, of the left sheet
 
-/// Bernstein coefficients over [begin, begin + extent] of a polynomial by its coefficients.
-template <std::size_t n>
-std::array<double, n> bernstein(std::array<double, n> by_power, double begin, double extent) {
-    for (std::size_t k = 0; k + 1 < n; ++k) // the polynomial about `begin`
-        for (std::size_t i = n - 1; i-- > k;) by_power[i] += begin * by_power[i + 1];
-    double scale = 1;
-    for (double& a : by_power) a *= scale, scale *= extent;
-    std::array<double, n> coefficients{};
-    for (std::size_t j = 0; j < n; ++j) {
-        double share = 1; // C(j, i) / C(n - 1, i)
-        for (std::size_t i = 0; i <= j; ++i) {
-            coefficients[j] += share * by_power[i];
-            share *= double(j - i) / double(n - 1 - i);
-        }
-    }
-    return coefficients;
-}
-
 /// z = curvature x^2 / 2 + h(y) (gap + slope x + curvature x^2 / 2 + change x^3 / 6) from x = begin
 /// on, h = 1 at `worst`.
 void add_sheet(test::ModelBuilder& builder, double begin, double bend, const Defect& defect) {
     const auto fading =
-        bernstein<3>({1 - worst * worst / 1e4, 2 * worst / 1e4, -1 / 1e4}, 0, length);
-    const auto base = bernstein<4>({0, 0, bend / 2, 0}, begin, length);
-    const auto more = bernstein<4>(
+        test::bernstein<3>({1 - worst * worst / 1e4, 2 * worst / 1e4, -1 / 1e4}, 0, length);
+    const auto base = test::bernstein<4>({0, 0, bend / 2, 0}, begin, length);
+    const auto more = test::bernstein<4>(
         {defect.gap, defect.slope, defect.curvature / 2, defect.change / 6}, begin, length);
     std::vector<Vec3> points;
     for (std::size_t i = 0; i < 4; ++i)

@@ -97,6 +97,18 @@ TEST(PresetFile, HoldsLimitsOfFaces) {
     EXPECT_EQ(preset_by_name("class-a-outer").surface, SurfaceLimits{});
 }
 
+TEST(PresetFile, LimitsDentsAndWaves) {
+    const std::string head =
+        "format = \"keiko-preset/1\"\nname = \"x\"\n[seam]\ngap = 1\nangle = 1\n";
+    const CriteriaPreset preset =
+        parse_preset(head + "[surface]\nwaviness = { depth = 0.02, window = 80 }\n", "p.toml");
+    EXPECT_EQ(preset.surface.waviness, (WavinessLimit{0.02, 80}));
+    EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\n"
+                      "[surface]\nwaviness = { depth = 2, window = 80 }\n"),
+              "p.toml:7:22: surface.waviness.depth: is more than a fiftieth of the window: such is "
+              "form, no flaw");
+}
+
 TEST(PresetFile, IsReadWhereItsPathIsGiven) {
     const test::TemporaryFolder folder;
     const auto path =

@@ -1,0 +1,45 @@
+#include "keiko/inspect/smooth_base.h"
+
+#include "tests/support/random.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace keiko {
+namespace {
+
+double form(double x, double y) {
+    return 0.3 + 0.01 * x - 2e-3 * x * x + 1e-3 * x * y + 3e-8 * x * x * y * y;
+}
+
+/// Places within 50 mm, one of four of them in a dent 1 mm deep.
+std::vector<Height> dented() {
+    test::Random random(4);
+    std::vector<Height> heights;
+    for (int i = 0; i < 600; ++i) {
+        const double x = test::uniform(random, -50, 50), y = test::uniform(random, -50, 50);
+        const double r = std::hypot(x - 5, y) / 25;
+        heights.push_back({x, y, form(x, y) - (r < 1 ? std::pow(1 - r * r, 4) : 0), 1});
+    }
+    return heights;
+}
+
+TEST(SmoothBase, IsTheFormUnderADent) {
+    const auto base = SmoothBase::fit(dented(), 50);
+    ASSERT_TRUE(base);
+    for (const double x : {-30.0, 0.0, 5.0})
+        for (const double y : {-20.0, 0.0, 40.0}) EXPECT_NEAR(base->height(x, y), form(x, y), 1e-6);
+}
+
+TEST(SmoothBase, IsNoneOfTooFewPlacesOrOfALine) {
+    std::vector<Height> heights = dented();
+    heights.resize(25);
+    EXPECT_FALSE(SmoothBase::fit(heights, 50));
+    std::vector<Height> line = dented();
+    for (Height& h : line) h.y = 0;
+    EXPECT_FALSE(SmoothBase::fit(line, 50));
+}
+
+} // namespace
+} // namespace keiko
