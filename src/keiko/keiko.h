@@ -18,6 +18,7 @@
 #include "keiko/report/facts_text.h"
 #include "keiko/report/inspection_text.h"
 #include "keiko/report/junit.h"
+#include "keiko/report/line_checks.h"
 #include "keiko/report/lines_json.h"
 #include "keiko/report/luminaire_facts.h"
 #include "keiko/report/polar_curve.h"

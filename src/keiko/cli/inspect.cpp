@@ -50,7 +50,10 @@ int inspect(InspectArguments arguments, const Job& job) {
     OutputBatch outputs;
     outputs.add_folder(arguments.output, result_files(arguments.output, result));
     if (result.hits) outputs.add(arguments.hits, hits_text(*result.hits));
-    arguments.files.add_to(outputs, result.report.inspection, arguments.scene.inputs);
+    const Report& report = result.report;
+    arguments.files.add_to(
+        outputs, report.lines ? with_lines(report.inspection, *report.lines) : report.inspection,
+        arguments.scene.inputs);
     outputs.write();
     print_summary(result.report, arguments.output);
     return verdict_of(result.report) == Verdict::pass ? exit_pass : exit_findings;

@@ -9,9 +9,9 @@ void InspectionFiles::add_to(CLI::App& command) {
     const auto add = [&](const char* name, std::vector<fs::path>& files, const char* text) {
         command.add_option(name, files, text)->allow_extra_args(false);
     };
-    add("--junit", junit_, "JUnit XML file to write: a test case a seam and criterion");
+    add("--junit", junit_, "JUnit XML file to write: a test case a seam or face and criterion");
     add("--sarif", sarif_, "SARIF 2.1.0 file to write: a result a finding");
-    add("--csv", csv_, "CSV file to write: a row a seam and criterion");
+    add("--csv", csv_, "CSV file to write: a row a seam or face and criterion");
 }
 
 void InspectionFiles::add_json_and_output(CLI::App& command) {

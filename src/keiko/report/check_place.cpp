@@ -5,6 +5,7 @@
 namespace keiko {
 
 std::string subject_of(const Check& check) {
+    if (!check.view.empty()) return "lines over " + check.faces + " in view " + check.view;
     if (check.seam == no_index) return check.faces;
     return "seam " + std::to_string(check.seam + 1) + " (" + check.faces + ")";
 }

@@ -59,7 +59,7 @@ Json location(const Check& check, Files files) {
         json["physicalLocation"] = {{"artifactLocation", artifact(files.front(), 0)}};
     json["logicalLocations"] = Json::array({{{"name", check.faces},
                                              {"fullyQualifiedName", subject_of(check)},
-                                             {"kind", check.seam == no_index ? "face" : "seam"}}});
+                                             {"kind", check.face == no_index ? "seam" : "face"}}});
     return json;
 }
 
