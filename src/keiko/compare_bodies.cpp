@@ -24,6 +24,13 @@ std::vector<std::string> names_of(const SurfaceModel& model, const PlacedModel& 
     return names;
 }
 
+/// The latter, mirrored if that is asked for.
+Scene opened_after(const fs::path& file, const CompareBodiesOptions& options, const Job& job) {
+    Scene scene = opened(file, options, job);
+    if (!options.mirror) return scene;
+    return moved_scene(std::move(scene), options.mirror->motion(), options.scene, job);
+}
+
 /// Moves the latter onto the former, if that is asked for.
 SurfaceFeet aligned(Scene& after, const SurfaceFeet& before, const CompareBodiesOptions& options,
                     Comparison& comparison, const Job& job) {
@@ -60,9 +67,10 @@ CompareResult compare_bodies(const fs::path& before, const fs::path& after,
     Comparison& comparison = result.comparison;
     comparison.tool_version = version();
     comparison.before = before.string(), comparison.after = after.string();
+    if (options.mirror) comparison.after += ", mirrored at " + options.mirror->text();
     comparison.tolerance = options.tolerance;
     const Scene scene_before = opened(before, options, job);
-    Scene scene_after = opened(after, options, job);
+    Scene scene_after = opened_after(after, options, job);
     const SurfaceFeet feet_before(placed_model(scene_before.model), job);
     const SurfaceFeet feet_after = aligned(scene_after, feet_before, options, comparison, job);
     comparison.faces_before = names_of(scene_before.model, feet_before.body());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/keiko.h"
+#include "keiko/mirror_plane.h"
 #include "keiko/report/comparison.h"
 
 namespace keiko {
@@ -22,6 +23,7 @@ struct CompareBodiesOptions {
     CompareOptions seams{};
     DeviationOptions deviation{};
     double reach = 0;                           ///< mm; 0: a fiftieth of the former's size
+    std::optional<MirrorPlane> mirror{};        ///< take the mirror image of the latter
     bool align = false;                         ///< move the latter onto the former first
     std::optional<CompareViewsOptions> views{}; ///< none: geometry alone
 };
@@ -32,8 +34,8 @@ struct CompareResult {
     std::optional<LightRig> rig{};
 };
 
-/// Reads, measures and compares two models or scenes, in the same coordinates or aligned. Throws
-/// Error, Cancelled.
+/// Reads, measures and compares two models or scenes, in the same coordinates or aligned: a body
+/// and its own mirror image tell how far it is from symmetric. Throws Error, Cancelled.
 CompareResult compare_bodies(const std::filesystem::path& before,
                              const std::filesystem::path& after,
                              const CompareBodiesOptions& options = {}, const Job& job = {});

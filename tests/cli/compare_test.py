@@ -68,6 +68,28 @@ class Compare(KeikoTest):
         strict = self.keiko(*FEW, DOME, moved, "--tolerance", "1e-5")
         self.assertEqual(strict.returncode, 1, strict.stdout)
 
+    def test_a_symmetric_body_is_its_own_mirror_image(self):
+        out = self.succeed(*FEW, surface("hood.step"), "--mirror", "y")
+        self.assertTrue(out.startswith("same within tolerance\n"), out)
+        self.assertIn("mirrored at y = 0", out)
+
+    def test_a_dent_on_one_side_is_a_deviation_from_symmetry(self):
+        run = self.keiko(*FEW, surface("dent.step"), "--mirror", "y=0", "--json", "a.json")
+        self.assertEqual((run.returncode, run.stderr), (1, ""), run.stdout)
+        worst = json.loads((self.folder / "a.json").read_text())["deviation"]["worst"]
+        self.assertAlmostEqual(abs(worst["value"]), 0.1, delta=2e-3)
+        self.assertAlmostEqual(worst["place"][0], 40, delta=5)
+        self.assertAlmostEqual(abs(worst["place"][1]), 20, delta=5)
+
+    def test_a_plane_that_is_none_is_told(self):
+        for plane in "q", "y=", "y12", "y=1x", "y=inf":
+            run = self.keiko(*FEW, DOME, "--mirror", plane)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(f"'{plane}' is no plane to mirror at", run.stderr)
+        run = self.keiko("compare", DOME)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("AFTER: is missing", run.stderr)
+
     def test_another_trim_is_another_part(self):
         run = self.keiko(*FEW, surface("trimmed-hole.step"), surface("trimmed-two-holes.step"))
         self.assertEqual(run.returncode, 1)

@@ -20,7 +20,7 @@ struct CompareArguments {
     fs::path before, after, output, json, junit;
     CompareBodiesOptions options;
     CompareViewsOptions views;
-    std::string preset, rig = "auto";
+    std::string preset, rig = "auto", mirror;
 };
 
 bool shows_pictures(const CompareArguments& arguments) {
@@ -65,6 +65,7 @@ CompareBodiesOptions options_of(const CompareArguments& arguments) {
     CompareBodiesOptions options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     options.scene = arguments.scene.scene_options();
+    if (!arguments.mirror.empty()) options.mirror = MirrorPlane::parse(arguments.mirror);
     if (!shows_pictures(arguments)) return options;
     options.views = arguments.views;
     require_view_names(options.views->views);
@@ -84,7 +85,10 @@ void warn_of_lost_faces(const Comparison& comparison) {
                         " is missing: " + face.reason);
 }
 
-int compare(const CompareArguments& arguments, const Job& job) {
+int compare(CompareArguments arguments, const Job& job) {
+    if (arguments.after.empty() && arguments.mirror.empty())
+        throw Error("", "AFTER", "is missing: name the revision, or a plane to --mirror at");
+    if (arguments.after.empty()) arguments.after = arguments.before;
     require_outputs(arguments);
     const CompareBodiesOptions options = options_of(arguments);
     const CompareResult result = compare_bodies(arguments.before, arguments.after, options, job);
@@ -152,8 +156,10 @@ void add_compare(CLI::App& app, Session& session) {
         "compare", "tell how a revision of a part deviates from the one before");
     command.add_option("BEFORE", arguments->before, "model file, or scene file (.toml)")
         ->required();
-    command.add_option("AFTER", arguments->after, "model or scene file, in the same coordinates")
-        ->required();
+    command.add_option("AFTER", arguments->after,
+                       "model or scene file, in the same coordinates [with --mirror: BEFORE]");
+    command.add_option("--mirror", arguments->mirror,
+                       "take the mirror image of AFTER at a plane: x, y, z, or y=12.5 (mm)");
     command.add_flag("--align", arguments->options.align,
                      "move AFTER onto BEFORE first, by least squares of their distance");
     add_outputs(command, *arguments);

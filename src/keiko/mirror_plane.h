@@ -1,0 +1,23 @@
+#pragma once
+
+#include "keiko/math/affine.h"
+
+#include <string>
+#include <string_view>
+
+namespace keiko {
+
+/// A plane across one of the axes, that a body may be symmetric about.
+struct MirrorPlane {
+    int axis = 1;      ///< 0 to 2: x, y, z
+    double offset = 0; ///< mm along it
+
+    /// "y" or "y=12.5"; throws Error for anything else.
+    static MirrorPlane parse(std::string_view text);
+    /// "y = 12.5"
+    std::string text() const;
+    /// The reflection.
+    Affine motion() const;
+};
+
+} // namespace keiko
