@@ -1,8 +1,8 @@
 #include "keiko/inspect/face_flaws.h"
 
+#include "keiko/inspect/dent_depth.h"
 #include "keiko/inspect/face_grid.h"
 #include "keiko/inspect/ripple.h"
-#include "keiko/inspect/smooth_base.h"
 #include "keiko/inspect/wave_section.h"
 #include "keiko/math/disjoint_sets.h"
 
@@ -23,8 +23,9 @@ constexpr double deepest_share = 1.0 / 50;
 constexpr double form_share = 0.25;
 /// Ripples are looked for down to this share of the limit: they tell of a depth only about.
 constexpr double ripple_share = 1.0 / 8;
-/// How many of the deepest ripples of a flaw are measured.
-constexpr std::size_t most_measured = 4;
+/// How many of the deepest ripples of a flaw are measured, and how many are tried: what is beside a
+/// border cannot be.
+constexpr std::size_t most_measured = 4, most_tried = 1000;
 
 /// A ripple on the face.
 struct Candidate {
@@ -34,30 +35,11 @@ struct Candidate {
     bool along_u = true; ///< the line that shows it
 };
 
-/// A plane that touches the surface, to look from at what is around.
-struct Outlook {
-    Vec3 origin, x, y, z;
-
-    Height height(const Vec3& position, double weight) const {
-        const Vec3 from = position - origin;
-        return {from.dot(x), from.dot(y), from.dot(z), weight};
-    }
-};
-
-/// How far the surface at a place lies off its base, mm, positive outwards.
-struct Measured {
-    double offset = 0;
-    Vec2 place{0};
-    Vec3 position{0};
-};
-
 class FlawSearch {
 public:
     FlawSearch(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face,
                const WavinessLimit& limit)
-        : limit_(limit),
-          reach_(limit.window / 2),
-          grid_(model, instance, face, limit.window * sample_share) {}
+        : limit_(limit), grid_(model, instance, face, spacing()) {}
 
     std::vector<Flaw> run() {
         collect();
@@ -73,6 +55,8 @@ public:
     }
 
 private:
+    double spacing() const { return limit_.window * sample_share; } ///< of the samples, mm
+
     void collect() {
         for (std::size_t row = 0; row < grid_.rows(); ++row)
             collect_line(
@@ -111,7 +95,7 @@ private:
 
     std::array<int, 3> cell_of(const Vec3& position) const {
         const auto number = [this](double x) {
-            return static_cast<int>(std::floor(2 * x / reach_));
+            return static_cast<int>(std::floor(4 * x / limit_.window));
         };
         return {number(position.x), number(position.y), number(position.z)};
     }
@@ -148,9 +132,9 @@ private:
         const bool waves = to_and_fro(group);
         std::optional<Flaw> deepest;
         std::size_t measured = 0;
-        for (const Candidate& candidate : group) {
-            const auto flaw = waves ? wave(candidate) : dent(candidate);
-            if (!flaw) continue; // beside a border
+        for (std::size_t i = 0; i < std::min(group.size(), most_tried); ++i) {
+            const auto flaw = waves ? wave(group[i]) : dent(group[i]);
+            if (!flaw) continue;
             if (!deepest || flaw->depth.value > deepest->depth.value) deepest = flaw;
             if (++measured == most_measured) break;
         }
@@ -172,14 +156,10 @@ private:
     }
 
     std::optional<Flaw> dent(const Candidate& c) const {
-        const auto found = climbed(c);
+        const auto found = dent_depth(grid_, c.place, limit_.window / 2, spacing());
         if (!found) return std::nullopt;
-        constexpr double less = 0.8;
-        const auto again = offset_at(found->place, less * reach_);
-        if (!again) return std::nullopt;
         return flaw(found->offset < 0 ? Flaw::Kind::dent : Flaw::Kind::bump,
-                    std::abs(found->offset), std::abs(*again - found->offset), found->position,
-                    c.width);
+                    std::abs(found->offset), found->bound, found->position, c.width);
     }
 
     /// Whether a group has crests and troughs that are nearly as deep.
@@ -190,86 +170,7 @@ private:
         });
     }
 
-    std::optional<Outlook> outlook(const Vec2& place) const {
-        const auto s = grid_.evaluate(place, 1);
-        if (!s) return std::nullopt;
-        const Vec3 x = s->du().normalized();
-        const Vec3 z = s->du().cross(s->dv()).normalized() * grid_.sign();
-        return Outlook{s->position(), x, z.cross(x), z};
-    }
-
-    std::optional<SmoothBase> base(const Outlook& from, double reach) const {
-        std::vector<Height> heights;
-        std::array<std::size_t, 4> quarters{};
-        for (std::size_t row = 0; row < grid_.rows(); ++row)
-            for (std::size_t column = 0; column < grid_.columns(); ++column) {
-                const FaceSample& sample = grid_.sample(column, row);
-                if (!sample.material || (sample.position - from.origin).length() > reach) continue;
-                heights.push_back(from.height(sample.position, sample.area));
-                ++quarters[(heights.back().x > 0 ? 1u : 0u) + (heights.back().y > 0 ? 2u : 0u)];
-            }
-        // Beside a border there is form on one side only.
-        constexpr std::size_t least_share = 20;
-        for (const std::size_t quarter : quarters)
-            if (quarter * least_share < heights.size()) return std::nullopt;
-        return SmoothBase::fit(heights, reach);
-    }
-
-    std::optional<double> offset_at(const Vec2& place, double reach) const {
-        const auto from = outlook(place);
-        if (!from) return std::nullopt;
-        const auto under = base(*from, reach);
-        if (!under) return std::nullopt;
-        return -under->height(0, 0);
-    }
-
-    /// From a ripple to where the surface is furthest off the base around it.
-    std::optional<Measured> climbed(const Candidate& candidate) const {
-        Vec2 place = candidate.place;
-        constexpr int rounds = 3;
-        for (int i = 0; i < rounds; ++i) {
-            const auto from = outlook(place);
-            if (!from) return std::nullopt;
-            const auto under = base(*from, reach_);
-            if (!under) return std::nullopt;
-            place = furthest(place, *from, *under);
-        }
-        const auto from = outlook(place);
-        const auto offset = offset_at(place, reach_);
-        if (!from || !offset) return std::nullopt;
-        return Measured{*offset, place, from->origin};
-    }
-
-    /// By steps along u and v that are halved where none leads further off.
-    Vec2 furthest(Vec2 place, const Outlook& from, const SmoothBase& under) const {
-        const auto offset = [&](const Vec2& at) {
-            const auto s = grid_.evaluate(at, 0);
-            if (!s) return 0.0;
-            const Height h = from.height(s->position(), 1);
-            return h.x * h.x + h.y * h.y < reach_ * reach_ ? h.z - under.height(h.x, h.y) : 0.0;
-        };
-        const auto s = grid_.evaluate(place, 1);
-        if (!s) return place;
-        double best = offset(place);
-        const double side = best < 0 ? -1 : 1;
-        best *= side;
-        const double spacing = limit_.window * sample_share;
-        Vec2 step(spacing / s->du().length(), spacing / s->dv().length());
-        constexpr int halvings = 8;
-        for (int halved = 0; halved < halvings;) {
-            bool moved = false;
-            for (const Vec2& way :
-                 {Vec2(step.x, 0), Vec2(-step.x, 0), Vec2(0, step.y), Vec2(0, -step.y)}) {
-                const double there = offset(place + way) * side;
-                if (there > best) best = there, place += way, moved = true;
-            }
-            if (!moved) step *= 0.5, ++halved;
-        }
-        return place;
-    }
-
     WavinessLimit limit_;
-    double reach_; ///< mm, of what is looked at around a place
     FaceGrid grid_;
     std::vector<Candidate> candidates_;
 };
