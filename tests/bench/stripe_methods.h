@@ -7,7 +7,8 @@
 
 namespace keiko::bench {
 
-/// A body in black paint without a base that shines under a row of lamps that are many in its mirror image.
+/// A body in black paint without a base that shines under a row of lamps that are many in its
+/// mirror image.
 struct StripeScene {
     std::string name{};
     Tracer tracer;
