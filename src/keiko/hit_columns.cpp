@@ -39,8 +39,8 @@ void append_digits(std::string& text, Number number) {
 
 PrincipalCurvatures curvatures_of(const Hit& hit) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    if (!hit.second) return {unknown, unknown};
-    return principal_curvatures(derivatives_of(hit), hit.normal);
+    const PrincipalCurvatures none{unknown, unknown};
+    return hit.second ? reliable_curvatures(derivatives_of(hit), hit.normal).value_or(none) : none;
 }
 
 void append_value(std::string& text, double number) {

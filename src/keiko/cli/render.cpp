@@ -7,7 +7,6 @@
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/input_key.h"
-#include "keiko/rig/multiple_scattering.h"
 
 #include <cmath>
 #include <cstdio>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace keiko {
 namespace {
@@ -49,6 +50,21 @@ PrincipalCurvatures principal_curvatures(const SurfaceDerivatives& s, const Vec3
     const double h22 = (n - 2 * skew * m + skew * skew * l) / width2;
     const double mean = (h11 + h22) / 2, spread = std::hypot((h11 - h22) / 2, h12);
     return {mean + spread, mean - spread};
+}
+
+std::optional<PrincipalCurvatures> reliable_curvatures(const SurfaceDerivatives& s,
+                                                       const Vec3& normal) {
+    const FirstForm one = first_form(s);
+    // The second form is off by the rounding of what it is made of; the first one's least
+    // eigenvalue magnifies that.
+    const double size = s.du().length() + s.dv().length();
+    const double made_of = size + s.duu().length() + 2 * s.duv().length() + s.dvv().length();
+    const double least_stretch = one.determinant() / (one.e + one.g);
+    const double error = 4 * std::numeric_limits<double>::epsilon() * made_of / least_stretch;
+    const PrincipalCurvatures k = principal_curvatures(s, normal);
+    constexpr double digits = 1e-3;
+    const double bend = std::max({std::abs(k.k1), std::abs(k.k2), 1 / size});
+    return least_stretch > 0 && error <= digits * bend ? std::optional(k) : std::nullopt;
 }
 
 double normal_curvature(const SurfaceDerivatives& s, const Vec3& normal, const Vec3& direction) {

@@ -23,6 +23,11 @@ struct PrincipalCurvatures {
 /// Needs derivatives of order 2 and a regular point (du x dv not 0).
 PrincipalCurvatures principal_curvatures(const SurfaceDerivatives& derivatives, const Vec3& normal);
 
+/// The same where rounding leaves three digits of them, or of the bend of a surface of the patch's
+/// own size; nothing close to a pole, where the parameters run together, and at it.
+std::optional<PrincipalCurvatures> reliable_curvatures(const SurfaceDerivatives& derivatives,
+                                                       const Vec3& normal);
+
 /// Curvature in 1/mm of the normal section along a tangent `direction` (need not be unit).
 double normal_curvature(const SurfaceDerivatives& derivatives, const Vec3& normal,
                         const Vec3& direction);

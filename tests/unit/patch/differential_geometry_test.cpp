@@ -53,6 +53,23 @@ TEST(DifferentialGeometry, NormalExistsAtACollapsedEdge) {
     }
 }
 
+TEST(DifferentialGeometry, CurvaturesNearAPoleAreRightOrUnknown) {
+    const double radius = 100;
+    const auto points = sphere_octant(radius);
+    for (int digits = 0; digits <= 17; ++digits) {
+        const Vec2 uv(0.3, 1 - std::pow(10, -digits));
+        const SurfaceDerivatives s = evaluate({2, 2, points}, uv, 2);
+        const auto normal = unit_normal(s, uv);
+        ASSERT_TRUE(normal);
+        const auto k = reliable_curvatures(s, *normal);
+        if (digits <= 5) EXPECT_TRUE(k) << digits;
+        if (digits >= 8) EXPECT_FALSE(k) << digits;
+        if (!k) continue;
+        EXPECT_NEAR(k->k1, -1 / radius, 1e-3 / radius) << digits;
+        EXPECT_NEAR(k->k2, -1 / radius, 1e-3 / radius) << digits;
+    }
+}
+
 TEST(DifferentialGeometry, CylinderBendsOneWayOnly) {
     const double c = std::numbers::sqrt2 / 2, radius = 8;
     std::vector<Vec4> points;
