@@ -60,11 +60,11 @@ Shares shares(const PenumbraScene& scene, const CPlane& row, Emitter emitter, co
     all.seconds = thread_seconds([&] {
         for (const Receiver& at : scene.receivers) all.values.push_back(lit(at, lamps));
     });
-    for (std::size_t i = 0; i < scene.receivers.size(); ++i) {
-        double whole = 0;
-        for (const TubeLamp& lamp : lamps) whole += unhidden(lamp, scene.receivers[i], emitter);
-        all.values[i] = whole > 0 ? all.values[i] / whole : 0;
-    }
+    double whole = 0;
+    for (const Receiver& at : scene.receivers)
+        for (const TubeLamp& lamp : lamps) whole += unhidden(lamp, at, emitter);
+    const double mean = whole / static_cast<double>(scene.receivers.size());
+    for (double& value : all.values) value /= mean;
     return all;
 }
 

@@ -12,8 +12,8 @@ struct Strata {
     int along = 1, across = 1;
 };
 
-/// Illuminance of each receiver from a row, as a share of what the row gives it unhidden, and what
-/// it cost.
+/// Illuminance of each receiver from a row, as a share of what the row gives receivers unhidden, on
+/// the mean, and what it cost.
 struct Shares {
     std::vector<double> values{};
     double seconds = 0; ///< of processor time, all receivers
