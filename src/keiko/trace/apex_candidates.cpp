@@ -109,17 +109,56 @@ SeenParts ApexView::Candidates::intervals(const SegmentEnds& ends) const {
         return {asked.end > 0 && sees(ends[0]) ? IntervalSet::whole() : IntervalSet()};
     auto line = line_through(ends);
     if (!line) return end_on(ends);
-    for (const SilhouetteCandidate& c : silhouettes_.pieces)
-        line->certain =
-            scene_->solver.find(c, line->plane, line->wedge, line->events) && line->certain;
-    for (const std::uint32_t border : borders_)
-        find_border_events(scene_->borders[border], scene_->silhouettes.regions, line->plane,
-                           line->events);
+    constexpr int few = 16; // a tree pays off only for many segments
+    if (asked_for_ < few)
+        ++asked_for_, add_all_events(*line);
+    else
+        add_events_of_cut(*line);
     add_own_events(*line);
     GapGroups gaps;
     gaps.add(line->plane, gaps_between(line->events, line->asked));
     gaps.classify(*tracer_);
     return {gaps.seen(0, gaps.size()), line->certain};
+}
+
+void ApexView::Candidates::add_piece_events(std::size_t piece, Line& line) const {
+    const SilhouetteCandidate& candidate = silhouettes_.pieces[piece];
+    line.certain =
+        scene_->solver.find(candidate, line.plane, line.wedge, line.events) && line.certain;
+}
+
+void ApexView::Candidates::add_border_events(std::size_t border, Line& line) const {
+    find_border_events(scene_->borders[borders_[border]], scene_->silhouettes.regions, line.plane,
+                       line.events);
+}
+
+void ApexView::Candidates::add_all_events(Line& line) const {
+    for (std::size_t i = 0; i < silhouettes_.pieces.size(); ++i) add_piece_events(i, line);
+    for (std::size_t i = 0; i < borders_.size(); ++i) add_border_events(i, line);
+}
+
+/// Of the candidates that the segment's plane through the apex cuts: no other has any.
+void ApexView::Candidates::add_events_of_cut(Line& line) const {
+    if (!tree_) tree_.emplace(candidate_boxes());
+    const Vec3& normal = line.plane.normal();
+    const std::size_t pieces = silhouettes_.pieces.size();
+    for (const std::uint32_t i : tree_->cut_by(normal, normal.dot(line.plane.at(0))))
+        i < pieces ? add_piece_events(i, line) : add_border_events(i - pieces, line);
+}
+
+/// Of silhouette pieces, then of borders, with room for what they overlap their neighbours by.
+std::vector<Box3> ApexView::Candidates::candidate_boxes() const {
+    std::vector<Box3> boxes;
+    const auto add = [&](Box3 box, double room) {
+        room += 1e-5 * box.size();
+        box.lower -= Vec3(room), box.upper += Vec3(room);
+        boxes.push_back(box);
+    };
+    for (const SilhouetteCandidate& candidate : silhouettes_.pieces)
+        add(scene_->silhouettes.pieces[candidate.piece].box, 0);
+    for (const std::uint32_t border : borders_)
+        add(scene_->borders[border].box, scene_->borders[border].error);
+    return boxes;
 }
 
 /// From the line of the segment itself: it is seen up to the first surface on the line.

@@ -2,6 +2,7 @@
 
 #include "keiko/trace/apex_screen.h"
 #include "keiko/trace/occluder_scene.h"
+#include "keiko/trace/plane_tree.h"
 #include "keiko/trace/segment_gaps.h"
 
 namespace keiko {
@@ -44,6 +45,11 @@ private:
     ParameterInterval asked_of(const SegmentEnds& ends) const;
     std::optional<Line> line_through(const SegmentEnds& ends) const;
     SeenParts end_on(const SegmentEnds& ends) const;
+    void add_piece_events(std::size_t piece, Line& line) const;
+    void add_border_events(std::size_t border, Line& line) const;
+    void add_all_events(Line& line) const;
+    void add_events_of_cut(Line& line) const;
+    std::vector<Box3> candidate_boxes() const;
     void add_own_events(Line& line) const;
     void add_piercings(Line& line) const;
     void add_horizon(Line& line) const;
@@ -69,6 +75,8 @@ private:
     bool has_horizon_ = false;
     /// Whether all of the region is seen, or none of it, where nothing can come in between.
     std::optional<bool> all_seen_;
+    mutable int asked_for_ = 0; ///< segments one by one
+    mutable std::optional<PlaneTree> tree_;
     mutable std::optional<Screen> screen_; ///< of the direction asked for last
 };
 
