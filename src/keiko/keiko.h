@@ -25,7 +25,6 @@
 #include "keiko/report/report.h"
 #include "keiko/report/report_json.h"
 #include "keiko/report/sarif.h"
-#include "keiko/rig/multiple_scattering.h"
 #include "keiko/spec/criteria_preset.h"
 
 #include <filesystem>

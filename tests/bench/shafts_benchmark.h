@@ -37,7 +37,7 @@ struct ShaftCost {
 /// The error that both are held to.
 constexpr double shaft_error = 1e-3;
 
-/// The concept car under 1 to 16 lamps, then 1 to 512 spheres under four: shafts by the visible
+/// The concept car under 1 to 16 lamps, then 4 to 512 spheres under four: shafts by the visible
 /// intervals of each ray beside marching with Keiko's own tracer, spaced and stepped as is cheapest
 /// for the same error. Processor time of one thread.
 std::vector<ShaftCost> run_shafts_benchmark(std::size_t marched_rays);

@@ -7,6 +7,7 @@
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/input_key.h"
+#include "keiko/thick_fog.h"
 
 #include <cmath>
 #include <cstdio>
@@ -110,7 +111,7 @@ void require_output(const RenderArguments& arguments) {
 }
 
 void warn_of_thick_fog(const Scene& scene, const LightRig& rig, const Vec3& eye) {
-    const double times = scatterings_by_way_of(rig, scene.tracer.bounds().center(), eye);
+    const double times = scatterings_past_body(scene, rig, eye);
     if (times <= 1) return;
     std::ostringstream text;
     text << std::setprecision(2)
