@@ -60,7 +60,8 @@ class Compare(KeikoTest):
         for command, pair in (("compare", "-q"), (DOME, moved)), (FEW, (moved, DOME)):
             run = self.keiko(*command, *pair)
             self.assertEqual((run.returncode, run.stderr), (1, ""), run.stdout)
-            self.assertTrue(run.stdout.startswith("different\n"), run.stdout)
+            self.assertTrue(run.stdout.startswith("different\n! deviation of "), run.stdout)
+            self.assertEqual(run.stdout.count("; 0.0005 mm allowed; "), 2, run.stdout)
 
     def test_one_micrometre_of_a_control_point_is_within_the_tolerance_unless_told(self):
         moved = self.dome_with_point_moved(0.001)

@@ -16,18 +16,29 @@ std::string share_text(const std::string& share, double value, const Deviation& 
     return share + " within " + distance_words(value, d.reach);
 }
 
-std::string deviation_text(const std::string& what, const Deviation& d) {
+std::string deviation_text(const std::string& what, const Deviation& d, double allowed) {
+    const std::string limit = "; " + short_number(allowed) + " mm allowed";
     if (d.beyond >= 1)
-        return what + ": everywhere " + distance_words(d.worst.value, d.reach) + "\n";
-    std::string text =
-        what + ": " + at_most(d.worst.value, d.reach) + " at " + place(d.worst.place) + "; " +
-        share_text("99 % of the area", d.percent_99, d) + ", " + share_text("half", d.median, d);
+        return what + ": everywhere " + distance_words(d.worst.value, d.reach) + limit;
+    std::string text = what + ": " + at_most(d.worst.value, d.reach) + " at " +
+                       place(d.worst.place) + limit + "; " +
+                       share_text("99 % of the area", d.percent_99, d) + ", " +
+                       share_text("half", d.median, d);
     if (d.beyond > 0)
         text += "; " + short_number(100 * d.beyond) + " % of the area further than " +
                 short_number(d.reach) + " mm";
     if (d.uncertain_share > 0)
         text += "; not proved on " + short_number(100 * d.uncertain_share) + " % of the area";
-    return text + "\n";
+    return text;
+}
+
+std::string check_text(const Comparison& c, const ComparisonCheck& check) {
+    const double allowed = c.tolerance.deviation;
+    if (check.name == "deviation")
+        return deviation_text("deviation of " + c.after, c.deviation, allowed);
+    if (check.name == "missing")
+        return deviation_text("deviation of " + c.before + " from it", c.missing, allowed);
+    return check.message;
 }
 
 std::string mark_of(const ComparisonCheck& check) {
@@ -87,11 +98,8 @@ std::string faces_text(const Comparison& c) {
 std::string comparison_text(const Comparison& c) {
     std::string text = c.same() ? "same within tolerance\n" : "different\n";
     if (c.alignment) text += "aligned: " + alignment_words(*c.alignment) + "\n";
-    text += deviation_text("deviation of " + c.after, c.deviation);
-    text += deviation_text("deviation of " + c.before + " from it", c.missing);
     for (const ComparisonCheck& check : comparison_checks(c))
-        if (check.name != "deviation" && check.name != "missing")
-            text += mark_of(check) + check.message + "\n";
+        text += mark_of(check) + check_text(c, check) + "\n";
     for (const ComparedView& view : c.views)
         text += (view.picture.within() ? "  " : "! ") + view.picture.view +
                 ": pictures: " + picture_words(view.picture) + "\n";

@@ -65,6 +65,18 @@ TEST(Comparison, PicturesThatDifferMakePartsDifferent) {
     EXPECT_NE(comparison_junit(c).find("failures=\"1\""), std::string::npos);
 }
 
+TEST(Comparison, MarksADeviationThatAloneIsBeyondWhatIsAllowed) {
+    Comparison c = same_parts();
+    EXPECT_EQ(comparison_text(c).find("! "), std::string::npos);
+    c.deviation.worst.value = -0.001;
+    const std::string text = comparison_text(c);
+    EXPECT_EQ(text.find("different\n! deviation of b.step: at most 0.001 mm at "), 0u) << text;
+    EXPECT_NE(text.find("; 0.0005 mm allowed; "), std::string::npos) << text;
+    EXPECT_NE(text.find("\n  deviation of a"), std::string::npos) << text;
+    c.deviation.beyond = 1;
+    EXPECT_EQ(comparison_text(c).find("different\n! deviation of b.step: everywhere "), 0u);
+}
+
 TEST(Comparison, TellsWhatIsBeyondReachInWords) {
     Comparison c = same_parts();
     c.deviation.worst.value = infinity, c.deviation.reach = 50, c.deviation.beyond = 0.25;
