@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t piece = 1 << 16; ///< bytes: some 700 rays
 constexpr std::size_t fields = 6;
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// Why a line is no ray, of which field.
 struct Refusal {
@@ -92,6 +93,30 @@ std::optional<Refusal> read_ray(std::string_view line, std::string_view header, 
     return refusal_of(ray, header);
 }
 
+std::uint64_t newlines_in(std::string_view text) {
+    return static_cast<std::uint64_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// Whether a line holds the names of the header, blanks around them or not.
+bool names_columns(std::string_view line, std::string_view header) {
+    if (std::count(line.begin(), line.end(), ',') != fields - 1) return false;
+    for (std::size_t i = 0; i < fields; ++i)
+        if (without_blanks(field_name(line, i)) != field_name(header, i)) return false;
+    return true;
+}
+
+/// Where the blank lines begin that a text ends with. A line that is too long is none of them.
+std::size_t end_of_rays(std::string_view text) {
+    while (!text.empty()) {
+        std::string_view line = text;
+        if (line.ends_with('\n')) line.remove_suffix(1);
+        line.remove_prefix(line.rfind('\n') + 1);
+        if (line.size() > longest_ray_line || line.find_first_not_of(" \t\r") != line.npos) break;
+        text = text.substr(0, static_cast<std::size_t>(line.data() - text.data()));
+    }
+    return text.size();
+}
+
 Error fault_at(std::uint64_t line, const Refusal& refusal) {
     const std::string field(refusal.field);
     return {"standard input", std::to_string(line),
@@ -122,24 +147,36 @@ bool RayLineReader::fill(std::string& text) {
 }
 
 void RayLineReader::drop_header(RayLines& lines) {
-    std::string_view text = lines.text;
-    if (!text.starts_with(header_)) return;
-    text.remove_prefix(header_.size());
-    if (text.starts_with('\r')) text.remove_prefix(1);
-    if (!text.empty() && !text.starts_with('\n')) return;
-    text.remove_prefix(std::min<std::size_t>(1, text.size()));
-    lines.text.erase(0, lines.text.size() - text.size());
+    if (lines.text.starts_with(byte_order_mark)) lines.text.erase(0, byte_order_mark.size());
+    const std::size_t end = lines.text.find('\n');
+    std::string_view line = std::string_view(lines.text).substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (!names_columns(line, header_)) return;
+    lines.text.erase(0, end == std::string::npos ? end : end + 1);
     lines.first_line = 2;
+}
+
+/// Keeps blank lines back until it is known whether a ray follows; of many the first is enough.
+void RayLineReader::hold_blank_lines(RayLines& lines) {
+    const std::size_t end = end_of_rays(lines.text);
+    const std::uint64_t held =
+        lines.first_line + newlines_in(std::string_view(lines.text).substr(0, end));
+    const bool holds = end < lines.text.size();
+    lines.text.resize(end);
+    if (blank_line_ && end > 0) {
+        lines.text.insert(0, 1, '\n');
+        lines.first_line = *blank_line_;
+    }
+    if (holds && !blank_line_) blank_line_ = held;
 }
 
 bool RayLineReader::read(RayLines& lines) {
     if (!fill(lines.text)) return false;
     lines.first_line = next_line_, lines.first_ray = next_ray_;
     if (next_line_ == 1) drop_header(lines);
-    const auto count =
-        static_cast<std::uint64_t>(std::count(lines.text.begin(), lines.text.end(), '\n'));
-    next_line_ = lines.first_line + count;
-    next_ray_ += count;
+    next_line_ = lines.first_line + newlines_in(lines.text);
+    hold_blank_lines(lines);
+    next_ray_ += newlines_in(lines.text);
     return true;
 }
 

@@ -32,7 +32,9 @@ struct RayLines {
 };
 
 /// Cuts a stream into pieces of whole lines, one piece for what one read brings, so that who sends
-/// a ray and waits is answered. Leaves out the first line where it is the header.
+/// a ray and waits is answered. Leaves out a UTF-8 byte order mark, the first line where it is the
+/// header, and blank lines at the end of the stream; a blank line before a ray stays, for rays_of
+/// to refuse.
 class RayLineReader {
 public:
     explicit RayLineReader(ByteSource source, std::string_view header = ray_header)
@@ -45,11 +47,13 @@ public:
 private:
     bool fill(std::string& text);
     void drop_header(RayLines& lines);
+    void hold_blank_lines(RayLines& lines);
 
     ByteSource source_;
     std::string_view header_;
     std::string rest_; ///< the beginning of a line
     std::uint64_t next_line_ = 1, next_ray_ = 0;
+    std::optional<std::uint64_t> blank_line_; ///< the first of those that may be the last ones
     bool ended_ = false;
 };
 

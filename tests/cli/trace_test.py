@@ -202,11 +202,17 @@ class Trace(KeikoTest):
         rows = self.fails("standard input:4: dy is not a number: \"a\"",
                           HEADER + DOWN + MISS + "1,2,3,4,a,6\n" + DOWN, SADDLE, "--out", "face")
         self.assertEqual(rows.count("\n"), 3)
-        for line, reason in (("1,2,3,4,5", "got 5 fields"), ("", "got an empty line"),
+        for line, reason in (("1,2,3,4,5", "got 5 fields"), ("\n" + DOWN, "got an empty line"),
                              ("1,2,3,4,5,inf", "dz is not finite"), ("1,2,3,0,0,0", "no direction"),
                              ("1e300,2,3,4,5,6", "beyond 1e15 mm"), (HEADER[:-1], "ox is not a")):
             self.fails("standard input:2: ", DOWN + line + "\n", SADDLE)
             self.fails(reason, DOWN + line + "\n", SADDLE)
+
+    def test_what_editors_and_spreadsheets_add_is_let_pass(self):
+        plain = self.trace(HEADER + DOWN + MISS, SADDLE)
+        for text in ("\ufeff" + HEADER + DOWN + MISS, "\ufeff" + DOWN + MISS,
+                     "ox, oy, oz, dx, dy, dz\n" + DOWN + MISS, HEADER + DOWN + MISS + "\n \r\n\n"):
+            self.assertEqual(self.trace(text, SADDLE), plain)
 
     def test_unknown_columns_and_intersectors(self):
         self.fails('--out: no column is called "hue"', DOWN, SADDLE, "--out", "t,hue")

@@ -87,7 +87,34 @@ TEST(RayLineReader, TakesAHeaderOnlyWhereItIsThatAndFirst) {
     EXPECT_EQ(pieces_of("ox,oy,oz,dx,dy,dz,\n", 99)[0].text, "ox,oy,oz,dx,dy,dz,\n");
     EXPECT_EQ(pieces_of("1,2,3,4,5,6\nox,oy,oz,dx,dy,dz\n", 99)[0].first_line, 1u);
     EXPECT_TRUE(pieces_of("ox,oy,oz,dx,dy,dz", 4)[0].text.empty());
+    EXPECT_EQ(pieces_of(" ox, oy ,oz\t,dx,dy,dz \r\n1,2,3,4,5,6\n", 99)[0].text, "1,2,3,4,5,6\n");
     EXPECT_TRUE(pieces_of("", 4).empty());
+}
+
+/// The rays of a stream that comes `size` bytes at a time, and what ends it before its end.
+std::pair<std::size_t, std::string> read_all(const std::string& text, std::size_t size) {
+    std::size_t rays = 0;
+    for (const RayLines& lines : pieces_of(text, size)) {
+        EXPECT_EQ(lines.first_ray, rays);
+        const ParsedRays parsed = rays_of(lines);
+        rays += parsed.rays.size();
+        if (parsed.fault) return {rays, parsed.fault->where()};
+    }
+    return {rays, ""};
+}
+
+TEST(RayLineReader, LeavesOutAByteOrderMarkAndBlankLinesAtTheEndAlone) {
+    const std::string mark = "\xEF\xBB\xBF", header = "ox,oy,oz,dx,dy,dz\r\n",
+                      ray = "1,2,3,4,5,6\n";
+    for (std::size_t size = 1; size < 60; ++size) {
+        EXPECT_EQ(read_all(mark + header + ray, size), std::pair(std::size_t{1}, std::string()));
+        EXPECT_EQ(read_all(mark + ray + ray + "\r\n \n\t", size),
+                  std::pair(std::size_t{2}, std::string()));
+        EXPECT_EQ(read_all(header + ray + "\n \n\n" + ray, size),
+                  std::pair(std::size_t{1}, std::string("3")));
+        EXPECT_EQ(read_all("\n" + ray, size), std::pair(std::size_t{0}, std::string("1")));
+        EXPECT_EQ(read_all(ray + mark + ray, size), std::pair(std::size_t{1}, std::string("2")));
+    }
 }
 
 TEST(RayLineReader, NeverGathersALineWithoutEnd) {
