@@ -125,9 +125,9 @@ std::map<RepairKind, RepairTotal> total_repairs(const std::vector<Repair>& repai
     return totals;
 }
 
-RemarkCounts count_remarks(const Diagnostics& diagnostics) {
-    RemarkCounts counts;
-    for (const Diagnostic& remark : diagnostics) {
+RemarkCounts count_remarks(const SurfaceModel& model) {
+    RemarkCounts counts{.errors = model.lost_faces.size()};
+    for (const Diagnostic& remark : model.diagnostics) {
         counts.notes += remark.severity == Severity::note;
         counts.warnings += remark.severity == Severity::warning;
         counts.errors += remark.severity == Severity::error;
@@ -156,7 +156,7 @@ ModelFacts model_facts(const SurfaceModel& model, std::span<const Seam> seams, d
     facts.repairs = model.repairs;
     facts.repair_totals = total_repairs(model.repairs);
     facts.diagnostics = model.diagnostics;
-    facts.remarks = count_remarks(model.diagnostics);
+    facts.remarks = count_remarks(model);
     return facts;
 }
 

@@ -33,7 +33,7 @@ struct FaceFacts {
     double approximated = 0;     ///< as Face::approximated
 };
 
-/// How many remarks of each severity the import made.
+/// How many remarks of each severity the import made; a lost face is an error.
 struct RemarkCounts {
     std::size_t notes = 0, warnings = 0, errors = 0;
 };
@@ -69,7 +69,7 @@ struct ModelFacts {
     std::vector<Repair> repairs; ///< one a face and kind, by face
     std::map<RepairKind, RepairTotal> repair_totals;
     Diagnostics diagnostics;           ///< other remarks of the import
-    RemarkCounts remarks;              ///< of the diagnostics
+    RemarkCounts remarks;              ///< of the diagnostics and the lost faces
     std::optional<TraceFacts> tracing; ///< when a tracer was built
 };
 

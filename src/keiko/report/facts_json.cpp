@@ -1,20 +1,9 @@
+#include "keiko/report/folded_remarks.h"
 #include "keiko/report/json_text.h"
 #include "keiko/report/report_json.h"
 
 namespace keiko {
 namespace {
-
-std::string_view name_of(Severity severity) {
-    switch (severity) {
-        case Severity::note:
-            return "note";
-        case Severity::warning:
-            return "warning";
-        case Severity::error:
-            return "error";
-    }
-    return "";
-}
 
 template <class Value>
 Json or_null(const std::optional<Value>& value) {

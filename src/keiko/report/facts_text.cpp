@@ -1,5 +1,7 @@
 #include "keiko/report/facts_text.h"
 
+#include "keiko/report/folded_remarks.h"
+
 #include <sstream>
 #include <string_view>
 
@@ -65,10 +67,8 @@ void write_remarks(std::ostream& out, const ModelFacts& facts) {
         begin_line(out, "lost") << "face " << face.id << (face.name.empty() ? "" : " ") << face.name
                                 << ": " << face.reason << "\n";
     if (!facts.repair_totals.empty()) write_repairs(out, facts);
-    for (const Diagnostic& remark : facts.diagnostics) {
-        begin_line(out, remark.severity == Severity::note ? "note" : "warning");
-        out << remark.entity << (remark.entity.empty() ? "" : ": ") << remark.message << "\n";
-    }
+    for (const FoldedRemark& remark : folded_remarks(facts.diagnostics))
+        begin_line(out, name_of(remark.severity)) << remark.text << "\n";
 }
 
 void write_tracing(std::ostream& out, const TraceFacts& facts) {

@@ -1,3 +1,4 @@
+#include "keiko/report/folded_remarks.h"
 #include "keiko/report/html_sections.h"
 #include "keiko/report/html_text.h"
 
@@ -76,9 +77,8 @@ std::string repairs(const ModelFacts& facts) {
 
 std::string remarks(const ModelFacts& facts) {
     std::string html = "<ul>";
-    for (const Diagnostic& d : facts.diagnostics)
-        html += "<li>" + html_escaped(d.entity) + (d.entity.empty() ? "" : ": ") +
-                html_escaped(d.message) + "</li>";
+    for (const FoldedRemark& remark : folded_remarks(facts.diagnostics))
+        html += "<li>" + html_escaped(remark.text) + "</li>";
     return html + "</ul>";
 }
 

@@ -85,6 +85,7 @@ TEST(ModelFacts, ListsPartsFacesEdgesAndRemarks) {
     EXPECT_EQ(facts.degenerate_edges, 1u);
     EXPECT_EQ(facts.largest_edge_tolerance, 2e-3);
     EXPECT_EQ(facts.remarks.notes, 2u);
+    EXPECT_EQ(facts.remarks.errors, 0u);
     const RepairTotal& gaps = facts.repair_totals.at(RepairKind::gap_bridged);
     EXPECT_EQ(gaps.count, 3u);
     EXPECT_EQ(gaps.faces, 2u);

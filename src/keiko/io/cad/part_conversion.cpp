@@ -37,8 +37,6 @@ private:
             result.converted.reset();
         } else {
             numbers_in_part(result.edges);
-            model_.diagnostics.push_back(
-                {Severity::error, model_.describe(face), "lost: " + result.loss});
             model_.lost_faces.push_back({face.id, face.name, result.loss});
         }
     }
