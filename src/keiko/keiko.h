@@ -25,7 +25,9 @@
 #include "keiko/report/report.h"
 #include "keiko/report/report_json.h"
 #include "keiko/report/sarif.h"
+#include "keiko/report/unmet_borders.h"
 #include "keiko/spec/criteria_preset.h"
+#include "keiko/spec/suggestion.h"
 
 #include <filesystem>
 #include <optional>

@@ -25,6 +25,8 @@ int check(CheckArguments arguments, const Job& job) {
     const Inspection inspection = check_models(arguments.models.inputs, options, job);
     for (const LostFace& face : inspection.facts.lost_faces)
         log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
+    if (const std::string warning = nothing_judged(inspection); !warning.empty())
+        log_warning(warning);
     OutputBatch outputs;
     arguments.files.add_to(outputs, inspection, arguments.models.inputs);
     outputs.write();

@@ -1,3 +1,4 @@
+#include "keiko/base/log.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/inspection_files.h"
 #include "keiko/cli/number_check.h"
@@ -20,10 +21,7 @@ struct InspectArguments {
 };
 
 void print_summary(const Report& report, const std::filesystem::path& folder) {
-    const SeamCounts& counts = report.inspection.counts;
-    std::cout << name_of(verdict_of(report)) << ": seams " << counts.fail << " fail, "
-              << counts.undecided << " undecided, " << counts.pass << " pass, " << counts.creases
-              << " creases; ";
+    std::cout << name_of(verdict_of(report)) << ": " << seams_words(report.inspection) << "; ";
     if (report.lines) {
         const CrossingCounts crossings = count_crossings(*report.lines);
         std::cout << "lines " << crossings.fail << " fail, " << crossings.undecided
@@ -55,6 +53,8 @@ int inspect(InspectArguments arguments, const Job& job) {
         outputs, report.lines ? with_lines(report.inspection, *report.lines) : report.inspection,
         arguments.scene.inputs);
     outputs.write();
+    if (const std::string warning = nothing_judged(result.report.inspection); !warning.empty())
+        log_warning(warning);
     print_summary(result.report, arguments.output);
     return verdict_of(result.report) == Verdict::pass ? exit_pass : exit_findings;
 }

@@ -14,9 +14,11 @@ constexpr std::string_view maps_style = R"css(
 .card.scroll + p { margin-top: 16px; }
 )css";
 
-std::string count(const std::string& tone, std::size_t number, const std::string& label) {
+/// "1 seam worse", "2 seams worse"
+std::string count(const std::string& tone, std::size_t number, const std::string& noun,
+                  const std::string& what) {
     return "<div class=\"card count " + tone + (number == 0 ? " none" : "") + "\"><b>" +
-           std::to_string(number) + "</b>" + label + "</div>";
+           std::to_string(number) + "</b>" + noun + (number == 1 ? " " : "s ") + what + "</div>";
 }
 
 std::size_t of_trend(const Comparison& c, SeamTrend trend) {
@@ -33,12 +35,13 @@ std::string head(const Comparison& c) {
                        "</h1><div class=\"soft\">compared with " + html_escaped(c.before) +
                        "</div></div></header>\n<div class=\"counts\">";
     const std::size_t faces = faces_gone(c).size() + faces_new(c).size() + faces_turned(c).size();
-    html += count("fail", faces, "faces gone, new or turned") +
-            count("fail", of_trend(c, SeamTrend::worse), "seams worse") +
-            count("pass", of_trend(c, SeamTrend::better), "seams better") +
-            count("undecided", c.seams.removed.size() + c.seams.added.size(), "seams gone or new") +
-            count("fail", c.seams.new_findings.size(), "findings new") +
-            count("pass", c.seams.solved_findings.size(), "findings fixed");
+    html +=
+        count("fail", faces, "face", "gone, new or turned") +
+        count("fail", of_trend(c, SeamTrend::worse), "seam", "worse") +
+        count("pass", of_trend(c, SeamTrend::better), "seam", "better") +
+        count("undecided", c.seams.removed.size() + c.seams.added.size(), "seam", "gone or new") +
+        count("fail", c.seams.new_findings.size(), "finding", "new") +
+        count("pass", c.seams.solved_findings.size(), "finding", "fixed");
     return html + "</div>\n";
 }
 

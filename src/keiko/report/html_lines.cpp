@@ -1,3 +1,4 @@
+#include "keiko/base/counted.h"
 #include "keiko/report/html_sections.h"
 #include "keiko/report/html_table.h"
 #include "keiko/report/html_text.h"
@@ -16,10 +17,11 @@ std::string summary(const LineList& list) {
     std::size_t lines = 0;
     for (const ViewLines& view : list.views) lines += view.found.lines.size();
     const std::string rig = list.rig.empty() ? "" : " of rig " + html_escaped(list.rig);
-    return "<p class=\"soft\">" + std::to_string(lines) + " lines of the lamps" + rig +
-           ", followed over the seams: " + std::to_string(counts.fail) + " crossings fail, " +
-           std::to_string(counts.undecided) + " undecided, " + std::to_string(counts.pass) +
-           " pass, " + std::to_string(counts.not_judged) + " not judged.</p>";
+    return "<p class=\"soft\">" + counted(lines, "line") + " of the lamps" + rig +
+           ", followed over the seams: " + counted(counts.fail, "crossing") +
+           (counts.fail == 1 ? " fails, " : " fail, ") + std::to_string(counts.undecided) +
+           " undecided, " + std::to_string(counts.pass) + " pass, " +
+           std::to_string(counts.not_judged) + " not judged.</p>";
 }
 
 std::string value_cell(const LineValue& value, int decimals) {

@@ -1,6 +1,8 @@
+#include "keiko/base/counted.h"
 #include "keiko/report/base64.h"
 #include "keiko/report/html_sections.h"
 #include "keiko/report/html_text.h"
+#include "keiko/report/unmet_borders.h"
 
 #include <algorithm>
 
@@ -15,6 +17,11 @@ std::string count(std::string_view tone, const std::string& number, bool none,
 
 std::string count(std::string_view tone, std::size_t number, std::string_view label) {
     return count(tone, std::to_string(number), number == 0, label);
+}
+
+std::string count(std::string_view tone, std::size_t number, std::string_view one,
+                  std::string_view several) {
+    return count(tone, number, number == 1 ? one : several);
 }
 
 std::string percent(double share, int decimals = 1) {
@@ -39,6 +46,14 @@ std::string criteria_line(const Inspection& inspection) {
     return text;
 }
 
+/// "2 faces, 0 seams · 798.8 of 798.8 mm of borders meet no other · class-a-outer: ..."
+std::string body_line(const Inspection& inspection) {
+    const std::string unmet = unmet_borders(inspection.facts);
+    return counted(inspection.facts.placed_faces, "face") + ", " +
+           counted(inspection.seams.size(), "seam") +
+           (unmet.empty() ? "" : " · " + html_escaped(unmet)) + " · " + criteria_line(inspection);
+}
+
 } // namespace
 
 std::string html_figure(const ReportPicture& picture) {
@@ -60,14 +75,16 @@ std::string html_verdict(const Report& report) {
     std::string html = "<header class=\"card head " + verdict + "\"><div class=\"verdict\">" +
                        verdict + "</div><div class=\"names\"><h1>" +
                        html_escaped(inspection.facts.source) + "</h1><div class=\"soft\">" +
-                       std::to_string(inspection.facts.placed_faces) + " faces, " +
-                       std::to_string(inspection.seams.size()) + " seams · " +
-                       criteria_line(inspection) + "</div></div></header>\n";
-    html += "<div class=\"counts\">" + count("fail", counts.fail, "seams fail") +
+                       body_line(inspection) + "</div>";
+    if (const std::string warning = nothing_judged(inspection); !warning.empty())
+        html += "<div><b>" + warning + "</b></div>";
+    html += "</div></header>\n";
+    html += "<div class=\"counts\">" + count("fail", counts.fail, "seam fails", "seams fail") +
             count("undecided", counts.undecided, "undecided") + count("pass", counts.pass, "pass") +
-            count("crease", counts.creases, "creases");
+            count("crease", counts.creases, "crease", "creases");
     if (report.lines)
-        html += count("fail", count_crossings(*report.lines).fail, "line crossings fail");
+        html += count("fail", count_crossings(*report.lines).fail, "line crossing fails",
+                      "line crossings fail");
     if (report.coverage)
         html += count("open", percent(1 - report.coverage->covered), report.coverage->covered >= 1,
                       "not covered");
@@ -75,7 +92,7 @@ std::string html_verdict(const Report& report) {
         html += count("fail", inspection.face_counts.fail, "faces fail") +
                 count("undecided", inspection.face_counts.undecided, "faces undecided");
     if (!inspection.facts.lost_faces.empty())
-        html += count("fail", inspection.facts.lost_faces.size(), "faces lost");
+        html += count("fail", inspection.facts.lost_faces.size(), "face lost", "faces lost");
     return html + "</div>\n";
 }
 

@@ -1,6 +1,7 @@
 #include "keiko/report/inspection_text.h"
 
 #include "keiko/report/check_place.h"
+#include "keiko/report/unmet_borders.h"
 
 #include <algorithm>
 
@@ -16,13 +17,18 @@ std::string faces_text(const Inspection& inspection) {
 
 } // namespace
 
-std::string inspection_text(const Inspection& inspection, std::size_t most) {
+std::string seams_words(const Inspection& inspection) {
     const SeamCounts& counts = inspection.counts;
+    const std::string unmet = unmet_borders(inspection.facts);
+    return "seams " + std::to_string(counts.fail) + " fail, " + std::to_string(counts.undecided) +
+           " undecided, " + std::to_string(counts.pass) + " pass, " +
+           std::to_string(counts.creases) + " creases" + (unmet.empty() ? "" : "; " + unmet);
+}
+
+std::string inspection_text(const Inspection& inspection, std::size_t most) {
     std::string text(name_of(inspection.verdict));
-    text += ": seams " + std::to_string(counts.fail) + " fail, " +
-            std::to_string(counts.undecided) + " undecided, " + std::to_string(counts.pass) +
-            " pass, " + std::to_string(counts.creases) + " creases" + faces_text(inspection) +
-            "; by " + inspection.preset.name + "\n";
+    text += ": " + seams_words(inspection) + faces_text(inspection) + "; by " +
+            inspection.preset.name + "\n";
     const std::size_t shown = std::min(most, inspection.findings.size());
     for (std::size_t i = 0; i < shown; ++i) {
         const Check& finding = inspection.findings[i];

@@ -147,9 +147,48 @@ TEST(ReportHtml, HasLinesWorstFirstWithTheirLimits) {
     with_lines.lines = lines();
     const std::string html = report_html(with_lines);
     EXPECT_NE(html.find("rig tubes &amp; more"), std::string::npos);
-    EXPECT_NE(html.find("1 crossings fail, 0 undecided, 2 pass, 1 not judged"), std::string::npos);
+    EXPECT_NE(html.find("1 crossing fails, 0 undecided, 2 pass, 1 not judged"), std::string::npos);
     EXPECT_LT(html.find("bad &lt;1&gt;"), html.find(">near<"));
-    EXPECT_NE(html.find("<b>1</b>line crossings fail"), std::string::npos);
+    EXPECT_NE(html.find("<b>1</b>line crossing fails"), std::string::npos);
+}
+
+TEST(ReportHtml, TellsBeforeAllElseHowMuchOfTheBordersMeetsNoOther) {
+    const std::string html = report_html(report());
+    const std::size_t told = html.find("mm of borders meet no other · class-a-outer");
+    EXPECT_LT(told, html.find("<div class=\"counts\">"));
+    EXPECT_EQ(html.find("no seam was judged"), std::string::npos);
+    EXPECT_NE(html.find("<b>1</b>face lost"), std::string::npos);
+}
+
+TEST(ReportHtml, WarnsOfABodyWithoutAnySeam) {
+    test::ModelBuilder builder;
+    builder.plane({0, 0, 0}, {100, 0, 0}, {0, 50, 0});
+    builder.plane({0, 50.6, 0}, {100, 0, 0}, {0, 50, 0});
+    Report apart;
+    apart.inspection = inspect(builder.build());
+    const std::string html = report_html(apart);
+    EXPECT_NE(html.find("600.0 of 600.0 mm of borders meet no other"), std::string::npos);
+    EXPECT_NE(html.find("<b>no seam was judged: of 2 faces no two have borders that meet within "
+                        "0.5 mm (--join)</b>"),
+              std::string::npos);
+}
+
+TEST(FactsText, FoldsEqualRemarksAndTellsALostFaceOnce) {
+    SurfaceModel remarked = model();
+    for (int i = 0; i < 3; ++i) {
+        remarked.diagnostics.push_back({Severity::warning, "", "a void surface"});
+        remarked.diagnostics.push_back({Severity::note, "", "a void surface"});
+    }
+    const ModelFacts facts = inspect(remarked).facts;
+    const std::string text = facts_text(facts);
+    EXPECT_NE(text.find("\nnote        face 2: invalid in the file\n"
+                        "warning     a void surface (3 times)\n"
+                        "note        a void surface (3 times)\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("\nlost        face 7 rear: no surface\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("no surface"), text.rfind("no surface"));
+    EXPECT_EQ(facts.remarks.errors, 1u);
 }
 
 TEST(ReportJson, KeepsNumbersInFullPrecision) {
@@ -207,9 +246,9 @@ TEST(ReportHtml, TellsTheFirstScreenInOrder) {
     const std::string html = report_html(report());
     std::size_t at = 0;
     for (const char* text :
-         {"<header class=\"card head fail\">", "seams fail", "undecided", "creases", "not covered",
-          "Reflections", "Worst seams", "0.0400 mm", "0.300°", "Coverage", "87.5 %", "All seams",
-          "lost faces", "repairs", "1 × open loop closed on 1 face, up to 0.25 mm",
+         {"<header class=\"card head fail\">", "seams fail", "undecided", "</b>crease</div>",
+          "not covered", "Reflections", "Worst seams", "0.0400 mm", "0.300°", "Coverage", "87.5 %",
+          "All seams", "lost faces", "repairs", "1 × open loop closed on 1 face, up to 0.25 mm",
           "a &lt;seam&gt; added", "invalid in the file"}) {
         const std::size_t next = html.find(text, at);
         ASSERT_NE(next, std::string::npos) << text;
