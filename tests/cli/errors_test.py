@@ -3,7 +3,7 @@ import os
 import subprocess
 import unittest
 
-from keiko_process import BINARY, SMALL, SOURCE, KeikoTest, surface
+from keiko_process import BINARY, SMALL, SOURCE, KeikoTest, luminaire, surface
 
 SADDLE = surface("saddle.bpt")
 ONE_TUBE = str(SOURCE / "lightrigs/single-tube.toml")
@@ -24,6 +24,9 @@ class Errors(KeikoTest):
 
     def every_command_fails_on(self, model: str, reason: str):
         self.fails(reason, "info", model)
+        self.every_command_but_info_fails_on(model, reason)
+
+    def every_command_but_info_fails_on(self, model: str, reason: str):
         self.fails(reason, "inspect", model, "-o", "out")
         self.fails(reason, "place", model, "-o", "rig.toml")
         self.fails(reason, "render", model, "-o", "picture.png")
@@ -60,6 +63,18 @@ class Errors(KeikoTest):
         self.every_command_fails_on(self.write("a.step", "Dear customer,\n"),
                                     "a.step: not a model file")
 
+    def test_files_of_use_elsewhere_are_told_as_what_they_are(self):
+        rig = str(SOURCE / "lightrigs/bench-6.toml")
+        self.fails("no model, but a scene: inspect, check, render and trace take it", "info",
+                   surface("hood-scene.toml"))
+        self.fails("no model, but a rig: --rig of inspect, render and lines takes it", "info", rig)
+        self.fails("is 'keiko-rig/1', a rig: --rig of inspect, render and lines takes it; expected", "check", rig)
+        self.every_command_but_info_fails_on(luminaire("sym4.ldt"), "no model, but a luminaire: info takes it")
+
+    def test_a_command_that_there_is_not(self):
+        self.fails('there is no command "rendr" (did you mean \'render\'?); see keiko --help', "rendr", SADDLE)
+        self.fails('there is no command "qqqqqq"; see keiko --help', "qqqqqq")
+
     def test_a_model_cut_short(self):
         hood = (SOURCE / "surfaces/hood.step").read_text()
         self.file_fails(self.write("half.step", hood[:len(hood) // 2]),
@@ -74,6 +89,9 @@ class Errors(KeikoTest):
         self.file_fails(self.write("a.bpt", PATCH.replace("1 1 2", "1 1 nan")),
                         'a.bpt:6: not a finite number: "nan"')
         self.file_fails(self.write("a.bpt", PATCH.replace("1 0 0\n", "")), "a.bpt:6: ")
+        for count in "0", "-1":
+            for text in count, count + PATCH[1:]:
+                self.file_fails(self.write("a.bpt", text), "a.bpt:1: out of range: the number of patches")
 
     def test_a_file_name_with_a_line_break(self):
         self.fails("a?b.step: no such file", "info", "a\nb.step")

@@ -4,10 +4,12 @@
 #include "keiko/base/error_text.h"
 #include "keiko/base/log.h"
 #include "keiko/cli/number_check.h"
+#include "keiko/keiko.h"
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -25,18 +27,34 @@ void tell_usage_error(const CLI::App& app, const CLI::ParseError& error) {
     tell_error(std::string(error.what()) + "; see " + command + " --help");
 }
 
+/// Whether the first argument names no command; if so, that is told.
+bool tell_unknown_command(const CLI::App& app, int argc, char** argv) {
+    const std::string typed = argc > 1 ? argv[1] : "-";
+    if (typed.starts_with('-')) return false;
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    if (std::find(names.begin(), names.end(), typed) != names.end()) return false;
+    tell_error("there is no command " + in_quotes(typed) + did_you_mean(typed, names) +
+               "; see keiko --help");
+    return true;
+}
+
 } // namespace
 
 void Session::add_command(CLI::App& command, std::function<int(const Job&)> action) {
     command.add_option("--threads", threads_, "threads to use; 0: one a core")
         ->check(number_between(0, 1024))
         ->capture_default_str();
-    auto* quiet = command.add_flag("-q,--quiet", quiet_, "errors and warnings only");
+    auto* quiet = command.add_flag("-q,--quiet", quiet_,
+                                   "no progress or notes on stderr; results still go to stdout, "
+                                   "warnings and errors to stderr");
     command.add_flag("--verbose", verbose_, "tell details on stderr")->excludes(quiet);
     command.callback([this, action = std::move(action)] { action_ = action; });
 }
 
 int Session::run(CLI::App& app, int argc, char** argv) {
+    if (tell_unknown_command(app, argc, argv)) return exit_error;
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -3,6 +3,8 @@
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/lower_case.h"
+#include "keiko/io/luminaire_file.h"
+#include "keiko/io/own_formats.h"
 
 #include <algorithm>
 #include <array>
@@ -69,7 +71,7 @@ std::optional<ModelFormat> patch_text(const std::string& text) {
         counts[known++] = numbers_on(line);
     }
     if (counts[0] != 1) return std::nullopt;
-    if (counts[1] == 2) return ModelFormat::bezier;
+    if (counts[1] == 2 || known == 1) return ModelFormat::bezier;
     if (counts[1] == 16) return ModelFormat::teapot;
     return std::nullopt;
 }
@@ -144,6 +146,22 @@ bool cut_short(const fs::path& path, ModelFormat format) {
     }
 }
 
+/// Of a file that is of use elsewhere, what it is; empty where it is not known.
+std::string other_kind(const std::string& text, const fs::path& path) {
+    if (is_luminaire_file(path) || text.starts_with("IESNA"))
+        return "a luminaire: info takes it, and spotlights of a rig name it";
+    const std::size_t begin = text.find("\"keiko-");
+    if (begin == std::string::npos) return "";
+    return use_of_format(std::string_view(text).substr(begin + 1, text.find('"', begin + 1)));
+}
+
+[[noreturn]] void refuse(const std::string& text, const fs::path& path) {
+    const std::string kind = other_kind(text, path);
+    if (!kind.empty()) throw Error(path.string(), "", "no model, but " + kind);
+    throw Error(path.string(), "",
+                "not a model file (expected STEP, IGES, BREP, .bpt, teapot text or an OBJ cage)");
+}
+
 /// Files as they come by mail.
 void refuse_packed(std::string_view bytes, const fs::path& path) {
     if (bytes.starts_with("\x1f\x8b"))
@@ -178,10 +196,7 @@ ModelFormat detect_model_format(const fs::path& path) {
     refuse_packed(bytes, path);
     const std::string text = without_byte_order_mark(bytes, path);
     const auto format = format_of(text);
-    if (!format)
-        throw Error(
-            path.string(), "",
-            "not a model file (expected STEP, IGES, BREP, .bpt, teapot text or an OBJ cage)");
+    if (!format) refuse(text, path);
     const bool marked = text.size() < bytes.size();
     if (marked && (*format == ModelFormat::step || *format == ModelFormat::iges))
         throw Error(path.string(), "",

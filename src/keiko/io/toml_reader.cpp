@@ -2,6 +2,7 @@
 
 #include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/io/own_formats.h"
 #include "keiko/io/toml_document.h"
 #include "keiko/spec/suggestion.h"
 
@@ -53,8 +54,10 @@ void TomlTable::require_format(std::string_view expected) const {
         refuse_misspelt();
         throw error("", "the file must begin with " + wanted);
     }
-    if (*given != expected)
-        throw error("format", "is '" + shortened(*given) + "'; expected " + wanted);
+    if (*given == expected) return;
+    const std::string use = use_of_format(*given);
+    throw error("format", "is '" + shortened(*given) + "'" + (use.empty() ? "" : ", " + use) +
+                              "; expected " + wanted);
 }
 
 void TomlTable::not_yet(std::initializer_list<std::string_view> keys) const {

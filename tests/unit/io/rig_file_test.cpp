@@ -305,8 +305,10 @@ TEST(RigFile, WhatIsNotSupportedYetSaysSo) {
 }
 
 TEST(RigFile, AForeignOrBrokenFileIsRefused) {
-    EXPECT_EQ(rig_error("format = \"keiko-scene/1\"\n"),
-              "bad.toml:1:10: format: is 'keiko-scene/1'; expected format = \"keiko-rig/1\"");
+    EXPECT_EQ(
+        rig_error("format = \"keiko-scene/1\"\n"),
+        "bad.toml:1:10: format: is 'keiko-scene/1', a scene: inspect, check, render and trace take "
+        "it, as FILE.toml; expected format = \"keiko-rig/1\"");
     EXPECT_EQ(rig_error(whole_plane),
               "bad.toml:1:1: the file must begin with format = \"keiko-rig/1\"");
     EXPECT_TRUE(rig_error(head + "name = \n").starts_with("bad.toml:2:")) << rig_error("name =");

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace keiko {
+
+/// Of a format of Keiko's own ("keiko-rig/1") what such a file is and what takes it: "a rig: --rig
+/// of inspect, render and lines takes it". Empty for any other text.
+std::string use_of_format(std::string_view format);
+
+} // namespace keiko
