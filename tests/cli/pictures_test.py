@@ -69,7 +69,9 @@ class Pictures(KeikoTest):
         """Parse, trace and light up; their full size is for the gallery."""
         for scene in sorted(SOURCE.glob("surfaces/*-scene.toml")):
             if "[fog]" in scene.read_text():
-                self.succeed("render", str(scene), "-o", "a.png", "-q", "--shadows", "--size", "8x5")
+                run = self.keiko("render", str(scene), "-o", "a.png", "-q", "--shadows", "--size", "8x5")
+                self.assertEqual(run.returncode, 0, run.stderr)
+                self.assertRegex(run.stderr, r"^(keiko: warning: the fog is thick: [^\n]*\n)?$")
 
     def test_false_colours_have_a_legend_a_scale_and_lines(self):
         base = ("--view", "front", "--false-color")
