@@ -1,5 +1,3 @@
-#include "keiko/base/output_file.h"
-
 #include "tests/bench/command_line.h"
 #include "tests/bench/cut_shaft.h"
 #include "tests/bench/markdown.h"
@@ -54,8 +52,7 @@ void shafts(const ShaftsOptions& options) {
     const std::vector<ShaftCost> costs = run_shafts_benchmark(options.rays);
     const Table table = shafts_table(costs);
     print(text_of(table));
-    if (!options.plot.empty())
-        keiko::write_text_file(options.plot, cost_plot_svg(shafts_panels(costs), "µs a ray"));
+    if (!options.plot.empty()) write_svg(options.plot, shafts_plots(costs));
     if (!options.markdown.empty()) update_page(options.markdown, "shafts", markdown_of(table));
 }
 

@@ -169,19 +169,19 @@ Table shafts_table(const std::vector<ShaftCost>& costs) {
     return table;
 }
 
-std::vector<CostPanel> shafts_panels(const std::vector<ShaftCost>& costs) {
-    CostPanel lamps{.title = "concept car, 185 patches", .across = "lamps"};
-    CostPanel patches{.title = "spheres under 4 lamps", .across = "patches"};
-    for (CostPanel* panel : {&lamps, &patches})
+std::vector<LogPlot> shafts_plots(const std::vector<ShaftCost>& costs) {
+    LogPlot lamps{.x = "lamps on the car", .y = "µs a ray"};
+    LogPlot patches{.x = "patches, spheres under 4 lamps", .y = "µs a ray"};
+    for (LogPlot* plot : {&lamps, &patches})
         for (const char* name : {"marching, 99 % of rays", "marching, mean", "visible intervals"})
-            panel->lines.push_back({.name = name, .points = {}});
+            plot->curves.push_back({.name = name});
     for (const ShaftCost& c : costs) {
         const bool is_car = c.bodies == "concept car";
-        CostPanel& panel = is_car ? lamps : patches;
+        LogPlot& plot = is_car ? lamps : patches;
         const double x = is_car ? c.lamps : static_cast<double>(c.patches);
-        panel.lines[0].points.emplace_back(x, c.to_most_rays.microseconds);
-        panel.lines[1].points.emplace_back(x, c.to_mean.microseconds);
-        panel.lines[2].points.emplace_back(x, c.exact);
+        plot.curves[0].points.push_back({x, c.to_most_rays.microseconds});
+        plot.curves[1].points.push_back({x, c.to_mean.microseconds});
+        plot.curves[2].points.push_back({x, c.exact});
     }
     return {lamps, patches};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/bench/cost_plot.h"
+#include "tests/bench/log_plot.h"
 #include "tests/bench/table.h"
 
 #include <string>
@@ -44,6 +44,6 @@ std::vector<ShaftCost> run_shafts_benchmark(std::size_t marched_rays);
 
 Table shafts_table(const std::vector<ShaftCost>& costs);
 /// Cost over the number of lamps, and over that of patches.
-std::vector<CostPanel> shafts_panels(const std::vector<ShaftCost>& costs);
+std::vector<LogPlot> shafts_plots(const std::vector<ShaftCost>& costs);
 
 } // namespace keiko::bench
