@@ -198,4 +198,19 @@ ParsedRays rays_of(const RayLines& lines, std::string_view header) {
     return parsed;
 }
 
+void end_before_far_origins(ParsedRays& parsed, const RayLines& lines, const Box3& body) {
+    if (body.empty()) return;
+    const double farthest = 1e8 * body.size();
+    const auto is_far = [&](const Ray& ray) {
+        return !body.contains(ray.origin) &&
+               std::max(ray.origin.length(), (ray.origin - body.center()).length()) > farthest;
+    };
+    const auto far = std::find_if(parsed.rays.begin(), parsed.rays.end(), is_far);
+    if (far == parsed.rays.end()) return;
+    const auto before = static_cast<std::uint64_t>(far - parsed.rays.begin());
+    parsed.fault = fault_at(lines.first_line + before,
+                            {place_names(ray_header), "is over 1e8 times the body's size away"});
+    parsed.rays.erase(far, parsed.rays.end());
+}
+
 } // namespace keiko

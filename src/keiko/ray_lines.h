@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/error.h"
+#include "keiko/math/bounds.h"
 #include "keiko/patch/ray.h"
 
 #include <cstdint>
@@ -67,5 +68,9 @@ struct ParsedRays {
 /// within 1e15 mm of zero, the direction no zero vector. Points are read as rays along their
 /// normals; the header names the columns in errors.
 ParsedRays rays_of(const RayLines& lines, std::string_view header = ray_header);
+
+/// Ends the rays of `lines` before the first that comes from so far outside of a body with these
+/// bounds, 1e8 times its size, that doubles do not tell where it meets it; a tracer finds nothing.
+void end_before_far_origins(ParsedRays& parsed, const RayLines& lines, const Box3& body);
 
 } // namespace keiko

@@ -51,6 +51,7 @@ private:
 
 void RowWriter::work(Piece& piece) const {
     ParsedRays parsed = rays_of(piece.lines);
+    end_before_far_origins(parsed, piece.lines, tracer_.bounds());
     piece.fault = std::move(parsed.fault);
     piece.rays = parsed.rays.size();
     piece.rows.clear();

@@ -204,9 +204,15 @@ class Trace(KeikoTest):
         self.assertEqual(rows.count("\n"), 3)
         for line, reason in (("1,2,3,4,5", "got 5 fields"), ("\n" + DOWN, "got an empty line"),
                              ("1,2,3,4,5,inf", "dz is not finite"), ("1,2,3,0,0,0", "no direction"),
-                             ("1e300,2,3,4,5,6", "beyond 1e15 mm"), (HEADER[:-1], "ox is not a")):
+                             ("1e300,2,3,4,5,6", "beyond 1e15 mm"),
+                             ("0,0,1e12,0,0,-1", "ox,oy,oz is over 1e8 times the body's size away"), (HEADER[:-1], "ox is not a")):
             self.fails("standard input:2: ", DOWN + line + "\n", SADDLE)
             self.fails(reason, DOWN + line + "\n", SADDLE)
+
+    def test_rays_from_as_far_as_is_let_pass_are_answered(self):
+        _, row = self.trace("0.5,0.25,1e10,0,0,-1\n", SADDLE, "--out", "x,y,bound").splitlines()
+        x, y, bound = map(float, row.split(","))
+        self.assertLess(abs(x - 0.5) + abs(y - 0.25), 2 * bound)
 
     def test_what_editors_and_spreadsheets_add_is_let_pass(self):
         plain = self.trace(HEADER + DOWN + MISS, SADDLE)
