@@ -8,6 +8,12 @@
 namespace keiko::bench {
 namespace {
 
+CLI::Option* add_markdown(CLI::App& command, std::filesystem::path& page) {
+    return command
+        .add_option("--markdown", page, "page to put the tables into, between its markers")
+        ->check(CLI::ExistingFile);
+}
+
 void add_trace(CLI::App& app, TraceOptions& options) {
     CLI::App* trace = app.add_subcommand("trace", "rays against Keiko and its peers (the default)");
     trace->add_option("--scene", options.scenes, "scene names or model files [all]");
@@ -32,11 +38,7 @@ void add_trace(CLI::App& app, TraceOptions& options) {
     };
     trace->add_option("--json", options.json, "file to write all numbers to")->check(in_folder);
     trace->add_flag("--alone", options.alone, "Keiko without its peers, and its rates only");
-    trace
-        ->add_option("--markdown", options.markdown,
-                     "page to put the tables into, between its markers")
-        ->check(CLI::ExistingFile)
-        ->excludes("--alone");
+    add_markdown(*trace, options.markdown)->excludes("--alone");
 }
 
 void add_load(CLI::App& app, LoadOptions& options) {
@@ -46,19 +48,14 @@ void add_load(CLI::App& app, LoadOptions& options) {
     load->add_option("--rounds", options.rounds, "interleaved rounds; the least time counts")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    load->add_option("--markdown", options.markdown,
-                     "page to put the table into, between its markers")
-        ->check(CLI::ExistingFile);
+    add_markdown(*load, options.markdown);
 }
 
 void add_lights(CLI::App& app, LightsOptions& options) {
     CLI::App* lights = app.add_subcommand(
         "lights", "the smallest defects seen under a point light, parallel light and tubes");
     lights->add_option("-o,--output", options.output, "PNG file of dents under the three");
-    lights
-        ->add_option("--markdown", options.markdown,
-                     "page to put the table into, between its markers")
-        ->check(CLI::ExistingFile);
+    add_markdown(*lights, options.markdown);
 }
 
 void add_shafts(CLI::App& app, ShaftsOptions& options) {
@@ -72,10 +69,7 @@ void add_shafts(CLI::App& app, ShaftsOptions& options) {
         "-o,--output", options.output,
         "PNG file of a cut shaft with the parts of one ray that are lit; nothing else "
         "is done");
-    shafts
-        ->add_option("--markdown", options.markdown,
-                     "page to put the table into, between its markers")
-        ->check(CLI::ExistingFile);
+    add_markdown(*shafts, options.markdown);
 }
 
 void add_penumbra(CLI::App& app, PenumbraOptions& options) {
@@ -89,10 +83,7 @@ void add_penumbra(CLI::App& app, PenumbraOptions& options) {
         ->add_option("--probes", options.probes, "only probe each lamp's intervals by so many rays")
         ->check(CLI::Range(1, 1000000));
     penumbra->add_option("--plot", options.plot, "SVG file of cost by lamps and by patches");
-    penumbra
-        ->add_option("--markdown", options.markdown,
-                     "page to put the tables into, between its markers")
-        ->check(CLI::ExistingFile);
+    add_markdown(*penumbra, options.markdown);
 }
 
 void add_stripes(CLI::App& app, StripeOptions& options) {
@@ -105,10 +96,7 @@ void add_stripes(CLI::App& app, StripeOptions& options) {
         ->capture_default_str();
     stripes->add_option("--pictures", options.pictures, "folder to put the pictures into")
         ->check(CLI::ExistingDirectory);
-    stripes
-        ->add_option("--markdown", options.markdown,
-                     "page to put the table into, between its markers")
-        ->check(CLI::ExistingFile);
+    add_markdown(*stripes, options.markdown);
 }
 
 void add_frames(CLI::App& app, FrameOptions& options) {
@@ -117,10 +105,7 @@ void add_frames(CLI::App& app, FrameOptions& options) {
     frames->add_option("--width", options.width, "pixels")
         ->check(CLI::Range(16, 16384))
         ->capture_default_str();
-    frames
-        ->add_option("--markdown", options.markdown,
-                     "page to put the table into, between its markers")
-        ->check(CLI::ExistingFile);
+    add_markdown(*frames, options.markdown);
 }
 
 } // namespace
