@@ -5,7 +5,6 @@
 #include "keiko/luminance/gloss_kernel.h"
 #include "keiko/luminance/photometry.h"
 #include "keiko/rig/luminance_along.h"
-#include "keiko/rig/mirrored_luminance.h"
 #include "keiko/trace/mirror_ray.h"
 
 #include <algorithm>
@@ -46,7 +45,15 @@ ShaftShadows Integrator::shaft_shadows(std::span<const Path> paths,
 }
 
 std::vector<EyeSample> Integrator::follow(std::span<const Ray> eye_rays) const {
-    std::vector<EyeSample> samples(eye_rays.size());
+    EyeView view = this->view(eye_rays);
+    for (const LitSpot& spot : view.spots)
+        view.samples[spot.sample].luminance += spot.weight * luminance(spot, light_on(spot));
+    return std::move(view.samples);
+}
+
+EyeView Integrator::view(std::span<const Ray> eye_rays, int grid_width) const {
+    EyeView view;
+    view.samples.resize(eye_rays.size());
     std::vector<Path> paths;
     for (std::size_t i = 0; i < eye_rays.size(); ++i) paths.push_back({eye_rays[i], i, Rgb(1)});
 
@@ -55,29 +62,53 @@ std::vector<EyeSample> Integrator::follow(std::span<const Ray> eye_rays) const {
         rays.reserve(paths.size());
         for (const Path& path : paths) rays.push_back(path.ray);
         const std::vector<std::optional<Hit>> hits = scene_.tracer.nearest(rays);
+        const std::vector<PixelMirror> mirrors =
+            depth == 0 ? std::vector<PixelMirror>(paths.size())
+                       : mirrors_of(paths, hits, depth == 1 ? grid_width : 0, view.spots);
 
         const ShaftShadows shadows = shaft_shadows(paths, hits);
         const VisibleFrom shafts = shadows.visible();
         std::vector<Path> mirrored;
-        for (std::size_t i = 0; i < paths.size(); ++i) {
-            EyeSample& sample = samples[paths[i].sample];
-            if (auto next = advance(std::move(paths[i]), hits[i], depth, shafts, sample))
+        for (std::size_t i = 0; i < paths.size(); ++i)
+            if (auto next =
+                    advance(std::move(paths[i]), {hits[i], mirrors[i]}, depth, shafts, view))
                 mirrored.push_back(std::move(*next));
-        }
         paths = std::move(mirrored);
     }
-    return samples;
+    return view;
 }
 
-std::optional<Integrator::Path> Integrator::advance(Path path, const std::optional<Hit>& hit,
-                                                    int depth, const VisibleFrom& shafts,
-                                                    EyeSample& sample) const {
+std::vector<PixelMirror> Integrator::mirrors_of(std::span<const Path> paths,
+                                                std::span<const std::optional<Hit>> hits,
+                                                int grid_width,
+                                                std::span<const LitSpot> spots) const {
+    std::optional<MirroredGrid> grid;
+    if (grid_width > 0) grid.emplace(grid_width, spots);
+    if (grid)
+        for (const Path& path : paths) grid->set(path.sample, path.ray);
+    std::vector<PixelMirror> mirrors;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const Ray& ray = paths[i].ray;
+        const double t_max = hits[i] ? hits[i]->t : ray.t_max;
+        mirrors.push_back(
+            mirror_of(scene_.rig, ray, grid ? grid->pixel(paths[i].sample) : std::nullopt, t_max));
+    }
+    return mirrors;
+}
+
+std::optional<Integrator::Path> Integrator::advance(Path path, const Met& met, int depth,
+                                                    const VisibleFrom& shafts,
+                                                    EyeView& view) const {
+    const std::optional<Hit>& hit = met.hit;
+    EyeSample& sample = view.samples[path.sample];
+    const std::uint32_t paint = hit ? paint_of_face_[hit->face] : 0;
     if (depth == 0) {
         sample.hit = hit;
-        if (hit) sample.paint = paint_of_face_[hit->face];
+        sample.paint = paint;
     } else {
         if (depth == 1) note_mirrored(path.ray, hit, sample);
-        see_lamps(path, hit ? hit->t : path.ray.t_max, shafts, sample);
+        sample.torn = sample.torn || met.mirror.torn;
+        add_lamps(path, met.mirror.lamps, shafts, sample);
     }
     if (!hit) {
         pass_medium(path, end_of(path.ray, hit), shafts, sample);
@@ -91,9 +122,13 @@ std::optional<Integrator::Path> Integrator::advance(Path path, const std::option
     const double towards = hit->normal.dot(path.ray.direction);
     const Vec3 normal = towards > 0 ? -hit->normal : hit->normal;
     const double length = path.ray.direction.length(), cosine = std::abs(towards) / length;
-    sample.luminance += path.weight * base_luminance(*hit, normal, path.ray.direction / -length);
+    const Vec3 eye = path.ray.direction / -length;
+    const LitSpot spot{path.sample, depth, {hit->position, normal, paint},
+                       hit->root,   eye,   path.weight};
+    sample.luminance += path.weight * ambient_luminance(spot);
+    view.spots.push_back(spot);
 
-    path.weight *= paint(*hit).mirrored(cosine);
+    path.weight *= paints_[paint].mirrored(cosine);
     if (depth >= options_.max_depth || !(max_channel(path.weight) >= options_.min_weight))
         return std::nullopt;
     path.ray = mirror_ray(path.ray, *hit);
@@ -107,17 +142,14 @@ void Integrator::note_mirrored(const Ray& ray, const std::optional<Hit>& hit,
     if (plane && !(hit && hit->t < plane->at.t)) sample.c_plane = Vec2(plane->at.u, plane->at.v);
 }
 
-void Integrator::see_lamps(Path& path, double t_max, const VisibleFrom& shafts,
+void Integrator::add_lamps(Path& path, const MirroredLight& lamps, const VisibleFrom& shafts,
                            EyeSample& sample) const {
-    const Ray& ray = path.ray;
-    const auto plane = nearest_c_plane(scene_.rig, ray.origin, ray.direction);
-    if (!plane) return;
-    const MirroredLight lamps =
-        mirrored_luminance(scene_.rig, ray.origin, ray.direction, ray.differentials, t_max);
     if (lamps.coverage == 0) return;
+    const Ray& ray = path.ray;
     Rgb seen = lamps.luminance;
     if (scene_.rig.medium) {
-        const Segment leg{ray.origin, ray.origin + ray.direction * plane->at.t};
+        const auto plane = nearest_c_plane(scene_.rig, ray.origin, ray.direction);
+        const Segment leg{ray.origin, plane ? ray.at(plane->at.t) : ray.origin};
         seen *= transmittance(*scene_.rig.medium, leg);
         seen += lamps.coverage *
                 luminance_along(scene_.rig, leg, Rgb(0), shafts, picture_scattering_tolerance);
@@ -135,20 +167,31 @@ void Integrator::pass_medium(Path& path, const Vec3& end, const VisibleFrom& sha
     path.weight *= transmittance(*scene_.rig.medium, leg);
 }
 
-Rgb Integrator::base_luminance(const Hit& hit, const Vec3& normal, const Vec3& eye) const {
-    const LightRig& rig = scene_.rig;
-    const Paint& paint = this->paint(hit);
-    const double cosine = normal.dot(eye);
-    const LitPoint lit = lights_.at(hit.position, normal, hit.root);
-    Rgb sum;
-    if (const Rgb inner = paint.base().inner_reflectance(cosine); inner != Rgb(0))
-        sum += lambert_luminance(inner, lit.illuminance(TubeModel::picture, &paint.base()));
-    if (rig.ambient != Rgb(0))
-        sum += even_luminance(rig.ambient) *
-               (paint.base().base_reflectance_diffuse(cosine) + paint.gloss_albedo(cosine));
-    if (paint.gloss()) sum += lit.glossy(GlossKernel(*paint.gloss(), normal, eye));
-    if (paint.flakes()) sum += lit.glossy(FlakeKernel(*paint.flakes(), normal, eye));
-    return sum;
+SpotLight Integrator::light_on(const LitSpot& spot) const {
+    const Paint& paint = paints_[spot.place.paint];
+    const Vec3& normal = spot.place.normal;
+    const LitPoint lit = lights_.at(spot.place.position, normal, spot.root);
+    SpotLight light;
+    if (paint.base().inner_reflectance(normal.dot(spot.eye)) != Rgb(0))
+        light.illuminance = lit.illuminance(TubeModel::picture, &paint.base());
+    if (paint.gloss()) light.lobes += lit.glossy(GlossKernel(*paint.gloss(), normal, spot.eye));
+    if (paint.flakes()) light.lobes += lit.glossy(FlakeKernel(*paint.flakes(), normal, spot.eye));
+    return light;
+}
+
+Rgb Integrator::luminance(const LitSpot& spot, const SpotLight& light) const {
+    const ClearCoat& base = paints_[spot.place.paint].base();
+    return lambert_luminance(base.inner_reflectance(spot.place.normal.dot(spot.eye)),
+                             light.illuminance) +
+           light.lobes;
+}
+
+Rgb Integrator::ambient_luminance(const LitSpot& spot) const {
+    if (scene_.rig.ambient == Rgb(0)) return {};
+    const Paint& paint = paints_[spot.place.paint];
+    const double cosine = spot.place.normal.dot(spot.eye);
+    return even_luminance(scene_.rig.ambient) *
+           (paint.base().base_reflectance_diffuse(cosine) + paint.gloss_albedo(cosine));
 }
 
 } // namespace keiko

@@ -1,29 +1,17 @@
 #pragma once
 
+#include "keiko/render/eye_view.h"
+#include "keiko/render/mirrored_pixel.h"
 #include "keiko/render/paint.h"
 #include "keiko/render/picture.h"
 #include "keiko/render/shadows.h"
 #include "keiko/render/shaft_shadows.h"
-#include "keiko/trace/path_counts.h"
 
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace keiko {
-
-/// What one eye ray brings back.
-struct EyeSample {
-    Rgb luminance;          ///< cd/m2
-    std::optional<Hit> hit; ///< the first surface
-    /// Where the first mirrored ray meets the nearest C-plane, mm; nothing where the body is in the
-    /// way.
-    std::optional<Vec2> c_plane;
-    /// The face that the first mirrored ray meets, or nothing where it leaves the body.
-    std::optional<std::uint32_t> mirrored_face;
-    std::uint32_t paint = 0; ///< faces of one paint share this number
-    PathCounts paths;        ///< of its hits, the mirrored rays' too
-};
 
 /// Follows eye rays over mirror reflections: a smooth coat or metal mirrors lamps, the body itself
 /// and, past both, the even light that `ambient` stands for; rough borders and flakes spread the
@@ -33,8 +21,17 @@ class Integrator {
 public:
     Integrator(const PictureScene& scene, const PictureOptions& options);
 
-    /// One sample a ray, in order. Neighbouring rays should stand together.
+    /// One sample a ray, in order, with all its light. Neighbouring rays should stand together.
     std::vector<EyeSample> follow(std::span<const Ray> eye_rays) const;
+    /// The same, but for the light of the spots. Rays that are the pixels of a grid, row by row,
+    /// `grid_width` in each, see lamps by bent images of their pixels where neighbours tell how
+    /// they are bent.
+    EyeView view(std::span<const Ray> eye_rays, int grid_width = 0) const;
+    SpotLight light_on(const LitSpot& spot) const;
+    /// cd/m2 that the lamps' light makes a spot's base and lobes send to the eye.
+    Rgb luminance(const LitSpot& spot, const SpotLight& light) const;
+    /// The same of even light from all sides.
+    Rgb ambient_luminance(const LitSpot& spot) const;
 
 private:
     /// A ray under way and what its light counts in its sample.
@@ -44,18 +41,28 @@ private:
         Rgb weight;
     };
 
+    /// What a path comes to: a surface, and lamps on the way to it.
+    struct Met {
+        const std::optional<Hit>& hit;
+        const PixelMirror& mirror; ///< of lamps
+    };
+
     /// What the lights see of the ways of the paths to what they meet.
     ShaftShadows shaft_shadows(std::span<const Path> paths,
                                std::span<const std::optional<Hit>> hits) const;
-    /// Adds what `path` meets to its sample; returns its mirror reflection while that counts.
-    std::optional<Path> advance(Path path, const std::optional<Hit>& hit, int depth,
-                                const VisibleFrom& shafts, EyeSample& sample) const;
+    /// The lamps that mirrored paths see. With a `grid_width` they are the pixels of a grid, whose
+    /// eye rays met `spots`.
+    std::vector<PixelMirror> mirrors_of(std::span<const Path> paths,
+                                        std::span<const std::optional<Hit>> hits, int grid_width,
+                                        std::span<const LitSpot> spots) const;
+    /// Adds what `path` meets to the view; returns its mirror reflection while that counts.
+    std::optional<Path> advance(Path path, const Met& met, int depth, const VisibleFrom& shafts,
+                                EyeView& view) const;
     void note_mirrored(const Ray& ray, const std::optional<Hit>& hit, EyeSample& sample) const;
-    void see_lamps(Path& path, double t_max, const VisibleFrom& shafts, EyeSample& sample) const;
+    void add_lamps(Path& path, const MirroredLight& lamps, const VisibleFrom& shafts,
+                   EyeSample& sample) const;
     void pass_medium(Path& path, const Vec3& end, const VisibleFrom& shafts,
                      EyeSample& sample) const;
-    Rgb base_luminance(const Hit& hit, const Vec3& normal, const Vec3& eye) const;
-    const Paint& paint(const Hit& hit) const { return paints_[paint_of_face_[hit.face]]; }
 
     const PictureScene& scene_;
     const PictureOptions& options_;

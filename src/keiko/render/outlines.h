@@ -15,22 +15,23 @@ public:
 
     /// Safe from several threads for different pixels.
     void set(int x, int y, const EyeSample& sample);
-    /// Whether an outline runs between the pixel and one of its eight neighbours.
+    /// Whether an outline runs between the pixel and one of its eight neighbours, or the surface's
+    /// curvature jumps in it.
     bool cross(int x, int y) const;
 
 private:
-    struct Place {
+    struct Pixel {
         bool hit = false;
-        std::uint32_t paint = 0;
         bool mirrors_body = false;
-        Vec3 position{0}, normal{0};
+        bool torn = false; ///< what it mirrors is not smooth
+        SurfacePlace place{};
     };
 
-    static bool differ(const Place& a, const Place& b);
-    const Place& at(int x, int y) const;
+    static bool differ(const Pixel& a, const Pixel& b);
+    const Pixel& at(int x, int y) const;
 
     int width_, height_;
-    std::vector<Place> places_;
+    std::vector<Pixel> pixels_;
 };
 
 } // namespace keiko

@@ -25,7 +25,10 @@ struct PictureScene {
 struct PictureOptions {
     std::vector<Aov> aovs;
     int edge_samples = 4; ///< samples a side of a pixel that holds an outline; 1: one ray a pixel
-    int max_depth = 3;    ///< mirror reflections followed along one ray
+    /// Of what the eye sees: what the light on bases may be off by for being taken linear between
+    /// places a few pixels apart. 0: found for each pixel.
+    double light_error = 2e-3;
+    int max_depth = 3;        ///< mirror reflections followed along one ray
     double min_weight = 1e-3; ///< reflections that count less than this end the path
 };
 

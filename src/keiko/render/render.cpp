@@ -1,8 +1,9 @@
 #include "keiko/base/log.h"
 #include "keiko/base/parallel.h"
-#include "keiko/render/integrator.h"
+#include "keiko/render/interpolated_light.h"
 #include "keiko/render/outlines.h"
 #include "keiko/render/pixel_writer.h"
+#include "keiko/render/shared_light.h"
 
 #include <algorithm>
 
@@ -47,18 +48,21 @@ PathCounts paths_of(std::span<const EyeSample> samples) {
     return counts;
 }
 
-/// One ray a pixel.
+/// One ray a pixel; neighbours beyond the tile tell how the images of its pixels are bent.
 PathCounts render_centres(const Integrator& integrator, const Camera& camera, const Tile& tile,
-                          Film& film, Outlines& outlines) {
+                          double light_error, Film& film, Outlines& outlines) {
+    const int width = tile.x1 - tile.x0;
+    const Tile bordered{tile.x0 - 1, tile.y0 - 1, tile.x1 + 1, tile.y1 + 1};
     std::vector<Ray> rays;
-    for_each_pixel(tile, [&](int x, int y) { append_cell_rays(camera, x, y, 1, rays); });
-    const std::vector<EyeSample> samples = integrator.follow(rays);
-    auto sample = samples.begin();
+    for_each_pixel(bordered, [&](int x, int y) { append_cell_rays(camera, x, y, 1, rays); });
+    EyeView view = without_border(integrator.view(rays, width + 2), width + 2);
+    add_interpolated_light(integrator, width, tile.y1 - tile.y0, light_error, view);
+    auto sample = view.samples.begin();
     for_each_pixel(tile, [&](int x, int y) {
         write_pixel(film, x, y, *sample);
         outlines.set(x, y, *sample++);
     });
-    return paths_of(samples);
+    return paths_of(view.samples);
 }
 
 /// Replaces the luminance of the pixels that hold an outline by the mean over their cells.
@@ -68,15 +72,16 @@ PathCounts refine_outlines(const Integrator& integrator, const Camera& camera, c
     for_each_pixel(tile, [&](int x, int y) {
         if (outlines.cross(x, y)) append_cell_rays(camera, x, y, n, rays);
     });
-    const std::vector<EyeSample> samples = integrator.follow(rays);
+    EyeView view = integrator.view(rays);
+    add_shared_light(integrator, n, view);
     const auto cells = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
-    std::span<const EyeSample> rest(samples);
+    std::span<const EyeSample> rest(view.samples);
     for_each_pixel(tile, [&](int x, int y) {
         if (!outlines.cross(x, y)) return;
         write_mean(film, x, y, rest.first(cells));
         rest = rest.subspan(cells);
     });
-    return paths_of(samples);
+    return paths_of(view.samples);
 }
 
 } // namespace
@@ -89,7 +94,8 @@ Film render(const PictureScene& scene, const Camera& camera, const PictureOption
     const std::vector<Tile> tiles = tiles_of(camera);
     std::vector<PathCounts> paths(tiles.size());
     parallel_for(tiles.size(), job, "render", [&](std::size_t i) {
-        paths[i] += render_centres(integrator, camera, tiles[i], film, outlines);
+        paths[i] +=
+            render_centres(integrator, camera, tiles[i], options.light_error, film, outlines);
     });
     if (options.edge_samples > 1)
         parallel_for(tiles.size(), job, "outlines", [&](std::size_t i) {

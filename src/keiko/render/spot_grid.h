@@ -1,0 +1,53 @@
+#pragma once
+
+#include "keiko/render/lit_spot.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// Spots of one depth on a grid of eye rays, row by row.
+class SpotGrid {
+public:
+    /// `spots`: by rising sample, the first ray of the grid being `first_sample`; only looked at.
+    SpotGrid(int width, int height, std::span<const LitSpot> spots, std::size_t first_sample = 0);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    std::size_t size() const { return spots_.size(); }
+    /// Null where the ray meets nothing at this depth.
+    const LitSpot* at(int x, int y) const { return spots_[index(x, y)]; }
+    /// Whether a place and its right or lower neighbour show one smooth surface.
+    bool goes_right(int x, int y) const { return joins_[index(x, y)].right; }
+    bool goes_down(int x, int y) const { return joins_[index(x, y)].down; }
+    /// Whether all of a rectangle, its last row and column with it, shows one smooth surface.
+    bool is_smooth(int x0, int y0, int x1, int y1) const;
+
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+               static_cast<std::size_t>(x);
+    }
+
+private:
+    struct Joins {
+        bool right = false, down = false;
+    };
+
+    int width_, height_;
+    std::vector<const LitSpot*> spots_;
+    std::vector<Joins> joins_;
+};
+
+/// The spots of each depth in turn: `visit(spots of a depth)`.
+template <class Visit>
+void each_depth(std::span<const LitSpot> spots, const Visit& visit) {
+    while (!spots.empty()) {
+        std::size_t count = 1;
+        while (count < spots.size() && spots[count].depth == spots[0].depth) ++count;
+        visit(spots.first(count));
+        spots = spots.subspan(count);
+    }
+}
+
+} // namespace keiko

@@ -1,0 +1,111 @@
+#include "keiko/render/interpolated_light.h"
+
+#include "keiko/render/shared_light.h"
+
+#include "tests/unit/render/stage.h"
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace keiko;
+using test::Stage;
+
+namespace {
+
+/// A screen of matt paint over the plate that hides some of the lamps.
+Stage shaded_plate(double height) {
+    test::ModelBuilder builder;
+    builder.plane({-1000, -1000, 0}, {2000, 0, 0}, {0, 2000, 0});
+    builder.plane({-400, 600, height}, {800, 0, 0}, {0, 300, 0});
+    Stage stage(builder.build(), 1);
+    stage.camera.width = 384, stage.camera.height = 216;
+    return stage;
+}
+
+struct Shaded {
+    Stage stage;
+    Occluders occluders{stage.model, stage.tracer};
+
+    explicit Shaded(double height = 500) : stage(shaded_plate(height)) {}
+
+    Film render(PictureOptions options, int threads = 0) const {
+        return keiko::render({stage.tracer, stage.materials, stage.rig, Rgb(7), &occluders},
+                             stage.camera, options,
+                             {.progress = {}, .stop = {}, .threads = threads});
+    }
+};
+
+} // namespace
+
+// Under a row of thin lamps the shadow of the screen is stairs, each of which is a kink: beside few
+// of them light is off by more than was asked for.
+TEST(InterpolatedLight, IsHardlyOffByMoreThanAllowed) {
+    const Shaded shaded;
+    const Film exact = shaded.render({.aovs = {}, .edge_samples = 1, .light_error = 0});
+    for (const double error : {1e-3, 1e-2}) {
+        const Film fast = shaded.render({.aovs = {}, .edge_samples = 1, .light_error = error});
+        double squares = 0;
+        int lit = 0, other = 0, off = 0;
+        for (std::size_t i = 0; i < exact.color.values.size(); ++i) {
+            const double is = static_cast<double>(exact.color.values[i]);
+            const double wrong = static_cast<double>(fast.color.values[i]) / is - 1;
+            if (exact.alpha.values[i / 3] == 0) continue;
+            squares += wrong * wrong;
+            ++lit;
+            other += wrong != 0 ? 1 : 0;
+            off += std::abs(wrong) > error ? 1 : 0;
+        }
+        EXPECT_LT(std::sqrt(squares / lit), 0.3 * error) << error;
+        EXPECT_LT(off, lit / 100) << error;
+        EXPECT_GT(other, lit / 6) << error; // not all of it is stairs, lit pixel by pixel
+    }
+}
+
+TEST(InterpolatedLight, OfNoErrorIsThatOfEachRay) {
+    const Shaded shaded;
+    const Film film = shaded.render({.aovs = {}, .edge_samples = 1, .light_error = 0});
+    const PictureOptions options;
+    const PictureScene scene{shaded.stage.tracer, shaded.stage.materials, shaded.stage.rig, Rgb(7),
+                             &shaded.occluders};
+    const Integrator integrator(scene, options);
+    for (int y = 3; y < 216; y += 20)
+        for (int x = 5; x < 384; x += 20) {
+            const std::vector<Ray> ray{shaded.stage.camera.ray(x + 0.5, y + 0.5)};
+            EXPECT_EQ(film.color.pixel(x, y)[1],
+                      static_cast<float>(integrator.follow(ray)[0].luminance.g))
+                << x << " " << y;
+        }
+}
+
+TEST(InterpolatedLight, IsTheSameForAnyThreadCount) {
+    const Shaded shaded;
+    EXPECT_EQ(shaded.render({}, 1).color.values, shaded.render({}, 2).color.values);
+}
+
+// A pixel across the rim of the screen: both surfaces are lit, each once.
+TEST(SharedLight, LightsEachSurfaceOfAPixelOnce) {
+    const Shaded shaded(100);
+    const Camera& camera = shaded.stage.camera;
+    const PictureOptions options;
+    const PictureScene scene{shaded.stage.tracer, shaded.stage.materials, shaded.stage.rig, Rgb(7),
+                             &shaded.occluders};
+    const Integrator integrator(scene, options);
+    const Vec2 rim = *project(camera, {0, 600, 100});
+    std::vector<Ray> rays;
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i)
+            rays.push_back(camera.ray(rim.x + i / 4.0 - 0.4, rim.y + j / 4.0 - 0.4));
+    EyeView view = integrator.view(rays);
+    ASSERT_EQ(view.spots.size(), 16u);
+    add_shared_light(integrator, 4, view);
+    std::vector<double> screen, plate;
+    for (const EyeSample& sample : view.samples)
+        (sample.hit->face == 1 ? screen : plate).push_back(sample.luminance.g);
+    ASSERT_FALSE(screen.empty());
+    ASSERT_FALSE(plate.empty());
+    for (const auto* surface : {&screen, &plate})
+        EXPECT_EQ(std::count(surface->begin(), surface->end(), surface->front()),
+                  static_cast<std::ptrdiff_t>(surface->size()));
+    EXPECT_GT(std::abs(screen.front() - plate.front()), 0.05 * plate.front());
+}

@@ -1,0 +1,121 @@
+#include "keiko/render/mirrored_pixel.h"
+
+#include "keiko/trace/mirror_ray.h"
+
+#include "tests/unit/render/stage.h"
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace keiko;
+using test::dome;
+using test::Stage;
+
+namespace {
+
+/// What the eye sees mirrored at a place of the picture; `size`: of the pixel.
+Ray mirrored(const Stage& stage, double x, double y, double size) {
+    Ray eye = stage.camera.ray(x, y);
+    eye.differentials = eye.differentials->scaled(size);
+    return mirror_ray(eye, *stage.tracer.nearest(eye));
+}
+
+MirroredPixel pixel_at(const Stage& stage, double x, double y, double size) {
+    return {mirrored(stage, x, y, size), mirrored(stage, x - size, y, size),
+            mirrored(stage, x + size, y, size), mirrored(stage, x, y - size, size),
+            mirrored(stage, x, y + size, size)};
+}
+
+/// Between directions to a corner of a pixel: as the cubic tells it and as it is.
+double error_of(const Stage& stage, double size) {
+    const Ray told = pixel_at(stage, 48, 27, size).ray(0.5, -0.5, 1);
+    const Ray is = mirrored(stage, 48 + 0.5 * size, 27 - 0.5 * size, size);
+    return (told.direction - is.direction).length() + (told.origin - is.origin).length() / 3000;
+}
+
+double linear_error_of(const Stage& stage, double size) {
+    const Ray centre = mirrored(stage, 48, 27, size);
+    const Ray is = mirrored(stage, 48 + 0.5 * size, 27 - 0.5 * size, size);
+    const Vec3 told =
+        centre.direction +
+        (centre.differentials->direction_dx - centre.differentials->direction_dy) * 0.5;
+    return (told - is.direction).length();
+}
+
+/// Stripes at a pixel: mean over many points of it.
+double sampled(const Stage& stage, double x, double y, double size) {
+    constexpr int n = 96;
+    double sum = 0;
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const Ray ray = mirrored(stage, x + ((i + 0.5) / n - 0.5) * size,
+                                     y + ((j + 0.5) / n - 0.5) * size, size);
+            sum += mirrored_luminance(stage.rig, ray.origin, ray.direction).coverage;
+        }
+    return sum / (n * n);
+}
+
+} // namespace
+
+TEST(MirroredPixel, IsRightToTheFourthOrder) {
+    const Stage stage(dome());
+    for (const double size : {4.0, 2.0, 1.0}) {
+        EXPECT_LT(error_of(stage, size / 2), error_of(stage, size) / 10) << size;
+        EXPECT_LT(error_of(stage, size), 0.1 * linear_error_of(stage, size)) << size;
+    }
+}
+
+TEST(MirroredPixel, TellsTheDifferentialsOfItsParts) {
+    const Stage stage(dome());
+    const Ray told = pixel_at(stage, 40, 30, 1).ray(0.25, 0.25, 0.5);
+    const Ray is = mirrored(stage, 40.25, 30.25, 0.5);
+    const Vec3 off = told.differentials->direction_dx - is.differentials->direction_dx;
+    EXPECT_LT(off.length(), 1e-4 * is.differentials->direction_dx.length());
+    const Vec3 moved = told.differentials->origin_dy - is.differentials->origin_dy;
+    EXPECT_LT(moved.length(), 1e-4 * is.differentials->origin_dy.length());
+}
+
+// Pixels so large that their images on the lamps' plane are bent by a good part of the pitch.
+TEST(MirroredPixel, SeesStripesWhereItsImageIsBent) {
+    const Stage stage(dome());
+    constexpr double size = 6;
+    double bent = 0, straight = 0;
+    for (const double x : {22.0, 30.0, 38.0, 46.0, 54.0, 62.0})
+        for (const double y : {24.0, 30.0, 36.0}) {
+            const Ray centre = mirrored(stage, x, y, size);
+            const double truth = sampled(stage, x, y, size);
+            const auto off = [&](const std::optional<MirroredPixel>& pixel) {
+                return std::abs(mirror_of(stage.rig, centre, pixel, centre.t_max).lamps.coverage -
+                                truth);
+            };
+            bent = std::max(bent, off(pixel_at(stage, x, y, size)));
+            straight = std::max(straight, off({}));
+        }
+    EXPECT_LT(bent, 0.02);
+    EXPECT_GT(straight, 3 * bent);
+}
+
+TEST(MirroredGrid, HasPixelsWhereFourNeighboursShowTheSame) {
+    const Stage stage(dome());
+    std::vector<LitSpot> spots;
+    std::vector<Ray> rays(9);
+    for (std::size_t i = 0; i < 9; ++i) {
+        const double x = 47 + static_cast<double>(i % 3), y = 26 + static_cast<double>(i / 3);
+        const auto hit = stage.tracer.nearest(stage.camera.ray(x, y));
+        spots.push_back({.sample = i, .place = {hit->position, hit->normal, i == 5 ? 1u : 0u}});
+        rays[i] = mirrored(stage, x, y, 1);
+    }
+    const auto middle = [&] {
+        MirroredGrid grid(3, spots);
+        for (std::size_t i = 0; i < 9; ++i) grid.set(i, rays[i]);
+        EXPECT_FALSE(grid.pixel(0));
+        EXPECT_FALSE(grid.pixel(8));
+        return grid.pixel(4).has_value();
+    };
+    EXPECT_FALSE(middle()); // its right neighbour is of another paint
+    spots[5].place.paint = 0;
+    EXPECT_TRUE(middle());
+    rays[1].differentials.reset();
+    EXPECT_FALSE(middle());
+}
