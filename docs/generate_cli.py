@@ -13,7 +13,8 @@ INTRODUCTION = """\
 <!-- Written by docs/generate_cli.py from the help texts; change those, not this file. -->
 
 `./dev run ARGS` builds what is needed and runs `keiko ARGS`. What the options mean for the work is
-told in the [guide](guide.md); the files they name in [file formats](file-formats.md).
+told in the [guide](guide.md); the files they name in [scene format](scene-format.md) and
+[file formats](file-formats.md).
 """
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Fails when a scene or rig of the repository breaks docs/schema/keiko.schema.json, when an example of
-docs/file-formats.md does, or when the schema lets a misspelt key pass.
+its pages does, when the schema lets a misspelt key pass, or when docs/scene-format.md leaves out a key.
 
 usage: tests/check_schema.py; needs python3-jsonschema, and is skipped (exit code 77) without it
 """
@@ -17,13 +17,31 @@ SKIPPED = 77
 
 
 def documents():
-    """Every scene and rig, by name."""
-    for folder in ("surfaces", "lightrigs"):
-        for path in sorted((ROOT / folder).glob("*.toml")):
-            yield path.name, tomllib.loads(path.read_text(encoding="utf-8"))
-    page = (ROOT / "docs" / "file-formats.md").read_text(encoding="utf-8")
-    for number, example in enumerate(re.findall(r"^```toml\n(.*?)^```", page, re.MULTILINE | re.DOTALL)):
-        yield f"example {number} of file-formats.md", tomllib.loads(example)
+    """Every TOML file and every example of the pages, by name."""
+    pages = [ROOT / "README.md"]
+    for folder in ("docs", "lightrigs", "surfaces", "tests"):
+        pages += sorted((ROOT / folder).rglob("*.md"))
+        for path in sorted((ROOT / folder).rglob("*.toml")):
+            yield str(path.relative_to(ROOT)), tomllib.loads(path.read_text(encoding="utf-8"))
+    for page in pages:
+        text = page.read_text(encoding="utf-8")
+        for number, example in enumerate(re.findall(r"^```toml\n(.*?)^```", text, re.MULTILINE | re.DOTALL)):
+            yield f"example {number} of {page.relative_to(ROOT)}", tomllib.loads(example)
+
+
+def keys(schema):
+    """Every key that the schema knows of, at any depth."""
+    if isinstance(schema, dict):
+        yield from schema.get("properties", {})
+    for child in schema.values() if isinstance(schema, dict) else schema if isinstance(schema, list) else ():
+        yield from keys(child)
+
+
+def undocumented(schema):
+    """Keys that no code on the page names."""
+    page = (ROOT / "docs" / "scene-format.md").read_text(encoding="utf-8")
+    code = " ".join(re.findall(r"```.*?```|`[^`\n]*`", page, re.DOTALL))
+    return sorted(set(keys(schema)) - set(re.findall(r"\w+", code)))
 
 
 def tables(value):
@@ -51,7 +69,7 @@ def main():
     schema = json.loads((ROOT / "docs" / "schema" / "keiko.schema.json").read_text(encoding="utf-8"))
     jsonschema.Draft202012Validator.check_schema(schema)
     validator = jsonschema.Draft202012Validator(schema)
-    faults, checked = [], 0
+    faults, checked = [f"docs/scene-format.md: no {key}" for key in undocumented(schema)], 0
     for name, document in documents():
         if document.get("format") not in FORMATS:
             continue

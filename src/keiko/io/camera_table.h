@@ -6,7 +6,7 @@
 namespace keiko {
 
 /// The camera by the keys projection, eye, target, up, vertical_fov and orthographic_height, see
-/// docs/file-formats.md; its picture's size is left as it is. Throws Error.
+/// docs/scene-format.md; its picture's size is left as it is. Throws Error.
 Camera camera_of(const TomlTable& table);
 
 } // namespace keiko

@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// Reads a grid of densities (keiko-density/1, docs/file-formats.md). Throws Error with file and
+/// Reads a grid of densities (keiko-density/1, docs/scene-format.md). Throws Error with file and
 /// reason.
 VoxelDensity read_density(const std::filesystem::path& path);
 /// The same from a text; `source` is the file name for messages.

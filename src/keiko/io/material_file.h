@@ -11,7 +11,7 @@ namespace keiko {
 
 class TomlTable;
 
-/// Reads a materials file (keiko-materials/1, docs/file-formats.md). Throws Error with file, line
+/// Reads a materials file (keiko-materials/1, docs/scene-format.md). Throws Error with file, line
 /// and column.
 std::vector<Material> read_materials(const std::filesystem::path& path);
 /// The same from a text; `source` is the file name for messages.

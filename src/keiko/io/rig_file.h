@@ -10,7 +10,7 @@ namespace keiko {
 
 class TomlTable;
 
-/// Reads a rig file (keiko-rig/1, docs/file-formats.md). Throws Error with file, line and column.
+/// Reads a rig file (keiko-rig/1, docs/scene-format.md). Throws Error with file, line and column.
 LightRig read_rig(const std::filesystem::path& path);
 /// The same from a text; `source` is the file name for messages.
 LightRig parse_rig(std::string_view text, const std::string& source);

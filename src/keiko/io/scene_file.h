@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// Reads a scene file (keiko-scene/1, docs/file-formats.md) and the rig and materials files it
+/// Reads a scene file (keiko-scene/1, docs/scene-format.md) and the rig and materials files it
 /// names. Paths in it are relative to the file itself. Throws Error with file, line and column.
 SceneSpec read_scene(const std::filesystem::path& path);
 /// The same from a text; `source` is the path that messages and relative paths refer to.
