@@ -12,7 +12,7 @@
 namespace keiko::bench {
 namespace {
 
-constexpr double width = 420, height = 320, left = 62, right = 14, top = 16, bottom = 50; // px
+constexpr double width = 434, height = 320, left = 62, right = 28, top = 16, bottom = 50; // px
 constexpr std::array colours{"#1f5fa8", "#c2571a", "#3a7d44", "#7a3e8e"};
 
 /// The powers of ten around what is shown along one axis.
