@@ -15,7 +15,11 @@ std::vector<double> smooth_pieces(const ParameterInterval& part, std::span<const
 /// that one more point costs no more than one piece.
 class DimmedRay {
 public:
+    /// Keeps references to both.
     DimmedRay(const Medium& medium, const Segment& ray);
+
+    const Medium& medium() const { return medium_; }
+    const Segment& ray() const { return ray_; }
 
     /// From the eye to a parameter of the ray.
     Rgb depth_to(double t) const;

@@ -1,37 +1,42 @@
 #include "keiko/fog/height_field.h"
 
-#include "keiko/base/units.h"
+#include "keiko/fog/height_along.h"
+#include "keiko/math/turn_sines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 namespace keiko {
-
 namespace {
 
-/// Angles of a wave over a place.
-Vec2 angles(const Wave& wave, double x, double y) {
-    const Vec2 k = wave.turn();
-    return {k.x * x + degrees_to_radians(wave.phase.x), k.y * y + degrees_to_radians(wave.phase.y)};
+struct Turned {
+    Vec2 cosines, sines;
+};
+Turned turned(const Vec2& turns) {
+    const std::array both{turns.x, turns.y};
+    std::array<double, 2> cosines{}, sines{};
+    turn_sines(both, cosines, sines);
+    return {{cosines[0], cosines[1]}, {sines[0], sines[1]}};
 }
 
 } // namespace
 
-Vec2 Wave::turn() const {
-    return {2 * std::numbers::pi / wavelength.x, 2 * std::numbers::pi / wavelength.y};
+Vec2 Wave::turns(double x, double y) const {
+    return {x / wavelength.x + phase.x / 360, y / wavelength.y + phase.y / 360};
 }
 
 double Wave::height(double x, double y) const {
-    const Vec2 angle = angles(*this, x, y);
-    return amplitude * std::sin(angle.x) * std::sin(angle.y);
+    const auto [cosines, sines] = turned(turns(x, y));
+    return amplitude * sines.x * sines.y;
 }
 
 Vec2 Wave::slopes(double x, double y) const {
-    const Vec2 angle = angles(*this, x, y), k = turn();
-    return {amplitude * k.x * std::cos(angle.x) * std::sin(angle.y),
-            amplitude * k.y * std::sin(angle.x) * std::cos(angle.y)};
+    const auto [cosines, sines] = turned(turns(x, y));
+    const double two_pi = 2 * std::numbers::pi;
+    return {two_pi / wavelength.x * amplitude * cosines.x * sines.y,
+            two_pi / wavelength.y * amplitude * sines.x * cosines.y};
 }
 
 double HeightField::at(double x, double y) const {
@@ -58,145 +63,66 @@ ParameterInterval between_crests(const HeightField& field, const Segment& segmen
     return {std::clamp(std::min(a, b), 0.0, 1.0), std::clamp(std::max(a, b), 0.0, 1.0)};
 }
 
-/// A term -amplitude cos(phase + turn t) of the height over the surface along a segment.
-struct Ripple {
-    double amplitude, phase, turn;
-};
-
-/// Of a product of sines two cosines.
-std::vector<Ripple> ripples_along(const HeightField& field, const Segment& segment) {
-    const Vec3 way = segment.b - segment.a;
-    std::vector<Ripple> ripples;
-    for (const Wave& wave : field.waves) {
-        const Vec2 k = wave.turn(), start = angles(wave, segment.a.x, segment.a.y);
-        const double x = k.x * way.x, y = k.y * way.y;
-        ripples.push_back({wave.amplitude / 2, start.x - start.y, x - y});
-        ripples.push_back({-wave.amplitude / 2, start.x + start.y, x + y});
-    }
-    return ripples;
-}
-
-/// The ripples at t, t + step, t + 2 step ..., by cos(a + d) = 2 cos d cos a - cos(a - d).
-class RippleWalk {
+/// Walks along a segment from crossing to crossing, past what height and slope at a place and the
+/// bound of the bend prove free of crossings, or to hold a single one.
+class CrossingWalk {
 public:
-    RippleWalk(std::span<const Ripple> ripples, double begin, double step)
-        : ripples_(ripples), begin_(begin), step_(step) {
-        for (const Ripple& r : ripples) twice_.push_back(2 * std::cos(r.turn * step));
-        here_.resize(ripples.size()), before_.resize(ripples.size());
-    }
+    CrossingWalk(const HeightField& field, const Segment& segment) : over_(field, segment) {}
 
-    /// The sum of the ripples at the next place.
-    double next() {
-        constexpr int most = 64; // before rounding has grown
-        if (taken_ % most == 0) start(begin_ + taken_ * step_);
-        ++taken_;
-        double sum = 0;
-        for (std::size_t i = 0; i < ripples_.size(); ++i) {
-            sum += ripples_[i].amplitude * here_[i];
-            const double after = twice_[i] * here_[i] - before_[i];
-            before_[i] = here_[i], here_[i] = after;
+    std::vector<double> through(const ParameterInterval& part) && {
+        Place here = at(part.begin);
+        // A segment that lies in the surface is not searched for ever.
+        for (int i = 0; i < most_places && here.t < part.end; ++i) {
+            const Place next = at(std::min(here.t + stride(here), part.end));
+            if (next.below() != here.below()) found_.push_back(root(here, next));
+            here = next;
         }
-        return -sum;
+        return std::move(found_);
     }
-
-private:
-    void start(double t) {
-        for (std::size_t i = 0; i < ripples_.size(); ++i) {
-            const Ripple& r = ripples_[i];
-            here_[i] = std::cos(r.phase + r.turn * t);
-            before_[i] = std::cos(r.phase + r.turn * (t - step_));
-        }
-    }
-
-    std::span<const Ripple> ripples_;
-    double begin_, step_;
-    int taken_ = 0;
-    std::vector<double> twice_, here_, before_;
-};
-
-/// Finds the zeros of the height over the surface along a segment by halving: the second
-/// derivative is bounded, so that a piece is proved to have none, or at most one.
-class CrossingFinder {
-public:
-    CrossingFinder(const HeightField& field, const Segment& segment)
-        : start_(segment.a.z - field.height),
-          rise_(segment.b.z - segment.a.z),
-          ripples_(ripples_along(field, segment)) {
-        for (const Ripple& r : ripples_) {
-            bend_ += std::abs(r.amplitude) * r.turn * r.turn;
-            fastest_ = std::max(fastest_, std::abs(r.turn));
-        }
-    }
-
-    /// Steps short for all ripples, most of which are proved to have no zero by their ends.
-    void search(const ParameterInterval& part) {
-        constexpr double step_turn = std::numbers::pi / 8;
-        const double steps = std::clamp(std::ceil(fastest_ * part.length() / step_turn), 1.0, 1e5);
-        const int count = static_cast<int>(steps);
-        const double step = part.length() / steps;
-        RippleWalk walk(ripples_, part.begin, step);
-        double a = part.begin, fa = straight(a) + walk.next();
-        for (int i = 1; i <= count; ++i) {
-            const double b = i == count ? part.end : part.begin + i * step;
-            const double fb = straight(b) + walk.next();
-            search(a, fa, b, fb);
-            a = b, fa = fb;
-        }
-    }
-
-    std::vector<double> found() && { return std::move(found_); }
 
 private:
     static constexpr double least = 1e-9; ///< mm
+    static constexpr int most_places = 100000;
 
-    void search(double a, double fa, double b, double fb) {
-        const double length = b - a, sag = bend_ * length * length / 8;
-        if (fa > sag && fb > sag) return;
-        if (fa < -sag && fb < -sag) return;
-        if (std::abs(fb - fa) > bend_ * length * length || sag < least || --pieces_left_ < 0) {
-            // Monotone, or as good as straight.
-            if ((fa < 0) != (fb < 0)) found_.push_back(root(a, fa, b, fb));
-            return;
-        }
-        const double middle = (a + b) / 2, f = height(middle).value;
-        search(a, fa, middle, f);
-        search(middle, f, b, fb);
-    }
-
-    double straight(double t) const { return start_ + rise_ * t; }
-
-    struct Height {
-        double value, slope;
+    struct Place {
+        double t, height, slope;
+        bool below() const { return height < 0; }
     };
-    Height height(double t) const {
-        Height h{straight(t), rise_};
-        for (const Ripple& r : ripples_) {
-            const double angle = r.phase + r.turn * t;
-            h.value -= r.amplitude * std::cos(angle);
-            h.slope += r.amplitude * r.turn * std::sin(angle);
-        }
-        return h;
+    Place at(double t) const {
+        const HeightAlong::Value over = over_.at(t);
+        return {t, over.height, over.slope};
     }
+
+    double stride(const Place& here) const {
+        const double bend = over_.bend(), height = std::abs(here.height);
+        const double away = here.below() ? -here.slope : here.slope;
+        // Behind the only crossing, where the surface is farthest for sure.
+        if (away < 0 && away * away > 2 * bend * height) return -away / bend;
+        const double turn = std::sqrt(away * away + 2 * bend * height);
+        const double free = away < 0 ? 2 * height / (turn - away) : (away + turn) / bend;
+        // Between places so near the surface is no farther off than `least` twice.
+        const double near = std::max(std::sqrt(8 * least / bend), 1e-15);
+        return free > near ? free : near;
+    }
+
     /// Newton's method, kept inside by halving.
-    double root(double a, double fa, double b, double fb) const {
+    double root(Place a, const Place& b) const {
         constexpr double narrow = 1e-15;
-        double t = a + (b - a) * (fa / (fa - fb));
-        for (int i = 0; i < 100 && b - a > narrow; ++i) {
-            const Height h = height(t);
-            ((h.value < 0) == (fa < 0) ? a : b) = t;
-            const double next = t - h.value / h.slope;
-            if (std::abs(next - t) <= narrow) break;
-            t = next > a && next < b ? next : (a + b) / 2;
+        double low = a.t, high = b.t, t = a.t + (b.t - a.t) * (a.height / (a.height - b.height));
+        for (int i = 0; i < 100 && high - low > narrow; ++i) {
+            const Place here = at(t);
+            (here.below() == a.below() ? low : high) = t;
+            const double step = -here.height / here.slope, next = t + step;
+            const bool inside = next > low && next < high;
+            t = inside ? next : (low + high) / 2;
+            // What the next step would be at most.
+            const double left = over_.bend() * step * step / (2 * std::abs(here.slope));
+            if (inside && left <= narrow) break;
         }
         return t;
     }
 
-    double start_, rise_; ///< mm, over the middle of the waves
-    std::vector<Ripple> ripples_;
-    double bend_ = 0; ///< bound of the second derivative
-    double fastest_ = 0;
-    /// A segment that lies in the surface is not searched for ever.
-    int pieces_left_ = 100000;
+    HeightAlong over_;
     std::vector<double> found_;
 };
 
@@ -209,9 +135,7 @@ std::vector<double> crossings(const HeightField& field, const Segment& segment) 
         return t > 0 && t < 1 ? std::vector{t} : std::vector<double>{};
     }
     if (!(part.length() > 0)) return {};
-    CrossingFinder finder(field, segment);
-    finder.search(part);
-    return std::move(finder).found();
+    return CrossingWalk(field, segment).through(part);
 }
 
 std::vector<Wave> noise_waves(double amplitude, double wavelength) {

@@ -15,8 +15,8 @@ struct Wave {
     double height(double x, double y) const;
     /// Slopes along x and y.
     Vec2 slopes(double x, double y) const;
-    /// Angle by which the waves turn per mm, along x and y.
-    Vec2 turn() const;
+    /// Angles of the two sines, in turns.
+    Vec2 turns(double x, double y) const;
 
     bool operator==(const Wave&) const = default;
 };

@@ -6,35 +6,48 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace keiko {
 
-/// Integral of a colour over pieces of a line, each smooth inside, by Gauss quadrature: pieces are
-/// halved where rules of `order` and twice that many nodes differ.
+/// Integral of a colour over pieces of a line, each smooth inside, by Gauss quadrature: of the
+/// pieces the one is halved where rules of `order` and twice that many nodes differ most, until all
+/// these differences together are within the tolerance.
 template <class F>
 class RefinedIntegral {
 public:
+    /// `tolerance`: of the whole.
     RefinedIntegral(const F& f, double tolerance) : f_(f), tolerance_(tolerance) {}
 
     /// Over the pieces between neighbouring `ends`, which rise.
-    Rgb operator()(std::span<const double> ends) const {
-        const int order = order_of(ends.size() - 1);
-        std::vector<Rgb> first;
+    Rgb operator()(std::span<const double> ends) {
+        pieces_.clear();
+        error_ = 0;
+        order_ = order_of(ends.size() - 1);
         double scale = 0;
         for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-            first.push_back(integrate(f_, ends[i], ends[i + 1], order));
-            scale += max_channel(first.back());
+            add(ends[i], ends[i + 1], 0);
+            scale += max_channel(pieces_.back().sum);
         }
-        const double allowed = tolerance_ * scale / (ends.back() - ends.front());
+        std::make_heap(pieces_.begin(), pieces_.end());
+        while (error_ > tolerance_ * scale && pieces_.front().error > 0) halve_worst();
         Rgb sum;
-        for (std::size_t i = 0; i < first.size(); ++i)
-            sum += refined(ends[i], ends[i + 1], first[i], order, allowed, most_halvings);
+        for (const Piece& piece : pieces_) sum += piece.sum;
         return sum;
     }
 
 private:
     static constexpr int most_halvings = 12;
+
+    struct Piece {
+        double a, b;
+        Rgb sum;
+        double error;
+        int halvings;
+
+        bool operator<(const Piece& other) const { return error < other.error; }
+    };
 
     /// Between the many kinks of a table there is little left to follow.
     int order_of(std::size_t pieces) const {
@@ -42,18 +55,33 @@ private:
         return tolerance_ < 1e-6 ? 8 : pieces > many ? 2 : 4;
     }
 
-    /// `allowed`: error per length.
-    Rgb refined(double a, double b, const Rgb& coarse, int order, double allowed, int depth) const {
-        const Rgb fine = integrate(f_, a, b, 2 * order), gap = fine - coarse;
-        const double error = std::max({std::abs(gap.r), std::abs(gap.g), std::abs(gap.b)});
-        if (depth == 0 || !(error > allowed * (b - a))) return fine;
-        const double middle = (a + b) / 2;
-        return refined(a, middle, integrate(f_, a, middle, order), order, allowed, depth - 1) +
-               refined(middle, b, integrate(f_, middle, b, order), order, allowed, depth - 1);
+    void add(double a, double b, int halvings) {
+        const Rgb fine = integrate(f_, a, b, 2 * order_), gap = fine - integrate(f_, a, b, order_);
+        // What cannot be halved any more counts as found.
+        const bool last = halvings == most_halvings;
+        const double error =
+            last ? 0 : std::max({std::abs(gap.r), std::abs(gap.g), std::abs(gap.b)});
+        pieces_.push_back({a, b, fine, error, halvings});
+        error_ += error;
+    }
+
+    void halve_worst() {
+        std::pop_heap(pieces_.begin(), pieces_.end());
+        const Piece worst = pieces_.back();
+        pieces_.pop_back();
+        error_ -= worst.error;
+        const double middle = (worst.a + worst.b) / 2;
+        for (const auto& [a, b] : {std::pair(worst.a, middle), std::pair(middle, worst.b)}) {
+            add(a, b, worst.halvings + 1);
+            std::push_heap(pieces_.begin(), pieces_.end());
+        }
     }
 
     const F& f_;
     double tolerance_;
+    int order_ = 0;
+    std::vector<Piece> pieces_;
+    double error_ = 0; ///< of all pieces
 };
 
 } // namespace keiko

@@ -1,7 +1,6 @@
 #include "keiko/fog/single_scattering.h"
 
 #include "keiko/fog/airlight.h"
-#include "keiko/fog/dimmed_ray.h"
 #include "keiko/fog/refined_integral.h"
 #include "keiko/fog/transmittance.h"
 
@@ -19,13 +18,13 @@ constexpr int simpson_steps = 16;
 /// The ray in the angle nu at the emitter: s = foot + h tan(nu), ds / r^2 = dnu / h.
 class EquiAngular {
 public:
-    EquiAngular(const Medium& medium, const Segment& ray, const PointEmitter& emitter)
-        : medium_(medium),
+    EquiAngular(const DimmedRay& eye_ray, const PointEmitter& emitter)
+        : medium_(eye_ray.medium()),
           emitter_(emitter),
-          origin_(ray.a),
-          length_((ray.b - ray.a).length()),
-          direction_((ray.b - ray.a) / length_),
-          dimmed_(medium, ray) {
+          origin_(eye_ray.ray().a),
+          length_((eye_ray.ray().b - origin_).length()),
+          direction_((eye_ray.ray().b - origin_) / length_),
+          dimmed_(eye_ray) {
         foot_ = direction_.dot(emitter.position - origin_);
         const Vec3 nearest = origin_ + direction_ * foot_;
         distance_ = std::max((nearest - emitter.position).length(), lamp_radius);
@@ -88,7 +87,7 @@ private:
     Vec3 origin_;
     double length_;
     Vec3 direction_;
-    DimmedRay dimmed_;
+    const DimmedRay& dimmed_;
     double foot_ = 0, distance_ = 0; ///< mm: of the emitter along and from the ray
 };
 
@@ -114,10 +113,11 @@ Rgb gauss(const EquiAngular& f, const ParameterInterval& part, double tolerance)
 
 } // namespace
 
-Rgb scattered_light(const Medium& medium, const Segment& eye_ray, const IntervalSet& lit,
-                    const PointEmitter& emitter, double tolerance) {
-    if (!(eye_ray.b != eye_ray.a) || lit.empty()) return {};
-    const EquiAngular f(medium, eye_ray, emitter);
+Rgb scattered_light(const DimmedRay& eye_ray, const IntervalSet& lit, const PointEmitter& emitter,
+                    double tolerance) {
+    const Medium& medium = eye_ray.medium();
+    if (!(eye_ray.ray().b != eye_ray.ray().a) || lit.empty()) return {};
+    const EquiAngular f(eye_ray, emitter);
     const bool closed = has_closed_form(medium, emitter);
     Rgb sum;
     for (const ParameterInterval& part : lit)

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "keiko/fog/medium.h"
-#include "keiko/luminance/visible.h"
+#include "keiko/fog/dimmed_ray.h"
 
 #include <functional>
 #include <optional>
@@ -27,7 +26,7 @@ constexpr double scattering_tolerance = 1e-8, picture_scattering_tolerance = 1e-
 /// the density, refined until `tolerance` of the whole is estimated; eq. (8.2) where emitter,
 /// medium and phase are even; or the medium's own rule. A ray that runs closer than 5 mm past the
 /// emitter is taken at 5 mm, the lamp's own size: the integral has no limit there.
-Rgb scattered_light(const Medium& medium, const Segment& eye_ray, const IntervalSet& lit,
-                    const PointEmitter& emitter, double tolerance = scattering_tolerance);
+Rgb scattered_light(const DimmedRay& eye_ray, const IntervalSet& lit, const PointEmitter& emitter,
+                    double tolerance = scattering_tolerance);
 
 } // namespace keiko

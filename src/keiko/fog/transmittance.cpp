@@ -11,12 +11,14 @@ double length_of(const Segment& segment) {
 
 /// Share of the segment above the border.
 double share_above(const HeightField& border, const Segment& segment) {
-    double sum = 0, begin = 0;
     std::vector<double> ends = crossings(border, segment);
     ends.push_back(1);
+    // By turns above and below.
+    bool above = border.above(segment.at(ends.front() / 2)) > 0;
+    double sum = 0, begin = 0;
     for (const double end : ends) {
-        if (border.above(segment.at((begin + end) / 2)) > 0) sum += end - begin;
-        begin = end;
+        if (above) sum += end - begin;
+        begin = end, above = !above;
     }
     return sum;
 }
@@ -84,8 +86,7 @@ Rgb transmittance(const Medium& medium, const Segment& segment) {
     return transmittance(optical_depth(medium, segment));
 }
 
-Rgb ambient_inscatter(const Medium& medium, const Segment& segment) {
-    const Rgb depth = optical_depth(medium, segment);
+Rgb ambient_inscatter(const Medium& medium, const Rgb& depth) {
     return medium.ambient *
            Rgb(-std::expm1(-depth.r), -std::expm1(-depth.g), -std::expm1(-depth.b));
 }

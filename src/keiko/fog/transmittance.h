@@ -24,7 +24,7 @@ Rgb transmittance(const Rgb& optical_depth);
 /// The same of a segment.
 Rgb transmittance(const Medium& medium, const Segment& segment);
 
-/// Luminance in cd/m2 that the medium's own ambient light adds along a segment: Ja (1 - T).
-Rgb ambient_inscatter(const Medium& medium, const Segment& segment);
+/// Luminance in cd/m2 that the medium's own ambient light adds over an optical depth: Ja (1 - T).
+Rgb ambient_inscatter(const Medium& medium, const Rgb& optical_depth);
 
 } // namespace keiko

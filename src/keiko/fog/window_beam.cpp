@@ -1,6 +1,5 @@
 #include "keiko/fog/window_beam.h"
 
-#include "keiko/fog/dimmed_ray.h"
 #include "keiko/fog/refined_integral.h"
 #include "keiko/fog/transmittance.h"
 
@@ -36,14 +35,14 @@ double depth_behind(const Window& window, const Vec3& normal, const Vec3& direct
 /// The light along the ray, at a parameter of it.
 class BeamRay {
 public:
-    BeamRay(const Medium& medium, const Segment& ray, const ParallelBeam& beam)
-        : medium_(medium),
-          ray_(ray),
+    BeamRay(const DimmedRay& eye_ray, const ParallelBeam& beam)
+        : medium_(eye_ray.medium()),
+          ray_(eye_ray.ray()),
           beam_(beam),
           normal_(window_normal(beam.window)),
-          length_((ray.b - ray.a).length()),
-          phase_(phase(medium.phase, -(ray.b - ray.a).dot(beam.direction) / length_)),
-          dimmed_(medium, ray) {}
+          length_((ray_.b - ray_.a).length()),
+          phase_(phase(medium_.phase, -(ray_.b - ray_.a).dot(beam.direction) / length_)),
+          dimmed_(eye_ray) {}
 
     /// Scattered luminance per parameter of the ray.
     Rgb operator()(double t) const {
@@ -86,7 +85,7 @@ private:
     Vec3 normal_;
     double length_;
     double phase_;
-    DimmedRay dimmed_;
+    const DimmedRay& dimmed_;
 };
 
 } // namespace
@@ -129,11 +128,11 @@ IntervalSet in_window_beam(const Window& window, const Vec3& direction, const Se
     return IntervalSet(std::move(lit));
 }
 
-Rgb scattered_light(const Medium& medium, const Segment& eye_ray, const IntervalSet& lit,
-                    const ParallelBeam& beam, double tolerance) {
-    if (!(eye_ray.b != eye_ray.a) || lit.empty()) return {};
-    const BeamRay f(medium, eye_ray, beam);
-    const bool even = std::holds_alternative<EvenDensity>(medium.density);
+Rgb scattered_light(const DimmedRay& eye_ray, const IntervalSet& lit, const ParallelBeam& beam,
+                    double tolerance) {
+    if (!(eye_ray.ray().b != eye_ray.ray().a) || lit.empty()) return {};
+    const BeamRay f(eye_ray, beam);
+    const bool even = std::holds_alternative<EvenDensity>(eye_ray.medium().density);
     Rgb sum;
     for (const ParameterInterval& part : lit)
         sum += even ? f.closed_form(part) : RefinedIntegral(f, tolerance)(f.pieces(part));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/fog/medium.h"
+#include "keiko/fog/dimmed_ray.h"
 #include "keiko/luminance/visible.h"
 
 #include <optional>
@@ -36,7 +36,7 @@ struct ParallelBeam {
 /// Luminance in cd/m2 that the beam, scattered once in the `lit` parts of an eye ray, adds at the
 /// eye, dimmed from the window on. In closed form where the medium is even (physics 8.6), else by
 /// Gauss quadrature refined to `tolerance`.
-Rgb scattered_light(const Medium& medium, const Segment& eye_ray, const IntervalSet& lit,
-                    const ParallelBeam& beam, double tolerance = 1e-8);
+Rgb scattered_light(const DimmedRay& eye_ray, const IntervalSet& lit, const ParallelBeam& beam,
+                    double tolerance = 1e-8);
 
 } // namespace keiko

@@ -56,15 +56,14 @@ PointEmitter emitter_of(const Luminaire& luminaire, const Segment& ray) {
 
 /// Answers what the medium scatters of one source into the eye ray.
 struct Inscatter {
-    const Medium& medium;
-    const Segment& ray;
+    const DimmedRay& ray;
     const IntervalSet& lit;
     double tolerance;
 
     Rgb operator()(const CPlane&) const { return {}; }
     template <PointLight Light>
     Rgb operator()(const Light& light) const {
-        return scattered_light(medium, ray, lit, emitter_of(light, ray), tolerance);
+        return scattered_light(ray, lit, emitter_of(light, ray.ray()), tolerance);
     }
     /// Where windows are behind each other the light counts once, from the first of them.
     Rgb operator()(const Sun& sun) const {
@@ -72,8 +71,8 @@ struct Inscatter {
         IntervalSet left = lit;
         for (const Window& window : sun.windows) {
             const ParallelBeam beam{sun.direction.normalized(), sun.illuminance, window};
-            const IntervalSet own = in_window_beam(window, beam.direction, ray);
-            sum += scattered_light(medium, ray, left.intersect(own), beam, tolerance);
+            const IntervalSet own = in_window_beam(window, beam.direction, ray.ray());
+            sum += scattered_light(ray, left.intersect(own), beam, tolerance);
             left = left.intersect(own.complement());
         }
         return sum;
@@ -89,13 +88,14 @@ IntervalSet in_light(const LightSource& source, const Segment& eye_ray) {
 Rgb luminance_along(const LightRig& rig, const Segment& eye_ray, const Rgb& surface,
                     const VisibleFrom& visible_from, double tolerance) {
     if (!rig.medium) return surface;
-    Rgb sum =
-        surface * transmittance(*rig.medium, eye_ray) + ambient_inscatter(*rig.medium, eye_ray);
+    const DimmedRay dimmed(*rig.medium, eye_ray);
+    const Rgb depth = dimmed.depth_to(1);
+    Rgb sum = surface * transmittance(depth) + ambient_inscatter(*rig.medium, depth);
     for (std::size_t i = 0; i < rig.sources.size(); ++i) {
         const IntervalSet beam = in_light(rig.sources[i], eye_ray);
         if (beam.empty()) continue;
         const IntervalSet lit = seen_of(beam, eye_ray, i, visible_from);
-        sum += std::visit(Inscatter{*rig.medium, eye_ray, lit, tolerance}, rig.sources[i]);
+        sum += std::visit(Inscatter{dimmed, lit, tolerance}, rig.sources[i]);
     }
     return sum;
 }

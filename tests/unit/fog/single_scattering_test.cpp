@@ -25,7 +25,7 @@ TEST(SingleScattering, AirlightAgreesWithOracle) {
         const Segment ray{{eye, 0, 0}, {end, 0, 0}};
         const auto lit = IntervalSet::whole((begin - eye) / (end - eye), 1);
         PointEmitter light = isotropic({0, row.number("in.h") * 1000, 0}, Rgb(row.number("in.I")));
-        const auto scattered = [&] { return scattered_light(medium, ray, lit, light).g; };
+        const auto scattered = [&] { return scattered_light({medium, ray}, lit, light).g; };
         by_quadrature.compare(row, scattered(), row.number("out.L"), 1e-8);
         light.even = light.intensity(Vec3(0));
         in_closed_form.compare(row, scattered(), row.number("out.L"), 1e-11);
@@ -38,12 +38,12 @@ TEST(SingleScattering, PartsAddUpAndOrderDoesNotMatter) {
     const Segment ray{{0, 0, 0}, {9000, 300, -200}};
     const PointEmitter light = isotropic({4000, 800, 900}, {100, 200, 300});
     const IntervalSet parts({{0.1, 0.35}, {0.5, 0.52}});
-    const Rgb whole = scattered_light(medium, ray, IntervalSet::whole(), light);
-    const Rgb sum = scattered_light(medium, ray, parts, light) +
-                    scattered_light(medium, ray, parts.complement(), light);
+    const Rgb whole = scattered_light({medium, ray}, IntervalSet::whole(), light);
+    const Rgb sum = scattered_light({medium, ray}, parts, light) +
+                    scattered_light({medium, ray}, parts.complement(), light);
     EXPECT_NEAR(sum.r, whole.r, 1e-8 * whole.r);
     EXPECT_NEAR(sum.b, whole.b, 1e-7 * whole.b);
-    EXPECT_GT(scattered_light(medium, ray, parts, light).g, 0);
+    EXPECT_GT(scattered_light({medium, ray}, parts, light).g, 0);
 }
 
 TEST(SingleScattering, FogGlowsTowardsTheLamp) {
@@ -51,8 +51,8 @@ TEST(SingleScattering, FogGlowsTowardsTheLamp) {
     const Medium fog{.extinction = Rgb(1e-6), .phase = HazePhase{50}};
     const Segment ray{{0, 0, 0}, {4000, 0, 0}};
     const PointEmitter light = isotropic({2000, 100, 0}, Rgb(100));
-    const double before = scattered_light(fog, ray, IntervalSet::whole(0, 0.4), light).g;
-    const double behind = scattered_light(fog, ray, IntervalSet::whole(0.6, 1), light).g;
+    const double before = scattered_light({fog, ray}, IntervalSet::whole(0, 0.4), light).g;
+    const double behind = scattered_light({fog, ray}, IntervalSet::whole(0.6, 1), light).g;
     EXPECT_GT(before, 0);
     EXPECT_NEAR(behind / before, 1 / 50.0, 5e-3);
 }
@@ -61,15 +61,15 @@ TEST(SingleScattering, IsFiniteThroughTheLampAndZeroWithoutLength) {
     const Medium medium{.extinction = Rgb(0.1)};
     const PointEmitter light = isotropic({1000, 0, 0}, Rgb(100));
     const auto through = [&](double offset) {
-        return scattered_light(medium, {{0, offset, 0}, {2000, offset, 0}}, IntervalSet::whole(),
+        return scattered_light({medium, {{0, offset, 0}, {2000, offset, 0}}}, IntervalSet::whole(),
                                light)
             .g;
     };
     EXPECT_TRUE(std::isfinite(through(0)));
     EXPECT_DOUBLE_EQ(through(0), through(1e-6));
     EXPECT_GT(through(0), through(6));
-    EXPECT_EQ(scattered_light(medium, {Vec3(0), Vec3(0)}, IntervalSet::whole(), light), Rgb());
-    EXPECT_EQ(scattered_light(medium, {Vec3(0), Vec3(1)}, IntervalSet(), light), Rgb());
+    EXPECT_EQ(scattered_light({medium, {Vec3(0), Vec3(0)}}, IntervalSet::whole(), light), Rgb());
+    EXPECT_EQ(scattered_light({medium, {Vec3(0), Vec3(1)}}, IntervalSet(), light), Rgb());
 }
 
 TEST(SingleScattering, ClosedFormIsTheQuadratureAnywhere) {
@@ -80,9 +80,9 @@ TEST(SingleScattering, ClosedFormIsTheQuadratureAnywhere) {
                 const Medium medium{.extinction = Rgb(sigma)};
                 PointEmitter light = isotropic({x, off, 40}, Rgb(1000));
                 const IntervalSet parts({{0, 0.3}, {0.42, 0.421}, {0.7, 1}});
-                const double plain = scattered_light(medium, ray, parts, light).g;
+                const double plain = scattered_light({medium, ray}, parts, light).g;
                 light.even = Rgb(1000);
-                EXPECT_NEAR(scattered_light(medium, ray, parts, light).g, plain, 2e-8 * plain)
+                EXPECT_NEAR(scattered_light({medium, ray}, parts, light).g, plain, 2e-8 * plain)
                     << sigma << " " << off << " " << x;
             }
 }
@@ -91,9 +91,9 @@ TEST(SingleScattering, TheRuleOfThePapersIsNearWhereTheLampIsFar) {
     Medium medium{.extinction = Rgb(0.05), .phase = HazePhase{9}};
     const Segment ray{{0, 0, 0}, {6000, 0, 0}};
     const PointEmitter light = isotropic({3000, 3000, 0}, Rgb(1000));
-    const double exact = scattered_light(medium, ray, IntervalSet::whole(), light).g;
+    const double exact = scattered_light({medium, ray}, IntervalSet::whole(), light).g;
     medium.rule = ScatteringRule::simpson;
-    const double seed = scattered_light(medium, ray, IntervalSet::whole(), light).g;
+    const double seed = scattered_light({medium, ray}, IntervalSet::whole(), light).g;
     EXPECT_NEAR(seed, exact, 1e-4 * exact);
     EXPECT_NE(seed, exact);
 }

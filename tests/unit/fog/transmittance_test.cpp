@@ -19,14 +19,14 @@ TEST(Transmittance, IsThatOfTheChannelAndCountsMetres) {
     EXPECT_EQ(passed.r, 1);
     EXPECT_DOUBLE_EQ(passed.g, std::exp(-0.2));
     EXPECT_DOUBLE_EQ(passed.b, std::exp(-2));
-    const Rgb added = ambient_inscatter(medium, along_x(2000));
+    const Rgb added = ambient_inscatter(medium, optical_depth(medium, along_x(2000)));
     EXPECT_EQ(added.r, 0);
     EXPECT_DOUBLE_EQ(added.g, 6 * (1 - std::exp(-0.2)));
 }
 
 TEST(Transmittance, OfLittleFogKeepsItsDigits) {
     const Medium medium{.extinction = Rgb(1e-18), .ambient = Rgb(1)};
-    EXPECT_NEAR(ambient_inscatter(medium, along_x(1000)).g, 1e-18, 1e-33);
+    EXPECT_NEAR(ambient_inscatter(medium, optical_depth(medium, along_x(1000))).g, 1e-18, 1e-33);
 }
 
 TEST(Transmittance, MultipliesAlongTheWay) {
@@ -38,7 +38,7 @@ TEST(Transmittance, MultipliesAlongTheWay) {
 TEST(Transmittance, FarAwayTheMediumShowsItsAmbientLight) {
     const Medium medium{.extinction = Rgb(0.1), .ambient = {5, 6, 7}};
     EXPECT_EQ(transmittance(medium, along_x(1e9)), Rgb());
-    EXPECT_EQ(ambient_inscatter(medium, along_x(1e9)), Rgb(5, 6, 7));
+    EXPECT_EQ(ambient_inscatter(medium, optical_depth(medium, along_x(1e9))), Rgb(5, 6, 7));
 }
 
 TEST(Transmittance, DepthFogAgreesWithOracle) {
@@ -49,8 +49,8 @@ TEST(Transmittance, DepthFogAgreesWithOracle) {
         const Medium medium{.extinction = Rgb(1 / row.number("in.Le")),
                             .ambient = {fog.x, fog.y, fog.z}};
         const Segment way = along_x(row.number("in.r") * 1000);
-        const Rgb seen =
-            Rgb(own.x, own.y, own.z) * transmittance(medium, way) + ambient_inscatter(medium, way);
+        const Rgb seen = Rgb(own.x, own.y, own.z) * transmittance(medium, way) +
+                         ambient_inscatter(medium, optical_depth(medium, way));
         worst.compare(row, seen.r, out.x, 1e-11);
         worst.compare(row, seen.g, out.y, 1e-11);
         worst.compare(row, seen.b, out.z, 1e-11);

@@ -39,11 +39,11 @@ TEST(WindowBeam, AgreesWithOracle) {
                       .phase = phase_in(row),
                       .dims_light_leg = row.text("in.leg") == "1"};
         const ParallelBeam beam{sun, Rgb(row.number("in.E0")), window};
-        light.compare(row, scattered_light(medium, ray, lit, beam).g, row.number("out.L_scatter"),
+        light.compare(row, scattered_light({medium, ray}, lit, beam).g, row.number("out.L_scatter"),
                       1e-11);
         // The same medium as two layers that are alike.
         medium.density = LayeredDensity{{.height = 1500}, medium.extinction};
-        quadrature.compare(row, scattered_light(medium, ray, lit, beam).g,
+        quadrature.compare(row, scattered_light({medium, ray}, lit, beam).g,
                            row.number("out.L_scatter"), 1e-8);
     }
 }

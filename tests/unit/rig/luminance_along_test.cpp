@@ -213,3 +213,19 @@ TEST(LuminanceAlong, ShaftsWithPatternsAreWhatFineSamplingSees) {
         EXPECT_NEAR(picture.g, sum.g, 1e-4 * sum.g);
     }
 }
+
+TEST(LuminanceAlong, PicturesOfBumpyLayersAreNearTheNumbers) {
+    const HeightField border{.height = 400, .waves = noise_waves(170, 1900)};
+    const LightRig rig{
+        .name = "",
+        .sources = {Spotlight{.position = {1000, 2500, 3000}, .aim = Vec3(0)}},
+        .ambient = Rgb(0),
+        .medium = Medium{.extinction = Rgb(0.8), .density = LayeredDensity{border, Rgb(0.02)}}};
+    for (int i = 0; i < 12; ++i) {
+        const Segment ray{{-4000, -300, 1500}, {3000, 200.0 * i - 1000, 90.0 * i - 100}};
+        const double exact = luminance_along(rig, ray, Rgb(0)).g;
+        EXPECT_GT(exact, 0);
+        const double shown = luminance_along(rig, ray, Rgb(0), {}, picture_scattering_tolerance).g;
+        EXPECT_NEAR(shown, exact, 1e-4 * exact) << i;
+    }
+}
