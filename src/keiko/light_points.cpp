@@ -4,6 +4,7 @@
 #include "keiko/render/shadows.h"
 #include "keiko/row_stream.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -12,21 +13,23 @@
 namespace keiko {
 namespace {
 
+/// What the points of some lines get: of each the lux from every source, then their sum.
 struct Piece : RowPiece {
-    std::uint64_t points = 0;
+    std::vector<std::vector<double>> lux;
 };
 
-/// "c_plane.0,c_plane.1,spotlight.0,sum": kinds in the order of LightSource.
-std::string header_of(const LightRig& rig) {
+/// "c_plane.0", "c_plane.1", "spotlight.0", "sum": kinds in the order of LightSource.
+std::vector<std::string> columns_of(const LightRig& rig) {
     constexpr std::array<std::string_view, std::variant_size_v<LightSource>> kinds{
         "c_plane", "spotlight", "luminaire", "sun"};
     std::array<int, kinds.size()> counts{};
-    std::string header;
+    std::vector<std::string> columns;
     for (const LightSource& source : rig.sources) {
         const std::size_t kind = source.index();
-        header += std::string(kinds[kind]) + "." + std::to_string(counts[kind]++) + ",";
+        columns.push_back(std::string(kinds[kind]) + "." + std::to_string(counts[kind]++));
     }
-    return header + "sum\n";
+    columns.emplace_back("sum");
+    return columns;
 }
 
 /// A place on the surfaces, to be lit.
@@ -50,42 +53,102 @@ Place place_of(const Tracer& surfaces, const Vec3& point, const Vec3& normal) {
     return place;
 }
 
-void append_row(std::string& text, const Scene& scene, const Ray& point) {
+std::vector<double> lux_at(const Scene& scene, const Ray& point) {
     const Vec3 normal = point.direction.normalized();
     const ShadowedRig lights(*scene.rig, scene.occluders ? &*scene.occluders : nullptr,
                              scene.seen());
     const Place place = place_of(scene.seen(), point.origin, normal);
     const LitPoint lit = lights.at(place.position, normal, place.root);
+    std::vector<double> lux;
     Rgb sum;
     for (std::size_t i = 0; i < scene.rig->sources.size(); ++i) {
         const Rgb lx = lit.from_source(i, TubeModel::automatic);
-        append_number(text, luminance(lx));
-        text += ',';
+        lux.push_back(luminance(lx));
         sum += lx;
     }
-    append_number(text, luminance(sum));
-    text += '\n';
+    lux.push_back(luminance(sum));
+    return lux;
 }
 
-void work(const Scene& scene, Piece& piece) {
+std::string row_of(const std::vector<double>& lux) {
+    std::string row;
+    for (const double value : lux) {
+        append_number(row, value);
+        row += ',';
+    }
+    row.back() = '\n';
+    return row;
+}
+
+void light(const Scene& scene, Piece& piece) {
     ParsedRays parsed = rays_of(piece.lines, point_header);
     piece.fault = std::move(parsed.fault);
-    piece.points = parsed.rays.size();
     piece.rows.clear();
-    for (const Ray& point : parsed.rays) append_row(piece.rows, scene, point);
+    piece.lux.clear();
+    for (const Ray& point : parsed.rays) piece.lux.push_back(lux_at(scene, point));
 }
+
+void require_rig(const Scene& scene) {
+    if (!scene.rig) throw Error("", "", "illuminance needs a scene file with a rig");
+}
+
+/// One column of all rows.
+struct Column {
+    double minimum = std::numeric_limits<double>::infinity(), maximum = -minimum, sum = 0;
+
+    void add(double lux) {
+        minimum = std::min(minimum, lux);
+        maximum = std::max(maximum, lux);
+        sum += lux;
+    }
+    std::string row(const std::string& name, std::uint64_t points) const {
+        std::string text = name + ',' + std::to_string(points);
+        const double mean = sum / static_cast<double>(points);
+        for (const double value : {minimum, mean, maximum, minimum / mean}) {
+            text += ',';
+            if (std::isfinite(value)) append_number(text, value);
+        }
+        return text + '\n';
+    }
+};
 
 } // namespace
 
 std::uint64_t light_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
                            const Job& job) {
-    if (!scene.rig) throw Error("", "", "illuminance needs a scene file with a rig");
+    require_rig(scene);
+    std::string header;
+    for (const std::string& column : columns_of(*scene.rig)) header += column + ',';
+    header.back() = '\n';
     std::uint64_t count = 0;
-    if (!rows(header_of(*scene.rig))) return count;
+    if (!rows(header)) return count;
+    RayLineReader reader(points, point_header);
+    const auto work = [&](Piece& piece) {
+        light(scene, piece);
+        for (const std::vector<double>& lux : piece.lux) piece.rows += row_of(lux);
+    };
+    stream_rows<Piece>(reader, rows, job, work,
+                       [&](const Piece& piece) { count += piece.lux.size(); });
+    return count;
+}
+
+std::uint64_t summarize_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
+                               const Job& job) {
+    require_rig(scene);
+    const std::vector<std::string> names = columns_of(*scene.rig);
+    std::vector<Column> columns(names.size());
+    std::uint64_t count = 0;
     RayLineReader reader(points, point_header);
     stream_rows<Piece>(
-        reader, rows, job, [&](Piece& piece) { work(scene, piece); },
-        [&](const Piece& piece) { count += piece.points; });
+        reader, rows, job, [&](Piece& piece) { light(scene, piece); },
+        [&](const Piece& piece) {
+            count += piece.lux.size();
+            for (const std::vector<double>& lux : piece.lux)
+                for (std::size_t i = 0; i < lux.size(); ++i) columns[i].add(lux[i]);
+        });
+    std::string text = "source,points,minimum,mean,maximum,uniformity\n";
+    for (std::size_t i = 0; i < names.size(); ++i) text += columns[i].row(names[i], count);
+    rows(text);
     return count;
 }
 

@@ -17,4 +17,11 @@ namespace keiko {
 std::uint64_t light_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
                            const Job& job = {});
 
+/// The same points summed up, as lighting standards ask for it: a header line, then a row for each
+/// column of light_points with the number of points, least, mean and largest illuminance in lx, and
+/// the uniformity, the least over the mean (empty in the dark). All is empty without points. Writes
+/// nothing for a malformed line, but throws its Error.
+std::uint64_t summarize_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
+                               const Job& job = {});
+
 } // namespace keiko

@@ -45,6 +45,16 @@ class Illuminance(KeikoTest):
                                    delta=1e-9)
             self.assertEqual(list(down.values()), ["0", "0", "0"])
 
+    def test_a_summary_has_mean_and_uniformity(self):
+        points = "0,0,0,0,0,1\n200,0,0,0,0,1\n"
+        lux = [float(row["sum"]) for row in self.rows(points)]
+        *sources, total = self.rows(points, "--summary")
+        self.assertEqual([row["source"] for row in sources], ["spotlight.0", "c_plane.0"])
+        mean = sum(lux) / 2
+        for column, value in (("points", 2), ("minimum", min(lux)), ("mean", mean),
+                              ("maximum", max(lux)), ("uniformity", min(lux) / mean)):
+            self.assertAlmostEqual(float(total[column]), value, delta=1e-9)
+
     def test_same_bytes_for_any_number_of_threads(self):
         points = "".join(f"{i},{i % 7},3,0.1,{i % 3},1\n" for i in range(5000))
         self.assertEqual(self.rows(points, "--threads", "1"), self.rows(points, "--threads", "2"))

@@ -79,7 +79,8 @@ class Pictures(KeikoTest):
         width, height = struct.unpack(">II", plain[16:24])
         self.assertGreater(width, 64 + 50)
         self.assertGreaterEqual(height, 36)
-        for other in (*base, "--scale", "5:500"), (*base, "--iso-lines"):
+        for other in ((*base, "--scale", "5:500"), (*base, "--iso-lines"),
+                      (*base, "--quantity", "illuminance")):
             self.assertNotEqual(plain, self.written("b.png", *other), other)
 
     def test_frames_resume_where_files_and_options_are_the_same(self):

@@ -9,11 +9,17 @@
 namespace keiko::cli {
 namespace {
 
-int illuminance(const SceneArguments& arguments, const Job& job) {
+struct IlluminanceArguments {
+    SceneArguments scene;
+    bool summary = false;
+};
+
+int illuminance(const IlluminanceArguments& arguments, const Job& job) {
     const StandardInput input(job);
     const StandardOutput output(job);
-    const Scene scene = arguments.open(job);
-    const std::uint64_t points = light_points(
+    const Scene scene = arguments.scene.open(job);
+    const auto tell = arguments.summary ? summarize_points : light_points;
+    const std::uint64_t points = tell(
         scene, [&](std::span<char> bytes) { return input.read(bytes); },
         [&](std::string_view text) { return output.write(text); }, job);
     log_detail(std::to_string(points) + " points");
@@ -23,13 +29,16 @@ int illuminance(const SceneArguments& arguments, const Job& job) {
 } // namespace
 
 void add_illuminance(CLI::App& app, Session& session) {
-    auto arguments = std::make_shared<SceneArguments>();
+    auto arguments = std::make_shared<IlluminanceArguments>();
     CLI::App& command =
         *app.add_subcommand("illuminance",
                             "tell how much light lamps shed on points: CSV from standard input to "
                             "standard output");
-    arguments->add_to(command, "SCENE");
-    arguments->options.shadows = true;
+    arguments->scene.add_to(command, "SCENE");
+    arguments->scene.options.shadows = true;
+    command.add_flag("--summary", arguments->summary,
+                     "instead of a row for each point one for each source and one for the sum: "
+                     "points, least, mean and largest illuminance, uniformity (least over mean)");
     command.footer(
         "Reads x,y,z,nx,ny,nz a line: a point (mm) and the normal of the surface there, of any "
         "length (line 1 may name the columns). Writes a header line and a row for each point in "

@@ -23,7 +23,7 @@ struct RenderArguments {
     std::filesystem::path output, hits;
     std::string view, rig = "auto", aovs;
     bool false_color = false, iso_lines = false;
-    std::string scale, tone = "linear", frames;
+    std::string scale, quantity = "luminance", tone = "linear", frames;
     bool resume = false;
     ToneMapping mapping;
 };
@@ -53,6 +53,11 @@ FalseColorScale scale_of(const std::string& text) {
         !(scale.minimum < scale.maximum) || !std::isfinite(scale.maximum))
         throw Error("", "--scale", "'" + text + "' is not MIN:MAX with 0 < MIN < MAX");
     return scale;
+}
+
+ShownQuantity quantity_of(const RenderArguments& arguments) {
+    return arguments.quantity == "illuminance" ? ShownQuantity::illuminance
+                                               : ShownQuantity::luminance;
 }
 
 ToneMapping mapping_of(const RenderArguments& arguments) {
@@ -121,7 +126,9 @@ void warn_of_thick_fog(const Scene& scene, const LightRig& rig, const Vec3& eye)
 }
 
 void render_picture(const RenderArguments& arguments, const Job& job) {
-    const PictureOptions options{.aovs = aovs_of(arguments.aovs)};
+    PictureOptions options{.aovs = aovs_of(arguments.aovs)};
+    const ShownQuantity quantity = quantity_of(arguments);
+    if (quantity == ShownQuantity::illuminance) options.aovs.push_back(Aov::illuminance);
     if (arguments.rig != "auto") read_rig(arguments.rig);
     std::vector<std::string> names;
     if (!arguments.view.empty()) names.push_back(arguments.view);
@@ -132,8 +139,8 @@ void render_picture(const RenderArguments& arguments, const Job& job) {
     warn_of_thick_fog(scene, rig, view.camera.eye);
     const Film film = render_view(scene, rig, view.camera, options, job);
     if (arguments.false_color)
-        write_png(arguments.output,
-                  false_color_picture(film, scale_of(arguments.scale), arguments.iso_lines));
+        write_png(arguments.output, false_color_picture(film, scale_of(arguments.scale),
+                                                        arguments.iso_lines, quantity));
     else
         write_film(arguments.output, film, mapping_of(arguments));
     if (!arguments.hits.empty())
@@ -150,7 +157,8 @@ std::string key_of(const RenderArguments& a) {
     std::ostringstream settings;
     settings << std::setprecision(17) << options.material << '\n'
              << options.clipping_only << options.shadows << a.false_color << a.iso_lines << '\n';
-    for (const std::string& text : {a.scene.size, a.view, a.rig, a.aovs, a.scale, a.tone})
+    for (const std::string& text :
+         {a.scene.size, a.view, a.rig, a.aovs, a.scale, a.quantity, a.tone})
         settings << text << '\n';
     if (a.mapping.ev) settings << *a.mapping.ev;
     return input_key(inputs, "", options.load, settings.str());
@@ -196,15 +204,23 @@ void add_render(CLI::App& app, Session& session) {
         ->capture_default_str();
     command.add_option("--aov", arguments->aovs,
                        "layers of an .exr, comma-separated: luminance, normal, uv, face, patch, "
-                       "depth, c_plane_uv");
+                       "depth, c_plane_uv, illuminance");
     auto* false_color =
         command.add_flag("--false-color", arguments->false_color,
                          "luminance by colour from blue to red, with a legend, for .png");
-    command.add_option("--scale", arguments->scale, "MIN:MAX of false colours, cd/m2 [1:10000]")
+    command
+        .add_option("--quantity", arguments->quantity,
+                    "of the false colours: luminance in cd/m2, or illuminance in lx, direct light "
+                    "alone as keiko illuminance tells it")
+        ->check(CLI::IsMember({"luminance", "illuminance"}))
+        ->needs(false_color)
+        ->capture_default_str();
+    command
+        .add_option("--scale", arguments->scale, "MIN:MAX of false colours, cd/m2 or lx [1:10000]")
         ->needs(false_color);
     command
         .add_flag("--iso-lines", arguments->iso_lines,
-                  "lines of equal luminance at the values of the legend")
+                  "lines of equal value at the values of the legend, with their numbers")
         ->needs(false_color);
     command
         .add_option(

@@ -13,14 +13,15 @@ struct AovName {
     std::vector<std::string> channels;
 };
 
-const std::array<AovName, 7>& aov_names() {
-    static const std::array<AovName, 7> names{{{Aov::luminance, "luminance", {"Y"}},
+const std::array<AovName, 8>& aov_names() {
+    static const std::array<AovName, 8> names{{{Aov::luminance, "luminance", {"Y"}},
                                                {Aov::normal, "normal", {"X", "Y", "Z"}},
                                                {Aov::uv, "uv", {"u", "v"}},
                                                {Aov::face, "face", {"id"}},
                                                {Aov::patch, "patch", {"id"}},
                                                {Aov::depth, "depth", {"Z"}},
-                                               {Aov::c_plane_uv, "c_plane_uv", {"u", "v"}}}};
+                                               {Aov::c_plane_uv, "c_plane_uv", {"u", "v"}},
+                                               {Aov::illuminance, "illuminance", {"E"}}}};
     return names;
 }
 

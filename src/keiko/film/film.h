@@ -35,7 +35,9 @@ private:
 };
 
 /// What else a picture can hold of each pixel's first hit; no hit: 0, ids -1, depth infinity.
-enum class Aov { luminance, normal, uv, face, patch, depth, c_plane_uv };
+/// Illuminance is what `keiko illuminance` tells of the place: the direct light in lx, in the mean
+/// over the pixel like luminance.
+enum class Aov { luminance, normal, uv, face, patch, depth, c_plane_uv, illuminance };
 
 /// All of them, in the order of their declaration.
 const std::vector<Aov>& every_aov();

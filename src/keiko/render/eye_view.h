@@ -14,6 +14,7 @@ namespace keiko {
 struct EyeSample {
     Rgb luminance;          ///< cd/m2
     std::optional<Hit> hit; ///< the first surface
+    double illuminance = 0; ///< lx of direct light on it, where an AOV asks for it
     /// Where the first mirrored ray meets the nearest C-plane, mm; nothing where the body is in the
     /// way.
     std::optional<Vec2> c_plane;

@@ -24,7 +24,10 @@ Vec3 end_of(const Ray& ray, const std::optional<Hit>& hit) {
 } // namespace
 
 Integrator::Integrator(const PictureScene& scene, const PictureOptions& options)
-    : scene_(scene), options_(options), lights_(scene.rig, scene.occluders, scene.tracer) {
+    : scene_(scene),
+      options_(options),
+      lights_(scene.rig, scene.occluders, scene.tracer),
+      tells_illuminance_(std::count(options.aovs.begin(), options.aovs.end(), Aov::illuminance)) {
     std::vector<Material> known;
     for (const Material& material : scene.materials) {
         const auto found = std::find(known.begin(), known.end(), material);
@@ -47,7 +50,7 @@ ShaftShadows Integrator::shaft_shadows(std::span<const Path> paths,
 std::vector<EyeSample> Integrator::follow(std::span<const Ray> eye_rays) const {
     EyeView view = this->view(eye_rays);
     for (const LitSpot& spot : view.spots)
-        view.samples[spot.sample].luminance += spot.weight * luminance(spot, light_on(spot));
+        add_light(spot, light_on(spot), view.samples[spot.sample]);
     return std::move(view.samples);
 }
 
@@ -174,6 +177,8 @@ SpotLight Integrator::light_on(const LitSpot& spot) const {
     SpotLight light;
     if (paint.base().inner_reflectance(normal.dot(spot.eye)) != Rgb(0))
         light.illuminance = lit.illuminance(TubeModel::picture, &paint.base());
+    if (spot.depth == 0 && tells_illuminance_)
+        light.incident = keiko::luminance(lit.illuminance(TubeModel::picture));
     if (paint.gloss()) light.lobes += lit.glossy(GlossKernel(*paint.gloss(), normal, spot.eye));
     if (paint.flakes()) light.lobes += lit.glossy(FlakeKernel(*paint.flakes(), normal, spot.eye));
     return light;
@@ -184,6 +189,11 @@ Rgb Integrator::luminance(const LitSpot& spot, const SpotLight& light) const {
     return lambert_luminance(base.inner_reflectance(spot.place.normal.dot(spot.eye)),
                              light.illuminance) +
            light.lobes;
+}
+
+void Integrator::add_light(const LitSpot& spot, const SpotLight& light, EyeSample& sample) const {
+    sample.luminance += spot.weight * luminance(spot, light);
+    if (spot.depth == 0) sample.illuminance = light.incident;
 }
 
 Rgb Integrator::ambient_luminance(const LitSpot& spot) const {

@@ -32,6 +32,8 @@ public:
     Rgb luminance(const LitSpot& spot, const SpotLight& light) const;
     /// The same of even light from all sides.
     Rgb ambient_luminance(const LitSpot& spot) const;
+    /// Adds what `light` brings to the sample of a spot.
+    void add_light(const LitSpot& spot, const SpotLight& light, EyeSample& sample) const;
 
 private:
     /// A ray under way and what its light counts in its sample.
@@ -67,6 +69,7 @@ private:
     const PictureScene& scene_;
     const PictureOptions& options_;
     ShadowedRig lights_;
+    bool tells_illuminance_;
     std::vector<Paint> paints_;
     std::vector<std::uint32_t> paint_of_face_;
 };

@@ -91,7 +91,9 @@ private:
     bool fits(const Rectangle& r, int x, int y) {
         const LitSpot& spot = *grid_.at(x, y);
         const SpotLight& light = exact(x, y);
-        const Rgb off = seen_of(spot, linear(r, x, y) - light);
+        const SpotLight wrong = linear(r, x, y) - light;
+        if (std::abs(wrong.incident) > error_ * light.incident) return false;
+        const Rgb off = seen_of(spot, wrong);
         const Rgb seen = samples_[spot.sample].luminance + seen_of(spot, light);
         return std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)}) <=
                error_ * max_channel(seen);
@@ -121,8 +123,7 @@ void add_interpolated_light(const Integrator& integrator, int width, int height,
         Interpolation light(integrator, grid, error, view.samples);
         light.light({0, 0, width - 1, height - 1});
         for (const LitSpot& spot : spots)
-            view.samples[spot.sample].luminance +=
-                spot.weight * integrator.luminance(spot, light[spot.sample]);
+            integrator.add_light(spot, light[spot.sample], view.samples[spot.sample]);
     });
 }
 

@@ -33,14 +33,16 @@ struct LitSpot {
 struct SpotLight {
     Rgb illuminance; ///< lx, of what enters the base
     Rgb lobes;       ///< cd/m2, from lobes to the eye
+    double incident =
+        0; ///< lx on the surface, of what the eye sees first, where an AOV asks for it
 
     SpotLight operator+(const SpotLight& o) const {
-        return {illuminance + o.illuminance, lobes + o.lobes};
+        return {illuminance + o.illuminance, lobes + o.lobes, incident + o.incident};
     }
     SpotLight operator-(const SpotLight& o) const {
-        return {illuminance - o.illuminance, lobes - o.lobes};
+        return {illuminance - o.illuminance, lobes - o.lobes, incident - o.incident};
     }
-    SpotLight operator*(double s) const { return {illuminance * s, lobes * s}; }
+    SpotLight operator*(double s) const { return {illuminance * s, lobes * s, incident * s}; }
 };
 
 } // namespace keiko

@@ -23,23 +23,34 @@ float blank_value(Aov aov) {
         case Aov::normal:
         case Aov::uv:
         case Aov::c_plane_uv:
+        case Aov::illuminance:
             break;
     }
     return 0;
 }
 
-void write_color(Film& film, int x, int y, const Rgb& color, double alpha) {
-    put(film.color, x, y, {color.r, color.g, color.b});
-    put(film.alpha, x, y, {alpha});
+/// What a pixel shows of light, of one sample or in the mean.
+struct SeenLight {
+    Rgb color;
+    double covered = 0;     ///< share of the pixel that shows the model
+    double illuminance = 0; ///< lx, of that share
+};
+
+void write_light(Film& film, int x, int y, const SeenLight& seen) {
+    put(film.color, x, y, {seen.color.r, seen.color.g, seen.color.b});
+    put(film.alpha, x, y, {seen.covered});
     if (const auto layer = film.aovs.find(Aov::luminance); layer != film.aovs.end())
-        put(layer->second, x, y, {luminance(color)});
+        put(layer->second, x, y, {luminance(seen.color)});
+    if (const auto layer = film.aovs.find(Aov::illuminance); layer != film.aovs.end())
+        put(layer->second, x, y, {seen.illuminance});
 }
 
 void write_aov(Aov aov, Image& image, int x, int y, const EyeSample& sample) {
     const Hit& hit = *sample.hit;
     switch (aov) {
         case Aov::luminance:
-            break; // goes with the colour
+        case Aov::illuminance:
+            break; // go with the colour
         case Aov::normal:
             put(image, x, y, {hit.normal.x, hit.normal.y, hit.normal.z});
             break;
@@ -72,20 +83,21 @@ Film blank_film(int width, int height, std::span<const Aov> aovs) {
 }
 
 void write_pixel(Film& film, int x, int y, const EyeSample& sample) {
-    write_color(film, x, y, sample.luminance, sample.hit ? 1 : 0);
+    write_light(film, x, y, {sample.luminance, sample.hit ? 1.0 : 0.0, sample.illuminance});
     if (!sample.hit) return;
     for (auto& [aov, image] : film.aovs) write_aov(aov, image, x, y, sample);
 }
 
 void write_mean(Film& film, int x, int y, std::span<const EyeSample> samples) {
-    Rgb sum;
-    double covered = 0;
+    SeenLight sum;
     for (const EyeSample& sample : samples) {
-        sum += sample.luminance;
-        covered += sample.hit ? 1 : 0;
+        sum.color += sample.luminance;
+        sum.covered += sample.hit ? 1 : 0;
+        sum.illuminance += sample.illuminance;
     }
     const auto count = static_cast<double>(samples.size());
-    write_color(film, x, y, sum / count, covered / count);
+    const double lit = sum.covered > 0 ? sum.illuminance / sum.covered : 0;
+    write_light(film, x, y, {sum.color / count, sum.covered / count, lit});
 }
 
 } // namespace keiko

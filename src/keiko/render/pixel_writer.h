@@ -13,7 +13,7 @@ Film blank_film(int width, int height, std::span<const Aov> aovs);
 /// Writes one sample into every layer of the film.
 void write_pixel(Film& film, int x, int y, const EyeSample& sample);
 
-/// Replaces colour, coverage and the luminance layer of a pixel by the mean over samples; the
+/// Replaces colour, coverage, luminance and illuminance of a pixel by the mean over samples; the
 /// other layers keep what its centre shows.
 void write_mean(Film& film, int x, int y, std::span<const EyeSample> samples);
 

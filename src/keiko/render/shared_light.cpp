@@ -50,11 +50,8 @@ void light_pixel(const Integrator& integrator, const SpotGrid& grid, std::span<E
             const std::vector<Cell> surface = surface_around({x, y}, grid, to_come);
             const auto [mx, my] = amid(surface);
             const SpotLight light = integrator.light_on(*grid.at(mx, my));
-            for (const auto& [cx, cy] : surface) {
-                const LitSpot& spot = *grid.at(cx, cy);
-                samples[grid.index(cx, cy)].luminance +=
-                    spot.weight * integrator.luminance(spot, light);
-            }
+            for (const auto& [cx, cy] : surface)
+                integrator.add_light(*grid.at(cx, cy), light, samples[grid.index(cx, cy)]);
         }
 }
 

@@ -6,6 +6,8 @@
 #include "tests/unit/facade/cut_text.h"
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <sstream>
 
 namespace keiko {
@@ -72,6 +74,69 @@ TEST(LightPoints, OfASurfaceAreNotShadowedByItself) {
     for (const char* z : {"1e-4", "-1e-4", "1e-12", "-1e-9"})
         EXPECT_NEAR(sum_of(rows_for(std::string("10,20,") + z + ",0,0,1")), on, 1e-6 * on) << z;
     EXPECT_EQ(sum_of(rows_for("10,20,-1,0,0,1")), 0) << "under the surface";
+}
+
+std::string summary_of(const std::string& points, std::size_t cut = 7) {
+    std::string rows;
+    summarize_points(scene_under(rig()), test::cut_text(points, cut), [&](std::string_view text) {
+        rows += text;
+        return true;
+    });
+    return rows;
+}
+
+TEST(LightPoints, AreSummedUpBySource) {
+    const std::string points = "0,0,0,0,0,1\n0,0,0,0,0,-1\n50,0,0,0,0,1\n0,0,0,0,1,1\n";
+    std::istringstream rows(rows_for(points)), summary(summary_of(points));
+    std::array<double, 4> least{1e9, 1e9, 1e9, 1e9}, most{}, sum{};
+    std::string line;
+    std::getline(rows, line);
+    while (std::getline(rows, line)) {
+        std::istringstream fields(line);
+        for (std::size_t i = 0; i < 4; ++i) {
+            double lux = 0;
+            char comma = 0;
+            fields >> lux >> comma;
+            least[i] = std::min(least[i], lux), most[i] = std::max(most[i], lux), sum[i] += lux;
+        }
+    }
+    std::getline(summary, line);
+    EXPECT_EQ(line, "source,points,minimum,mean,maximum,uniformity");
+    const std::array names{"spotlight.0", "c_plane.0", "c_plane.1", "sum"};
+    for (std::size_t i = 0; i < 4; ++i) {
+        ASSERT_TRUE(std::getline(summary, line));
+        std::istringstream fields(line);
+        std::string name;
+        std::getline(fields, name, ',');
+        EXPECT_EQ(name, names[i]);
+        std::array<double, 5> values{};
+        for (double& value : values) {
+            fields >> value;
+            fields.ignore();
+        }
+        EXPECT_EQ(values[0], 4);
+        EXPECT_EQ(values[1], least[i]);
+        EXPECT_EQ(values[1], 0) << "the second point looks down";
+        EXPECT_NEAR(values[2], sum[i] / 4, 1e-9);
+        EXPECT_EQ(values[3], most[i]);
+        EXPECT_EQ(values[4], 0);
+    }
+    EXPECT_FALSE(std::getline(summary, line));
+}
+
+TEST(LightPoints, UniformityIsTheLeastOverTheMean) {
+    const std::string one = summary_of("0,0,0,0,0,1\n");
+    EXPECT_EQ(one.substr(one.size() - 2), "1\n");
+    const std::string dark = summary_of("0,0,0,0,0,-1\n"), none = summary_of("");
+    EXPECT_NE(dark.find("sum,1,0,0,0,\n"), std::string::npos) << dark;
+    EXPECT_NE(none.find("sum,0,,,,\n"), std::string::npos) << none;
+    EXPECT_THROW(summary_of("0,0,0,0,0,1\n0,0\n"), Error);
+}
+
+TEST(LightPoints, SummaryIsTheSameHoweverTheTextIsCut) {
+    std::string points;
+    for (int i = 0; i < 3000; ++i) points += std::to_string(i) + ",2,3,0.1,0,1\n";
+    EXPECT_EQ(summary_of(points, 1 << 20), summary_of(points, 1000));
 }
 
 TEST(LightPoints, SameRowsHoweverTheTextIsCut) {

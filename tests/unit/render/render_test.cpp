@@ -115,6 +115,24 @@ TEST(Render, AovsTellOfTheFirstHit) {
                 1e-3);
 }
 
+// Matt white shows E / pi, so two ways lead to one picture: shading, and the layer of illuminance.
+TEST(Render, IlluminanceIsWhatLightsAMattWhiteBody) {
+    Stage stage(dome(), 1);
+    for (Material& material : stage.materials) material.diffuse = Rgb(1);
+    const Film film = stage.render({.aovs = {Aov::illuminance, Aov::luminance}});
+    const Image &lux = film.aovs.at(Aov::illuminance), &y = film.aovs.at(Aov::luminance);
+    int lit = 0;
+    for (std::size_t i = 0; i < lux.values.size(); ++i) {
+        if (film.alpha.values[i] < 1) continue; // its luminance holds background, its lux do not
+        const double shown = std::numbers::pi * double{y.values[i]};
+        // A coat, even one that mirrors nothing, leaves out lamps whose axis the horizon hides.
+        EXPECT_NEAR(double{lux.values[i]}, shown, 5e-5 * shown);
+        lit += shown > 100;
+    }
+    EXPECT_GT(lit, 500);
+    EXPECT_EQ(lux.pixel(0, 0)[0], 0) << "beside the body";
+}
+
 TEST(Render, OutlinesAreRefined) {
     const Stage stage(flat_plate());
     const Film rough = stage.render({.aovs = {}, .edge_samples = 1});
