@@ -28,15 +28,30 @@ void count(const MeasuredFace& face, FaceCounts& counts) {
                                             : counts.pass);
 }
 
-bool worse(const Check& a, const Check& b) {
-    if (a.worst.verdict != b.worst.verdict) return a.worst.verdict > b.worst.verdict;
-    return share_of_limit(a.worst) > share_of_limit(b.worst);
-}
-
 /// 1/mm. Where one side bends the other way, the mismatch is 100 % whatever it amounts to.
 double curvature_change(const MeasuredSeam& seam) {
     return seam.curvature ? std::abs(seam.curvature->curvature_a - seam.curvature->curvature_b) : 0;
 }
+
+/// Of the findings of some seams: of equal shares the one where the curvature changes more.
+class Worse {
+public:
+    explicit Worse(const std::vector<MeasuredSeam>& seams) : seams_(seams) {}
+
+    bool operator()(const Check& a, const Check& b) const {
+        if (a.worst.verdict != b.worst.verdict) return a.worst.verdict > b.worst.verdict;
+        const double x = share_of_limit(a.worst), y = share_of_limit(b.worst);
+        return x != y ? x > y : change(a) > change(b);
+    }
+
+private:
+    double change(const Check& check) const {
+        const bool of_curvature = check.seam != no_index && check.quantity == "curvature";
+        return of_curvature ? curvature_change(seams_[check.seam]) : 0;
+    }
+
+    const std::vector<MeasuredSeam>& seams_;
+};
 
 /// Whether a place of a face, in world coordinates, lies in one of its irregular patches.
 bool in_irregular_patch(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face,
@@ -92,7 +107,7 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     }
     std::copy_if(result.checks.begin(), result.checks.end(), std::back_inserter(result.findings),
                  [](const Check& check) { return check.is_finding(); });
-    std::stable_sort(result.findings.begin(), result.findings.end(), worse);
+    std::stable_sort(result.findings.begin(), result.findings.end(), Worse(result.seams));
     return result;
 }
 

@@ -36,8 +36,8 @@ std::string row(std::initializer_list<std::string> fields) {
 std::string row(const Check& check) {
     const Worst& w = check.worst;
     const auto if_judged = [&](double value) { return check.judged ? number(value) : ""; };
-    return row({check.seam == no_index ? "" : std::to_string(check.seam + 1), field(check.faces),
-                field(check.code), field(check.quantity),
+    return row({check.seam == no_index ? "" : std::to_string(check.seam + 1), field(check.view),
+                field(check.faces), field(check.code), field(check.quantity),
                 check.judged ? std::string(name_of(w.verdict)) : "not judged", if_judged(w.value),
                 if_judged(w.bound), if_judged(w.limit), field(check.unit), field(check.formula),
                 if_judged(w.place.x), if_judged(w.place.y), if_judged(w.place.z),
@@ -47,8 +47,8 @@ std::string row(const Check& check) {
 } // namespace
 
 std::string checks_csv(const Inspection& inspection) {
-    std::string text = row({"seam", "faces", "code", "quantity", "verdict", "value", "bound",
-                            "limit", "unit", "formula", "x", "y", "z", "message"});
+    std::string text = row({"seam", "view", "faces", "code", "quantity", "verdict", "value",
+                            "bound", "limit", "unit", "formula", "x", "y", "z", "message"});
     for (const Check& check : inspection.checks) text += row(check);
     return text;
 }

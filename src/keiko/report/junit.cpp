@@ -2,6 +2,8 @@
 
 #include "keiko/report/check_place.h"
 
+#include <map>
+
 namespace keiko {
 namespace {
 
@@ -34,7 +36,13 @@ std::string junit_xml(const Inspection& inspection) {
                       {"verdict", std::string(name_of(inspection.verdict))}}};
     for (const LostFace& face : inspection.facts.lost_faces)
         suite.cases.push_back(case_of(source, face));
-    for (const Check& check : inspection.checks) suite.cases.push_back(check_case(source, check));
+    std::map<std::string, int> uses;
+    for (const Check& check : inspection.checks) {
+        suite.cases.push_back(check_case(source, check));
+        // A face may have several dents; the deepest comes first and keeps its name between runs.
+        std::string& name = suite.cases.back().name;
+        if (const int use = ++uses[name]; use > 1) name += " " + std::to_string(use);
+    }
     return junit_xml(std::vector{std::move(suite)});
 }
 

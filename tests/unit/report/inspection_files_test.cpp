@@ -97,11 +97,23 @@ TEST(SarifJson, HasAnEmptyListOfResultsWhereAllPasses) {
     EXPECT_EQ(log["runs"][0]["results"], nlohmann::json::array());
 }
 
+/// Two dents on one face are two cases.
+TEST(JUnitXml, NamesEveryCaseApart) {
+    Inspection dented = inspection();
+    Check dent = dented.checks.front();
+    dent.seam = no_index, dent.face = 0, dent.faces = "face 1", dent.quantity = "dent";
+    dented.checks = {dent, dent, dent};
+    const std::string xml = junit_xml(dented);
+    for (const char* name :
+         {"name=\"face 1: dent\"", "name=\"face 1: dent 2\"", "name=\"face 1: dent 3\""})
+        EXPECT_EQ(count(xml, name), 1u) << xml;
+}
+
 TEST(ChecksCsv, QuotesFieldsThatNeedIt) {
     const std::string csv = checks_csv(inspection());
     EXPECT_EQ(count(csv, "\r\n"), 4u);
     EXPECT_NE(
-        csv.find("\r\n1,\"face 1 (a<b>, \"\"c\"\") | face 2 (K\xef\xbf\xbdgel\x01)\",G-SU-LG,gap,"
+        csv.find("\r\n1,,\"face 1 (a<b>, \"\"c\"\") | face 2 (K\xef\xbf\xbdgel\x01)\",G-SU-LG,gap,"
                  "fail,0.05"),
         std::string::npos)
         << csv;
@@ -120,7 +132,7 @@ Inspection tight_face() {
 
 TEST(ChecksCsv, HasNoSeamForACheckOfAFace) {
     const std::string csv = checks_csv(tight_face());
-    EXPECT_NE(csv.find("\n,face 1,G-SU-CR,radius,fail,0."), std::string::npos) << csv;
+    EXPECT_NE(csv.find("\n,,face 1,G-SU-CR,radius,fail,0."), std::string::npos) << csv;
 }
 
 TEST(SarifJson, NamesTheFaceThatACheckIsOf) {
