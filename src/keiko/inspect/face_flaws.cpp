@@ -18,6 +18,8 @@ namespace {
 constexpr double sample_share = 1.0 / 20;
 /// What is deeper than this share of the window is form, not a flaw.
 constexpr double deepest_share = 1.0 / 50;
+/// What is wider than this share of the window is form to it: what lies around is not seen.
+constexpr double widest_share = 0.55;
 /// A depth that changes by more than this share of it with how much around is looked at may be
 /// form.
 constexpr double form_share = 0.25;
@@ -85,6 +87,7 @@ private:
             }
             const std::size_t begin = k - line.size();
             for (const Ripple& r : find_ripples(line, limit_.depth * ripple_share, limit_.window)) {
+                if (r.width > widest_share * limit_.window) continue;
                 const auto [column, row] = index_of(begin + r.index);
                 candidates_.push_back({grid_.place(column, row), grid_.sample(column, row).position,
                                        r.width, r.depth, bend == &FaceSample::bend_u});

@@ -1,5 +1,6 @@
 #include "keiko/inspect/inspection.h"
 #include "keiko/io/load_model.h"
+#include "keiko/io/preset_file.h"
 
 #include "tests/support/model_builder.h"
 #include "tests/support/paths.h"
@@ -196,6 +197,36 @@ TEST(PlantedFlaws, AreUndecidedWhereTheWindowIsTooNarrow) {
     ASSERT_EQ(checks.size(), 1u);
     EXPECT_EQ(checks[0].worst.verdict, Verdict::undecided);
     EXPECT_GE(checks[0].worst.value + 2 * checks[0].worst.bound, 0.1);
+}
+
+/// The bodies of the repository in which nobody planted anything.
+TEST(PlantedFlaws, PresetPassesCleanFixtures) {
+    const SurfaceLimits& limits = preset_by_name("class-a-waviness").surface;
+    ASSERT_TRUE(limits.waviness.has_value());
+    for (const char* clean : {"hood.step", "pole.step", "rational-sphere.step", "seam-g2-only.step",
+                              "concept-car.step"})
+        for (const MeasuredFace& face :
+             measure_faces(load_model(test::repository(std::string("surfaces/") + clean)), limits))
+            EXPECT_EQ(face.verdict, Verdict::pass) << clean << ", " << face.name;
+    const std::vector<MeasuredFace> dented =
+        measure_faces(load_model(test::repository("surfaces/dent.step")), limits);
+    EXPECT_NE(dented.at(0).verdict, Verdict::pass);
+}
+
+/// Its own width from the border a dent still has form all around it.
+TEST(PlantedFlaws, DentsBesideBordersAreMeasuredWhereFormIsAround) {
+    for (const double radius : {10.0, 15.0})
+        for (const double margin : {2.0, 8.0}) {
+            SCOPED_TRACE(testing::Message() << radius << ' ' << margin);
+            const double centre = half - radius - margin;
+            const std::vector<Check> checks = checks_of_flaws(
+                sheet(bump(centre, radius), bump(7, radius), -0.05, -1e-3, -2e-4), limit);
+            ASSERT_EQ(checks.size(), 1u);
+            EXPECT_EQ(checks[0].code, "KEIKO-DENT");
+            EXPECT_EQ(checks[0].worst.verdict, Verdict::fail);
+            EXPECT_NEAR(checks[0].worst.value, 0.05, 0.01 * 0.05);
+            EXPECT_NEAR(checks[0].worst.place.x, centre, 0.5);
+        }
 }
 
 /// A bend of the form, 20 mm in radius between two planes, and one that changes its sense.

@@ -10,7 +10,7 @@ namespace keiko {
 namespace {
 
 TEST(PresetFile, StandardPresetsAreThoseOfTheRepository) {
-    ASSERT_EQ(standard_presets().size(), 6u);
+    ASSERT_EQ(standard_presets().size(), 7u);
     for (const CriteriaPreset& preset : standard_presets()) {
         EXPECT_EQ(preset,
                   read_preset(test::repository("lightrigs/presets/" + preset.name + ".toml")));
@@ -38,7 +38,8 @@ TEST(PresetFile, HoldsTheLimitsOfTheCriteria) {
                            {"class-b", 0.02, 0.2, 0, alias},
                            {"engineering", 0.05, 0.5, 0, alias},
                            {"vda-4955", 0.02, 0.1, 0.1, alias},
-                           {"supplier-nissan", 0.01, 3, 0, alias}}) {
+                           {"supplier-nissan", 0.01, 3, 0, alias},
+                           {"class-a-waviness", 0.01, 0.1, 0.1, alias}}) {
         const CriteriaPreset& preset = preset_by_name(row.name);
         EXPECT_EQ(preset.gap, row.gap);
         EXPECT_EQ(preset.angle, row.angle);
@@ -49,6 +50,13 @@ TEST(PresetFile, HoldsTheLimitsOfTheCriteria) {
         EXPECT_EQ(preset.curvature_slope.has_value(), preset.name == "class-a-strict");
         EXPECT_EQ(preset.feature_angle, 5);
     }
+}
+
+TEST(PresetFile, WavinessDiffersFromClassAOuterInItsSurfaceAlone) {
+    CriteriaPreset preset = preset_by_name("class-a-waviness");
+    EXPECT_EQ(preset.surface.waviness, (WavinessLimit{0.01, 100}));
+    preset.name = "class-a-outer", preset.surface = {};
+    EXPECT_EQ(preset, preset_by_name("class-a-outer"));
 }
 
 TEST(PresetFile, AnUnknownNameListsTheKnownOnes) {
