@@ -83,6 +83,19 @@ class Pictures(KeikoTest):
                       (*base, "--quantity", "illuminance")):
             self.assertNotEqual(plain, self.written("b.png", *other), other)
 
+    def test_other_looks_need_no_lamps_and_are_all_different(self):
+        looks = ("lamps", "zebra", "isophote", "highlight", "curvature:gauss", "curvature:mean",
+                 "curvature:k1", "curvature:k2")
+        pictures = [self.written("a.png", "--look", look) for look in looks]
+        self.assertEqual(len(set(pictures)), len(looks))
+        self.assertIn(b"curvature.gauss\0", self.written("a.exr", "--aov", "curvature"))
+        self.assertEqual(self.written("b.png", "--look", "zebra", "--threads", "1"), pictures[1])
+        for arguments, words in ((("-o", "a.exr", "--look", "zebra"), "--look zebra makes a .png"),
+                                 (("-o", "a.png", "--look", "moire"), "--look")):
+            run = self.keiko("render", HOOD, *arguments, *SMALL)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(words, run.stderr)
+
     def test_frames_resume_where_files_and_options_are_the_same(self):
         scene = ('format = "keiko-scene/1"\n'
                  f'[[model]]\nfile = "{HOOD}"\n[[animation]]\ntarget = "camera.vertical_fov"\n'

@@ -7,6 +7,7 @@
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/input_key.h"
+#include "keiko/look_picture.h"
 #include "keiko/thick_fog.h"
 
 #include <cmath>
@@ -21,7 +22,7 @@ namespace {
 struct RenderArguments {
     SceneArguments scene;
     std::filesystem::path output, hits;
-    std::string view, rig = "auto", aovs;
+    std::string view, rig = "auto", aovs, look = "lamps";
     bool false_color = false, iso_lines = false;
     std::string scale, quantity = "luminance", tone = "linear", frames;
     bool resume = false;
@@ -69,11 +70,33 @@ ToneMapping mapping_of(const RenderArguments& arguments) {
     return mapping;
 }
 
+/// Nothing: under its lamps.
+std::optional<Look> look_of(const RenderArguments& arguments) {
+    for (const Look look : every_look())
+        if (name_of(look) == arguments.look) return look;
+    return std::nullopt;
+}
+
+std::vector<std::string> look_names() {
+    std::vector<std::string> names{"lamps"};
+    for (const Look look : every_look()) names.emplace_back(name_of(look));
+    return names;
+}
+
 LightRig rig_of(const Scene& scene, const RenderArguments& arguments, const Camera& camera,
                 const Job& job) {
     if (arguments.rig != "auto") return read_rig(arguments.rig);
     if (scene.rig) return *scene.rig;
     return place_lamps(scene.tracer, scene.model, camera, {}, job).rig;
+}
+
+/// Only highlight lines are of a rig's lamps; the rest of the light is not asked for.
+void render_look(const RenderArguments& arguments, Look look, const Scene& scene,
+                 const Camera& camera, const Job& job) {
+    const LightRig rig =
+        look == Look::highlight ? rig_of(scene, arguments, camera, job) : LightRig{};
+    const Film film = render_view(scene, {}, camera, {.aovs = look_layers(), .max_depth = 0}, job);
+    write_png(arguments.output, look_picture(look, film, camera, rig));
 }
 
 /// First and last.
@@ -110,7 +133,9 @@ void require_output(const RenderArguments& arguments) {
     if (arguments.mapping.ev && !png) throw Error(file, "", "--ev is for a .png");
     if (arguments.tone != "linear" && !png) throw Error(file, "", "--tone is for a .png");
     if (!arguments.aovs.empty() && png) throw Error(file, "", "--aov is for an .exr");
-    scale_of(arguments.scale);
+    if (look_of(arguments) && !png)
+        throw Error(file, "", "--look " + arguments.look + " makes a .png");
+    aovs_of(arguments.aovs), scale_of(arguments.scale);
     require_place_for_file(arguments.output);
     if (!arguments.hits.empty()) require_place_for_file(arguments.hits);
 }
@@ -125,24 +150,32 @@ void warn_of_thick_fog(const Scene& scene, const LightRig& rig, const Vec3& eye)
     log_warning(text.str());
 }
 
-void render_picture(const RenderArguments& arguments, const Job& job) {
+void render_lamps(const RenderArguments& arguments, const Scene& scene, const Camera& camera,
+                  const Job& job) {
+    const LightRig rig = rig_of(scene, arguments, camera, job);
+    warn_of_thick_fog(scene, rig, camera.eye);
     PictureOptions options{.aovs = aovs_of(arguments.aovs)};
     const ShownQuantity quantity = quantity_of(arguments);
     if (quantity == ShownQuantity::illuminance) options.aovs.push_back(Aov::illuminance);
+    const Film film = render_view(scene, rig, camera, options, job);
+    if (arguments.false_color)
+        write_png(arguments.output, false_color_picture(film, scale_of(arguments.scale),
+                                                        arguments.iso_lines, quantity));
+    else
+        write_film(arguments.output, film, mapping_of(arguments));
+}
+
+void render_picture(const RenderArguments& arguments, const Job& job) {
     if (arguments.rig != "auto") read_rig(arguments.rig);
     std::vector<std::string> names;
     if (!arguments.view.empty()) names.push_back(arguments.view);
     require_view_names(names);
     const Scene scene = arguments.scene.open(job);
     const NamedView view = choose_views(scene, names, 1, job).front();
-    const LightRig rig = rig_of(scene, arguments, view.camera, job);
-    warn_of_thick_fog(scene, rig, view.camera.eye);
-    const Film film = render_view(scene, rig, view.camera, options, job);
-    if (arguments.false_color)
-        write_png(arguments.output, false_color_picture(film, scale_of(arguments.scale),
-                                                        arguments.iso_lines, quantity));
+    if (const auto look = look_of(arguments))
+        render_look(arguments, *look, scene, view.camera, job);
     else
-        write_film(arguments.output, film, mapping_of(arguments));
+        render_lamps(arguments, scene, view.camera, job);
     if (!arguments.hits.empty())
         write_text_file(arguments.hits,
                         hits_text(register_hits(scene.tracer, scene.model, {view}, job)));
@@ -158,7 +191,7 @@ std::string key_of(const RenderArguments& a) {
     settings << std::setprecision(17) << options.material << '\n'
              << options.clipping_only << options.shadows << a.false_color << a.iso_lines << '\n';
     for (const std::string& text :
-         {a.scene.size, a.view, a.rig, a.aovs, a.scale, a.quantity, a.tone})
+         {a.scene.size, a.view, a.rig, a.aovs, a.scale, a.quantity, a.tone, a.look})
         settings << text << '\n';
     if (a.mapping.ev) settings << *a.mapping.ev;
     return input_key(inputs, "", options.load, settings.str());
@@ -204,7 +237,7 @@ void add_render(CLI::App& app, Session& session) {
         ->capture_default_str();
     command.add_option("--aov", arguments->aovs,
                        "layers of an .exr, comma-separated: luminance, normal, uv, face, patch, "
-                       "depth, c_plane_uv, illuminance");
+                       "depth, c_plane_uv, illuminance, curvature");
     auto* false_color =
         command.add_flag("--false-color", arguments->false_color,
                          "luminance by colour from blue to red, with a legend, for .png");
@@ -234,6 +267,14 @@ void add_render(CLI::App& app, Session& session) {
         .add_option("--ev", arguments->mapping.ev,
                     "exposure value of a .png [99 % of the body below white]")
         ->check(number_between(-100, 100));
+    command
+        .add_option("--look", arguments->look,
+                    "what to look at, for .png: lamps, zebra, isophote, highlight (of the rig), or "
+                    "curvature:gauss, :mean, :k1, :k2 by colour with a legend")
+        ->check(CLI::IsMember(look_names()))
+        ->option_text("NAME")
+        ->excludes(false_color)
+        ->capture_default_str();
     auto* frames = command.add_option("--frames", arguments->frames,
                                       "A:B, of a scene with [[animation]]: a picture of each, "
                                       "image-0000.png and on");

@@ -13,15 +13,17 @@ struct AovName {
     std::vector<std::string> channels;
 };
 
-const std::array<AovName, 8>& aov_names() {
-    static const std::array<AovName, 8> names{{{Aov::luminance, "luminance", {"Y"}},
-                                               {Aov::normal, "normal", {"X", "Y", "Z"}},
-                                               {Aov::uv, "uv", {"u", "v"}},
-                                               {Aov::face, "face", {"id"}},
-                                               {Aov::patch, "patch", {"id"}},
-                                               {Aov::depth, "depth", {"Z"}},
-                                               {Aov::c_plane_uv, "c_plane_uv", {"u", "v"}},
-                                               {Aov::illuminance, "illuminance", {"E"}}}};
+const std::array<AovName, 9>& aov_names() {
+    static const std::array<AovName, 9> names{
+        {{Aov::luminance, "luminance", {"Y"}},
+         {Aov::normal, "normal", {"X", "Y", "Z"}},
+         {Aov::uv, "uv", {"u", "v"}},
+         {Aov::face, "face", {"id"}},
+         {Aov::patch, "patch", {"id"}},
+         {Aov::depth, "depth", {"Z"}},
+         {Aov::c_plane_uv, "c_plane_uv", {"u", "v"}},
+         {Aov::illuminance, "illuminance", {"E"}},
+         {Aov::curvature, "curvature", {"k1", "k2", "mean", "gauss"}}}};
     return names;
 }
 

@@ -1,5 +1,7 @@
 #include "keiko/render/pixel_writer.h"
 
+#include "keiko/patch/differential_geometry.h"
+
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
@@ -24,6 +26,7 @@ float blank_value(Aov aov) {
         case Aov::uv:
         case Aov::c_plane_uv:
         case Aov::illuminance:
+        case Aov::curvature:
             break;
     }
     return 0;
@@ -43,6 +46,13 @@ void write_light(Film& film, int x, int y, const SeenLight& seen) {
         put(layer->second, x, y, {luminance(seen.color)});
     if (const auto layer = film.aovs.find(Aov::illuminance); layer != film.aovs.end())
         put(layer->second, x, y, {seen.illuminance});
+}
+
+void write_curvature(Image& image, int x, int y, const Hit& hit) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const PrincipalCurvatures k = reliable_curvatures(derivatives_of(hit), hit.normal)
+                                      .value_or(PrincipalCurvatures{unknown, unknown});
+    put(image, x, y, {k.k1, k.k2, k.mean(), k.gaussian()});
 }
 
 void write_aov(Aov aov, Image& image, int x, int y, const EyeSample& sample) {
@@ -68,6 +78,9 @@ void write_aov(Aov aov, Image& image, int x, int y, const EyeSample& sample) {
             break;
         case Aov::c_plane_uv:
             if (sample.c_plane) put(image, x, y, {sample.c_plane->x, sample.c_plane->y});
+            break;
+        case Aov::curvature:
+            write_curvature(image, x, y, hit);
             break;
     }
 }

@@ -70,7 +70,7 @@ TEST_F(ImageFile, ExrNamesItsChannels) {
     for (const char* name : {"R", "G", "B", "A", "normal.X", "normal.Z", "luminance.Y", "uv.u",
                              "face.id", "patch.id", "depth.Z", "c_plane_uv.v"})
         EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
-    EXPECT_EQ(names.size(), 4u + 12u);
+    EXPECT_EQ(names.size(), 4u + 16u);
     EXPECT_EQ(names[0], "R");
 }
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "keiko/film/film.h"
+#include "keiko/rig/light_rig.h"
+#include "keiko/spec/camera.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keiko {
+
+/// Other ways to look at a surface than under its lamps.
+enum class Look {
+    zebra,     ///< a sky of black and white rings about the vertical, mirrored
+    isophote,  ///< bands of equal angle between the normal and the vertical
+    highlight, ///< bands between the lamps of a rig where the normal meets their C-plane
+    gauss,     ///< Gaussian curvature by colour
+    mean,      ///< mean curvature by colour
+    k1,        ///< the larger principal curvature by colour
+    k2         ///< the smaller one
+};
+
+/// "zebra", "isophote", "highlight", "curvature:gauss", "curvature:mean", "curvature:k1",
+/// "curvature:k2"
+std::string_view name_of(Look look);
+const std::vector<Look>& every_look();
+bool is_curvature(Look look);
+
+/// The layers that a film must have to be looked at.
+std::vector<Aov> look_layers();
+
+/// The display picture of a film's surface, with a legend where colours stand for numbers.
+/// Curvatures are positive in hollows, as the eye sees them; the scale is full where 2 % of the
+/// picture of the body is beyond it. Stripes are averaged over pixels. Highlight bands are as wide
+/// as the gaps between them; a surface whose normal meets no C-plane of the rig is grey.
+Image look_picture(Look look, const Film& film, const Camera& camera, const LightRig& rig);
+
+} // namespace keiko
