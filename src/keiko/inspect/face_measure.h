@@ -3,6 +3,7 @@
 #include "keiko/base/job.h"
 #include "keiko/inspect/face_curvature.h"
 #include "keiko/inspect/face_flaws.h"
+#include "keiko/inspect/inflection_curves.h"
 #include "keiko/inspect/worst.h"
 #include "keiko/spec/criteria_preset.h"
 
@@ -26,6 +27,9 @@ struct MeasuredFace {
     /// Dents, bumps and waves at least half as deep as the limit, the deepest first; looked for
     /// only where the preset has one.
     std::vector<Flaw> flaws;
+    /// Where it turns from bending one way to a saddle, the longest first; not judged. None of a
+    /// face that stands in for another.
+    std::vector<InflectionCurve> inflections;
     Verdict verdict = Verdict::pass; ///< the worst of all
 };
 

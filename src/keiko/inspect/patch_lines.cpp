@@ -22,7 +22,7 @@ struct Arc {
 };
 
 /// Where the level crosses the sides of a cell, by the signs at its corners, in their order around.
-std::vector<Vec2> crossings(const LevelFunction& f, const Box2& box) {
+std::vector<Vec2> crossings(const ZeroFunction& f, const Box2& box) {
     const std::array<Vec2, 4> corners{box.lower, Vec2(box.upper.x, box.lower.y), box.upper,
                                       Vec2(box.lower.x, box.upper.y)};
     std::array<double, 4> values{};
@@ -41,7 +41,7 @@ std::vector<Vec2> crossings(const LevelFunction& f, const Box2& box) {
 
 /// The point of a proved cell's arc halfway between two others, along the parameter that the arc
 /// is a graph over; nothing where rounding leaves no sign change.
-std::optional<Vec2> halfway(const LevelFunction& f, const LineCell& cell, const Vec2& a,
+std::optional<Vec2> halfway(const ZeroFunction& f, const LineCell& cell, const Vec2& a,
                             const Vec2& b) {
     Vec2 low = cell.uv.lower, high = cell.uv.upper;
     if (cell.graph_over_v)
@@ -55,7 +55,7 @@ std::optional<Vec2> halfway(const LevelFunction& f, const LineCell& cell, const 
 
 class ArcRefiner {
 public:
-    ArcRefiner(const LevelFunction& f, Arc& arc, double chord_error)
+    ArcRefiner(const ZeroFunction& f, Arc& arc, double chord_error)
         : f_(f), arc_(arc), chord_error_(chord_error) {}
 
     void run(const Vec2& from, const Vec2& to) {
@@ -83,7 +83,7 @@ private:
         between(middle, b, halvings - 1);
     }
 
-    const LevelFunction& f_;
+    const ZeroFunction& f_;
     Arc& arc_;
     double chord_error_;
 };
@@ -129,22 +129,30 @@ std::vector<PatchLine> joined(std::vector<Arc> arcs) {
 
 } // namespace
 
-std::vector<PatchLine> patch_lines(const BezierPatchView& patch, const LineField& field,
-                                   std::span<const double> levels,
-                                   const PatchLineOptions& options) {
-    std::vector<std::vector<Arc>> arcs(levels.size());
-    for (const LineCell& cell : line_cells(patch, field, levels, options.cells)) {
-        const LevelFunction f(patch, field, levels[cell.level]);
+std::vector<PatchLine> lines_through(std::span<const LineCell> cells, const ZeroFunction& f,
+                                     double chord_error) {
+    std::vector<Arc> arcs;
+    for (const LineCell& cell : cells) {
         const std::vector<Vec2> ends = crossings(f, cell.uv);
         for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
             Arc arc{cell, {}, 0};
-            ArcRefiner(f, arc, options.chord_error).run(ends[i], ends[i + 1]);
-            arcs[cell.level].push_back(std::move(arc));
+            ArcRefiner(f, arc, chord_error).run(ends[i], ends[i + 1]);
+            arcs.push_back(std::move(arc));
         }
     }
+    return joined(std::move(arcs));
+}
+
+std::vector<PatchLine> patch_lines(const BezierPatchView& patch, const LineField& field,
+                                   std::span<const double> levels,
+                                   const PatchLineOptions& options) {
+    std::vector<std::vector<LineCell>> cells(levels.size());
+    for (const LineCell& cell : line_cells(patch, field, levels, options.cells))
+        cells[cell.level].push_back(cell);
     std::vector<PatchLine> lines;
-    for (std::vector<Arc>& level : arcs) {
-        std::vector<PatchLine> some = joined(std::move(level));
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+        const LevelFunction f(patch, field, levels[level]);
+        std::vector<PatchLine> some = lines_through(cells[level], f, options.chord_error);
         std::move(some.begin(), some.end(), std::back_inserter(lines));
     }
     return lines;

@@ -4,6 +4,8 @@
 
 namespace keiko {
 
+class ZeroFunction;
+
 /// A place on a line.
 struct LinePoint {
     Vec2 uv{0};    ///< patch parameters
@@ -24,9 +26,13 @@ struct PatchLineOptions {
     LineCellOptions cells;
 };
 
-/// All lines of the levels on a patch without its trims: one arc a cell, its ends and its inner
-/// points found between places of opposite sign, so that no step can leave the arc for another;
-/// arcs joined where they share an end. In the order of the cells.
+/// The zeros of a function that lie in cells of it: one arc a cell, its ends and its inner points
+/// found between places of opposite sign, so that no step can leave the arc for another; arcs
+/// joined where they share an end. In the order of the cells.
+std::vector<PatchLine> lines_through(std::span<const LineCell> cells, const ZeroFunction& f,
+                                     double chord_error);
+
+/// All lines of the levels on a patch without its trims, by lines_through; by rising level.
 std::vector<PatchLine> patch_lines(const BezierPatchView& patch, const LineField& field,
                                    std::span<const double> levels,
                                    const PatchLineOptions& options = {});

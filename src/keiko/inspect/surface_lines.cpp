@@ -2,6 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/lamp_levels.h"
+#include "keiko/inspect/level_function.h"
 #include "keiko/inspect/line_sight.h"
 #include "keiko/inspect/visible_pieces.h"
 #include "keiko/patch/trim_region.h"

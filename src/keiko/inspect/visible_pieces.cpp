@@ -16,7 +16,7 @@ double distance(const LinePoint& a, const LinePoint& b) {
 
 class PieceCutter {
 public:
-    PieceCutter(const LevelFunction& f, double step,
+    PieceCutter(const ZeroFunction& f, double step,
                 const std::function<bool(const LinePoint&)>& visible)
         : f_(f), step_(step), visible_(visible) {}
 
@@ -63,7 +63,7 @@ private:
         if (piece.empty() || distance(piece.back(), point) > 0) piece.push_back(point);
     }
 
-    const LevelFunction& f_;
+    const ZeroFunction& f_;
     double step_;
     const std::function<bool(const LinePoint&)>& visible_;
     bool seen_ = false;
@@ -84,7 +84,7 @@ void close_up(std::vector<std::vector<LinePoint>>& pieces, const PatchLine& line
 
 } // namespace
 
-std::vector<PatchLine> visible_pieces(const PatchLine& line, const LevelFunction& f, double step,
+std::vector<PatchLine> visible_pieces(const PatchLine& line, const ZeroFunction& f, double step,
                                       const std::function<bool(const LinePoint&)>& visible) {
     std::vector<std::vector<LinePoint>> pieces = PieceCutter(f, step, visible).run(line.points);
     close_up(pieces, line);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/level_function.h"
+#include "keiko/inspect/zero_function.h"
 
 #include <functional>
 
@@ -11,7 +11,7 @@ namespace keiko {
 /// within one step may be missed; where the answer changes, the place is bisected on the line to
 /// 1e-9 mm, and the piece ends on the visible side. A closed line that is seen as a whole stays
 /// closed.
-std::vector<PatchLine> visible_pieces(const PatchLine& line, const LevelFunction& f, double step,
+std::vector<PatchLine> visible_pieces(const PatchLine& line, const ZeroFunction& f, double step,
                                       const std::function<bool(const LinePoint&)>& visible);
 
 } // namespace keiko

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "keiko/math/vec.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// A piece of a curve in a chain of such.
+struct ChainLink {
+    std::size_t piece = 0;
+    bool turned = false; ///< runs from its second end to its first
+};
+
+struct CurveChain {
+    std::vector<ChainLink> links;
+    bool closed = false;
+};
+
+/// Pieces by both their ends, joined where ends are within `reach` mm, the nearest first along each
+/// chain. Every piece is in one chain; chains begin with their first piece in the order given,
+/// unless that goes on at both ends.
+std::vector<CurveChain> chain_curves(std::span<const std::array<Vec3, 2>> ends, double reach);
+
+} // namespace keiko
