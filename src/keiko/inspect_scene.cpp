@@ -1,6 +1,8 @@
 #include "keiko/choose_lights.h"
 #include "keiko/find_lines.h"
+#include "keiko/form_pictures.h"
 #include "keiko/lines_picture.h"
+#include "keiko/look_picture.h"
 #include "keiko/marked_pictures.h"
 
 #include <algorithm>
@@ -50,6 +52,13 @@ void add_lines(Report& report, const Scene& scene, const InspectResult& result,
             picture_of_lines(views[i].name, with_lines(result.films[i].second, *report.lines, i)));
 }
 
+PictureOptions with_look_layers(PictureOptions options) {
+    for (const Aov layer : look_layers())
+        if (std::find(options.aovs.begin(), options.aovs.end(), layer) == options.aovs.end())
+            options.aovs.push_back(layer);
+    return options;
+}
+
 } // namespace
 
 InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, const Job& job) {
@@ -63,15 +72,22 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     if (lights.placement) result.report.coverage = summary_of(scene.model, *lights.placement);
     result.report.inspection = inspect(scene.model, options.preset, options.join, job);
     result.report.inspection.facts.tracing = trace_facts(scene.tracer.statistics());
+    const PictureOptions picture = with_look_layers(options.picture);
     for (const NamedView& view : views) {
-        Film film = render_view(scene, result.rig, view.camera, options.picture, job);
+        Film film = render_view(scene, result.rig, view.camera, picture, job);
         result.report.pictures.push_back(report_picture(
             view.name, film, markers_in(scene, result.report.inspection, view.camera)));
+        for (ReportPicture& form : form_pictures(view, film, result.report.inspection, result.rig))
+            result.report.form_pictures.push_back(std::move(form));
         result.films.emplace_back(view.name, std::move(film));
     }
     add_lines(result.report, scene, result, options, views, job);
+    if (has_curves(options.combs)) {
+        result.combs = combs_of(scene.model, options.combs, job);
+        result.report.combs = result.combs->pictures;
+    }
     result.report.close_ups =
-        close_ups(scene, result.rig, result.report.inspection, views, options.picture, job);
+        close_ups(scene, result.rig, result.report, views, options.picture, job);
     return result;
 }
 
@@ -84,6 +100,8 @@ FolderContent result_files(const std::filesystem::path& folder, const InspectRes
             encode_png(marked_image(film, result.report.pictures[i].markers));
     }
     files["rig.toml"] = rig_text(result.rig, folder);
+    if (result.combs)
+        files["combs.json"] = result.combs->json, files["combs.csv"] = result.combs->csv;
     return files;
 }
 

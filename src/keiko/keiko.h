@@ -15,6 +15,7 @@
 #include "keiko/placement/registered_hits.h"
 #include "keiko/render/picture.h"
 #include "keiko/report/checks_csv.h"
+#include "keiko/report/combs_text.h"
 #include "keiko/report/facts_text.h"
 #include "keiko/report/inspection_text.h"
 #include "keiko/report/junit.h"
@@ -63,12 +64,31 @@ struct CheckOptions {
     LoadOptions load;
     CriteriaPreset preset = standard_presets().front();
     double join = 0.5; ///< mm
+    CombOptions combs{};
+};
+
+/// Curves with how they bend all along, as files have them.
+struct Combs {
+    std::vector<CombCurve> curves;
+    std::string json, csv;
+    std::vector<CombPicture> pictures;
+};
+
+/// Whether the options ask for any curve.
+bool has_curves(const CombOptions& options);
+/// The sections and iso-curves of a body.
+Combs combs_of(const SurfaceModel& model, const CombOptions& options, const Job& job = {});
+
+/// What a check made.
+struct CheckResult {
+    Inspection inspection;
+    std::optional<Combs> combs{}; ///< where any were asked for
 };
 
 /// Reads models, which together form one body, or one scene file (.toml), and holds their geometry
 /// against criteria, without lamps or pictures. Throws Error for input that cannot be read.
-Inspection check_models(std::span<const std::filesystem::path> inputs,
-                        const CheckOptions& options = {}, const Job& job = {});
+CheckResult check_models(std::span<const std::filesystem::path> inputs,
+                         const CheckOptions& options = {}, const Job& job = {});
 
 /// The body on its ground, as pictures show it: the faces of the body, then that of the ground.
 struct Surroundings {
@@ -192,6 +212,7 @@ struct InspectOptions {
     PlacementOptions placement;
     PictureOptions picture;
     bool register_hits = false; ///< of the views, for InspectResult::hits
+    CombOptions combs{};
 };
 
 /// What an inspection made: to be written, or looked at.
@@ -199,6 +220,7 @@ struct InspectResult {
     Report report;
     LightRig rig;
     std::optional<RegisteredHits> hits{};
+    std::optional<Combs> combs{};                    ///< where any were asked for
     std::vector<std::pair<std::string, Film>> films; ///< by view name
 };
 

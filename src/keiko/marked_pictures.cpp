@@ -48,6 +48,38 @@ Camera close_up_camera(const Scene& scene, const Camera& view, const Vec3& place
     return camera;
 }
 
+/// What a close-up is made of.
+struct Finding {
+    CloseUp::Of of;
+    std::uint32_t index;
+    Vec3 place;
+};
+
+/// The worst seams, and of the seams, faces and crossings that do not pass the worst.
+std::vector<Finding> worst_findings(const Report& report) {
+    constexpr std::size_t most_seams = 20, most_faces = 10, most_crossings = 10;
+    const Inspection& inspection = report.inspection;
+    std::vector<Finding> all;
+    for (const std::uint32_t seam : worst_seams(inspection, most_seams))
+        if (all.size() < worst_seam_count || inspection.seams[seam].verdict != Verdict::pass)
+            all.push_back({CloseUp::Of::seam, seam, worst_place(inspection.seams[seam])});
+    std::vector<bool> shown(inspection.faces.size());
+    std::size_t faces = 0;
+    for (const Check& check : inspection.findings) {
+        if (check.face == no_index || shown[check.face] || faces == most_faces) continue;
+        shown[check.face] = true, ++faces;
+        all.push_back({CloseUp::Of::face, check.face, check.worst.place});
+    }
+    if (!report.lines) return all;
+    std::uint32_t rank = 0;
+    for (const CrossingPlace& crossing : ranked_crossings(*report.lines)) {
+        const LineCrossing& c = crossing.in(*report.lines);
+        if (*c.verdict == Verdict::pass || rank == most_crossings) break;
+        all.push_back({CloseUp::Of::crossing, rank++, c.place});
+    }
+    return all;
+}
+
 } // namespace
 
 std::vector<PictureMarker> markers_in(const Scene& scene, const Inspection& inspection,
@@ -83,12 +115,12 @@ Image marked_image(const Film& film, const std::vector<PictureMarker>& markers) 
     return with_overlay(tone_mapped(film), overlay);
 }
 
-std::vector<SeamPicture> close_ups(const Scene& scene, const LightRig& rig,
-                                   const Inspection& inspection, std::span<const NamedView> views,
-                                   const PictureOptions& options, const Job& job) {
-    std::vector<SeamPicture> pictures;
-    for (const std::uint32_t index : worst_seams(inspection, worst_seam_count)) {
-        const Vec3 place = worst_place(inspection.seams[index]);
+std::vector<CloseUp> close_ups(const Scene& scene, const LightRig& rig, const Report& report,
+                               std::span<const NamedView> views, const PictureOptions& options,
+                               const Job& job) {
+    std::vector<CloseUp> pictures;
+    for (const Finding& finding : worst_findings(report)) {
+        const Vec3& place = finding.place;
         const auto best = std::max_element(
             views.begin(), views.end(), [&](const NamedView& a, const NamedView& b) {
                 return squareness(scene, a.camera, place) < squareness(scene, b.camera, place);
@@ -97,7 +129,7 @@ std::vector<SeamPicture> close_ups(const Scene& scene, const LightRig& rig,
         const Camera camera = close_up_camera(scene, best->camera, place);
         const Film film = render_view(scene, rig, camera, options, job);
         const std::string title = "close-up-" + std::to_string(pictures.size() + 1);
-        pictures.push_back({index, report_picture(title, film, {})});
+        pictures.push_back({finding.of, finding.index, report_picture(title, film, {})});
     }
     return pictures;
 }

@@ -17,9 +17,11 @@ ReportPicture report_picture(const std::string& title, const Film& film,
 /// The display picture of a film with the markers drawn into it.
 Image marked_image(const Film& film, const std::vector<PictureMarker>& markers);
 
-/// One picture a worst seam, close by its worst place, from the view that shows it most squarely.
-std::vector<SeamPicture> close_ups(const Scene& scene, const LightRig& rig,
-                                   const Inspection& inspection, std::span<const NamedView> views,
-                                   const PictureOptions& options, const Job& job);
+/// Pictures close by the places of the worst seams, and of the worst seams, faces and crossings of
+/// lines that do not pass, each from the view that shows it most squarely; none of what no view
+/// shows.
+std::vector<CloseUp> close_ups(const Scene& scene, const LightRig& rig, const Report& report,
+                               std::span<const NamedView> views, const PictureOptions& options,
+                               const Job& job);
 
 } // namespace keiko

@@ -103,10 +103,13 @@ std::string version() {
     return KEIKO_VERSION;
 }
 
-Inspection check_models(std::span<const std::filesystem::path> inputs, const CheckOptions& options,
-                        const Job& job) {
+CheckResult check_models(std::span<const std::filesystem::path> inputs, const CheckOptions& options,
+                         const Job& job) {
     const SceneSpec spec = spec_of(inputs, {.load = options.load});
-    return inspect(read_body(spec, options.load, job).model, options.preset, options.join, job);
+    const SurfaceModel model = read_body(spec, options.load, job).model;
+    CheckResult result{inspect(model, options.preset, options.join, job)};
+    if (has_curves(options.combs)) result.combs = combs_of(model, options.combs, job);
+    return result;
 }
 
 void Scene::set_picture_size(int wide, int high) {

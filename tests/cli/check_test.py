@@ -153,6 +153,42 @@ class Check(KeikoTest):
         self.assertEqual([row["verdict"] for row in rows], ["fail", "pass", "not judged", "not judged"])
         self.assertEqual(rows[2]["value"], "")
 
+    def test_combs_of_sections_and_iso_curves(self):
+        hood = surface("hood.step")
+        self.succeed("check", hood, "--section", "y=120", "--section", "1,0,1=900", "--iso-curves",
+                     "1", "--combs", "c.csv", "--combs", "c.json", "--combs", "c.svg", "-q")
+        self.assertEqual(self.content(), ["c-1,0,1=900.svg", "c-iso-curves.svg", "c-y=120.svg",
+                                          "c.csv", "c.json"])
+        combs = json.loads((self.folder / "c.json").read_text())
+        section = combs["curves"][0]
+        self.assertEqual((combs["format"], section["name"]), ("keiko-combs/1", "y=120"))
+        self.assertAlmostEqual(section["length"], 1154, delta=1)
+        rows = list(csv.DictReader((self.folder / "c.csv").read_text().splitlines(), strict=True))
+        for row in rows:
+            if row["curve"] == "0":
+                self.assertAlmostEqual(float(row["y"]), 120, delta=1e-6)
+        self.assertEqual(len({row["curve"] for row in rows}), len(combs["curves"]))
+
+    def test_combs_that_make_no_sense_are_refused(self):
+        hood = surface("hood.step")
+        for arguments, words in ((("--section", "y=120"), "--combs: names no file"),
+                                 (("--section", "q=1", "--combs", "c.csv"), "'q=1' is not x=MM"),
+                                 (("--combs", "c.csv"), "needs --section or --iso-curves"),
+                                 (("--iso-curves", "1", "--combs", "c.txt"), "ends in none of")):
+            run = self.keiko("check", hood, *arguments, "-q")
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(words, run.stderr)
+        self.assertEqual(self.content(), [])
+
+    def test_inflection_curves_are_told(self):
+        self.succeed("check", surface("hood.step"), "--json", "c.json", "-q")
+        faces = json.loads((self.folder / "c.json").read_text())["faces"]
+        self.assertEqual([len(face["inflections"]) for face in faces], [1, 2, 1])
+        for face in faces:
+            for curve in face["inflections"]:
+                self.assertTrue(curve["proved"])
+                self.assertAlmostEqual(curve["length"], 1153, delta=3)
+
     def test_faces_are_told_by_their_curvature(self):
         self.check(surface("rational-sphere.step"), "--preset", "vda-4955", "--json", "a.json")
         data = json.loads((self.folder / "a.json").read_text())

@@ -60,7 +60,8 @@ class Inspect(KeikoTest):
 
     def test_every_file_that_the_report_names_is_there(self):
         report = self.inspect("seam-g0-gap.step")[1]
-        names = [p["file"] for key in ("pictures", "line_pictures", "close_ups") for p in report[key]]
+        names = [p["file"] for key in ("pictures", "line_pictures", "form_pictures", "close_ups")
+                 for p in report[key]]
         self.assertGreaterEqual(len(names), 2)
         for name in names:
             png = (self.folder / "out" / name).read_bytes()

@@ -1,4 +1,5 @@
 #include "keiko/base/log.h"
+#include "keiko/cli/comb_options.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/inspection_files.h"
 #include "keiko/cli/number_check.h"
@@ -15,20 +16,25 @@ struct CheckArguments {
     CheckOptions options;
     std::string preset;
     InspectionFiles files;
+    CombArguments combs;
 };
 
 int check(CheckArguments arguments, const Job& job) {
     CheckOptions& options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     options.load = load_options(arguments.models);
+    options.combs = arguments.combs.options(options.join);
     arguments.files.require_places(arguments.models.inputs);
-    const Inspection inspection = check_models(arguments.models.inputs, options, job);
+    arguments.combs.require_places();
+    const CheckResult result = check_models(arguments.models.inputs, options, job);
+    const Inspection& inspection = result.inspection;
     for (const LostFace& face : inspection.facts.lost_faces)
         log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
     if (const std::string warning = nothing_judged(inspection); !warning.empty())
         log_warning(warning);
     OutputBatch outputs;
     arguments.files.add_to(outputs, inspection, arguments.models.inputs);
+    if (result.combs) arguments.combs.add_to(outputs, *result.combs);
     outputs.write();
     std::cout << inspection_text(inspection);
     return inspection.verdict == Verdict::pass ? exit_pass : exit_findings;
@@ -51,6 +57,8 @@ void add_check(CLI::App& app, Session& session) {
         ->capture_default_str();
     arguments->files.add_json_and_output(command);
     arguments->files.add_to(command);
+    arguments->combs.add_to(command);
+    arguments->combs.add_files(command);
     add_load_options(command, arguments->models);
     command.footer(
         "Exit codes: 0 all pass, 1 findings or lost faces, 2 error.\n"

@@ -1,4 +1,5 @@
 #include "keiko/base/log.h"
+#include "keiko/cli/comb_options.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/inspection_files.h"
 #include "keiko/cli/number_check.h"
@@ -18,6 +19,7 @@ struct InspectArguments {
     std::filesystem::path output = "keiko-out";
     InspectionFiles files;
     std::filesystem::path hits;
+    CombArguments combs;
 };
 
 void print_summary(const Report& report, const std::filesystem::path& folder) {
@@ -41,6 +43,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     if (!arguments.hits.empty()) require_place_for_file(arguments.hits);
     arguments.files.require_places(arguments.scene.inputs);
     require_view_names(options.views);
+    options.combs = arguments.combs.options(options.join);
     const Scene scene = arguments.scene.open(job);
     options.picture.aovs = every_aov();
     options.register_hits = !arguments.hits.empty();
@@ -83,6 +86,7 @@ void add_inspect(CLI::App& app, Session& session) {
         ->check(number_between(1e-6, 1000))
         ->capture_default_str();
     arguments->files.add_to(command);
+    arguments->combs.add_to(command);
     command.add_option("--register", arguments->hits,
                        "file (.json) for what the pictures mirror, for keiko place --from");
     command.footer("Example: keiko inspect fender.step -o out --view three-quarter-front");

@@ -40,16 +40,32 @@ std::string flaw_cell(const MeasuredFace& face) {
                             flaw.depth.verdict != Verdict::pass);
 }
 
-std::string row(const MeasuredFace& face, const SurfaceLimits& limits) {
+/// The length of all, and where the longest is.
+std::string inflections_cell(const MeasuredFace& face) {
+    if (face.inflections.empty()) return no_cell();
+    double length = 0;
+    for (const InflectionCurve& curve : face.inflections) length += curve.length;
+    const std::vector<Vec3>& longest = face.inflections.front().points;
+    return html_number_cell(length,
+                            fixed_number(length, 1) + " <span class=\"soft small\">in " +
+                                std::to_string(face.inflections.size()) + " at " +
+                                place_text(longest[longest.size() / 2]) + "</span>",
+                            false);
+}
+
+std::string row(const Report& report, std::size_t index) {
+    const MeasuredFace& face = report.inspection.faces[index];
+    const SurfaceLimits& limits = report.inspection.preset.surface;
     const std::string verdict(name_of(face.verdict));
-    std::string html = "<tr class=\"" + verdict + "\">" +
+    std::string html = "<tr class=\"" + verdict + "\"" +
+                       html_opens_close_up(report, CloseUp::Of::face, index) + ">" +
                        html_cell(std::to_string(face.id), html_escaped(face.name), "left") +
                        html_cell(std::to_string(static_cast<int>(face.verdict)),
                                  "<span class=\"chip\">" + verdict + "</span>");
     html += face.radius ? html_number_cell(face.radius->value, short_number(face.radius->value, 4),
                                            face.radius->verdict != Verdict::pass)
                         : no_cell();
-    html += curvature_cells(face);
+    html += curvature_cells(face) + inflections_cell(face);
     if (limits.waviness) html += flaw_cell(face);
     html += face.radius
                 ? html_cell(short_number(face.radius->place.x, 9), place_text(face.radius->place))
@@ -74,12 +90,13 @@ std::string html_faces(const Report& report) {
                                       "curvature 1/mm, largest",
                                       "smallest",
                                       "Gaussian 1/mm², largest",
-                                      "smallest"};
+                                      "smallest",
+                                      "inflections mm"};
     if (limits.waviness)
         headings.push_back("dents, waves mm ≤ " + short_number(limits.waviness->depth));
     headings.push_back("tightest place x, y, z");
     std::string html = "<section><h2>All faces</h2>" + html_table_head(headings, "face");
-    for (const MeasuredFace& face : faces) html += row(face, limits);
+    for (std::size_t i = 0; i < faces.size(); ++i) html += row(report, i);
     return html + std::string(html_table_end) + "</section>\n";
 }
 

@@ -29,11 +29,15 @@ std::string value_cell(const LineValue& value, int decimals) {
                             value.limit && value.verdict != Verdict::pass);
 }
 
-std::string row(std::size_t rank, const LineCrossing& c, const std::string& view) {
+std::string row(const Report& report, std::size_t rank, const CrossingPlace& place) {
+    const LineCrossing& c = place.in(*report.lines);
+    const std::string& view = report.lines->views[place.view].view;
     const std::string verdict(name_of(*c.verdict)), number = std::to_string(rank);
     const std::string lamp = std::to_string(c.plane) + "." + std::to_string(c.lamp);
     const std::string none = html_cell("", "–");
-    std::string html = "<tr class=\"" + verdict + "\">" + html_cell(number, number) +
+    std::string html = "<tr class=\"" + verdict + "\"" +
+                       html_opens_close_up(report, CloseUp::Of::crossing, rank - 1) + ">" +
+                       html_cell(number, number) +
                        html_cell(html_escaped(c.faces), html_escaped(c.faces), "left") +
                        html_cell(html_escaped(view), html_escaped(view)) + html_cell(lamp, lamp) +
                        html_cell(number, "<span class=\"chip\">" + verdict + "</span>");
@@ -65,7 +69,8 @@ std::vector<std::string> headings(const LineLimits& limits) {
             "place x, y, z"};
 }
 
-std::string table(const LineList& list) {
+std::string table(const Report& report) {
+    const LineList& list = *report.lines;
     const std::vector<CrossingPlace> ranked = ranked_crossings(list);
     if (ranked.empty()) return "";
     const auto passing = std::find_if(
@@ -74,8 +79,7 @@ std::string table(const LineList& list) {
     const std::size_t bad = static_cast<std::size_t>(passing - ranked.begin());
     const std::size_t shown = std::min(ranked.size(), std::max(bad, most_rows));
     std::string html = html_table_head(headings(list.preset.lines), "faces");
-    for (std::size_t i = 0; i < shown; ++i)
-        html += row(i + 1, ranked[i].in(list), list.views[ranked[i].view].view);
+    for (std::size_t i = 0; i < shown; ++i) html += row(report, i + 1, ranked[i]);
     html += html_table_end;
     if (shown < ranked.size())
         html += "<p class=\"soft\">and " + std::to_string(ranked.size() - shown) +
@@ -90,7 +94,7 @@ std::string html_lines(const Report& report) {
     std::string html = "<section><h2>Reflection lines</h2>" + summary(*report.lines) +
                        "<div class=\"pictures\">\n";
     for (const ReportPicture& picture : report.line_pictures) html += html_figure(picture);
-    return html + "</div>\n" + table(*report.lines) + "</section>\n";
+    return html + "</div>\n" + table(report) + "</section>\n";
 }
 
 } // namespace keiko

@@ -1,6 +1,5 @@
 #include "keiko/base/units.h"
 #include "keiko/inspect/curvature_match.h"
-#include "keiko/report/base64.h"
 #include "keiko/report/html_sections.h"
 #include "keiko/report/html_table.h"
 #include "keiko/report/html_text.h"
@@ -77,14 +76,6 @@ std::string slope_measure(const MeasuredSeam& seam, const CriteriaPreset& preset
                    "limit " + short_number(worst.limit) + "°", share_of_limit(worst));
 }
 
-std::string close_up(const Report& report, std::uint32_t seam) {
-    for (const SeamPicture& picture : report.close_ups)
-        if (picture.seam == seam)
-            return "<img alt=\"close-up\" src=\"data:image/png;base64," +
-                   base64(picture.picture.png) + "\">";
-    return "";
-}
-
 /// Where a subdivision surface has no curvature a failed limit says nothing of the cage.
 std::string irregular_note(const MeasuredSeam& seam) {
     return seam.irregular ? ", at an irregular point of the cage" : "";
@@ -106,7 +97,7 @@ std::string seam_card(const Report& report, std::size_t rank, std::uint32_t inde
            fixed_number(seam.length, 1) + " mm long" + kind_note(seam) +
            "</div><div class=\"measures\">" + gap_measure(seam) + angle_measure(seam) +
            curvature_measure(seam) + slope_measure(seam, report.inspection.preset) +
-           "</div></div>" + close_up(report, index) + "</div>\n";
+           "</div></div>" + html_close_up(report, CloseUp::Of::seam, index) + "</div>\n";
 }
 
 bool over(const Worst& worst) {
@@ -133,9 +124,12 @@ std::string verdict_cell(const MeasuredSeam& seam) {
     return html_cell(short_number(rank + within, 9), "<span class=\"chip\">" + tone + "</span>");
 }
 
-std::string row(std::size_t number, const MeasuredSeam& seam, bool with_slope) {
+std::string row(const Report& report, std::size_t index, bool with_slope) {
+    const MeasuredSeam& seam = report.inspection.seams[index];
+    const std::size_t number = index + 1;
     const std::string none = html_cell("", "–");
-    std::string html = "<tr class=\"" + tone_of(seam) + "\">" +
+    std::string html = "<tr class=\"" + tone_of(seam) + "\"" +
+                       html_opens_close_up(report, CloseUp::Of::seam, index) + ">" +
                        html_cell(std::to_string(number), std::to_string(number)) +
                        html_cell(html_escaped(seam.faces), html_escaped(seam.faces), "left") +
                        html_cell(kind_of(seam), kind_of(seam)) + verdict_cell(seam);
@@ -189,7 +183,7 @@ std::string html_all_seams(const Report& report) {
     const CriteriaPreset& preset = report.inspection.preset;
     std::string html = "<section><h2>All seams</h2>" + html_table_head(headings(preset), "faces");
     for (std::size_t i = 0; i < seams.size(); ++i)
-        html += row(i + 1, seams[i], preset.curvature_slope.has_value());
+        html += row(report, i, preset.curvature_slope.has_value());
     return html + std::string(html_table_end) + "</section>\n";
 }
 

@@ -15,6 +15,15 @@ std::string html_verdict(const Report& report);
 std::string html_pictures(const Report& report);
 /// One of its pictures with its markers.
 std::string html_figure(const ReportPicture& picture);
+/// Curvature and zebra pictures.
+std::string html_form(const Report& report);
+/// Sections and iso-curves with their combs.
+std::string html_combs(const Report& report);
+/// The picture of a close-up, and where there is one what makes a table's row open it.
+std::string html_close_up(const Report& report, CloseUp::Of of, std::size_t index);
+std::string html_opens_close_up(const Report& report, CloseUp::Of of, std::size_t index);
+/// The close-ups that no other part shows, for rows to open, and the window that they open in.
+std::string html_gallery(const Report& report);
 /// The reflection lines in pictures, and what they do where they cross seams.
 std::string html_lines(const Report& report);
 /// The worst seams, each with its measures against their limits.

@@ -14,10 +14,11 @@ Verdict verdict_of(const Report& report) {
 
 FolderContent report_files(const Report& report) {
     FolderContent files;
-    for (const auto* pictures : {&report.pictures, &report.line_pictures})
+    for (const auto* pictures : {&report.pictures, &report.line_pictures, &report.form_pictures})
         for (const ReportPicture& picture : *pictures) files[picture.file_name] = picture.png;
-    for (const SeamPicture& close_up : report.close_ups)
+    for (const CloseUp& close_up : report.close_ups)
         files[close_up.picture.file_name] = close_up.picture.png;
+    for (const CombPicture& picture : report.combs) files[picture.file_name()] = picture.svg;
     files["report.json"] = report_json(report);
     files["report.html"] = report_html(report);
     return files;

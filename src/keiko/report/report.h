@@ -2,6 +2,7 @@
 
 #include "keiko/base/output_folder.h"
 #include "keiko/inspect/inspection.h"
+#include "keiko/report/combs_text.h"
 #include "keiko/report/line_list.h"
 
 #include <optional>
@@ -26,9 +27,12 @@ struct ReportPicture {
     std::vector<PictureMarker> markers; ///< the number is the rank of a worst seam, from 1
 };
 
-/// A close-up of one seam.
-struct SeamPicture {
-    std::uint32_t seam = 0; ///< into Inspection::seams
+/// A close-up of a finding.
+struct CloseUp {
+    enum class Of { seam, face, crossing };
+    Of of = Of::seam;
+    /// Into Inspection::seams or faces, or into ranked_crossings.
+    std::uint32_t index = 0;
     ReportPicture picture;
 };
 
@@ -47,7 +51,10 @@ struct Report {
     std::optional<LineList> lines;            ///< of the views of `pictures`
     std::vector<ReportPicture> pictures;      ///< stripe pictures, in order
     std::vector<ReportPicture> line_pictures; ///< the same with the lines
-    std::vector<SeamPicture> close_ups;
+    /// The surface by other looks than the lamps', each named for its view.
+    std::vector<ReportPicture> form_pictures;
+    std::vector<CombPicture> combs; ///< where combs were asked for
+    std::vector<CloseUp> close_ups;
 };
 
 /// The worst of the inspection's and the lines'.

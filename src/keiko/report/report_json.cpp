@@ -96,6 +96,14 @@ Json flaw_json(const Flaw& flaw) {
     return json;
 }
 
+Json inflection_json(const InflectionCurve& curve) {
+    Json points = Json::array();
+    for (const Vec3& p : curve.points) points.push_back(point(p));
+    return {{"closed", curve.closed},       {"proved", curve.proved},
+            {"length", curve.length},       {"rate", curve.rate},
+            {"deviation", curve.deviation}, {"points", std::move(points)}};
+}
+
 Json face_json(const MeasuredFace& face, const SurfaceLimits& limits) {
     Json json = {{"name", face.name},
                  {"face_id", face.id},
@@ -106,6 +114,9 @@ Json face_json(const MeasuredFace& face, const SurfaceLimits& limits) {
     if (face.radius)
         json["radius"] =
             limits.minimum_radius ? worst(*face.radius) : without_verdict(worst(*face.radius));
+    json["inflections"] = Json::array();
+    for (const InflectionCurve& curve : face.inflections)
+        json["inflections"].push_back(inflection_json(curve));
     if (limits.waviness) {
         json["flaws"] = Json::array();
         for (const Flaw& flaw : face.flaws) json["flaws"].push_back(flaw_json(flaw));
@@ -186,6 +197,10 @@ Json picture_json(const ReportPicture& picture) {
             {"markers", markers}};
 }
 
+const char* word_of(CloseUp::Of of) {
+    return of == CloseUp::Of::seam ? "seam" : of == CloseUp::Of::face ? "face" : "crossing";
+}
+
 Json coverage_json(const CoverageSummary& coverage) {
     return {
         {"rig", coverage.rig}, {"covered", coverage.covered}, {"unreached", coverage.unreached}};
@@ -206,10 +221,13 @@ std::string report_json(const Report& report) {
     json["line_pictures"] = Json::array();
     for (const ReportPicture& picture : report.line_pictures)
         json["line_pictures"].push_back(picture_json(picture));
+    json["form_pictures"] = Json::array();
+    for (const ReportPicture& picture : report.form_pictures)
+        json["form_pictures"].push_back(picture_json(picture));
     json["close_ups"] = Json::array();
-    for (const SeamPicture& close_up : report.close_ups) {
+    for (const CloseUp& close_up : report.close_ups) {
         json["close_ups"].push_back(picture_json(close_up.picture));
-        json["close_ups"].back()["seam"] = close_up.seam;
+        json["close_ups"].back()[word_of(close_up.of)] = close_up.index;
     }
     return text_of(json);
 }

@@ -28,7 +28,8 @@ std::string facts_json(const ModelFacts& facts);
 /// [indices], seams [{faces, face_ids, instances, verdict, crease, severity, length, middle, gap,
 /// angle, curvature, curvature_slope, internal, overlap}], faces [{name, face_id, instance,
 /// verdict, radius, curvature {largest, smallest, largest_mean, smallest_mean, largest_gaussian,
-/// smallest_gaussian: each {value, bound, undecided, place}, singular (mm)}, flaws? [{kind ("dent",
+/// smallest_gaussian: each {value, bound, undecided, place}, singular (mm)}, inflections [{closed,
+/// proved, length, rate (1/mm2), deviation (mm), points}], flaws? [{kind ("dent",
 /// "bump", "waves"), width (mm), value, bound, limit, verdict, place}]}], findings [{code,
 /// rule, seam or face (indices), faces, quantity, unit, formula?, message}]. A bound is null where
 /// there is none. Each gap, radius, angle, curvature and finding has value, bound,
@@ -37,9 +38,10 @@ std::string inspection_json(const Inspection& inspection, const std::string& too
 
 /// The whole report, "keiko-report/1": tool {name, version}, the keys of inspection_json with the
 /// verdict of lines and seams together, then lines {rig, look, preset, verdict, counts, crossings}
-/// with the keys of lines_json or null, coverage {rig, covered, unreached}, pictures, line_pictures
-/// and close_ups [{title, file, width, height, markers [{number, x, y}], seam?}]. It holds no
-/// time, so that every run gives the same bytes.
+/// with the keys of lines_json or null, coverage {rig, covered, unreached}, pictures,
+/// line_pictures, form_pictures and close_ups [{title, file, width, height, markers [{number, x,
+/// y}]}], close-ups with the index of their seam or face, or the rank of their crossing from 0. It
+/// holds no time, so that every run gives the same bytes.
 std::string report_json(const Report& report);
 
 } // namespace keiko

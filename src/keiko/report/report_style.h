@@ -57,6 +57,11 @@ figcaption { padding: 9px 14px; }
 .seam .body { flex: 1 1 auto; min-width: 0; }
 .seam .name { font-weight: 620; overflow-wrap: anywhere; }
 .seam img { flex: none; width: 220px; border-radius: 6px; }
+[data-shot] { cursor: zoom-in; } [data-shot]:hover td, [data-shot]:focus-visible td { background: var(--tint); }
+dialog { border: 1px solid var(--line); border-radius: 10px; background: var(--card); color: var(--ink);
+  max-width: min(760px, 94vw); padding: 16px; } dialog::backdrop { background: #000a; }
+dialog img { width: 720px; max-width: 100%; border-radius: 6px; } dialog p { margin: 8px 0; }
+.combs { padding: 8px; margin-bottom: 12px; } .combs svg { display: block; width: 100%; height: auto; border-radius: 6px; }
 .measures { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: 8px 24px;
   margin-top: 10px; }
 .measure b { font-size: 18px; font-weight: 650; color: var(--tone); }
@@ -91,7 +96,8 @@ footer { margin-top: 32px; color: var(--soft); font-size: 13px; }
 )css";
 
 /// Sorts a table by the column whose heading was pressed, by the cells' data-v; pressing again
-/// turns the order round.
+/// turns the order round. A row that has a close-up shows it when it is pressed, and so does the
+/// close-up itself.
 constexpr std::string_view report_script = R"js(
 for (const button of document.querySelectorAll("th button")) button.onclick = () => {
   const head = button.parentElement, table = head.closest("table"), body = table.tBodies[0];
@@ -103,6 +109,22 @@ for (const button of document.querySelectorAll("th button")) button.onclick = ()
     : (up ? 1 : -1) * (isNaN(a) || isNaN(b) ? a.localeCompare(b) : a - b);
   body.append(...[...body.rows].sort((a, b) => order(key(a), key(b))));
 };
+const viewer = document.getElementById("viewer");
+const show = (image, words) => {
+  const copy = image.cloneNode();
+  copy.removeAttribute("id");
+  viewer.querySelector("img").replaceWith(copy);
+  viewer.querySelector("p").textContent = words;
+  viewer.showModal();
+};
+for (const row of document.querySelectorAll("[data-shot]")) {
+  const open = () => show(document.getElementById(row.dataset.shot),
+    [...row.closest("table").tHead.rows[0].cells].map((head, i) => head.textContent + ": " + row.cells[i].textContent).join(" · "));
+  row.onclick = open;
+  row.onkeydown = event => { if (event.key === "Enter") open(); };
+}
+for (const image of document.querySelectorAll(".seam .shot"))
+  image.onclick = () => show(image, image.parentElement.querySelector(".name").textContent);
 )js";
 
 } // namespace keiko

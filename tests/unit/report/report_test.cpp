@@ -45,7 +45,7 @@ Report report() {
                           200,     100,        {{1, 50, 25}}};
     result.pictures.push_back(picture);
     picture.file_name = "seam-1.png", picture.markers.clear();
-    result.close_ups.push_back({0, picture});
+    result.close_ups.push_back({CloseUp::Of::seam, 0, picture});
     return result;
 }
 
@@ -80,6 +80,38 @@ TEST(ReportJson, HoldsVerdictCountsAndMeasures) {
     EXPECT_EQ(json["close_ups"][0]["seam"], 0);
     EXPECT_EQ(json["model"]["lost_faces"][0]["id"], 7);
     EXPECT_EQ(json["model"]["degrees"][0]["patches"], 4);
+}
+
+TEST(ReportHtml, RowsOfFindingsOpenTheirCloseUps) {
+    Report with_faces = report();
+    ReportPicture dent{"close-up-2", "", "close-up-2.png", "a dent", 360, 240, {}};
+    with_faces.close_ups[0].picture.title = "close-up-1";
+    with_faces.close_ups.push_back({CloseUp::Of::face, 1, dent});
+    const std::string html = report_html(with_faces);
+    EXPECT_NE(html.find("data-shot=\"close-up-1\""), std::string::npos);
+    EXPECT_NE(html.find("data-shot=\"close-up-2\""), std::string::npos);
+    EXPECT_NE(html.find("<img id=\"close-up-1\""), std::string::npos);
+    // The seam's is in its card, the face's in the gallery.
+    EXPECT_LT(html.find("<img id=\"close-up-1\""), html.find("<div hidden>"));
+    EXPECT_GT(html.find("<img id=\"close-up-2\""), html.find("<div hidden>"));
+    EXPECT_NE(html.find("<dialog id=\"viewer\">"), std::string::npos);
+    const auto json = nlohmann::json::parse(report_json(with_faces));
+    EXPECT_EQ(json["close_ups"][1]["face"], 1);
+}
+
+TEST(ReportHtml, TellsOfInflectionCurvesAndCombs) {
+    Report bent = report();
+    bent.inspection.faces[0].inflections.push_back(
+        {false, true, 12.5, 1e-5, 0.001, {Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(7, 8, 9)}});
+    bent.combs.push_back({"y=120", "<svg>comb</svg>"});
+    const std::string html = report_html(bent);
+    EXPECT_NE(html.find("inflections mm"), std::string::npos);
+    EXPECT_NE(html.find("in 1 at 4.0, 5.0, 6.0"), std::string::npos);
+    EXPECT_NE(html.find("<svg>comb</svg>"), std::string::npos);
+    EXPECT_EQ(report_files(bent).at("combs-y=120.svg"), "<svg>comb</svg>");
+    const auto curve = nlohmann::json::parse(report_json(bent))["faces"][0]["inflections"][0];
+    EXPECT_EQ(curve["length"], 12.5);
+    EXPECT_EQ(curve["points"][1], nlohmann::json({4, 5, 6}));
 }
 
 /// Two views; in the second a line jumps by 4 mm, in the first two pass, one of them all but.

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "keiko/base/output_batch.h"
+#include "keiko/keiko.h"
+
+#include <CLI/App.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace keiko::cli {
+
+/// What is asked of sections and iso-curves, and where to write it.
+class CombArguments {
+public:
+    /// Adds --section and --iso-curves to a command.
+    void add_to(CLI::App& command);
+    /// Adds --combs, for a command that writes no folder.
+    void add_files(CLI::App& command);
+
+    /// Throws Error for what is no plane.
+    CombOptions options(double join) const;
+    /// Throws Error where curves are asked for but no file, or the other way round, and for a file
+    /// that cannot be written or has an ending that names no format.
+    void require_places() const;
+    /// Adds every file that was asked for; pictures of several planes are FILE-PLANE.svg.
+    void add_to(OutputBatch& batch, const Combs& combs) const;
+
+private:
+    std::vector<std::string> planes_;
+    int iso_curves_ = 0;
+    std::vector<std::filesystem::path> files_;
+};
+
+} // namespace keiko::cli

@@ -1,0 +1,140 @@
+#include "keiko/inspect/comb_curves.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/inspect/curve_chains.h"
+#include "keiko/inspect/face_combs.h"
+#include "keiko/inspect/face_names.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+
+namespace keiko {
+namespace {
+
+std::vector<CombFace> placed_faces(const SurfaceModel& model) {
+    std::vector<CombFace> placed;
+    for (std::uint32_t i = 0; i < model.instances.size(); ++i) {
+        const Part& part = model.parts[model.instances[i].part];
+        for (std::uint32_t f = 0; f < part.face_count; ++f)
+            if (model.faces[part.first_face + f].patch_count > 0)
+                placed.push_back({i, part.first_face + f});
+    }
+    return placed;
+}
+
+void turn(CombPiece& piece) {
+    std::reverse(piece.samples.begin(), piece.samples.end());
+}
+
+CombCurve curve_of(const CurveChain& chain, std::vector<CombPiece>& pieces) {
+    CombCurve curve;
+    curve.closed = chain.closed;
+    for (const ChainLink& link : chain.links) {
+        CombPiece& piece = pieces[link.piece];
+        if (link.turned) turn(piece);
+        const Vec3* before = nullptr;
+        for (CombSample& sample : piece.samples) {
+            if (before) curve.length += (sample.place - *before).length();
+            sample.along = curve.length;
+            before = &sample.place;
+        }
+        curve.pieces.push_back(std::move(piece));
+    }
+    return curve;
+}
+
+/// Joined over the borders of patches and faces.
+std::vector<CombCurve> curves_of(std::vector<CombPiece> pieces, double join) {
+    std::vector<std::array<Vec3, 2>> ends;
+    for (const CombPiece& piece : pieces)
+        ends.push_back({piece.samples.front().place, piece.samples.back().place});
+    std::vector<CombCurve> curves;
+    for (const CurveChain& chain : chain_curves(ends, join))
+        curves.push_back(curve_of(chain, pieces));
+    return curves;
+}
+
+template <class T>
+void append(std::vector<T>& all, std::vector<T> some) {
+    std::move(some.begin(), some.end(), std::back_inserter(all));
+}
+
+std::string share_text(double share) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", share);
+    return text;
+}
+
+struct FoundOnFace {
+    std::vector<std::vector<CombPiece>> sections; ///< by plane
+    std::vector<CombCurve> iso_curves;
+};
+
+std::vector<CombCurve> iso_curves(const FaceCombs& face, const std::string& name,
+                                  const CombOptions& options) {
+    std::vector<CombCurve> all;
+    for (const auto kind : {CombCurve::Kind::iso_u, CombCurve::Kind::iso_v})
+        for (int k = 0; k < options.iso_curves; ++k) {
+            const double share = (k + 0.5) / options.iso_curves;
+            auto curves = curves_of(face.run({kind, {}, share}), options.chord_error);
+            for (CombCurve& curve : curves) {
+                curve.kind = kind;
+                curve.name = name + (kind == CombCurve::Kind::iso_u ? ": u at " : ": v at ") +
+                             share_text(share);
+            }
+            append(all, std::move(curves));
+        }
+    return all;
+}
+
+} // namespace
+
+std::vector<CombCurve> comb_curves(const SurfaceModel& model, const CombOptions& options,
+                                   const Job& job) {
+    const std::vector<CombFace> placed = placed_faces(model);
+    const double size = bounds(model).size();
+    std::vector<FoundOnFace> found(placed.size());
+    parallel_for(placed.size(), job, "combs", [&](std::size_t i) {
+        const FaceCombs face(model, placed[i], options, size);
+        for (const SectionPlane& plane : options.planes)
+            found[i].sections.push_back(face.run({CombCurve::Kind::section, plane, 0}));
+        found[i].iso_curves =
+            iso_curves(face, placed_face_name(model, placed[i].instance, placed[i].face), options);
+    });
+    std::vector<CombCurve> curves;
+    for (std::uint32_t plane = 0; plane < options.planes.size(); ++plane) {
+        std::vector<CombPiece> pieces;
+        for (FoundOnFace& face : found) append(pieces, std::move(face.sections[plane]));
+        auto sections = curves_of(std::move(pieces), options.join);
+        for (CombCurve& curve : sections)
+            curve.name = options.planes[plane].name, curve.plane = plane;
+        append(curves, std::move(sections));
+    }
+    for (FoundOnFace& face : found) append(curves, std::move(face.iso_curves));
+    return curves;
+}
+
+std::vector<Vec3> inflections_of(const CombCurve& curve) {
+    std::vector<Vec3> places;
+    for (const CombPiece& piece : curve.pieces)
+        for (std::size_t i = 1; i < piece.samples.size(); ++i) {
+            const CombSample &a = piece.samples[i - 1], &b = piece.samples[i];
+            const double from = a.bend.curvature, to = b.bend.curvature;
+            if (from * to < 0)
+                places.push_back(a.place + (b.place - a.place) * (from / (from - to)));
+        }
+    return places;
+}
+
+const CombSample& most_bent(const CombCurve& curve) {
+    const CombSample* most = &curve.pieces.front().samples.front();
+    for (const CombPiece& piece : curve.pieces)
+        for (const CombSample& sample : piece.samples)
+            if (std::abs(sample.bend.curvature) > std::abs(most->bend.curvature)) most = &sample;
+    return *most;
+}
+
+} // namespace keiko

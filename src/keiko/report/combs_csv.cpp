@@ -1,0 +1,47 @@
+#include "keiko/report/combs_text.h"
+
+#include <array>
+#include <charconv>
+
+namespace keiko {
+namespace {
+
+/// The shortest text that reads back as the same number.
+void append(std::string& text, double value) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    text += ',';
+    text.append(digits.data(), end);
+}
+
+/// In quotes, as names come from files.
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
+    return result + '"';
+}
+
+} // namespace
+
+std::string combs_csv(std::span<const CombCurve> curves, const SurfaceModel& model) {
+    std::string text =
+        "curve,name,piece,face,instance,along,x,y,z,curvature,normal_curvature,tx,ty,tz\n";
+    for (std::size_t c = 0; c < curves.size(); ++c)
+        for (std::size_t p = 0; p < curves[c].pieces.size(); ++p) {
+            const CombPiece& piece = curves[c].pieces[p];
+            const std::string begin =
+                std::to_string(c) + "," + quoted(curves[c].name) + "," + std::to_string(p) + "," +
+                std::to_string(model.faces[piece.face].id) + "," + std::to_string(piece.instance);
+            for (const CombSample& s : piece.samples) {
+                text += begin;
+                for (const double value : {s.along, s.place.x, s.place.y, s.place.z,
+                                           s.bend.curvature, s.bend.normal_curvature,
+                                           s.bend.towards.x, s.bend.towards.y, s.bend.towards.z})
+                    append(text, value);
+                text += '\n';
+            }
+        }
+    return text;
+}
+
+} // namespace keiko

@@ -1,0 +1,194 @@
+#include "keiko/inspect/comb_curves.h"
+
+#include "keiko/base/error.h"
+#include "keiko/patch/differential_geometry.h"
+
+#include "tests/support/analytic_models.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace keiko {
+namespace {
+
+using std::numbers::pi;
+
+std::vector<CombCurve> sections(const SurfaceModel& model, const char* plane) {
+    CombOptions options;
+    options.planes = {section_plane(plane)};
+    return comb_curves(model, options);
+}
+
+template <class F>
+void for_each_sample(const CombCurve& curve, const F& visit) {
+    for (const CombPiece& piece : curve.pieces)
+        for (const CombSample& sample : piece.samples) visit(sample);
+}
+
+TEST(SectionPlane, IsReadFromItsText) {
+    const SectionPlane y = section_plane("y=-120.5");
+    EXPECT_EQ(y.normal, Vec3(0, 1, 0));
+    EXPECT_EQ(y.height, -120.5);
+    const SectionPlane aslant = section_plane("3,0,4=10");
+    EXPECT_NEAR((aslant.normal - Vec3(0.6, 0, 0.8)).length(), 0, 1e-15);
+    EXPECT_EQ(aslant.height, 10);
+    for (const char* wrong : {"", "w=1", "y", "y=", "y=1mm", "0,0,0=1", "1,2=3", "y=nan", "z=inf"})
+        EXPECT_THROW(section_plane(wrong), Error) << wrong;
+}
+
+TEST(CombCurves, OfASphereAreCircles) {
+    const Vec3 centre(4000, -900, 1200);
+    const SurfaceModel model = test::sphere_model(test::stretched(Vec3(80), {1, 2, 3}, centre));
+    const auto curves = sections(model, "y=-860");
+    ASSERT_EQ(curves.size(), 1u);
+    EXPECT_TRUE(curves[0].closed);
+    EXPECT_EQ(curves[0].name, "y=-860");
+    const double radius = std::sqrt(80.0 * 80 - 40 * 40);
+    EXPECT_NEAR(curves[0].length, 2 * pi * radius, 0.1);
+    EXPECT_TRUE(inflections_of(curves[0]).empty());
+    for_each_sample(curves[0], [&](const CombSample& sample) {
+        EXPECT_NEAR(sample.place.y, -860, 1e-9);
+        EXPECT_NEAR((sample.place - centre).length(), 80, 1e-9);
+        EXPECT_NEAR(sample.bend.curvature, -1 / radius, 1e-9);
+        EXPECT_NEAR(sample.bend.normal_curvature, -1 / 80.0, 1e-9);
+        EXPECT_NEAR(sample.bend.towards.y, 0, 1e-12);
+        EXPECT_NEAR(sample.bend.towards.dot(sample.place - centre), radius, 1e-6);
+    });
+}
+
+/// A plane at 45 degrees to a cylinder: an ellipse with the half axes r and r sqrt 2.
+TEST(CombCurves, OfACylinderCutAslantAreEllipses) {
+    const double r = 40;
+    const SurfaceModel model =
+        test::cylinder_model(test::stretched({r, r, 100}, {0, 0, 1}, Vec3(0)));
+    const auto curves = sections(model, "0,1,1=0");
+    ASSERT_EQ(curves.size(), 1u);
+    EXPECT_TRUE(curves[0].closed);
+    double least = 1, most = 0;
+    for_each_sample(curves[0], [&](const CombSample& sample) {
+        const double x = sample.place.x, y = sample.place.y * std::sqrt(2.0),
+                     a = r * std::sqrt(2.0);
+        const double exact =
+            a * r / std::pow(a * a * x * x / (r * r) + r * r * y * y / (a * a), 1.5);
+        EXPECT_NEAR(sample.bend.curvature, -exact, 1e-9);
+        least = std::min(least, exact), most = std::max(most, exact);
+    });
+    EXPECT_NEAR(least, r / (2 * r * r), 1e-4 / r); // at the ends of the short axis
+    EXPECT_NEAR(most, std::sqrt(2.0) / r, 1e-2 / r);
+    EXPECT_NEAR(std::abs(most_bent(curves[0]).bend.curvature), most, 1e-12);
+}
+
+/// Between two samples the comb is straight to within the tolerance.
+TEST(CombCurves, AreSampledUntilTheCombIsTrue) {
+    const double r = 40;
+    const SurfaceModel model =
+        test::cylinder_model(test::stretched({r, r, 100}, {0, 0, 1}, Vec3(0)));
+    CombOptions options;
+    options.planes = {section_plane("0,1,1=0")};
+    options.chord_error = 1; // too coarse for the comb by itself
+    const auto exact = [&](const Vec3& p) {
+        const double angle = std::atan2(p.y, p.x), a = r * std::sqrt(2.0);
+        return a * r /
+               std::pow(std::pow(a * std::cos(angle), 2) + std::pow(r * std::sin(angle), 2), 1.5);
+    };
+    for (const CombPiece& piece : comb_curves(model, options).at(0).pieces)
+        for (std::size_t i = 1; i < piece.samples.size(); ++i) {
+            const CombSample &a = piece.samples[i - 1], &b = piece.samples[i];
+            const double straight = -(a.bend.curvature + b.bend.curvature) / 2;
+            EXPECT_NEAR(straight, exact((a.place + b.place) / 2), 0.012 * std::sqrt(2.0) / r);
+        }
+}
+
+TEST(CombCurves, GoOnOverPatchesAndFaces) {
+    test::ModelBuilder builder;
+    // A bent strip, then a flat one beyond its end, 0.1 mm off.
+    builder.patch(2, 1,
+                  {{0, 0, 0}, {0, 100, 0}, {50, 0, 20}, {50, 100, 20}, {100, 0, 0}, {100, 100, 0}});
+    builder.plane({100.1, 0, 0}, {50, 0, -40}, {0, 100, 0});
+    const auto curves = sections(builder.build(), "y=30");
+    ASSERT_EQ(curves.size(), 1u);
+    EXPECT_EQ(curves[0].pieces.size(), 2u);
+    EXPECT_FALSE(curves[0].closed);
+    const CombPiece& flat = curves[0].pieces[curves[0].pieces[0].face == 1 ? 0 : 1];
+    for (const CombSample& sample : flat.samples) EXPECT_NEAR(sample.bend.curvature, 0, 1e-15);
+    // z = 0.8 (t - t^2) * 100 / 2 over x = 100 t, so z'' = -8e-3 at its top: along -z.
+    double most = 0;
+    for_each_sample(curves[0], [&](const CombSample& sample) {
+        const Vec3 bent = sample.bend.towards * sample.bend.curvature;
+        most = std::max(most, bent.length());
+        EXPECT_LE(bent.z, 1e-15);
+    });
+    EXPECT_NEAR(most, 8e-3, 1e-5);
+}
+
+TEST(CombCurves, EndAtTrims) {
+    test::ModelBuilder builder;
+    builder.plane({0, 0, 0}, {100, 0, 0}, {0, 100, 0});
+    builder.polygon({{0.1, 0.1}, {0.9, 0.1}, {0.5, 0.9}});
+    const auto curves = sections(builder.build(), "y=50");
+    ASSERT_EQ(curves.size(), 1u);
+    EXPECT_NEAR(curves[0].length, 40, 1e-6); // a triangle of base 80, half way up
+}
+
+/// Parallels and meridians of a sphere about z.
+TEST(CombCurves, OfIsoCurvesAreNormalCurvatures) {
+    const SurfaceModel model = test::sphere_model(test::stretched(Vec3(80), {0, 0, 1}, Vec3(0)));
+    CombOptions options;
+    options.iso_curves = 3;
+    const auto curves = comb_curves(model, options);
+    int parallels = 0;
+    for (const CombCurve& curve : curves) {
+        parallels += curve.closed ? 1 : 0;
+        for_each_sample(curve, [&](const CombSample& sample) {
+            EXPECT_NEAR(sample.bend.curvature, -1 / 80.0, 1e-9);
+            EXPECT_NEAR((sample.bend.towards * 80 - sample.place).length(), 0, 1e-6);
+        });
+    }
+    EXPECT_EQ(parallels, 3);
+    EXPECT_EQ(curves.size(), 6u);
+}
+
+/// Against the second difference of three points of the section itself.
+TEST(CombCurves, AreTrueOnAFreeForm) {
+    const SurfaceModel model = test::bonnet_model(1200, 1400, 80);
+    CombOptions options;
+    options.planes = {section_plane("1,2,0.5=300")};
+    options.chord_error = 1e-7;
+    const auto curves = comb_curves(model, options);
+    ASSERT_EQ(curves.size(), 1u);
+    int compared = 0;
+    for (const CombPiece& piece : curves[0].pieces)
+        for (std::size_t i = 40; i + 40 < piece.samples.size(); i += 40) {
+            const Vec3 &a = piece.samples[i - 40].place, &b = piece.samples[i].place,
+                       &c = piece.samples[i + 40].place;
+            // The circle through three points.
+            const double area2 = (b - a).cross(c - a).length();
+            const double circle =
+                2 * area2 / ((b - a).length() * (c - b).length() * (a - c).length());
+            EXPECT_NEAR(std::abs(piece.samples[i].bend.curvature), circle, 1e-3 * circle);
+            ++compared;
+        }
+    EXPECT_GT(compared, 5);
+}
+
+TEST(CombCurves, TellWhereTheyTurnOver) {
+    test::ModelBuilder builder;
+    // z = 1e-5 (x - 30)^3 over x = 0 .. 100.
+    const auto z = [](double x) { return 1e-5 * std::pow(x - 30, 3); };
+    const auto slope = [](double x) { return 3e-5 * std::pow(x - 30, 2); };
+    const double third = 100 / 3.0;
+    std::vector<Vec3> points;
+    const double heights[] = {z(0), z(0) + third * slope(0), z(100) - third * slope(100), z(100)};
+    for (int i = 0; i < 4; ++i)
+        for (const double y : {0.0, 50.0}) points.emplace_back(third * i, y, heights[i]);
+    builder.patch(3, 1, points);
+    const auto curves = sections(builder.build(), "y=20");
+    ASSERT_EQ(curves.size(), 1u);
+    const std::vector<Vec3> places = inflections_of(curves[0]);
+    ASSERT_EQ(places.size(), 1u);
+    EXPECT_NEAR(places[0].x, 30, 0.05);
+}
+
+} // namespace
+} // namespace keiko
