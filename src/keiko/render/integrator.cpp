@@ -26,6 +26,7 @@ Vec3 end_of(const Ray& ray, const std::optional<Hit>& hit) {
 Integrator::Integrator(const PictureScene& scene, const PictureOptions& options)
     : scene_(scene),
       options_(options),
+      planes_(scene.rig),
       lights_(scene.rig, scene.occluders, scene.tracer),
       tells_illuminance_(std::count(options.aovs.begin(), options.aovs.end(), Aov::illuminance)) {
     std::vector<Material> known;
@@ -94,7 +95,7 @@ std::vector<PixelMirror> Integrator::mirrors_of(std::span<const Path> paths,
         const Ray& ray = paths[i].ray;
         const double t_max = hits[i] ? hits[i]->t : ray.t_max;
         mirrors.push_back(
-            mirror_of(scene_.rig, ray, grid ? grid->pixel(paths[i].sample) : std::nullopt, t_max));
+            mirror_of(planes_, ray, grid ? grid->pixel(paths[i].sample) : std::nullopt, t_max));
     }
     return mirrors;
 }
@@ -141,7 +142,7 @@ std::optional<Integrator::Path> Integrator::advance(Path path, const Met& met, i
 void Integrator::note_mirrored(const Ray& ray, const std::optional<Hit>& hit,
                                EyeSample& sample) const {
     if (hit) sample.mirrored_face = hit->face;
-    const auto plane = nearest_c_plane(scene_.rig, ray.origin, ray.direction);
+    const auto plane = planes_.nearest(ray.origin, ray.direction);
     if (plane && !(hit && hit->t < plane->at.t)) sample.c_plane = Vec2(plane->at.u, plane->at.v);
 }
 
@@ -151,7 +152,7 @@ void Integrator::add_lamps(Path& path, const MirroredLight& lamps, const Visible
     const Ray& ray = path.ray;
     Rgb seen = lamps.luminance;
     if (scene_.rig.medium) {
-        const auto plane = nearest_c_plane(scene_.rig, ray.origin, ray.direction);
+        const auto plane = planes_.nearest(ray.origin, ray.direction);
         const Segment leg{ray.origin, plane ? ray.at(plane->at.t) : ray.origin};
         seen *= transmittance(*scene_.rig.medium, leg);
         seen += lamps.coverage *

@@ -68,6 +68,7 @@ private:
 
     const PictureScene& scene_;
     const PictureOptions& options_;
+    RigPlanes planes_;
     ShadowedRig lights_;
     bool tells_illuminance_;
     std::vector<Paint> paints_;

@@ -22,10 +22,10 @@ struct Image {
     double misfit = 0; ///< of its neighbours
 };
 
-Image image_of(const LightRig& rig, const Ray& centre, const MirroredPixel& pixel) {
-    const auto plane = nearest_c_plane(rig, centre.origin, centre.direction);
+Image image_of(const RigPlanes& planes, const Ray& centre, const MirroredPixel& pixel) {
+    const auto plane = planes.nearest(centre.origin, centre.direction);
     if (!plane) return {};
-    const CPlaneFrame frame(std::get<CPlane>(rig.sources[plane->source]));
+    const CPlaneFrame& frame = *plane->frame;
     const Footprint expected =
         footprint_on(frame, plane->at, centre.direction, *centre.differentials);
     double off = 0;
@@ -40,14 +40,15 @@ Image image_of(const LightRig& rig, const Ray& centre, const MirroredPixel& pixe
     return {off / frame.pitch, pixel.misfit(plane->at.t) / frame.pitch};
 }
 
-MirroredLight mean_over(const LightRig& rig, const MirroredPixel& pixel, int parts, double t_max) {
+MirroredLight mean_over(const RigPlanes& planes, const MirroredPixel& pixel, int parts,
+                        double t_max) {
     MirroredLight mean;
     for (int j = 0; j < parts; ++j)
         for (int i = 0; i < parts; ++i) {
             const Ray ray =
                 pixel.ray((i + 0.5) / parts - 0.5, (j + 0.5) / parts - 0.5, 1.0 / parts);
             const MirroredLight part =
-                mirrored_luminance(rig, ray.origin, ray.direction, ray.differentials, t_max);
+                planes.luminance(ray.origin, ray.direction, ray.differentials, t_max);
             mean.luminance += part.luminance;
             mean.coverage += part.coverage;
             mean.resolved = mean.resolved && part.resolved;
@@ -122,15 +123,14 @@ std::optional<MirroredPixel> MirroredGrid::pixel(std::size_t sample) const {
     return MirroredPixel(*around[0], *around[1], *around[2], *around[3], *around[4]);
 }
 
-PixelMirror mirror_of(const LightRig& rig, const Ray& centre,
+PixelMirror mirror_of(const RigPlanes& planes, const Ray& centre,
                       const std::optional<MirroredPixel>& pixel, double t_max) {
-    const Image image = pixel ? image_of(rig, centre, *pixel) : Image();
+    const Image image = pixel ? image_of(planes, centre, *pixel) : Image();
     if (image.bend <= straight)
-        return {
-            mirrored_luminance(rig, centre.origin, centre.direction, centre.differentials, t_max),
-            image.misfit > whole};
+        return {planes.luminance(centre.origin, centre.direction, centre.differentials, t_max),
+                image.misfit > whole};
     const double parts = std::ceil(std::sqrt(image.bend / straight));
-    return {mean_over(rig, *pixel, static_cast<int>(std::min(parts, most_parts)), t_max),
+    return {mean_over(planes, *pixel, static_cast<int>(std::min(parts, most_parts)), t_max),
             image.misfit > whole};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/render/spot_grid.h"
-#include "keiko/rig/mirrored_luminance.h"
+#include "keiko/rig/rig_planes.h"
 
 #include <optional>
 #include <span>
@@ -67,7 +67,7 @@ struct PixelMirror {
 
 /// `centre`: the ray of the pixel's centre. Lamps are seen up to `t_max`. Where the pixel's image
 /// on a C-plane is bent, the mean over as many parts as make each nearly straight.
-PixelMirror mirror_of(const LightRig& rig, const Ray& centre,
+PixelMirror mirror_of(const RigPlanes& planes, const Ray& centre,
                       const std::optional<MirroredPixel>& pixel, double t_max);
 
 } // namespace keiko

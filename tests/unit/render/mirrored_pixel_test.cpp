@@ -51,7 +51,7 @@ double sampled(const Stage& stage, double x, double y, double size) {
         for (int i = 0; i < n; ++i) {
             const Ray ray = mirrored(stage, x + ((i + 0.5) / n - 0.5) * size,
                                      y + ((j + 0.5) / n - 0.5) * size, size);
-            sum += mirrored_luminance(stage.rig, ray.origin, ray.direction).coverage;
+            sum += RigPlanes(stage.rig).luminance(ray.origin, ray.direction).coverage;
         }
     return sum / (n * n);
 }
@@ -86,8 +86,9 @@ TEST(MirroredPixel, SeesStripesWhereItsImageIsBent) {
             const Ray centre = mirrored(stage, x, y, size);
             const double truth = sampled(stage, x, y, size);
             const auto off = [&](const std::optional<MirroredPixel>& pixel) {
-                return std::abs(mirror_of(stage.rig, centre, pixel, centre.t_max).lamps.coverage -
-                                truth);
+                return std::abs(
+                    mirror_of(RigPlanes(stage.rig), centre, pixel, centre.t_max).lamps.coverage -
+                    truth);
             };
             bent = std::max(bent, off(pixel_at(stage, x, y, size)));
             straight = std::max(straight, off({}));

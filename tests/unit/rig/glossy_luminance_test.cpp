@@ -1,6 +1,6 @@
 #include "keiko/rig/glossy_luminance.h"
 
-#include "keiko/rig/mirrored_luminance.h"
+#include "keiko/rig/rig_planes.h"
 #include "keiko/tubes/lobe_reach.h"
 
 #include <gtest/gtest.h>
@@ -39,12 +39,12 @@ TEST(GlossyLuminance, AVeryNarrowLobeIsAMirror) {
     for (double y = -115; y < -55; y += 0.5) {
         const Vec3 eye = Vec3(0.1, 0.02, 1).normalized();
         const Vec3 point(0, y, 0);
-        const Rgb sharp = mirrored_luminance(rig, point, reflect(-eye, up)).luminance;
+        const Rgb sharp = RigPlanes(rig).luminance(point, reflect(-eye, up)).luminance;
         // A lamp's edge is blurred over a few mm.
         const Rgb beside =
-            mirrored_luminance(rig, point + Vec3(0, 9, 0), reflect(-eye, up)).luminance;
+            RigPlanes(rig).luminance(point + Vec3(0, 9, 0), reflect(-eye, up)).luminance;
         const Rgb before =
-            mirrored_luminance(rig, point - Vec3(0, 9, 0), reflect(-eye, up)).luminance;
+            RigPlanes(rig).luminance(point - Vec3(0, 9, 0), reflect(-eye, up)).luminance;
         if (!(sharp == beside && sharp == before)) continue;
         const Rgb seen = glossy_luminance(rig, point, GlossKernel(gloss, up, eye), AllVisible());
         EXPECT_NEAR(seen.r, sharp.r, 0.01 * row.luminance.r) << y;

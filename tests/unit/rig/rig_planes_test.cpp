@@ -1,4 +1,4 @@
-#include "keiko/rig/mirrored_luminance.h"
+#include "keiko/rig/rig_planes.h"
 
 #include <gtest/gtest.h>
 
@@ -27,56 +27,56 @@ const RayDifferentials wide{Vec3(0), Vec3(0), {0.01, 0, 0}, {0, 0.2, 0}};
 
 } // namespace
 
-TEST(MirroredLuminance, SeesTheNearestLampAndWhatShowsBetween) {
+TEST(RigPlanes, SeesTheNearestLampAndWhatShowsBetween) {
     CPlane shifted = row_at(1000, blue);
     shifted.origin.y += 25;
     const LightRig rig = rig_of({Spotlight(), row_at(2000, red), shifted});
-    const auto at = [&](double y) { return mirrored_luminance(rig, Vec3(0, y, 0), up).luminance; };
+    const auto at = [&](double y) { return RigPlanes(rig).luminance(Vec3(0, y, 0), up).luminance; };
     EXPECT_EQ(at(70), blue);  // both
     EXPECT_EQ(at(90), blue);  // the near row only
     EXPECT_EQ(at(30), red);   // the far row only
     EXPECT_EQ(at(10), Rgb()); // between
 }
 
-TEST(MirroredLuminance, NearRowsCoverTheirShareOfThoseBehind) {
+TEST(RigPlanes, NearRowsCoverTheirShareOfThoseBehind) {
     const LightRig rig = rig_of({row_at(2000, red), row_at(1000, blue)});
-    const MirroredLight light = mirrored_luminance(rig, Vec3(0), up, wide);
+    const MirroredLight light = RigPlanes(rig).luminance(Vec3(0), up, wide);
     EXPECT_NEAR(light.luminance.b, 50, 1e-9);
     EXPECT_NEAR(light.luminance.r, 25, 1e-9);
     EXPECT_NEAR(light.coverage, 0.75, 1e-12);
     EXPECT_TRUE(light.resolved);
 }
 
-TEST(MirroredLuminance, RowsInOnePlaneAreAllSeen) {
+TEST(RigPlanes, RowsInOnePlaneAreAllSeen) {
     CPlane right = row_at(1000, red);
     right.origin.x += 1000;
     const LightRig rig = rig_of({row_at(1000, blue), right});
-    EXPECT_EQ(mirrored_luminance(rig, Vec3(400, 50, 0), up).luminance, blue);
-    EXPECT_EQ(mirrored_luminance(rig, Vec3(600, 50, 0), up).luminance, red);
+    EXPECT_EQ(RigPlanes(rig).luminance(Vec3(400, 50, 0), up).luminance, blue);
+    EXPECT_EQ(RigPlanes(rig).luminance(Vec3(600, 50, 0), up).luminance, red);
 }
 
-TEST(MirroredLuminance, StopsAtTheNextSurface) {
+TEST(RigPlanes, StopsAtTheNextSurface) {
     const LightRig rig = rig_of({row_at(2000, red), row_at(1000, blue)});
     const auto until = [&](double t) {
-        return mirrored_luminance(rig, Vec3(0, 50, 0), up * 10, {}, t);
+        return RigPlanes(rig).luminance(Vec3(0, 50, 0), up * 10, {}, t);
     };
     EXPECT_EQ(until(99).coverage, 0);
     EXPECT_EQ(until(101).luminance, blue);
-    EXPECT_EQ(mirrored_luminance(rig, Vec3(0, 50, 1500), up, {}, 100).coverage, 0);
+    EXPECT_EQ(RigPlanes(rig).luminance(Vec3(0, 50, 1500), up, {}, 100).coverage, 0);
 }
 
-TEST(MirroredLuminance, TellsWhenStripesAreTooFine) {
+TEST(RigPlanes, TellsWhenStripesAreTooFine) {
     const RayDifferentials spread{Vec3(0), Vec3(0), {0.01, 0, 0}, {0, 0.5, 0}};
-    EXPECT_FALSE(mirrored_luminance(rig_of({row_at(1000, red)}), Vec3(0), up, spread).resolved);
-    EXPECT_TRUE(mirrored_luminance(rig_of({row_at(-1000, red)}), Vec3(0), up, spread).resolved);
+    EXPECT_FALSE(RigPlanes(rig_of({row_at(1000, red)})).luminance(Vec3(0), up, spread).resolved);
+    EXPECT_TRUE(RigPlanes(rig_of({row_at(-1000, red)})).luminance(Vec3(0), up, spread).resolved);
 }
 
-TEST(MirroredLuminance, NearestCPlaneIsFoundBeyondItsRectangle) {
+TEST(RigPlanes, NearestCPlaneIsFoundBeyondItsRectangle) {
     const LightRig rig = rig_of({row_at(2000, red), Spotlight(), row_at(1000, blue)});
-    const auto hit = nearest_c_plane(rig, Vec3(2000, 0, 0), up);
+    const auto hit = RigPlanes(rig).nearest(Vec3(2000, 0, 0), up);
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->source, 2u);
     EXPECT_DOUBLE_EQ(hit->at.u, 2500);
     EXPECT_DOUBLE_EQ(hit->at.v, 500);
-    EXPECT_FALSE(nearest_c_plane(rig, Vec3(0), -up));
+    EXPECT_FALSE(RigPlanes(rig).nearest(Vec3(0), -up));
 }

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "keiko/rig/light_rig.h"
+#include "keiko/tubes/c_plane_lookup.h"
+
+#include <limits>
+
+namespace keiko {
+
+/// What a mirror ray sees of a rig.
+struct MirroredLight {
+    Rgb luminance;        ///< cd/m2, mean over the pixel; darkness between the lamps
+    double coverage = 0;  ///< share of the pixel that lamps fill; what lies behind fills the rest
+    bool resolved = true; ///< false: some stripes are too fine and show their mean
+};
+
+/// Where a ray meets the nearest C-plane of a rig, inside its rectangle or not.
+struct RigPlaneHit {
+    std::size_t source = 0; ///< index into LightRig::sources
+    CPlaneHit at;
+    const CPlaneFrame* frame = nullptr; ///< of the plane
+};
+
+/// The C-planes of a rig, made ready for mirror rays. Sources without extent are not seen.
+class RigPlanes {
+public:
+    explicit RigPlanes(const LightRig& rig);
+
+    /// The lamps of every C-plane that the ray meets with t up to `t_max` (in lengths of
+    /// `direction`; a lamp behind the next surface is not seen), a nearer row before those behind
+    /// it, rows at one distance in the order of the rig. With a `spread` each pixel is integrated
+    /// in closed form over its footprint on the plane, without one the ray is a point. Each row
+    /// looks as its `mirror` says.
+    MirroredLight luminance(const Vec3& origin, const Vec3& direction,
+                            const std::optional<RayDifferentials>& spread = {},
+                            double t_max = std::numeric_limits<double>::infinity()) const;
+    std::optional<RigPlaneHit> nearest(const Vec3& origin, const Vec3& direction) const;
+
+private:
+    struct Plane {
+        std::size_t source;
+        CPlaneFrame frame;
+        Rgb luminance;
+        TubeLook mirror;
+    };
+    struct OnRay {
+        const Plane* plane;
+        CPlaneHit hit;
+    };
+    /// The nearest plane on the ray, or the nearest behind `last`.
+    std::optional<OnRay> next(const Vec3& origin, const Vec3& direction,
+                              const std::optional<OnRay>& last) const;
+
+    std::vector<Plane> planes_;
+};
+
+} // namespace keiko
