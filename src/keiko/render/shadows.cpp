@@ -25,7 +25,7 @@ std::vector<IntervalSet> seen_by(const ApexView& view, std::span<const Segment> 
 } // namespace
 
 const ApexView& SeenPast::view() const {
-    if (!view_) view_.emplace(*occluders_, tracer_, apex_, region_, facing_);
+    if (!view_) view_.emplace(*occluders_, tracer_, apex_, region_, facing_, eye_);
     return *view_;
 }
 

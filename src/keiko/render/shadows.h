@@ -17,16 +17,18 @@ public:
     /// `region`: corners of a convex body that holds every segment to be asked for. `row`: segments
     /// that are likely to be asked for, found together with the first of them. With `facing` only
     /// what lies before the surface of that normal counts, the rest is hidden. Without occluders
-    /// everything is seen; they and the tracer are only looked at. Not for two threads at once.
+    /// everything is seen; they and the tracer are only looked at. `eye`: see ApexView. Not for two
+    /// threads at once.
     SeenPast(const Occluders* occluders, const Tracer& tracer, const Apex& apex,
              std::vector<Vec3> region, std::vector<Segment> row = {},
-             const std::optional<Vec3>& facing = {})
+             const std::optional<Vec3>& facing = {}, const std::optional<Vec3>& eye = {})
         : occluders_(occluders),
           tracer_(tracer),
           apex_(apex),
           region_(std::move(region)),
           row_(std::move(row)),
-          facing_(facing) {}
+          facing_(facing),
+          eye_(eye) {}
 
     IntervalSet intervals(const Segment& segment) const override;
     std::vector<IntervalSet> intervals(std::span<const Segment> segments) const override;
@@ -39,7 +41,7 @@ private:
     Apex apex_;
     std::vector<Vec3> region_;
     std::vector<Segment> row_;
-    std::optional<Vec3> facing_;
+    std::optional<Vec3> facing_, eye_;
     mutable std::optional<ApexView> view_;
     mutable std::vector<IntervalSet> of_row_; ///< once one of the row was asked for
 };

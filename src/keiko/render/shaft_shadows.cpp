@@ -2,6 +2,9 @@
 
 #include "keiko/spotlight/point_light.h"
 
+#include <algorithm>
+#include <optional>
+
 namespace keiko {
 namespace {
 
@@ -30,14 +33,23 @@ std::vector<Vec3> lit_region(const LightSource& source, std::span<const Segment>
     return corners;
 }
 
+/// Where all of the rays begin, if they do in one place.
+std::optional<Vec3> eye_of(std::span<const Segment> rays) {
+    const auto from_first = [&](const Segment& ray) { return ray.a == rays.front().a; };
+    if (rays.empty() || !std::all_of(rays.begin(), rays.end(), from_first)) return {};
+    return rays.front().a;
+}
+
 } // namespace
 
 ShaftShadows::ShaftShadows(const LightRig& rig, const Occluders* occluders, const Tracer& tracer,
                            std::span<const Segment> eye_rays) {
     if (!occluders || !rig.medium) return;
+    const std::optional<Vec3> eye = eye_of(eye_rays);
     for (const LightSource& source : rig.sources)
         seen_.emplace_back(occluders, tracer, std::visit(ApexOf(), source),
-                           lit_region(source, eye_rays));
+                           lit_region(source, eye_rays), std::vector<Segment>(),
+                           std::optional<Vec3>(), eye);
 }
 
 VisibleFrom ShaftShadows::visible() const {

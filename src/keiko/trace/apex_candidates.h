@@ -3,6 +3,7 @@
 #include "keiko/trace/apex_screen.h"
 #include "keiko/trace/occluder_scene.h"
 #include "keiko/trace/plane_tree.h"
+#include "keiko/trace/scan_buckets.h"
 #include "keiko/trace/segment_gaps.h"
 
 namespace keiko {
@@ -11,7 +12,8 @@ namespace keiko {
 class ApexView::Candidates {
 public:
     Candidates(const Occluders::Scene& scene, const Tracer& tracer, const Apex& apex,
-               std::span<const Vec3> region, const std::optional<Vec3>& facing);
+               std::span<const Vec3> region, const std::optional<Vec3>& facing,
+               const std::optional<Vec3>& eye);
 
     SeenParts intervals(const SegmentEnds& ends) const;
     /// Nothing where the segments are no scan lines.
@@ -38,6 +40,12 @@ private:
         std::vector<ScreenBox> pieces, borders;
     };
 
+    /// The candidates by their angle about the axis from the apex to the eye.
+    struct Pencil {
+        ApexScreen screen;
+        ScanBuckets boxes; ///< of pieces, then of borders
+    };
+
     void collect(std::span<const Vec3> region);
     bool nothing_happens_in(std::span<const Vec3> region) const;
     bool sees(const Vec3& x) const { return !tracer_->any(apex_.ray_to(x)); }
@@ -47,9 +55,14 @@ private:
     SeenParts end_on(const SegmentEnds& ends) const;
     void add_piece_events(std::size_t piece, Line& line) const;
     void add_border_events(std::size_t border, Line& line) const;
+    void add_events_anywhere(Line& line) const;
     void add_all_events(Line& line) const;
     void add_events_of_cut(Line& line) const;
     std::vector<Box3> candidate_boxes() const;
+    /// Nothing without an eye, or where the region is seen along the axis.
+    const Pencil* pencil() const;
+    /// False where the segment is on no ray from the eye that the pencil knows of.
+    bool add_events_of_pencil(const SegmentEnds& ends, Line& line) const;
     void add_own_events(Line& line) const;
     void add_piercings(Line& line) const;
     void add_horizon(Line& line) const;
@@ -66,7 +79,9 @@ private:
     const Tracer* tracer_;
     Apex apex_;
     std::optional<Vec3> facing_;
-    Vec3 middle_{0}; ///< of the region
+    std::optional<Vec3> eye_;
+    std::vector<Vec3> region_; ///< where there is an eye
+    Vec3 middle_{0};           ///< of the region
     SilhouetteCandidates silhouettes_;
     std::vector<std::uint32_t> borders_;
     bool region_touched_ = false; ///< a surface may cross the region itself
@@ -77,6 +92,7 @@ private:
     std::optional<bool> all_seen_;
     mutable int asked_for_ = 0; ///< segments one by one
     mutable std::optional<PlaneTree> tree_;
+    mutable std::optional<Pencil> pencil_;
     mutable std::optional<Screen> screen_; ///< of the direction asked for last
 };
 
