@@ -24,7 +24,7 @@ struct RenderArguments {
     std::filesystem::path output, hits;
     std::string view, rig = "auto", aovs, look = "lamps";
     bool false_color = false, iso_lines = false;
-    std::string scale, quantity = "luminance", tone = "linear", frames;
+    std::string scale, quantity = "luminance", penumbrae = "axis", tone = "linear", frames;
     bool resume = false;
     ToneMapping mapping;
 };
@@ -155,6 +155,7 @@ void render_lamps(const RenderArguments& arguments, const Scene& scene, const Ca
     const LightRig rig = rig_of(scene, arguments, camera, job);
     warn_of_thick_fog(scene, rig, camera.eye);
     PictureOptions options{.aovs = aovs_of(arguments.aovs)};
+    if (arguments.penumbrae == "width") options.tubes = TubeModel::picture;
     const ShownQuantity quantity = quantity_of(arguments);
     if (quantity == ShownQuantity::illuminance) options.aovs.push_back(Aov::illuminance);
     const Film film = render_view(scene, rig, camera, options, job);
@@ -191,7 +192,7 @@ std::string key_of(const RenderArguments& a) {
     settings << std::setprecision(17) << options.material << '\n'
              << options.clipping_only << options.shadows << a.false_color << a.iso_lines << '\n';
     for (const std::string& text :
-         {a.scene.size, a.view, a.rig, a.aovs, a.scale, a.quantity, a.tone, a.look})
+         {a.scene.size, a.view, a.rig, a.aovs, a.scale, a.quantity, a.penumbrae, a.tone, a.look})
         settings << text << '\n';
     if (a.mapping.ev) settings << *a.mapping.ev;
     return input_key(inputs, "", options.load, settings.str());
@@ -232,6 +233,14 @@ void add_render(CLI::App& app, Session& session) {
     arguments->scene.add_shadows(command);
     command.add_option("-o,--output", arguments->output, "image.exr (cd/m2, AOVs) or image.png")
         ->required();
+    command
+        .add_option(
+            "--penumbrae", arguments->penumbrae,
+            "of tubes: axis, shadows cut along the axis of each, or width, weighed over all of "
+            "it, in three times the time")
+        ->check(CLI::IsMember({"axis", "width"}))
+        ->needs("--shadows")
+        ->capture_default_str();
     command.add_option("--view", arguments->view, "view by name, auto, or scene");
     command.add_option("--rig", arguments->rig, "rig file, or auto: the scene's, or placed")
         ->capture_default_str();

@@ -83,9 +83,7 @@ void SceneArguments::add_picture_size(CLI::App& command) {
 }
 
 void SceneArguments::add_shadows(CLI::App& command) {
-    command.add_flag(
-        "--shadows", options.shadows,
-        "bodies cast shadows, cut along the axis of each lamp; takes many times as long");
+    command.add_flag("--shadows", options.shadows, "bodies cast shadows; takes many times as long");
 }
 
 SceneOptions SceneArguments::scene_options() const {

@@ -12,7 +12,7 @@ namespace {
 template <class T, std::size_t n>
 using Words = std::array<std::pair<std::string_view, T>, n>;
 
-/// Without TubeModel::picture, which pictures choose for themselves.
+/// Without TubeModel::picture and preview, which pictures choose for themselves.
 constexpr Words<TubeModel, 6> diffuse_models{{{"automatic", TubeModel::automatic},
                                               {"strip", TubeModel::strip},
                                               {"cylinder", TubeModel::cylinder},

@@ -12,7 +12,8 @@ class TomlTable;
 /// `diffuse` and `mirror`, and these. Throws Error with file, line and column.
 void take_lamp_models(const TomlTable& table, CPlane& plane);
 
-/// The word of a rig file for a model, which no file has for TubeModel::picture: then Error.
+/// The word of a rig file for a model, which no file has for TubeModel::picture and preview: then
+/// Error.
 std::string_view word_of(TubeModel model);
 std::string_view word_of(TubeLook look);
 

@@ -28,6 +28,7 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options)
       options_(options),
       planes_(scene.rig),
       lights_(scene.rig, scene.occluders, scene.tracer),
+      tubes_(scene.occluders ? options.tubes : TubeModel::preview),
       tells_illuminance_(std::count(options.aovs.begin(), options.aovs.end(), Aov::illuminance)) {
     std::vector<Material> known;
     for (const Material& material : scene.materials) {
@@ -177,9 +178,9 @@ SpotLight Integrator::light_on(const LitSpot& spot) const {
     const LitPoint lit = lights_.at(spot.place.position, normal, spot.root);
     SpotLight light;
     if (paint.base().inner_reflectance(normal.dot(spot.eye)) != Rgb(0))
-        light.illuminance = lit.illuminance(TubeModel::picture, &paint.base());
+        light.illuminance = lit.illuminance(tubes_, &paint.base());
     if (spot.depth == 0 && tells_illuminance_)
-        light.incident = keiko::luminance(lit.illuminance(TubeModel::picture));
+        light.incident = keiko::luminance(lit.illuminance(tubes_));
     if (paint.gloss()) light.lobes += lit.glossy(GlossKernel(*paint.gloss(), normal, spot.eye));
     if (paint.flakes()) light.lobes += lit.glossy(FlakeKernel(*paint.flakes(), normal, spot.eye));
     return light;

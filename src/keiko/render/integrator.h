@@ -70,6 +70,7 @@ private:
     const PictureOptions& options_;
     RigPlanes planes_;
     ShadowedRig lights_;
+    TubeModel tubes_;
     bool tells_illuminance_;
     std::vector<Paint> paints_;
     std::vector<std::uint32_t> paint_of_face_;

@@ -13,7 +13,7 @@ namespace {
 /// Pieces of a visible part of a lamp that are attenuated by one distance each.
 constexpr int pieces_in_fog = 8;
 /// Of a lamp's illuminance: what its penumbrae may be off by, half of what the whole system may.
-constexpr double width_tolerance = 5e-5;
+constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 1e-2;
 
 /// Answers what one source gives to the point.
 class Receiver {
@@ -36,8 +36,7 @@ public:
             const TubeLamp lamp = lamp_of(frame, i, plane.luminance);
             if (below_horizon(lamp, point_, normal_)) continue;
             if (asks_for_width(comb, model)) {
-                solid_angle += Rgb(comb.solid_angle(i, IntervalSet::whole()) *
-                                   visible_share(lamp, point_, normal_, visible_, width_tolerance));
+                solid_angle += Rgb(entered_over_width(comb, i, lamp));
                 continue;
             }
             const IntervalSet seen = visible_.intervals({lamp.a, lamp.b});
@@ -67,13 +66,28 @@ public:
     }
 
 private:
-    /// Whether shadows are weighed over the whole width of the lamps: in numbers, for the models
-    /// that stand for the whole tube. Where neighbours hide each other the axis must do, since a
-    /// body may hide the same parts.
+    /// Whether shadows are weighed over the whole width of the lamps: by the models that stand for
+    /// the whole tube. Where neighbours hide each other the axis must do, since a body may hide the
+    /// same parts.
     bool asks_for_width(const CombIrradiance& comb, TubeModel model) const {
-        const bool tube = model == TubeModel::automatic || model == TubeModel::strip ||
-                          model == TubeModel::cylinder;
-        return model_ == TubeModel::automatic && tube && !medium_ && !coat_ && !comb.overlapping();
+        const bool wide = model_ == TubeModel::automatic || model_ == TubeModel::picture;
+        const bool tube =
+            model == model_ || model == TubeModel::strip || model == TubeModel::cylinder;
+        return wide && tube && !medium_ && !comb.overlapping();
+    }
+    /// Of the whole lamp, what enters the coat, times the share that is seen over the width.
+    double entered_over_width(const CombIrradiance& comb, int index, const TubeLamp& lamp) const {
+        const bool number = model_ == TubeModel::automatic;
+        const double seen = visible_share(lamp, point_, normal_, visible_,
+                                          number ? width_tolerance : width_tolerance_in_pictures);
+        if (!(seen > 0)) return 0;
+        const IntervalSet whole = IntervalSet::whole();
+        const double all = comb.solid_angle(index, whole) * seen;
+        if (!coat_) return all;
+        IntervalSet axis = visible_.intervals({lamp.a, lamp.b});
+        if (axis.empty()) axis = whole;
+        const double parts = comb.solid_angle(index, axis);
+        return parts > 0 ? all * (entered(comb, index, lamp, axis) / parts) : 0;
     }
     Rgb passed(const Vec3& from) const {
         return medium_ ? transmittance(*medium_, {from, point_}) : Rgb(1);

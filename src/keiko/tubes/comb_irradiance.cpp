@@ -11,8 +11,7 @@ namespace keiko {
 namespace {
 
 bool leaves_hidden_out(TubeModel model) {
-    return model == TubeModel::automatic || model == TubeModel::picture ||
-           model == TubeModel::strip || model == TubeModel::cylinder;
+    return model != TubeModel::seed && model != TubeModel::rectangle && model != TubeModel::line;
 }
 
 } // namespace

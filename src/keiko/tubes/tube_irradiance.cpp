@@ -8,14 +8,15 @@
 namespace keiko {
 namespace {
 
-/// The strip's error 0.058 (d/D)^2 reaches 1e-4, the accuracy of the whole system, at 0.0415.
-constexpr double strip_up_to = 0.04;
+/// The strip's error, up to 0.28 (d/D)^2 of short lamps aside and normals aslant, stays below 1e-4,
+/// the accuracy of the whole system.
+constexpr double strip_up_to = 0.018;
 /// Physics 2.9: beyond this ratio the strip is no longer good for a picture either.
 constexpr double strip_in_pictures_up_to = 0.2;
 
 TubeModel chosen(TubeModel model, const TubeView& view) {
-    if (model != TubeModel::automatic && model != TubeModel::picture) return model;
     const bool exacting = model == TubeModel::automatic;
+    if (!exacting && model != TubeModel::picture && model != TubeModel::preview) return model;
     const double limit = exacting ? strip_up_to : strip_in_pictures_up_to;
     return view.ratio() < limit ? TubeModel::strip : TubeModel::cylinder;
 }
