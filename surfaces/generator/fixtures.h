@@ -45,6 +45,11 @@ BptFixture facade();
 BptFixture wall();
 BptFixture mast();
 
+/// A workshop to be lit, of flat patches in mm: two walls of a bay with a cabinet, and a bench with
+/// a shelf below its top.
+BptFixture workshop_bay();
+BptFixture workbench();
+
 /// A luminaire (LM-63) such as hangs over roads: computed from a formula, not measured.
 TextFixture road_lantern();
 

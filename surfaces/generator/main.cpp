@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
             report(fixture.file, fixture.truths);
             write_step(directory / fixture.file, fixture.faces);
         }
-        for (const auto make : {saddle, dome, facade, wall, mast}) {
+        for (const auto make : {saddle, dome, facade, wall, mast, workshop_bay, workbench}) {
             const BptFixture fixture = make();
             report(fixture.file, fixture.truths);
             write_bpt(directory / fixture.file, fixture.patches);

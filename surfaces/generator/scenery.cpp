@@ -152,4 +152,28 @@ BptFixture mast() {
     return fixture;
 }
 
+BptFixture workshop_bay() {
+    BptFixture fixture{"workshop-bay.bpt", {}, {}};
+    append_box(fixture.patches, {-200, 6000, 0}, {8200, 6200, 3200});
+    append_box(fixture.patches, {8000, 0, 0}, {8200, 6000, 3200});
+    append_box(fixture.patches, {6900, 5400, 0}, {7900, 5990, 2000});
+    fixture.truths = {{"patches", "", 18, static_cast<double>(fixture.patches.size()), 0},
+                      {"highest", "mm", 3200, highest(fixture.patches), 0}};
+    return fixture;
+}
+
+BptFixture workbench() {
+    constexpr double half_length = 1300, half_depth = 625, leg = 80;
+    BptFixture fixture{"workbench.bpt", {}, {}};
+    append_box(fixture.patches, {-half_length, -half_depth, 840}, {half_length, half_depth, 900});
+    append_box(fixture.patches, {-half_length + leg, -half_depth + leg, 240},
+               {half_length - leg, half_depth - leg, 270});
+    for (const double x : {-half_length, half_length - leg})
+        for (const double y : {-half_depth, half_depth - leg})
+            append_sides(fixture.patches, {x, y, 0}, {x + leg, y + leg, 840}, 3);
+    fixture.truths = {{"patches", "", 28, static_cast<double>(fixture.patches.size()), 0},
+                      {"highest", "mm", 900, highest(fixture.patches), 0}};
+    return fixture;
+}
+
 } // namespace keiko::fixtures
