@@ -25,6 +25,7 @@ struct RenderArguments {
     std::string view, rig = "auto", aovs, look = "lamps";
     bool false_color = false, iso_lines = false;
     std::string scale, quantity = "luminance", penumbrae = "axis", tone = "linear", frames;
+    double light_error = PictureOptions().light_error;
     bool resume = false;
     ToneMapping mapping;
 };
@@ -156,6 +157,7 @@ void render_lamps(const RenderArguments& arguments, const Scene& scene, const Ca
     warn_of_thick_fog(scene, rig, camera.eye);
     PictureOptions options{.aovs = aovs_of(arguments.aovs)};
     if (arguments.penumbrae == "width") options.tubes = TubeModel::picture;
+    options.light_error = arguments.light_error;
     const ShownQuantity quantity = quantity_of(arguments);
     if (quantity == ShownQuantity::illuminance) options.aovs.push_back(Aov::illuminance);
     const Film film = render_view(scene, rig, camera, options, job);
@@ -190,7 +192,8 @@ std::string key_of(const RenderArguments& a) {
     const SceneOptions options = a.scene.scene_options();
     std::ostringstream settings;
     settings << std::setprecision(17) << options.material << '\n'
-             << options.clipping_only << options.shadows << a.false_color << a.iso_lines << '\n';
+             << options.clipping_only << options.shadows << a.false_color << a.iso_lines << '\n'
+             << a.light_error << '\n';
     for (const std::string& text :
          {a.scene.size, a.view, a.rig, a.aovs, a.scale, a.quantity, a.penumbrae, a.tone, a.look})
         settings << text << '\n';
@@ -240,6 +243,12 @@ void add_render(CLI::App& app, Session& session) {
             "it, in three times the time")
         ->check(CLI::IsMember({"axis", "width"}))
         ->needs("--shadows")
+        ->capture_default_str();
+    command
+        .add_option("--light-error", arguments->light_error,
+                    "share of what is seen by which the lamps' light on bases may be off for being "
+                    "found a few pixels apart; 0: found in each pixel, slower")
+        ->check(CLI::Range(0.0, 0.1))
         ->capture_default_str();
     command.add_option("--view", arguments->view, "view by name, auto, or scene");
     command.add_option("--rig", arguments->rig, "rig file, or auto: the scene's, or placed")

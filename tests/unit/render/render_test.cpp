@@ -119,7 +119,8 @@ TEST(Render, AovsTellOfTheFirstHit) {
 TEST(Render, IlluminanceIsWhatLightsAMattWhiteBody) {
     Stage stage(dome(), 1);
     for (Material& material : stage.materials) material.diffuse = Rgb(1);
-    const Film film = stage.render({.aovs = {Aov::illuminance, Aov::luminance}});
+    const Film film =
+        stage.render({.aovs = {Aov::illuminance, Aov::luminance}, .light_error = 0});
     const Image &lux = film.aovs.at(Aov::illuminance), &y = film.aovs.at(Aov::luminance);
     int lit = 0;
     for (std::size_t i = 0; i < lux.values.size(); ++i) {
