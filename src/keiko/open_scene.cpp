@@ -65,8 +65,8 @@ PaintedBody read_body(const SceneSpec& spec, const LoadOptions& options, const J
     std::vector<Material> materials;
     for (const ModelSpec& part : spec.models) {
         SurfaceModel model = load_model(part.file, options, job);
-        for (Instance& instance : model.instances)
-            instance.transform = part.transform * instance.transform;
+        const Affine placed = part.transform.affine();
+        for (Instance& instance : model.instances) instance.transform = placed * instance.transform;
         for (const Face& face : model.faces) materials.push_back(paint_of(face, part));
         require_matches(model, part);
         models.push_back(std::move(model));

@@ -2,7 +2,6 @@
 
 #include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
-#include "keiko/base/units.h"
 #include "keiko/io/camera_table.h"
 #include "keiko/io/input_path.h"
 #include "keiko/io/material_file.h"
@@ -20,17 +19,15 @@ namespace {
 constexpr double largest_size = 65536; ///< pixels, either way
 constexpr int most_reflections = 64;
 
-Affine transform_from(const TomlTable& table) {
-    Affine transform;
-    if (const auto factor = table.number("scale", TomlLimits::positive()))
-        transform = Affine::scale(*factor);
+ModelTransform transform_from(const TomlTable& table) {
+    ModelTransform transform;
+    transform.scale = table.number("scale", TomlLimits::positive()).value_or(transform.scale);
     if (const auto turn = table.numbers("rotate", 4)) {
-        const Vec3 axis((*turn)[0], (*turn)[1], (*turn)[2]);
-        if (!(axis.length() > 0)) throw table.error("rotate", "the axis must not be a zero vector");
-        transform = Affine::rotate(axis, degrees_to_radians((*turn)[3])) * transform;
+        transform.axis = Vec3((*turn)[0], (*turn)[1], (*turn)[2]), transform.angle = (*turn)[3];
+        if (!(transform.axis.length() > 0))
+            throw table.error("rotate", "the axis must not be a zero vector");
     }
-    if (const auto offset = table.vector("translate"))
-        transform = Affine::translate(*offset) * transform;
+    transform.translation = table.vector("translate").value_or(transform.translation);
     table.finish();
     return transform;
 }

@@ -1,6 +1,7 @@
 #include "keiko/spec/animation.h"
 
 #include "keiko/base/error.h"
+#include "keiko/spec/carried_reference.h"
 #include "keiko/spec/scene_spec.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ Numbers numbers_of(Luminaire& lamp, std::string_view key) {
     if (key == "aim") return of(lamp.aim);
     if (key == "reference") return of(lamp.reference);
     if (key == "spin") return of(lamp.spin);
-    if (key == "dimming" || key == "color") return of(lamp.factor);
+    if (key == "dimming") return of(lamp.factor);
     return {};
 }
 
@@ -69,6 +70,14 @@ Numbers numbers_of(Camera& camera, std::string_view key) {
     if (key == "eye") return of(camera.eye);
     if (key == "target") return of(camera.target);
     if (key == "vertical_fov") return of(camera.vertical_fov, 1e-3, 175);
+    return {};
+}
+
+Numbers numbers_of(ModelSpec& model, std::string_view key) {
+    ModelTransform& t = model.transform;
+    if (key == "transform.translate") return of(t.translation);
+    if (key == "transform.rotate") return {{&t.axis.x, &t.axis.y, &t.axis.z, &t.angle}};
+    if (key == "transform.scale") return of(t.scale, 1e-6);
     return {};
 }
 
@@ -112,9 +121,7 @@ Numbers numbers_of(SceneSpec& scene, const std::string& name) {
         if (target.table == "luminaire")
             return numbers_in(source_of<Luminaire>(scene, target.number), target.key);
         const bool model = target.table == "model" && target.number < scene.models.size();
-        if (model && target.key == "transform.translate")
-            return of(scene.models[target.number].transform.translation);
-        return {};
+        return model ? numbers_of(scene.models[target.number], target.key) : Numbers();
     }
     if (target.table == "sun") return numbers_in(source_of<Sun>(scene, 0), target.key);
     if (target.table == "camera")
@@ -142,10 +149,56 @@ struct Check {
 };
 
 void require_picture(const SceneSpec& scene) {
+    for (const ModelSpec& model : scene.models)
+        if (!(model.transform.axis.length() > 0))
+            throw Error("", "animation", "a model turns about no axis");
     if (scene.camera && scene.camera->eye == scene.camera->target)
         throw Error("", "animation", "the eye is in its target");
     if (!scene.rig) return;
     for (const LightSource& source : scene.rig->sources) std::visit(Check(), source);
+}
+
+const Animation* animation_of(const SceneSpec& scene, const std::string& target) {
+    const auto found = std::find_if(scene.animations.begin(), scene.animations.end(),
+                                    [&](const Animation& a) { return a.target == target; });
+    return found == scene.animations.end() ? nullptr : &*found;
+}
+
+/// Carries the reference of a lamp along its axis, which turns in a plane between the keys of its
+/// place and of its aim.
+template <class Lamp>
+void carry_reference(const SceneSpec& scene, const std::string& name, double frame, Lamp& lamp) {
+    const Animation* place = animation_of(scene, name + ".position");
+    const Animation* aim = animation_of(scene, name + ".aim");
+    if ((!place && !aim) || animation_of(scene, name + ".reference")) return;
+    std::vector<double> stops{frame};
+    for (const Animation* moved : {place, aim})
+        if (moved)
+            for (const KeyFrame& key : moved->keys)
+                if (key.frame < frame) stops.push_back(key.frame);
+    std::sort(stops.begin(), stops.end());
+    std::vector<Vec3> ways;
+    for (const double stop : stops) {
+        const auto at = [&](const Animation* moved, const Vec3& rest) {
+            if (!moved) return rest;
+            const std::vector<double> v = moved->at(stop);
+            return Vec3(v[0], v[1], v[2]);
+        };
+        ways.push_back(at(aim, lamp.aim) - at(place, lamp.position));
+        if (!(ways.back().length() > 0)) return;
+    }
+    lamp.reference = carried_reference(lamp.reference, ways);
+}
+
+void carry_references(SceneSpec& scene, double frame) {
+    if (!scene.rig) return;
+    int spotlights = 0, luminaires = 0;
+    for (LightSource& source : scene.rig->sources) {
+        if (auto* light = std::get_if<Spotlight>(&source))
+            carry_reference(scene, "spotlight." + std::to_string(spotlights++), frame, *light);
+        if (auto* lamp = std::get_if<Luminaire>(&source))
+            carry_reference(scene, "luminaire." + std::to_string(luminaires++), frame, *lamp);
+    }
 }
 
 } // namespace
@@ -185,6 +238,7 @@ SceneSpec at_frame(SceneSpec scene, double frame) {
             *numbers.places[i] = value[value.size() == 1 ? 0 : i];
     }
     require_picture(scene);
+    carry_references(scene, frame);
     return scene;
 }
 

@@ -19,10 +19,20 @@ struct PaintOverride {
     Material material;
 };
 
+/// How a model is placed: scaled, then turned about an axis through the origin, then moved.
+struct ModelTransform {
+    double scale = 1;    ///< above 0
+    Vec3 axis{0, 0, 1};  ///< of any length but 0
+    double angle = 0;    ///< degrees, right-handed
+    Vec3 translation{0}; ///< mm
+
+    Affine affine() const;
+};
+
 /// A model of a scene and how it is placed and painted.
 struct ModelSpec {
     std::filesystem::path file; ///< absolute, or relative to the working directory
-    Affine transform{};
+    ModelTransform transform{};
     Material material{};
     std::vector<PaintOverride> overrides{}; ///< later ones win
 };

@@ -68,9 +68,10 @@ file = "../rig.toml"
     EXPECT_EQ(read.models[0].file, folder_ / "part.step");
     EXPECT_EQ(read.models[0].material.name, "silver");
     // Scaled, then turned, then moved.
-    EXPECT_LT((read.models[0].transform.point({1, 0, 0}) - Vec3(10, 2, 0)).length(), 1e-12);
+    EXPECT_LT((read.models[0].transform.affine().point({1, 0, 0}) - Vec3(10, 2, 0)).length(),
+              1e-12);
     EXPECT_EQ(read.models[1].material.diffuse, Rgb(0.1, 0.2, 0.3));
-    EXPECT_TRUE(read.models[1].transform.is_identity());
+    EXPECT_TRUE(read.models[1].transform.affine().is_identity());
     EXPECT_EQ(read.camera.value().projection, Projection::orthographic);
     EXPECT_EQ(read.camera->orthographic_height, 1500);
     EXPECT_EQ(read.camera->width, 320);
