@@ -7,7 +7,7 @@
 using namespace keiko;
 
 TEST(Aov, NamesLeadBackToTheAov) {
-    EXPECT_EQ(every_aov().size(), 8u);
+    EXPECT_EQ(every_aov().size(), 9u);
     for (const Aov aov : every_aov()) EXPECT_EQ(aov_by_name(name_of(aov)), aov);
 }
 
