@@ -10,9 +10,8 @@ namespace keiko {
 bool continues(const SurfacePlace& a, const SurfacePlace& b) {
     if (a.paint != b.paint) return false;
     // Normals as lines: neighbouring faces may be oriented differently.
-    const double turn =
-        std::atan2(a.normal.cross(b.normal).length(), std::abs(a.normal.dot(b.normal)));
-    if (turn > degrees_to_radians(10)) return false;
+    static const double most = std::tan(degrees_to_radians(10));
+    if (a.normal.cross(b.normal).length() > most * std::abs(a.normal.dot(b.normal))) return false;
     // A step off the tangent planes of both: one surface in front of another.
     const Vec3 step = b.position - a.position;
     const double off = std::min(std::abs(step.dot(a.normal)), std::abs(step.dot(b.normal)));

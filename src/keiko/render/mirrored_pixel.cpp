@@ -31,7 +31,7 @@ Image image_of(const RigPlanes& planes, const Ray& centre, const MirroredPixel& 
     double off = 0;
     for (const Vec2& corner :
          {Vec2(-0.5, -0.5), Vec2(0.5, -0.5), Vec2(-0.5, 0.5), Vec2(0.5, 0.5)}) {
-        const Ray ray = pixel.ray(corner.x, corner.y, 1);
+        const Ray ray = pixel.ray(corner.x, corner.y);
         const auto at = c_plane_coordinates(frame, ray.origin, ray.direction);
         if (!at) return {};
         off = std::max(off, std::abs(at->v - plane->at.v - expected.dx.y * corner.x -
@@ -85,23 +85,28 @@ MirroredPixel::MirroredPixel(const Ray& centre, const Ray& left, const Ray& righ
 }
 
 void MirroredPixel::compare(const Ray& neighbour, double x, double y) {
-    const Ray told = ray(x, y, 1);
+    const Ray told = ray(x, y);
     misfit_.origin = std::max(misfit_.origin, (told.origin - neighbour.origin).length());
     misfit_.direction =
         std::max(misfit_.direction, (told.direction - neighbour.direction).length());
 }
 
-Ray MirroredPixel::ray(double x, double y, double share) const {
+Ray MirroredPixel::ray(double x, double y) const {
     const Jet value = value_ + x_ * x + y_ * y + xx_ * (x * x / 2) + xy_ * (x * y) +
                       yy_ * (y * y / 2) + xxx_ * (x * x * x / 6) + xxy_ * (x * x * y / 2) +
                       xyy_ * (x * y * y / 2) + yyy_ * (y * y * y / 6);
+    Ray ray;
+    ray.origin = value.origin;
+    ray.direction = value.direction;
+    return ray;
+}
+
+Ray MirroredPixel::ray(double x, double y, double share) const {
     const Jet dx =
         (x_ + xx_ * x + xy_ * y + xxx_ * (x * x / 2) + xxy_ * (x * y) + xyy_ * (y * y / 2)) * share;
     const Jet dy =
         (y_ + xy_ * x + yy_ * y + xxy_ * (x * x / 2) + xyy_ * (x * y) + yyy_ * (y * y / 2)) * share;
-    Ray ray;
-    ray.origin = value.origin;
-    ray.direction = value.direction;
+    Ray ray = this->ray(x, y);
     ray.differentials = RayDifferentials{dx.origin, dy.origin, dx.direction, dy.direction};
     return ray;
 }

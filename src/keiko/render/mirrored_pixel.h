@@ -17,8 +17,9 @@ public:
     MirroredPixel(const Ray& centre, const Ray& left, const Ray& right, const Ray& above,
                   const Ray& below);
 
-    /// The ray at a place relative to the centre, in pixels, with the differentials there of a
-    /// pixel of `share` times the width and height.
+    /// The ray at a place relative to the centre, in pixels, without differentials.
+    Ray ray(double x, double y) const;
+    /// The same, with the differentials there of a pixel of `share` times the width and height.
     Ray ray(double x, double y, double share) const;
     /// By how much the neighbours' rays are off the cubic where they pass the plane that the
     /// centre's ray meets at t, mm at the most: large where the surface's curvature jumps.
