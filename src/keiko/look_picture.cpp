@@ -115,7 +115,7 @@ public:
     double light(int x, int y) const {
         const double phase = at(x, y);
         if (std::isnan(phase)) return 0.5;
-        constexpr double sharpest = 1e-6;
+        const double sharpest = std::max(1e-6, 1e-12 * std::abs(phase));
         const double reach =
             std::max(sharpest, (std::abs(slope(x, y, 1, 0)) + std::abs(slope(x, y, 0, 1))) / 2);
         return light_share(phase - reach, phase + reach);

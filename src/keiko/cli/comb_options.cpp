@@ -30,7 +30,11 @@ void CombArguments::add_files(CLI::App& command) {
 
 CombOptions CombArguments::options(double join) const {
     CombOptions options;
-    for (const std::string& plane : planes_) options.planes.push_back(section_plane(plane));
+    for (const std::string& plane : planes_) {
+        if (std::count(planes_.begin(), planes_.end(), plane) > 1)
+            throw Error("", "--section", "'" + plane + "' is asked for twice");
+        options.planes.push_back(section_plane(plane));
+    }
     options.iso_curves = iso_curves_, options.join = join;
     return options;
 }
@@ -42,6 +46,8 @@ void CombArguments::require_places() const {
     if (!asked && !files_.empty()) throw Error("", "--combs", "needs --section or --iso-curves");
     for (const std::filesystem::path& file : files_) {
         require_place_for_file(file);
+        if (std::count(files_.begin(), files_.end(), file) > 1)
+            throw Error(file.string(), "--combs", "is asked for twice");
         const std::filesystem::path ending = file.extension();
         if (ending != ".json" && ending != ".csv" && ending != ".svg")
             throw Error(file.string(), "--combs", "ends in none of .json, .csv and .svg");
@@ -55,7 +61,7 @@ void CombArguments::add_to(OutputBatch& batch, const Combs& combs) const {
         if (file.extension() != ".svg") continue;
         for (const CombPicture& picture : combs.pictures) {
             std::filesystem::path named = file;
-            if (combs.pictures.size() > 1)
+            if (planes_.size() > 1 || iso_curves_ > 0)
                 named.replace_filename(file.stem().string() + "-" + picture.name + ".svg");
             batch.add(named, picture.svg);
         }

@@ -240,7 +240,7 @@ void add_render(CLI::App& app, Session& session) {
         .add_option(
             "--penumbrae", arguments->penumbrae,
             "of tubes: axis, shadows cut along the axis of each, or width, weighed over all of "
-            "it, in three times the time")
+            "it, in three times the time, but not in fog nor of rows that overlap")
         ->check(CLI::IsMember({"axis", "width"}))
         ->needs("--shadows")
         ->capture_default_str();
@@ -248,7 +248,7 @@ void add_render(CLI::App& app, Session& session) {
         .add_option("--light-error", arguments->light_error,
                     "share of what is seen by which the lamps' light on bases may be off for being "
                     "found a few pixels apart; 0: found in each pixel, slower")
-        ->check(CLI::Range(0.0, 0.1))
+        ->check(number_between(0, 0.1))
         ->capture_default_str();
     command.add_option("--view", arguments->view, "view by name, auto, or scene");
     command.add_option("--rig", arguments->rig, "rig file, or auto: the scene's, or placed")

@@ -119,13 +119,17 @@ std::vector<CombCurve> comb_curves(const SurfaceModel& model, const CombOptions&
 
 std::vector<Vec3> inflections_of(const CombCurve& curve) {
     std::vector<Vec3> places;
-    for (const CombPiece& piece : curve.pieces)
-        for (std::size_t i = 1; i < piece.samples.size(); ++i) {
-            const CombSample &a = piece.samples[i - 1], &b = piece.samples[i];
-            const double from = a.bend.curvature, to = b.bend.curvature;
-            if (from * to < 0)
-                places.push_back(a.place + (b.place - a.place) * (from / (from - to)));
+    for (const CombPiece& piece : curve.pieces) {
+        const CombSample* bent = nullptr; // the last sample that bends, before those that do not
+        for (const CombSample& sample : piece.samples) {
+            const double to = sample.bend.curvature;
+            if (to == 0) continue;
+            const double from = bent ? bent->bend.curvature : to;
+            if ((from < 0) != (to < 0))
+                places.push_back(bent->place + (sample.place - bent->place) * (from / (from - to)));
+            bent = &sample;
         }
+    }
     return places;
 }
 

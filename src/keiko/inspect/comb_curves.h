@@ -26,7 +26,7 @@ struct CombPiece {
 struct CombCurve {
     enum class Kind { section, iso_u, iso_v };
     Kind kind = Kind::section;
-    std::string name;        ///< of the plane, "y=120", or of the iso-curve, "face 3: u = 0.25"
+    std::string name;        ///< of the plane, "y=120", or of the iso-curve, "face 3: u at 0.25"
     std::uint32_t plane = 0; ///< of sections: into those asked for
     bool closed = false;
     double length = 0; ///< mm

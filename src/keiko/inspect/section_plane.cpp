@@ -2,28 +2,54 @@
 
 #include "keiko/base/error.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <optional>
+#include <string_view>
 
 namespace keiko {
+namespace {
+
+/// Nothing unless all of the text is one finite number, without blanks.
+std::optional<double> number(std::string_view text) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, fault] = std::from_chars(text.data(), end, value);
+    if (fault != std::errc() || rest != end || !std::isfinite(value)) return {};
+    return value;
+}
+
+/// Of "x", "y", "z" or "A,B,C".
+std::optional<Vec3> normal(std::string_view text) {
+    Vec3 n(0);
+    if (text.size() == 1 && text[0] >= 'x' && text[0] <= 'z') {
+        n[static_cast<unsigned>(text[0] - 'x')] = 1;
+        return n;
+    }
+    for (unsigned k = 0; k < 3; ++k) {
+        const std::size_t comma = k < 2 ? text.find(',') : text.size();
+        if (comma == text.npos) return {};
+        const auto component = number(text.substr(0, comma));
+        if (!component) return {};
+        n[k] = *component;
+        text.remove_prefix(std::min(comma + 1, text.size()));
+    }
+    if (!(n.length() > 0) || !std::isfinite(n.length())) return {};
+    return n.normalized();
+}
+
+} // namespace
 
 SectionPlane section_plane(const std::string& text) {
-    SectionPlane plane{text, Vec3(0), 0};
-    int end = 0;
-    char axis = 0;
-    const auto whole = [&] { return static_cast<std::size_t>(end) == text.size(); };
-    if (std::sscanf(text.c_str(), "%c=%lf%n", &axis, &plane.height, &end) == 2 && whole() &&
-        axis >= 'x' && axis <= 'z') {
-        plane.normal[static_cast<unsigned>(axis - 'x')] = 1;
-    } else if (Vec3& n = plane.normal; std::sscanf(text.c_str(), "%lf,%lf,%lf=%lf%n", &n.x, &n.y,
-                                                   &n.z, &plane.height, &end) == 4 &&
-                                       whole() && n.length() > 0 && std::isfinite(n.length())) {
-        n = n.normalized();
-    } else {
-        throw Error("", "--section", "'" + text + "' is not x=MM, y=MM, z=MM or A,B,C=MM");
+    const std::string_view all(text);
+    const std::size_t sign = all.find('=');
+    if (sign != all.npos) {
+        const auto along = normal(all.substr(0, sign));
+        const auto height = number(all.substr(sign + 1));
+        if (along && height) return {text, *along, *height};
     }
-    if (!std::isfinite(plane.height)) throw Error("", "--section", "'" + text + "' is nowhere");
-    return plane;
+    throw Error("", "--section", "'" + text + "' is not x=MM, y=MM, z=MM or A,B,C=MM");
 }
 
 } // namespace keiko

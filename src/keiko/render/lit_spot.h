@@ -15,7 +15,7 @@ struct SurfacePlace {
 };
 
 /// Whether neighbours in a picture show one smooth surface: of the same paint, turned by less than
-/// 10 degrees, and neither far off the other's tangent plane, as one surface before another is.
+/// 10 degrees, and not both far off the other's tangent plane, as one surface before another is.
 bool continues(const SurfacePlace& a, const SurfacePlace& b);
 
 /// Where an eye ray, or a mirror reflection of it, meets a surface whose base and lobes are lit by

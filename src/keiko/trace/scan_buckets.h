@@ -34,7 +34,7 @@ private:
 
     std::size_t bucket_of(double across) const {
         const double place = (across - low_) * per_width_;
-        return static_cast<std::size_t>(std::clamp(place, 0.0, count - 1.0));
+        return place > 0 ? static_cast<std::size_t>(std::min(place, count - 1.0)) : 0;
     }
 
     std::vector<ScreenBox> boxes_;

@@ -33,7 +33,8 @@ TEST(SectionPlane, IsReadFromItsText) {
     const SectionPlane aslant = section_plane("3,0,4=10");
     EXPECT_NEAR((aslant.normal - Vec3(0.6, 0, 0.8)).length(), 0, 1e-15);
     EXPECT_EQ(aslant.height, 10);
-    for (const char* wrong : {"", "w=1", "y", "y=", "y=1mm", "0,0,0=1", "1,2=3", "y=nan", "z=inf"})
+    for (const char* wrong : {"", "w=1", "y", "y=", "y=1mm", "0,0,0=1", "1,2=3", "y=nan", "z=inf",
+                              " y=20", "y= 20", "y=20\n", "y=0x14", "1,2,3,4=5", "=3"})
         EXPECT_THROW(section_plane(wrong), Error) << wrong;
 }
 
@@ -172,22 +173,29 @@ TEST(CombCurves, AreTrueOnAFreeForm) {
     EXPECT_GT(compared, 5);
 }
 
-TEST(CombCurves, TellWhereTheyTurnOver) {
-    test::ModelBuilder builder;
-    // z = 1e-5 (x - 30)^3 over x = 0 .. 100.
-    const auto z = [](double x) { return 1e-5 * std::pow(x - 30, 3); };
-    const auto slope = [](double x) { return 3e-5 * std::pow(x - 30, 2); };
+/// z = 1e-5 (x - middle)^3 over x = 0 .. 100.
+SurfaceModel turned_over_at(double middle) {
+    const auto z = [&](double x) { return 1e-5 * std::pow(x - middle, 3); };
+    const auto slope = [&](double x) { return 3e-5 * std::pow(x - middle, 2); };
     const double third = 100 / 3.0;
     std::vector<Vec3> points;
     const double heights[] = {z(0), z(0) + third * slope(0), z(100) - third * slope(100), z(100)};
     for (int i = 0; i < 4; ++i)
         for (const double y : {0.0, 50.0}) points.emplace_back(third * i, y, heights[i]);
+    test::ModelBuilder builder;
     builder.patch(3, 1, points);
-    const auto curves = sections(builder.build(), "y=20");
-    ASSERT_EQ(curves.size(), 1u);
-    const std::vector<Vec3> places = inflections_of(curves[0]);
-    ASSERT_EQ(places.size(), 1u);
-    EXPECT_NEAR(places[0].x, 30, 0.05);
+    return builder.build();
+}
+
+// Between samples, and where one is without any curvature.
+TEST(CombCurves, TellWhereTheyTurnOver) {
+    for (const double middle : {30.0, 50.0}) {
+        const auto curves = sections(turned_over_at(middle), "y=20");
+        ASSERT_EQ(curves.size(), 1u);
+        const std::vector<Vec3> places = inflections_of(curves[0]);
+        ASSERT_EQ(places.size(), 1u) << middle;
+        EXPECT_NEAR(places[0].x, middle, 0.05);
+    }
 }
 
 } // namespace
