@@ -1,9 +1,8 @@
 #include "keiko/report/checks_csv.h"
 
+#include "keiko/report/csv_text.h"
 #include "keiko/report/utf8.h"
 
-#include <array>
-#include <charconv>
 #include <initializer_list>
 
 namespace keiko {
@@ -12,18 +11,7 @@ namespace {
 std::string field(std::string_view any_text) {
     const std::string text = as_utf8(any_text);
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    return quoted + '"';
-}
-
-/// The shortest text that reads back as the same number.
-std::string number(double value) {
-    std::array<char, 32> digits{};
-    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+    return csv_quoted(text);
 }
 
 std::string row(std::initializer_list<std::string> fields) {
@@ -35,7 +23,7 @@ std::string row(std::initializer_list<std::string> fields) {
 
 std::string row(const Check& check) {
     const Worst& w = check.worst;
-    const auto if_judged = [&](double value) { return check.judged ? number(value) : ""; };
+    const auto if_judged = [&](double value) { return check.judged ? csv_number(value) : ""; };
     return row({check.seam == no_index ? "" : std::to_string(check.seam + 1), field(check.view),
                 field(check.faces), field(check.code), field(check.quantity),
                 check.judged ? std::string(name_of(w.verdict)) : "not judged", if_judged(w.value),

@@ -1,24 +1,11 @@
 #include "keiko/report/combs_text.h"
-
-#include <array>
-#include <charconv>
+#include "keiko/report/csv_text.h"
 
 namespace keiko {
 namespace {
 
-/// The shortest text that reads back as the same number.
 void append(std::string& text, double value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    text += ',';
-    text.append(digits.data(), end);
-}
-
-/// In quotes, as names come from files.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-    return result + '"';
+    (text += ',') += csv_number(value);
 }
 
 } // namespace
@@ -29,9 +16,10 @@ std::string combs_csv(std::span<const CombCurve> curves, const SurfaceModel& mod
     for (std::size_t c = 0; c < curves.size(); ++c)
         for (std::size_t p = 0; p < curves[c].pieces.size(); ++p) {
             const CombPiece& piece = curves[c].pieces[p];
-            const std::string begin =
-                std::to_string(c) + "," + quoted(curves[c].name) + "," + std::to_string(p) + "," +
-                std::to_string(model.faces[piece.face].id) + "," + std::to_string(piece.instance);
+            const std::string begin = std::to_string(c) + "," + csv_quoted(curves[c].name) + "," +
+                                      std::to_string(p) + "," +
+                                      std::to_string(model.faces[piece.face].id) + "," +
+                                      std::to_string(piece.instance);
             for (const CombSample& s : piece.samples) {
                 text += begin;
                 for (const double value : {s.along, s.place.x, s.place.y, s.place.z,

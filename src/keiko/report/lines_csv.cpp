@@ -1,24 +1,11 @@
+#include "keiko/report/csv_text.h"
 #include "keiko/report/lines_json.h"
-
-#include <array>
-#include <charconv>
 
 namespace keiko {
 namespace {
 
-/// The shortest text that reads back as the same number.
 void append(std::string& text, double value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    text += ',';
-    text.append(digits.data(), end);
-}
-
-/// In quotes, as names come from files.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-    return result + '"';
+    (text += ',') += csv_number(value);
 }
 
 void append(std::string& text, const LineValue& value, bool known) {
@@ -66,8 +53,8 @@ std::string crossings_csv(const LineList& list) {
     for (const ViewLines& view : list.views) {
         for (const LineCrossing& c : view.found.crossings) {
             text += view.view + "," + std::to_string(first_line + c.line) + "," +
-                    std::to_string(c.plane) + "," + std::to_string(c.lamp) + "," + quoted(c.faces) +
-                    ",";
+                    std::to_string(c.plane) + "," + std::to_string(c.lamp) + "," +
+                    csv_quoted(c.faces) + ",";
             if (c.verdict) text += name_of(*c.verdict);
             for (const double value :
                  {c.severity, c.place.x, c.place.y, c.place.z, c.gap, c.angle, c.plane_jump})
