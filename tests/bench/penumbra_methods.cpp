@@ -6,6 +6,7 @@
 #include "tests/bench/cpu_clock.h"
 #include "tests/support/random.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keiko::bench {
@@ -16,31 +17,50 @@ using namespace test;
 ApexView view_from(const PenumbraScene& scene, const Receiver& at, const CPlane& row) {
     const CPlaneFrame frame(row);
     std::vector<Vec3> corners;
+    const double r = frame.radius();
     for (const double along : {0.0, frame.length})
-        for (const double across : {frame.axis(0), frame.last()})
-            for (const double height : {-frame.radius(), frame.radius()})
-                for (const double side : {-frame.radius(), frame.radius()})
-                    corners.push_back(frame.at(along, across + side) + frame.normal * height);
+        for (const double across : {frame.axis(0) - r, frame.last() + r})
+            for (const double height : {-r, r})
+                corners.push_back(frame.at(along, across) + frame.normal * height);
     return {scene.occluders, scene.tracer, Apex::at(at.position, at.root), corners, at.normal};
 }
 
-/// As the core asks for it.
+std::vector<SegmentEnds> ends_of(std::span<const Segment> segments) {
+    std::vector<SegmentEnds> ends;
+    for (const Segment& segment : segments) ends.push_back({segment.a, segment.b});
+    return ends;
+}
+
+std::vector<Segment> axes_of(std::span<const TubeLamp> lamps) {
+    std::vector<Segment> axes;
+    for (const TubeLamp& lamp : lamps) axes.push_back({lamp.a, lamp.b});
+    return axes;
+}
+
+/// As the core asks for it: the axes of the row together.
 class SeenFrom final : public Visible {
 public:
-    explicit SeenFrom(const ApexView& view) : view_(view) {}
+    SeenFrom(const ApexView& view, std::span<const Segment> row)
+        : view_(view), row_(row), of_row_(intervals(row)) {}
     IntervalSet intervals(const Segment& segment) const override {
+        const auto known = std::find(row_.begin(), row_.end(), segment);
+        if (known != row_.end()) return of_row_[static_cast<std::size_t>(known - row_.begin())];
         return view_.intervals(segment.a, segment.b).intervals;
     }
     std::vector<IntervalSet> intervals(std::span<const Segment> segments) const override {
-        std::vector<SegmentEnds> ends;
-        for (const Segment& segment : segments) ends.push_back({segment.a, segment.b});
         std::vector<IntervalSet> seen;
-        for (SeenParts& parts : view_.intervals(ends)) seen.push_back(std::move(parts.intervals));
+        for (SeenParts& parts : view_.intervals(ends_of(segments)))
+            seen.push_back(std::move(parts.intervals));
         return seen;
+    }
+    bool seen_alike(std::span<const Segment> segments) const override {
+        return view_.seen_alike(ends_of(segments));
     }
 
 private:
     const ApexView& view_;
+    std::span<const Segment> row_;
+    std::vector<IntervalSet> of_row_;
 };
 
 TubeModel model_of(Emitter emitter) {
@@ -134,14 +154,17 @@ Shares by_width(const PenumbraScene& scene, const CPlane& row, double tolerance)
     return shares(scene, row, Emitter::rectangle,
                   [&](const Receiver& at, const std::vector<TubeLamp>& lamps) {
                       const ApexView view = view_from(scene, at, row);
-                      const SeenFrom seen(view);
+                      const std::vector<Segment> axes = axes_of(lamps);
+                      const SeenFrom seen(view, axes);
+                      std::vector<TubeLamp> above = lamps;
+                      std::erase_if(above, [&](const TubeLamp& lamp) {
+                          return below_horizon(lamp, at.position, at.normal);
+                      });
+                      const std::vector<double> parts = visible_shares(
+                          above, at.position, at.normal, seen, tolerance, TubeShape::rectangle);
                       double sum = 0;
-                      for (const TubeLamp& lamp : lamps) {
-                          if (below_horizon(lamp, at.position, at.normal)) continue;
-                          sum += unhidden(lamp, at, Emitter::rectangle) *
-                                 visible_share(lamp, at.position, at.normal, seen, tolerance,
-                                               TubeShape::rectangle);
-                      }
+                      for (std::size_t i = 0; i < above.size(); ++i)
+                          sum += unhidden(above[i], at, Emitter::rectangle) * parts[i];
                       return sum;
                   });
 }

@@ -30,6 +30,9 @@ public:
         for (const Segment& segment : segments) all.push_back(intervals(segment));
         return all;
     }
+    /// True where parallel segments, and all others between them, are proved to be seen alike:
+    /// each as a whole, or none of them at all.
+    virtual bool seen_alike(std::span<const Segment>) const { return false; }
 };
 
 /// Nothing stands in the way.
@@ -37,6 +40,7 @@ class AllVisible final : public Visible {
 public:
     using Visible::intervals;
     IntervalSet intervals(const Segment&) const override { return IntervalSet::whole(); }
+    bool seen_alike(std::span<const Segment>) const override { return true; }
 };
 
 } // namespace keiko

@@ -8,12 +8,15 @@ IntervalSet::IntervalSet(std::vector<ParameterInterval> intervals) {
     std::erase_if(intervals, [](const ParameterInterval& i) { return !(i.begin < i.end); });
     std::sort(intervals.begin(), intervals.end(),
               [](const auto& a, const auto& b) { return a.begin < b.begin; });
+    std::size_t kept = 0;
     for (const ParameterInterval& next : intervals) {
-        if (!intervals_.empty() && next.begin <= intervals_.back().end)
-            intervals_.back().end = std::max(intervals_.back().end, next.end);
+        if (kept > 0 && next.begin <= intervals[kept - 1].end)
+            intervals[kept - 1].end = std::max(intervals[kept - 1].end, next.end);
         else
-            intervals_.push_back(next);
+            intervals[kept++] = next;
     }
+    intervals.resize(kept);
+    intervals_ = std::move(intervals);
 }
 
 double IntervalSet::measure() const {

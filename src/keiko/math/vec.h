@@ -17,6 +17,14 @@ inline double angle_between(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).length(), a.dot(b));
 }
 
+/// Of the components.
+inline Vec3 magnitudes(const Vec3& v) {
+    return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
+inline Vec4 magnitudes(const Vec4& v) {
+    return {std::abs(v.x), std::abs(v.y), std::abs(v.z), std::abs(v.w)};
+}
+
 inline bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }

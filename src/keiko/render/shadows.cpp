@@ -42,6 +42,10 @@ std::vector<IntervalSet> SeenPast::intervals(std::span<const Segment> segments) 
     return seen_by(view(), segments);
 }
 
+bool SeenPast::seen_alike(std::span<const Segment> segments) const {
+    return !occluders_ || view().seen_alike(ends_of(segments));
+}
+
 LitPoint::LitPoint(const ShadowedRig& lights, const Vec3& point, const Vec3& normal,
                    const std::optional<Root>& root)
     : rig_(lights.rig_), point_(point), normal_(normal) {

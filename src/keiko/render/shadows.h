@@ -32,6 +32,7 @@ public:
 
     IntervalSet intervals(const Segment& segment) const override;
     std::vector<IntervalSet> intervals(std::span<const Segment> segments) const override;
+    bool seen_alike(std::span<const Segment> segments) const override;
 
 private:
     const ApexView& view() const;

@@ -7,6 +7,9 @@
 #include "keiko/tubes/tube_irradiance.h"
 #include "keiko/tubes/tube_penumbra.h"
 
+#include <span>
+#include <vector>
+
 namespace keiko {
 namespace {
 
@@ -31,19 +34,16 @@ public:
         const CPlaneFrame frame(plane);
         const TubeModel model = plane.diffuse == TubeModel::automatic ? model_ : plane.diffuse;
         const CombIrradiance comb(frame, point_, normal_, model);
-        Rgb solid_angle;
+        std::vector<int> above;
+        std::vector<TubeLamp> lamps;
         for (int i = 0; i < frame.lamps; ++i) {
             const TubeLamp lamp = lamp_of(frame, i, plane.luminance);
             if (below_horizon(lamp, point_, normal_)) continue;
-            if (asks_for_width(comb, model)) {
-                solid_angle += Rgb(entered_over_width(comb, i, lamp));
-                continue;
-            }
-            const IntervalSet seen = visible_.intervals({lamp.a, lamp.b});
-            solid_angle +=
-                medium_ ? through_medium(comb, i, lamp, seen) : Rgb(entered(comb, i, lamp, seen));
+            above.push_back(i);
+            lamps.push_back(lamp);
         }
-        return plane.luminance * solid_angle;
+        return plane.luminance * (asks_for_width(comb, model) ? over_width(comb, above, lamps)
+                                                              : over_axes(comb, above, lamps));
     }
 
     template <PointLight Light>
@@ -75,11 +75,31 @@ private:
             model == model_ || model == TubeModel::strip || model == TubeModel::cylinder;
         return wide && tube && !medium_ && !comb.overlapping();
     }
-    /// Of the whole lamp, what enters the coat, times the share that is seen over the width.
-    double entered_over_width(const CombIrradiance& comb, int index, const TubeLamp& lamp) const {
+    /// Solid angles of what is seen of some lamps' axes, dimmed by the medium.
+    Rgb over_axes(const CombIrradiance& comb, std::span<const int> numbers,
+                  std::span<const TubeLamp> lamps) const {
+        Rgb sum;
+        for (std::size_t k = 0; k < lamps.size(); ++k) {
+            const IntervalSet seen = visible_.intervals({lamps[k].a, lamps[k].b});
+            sum += medium_ ? through_medium(comb, numbers[k], lamps[k], seen)
+                           : Rgb(entered(comb, numbers[k], lamps[k], seen));
+        }
+        return sum;
+    }
+    Rgb over_width(const CombIrradiance& comb, std::span<const int> numbers,
+                   std::span<const TubeLamp> lamps) const {
         const bool number = model_ == TubeModel::automatic;
-        const double seen = visible_share(lamp, point_, normal_, visible_,
-                                          number ? width_tolerance : width_tolerance_in_pictures);
+        const std::vector<double> shares =
+            visible_shares(lamps, point_, normal_, visible_,
+                           number ? width_tolerance : width_tolerance_in_pictures);
+        double sum = 0;
+        for (std::size_t k = 0; k < lamps.size(); ++k)
+            sum += entered_over_width(comb, numbers[k], lamps[k], shares[k]);
+        return Rgb(sum);
+    }
+    /// Of the whole lamp, what enters the coat, times the share that is seen over the width.
+    double entered_over_width(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+                              double seen) const {
         if (!(seen > 0)) return 0;
         const IntervalSet whole = IntervalSet::whole();
         const double all = comb.solid_angle(index, whole) * seen;

@@ -24,8 +24,7 @@ struct AffineNet {
         }
     };
     Weighed weighed(const Vec4& weights) const {
-        const Vec4 sizes(std::abs(weights.x), std::abs(weights.y), std::abs(weights.z),
-                         std::abs(weights.w));
+        const Vec4 sizes = magnitudes(weights);
         return {weights.dot(value), weights.dot(along_x), weights.dot(along_y), sizes.dot(off),
                 sizes.dot(slope)};
     }

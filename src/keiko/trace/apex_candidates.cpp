@@ -54,13 +54,14 @@ ApexView::Candidates::Candidates(const Occluders::Scene& scene, const Tracer& tr
 
 void ApexView::Candidates::collect(std::span<const Vec3> region) {
     const ViewVolume volume(apex_, region, facing_);
+    std::optional<ApexHorizon> horizon;
+    if (normal_) horizon = {*normal_, least_elevation(apex_, *normal_, region)};
     std::vector<std::uint32_t> found;
     scene_->silhouette_pieces.find(volume, apex_, found);
     for (const std::uint32_t piece : found)
         if (volume.may_hold(scene_->silhouettes.pieces[piece]))
-            scene_->solver.add_candidate(piece, apex_, silhouettes_);
-    const double elevation = normal_ ? least_elevation(apex_, *normal_, region) : 0;
-    scene_->solver.finish(apex_, normal_, elevation, silhouettes_);
+            scene_->solver.add_candidate(piece, apex_, horizon, silhouettes_);
+    scene_->solver.finish(apex_, horizon, silhouettes_);
     found.clear();
     scene_->border_pieces.find(volume, apex_, found);
     for (const std::uint32_t border : found)

@@ -19,6 +19,8 @@ public:
     /// Nothing where the segments are no scan lines.
     std::optional<std::vector<SeenParts>> intervals_of_row(std::span<const SegmentEnds> row) const;
 
+    bool seen_alike(std::span<const SegmentEnds> row) const;
+
 private:
     /// A segment under way.
     struct Line {

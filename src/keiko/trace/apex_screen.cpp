@@ -9,7 +9,6 @@ namespace keiko {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr ScreenBox everywhere{-infinity, infinity, -infinity, infinity};
 
 /// A convex polygon in a piece's [-1, 1]^2, with some room for what pieces overlap by.
 class Polygon {
@@ -37,40 +36,55 @@ public:
     auto end() const { return corners_.begin() + static_cast<std::ptrdiff_t>(count_); }
 
 private:
-    static constexpr std::size_t capacity = 8; ///< each of two cuts adds one
+    static constexpr std::size_t capacity = 8; ///< each of three cuts adds one
     std::array<Vec2, capacity> corners_;
     std::size_t count_ = 0;
 };
 
-/// A quotient's range over what its parts may be off by; the denominator is positive.
-void extend(double& low, double& high, double value, double off, double depth, double depth_off) {
-    const double least = value - off, most = value + off;
-    low = std::min(low, least / (depth + (least > 0 ? depth_off : -depth_off)));
-    high = std::max(high, most / (depth + (most > 0 ? -depth_off : depth_off)));
+/// The range of x / z over the part of a convex set that lies before the apex, z > 0, from what the
+/// corners may be: x - c z is not negative anywhere if it is at no corner.
+class QuotientRange {
+public:
+    void add(double x, double x_off, double z, double z_off) {
+        low_ = std::min(low_, least(x, x_off, z, z_off));
+        high_ = std::max(high_, -least(-x, x_off, z, z_off));
+        behind_ = behind_ || !(z > z_off * 1.000001);
+    }
+    /// A corner behind the apex tells nothing of what lies beyond zero.
+    double low() const { return behind_ && low_ < 0 ? -infinity : low_; }
+    double high() const { return behind_ && high_ > 0 ? infinity : high_; }
+
+private:
+    static double least(double x, double x_off, double z, double z_off) {
+        const double least = x - x_off, depth = z + (least < 0 ? -z_off : z_off);
+        if (depth > 0) return least / depth;
+        return least < 0 ? -infinity : infinity;
+    }
+
+    double low_ = infinity, high_ = -infinity;
+    bool behind_ = false;
+};
+
+/// With room for rounding, here and where segments are placed.
+double roomy(double bound, double side) {
+    constexpr double margin = 1e-9;
+    return std::isfinite(bound) ? bound + side * margin * (1 + std::abs(bound)) : bound;
 }
 
 /// Gathers what places with errors may be.
 class BoxBuilder {
 public:
     void add(const Vec3& xyz, const Vec3& off) {
-        behind_ = behind_ || !(xyz.z > off.z * 1.000001);
-        if (behind_) return;
-        extend(box_.along_low, box_.along_high, xyz.x, off.x, xyz.z, off.z);
-        extend(box_.across_low, box_.across_high, xyz.y, off.y, xyz.z, off.z);
+        along_.add(xyz.x, off.x, xyz.z, off.z);
+        across_.add(xyz.y, off.y, xyz.z, off.z);
     }
-    /// With room for rounding, here and where segments are placed.
     ScreenBox box() const {
-        if (behind_) return everywhere;
-        constexpr double margin = 1e-9;
-        const double along = margin * (1 + std::abs(box_.along_low) + std::abs(box_.along_high));
-        const double across = margin * (1 + std::abs(box_.across_low) + std::abs(box_.across_high));
-        return {box_.along_low - along, box_.along_high + along, box_.across_low - across,
-                box_.across_high + across};
+        return {roomy(along_.low(), -1), roomy(along_.high(), 1), roomy(across_.low(), -1),
+                roomy(across_.high(), 1)};
     }
 
 private:
-    ScreenBox box_{infinity, -infinity, infinity, -infinity};
-    bool behind_ = false;
+    QuotientRange along_, across_;
 };
 
 } // namespace
@@ -105,13 +119,14 @@ ScreenBox ApexScreen::box(const SilhouettePiece& piece, const AffineNet::Weighed
     Polygon part;
     part.cut(edge_on.along_x, edge_on.along_y, edge_on.value + edge_on.off);
     part.cut(-edge_on.along_x, -edge_on.along_y, -edge_on.value + edge_on.off);
-    if (part.begin() == part.end()) return {};
     const std::array nets{piece.points.weighed(piece.local(weights(x_, piece.center))),
                           piece.points.weighed(piece.local(weights(y_, piece.center))),
                           piece.points.weighed(piece.local(depth_weights(piece.center)))};
     const auto at = [&](std::size_t k, const Vec2& p) {
         return nets[k].value + p.x * nets[k].along_x + p.y * nets[k].along_y;
     };
+    part.cut(nets[2].along_x, nets[2].along_y, nets[2].value + nets[2].off);
+    if (part.begin() == part.end()) return {};
     BoxBuilder box;
     for (const Vec2& p : part)
         box.add({at(0, p), at(1, p), at(2, p)}, {nets[0].off, nets[1].off, nets[2].off});

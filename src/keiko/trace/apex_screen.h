@@ -17,6 +17,10 @@ struct ScreenBox {
     double across_low = 0, across_high = -1;
 
     bool empty() const { return !(across_low <= across_high && along_low <= along_high); }
+    bool overlaps(const ScreenBox& other) const {
+        return across_low <= other.across_high && across_high >= other.across_low &&
+               along_low <= other.along_high && along_high >= other.along_low;
+    }
 };
 
 /// The screen of Nishita, Okamura and Nakamae 1985: the apex is the eye, parallel segments are the

@@ -12,6 +12,19 @@ namespace keiko {
 /// the body.
 double least_elevation(const Apex& apex, const Vec3& normal, std::span<const Vec3> corners);
 
+/// What a patch's homogeneous derivatives may be over a box of its parameters, by any positive
+/// factor: component by component, middle and half width.
+struct TangentBounds {
+    struct Range {
+        Vec4 middle{0}, half{0};
+    };
+    Range along_u, along_v;
+};
+TangentBounds tangent_bounds(const HomogeneousNet& net);
+
+/// As below, of what the bounds are known for and in the axes that they are in.
+double steepest_chord(const TangentBounds& bounds, const Vec3& point, const Vec3& normal);
+
 /// Bound of the sine of the elevation at which a point of a patch sees any other over a box of its
 /// parameters that holds the point: chords are mixtures of the patch's derivatives. `points` is
 /// relative to the same place as `point`; 1 where the bound says nothing.

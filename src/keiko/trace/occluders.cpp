@@ -71,4 +71,8 @@ std::vector<SeenParts> ApexView::intervals(std::span<const SegmentEnds> row) con
     return parts;
 }
 
+bool ApexView::seen_alike(std::span<const SegmentEnds> row) const {
+    return candidates_->seen_alike(row);
+}
+
 } // namespace keiko

@@ -74,6 +74,10 @@ public:
     /// candidate is placed once, and share rays (docs/theory/visibility.md).
     std::vector<SeenParts> intervals(std::span<const SegmentEnds> row) const;
 
+    /// True where parallel segments, and all others between them, are proved to be seen alike: each
+    /// as a whole, or none of them at all.
+    bool seen_alike(std::span<const SegmentEnds> row) const;
+
 private:
     class Candidates;
     std::unique_ptr<Candidates> candidates_;

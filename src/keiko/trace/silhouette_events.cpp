@@ -58,6 +58,7 @@ SurfaceJet SilhouetteSolver::jet_at(const OccluderPatch& patch, const Vec2& uv) 
 }
 
 void SilhouetteSolver::add_candidate(std::uint32_t index, const Apex& apex,
+                                     const std::optional<ApexHorizon>& horizon,
                                      SilhouetteCandidates& all) const {
     const SilhouettePiece& piece = silhouettes_.pieces[index];
     const AffineNet::Weighed edge_on = piece.planes.weighed(piece.weights(apex));
@@ -68,6 +69,11 @@ void SilhouetteSolver::add_candidate(std::uint32_t index, const Apex& apex,
     const auto found = known != all.own.end() ? std::optional(known->foot) : foot(piece, apex);
     if (!found || !within((*found - piece.uv.center()) / (piece.uv.extent() * 0.5), near))
         return all.pieces.push_back({index, edge_on});
+    const auto steepest = [&] {
+        return steepest_chord(piece.chords, piece.local(apex.place() - piece.center),
+                              piece.local(horizon->normal));
+    };
+    if (horizon && horizon->elevation > 0 && steepest() < horizon->elevation) return;
     auto own = known;
     if (own == all.own.end()) {
         all.own.push_back({piece.patch, {*found, *found}, *found});
@@ -107,14 +113,15 @@ double SilhouetteCandidates::own_steepest() const {
     return steepest;
 }
 
-void SilhouetteSolver::finish(const Apex& apex, const std::optional<Vec3>& normal, double elevation,
+void SilhouetteSolver::finish(const Apex& apex, const std::optional<ApexHorizon>& horizon,
                               SilhouetteCandidates& all) const {
     std::erase_if(all.own, [&](OwnCandidate& own) {
         const OccluderPatch& patch = silhouettes_.patches[own.patch];
-        if (normal)
+        if (horizon) {
             own.steepest =
-                steepest_chord(patch.points, own.uv, apex.place() - patch.center, *normal);
-        if (own.steepest < elevation) return true;
+                steepest_chord(patch.points, own.uv, apex.place() - patch.center, horizon->normal);
+            if (own.steepest < horizon->elevation) return true;
+        }
         own.rings.emplace(patch, own.uv, own.foot,
                           restricted(weighed(patch.planes, apex.seen_from(patch.center)), own.uv));
         return own.rings->find_nothing();
@@ -133,40 +140,40 @@ bool SilhouetteSolver::find(const OwnCandidate& own, const SegmentPlane& plane,
     return certain;
 }
 
-EdgeOnPart& SilhouetteSolver::part_of(const SilhouetteCandidate& candidate,
-                                      const Apex& apex) const {
-    if (!candidate.part) {
-        const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
-        const HomogeneousNet& points = silhouettes_.patches[piece.patch].points;
-        const Box2 uv = piece.overlapped();
-        const Vec4 weights = piece.weights(apex);
-        const Vec4 sizes(std::abs(weights.x), std::abs(weights.y), std::abs(weights.z),
-                         std::abs(weights.w));
-        candidate.part = std::make_unique<EdgeOnPart>(
-            uv, HomogeneousNet{points.degree_u, points.degree_v, subpatch(points.view(), uv)},
-            LoweredScalar{weighed(piece.lowered_planes.net, weights),
-                          sizes.dot(piece.lowered_planes.error)},
-            Vec2(1));
-    }
-    return *candidate.part;
+void SilhouetteSolver::find_part(const SilhouetteCandidate& candidate, const Apex& apex) const {
+    const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
+    const Vec4 weights = piece.weights(apex);
+    LoweredScalar edge_on{weighed(piece.lowered_planes.net, weights),
+                          magnitudes(weights).dot(piece.lowered_planes.error)};
+    candidate.part.emplace();
+    if (!may_vanish(edge_on.net, edge_on.error)) return;
+    const HomogeneousNet& points = silhouettes_.patches[piece.patch].points;
+    const Box2 uv = piece.overlapped();
+    *candidate.part = std::make_unique<EdgeOnPart>(
+        uv, HomogeneousNet{points.degree_u, points.degree_v, subpatch(points.view(), uv)},
+        std::move(edge_on), Vec2(1));
 }
 
 bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
                             const SeenWedge& wedge, std::vector<VisibilityEvent>& events) const {
+    if (candidate.nowhere_edge_on()) return true;
     const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
     const AffineNet::Weighed f = piece.points.weighed(piece.local(plane.weights(piece.center)));
     if (f.vanishes_nowhere()) return true;
     const LinearPair pair(f, candidate.edge_on);
     if (pair.root_is_outside()) return true;
     if (add_only_root(pair, piece.patch, piece.uv, piece.trimmed, plane, events)) return true;
+    if (!candidate.part) find_part(candidate, plane.apex());
+    if (candidate.nowhere_edge_on()) return true;
     constexpr int most_halvings = 6;
     bool certain = true;
-    part_of(candidate, plane.apex())
-        .each_part({silhouettes_.patches[piece.patch], plane, wedge}, most_halvings,
-                   [&](const EdgeOnPart& in, const ScalarNet& distance, const LinearPair& of_part) {
-                       const Part part{piece.patch, in.uv(), piece.trimmed, piece.box.size()};
-                       certain = find(in, part, distance, of_part, plane, events) && certain;
-                   });
+    (*candidate.part)
+        ->each_part(
+            {silhouettes_.patches[piece.patch], plane, wedge}, most_halvings,
+            [&](const EdgeOnPart& in, const ScalarNet& distance, const LinearPair& of_part) {
+                const Part part{piece.patch, in.uv(), piece.trimmed, piece.box.size()};
+                certain = find(in, part, distance, of_part, plane, events) && certain;
+            });
     return certain;
 }
 

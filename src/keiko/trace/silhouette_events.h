@@ -14,8 +14,12 @@ namespace keiko {
 /// A piece that an apex may see edge-on, with what does not depend on the segment.
 struct SilhouetteCandidate {
     std::uint32_t piece = 0;
-    AffineNet::Weighed edge_on{};               ///< zero where the piece is seen edge-on
-    mutable std::unique_ptr<EdgeOnPart> part{}; ///< once a segment needs more than `edge_on`
+    AffineNet::Weighed edge_on{}; ///< zero where the piece is seen edge-on
+    /// Once a segment needs more than `edge_on`: holds nothing where the piece is proved to be seen
+    /// edge-on nowhere.
+    mutable std::optional<std::unique_ptr<EdgeOnPart>> part{};
+
+    bool nowhere_edge_on() const { return part && !*part; }
 };
 
 /// The part of a patch around an apex that lies on it, where the zero at the apex itself makes
@@ -28,6 +32,12 @@ struct OwnCandidate {
     std::optional<OwnRings> rings{};
     /// Sine of the elevation over the tangent plane above which the apex sees nothing of the part.
     double steepest = 1;
+};
+
+/// The tangent plane at an apex that lies on a surface, and what will be asked for over it.
+struct ApexHorizon {
+    Vec3 normal{0};       ///< unit
+    double elevation = 0; ///< sine of the least over the plane, 0 where it is cut
 };
 
 /// All that one apex may see edge-on.
@@ -48,12 +58,13 @@ public:
     SilhouetteSolver(const Silhouettes& silhouettes, const LeafKernels& kernels)
         : silhouettes_(silhouettes), kernels_(kernels) {}
 
-    /// Adds a piece to the candidates of an apex that may see it edge-on.
-    void add_candidate(std::uint32_t piece, const Apex& apex, SilhouetteCandidates& all) const;
-    /// Once all are added: makes the own ones ready, and drops those that hide nothing at the
-    /// elevations (sine of the least) over the tangent plane with `normal` that will be asked for,
-    /// and those that no plane through the apex cuts a silhouette of.
-    void finish(const Apex& apex, const std::optional<Vec3>& normal, double elevation,
+    /// Adds a piece to the candidates of an apex that may see it edge-on. One around the apex is
+    /// left out where it hides nothing so high over the horizon.
+    void add_candidate(std::uint32_t piece, const Apex& apex,
+                       const std::optional<ApexHorizon>& horizon, SilhouetteCandidates& all) const;
+    /// Once all are added: makes the own ones ready, and drops those that together hide nothing so
+    /// high, and those that no plane through the apex cuts a silhouette of.
+    void finish(const Apex& apex, const std::optional<ApexHorizon>& horizon,
                 SilhouetteCandidates& all) const;
     /// Appends the events of a candidate at which it hides some of the segment in `wedge`; false
     /// when some could not be told apart.
@@ -81,7 +92,7 @@ private:
         bool trimmed;
         double size; ///< mm
     };
-    EdgeOnPart& part_of(const SilhouetteCandidate& candidate, const Apex& apex) const;
+    void find_part(const SilhouetteCandidate& candidate, const Apex& apex) const;
     /// Appends the events in a part on which `pair` may prove less than what is needed.
     bool find(const EdgeOnPart& in, const Part& part, ScalarNet distance, const LinearPair& pair,
               const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const;

@@ -117,6 +117,12 @@ LoweredNet lowered_planes(const OccluderPatch& patch, const SilhouettePiece& pie
     return lowered(turned(planes, piece.rows), enough);
 }
 
+TangentBounds chord_bounds(const OccluderPatch& patch, const SilhouettePiece& piece) {
+    HomogeneousNet points = part_of(patch.points, piece.surroundings());
+    points = moved_points(std::move(points), piece.center - patch.center);
+    return tangent_bounds(turned(std::move(points), piece.rows));
+}
+
 Box2 face_box(const OccluderPatch& patch, const Box2& uv) {
     Box2 box;
     box.extend(patch.face_parameters(uv.lower));
@@ -133,6 +139,7 @@ void split(const OccluderPatch& patch, const TrimRegion& region, const Box2& uv,
     const auto axis = axis_to_halve(piece);
     if (!axis || halved[*axis] >= most_halvings) {
         piece.lowered_planes = lowered_planes(patch, piece);
+        piece.chords = chord_bounds(patch, piece);
         piece.trimmed = side == TrimSide::mixed;
         pieces.push_back(std::move(piece));
         return;

@@ -6,6 +6,7 @@
 #include "keiko/patch/trim_region.h"
 #include "keiko/trace/affine_net.h"
 #include "keiko/trace/apex.h"
+#include "keiko/trace/chord_elevation.h"
 #include "keiko/trace/lowered_net.h"
 
 #include <vector>
@@ -45,6 +46,7 @@ struct SilhouettePiece {
     std::array<Vec3, 3> rows{Vec3(0), Vec3(0), Vec3(0)};
     AffineNet points, planes;
     LoweredNet lowered_planes; ///< over the piece and its overlap
+    TangentBounds chords;      ///< of `points`, over surroundings()
     double normal_angle = 4;   ///< rad, half angle of the cone about rows[2] that holds all normals
 
     /// The piece's share of its patch with what it overlaps its neighbours by, so that no event
@@ -53,6 +55,9 @@ struct SilhouettePiece {
         constexpr double overlap = 1e-7;
         return {uv.lower - uv.extent() * overlap, uv.upper + uv.extent() * overlap};
     }
+    /// The piece and half of its extent around: an apex whose foot lies there sees the piece along
+    /// chords of this part of the patch.
+    Box2 surroundings() const { return {uv.lower - uv.extent() / 2, uv.upper + uv.extent() / 2}; }
     /// What weighs `planes` into the function that is zero where `apex` sees the piece edge-on.
     Vec4 weights(const Apex& apex) const { return local(apex.seen_from(center)); }
     /// What weighs `points` into the distance to a plane, from its weights relative to `center`.
@@ -60,6 +65,8 @@ struct SilhouettePiece {
         const Vec3 v(w.x, w.y, w.z);
         return {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v), w.w};
     }
+    /// A direction in the axes of the nets.
+    Vec3 local(const Vec3& v) const { return {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)}; }
 };
 
 /// Everything of a model that an apex may see edge-on.

@@ -70,9 +70,7 @@ ViewVolume::ViewVolume(const Apex& apex, std::span<const Vec3> region,
 }
 
 void ViewVolume::add(const Vec3& normal, double offset) {
-    half_spaces_[count_++] = {normal,
-                              Vec3(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)),
-                              offset, normal.length()};
+    half_spaces_[count_++] = {normal, magnitudes(normal), offset, normal.length()};
 }
 
 bool ViewVolume::may_hold(const SilhouettePiece& piece) const {

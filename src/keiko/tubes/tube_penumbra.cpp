@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 // Key: as in cylinder_irradiance.cpp. A sub-axis is the line that the half-plane at the wedge angle
 // psi cuts out of the lamp, at the distance r from the point.
@@ -16,59 +18,73 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Nodes of Gauss's rule of 3 and Kronrod's of 7, which holds it, on [-1, 1].
+/// Nodes of Gauss's rules of 1 and 3 and of Kronrod's of 7, each of which holds those before it, on
+/// [-1, 1].
 constexpr std::size_t node_count = 7;
 constexpr std::array<double, node_count> nodes{
     -0.9604912687080202, -0.7745966692414834, -0.4342437493468026, 0,
     0.4342437493468026,  0.7745966692414834,  0.9604912687080202};
-constexpr std::array<double, node_count> kronrod{
-    0.1046562260264673, 0.2684880898683334, 0.4013974147759622, 0.4509165386584741,
-    0.4013974147759622, 0.2684880898683334, 0.1046562260264673};
-constexpr std::array<double, node_count> gauss{0, 0.5555555555555556, 0, 0.8888888888888889,
-                                               0, 0.5555555555555556, 0};
+using Weights = std::array<double, node_count>;
+constexpr Weights kronrod{0.1046562260264673, 0.2684880898683334, 0.4013974147759622,
+                          0.4509165386584741, 0.4013974147759622, 0.2684880898683334,
+                          0.1046562260264673};
+constexpr Weights gauss{0, 0.5555555555555556, 0, 0.8888888888888889, 0, 0.5555555555555556, 0};
+constexpr Weights middle_alone{0, 0, 0, 2, 0, 0, 0};
+constexpr std::array<std::size_t, 3> of_gauss{1, 3, 5};
+constexpr std::array<std::size_t, 4> of_kronrod_alone{0, 2, 4, 6};
 
 /// A sub-axis and what it weighs.
 struct SubAxis {
-    double cosine, sine; ///< of psi
-    double r;            ///< mm
-    double weight;       ///< d psi by the variable of integration
+    double cosine = 1, sine = 0; ///< of psi
+    double r = 0;                ///< mm
+    double weight = 0;           ///< d psi by the variable of integration
+};
+
+/// A slice of the lamp, and what of it is hidden.
+struct Slice {
+    double all = 0, hidden = 0;
+};
+/// At the nodes of a part of the width, which is [-1, 1].
+struct Slices {
+    double middle = 0, half = 1;
+    std::array<SubAxis, node_count> axes{};
+    std::array<Slice, node_count> at{};
 };
 
 class Width {
 public:
-    Width(const TubeView& view, const Vec3& point, const Visible& visible, TubeShape shape)
-        : view_(view), point_(point), visible_(visible), shape_(shape) {}
+    Width(const TubeView& view, const Vec3& point, TubeShape shape)
+        : view_(view), point_(point), shape_(shape) {}
 
-    /// A slice of the lamp, and what of it is hidden.
-    struct Slice {
-        double all = 0, hidden = 0;
-    };
-    /// At the nodes of [middle - half, middle + half] across the lamp, which is [-1, 1]: asked for
-    /// together, as their lines are parallel.
-    std::array<Slice, node_count> slices(double middle, double half) const {
-        std::array<Slice, node_count> found;
-        std::vector<Segment> lines;
-        for (std::size_t i = 0; i < node_count; ++i) {
-            const SubAxis axis = sub_axis(middle + half * nodes[i]);
-            found[i].all = lit(axis, 0, 1);
-            if (found[i].all > 0) lines.push_back(line_of(axis));
+    /// What some nodes' slices light, and the lines to be asked for: of those that light anything.
+    void prepare(std::span<const std::size_t> nodes_of, Slices& slices,
+                 std::vector<Segment>& lines) const {
+        for (const std::size_t i : nodes_of) {
+            slices.axes[i] = sub_axis(slices.middle + slices.half * nodes[i]);
+            slices.at[i] = {lit(slices.axes[i], 0, 1)};
+            if (slices.at[i].all > 0) lines.push_back(line_of(slices.axes[i]));
         }
-        const std::vector<IntervalSet> seen = visible_.intervals(lines);
-        auto of_line = seen.begin();
-        for (std::size_t i = 0; i < node_count; ++i) {
-            if (!(found[i].all > 0)) continue;
-            const SubAxis axis = sub_axis(middle + half * nodes[i]);
-            for (const ParameterInterval& dark : of_line++->complement())
-                found[i].hidden += lit(axis, dark.begin, dark.end);
-        }
-        return found;
     }
-    /// What the brightest slice lights of a lamp as wide as this one: the scale of errors. Of a
-    /// lamp on the horizon the middle may give nothing.
+    /// With what is seen of those lines, from `next` on.
+    void finish(std::span<const std::size_t> nodes_of, Slices& slices,
+                std::vector<IntervalSet>::const_iterator& next) const {
+        for (const std::size_t i : nodes_of) {
+            if (!(slices.at[i].all > 0)) continue;
+            for (const ParameterInterval& dark : next++->complement())
+                slices.at[i].hidden += lit(slices.axes[i], dark.begin, dark.end);
+        }
+    }
+    /// What the middle slice lights of a lamp as wide as this one, or the brightest where the
+    /// middle is below the horizon: the scale of errors.
     double scale() const {
-        double most = 0;
-        for (const double x : nodes) most = std::max(most, lit(sub_axis(x), 0, 1));
+        double most = lit(sub_axis(0), 0, 1);
+        if (!(most > 0))
+            for (const double x : nodes) most = std::max(most, lit(sub_axis(x), 0, 1));
         return 2 * most;
+    }
+    /// Both edges, and what is nearest.
+    std::array<Segment, 3> outline() const {
+        return {line_of(sub_axis(-1)), line_of(sub_axis(0)), line_of(sub_axis(1))};
     }
 
 private:
@@ -97,9 +113,8 @@ private:
         return {1 / r, ratio * x / r, view_.distance * r, ratio / (r * r)};
     }
 
-    const TubeView& view_;
-    const Vec3& point_;
-    const Visible& visible_;
+    TubeView view_;
+    Vec3 point_;
     TubeShape shape_;
 };
 
@@ -112,34 +127,104 @@ struct Sums {
     }
 };
 
-/// Over [middle - half, middle + half], halved until the two rules agree on the hidden share to
-/// within `error`, an absolute one for the whole width, or to `depth`.
-Sums integrate(const Width& width, double middle, double half, double error, int depth) {
-    Sums fine, coarse;
-    const std::array<Width::Slice, node_count> slices = width.slices(middle, half);
-    for (std::size_t i = 0; i < node_count; ++i) {
-        fine += {half * kronrod[i] * slices[i].all, half * kronrod[i] * slices[i].hidden};
-        coarse += {half * gauss[i] * slices[i].all, half * gauss[i] * slices[i].hidden};
+Sums weighed(const Slices& slices, const Weights& weights) {
+    Sums sums;
+    for (std::size_t i = 0; i < node_count; ++i)
+        sums += {slices.half * weights[i] * slices.at[i].all,
+                 slices.half * weights[i] * slices.at[i].hidden};
+    return sums;
+}
+
+/// By how much two rules disagree on what is hidden.
+double difference(const Sums& coarse, const Sums& fine) {
+    return std::abs(coarse.all > 0 ? coarse.hidden * (fine.all / coarse.all) - fine.hidden
+                                   : fine.hidden);
+}
+
+/// Over what `slices` stand for, whose Gaussian nodes are known: by more nodes, then by halves,
+/// until two rules agree on the hidden share to within `error`, an absolute one for the whole
+/// width, or to `depth`.
+Sums integrate(const Width& width, const Visible& visible, Slices slices, double error, int depth) {
+    const auto find = [&](std::span<const std::size_t> nodes_of, Slices& of) {
+        std::vector<Segment> lines;
+        width.prepare(nodes_of, of, lines);
+        const std::vector<IntervalSet> seen = visible.intervals(lines);
+        auto next = seen.begin();
+        width.finish(nodes_of, of, next);
+    };
+    const Sums three = weighed(slices, gauss);
+    const bool above = std::all_of(of_gauss.begin(), of_gauss.end(),
+                                   [&](std::size_t i) { return slices.at[i].all > 0; });
+    if (above && difference(weighed(slices, middle_alone), three) <= error) return three;
+    find(of_kronrod_alone, slices);
+    const Sums seven = weighed(slices, kronrod);
+    if (depth == 0 || difference(three, seven) <= error) return seven;
+    Sums both;
+    for (const double side : {-0.5, 0.5}) {
+        Slices part{slices.middle + side * slices.half, slices.half / 2};
+        find(of_gauss, part);
+        both += integrate(width, visible, std::move(part), error / 2, depth - 1);
     }
-    const double off =
-        coarse.all > 0 ? coarse.hidden * (fine.all / coarse.all) - fine.hidden : fine.hidden;
-    if (depth == 0 || std::abs(off) <= error) return fine;
-    Sums both = integrate(width, middle - half / 2, half / 2, error / 2, depth - 1);
-    both += integrate(width, middle + half / 2, half / 2, error / 2, depth - 1);
     return both;
+}
+
+/// Corner lines of a box around all tubes between the first and the last.
+std::array<Segment, 4> corner_lines(std::span<const TubeLamp> row) {
+    const TubeLamp &first = row.front(), &last = row.back();
+    const Vec3 along = (first.b - first.a).normalized();
+    Vec3 across = last.a - first.a;
+    across -= along * along.dot(across);
+    if (!(across.length2() > 0)) across = along.cross(Vec3(along.y, along.z, -along.x));
+    across = across.normalized() * (first.diameter / 2);
+    const Vec3 up = along.cross(across);
+    const auto moved = [](const TubeLamp& lamp, const Vec3& by) {
+        return Segment{lamp.a + by, lamp.b + by};
+    };
+    return {moved(first, up - across), moved(first, -up - across), moved(last, across + up),
+            moved(last, across - up)};
+}
+
+/// A lamp of which some may be hidden.
+struct PartlySeen {
+    std::size_t lamp;
+    Width width;
+    Slices slices{};
+};
+
+double share_of(const Sums& sums) {
+    return sums.all > 0 ? std::clamp(1 - sums.hidden / sums.all, 0.0, 1.0) : 1;
 }
 
 } // namespace
 
-double visible_share(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
-                     const Visible& visible, double tolerance, TubeShape shape) {
-    const auto view = view_of(lamp, point, normal);
-    // Along the axis the cap alone lights.
-    if (!view) return visible.intervals({lamp.a, lamp.b}).empty() ? 0 : 1;
-    const Width width(*view, point, visible, shape);
-    constexpr int most_halvings = 14;
-    const Sums sums = integrate(width, 0, 1, tolerance * width.scale(), most_halvings);
-    return sums.all > 0 ? std::clamp(1 - sums.hidden / sums.all, 0.0, 1.0) : 1;
+std::vector<double> visible_shares(std::span<const TubeLamp> row, const Vec3& point,
+                                   const Vec3& normal, const Visible& visible, double tolerance,
+                                   TubeShape shape) {
+    if (row.empty()) return {};
+    const bool all_alike = visible.seen_alike(corner_lines(row));
+    std::vector<double> shares;
+    std::vector<PartlySeen> parts;
+    std::vector<Segment> lines;
+    for (const TubeLamp& lamp : row) {
+        // Along the axis the cap alone lights.
+        const auto view = view_of(lamp, point, normal);
+        if (all_alike || !view || visible.seen_alike(Width(*view, point, shape).outline())) {
+            shares.push_back(visible.intervals({lamp.a, lamp.b}).empty() ? 0 : 1);
+            continue;
+        }
+        parts.push_back({shares.size(), Width(*view, point, shape)});
+        parts.back().width.prepare(of_gauss, parts.back().slices, lines);
+        shares.push_back(1);
+    }
+    const std::vector<IntervalSet> seen = visible.intervals(lines);
+    auto next = seen.begin();
+    for (PartlySeen& part : parts) {
+        part.width.finish(of_gauss, part.slices, next);
+        constexpr int most_halvings = 14;
+        shares[part.lamp] = share_of(integrate(part.width, visible, std::move(part.slices),
+                                               tolerance * part.width.scale(), most_halvings));
+    }
+    return shares;
 }
 
 } // namespace keiko

@@ -58,8 +58,8 @@ TEST(Shadows, MeetTheOracleOfPenumbraeAcrossTheWidth) {
                                         TubeModel::rectangle)
                                  .r;
         for (const double tolerance : {1e-4, 1e-7}) {
-            const double share = visible_share(shade.lamp, shade.point, shade.normal, visible,
-                                               tolerance, TubeShape::rectangle);
+            const double share = visible_shares({&shade.lamp, 1}, shade.point, shade.normal,
+                                                visible, tolerance, TubeShape::rectangle)[0];
             area.compare(row, whole * share, row.number("out.E_rect_area"), tolerance, 1e-9);
         }
     }
