@@ -23,7 +23,7 @@ public:
           light_(light_column(columns_).has_value()),
           rig_(scene.rig.value_or(LightRig{})),
           picture_(scene.picture(rig_)),
-          picture_options_(picture_options(scene, {.aovs = {}, .tubes = TubeModel::picture})),
+          picture_options_(picture_options(scene)),
           integrator_(picture_, picture_options_) {}
     RowWriter(const RowWriter&) = delete;
     RowWriter& operator=(const RowWriter&) = delete;

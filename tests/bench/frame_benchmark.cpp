@@ -58,6 +58,9 @@ Table run_frame_benchmark(const FrameOptions& options) {
     PictureScene unshadowed = all;
     unshadowed.occluders = nullptr;
     add(table, "all light, no shadows", unshadowed, *scene.camera, picture_options(scene), {});
+    PictureOptions axes = picture_options(scene);
+    axes.tubes = TubeModel::preview;
+    add(table, "all light, penumbrae of axes", all, *scene.camera, axes, {});
     add(table, "all light, penumbrae", all, *scene.camera, picture_options(scene), 20);
     return table;
 }

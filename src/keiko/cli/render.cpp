@@ -24,7 +24,7 @@ struct RenderArguments {
     std::filesystem::path output, hits;
     std::string view, rig = "auto", aovs, look = "lamps";
     bool false_color = false, iso_lines = false;
-    std::string scale, quantity = "luminance", penumbrae = "axis", tone = "linear", frames;
+    std::string scale, quantity = "luminance", penumbrae = "width", tone = "linear", frames;
     double light_error = PictureOptions().light_error;
     bool resume = false;
     ToneMapping mapping;
@@ -156,7 +156,7 @@ void render_lamps(const RenderArguments& arguments, const Scene& scene, const Ca
     const LightRig rig = rig_of(scene, arguments, camera, job);
     warn_of_thick_fog(scene, rig, camera.eye);
     PictureOptions options{.aovs = aovs_of(arguments.aovs)};
-    if (arguments.penumbrae == "width") options.tubes = TubeModel::picture;
+    if (arguments.penumbrae == "axis") options.tubes = TubeModel::preview;
     options.light_error = arguments.light_error;
     const ShownQuantity quantity = quantity_of(arguments);
     if (quantity == ShownQuantity::illuminance) options.aovs.push_back(Aov::illuminance);
@@ -239,8 +239,8 @@ void add_render(CLI::App& app, Session& session) {
     command
         .add_option(
             "--penumbrae", arguments->penumbrae,
-            "of tubes: axis, shadows cut along the axis of each, or width, weighed over all of "
-            "it, in three times the time, but not in fog nor of rows that overlap")
+            "of tubes: width, weighed over all of each, or axis, cut along the axis alone, sooner "
+            "and off by up to some percent")
         ->check(CLI::IsMember({"axis", "width"}))
         ->needs("--shadows")
         ->capture_default_str();

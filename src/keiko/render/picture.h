@@ -31,9 +31,9 @@ struct PictureOptions {
     double light_error = 2e-3;
     int max_depth = 3;        ///< mirror reflections followed along one ray
     double min_weight = 1e-3; ///< reflections that count less than this end the path
-    /// How tubes light bases past occluders: preview, whose shadows know no width of lamps, or
-    /// TubeModel::picture.
-    TubeModel tubes = TubeModel::preview;
+    /// How tubes light bases past occluders: picture, or preview, whose shadows know no width of
+    /// lamps.
+    TubeModel tubes = TubeModel::picture;
 };
 
 /// Renders luminance in cd/m2 with the AOVs asked for: one ray a pixel, whose footprint on the

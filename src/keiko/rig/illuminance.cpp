@@ -7,6 +7,7 @@
 #include "keiko/tubes/tube_irradiance.h"
 #include "keiko/tubes/tube_penumbra.h"
 
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace {
 
 /// Pieces of a visible part of a lamp that are attenuated by one distance each.
 constexpr int pieces_in_fog = 8;
+constexpr double pi = std::numbers::pi;
 /// Of a lamp's illuminance: what its penumbrae may be off by, half of what the whole system may.
 constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 1e-2;
 
@@ -42,8 +44,8 @@ public:
             above.push_back(i);
             lamps.push_back(lamp);
         }
-        return plane.luminance * (asks_for_width(comb, model) ? over_width(comb, above, lamps)
-                                                              : over_axes(comb, above, lamps));
+        return plane.luminance * (asks_for_width(model) ? over_width(comb, above, lamps)
+                                                        : over_axes(comb, above, lamps));
     }
 
     template <PointLight Light>
@@ -67,55 +69,63 @@ public:
 
 private:
     /// Whether shadows are weighed over the whole width of the lamps: by the models that stand for
-    /// the whole tube. Where neighbours hide each other the axis must do, since a body may hide the
-    /// same parts.
-    bool asks_for_width(const CombIrradiance& comb, TubeModel model) const {
+    /// the whole tube.
+    bool asks_for_width(TubeModel model) const {
         const bool wide = model_ == TubeModel::automatic || model_ == TubeModel::picture;
-        const bool tube =
-            model == model_ || model == TubeModel::strip || model == TubeModel::cylinder;
-        return wide && tube && !medium_ && !comb.overlapping();
+        return wide &&
+               (model == model_ || model == TubeModel::strip || model == TubeModel::cylinder);
     }
-    /// Solid angles of what is seen of some lamps' axes, dimmed by the medium.
+    /// Solid angles of what is seen of some lamps' axes, as `lit_over` has it.
     Rgb over_axes(const CombIrradiance& comb, std::span<const int> numbers,
                   std::span<const TubeLamp> lamps) const {
         Rgb sum;
-        for (std::size_t k = 0; k < lamps.size(); ++k) {
-            const IntervalSet seen = visible_.intervals({lamps[k].a, lamps[k].b});
-            sum += medium_ ? through_medium(comb, numbers[k], lamps[k], seen)
-                           : Rgb(entered(comb, numbers[k], lamps[k], seen));
-        }
+        for (std::size_t k = 0; k < lamps.size(); ++k)
+            sum +=
+                lit_over(comb, numbers[k], lamps[k], visible_.intervals({lamps[k].a, lamps[k].b}));
         return sum;
     }
     Rgb over_width(const CombIrradiance& comb, std::span<const int> numbers,
                    std::span<const TubeLamp> lamps) const {
         const bool number = model_ == TubeModel::automatic;
-        const std::vector<double> shares =
-            visible_shares(lamps, point_, normal_, visible_,
-                           number ? width_tolerance : width_tolerance_in_pictures);
-        double sum = 0;
+        std::vector<std::vector<HidingTube>> hiding;
+        if (comb.overlapping())
+            for (const int lamp : numbers) hiding.push_back(comb.hiding_tubes(lamp));
+        const std::vector<double> shares = visible_shares(
+            lamps, point_, normal_, visible_,
+            number ? width_tolerance : width_tolerance_in_pictures, TubeShape::cylinder, hiding);
+        Rgb sum;
         for (std::size_t k = 0; k < lamps.size(); ++k)
-            sum += entered_over_width(comb, numbers[k], lamps[k], shares[k]);
-        return Rgb(sum);
+            if (shares[k] > 0) sum += lit_over_width(comb, numbers[k], lamps[k], shares[k]);
+        return sum;
     }
-    /// Of the whole lamp, what enters the coat, times the share that is seen over the width.
-    double entered_over_width(const CombIrradiance& comb, int index, const TubeLamp& lamp,
-                              double seen) const {
-        if (!(seen > 0)) return 0;
+    /// Of the whole lamp, the share that is seen over the width. What a coat and the medium leave
+    /// of it they leave of what is seen of the axis.
+    Rgb lit_over_width(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+                       double seen) const {
         const IntervalSet whole = IntervalSet::whole();
         const double all = comb.solid_angle(index, whole) * seen;
-        if (!coat_) return all;
+        if (!coat_ && !medium_) return Rgb(all);
         IntervalSet axis = visible_.intervals({lamp.a, lamp.b});
         if (axis.empty()) axis = whole;
         const double parts = comb.solid_angle(index, axis);
-        return parts > 0 ? all * (entered(comb, index, lamp, axis) / parts) : 0;
+        return parts > 0 ? lit_over(comb, index, lamp, axis) * (all / parts) : Rgb();
+    }
+    /// Solid angle of parts of a lamp, dimmed by the medium; with a coat, of what enters it.
+    Rgb lit_over(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+                 const IntervalSet& parts) const {
+        return medium_ ? through_medium(comb, index, lamp, parts)
+                       : Rgb(entered(comb, index, lamp, parts));
     }
     Rgb passed(const Vec3& from) const {
         return medium_ ? transmittance(*medium_, {from, point_}) : Rgb(1);
     }
 
-    /// The lamp in pieces, each seen through the medium along one distance.
+    /// The lamp in pieces, each seen through the medium along one distance: to the mean of the
+    /// tube's near side, weighed as it is seen.
     Rgb through_medium(const CombIrradiance& comb, int index, const TubeLamp& lamp,
                        const IntervalSet& seen) const {
+        const auto view = view_of(lamp, point_, normal_);
+        const Vec3 to_side = view ? view->towards * (view->radius * pi / 4) : Vec3(0);
         Rgb sum;
         for (const ParameterInterval& part : seen) {
             const double step = part.length() / pieces_in_fog;
@@ -123,7 +133,8 @@ private:
                 const double begin = part.begin + i * step;
                 const double end = i + 1 < pieces_in_fog ? begin + step : part.end;
                 const Vec3 middle = lamp.a + (lamp.b - lamp.a) * ((begin + end) / 2);
-                sum += passed(middle) * entered(comb, index, lamp, IntervalSet::whole(begin, end));
+                sum += passed(middle + to_side) *
+                       entered(comb, index, lamp, IntervalSet::whole(begin, end));
             }
         }
         return sum;

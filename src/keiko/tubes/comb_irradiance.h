@@ -25,6 +25,8 @@ public:
 
     /// Whether the point sees some lamp of the row before another.
     bool overlapping() const { return !wedges_.empty(); }
+    /// The lamps of the row that may hide some of one from the point.
+    std::vector<HidingTube> hiding_tubes(int lamp) const;
 
 private:
     /// A lamp in the cross-section through the point: the wedge that its endless tube covers.
@@ -36,8 +38,6 @@ private:
     static bool overlap(const Wedge& a, const Wedge& b);
     Wedge wedge_of(int lamp) const;
     bool surely_apart() const;
-    std::vector<HidingTube> hiding_tubes(int lamp) const;
-
     const CPlaneFrame& frame_;
     Vec3 point_, normal_;
     Vec3 at_; ///< the point in the plane's frame

@@ -79,25 +79,6 @@ Pieces pieces_of(const TubeView& view, const VisiblePart& part,
     return pieces;
 }
 
-/// The elevations that tubes nearer than `near` take in the half-plane psi, in any order.
-std::vector<ParameterInterval> hidden_elevations(const TubeView& view,
-                                                 std::span<const HidingTube> hiding, double psi,
-                                                 double near) {
-    std::vector<ParameterInterval> hidden;
-    for (const HidingTube& tube : hiding) {
-        const double across = tube.distance * std::sin(psi - tube.angle);
-        const double middle = tube.distance * std::cos(psi - tube.angle);
-        if (!(std::abs(across) < view.radius) || !(middle > 0)) continue;
-        const double half = std::sqrt((view.radius - across) * (view.radius + across));
-        const double front = middle - half, back = middle + half;
-        if (!(front < near)) continue;
-        const double begin = view.x_a, end = view.x_a + view.length;
-        hidden.push_back({std::min(std::atan2(begin, front), std::atan2(begin, back)),
-                          std::max(std::atan2(end, front), std::atan2(end, back))});
-    }
-    return hidden;
-}
-
 } // namespace
 
 double cylinder_solid_angle(const TubeView& view, const VisiblePart& part,

@@ -1,17 +1,8 @@
 #pragma once
 
-#include "keiko/tubes/tube_view.h"
-
-#include <span>
+#include "keiko/tubes/hiding_tube.h"
 
 namespace keiko {
-
-/// Another tube of the same row in the cross-section through the point: it hides what lies behind
-/// it, its dark caps included.
-struct HidingTube {
-    double distance = 0; ///< mm, of its axis from the point; > radius
-    double angle = 0;    ///< radians, from the direction of the lamp's axis towards `sideways`
-};
 
 /// Projected solid angle in sr of a part of the lateral surface of a tube, clipped by the tangent
 /// plane: eq. (2.5) of physics 2.4, the inner integral in closed form and the outer by Gauss

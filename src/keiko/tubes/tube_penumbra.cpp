@@ -53,8 +53,9 @@ struct Slices {
 
 class Width {
 public:
-    Width(const TubeView& view, const Vec3& point, TubeShape shape)
-        : view_(view), point_(point), shape_(shape) {}
+    Width(const TubeView& view, const Vec3& point, TubeShape shape,
+          std::span<const HidingTube> hiding)
+        : view_(view), point_(point), shape_(shape), hiding_(hiding) {}
 
     /// What some nodes' slices light, and the lines to be asked for: of those that light anything.
     void prepare(std::span<const std::size_t> nodes_of, Slices& slices,
@@ -82,6 +83,21 @@ public:
             for (const double x : nodes) most = std::max(most, lit(sub_axis(x), 0, 1));
         return 2 * most;
     }
+    /// The whole width, cut where a neighbour begins or ends to hide some of it.
+    std::vector<Slices> parts() const {
+        std::vector<double> cuts{-1, 1};
+        for (const HidingTube& tube : hiding_) {
+            const double half = std::asin(view_.radius / tube.distance);
+            for (const double psi : {tube.angle - half, tube.angle + half})
+                if (const double x = place_of(psi); std::abs(x) < 1) cuts.push_back(x);
+        }
+        std::sort(cuts.begin(), cuts.end());
+        std::vector<Slices> parts;
+        for (std::size_t i = 1; i < cuts.size(); ++i)
+            if (cuts[i - 1] < cuts[i])
+                parts.push_back({(cuts[i] + cuts[i - 1]) / 2, (cuts[i] - cuts[i - 1]) / 2});
+        return parts;
+    }
     /// Both edges, and what is nearest.
     std::array<Segment, 3> outline() const {
         return {line_of(sub_axis(-1)), line_of(sub_axis(0)), line_of(sub_axis(1))};
@@ -91,6 +107,13 @@ private:
     SubAxis sub_axis(double x) const {
         return shape_ == TubeShape::cylinder ? on_tube(x) : on_rectangle(x);
     }
+    /// Where across the lamp a wedge angle is, beyond [-1, 1] beside it.
+    double place_of(double psi) const {
+        const double ratio = view_.radius / view_.distance;
+        if (shape_ == TubeShape::rectangle) return std::tan(psi) / ratio;
+        const double sine = std::sin(psi) / ratio;
+        return std::abs(sine) < 1 ? std::asin(sine) / (pi / 2) : std::copysign(2, sine);
+    }
     Segment line_of(const SubAxis& axis) const {
         const Vec3 foot =
             point_ + (view_.sideways * axis.sine - view_.towards * axis.cosine) * axis.r;
@@ -98,8 +121,15 @@ private:
     }
     double lit(const SubAxis& axis, double begin, double end) const {
         const double al = view_.n_lamp * axis.cosine + view_.n_sideways * axis.sine;
-        return axis.weight * arc_integral(al, view_.n_along, std::atan2(view_.x_at(begin), axis.r),
-                                          std::atan2(view_.x_at(end), axis.r));
+        const double low = std::atan2(view_.x_at(begin), axis.r);
+        const double high = std::atan2(view_.x_at(end), axis.r);
+        if (hiding_.empty()) return axis.weight * arc_integral(al, view_.n_along, low, high);
+        const double psi = std::atan2(axis.sine, axis.cosine);
+        double sum = 0;
+        for (const ParameterInterval& open :
+             IntervalSet(hidden_elevations(view_, hiding_, psi, axis.r)).complement(low, high))
+            sum += arc_integral(al, view_.n_along, open.begin, open.end);
+        return axis.weight * sum;
     }
     /// The near side of the tube: sin psi = (R / D) sin (pi x / 2), smooth up to the outline.
     SubAxis on_tube(double x) const {
@@ -116,6 +146,7 @@ private:
     TubeView view_;
     Vec3 point_;
     TubeShape shape_;
+    std::span<const HidingTube> hiding_;
 };
 
 struct Sums {
@@ -188,7 +219,7 @@ std::array<Segment, 4> corner_lines(std::span<const TubeLamp> row) {
 struct PartlySeen {
     std::size_t lamp;
     Width width;
-    Slices slices{};
+    std::vector<Slices> slices;
 };
 
 double share_of(const Sums& sums) {
@@ -199,30 +230,39 @@ double share_of(const Sums& sums) {
 
 std::vector<double> visible_shares(std::span<const TubeLamp> row, const Vec3& point,
                                    const Vec3& normal, const Visible& visible, double tolerance,
-                                   TubeShape shape) {
+                                   TubeShape shape,
+                                   std::span<const std::vector<HidingTube>> hiding) {
     if (row.empty()) return {};
     const bool all_alike = visible.seen_alike(corner_lines(row));
     std::vector<double> shares;
     std::vector<PartlySeen> parts;
     std::vector<Segment> lines;
-    for (const TubeLamp& lamp : row) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const std::span<const HidingTube> others =
+            hiding.empty() ? std::span<const HidingTube>() : hiding[i];
         // Along the axis the cap alone lights.
-        const auto view = view_of(lamp, point, normal);
-        if (all_alike || !view || visible.seen_alike(Width(*view, point, shape).outline())) {
-            shares.push_back(visible.intervals({lamp.a, lamp.b}).empty() ? 0 : 1);
+        const auto view = view_of(row[i], point, normal);
+        if (all_alike || !view ||
+            visible.seen_alike(Width(*view, point, shape, others).outline())) {
+            shares.push_back(visible.intervals({row[i].a, row[i].b}).empty() ? 0 : 1);
             continue;
         }
-        parts.push_back({shares.size(), Width(*view, point, shape)});
-        parts.back().width.prepare(of_gauss, parts.back().slices, lines);
+        const Width width(*view, point, shape, others);
+        parts.push_back({i, width, width.parts()});
+        for (Slices& slices : parts.back().slices) width.prepare(of_gauss, slices, lines);
         shares.push_back(1);
     }
     const std::vector<IntervalSet> seen = visible.intervals(lines);
     auto next = seen.begin();
     for (PartlySeen& part : parts) {
-        part.width.finish(of_gauss, part.slices, next);
         constexpr int most_halvings = 14;
-        shares[part.lamp] = share_of(integrate(part.width, visible, std::move(part.slices),
-                                               tolerance * part.width.scale(), most_halvings));
+        const double error = tolerance * part.width.scale();
+        Sums sums;
+        for (Slices& slices : part.slices) {
+            part.width.finish(of_gauss, slices, next);
+            sums += integrate(part.width, visible, slices, error * slices.half, most_halvings);
+        }
+        shares[part.lamp] = share_of(sums);
     }
     return shares;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/luminance/visible.h"
+#include "keiko/tubes/hiding_tube.h"
 #include "keiko/tubes/tube_lamp.h"
 
 #include <span>
@@ -16,9 +17,11 @@ enum class TubeShape { cylinder, rectangle };
 /// 2e-3 in ordinary places and by 2 % where an occluder's edge runs along the lamp (physics 2.8).
 /// `row`: parallel lamps of one diameter in a plane, in order. The axis alone is asked for where
 /// all of a lamp is proved to be seen alike, else sub-axes across the lamp, more of them until the
-/// estimated error is below `tolerance`. 1 for a lamp that lights nothing of the point.
+/// estimated error is below `tolerance`. 1 for a lamp that lights nothing of the point. `hiding`:
+/// for each lamp others of the row that hide some of it; the share is of what they leave.
 std::vector<double> visible_shares(std::span<const TubeLamp> row, const Vec3& point,
                                    const Vec3& normal, const Visible& visible, double tolerance,
-                                   TubeShape shape = TubeShape::cylinder);
+                                   TubeShape shape = TubeShape::cylinder,
+                                   std::span<const std::vector<HidingTube>> hiding = {});
 
 } // namespace keiko
