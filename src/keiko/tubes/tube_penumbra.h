@@ -1,16 +1,13 @@
 #pragma once
 
 #include "keiko/luminance/visible.h"
-#include "keiko/tubes/hiding_tube.h"
+#include "keiko/tubes/lamp_width.h"
 #include "keiko/tubes/tube_lamp.h"
 
 #include <span>
 #include <vector>
 
 namespace keiko {
-
-/// What of a lamp's width faces the point: the tube itself, or the rectangle through its axis.
-enum class TubeShape { cylinder, rectangle };
 
 /// Shares, 0 to 1, of the projected solid angles of a row's lamps that `point` with unit `normal`
 /// sees, weighed as they light: of the whole width of each lamp, which the axis alone misses by

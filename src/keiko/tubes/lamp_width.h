@@ -1,0 +1,57 @@
+#pragma once
+
+#include "keiko/luminance/visible.h"
+#include "keiko/tubes/hiding_tube.h"
+#include "keiko/tubes/tube_view.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// What of a lamp's width faces the point: the tube itself, or the rectangle through its axis.
+enum class TubeShape { cylinder, rectangle };
+
+/// A line of a lamp parallel to its axis: where the half-plane at the wedge angle psi, through the
+/// line parallel to the axis through the point, cuts its near side.
+struct SubAxis {
+    double cosine = 1, sine = 0; ///< of psi
+    double r = 0;                ///< mm, from the point
+    double weight = 0;           ///< d psi by the place across
+};
+
+/// A lamp across, as a point sees it: places from -1 to 1, sideways.
+class LampWidth {
+public:
+    /// `hiding`: other tubes of the row that may hide some of it; only looked at.
+    LampWidth(const TubeView& view, const Vec3& point, TubeShape shape,
+              std::span<const HidingTube> hiding)
+        : view_(view), point_(point), shape_(shape), hiding_(hiding) {}
+
+    SubAxis sub_axis(double place) const {
+        return shape_ == TubeShape::cylinder ? on_tube(place) : on_rectangle(place);
+    }
+    Segment line_of(const SubAxis& axis) const;
+    /// Projected solid angle, by the place across, of a part of a sub-axis: from t = `begin` to
+    /// `end`, without what other tubes hide.
+    double lit(const SubAxis& axis, double begin, double end) const;
+    /// Both edges, and what is nearest.
+    std::array<Segment, 3> outline() const {
+        return {line_of(sub_axis(-1)), line_of(sub_axis(0)), line_of(sub_axis(1))};
+    }
+    /// From -1 to 1, with the places at which another tube begins or ends to hide some.
+    std::vector<double> cuts() const;
+
+private:
+    double place_of(double psi) const;
+    SubAxis on_tube(double place) const;
+    SubAxis on_rectangle(double place) const;
+
+    TubeView view_;
+    Vec3 point_;
+    TubeShape shape_;
+    std::span<const HidingTube> hiding_;
+};
+
+} // namespace keiko
