@@ -16,7 +16,7 @@ class ScanLines : public testing::TestWithParam<const char*> {
 protected:
     static constexpr int segments = 12;
 
-    void expect_same_intervals(const Apex& apex, const std::optional<Vec3>& facing) {
+    std::vector<SegmentEnds> random_row() {
         const double size = tracer_.bounds().size();
         const Vec3 out = random_direction(random_), along = random_direction(random_) * size;
         const Vec3 across = out.cross(along).normalized() * size;
@@ -26,8 +26,17 @@ protected:
             const Vec3 a = begin + across * ((i + 0.5) / segments);
             row.push_back({a, a + along});
         }
+        return row;
+    }
+    ApexView view_of(const std::vector<SegmentEnds>& row, const Apex& apex,
+                     const std::optional<Vec3>& facing) const {
         const Vec3 corners[4] = {row[0][0], row[0][1], row.back()[0], row.back()[1]};
-        const ApexView view(occluders_, tracer_, apex, corners, facing);
+        return {occluders_, tracer_, apex, corners, facing};
+    }
+
+    void expect_same_intervals(const Apex& apex, const std::optional<Vec3>& facing) {
+        const std::vector<SegmentEnds> row = random_row();
+        const ApexView view = view_of(row, apex, facing);
         const std::vector<SeenParts> together = view.intervals(row);
         for (std::size_t i = 0; i < row.size(); ++i) {
             const SeenParts alone = view.intervals(row[i][0], row[i][1]);
@@ -38,29 +47,61 @@ protected:
         }
     }
 
+    /// Between neighbours of the row that are told to be seen alike.
+    void expect_alike(const Apex& apex, const std::optional<Vec3>& facing) {
+        const std::vector<SegmentEnds> row = random_row();
+        const ApexView view = view_of(row, apex, facing);
+        for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+            if (!view.seen_alike(std::span(row).subspan(i, 2))) continue;
+            const IntervalSet first = view.intervals(row[i][0], row[i][1]).intervals;
+            EXPECT_TRUE(first.empty() || first == IntervalSet::whole());
+            ++alike_;
+            constexpr int between = 8;
+            for (int k = 1; k <= between; ++k) {
+                const double share = double(k) / between;
+                const Vec3 a = row[i][0] + (row[i + 1][0] - row[i][0]) * share;
+                const Vec3 b = row[i][1] + (row[i + 1][1] - row[i][1]) * share;
+                EXPECT_EQ(view.intervals(a, b).intervals, first)
+                    << "line " << i << " and " << share;
+            }
+        }
+    }
+
+    template <class Expect>
+    void for_apexes_of_all_kinds(const Expect& expect) {
+        for (int i = 0; i < 60; ++i) {
+            expect(Apex::towards(random_direction(random_)), std::optional<Vec3>());
+            const Vec3 outside =
+                tracer_.bounds().center() + random_direction(random_) * tracer_.bounds().size();
+            expect(Apex::at(outside), std::optional<Vec3>());
+            Ray ray;
+            ray.origin = outside;
+            ray.direction = tracer_.bounds().center() - outside;
+            const auto hit = tracer_.nearest(ray);
+            if (!hit) continue;
+            const Apex on_surface = Apex::at(hit->position, hit->root);
+            expect(on_surface, std::optional<Vec3>());
+            expect(on_surface, std::optional(hit->normal));
+        }
+    }
+
     Random random_{11};
     SurfaceModel model_ = load_model(repository("surfaces") / GetParam());
     Tracer tracer_{model_};
     Occluders occluders_{model_, tracer_};
-    int partly_hidden_ = 0;
+    int partly_hidden_ = 0, alike_ = 0;
 };
 
 TEST_P(ScanLines, GiveTheIntervalsOfSingleSegments) {
-    for (int i = 0; i < 60; ++i) {
-        expect_same_intervals(Apex::towards(random_direction(random_)), {});
-        const Vec3 outside =
-            tracer_.bounds().center() + random_direction(random_) * tracer_.bounds().size();
-        expect_same_intervals(Apex::at(outside), {});
-        Ray ray;
-        ray.origin = outside;
-        ray.direction = tracer_.bounds().center() - outside;
-        const auto hit = tracer_.nearest(ray);
-        if (!hit) continue;
-        const Apex on_surface = Apex::at(hit->position, hit->root);
-        expect_same_intervals(on_surface, {});
-        expect_same_intervals(on_surface, hit->normal);
-    }
+    for_apexes_of_all_kinds(
+        [&](const Apex& apex, const auto& facing) { expect_same_intervals(apex, facing); });
     EXPECT_GT(partly_hidden_, 50);
+}
+
+TEST_P(ScanLines, AreSeenAlikeWhereThatIsTold) {
+    for_apexes_of_all_kinds(
+        [&](const Apex& apex, const auto& facing) { expect_alike(apex, facing); });
+    EXPECT_GT(alike_, 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(, ScanLines,
