@@ -41,6 +41,21 @@ inline SurfaceModel cylinder_model(const Affine& transform) {
     return builder.build();
 }
 
+/// A torus about z through the radii of its middle circle and of its tube, mm; one face of 16
+/// patches, whose borders lie `turned` radians about the tube from where it is widest.
+inline SurfaceModel torus_model(double radius, double tube, double turned = 0) {
+    std::vector<Vec4> profile;
+    for (int i = 0; i <= 8; ++i) {
+        const double angle = turned + i * std::numbers::pi / 4, w = i % 2 ? std::sqrt(0.5) : 1,
+                     reach = tube / w;
+        profile.emplace_back(w * (radius + reach * std::cos(angle)), 0, w * reach * std::sin(angle),
+                             w);
+    }
+    ModelBuilder builder;
+    builder.nurbs(revolution(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, profile));
+    return builder.build();
+}
+
 /// Stretches the axes by the radii, then turns z into `axis`, then moves the origin.
 inline Affine stretched(const Vec3& radii, const Vec3& axis, const Vec3& center) {
     const Vec3 z = axis.normalized();

@@ -74,6 +74,7 @@ private:
         const BoundaryInterval &a = intervals_[candidate.a], &b = intervals_[candidate.b];
         return a.instance == b.instance && a.face == b.face;
     }
+    std::optional<std::uint32_t> shared_edge(const Candidate& candidate) const;
     SeamPiece piece(const Candidate& candidate, const Stretch& stretch) const;
     Seam seam(const Candidate& candidate, const Stretch& stretch) const;
 
@@ -217,19 +218,25 @@ SeamPiece SeamPairing::piece(const Candidate& candidate, const Stretch& stretch)
     }
     constexpr double filled = 0.9;
     const double shorter = std::min(border_a.polyline.length, border_b.polyline.length);
-    result.fills_border = !on_one_face(candidate) && result.length >= filled * shorter;
+    const bool of_two = !on_one_face(candidate) || shared_edge(candidate);
+    result.fills_border = of_two && result.length >= filled * shorter;
     return result;
+}
+
+/// The edge of the file that both borders are of.
+std::optional<std::uint32_t> SeamPairing::shared_edge(const Candidate& candidate) const {
+    const BoundaryInterval &a = intervals_[candidate.a], &b = intervals_[candidate.b];
+    if (a.curve >= natural_side || b.curve >= natural_side) return std::nullopt;
+    const std::uint32_t edge = model_.trim_curves[a.curve].edge;
+    if (edge == no_index || edge != model_.trim_curves[b.curve].edge) return std::nullopt;
+    return edge;
 }
 
 Seam SeamPairing::seam(const Candidate& candidate, const Stretch& stretch) const {
     const FacingPoints &first = stretch.points.front(), &last = stretch.points.back();
-    Seam result{intervals_[candidate.a], intervals_[candidate.b], std::nullopt};
+    Seam result{intervals_[candidate.a], intervals_[candidate.b], shared_edge(candidate)};
     result.a.begin = first.t, result.a.end = last.t;
     result.b.begin = first.s, result.b.end = last.s;
-    if (result.a.curve < natural_side && result.b.curve < natural_side) {
-        const std::uint32_t edge = model_.trim_curves[result.a.curve].edge;
-        if (edge != no_index && edge == model_.trim_curves[result.b.curve].edge) result.edge = edge;
-    }
     return result;
 }
 

@@ -21,7 +21,8 @@ struct SeamPiece {
     std::array<std::array<Tip, 2>, 2> ends{}; ///< the first and the last, on both borders
     double length = 0;                        ///< mm
     double widest = 0;                        ///< mm between the borders
-    bool fills_border = false; ///< all but the whole of the shorter border of two faces
+    bool fills_border = false; ///< all but the whole of the shorter border, of two faces or of
+                               ///< one that the file closes there
 };
 
 /// Which of the pieces are seams. A seam runs along further than it is wide, and further than

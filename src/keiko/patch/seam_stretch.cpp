@@ -18,6 +18,12 @@ constexpr double snap = 1e-6;
 constexpr double parallel = degrees_to_radians(10);
 const double sin_parallel = std::sin(parallel);
 
+/// Either end of a closed curve stands for both: a foot does not tell them apart.
+std::vector<double> ends_at(double t, bool closed) {
+    if (closed && (t == 0 || t == 1)) return {0, 1};
+    return {t};
+}
+
 /// One look from a point of `a` at `b`.
 struct Look {
     double t = 0, s = 0;
@@ -42,7 +48,8 @@ bool nearly_parallel(const Vec3& a, const Vec3& b, double sine) {
 
 class Alongside {
 public:
-    Alongside(const Border& a, const Border& b, double join) : a_(a), b_(b), join_(join) {}
+    Alongside(const Border& a, const Border& b, double join)
+        : a_(a), b_(b), join_(join), a_closed_(closed(a)), b_closed_(closed(b)) {}
 
     std::vector<Stretch> stretches() const {
         std::vector<Stretch> found;
@@ -52,6 +59,11 @@ public:
     }
 
 private:
+    static bool closed(const Border& border) {
+        const auto& points = border.polyline.points;
+        return (points.front() - points.back()).length() <= snap;
+    }
+
     IntervalSet close_ranges() const;
     std::vector<Look> looks_in(const ParameterInterval& range) const;
     void collect(const std::vector<Look>& looks, std::vector<Stretch>& found) const;
@@ -63,6 +75,7 @@ private:
 
     const Border &a_, &b_;
     double join_;
+    bool a_closed_, b_closed_; ///< ends where it began
 };
 
 /// Runs of segments of a that come near any segment of b, as parameters of a.
@@ -128,8 +141,11 @@ std::optional<Look> Alongside::look_at_end_of_b(double s) const {
 std::vector<Look> Alongside::looks_in(const ParameterInterval& range) const {
     std::vector<Look> looks;
     for (const double s : {0.0, 1.0})
-        if (const auto end = look_at_end_of_b(s))
-            if (range.begin <= end->t && end->t <= range.end) looks.push_back(*end);
+        if (auto end = look_at_end_of_b(s))
+            for (const double t : ends_at(end->t, a_closed_)) {
+                end->t = t;
+                if (range.begin <= t && t <= range.end) looks.push_back(*end);
+            }
     const std::size_t ends = looks.size();
     for (std::size_t i = 0; i < a_.polyline.t.size(); ++i) {
         const double t = a_.polyline.t[i];
@@ -140,9 +156,13 @@ std::vector<Look> Alongside::looks_in(const ParameterInterval& range) const {
         };
         if (std::any_of(looks.begin(), looks.begin() + static_cast<std::ptrdiff_t>(ends), at_end))
             continue;
-        looks.push_back(look(t, b_.polyline.nearest(a_.polyline.points[i])));
+        Look there = look(t, b_.polyline.nearest(a_.polyline.points[i]));
+        for (const double s : ends_at(there.s, b_closed_)) {
+            there.s = s;
+            looks.push_back(there);
+        }
     }
-    // Both ends of a closed b face one point of a: the one that belongs to the part before first.
+    // Of the ends of a closed b that face one point of a, that of the part before first.
     std::sort(looks.begin(), looks.end(), [](const Look& x, const Look& y) {
         if (x.t != y.t) return x.t < y.t;
         return x.forward ? x.s > y.s : x.s < y.s;

@@ -1,6 +1,8 @@
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/io/load_model.h"
+#include "keiko/patch/boundary_curves.h"
+#include "keiko/patch/seam.h"
 
 #include "tests/unit/io/converted_shape.h"
 #include "tests/unit/io/temporary_folder.h"
@@ -10,6 +12,8 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -27,6 +31,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Trsf.hxx>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -69,6 +74,42 @@ void expect_faithful(const TopoDS_Shape& shape) {
         EXPECT_EQ(face.reversed, faces[f].Orientation() == TopAbs_REVERSED);
     }
     for (const Edge& edge : model.edges) EXPECT_TRUE(edge.use_count == 2 || edge.degenerate);
+}
+
+/// mm of borders that meet no other; negative where seams claim some of them twice.
+double free_length(const SurfaceModel& model) {
+    const BoundaryCurves curves(model);
+    const auto length = [&](const BoundaryInterval& i) {
+        return curves.curve(i).length(std::min(i.begin, i.end), std::max(i.begin, i.end));
+    };
+    double free = 0;
+    for (const BoundaryInterval& border : curves.all()) free += length(border);
+    for (const Seam& seam : pair_seams(model, 0.5)) free -= length(seam.a) + length(seam.b);
+    return free;
+}
+
+/// Also those smaller than the join distance, and in NURBS, whose borders begin elsewhere.
+TEST(CadPrimitives, ClosedSolidsHaveNoFreeBorder) {
+    const gp_Ax2 aslant(gp_Pnt(10, 5, 3), gp_Dir(1, 2, 3));
+    const TopoDS_Shape solids[] = {BRepPrimAPI_MakeTorus(60, 20),
+                                   BRepPrimAPI_MakeTorus(aslant, 10, 3),
+                                   BRepPrimAPI_MakeTorus(60, 20, 1.5),
+                                   BRepPrimAPI_MakeTorus(60, 20, -0.5, 1.2),
+                                   BRepPrimAPI_MakeSphere(aslant, 50),
+                                   BRepPrimAPI_MakeSphere(50, -0.5, 1, 2),
+                                   BRepPrimAPI_MakeCylinder(aslant, 40, 90),
+                                   BRepPrimAPI_MakeCone(50, 20, 80),
+                                   BRepPrimAPI_MakeCone(50, 0, 80),
+                                   BRepPrimAPI_MakeBox(10, 20, 30)};
+    for (const double scale : {1e-3, 1.0, 1e3})
+        for (std::size_t i = 0; i < std::size(solids); ++i) {
+            gp_Trsf scaled;
+            scaled.SetScale(gp_Pnt(0, 0, 0), scale);
+            const TopoDS_Shape shape = BRepBuilderAPI_Transform(solids[i], scaled, true);
+            const TopoDS_Shape nurbs = BRepBuilderAPI_NurbsConvert(shape, true);
+            EXPECT_NEAR(free_length(converted(shape)), 0, 1e-6 * scale) << i << " by " << scale;
+            EXPECT_NEAR(free_length(converted(nurbs)), 0, 1e-6 * scale) << i << " by " << scale;
+        }
 }
 
 TEST(CadPrimitives, SolidsAreConvertedFaithfully) {

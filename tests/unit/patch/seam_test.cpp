@@ -2,7 +2,7 @@
 
 #include "keiko/patch/boundary_curves.h"
 
-#include "tests/support/model_builder.h"
+#include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -233,6 +233,20 @@ TEST(PairSeams, JoinsAClosedFaceToItself) {
     ASSERT_EQ(seams.size(), 1u);
     EXPECT_EQ(seams[0].a.face, seams[0].b.face);
     EXPECT_NEAR(length_of(model, seams[0].a), 80, 1e-10);
+}
+
+// Both ends of each border face both ends of the other.
+TEST(PairSeams, JoinsATorusToItselfAllAround) {
+    for (const double size : {1e-2, 1.0, 1e3}) {
+        const SurfaceModel model = test::torus_model(60 * size, 20 * size, 0.3);
+        double length = 0;
+        for (const Seam& seam : pair_seams(model, size < 1 ? 0.01 : join)) {
+            EXPECT_NEAR(length_of(model, seam.a), length_of(model, seam.b), 1e-9 * size);
+            length += length_of(model, seam.a) / size;
+        }
+        const double pi = std::numbers::pi;
+        EXPECT_NEAR(length, 2 * pi * (60 + 20 * std::cos(0.3) + 20), 1e-6) << size;
+    }
 }
 
 TEST(PairSeams, DoesNotTakeANarrowFaceForAClosedOne) {
