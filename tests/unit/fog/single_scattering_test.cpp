@@ -1,7 +1,12 @@
 #include "keiko/fog/single_scattering.h"
 
+#include "keiko/fog/airlight.h"
+
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
 
 using namespace keiko;
 
@@ -15,7 +20,7 @@ PointEmitter isotropic(const Vec3& position, const Rgb& intensity) {
 
 TEST(SingleScattering, AirlightAgreesWithOracle) {
     const test::OracleTable table("airlight");
-    test::WorstError by_quadrature("L"), in_closed_form("L in closed form");
+    test::WorstError by_quadrature("L"), in_closed_form("L in closed form"), integral("F");
     for (const auto& row : table) {
         const Medium medium{.extinction = Rgb(row.number("in.sigma")),
                             .albedo = Rgb(row.number("in.w0"))};
@@ -29,6 +34,12 @@ TEST(SingleScattering, AirlightAgreesWithOracle) {
         by_quadrature.compare(row, scattered(), row.number("out.L"), 1e-8);
         light.even = light.intensity(Vec3(0));
         in_closed_form.compare(row, scattered(), row.number("out.L"), 1e-11);
+        const auto xi = [&](const char* x) {
+            return (std::numbers::pi / 2 + std::atan2(row.number(x), row.number("in.h"))) / 2;
+        };
+        integral.compare(
+            row, airlight(row.number("in.sigma") * row.number("in.h"), xi("in.x1"), xi("in.x2")),
+            row.number("out.F"), 1e-11);
     }
 }
 

@@ -60,6 +60,11 @@ TEST(LuminaireFile, AgreesWithOracle) {
                 file,
                 read_luminaire(test::repository("tests/data/oracle/photometric_files/" + file)));
         const PhotometricWeb& web = webs.at(file);
+        const std::string& kind = row.text("in.kind");
+        EXPECT_EQ(web.type, kind == "A"   ? PhotometricType::a
+                            : kind == "B" ? PhotometricType::b
+                                          : PhotometricType::c)
+            << row.id();
         const double expected = row.number("out.I_cd");
         worst.compare(row, intensity(web, row.unit("in.dir")), expected, 1e-11);
         const Vec3 way = web_direction(web.type, row.number("in.V_deg"), row.number("in.H_deg"));

@@ -150,16 +150,17 @@ TEST(LuminanceAlong, ThroughVoxelsAgreesWithOracle) {
 }
 
 TEST(LuminanceAlong, BeamIsThatOfTheOracle) {
-    const test::OracleTable table("light_shaft");
-    test::WorstError worst("lit");
-    for (const auto& row : table) {
-        if (row.has("in.spheres")) continue;
-        const auto light = std::get<Spotlight>(rig_in(row).sources[1]);
-        const IntervalSet lit = in_beam(light, ray_in(row)), expected = lit_in(row);
-        ASSERT_EQ(lit.size(), expected.size()) << row.id();
-        for (std::size_t i = 0; i < lit.size(); ++i) {
-            worst.compare(row, lit[i].begin, expected[i].begin, 1e-10);
-            worst.compare(row, lit[i].end, expected[i].end, 1e-10);
+    for (const std::string name : {"light_shaft", "light_shaft_layered", "light_shaft_grid"}) {
+        const test::OracleTable table(name);
+        test::WorstError worst("lit of " + name);
+        for (const auto& row : table) {
+            if (name == "light_shaft" && row.has("in.spheres")) continue;
+            const IntervalSet lit = in_beam(light_in(row), ray_in(row)), expected = lit_in(row);
+            ASSERT_EQ(lit.size(), expected.size()) << row.id();
+            for (std::size_t i = 0; i < lit.size(); ++i) {
+                worst.compare(row, lit[i].begin, expected[i].begin, 1e-10);
+                worst.compare(row, lit[i].end, expected[i].end, 1e-10);
+            }
         }
     }
 }

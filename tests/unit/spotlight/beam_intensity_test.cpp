@@ -58,7 +58,8 @@ TEST(BeamIntensity, AgreesWithOracleOfTables) {
 
 TEST(BeamIntensity, IlluminanceAgreesWithOracle) {
     const test::OracleTable table("spot_geometry");
-    test::WorstError theta("theta"), phi("phi"), intensity("I"), lux("E"), shown("Lum");
+    test::WorstError theta("theta"), phi("phi"), dihedral("cosphi_dihedral");
+    test::WorstError distance("r"), intensity("I"), lux("E"), shown("Lum");
     for (const auto& row : table) {
         const Spotlight light{.position = row.vector("in.Q") * 1000,
                               .aim = row.vector("in.C") * 1000,
@@ -71,7 +72,10 @@ TEST(BeamIntensity, IlluminanceAgreesWithOracle) {
         theta.compare(row, radians_to_degrees(direction.theta()), row.number("out.theta_deg"),
                       1e-11);
         phi.compare(row, radians_to_degrees(direction.phi()), row.number("out.phi_deg"), 1e-11);
+        dihedral.compare(row, std::cos(direction.phi()), row.number("out.cosphi_dihedral"), 1e-13);
         const Rgb e = illuminance(light, point, row.unit("in.N"));
+        distance.compare(row, metres((point - light.position).length()), row.number("out.r"),
+                         1e-11);
         intensity.compare(row, intensity_towards(light, point).b, row.number("out.I"), 1e-11);
         lux.compare(row, e.g, row.number("out.E"), 1e-11);
         shown.compare(row, lambert_luminance(Rgb(row.number("in.rho")), e).g, row.number("out.Lum"),

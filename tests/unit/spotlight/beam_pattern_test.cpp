@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 using namespace keiko;
 
@@ -63,9 +64,12 @@ TEST(BeamPattern, MeanOfKAgreesWithOracle) {
 
 TEST(BeamPattern, HueAgreesWithOracle) {
     const test::OracleTable table("spot_distribution");
-    test::WorstError r("r"), g("g"), b("b");
+    test::WorstError r("r"), g("g"), b("b"), by_hue("r by hue");
     for (const auto& row : table) {
         const Rgb color = hue_color(degrees_to_radians(row.number("in.phi_deg")));
+        const double turn = 2 * std::numbers::pi;
+        by_hue.compare(row, hue_color(turn * row.number("out.hue")).r, row.number("out.rgb_r"),
+                       1e-11);
         r.compare(row, color.r, row.number("out.rgb_r"), 1e-11);
         g.compare(row, color.g, row.number("out.rgb_g"), 1e-11);
         b.compare(row, color.b, row.number("out.rgb_b"), 1e-11);

@@ -24,6 +24,7 @@ TEST(Occluders, MeetTheOracleOfVisibleIntervals) {
         const SeenParts parts =
             seen(occluders_of(row), row.vector("in.P"), row.vector("in.A"), row.vector("in.B"));
         EXPECT_TRUE(parts.certain) << row.id();
+        EXPECT_EQ(static_cast<int>(parts.intervals.size()), row.integer("out.n")) << row.id();
         std::vector<double> ends;
         for (const ParameterInterval& i : parts.intervals)
             ends.insert(ends.end(), {i.begin, i.end});
