@@ -31,10 +31,21 @@ const ApexView& SeenPast::view() const {
 
 IntervalSet SeenPast::intervals(const Segment& segment) const {
     if (!occluders_) return IntervalSet::whole();
-    const auto known = std::find(row_.begin(), row_.end(), segment);
-    if (known == row_.end()) return view().intervals(segment.a, segment.b).intervals;
+    const auto place = place_in_row(segment);
+    if (!place) return view().intervals(segment.a, segment.b).intervals;
     if (of_row_.empty()) of_row_ = seen_by(view(), row_);
-    return of_row_[static_cast<std::size_t>(known - row_.begin())];
+    return of_row_[*place];
+}
+
+/// Looks on from the segment that was found last.
+std::optional<std::size_t> SeenPast::place_in_row(const Segment& segment) const {
+    for (std::size_t i = 0; i < row_.size(); ++i) {
+        const std::size_t place = (next_ + i) % row_.size();
+        if (row_[place] != segment) continue;
+        next_ = place + 1;
+        return place;
+    }
+    return std::nullopt;
 }
 
 std::vector<IntervalSet> SeenPast::intervals(std::span<const Segment> segments) const {

@@ -15,7 +15,8 @@ namespace keiko {
 class SeenPast final : public Visible {
 public:
     /// `region`: corners of a convex body that holds every segment to be asked for. `row`: segments
-    /// that are likely to be asked for, found together with the first of them. With `facing` only
+    /// that are likely to be asked for, best in their order, found together with the first of
+    /// them. With `facing` only
     /// what lies before the surface of that normal counts, the rest is hidden. Without occluders
     /// everything is seen; they and the tracer are only looked at. `eye`: see ApexView. Not for two
     /// threads at once.
@@ -36,6 +37,7 @@ public:
 
 private:
     const ApexView& view() const;
+    std::optional<std::size_t> place_in_row(const Segment& segment) const;
 
     const Occluders* occluders_;
     const Tracer& tracer_;
@@ -45,6 +47,7 @@ private:
     std::optional<Vec3> facing_, eye_;
     mutable std::optional<ApexView> view_;
     mutable std::vector<IntervalSet> of_row_; ///< once one of the row was asked for
+    mutable std::size_t next_ = 0;            ///< after the one of the row that was asked for last
 };
 
 class ShadowedRig;

@@ -17,14 +17,22 @@ struct ApexOf {
     Apex operator()(const Sun& sun) const { return Apex::towards(sun.towards()); }
 };
 
-/// Corners of a box around all that a source lights of the rays; none where it lights nothing.
-std::vector<Vec3> lit_region(const LightSource& source, std::span<const Segment> eye_rays) {
-    Box3 box;
+/// What a source lights of the rays where nothing casts shadows, as luminance_along asks for it.
+std::vector<Segment> lit_parts(const LightSource& source, std::span<const Segment> eye_rays) {
+    std::vector<Segment> parts;
     for (const Segment& ray : eye_rays)
-        for (const ParameterInterval& part : in_light(source, ray)) {
-            box.extend(ray.at(part.begin));
-            box.extend(ray.at(part.end));
-        }
+        for (const ParameterInterval& part : in_light(source, ray))
+            parts.push_back({ray.at(part.begin), ray.at(part.end)});
+    return parts;
+}
+
+/// Corners of a box around segments; none without any.
+std::vector<Vec3> region_of(std::span<const Segment> segments) {
+    Box3 box;
+    for (const Segment& segment : segments) {
+        box.extend(segment.a);
+        box.extend(segment.b);
+    }
     if (box.empty()) return {};
     std::vector<Vec3> corners;
     for (const double x : {box.lower.x, box.upper.x})
@@ -46,10 +54,12 @@ ShaftShadows::ShaftShadows(const LightRig& rig, const Occluders* occluders, cons
                            std::span<const Segment> eye_rays) {
     if (!occluders || !rig.medium) return;
     const std::optional<Vec3> eye = eye_of(eye_rays);
-    for (const LightSource& source : rig.sources)
-        seen_.emplace_back(occluders, tracer, std::visit(ApexOf(), source),
-                           lit_region(source, eye_rays), std::vector<Segment>(),
-                           std::optional<Vec3>(), eye);
+    for (const LightSource& source : rig.sources) {
+        std::vector<Segment> parts = lit_parts(source, eye_rays);
+        std::vector<Vec3> region = region_of(parts);
+        seen_.emplace_back(occluders, tracer, std::visit(ApexOf(), source), std::move(region),
+                           std::move(parts), std::optional<Vec3>(), eye);
+    }
 }
 
 VisibleFrom ShaftShadows::visible() const {

@@ -111,12 +111,16 @@ SeenParts ApexView::Candidates::intervals(const SegmentEnds& ends) const {
         return {asked.end > 0 && sees(ends[0]) ? IntervalSet::whole() : IntervalSet()};
     auto line = line_through(ends);
     if (!line) return end_on(ends);
-    if (!add_events_of_pencil(ends, *line)) add_events_anywhere(*line);
-    add_own_events(*line);
+    add_events(ends, *line);
     GapGroups gaps;
     gaps.add(line->plane, gaps_between(line->events, line->asked));
     gaps.classify(*tracer_);
     return {gaps.seen(0, gaps.size()), line->certain};
+}
+
+void ApexView::Candidates::add_events(const SegmentEnds& ends, Line& line) const {
+    if (!add_events_of_pencil(ends, line)) add_events_anywhere(line);
+    add_own_events(line);
 }
 
 void ApexView::Candidates::add_piece_events(std::size_t piece, Line& line) const {

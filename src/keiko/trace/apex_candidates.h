@@ -16,7 +16,7 @@ public:
                const std::optional<Vec3>& eye);
 
     SeenParts intervals(const SegmentEnds& ends) const;
-    /// Nothing where the segments are no scan lines.
+    /// Nothing where the segments are no scan lines and begin at no eye.
     std::optional<std::vector<SeenParts>> intervals_of_row(std::span<const SegmentEnds> row) const;
 
     bool seen_alike(std::span<const SegmentEnds> row) const;
@@ -55,6 +55,7 @@ private:
     ParameterInterval asked_of(const SegmentEnds& ends) const;
     std::optional<Line> line_through(const SegmentEnds& ends) const;
     SeenParts end_on(const SegmentEnds& ends) const;
+    void add_events(const SegmentEnds& ends, Line& line) const;
     void add_piece_events(std::size_t piece, Line& line) const;
     void add_border_events(std::size_t border, Line& line) const;
     void add_events_anywhere(Line& line) const;
@@ -65,6 +66,8 @@ private:
     const Pencil* pencil() const;
     /// False where the segment is on no ray from the eye that the pencil knows of.
     bool add_events_of_pencil(const SegmentEnds& ends, Line& line) const;
+    /// Each segment by itself, but for the rays through the gaps of all of them.
+    std::vector<SeenParts> intervals_of_bundle(std::span<const SegmentEnds> row) const;
     void add_own_events(Line& line) const;
     void add_piercings(Line& line) const;
     void add_horizon(Line& line) const;

@@ -71,7 +71,8 @@ public:
     /// seen as a whole or not at all.
     SeenParts intervals(const Vec3& a, const Vec3& b) const;
     /// The same of several segments. Parallel ones are scan lines of a screen on which every
-    /// candidate is placed once, and share rays (docs/theory/visibility.md).
+    /// candidate is placed once, and share rays (docs/theory/visibility.md); those from an eye
+    /// have their rays cast together.
     std::vector<SeenParts> intervals(std::span<const SegmentEnds> row) const;
 
     /// True where parallel segments, and all others between them, are proved to be seen alike: each

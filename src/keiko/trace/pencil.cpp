@@ -48,4 +48,28 @@ bool ApexView::Candidates::add_events_of_pencil(const SegmentEnds& ends, Line& l
     return true;
 }
 
+std::vector<SeenParts> ApexView::Candidates::intervals_of_bundle(
+    std::span<const SegmentEnds> row) const {
+    std::vector<std::optional<Line>> lines;
+    for (const SegmentEnds& ends : row) {
+        lines.push_back(ends[0] == ends[1] ? std::nullopt : line_through(ends));
+        if (lines.back()) add_events(ends, *lines.back());
+    }
+    GapGroups groups;
+    std::vector<std::size_t> first_gap;
+    for (std::optional<Line>& line : lines) {
+        first_gap.push_back(groups.size());
+        if (line) groups.add(line->plane, gaps_between(line->events, line->asked));
+    }
+    first_gap.push_back(groups.size());
+    groups.classify(*tracer_);
+    std::vector<SeenParts> parts;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const std::size_t first = first_gap[i], count = first_gap[i + 1] - first;
+        parts.push_back(lines[i] ? SeenParts{groups.seen(first, count), lines[i]->certain}
+                                 : intervals(row[i]));
+    }
+    return parts;
+}
+
 } // namespace keiko

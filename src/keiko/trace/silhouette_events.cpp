@@ -220,6 +220,9 @@ std::optional<Vec2> SilhouetteSolver::newton(const OccluderPatch& patch, Vec2 uv
         // Steps that small and no longer shrinking are rounding.
         const double size = std::max(std::abs(step.x), std::abs(step.y));
         if (size <= settled || (size <= rounding && size > last / 2)) return uv;
+        // Each step is about the square of the one before: the next would be rounding.
+        constexpr double sure = 0.01;
+        if (i > 0 && size * size * size <= sure * settled * last * last) return uv;
         last = size;
     }
     return std::nullopt;
