@@ -12,7 +12,8 @@
 namespace keiko::bench {
 namespace {
 
-constexpr double width = 434, height = 320, left = 62, right = 28, top = 16, bottom = 50; // px
+constexpr double width = 434, height = 350, left = 62, right = 28, bottom = 50; // px
+constexpr double name_height = 15;
 constexpr std::array colours{"#1f5fa8", "#c2571a", "#3a7d44", "#7a3e8e"};
 
 /// The powers of ten around what is shown along one axis.
@@ -42,7 +43,8 @@ std::string line(double x0, double y0, double x1, double y1, const char* colour)
 
 class Panel {
 public:
-    explicit Panel(const LogPlot& plot) : plot_(plot) {
+    explicit Panel(const LogPlot& plot)
+        : plot_(plot), top_(10 + name_height * static_cast<double>(plot.curves.size())) {
         for (const LogPlot::Curve& curve : plot.curves)
             for (const auto& [x, y] : curve.points) x_.extend(x), y_.extend(y);
     }
@@ -54,13 +56,13 @@ public:
 
 private:
     double px(double x) const { return left + (width - left - right) * x_.share(x); }
-    double py(double y) const { return height - bottom - (height - top - bottom) * y_.share(y); }
+    double py(double y) const { return height - bottom - (height - top_ - bottom) * y_.share(y); }
 
     std::string axes() const {
         std::string all;
         for (double e = x_.low; e <= x_.high; ++e) {
             const double x = px(std::pow(10, e));
-            all += line(x, top, x, height - bottom, "#ddd");
+            all += line(x, top_, x, height - bottom, "#ddd");
             all += text(x, height - bottom + 16, "middle", fmt::format("{:g}", std::pow(10, e)));
         }
         for (double e = y_.low; e <= y_.high; ++e) {
@@ -69,7 +71,7 @@ private:
             all += text(left - 6, y + 4, "end", fmt::format("{:g}", std::pow(10, e)));
         }
         all += text((left + width - right) / 2, height - 10, "middle", plot_.x);
-        const double middle = (top + height - bottom) / 2;
+        const double middle = (top_ + height - bottom) / 2;
         return all + text(14, middle, "middle", plot_.y,
                           fmt::format(" transform=\"rotate(-90 14 {:.1f})\"", middle));
     }
@@ -82,15 +84,18 @@ private:
             dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n",
                                 px(x), py(y), colour);
         }
-        const double name = top + 14 + 15 * static_cast<double>(i);
+        // Names stand above the plot, where no line runs.
+        const double name = name_height * (1 + static_cast<double>(i));
         return fmt::format(
                    "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" "
                    "stroke-width=\"1.6\"/>\n",
                    places, colour) +
-               dots + text(left + 8, name, "start", c.name, fmt::format(" fill=\"{}\"", colour));
+               dots + line(left, name - 4, left + 22, name - 4, colour) +
+               text(left + 28, name, "start", c.name, fmt::format(" fill=\"{}\"", colour));
     }
 
     const LogPlot& plot_;
+    double top_; ///< px, below the names of the curves
     Axis x_, y_;
 };
 
