@@ -134,8 +134,8 @@ Animation animation_from(const TomlTable& table, SceneSpec& scene) {
         animation.keys.push_back({frame, std::move(value)});
     }
     table.finish();
-    if (const std::string fault = animation_fault(scene, animation); !fault.empty())
-        throw table.error("target", shortened(fault));
+    if (const auto fault = animation_fault(scene, animation))
+        throw table.error(fault->key, shortened(fault->what));
     return animation;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,16 @@ struct Animation {
     bool operator==(const Animation&) const = default;
 };
 
-/// Why the scene cannot be animated so; "" when it can: the target must be there and be one that
-/// moves, and every value have as many numbers as it, one being enough for a colour, within what
-/// the target may be.
-std::string animation_fault(SceneSpec& scene, const Animation& animation);
+/// What is wrong with an animation.
+struct AnimationFault {
+    std::string key; ///< of a scene file's table: "target" or "keys"
+    std::string what;
+};
+
+/// Why the scene cannot be animated so; nothing when it can: the target must be there and be one
+/// that moves, and every value have as many numbers as it, one being enough for a colour, within
+/// what the target may be. A direction must be one at each key and between them.
+std::optional<AnimationFault> animation_fault(SceneSpec& scene, const Animation& animation);
 
 /// The scene as it is at a frame. Throws Error where no picture can be made of it: an eye in its
 /// target, a lamp in its aim, light without a direction.

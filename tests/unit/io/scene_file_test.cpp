@@ -166,6 +166,9 @@ TEST_F(SceneFile, ReadsWhatMovesAndNamesWhatCannot) {
               "5:10: animation[0].target: the scene has no 'spotlight.0.aim' that moves");
     EXPECT_EQ(error(model + lamp + moves + "keys = [[3, [0, 0, 0]], [3, [1, 0, 0]]]\n"),
               "9:8: animation[0].keys: frames must ascend");
+    EXPECT_EQ(error(model + "[[animation]]\ntarget = \"model.0.transform.rotate\"\n" +
+                    "keys = [[0, [0, 0, 0, 5]]]\n"),
+              "6:8: animation[0].keys: a value of 'model.0.transform.rotate' has no direction");
     EXPECT_EQ(error(model + lamp + moves + "keys = [1, 2]\n"),
               "9:8: animation[0].keys: must be an array of arrays [number, number or numbers]");
 }

@@ -25,13 +25,13 @@ SceneSpec scene() {
 SceneSpec animated(const std::string& target, std::vector<KeyFrame> keys, double frame) {
     SceneSpec own = scene();
     own.animations = {{target, std::move(keys)}};
-    EXPECT_EQ(animation_fault(own, own.animations.front()), "");
+    EXPECT_FALSE(animation_fault(own, own.animations.front()));
     return at_frame(own, frame);
 }
 
 std::string fault(const std::string& target, std::vector<double> value) {
     SceneSpec own = scene();
-    return animation_fault(own, {target, {{0, std::move(value)}}});
+    return animation_fault(own, {target, {{0, std::move(value)}}}).value().what;
 }
 
 } // namespace
@@ -70,7 +70,13 @@ TEST(Animation, ReachesEyeBodySunAndFog) {
 }
 
 TEST(Animation, WhatCannotMoveIsNamed) {
-    EXPECT_EQ(fault("spotlight.2.aim", {0, 0, 0}), "the scene has no 'spotlight.2.aim' that moves");
+    EXPECT_EQ(fault("spotlight.2.aim", {0, 0, 0}),
+              "the scene has no 'spotlight.2.aim' that moves (did you mean 'spotlight.0'?)");
+    EXPECT_EQ(fault("model.0.transform.rotation", {0, 0, 1, 0}),
+              "the scene has no 'model.0.transform.rotation' that moves (did you mean "
+              "'transform.rotate'?)");
+    EXPECT_EQ(fault("camara.eye", {0, 0, 0}),
+              "the scene has no 'camara.eye' that moves (did you mean 'camera'?)");
     EXPECT_EQ(fault("spotlight.0.colour", {1}), "the scene has no 'spotlight.0.colour' that moves");
     EXPECT_EQ(fault("camera", {1}), "the scene has no 'camera' that moves");
     EXPECT_EQ(fault("camera.eye", {1}), "each value of 'camera.eye' needs 3 numbers");
@@ -78,6 +84,19 @@ TEST(Animation, WhatCannotMoveIsNamed) {
     EXPECT_EQ(fault("model.0.transform.scale", {0}),
               "a value of 'model.0.transform.scale' is out of range");
     EXPECT_EQ(fault("fog.extinction", {-1}), "a value of 'fog.extinction' is out of range");
+    EXPECT_EQ(fault("model.0.transform.rotate", {0, 0, 0, 90}),
+              "a value of 'model.0.transform.rotate' has no direction");
+}
+
+TEST(Animation, ADirectionDoesNotTurnIntoItsOpposite) {
+    SceneSpec own = scene();
+    const Animation over{"model.0.transform.rotate", {{0, {0, 0, 1, 0}}, {9, {0, 0, -2, 90}}}};
+    const auto fault = animation_fault(own, over);
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->key, "keys");
+    EXPECT_EQ(
+        fault->what,
+        "between two keys of 'model.0.transform.rotate' the direction turns into its opposite");
 }
 
 TEST(Animation, AFrameWithoutAPictureIsRefused) {
