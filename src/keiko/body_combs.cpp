@@ -8,8 +8,10 @@ bool has_curves(const CombOptions& options) {
 
 Combs combs_of(const SurfaceModel& model, const CombOptions& options, const Job& job) {
     Combs combs;
-    combs.curves = comb_curves(model, options, job);
-    combs.json = combs_json(combs.curves, model, version());
+    FoundCombs found = comb_curves(model, options, job);
+    combs.json = combs_json(found, options.planes, model, version());
+    combs.remarks = comb_remarks(found, options.planes, model);
+    combs.curves = std::move(found.curves);
     combs.csv = combs_csv(combs.curves, model);
     combs.pictures = comb_pictures(combs.curves, options.planes);
     return combs;

@@ -70,6 +70,7 @@ struct CheckOptions {
 /// Curves with how they bend all along, as files have them.
 struct Combs {
     std::vector<CombCurve> curves;
+    std::vector<std::string> remarks; ///< of planes that miss the body, touch it or hold faces
     std::string json, csv;
     std::vector<CombPicture> pictures;
 };

@@ -169,6 +169,13 @@ class Check(KeikoTest):
                 self.assertAlmostEqual(float(row["y"]), 120, delta=1e-6)
         self.assertEqual(len({row["curve"] for row in rows}), len(combs["curves"]))
 
+    def test_a_section_that_misses_the_body_is_warned_about(self):
+        hood = surface("hood.step")
+        run = self.keiko("check", hood, "--section", "y=5000", "--combs", "c.json", "-q")
+        self.assertIn("warning: section y=5000 misses the body, whose patches reach from", run.stderr)
+        combs = json.loads((self.folder / "c.json").read_text())
+        self.assertEqual([r["kind"] for r in combs["remarks"]], ["missed"])
+
     def test_combs_that_make_no_sense_are_refused(self):
         hood = surface("hood.step")
         for arguments, words in ((("--section", "y=120"), "--combs: names no file"),

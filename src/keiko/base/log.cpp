@@ -37,6 +37,10 @@ void log_detail(std::string_view message) {
 void log_warning(std::string_view message) {
     logger().warn("warning: {}", message);
 }
+
+void log_warnings(std::span<const std::string> messages) {
+    for (const std::string& message : messages) log_warning(message);
+}
 void log_error(std::string_view message) {
     logger().error(message);
 }

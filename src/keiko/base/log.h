@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace keiko {
@@ -13,6 +15,7 @@ void set_log_level(LogLevel level);
 void log_detail(std::string_view message);
 /// Something the user should know, printed even with --quiet.
 void log_warning(std::string_view message);
+void log_warnings(std::span<const std::string> messages);
 /// The one clear line of a failure.
 void log_error(std::string_view message);
 

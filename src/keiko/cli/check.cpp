@@ -36,6 +36,7 @@ int check(CheckArguments arguments, const Job& job) {
     arguments.files.add_to(outputs, inspection, arguments.models.inputs);
     if (result.combs) arguments.combs.add_to(outputs, *result.combs);
     outputs.write();
+    if (result.combs) log_warnings(result.combs->remarks);
     std::cout << inspection_text(inspection);
     return inspection.verdict == Verdict::pass ? exit_pass : exit_findings;
 }

@@ -58,6 +58,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     outputs.write();
     if (const std::string warning = nothing_judged(result.report.inspection); !warning.empty())
         log_warning(warning);
+    if (result.combs) log_warnings(result.combs->remarks);
     print_summary(result.report, arguments.output);
     return verdict_of(result.report) == Verdict::pass ? exit_pass : exit_findings;
 }

@@ -2,6 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/curve_chains.h"
+#include "keiko/inspect/doubled_pieces.h"
 #include "keiko/inspect/face_combs.h"
 #include "keiko/inspect/face_names.h"
 
@@ -27,6 +28,8 @@ std::vector<CombFace> placed_faces(const SurfaceModel& model) {
 
 void turn(CombPiece& piece) {
     std::reverse(piece.samples.begin(), piece.samples.end());
+    if (piece.touching)
+        for (CombSample& sample : piece.samples) turn_over(sample.bend);
 }
 
 CombCurve curve_of(const CurveChain& chain, std::vector<CombPiece>& pieces) {
@@ -69,52 +72,92 @@ std::string share_text(double share) {
 }
 
 struct FoundOnFace {
-    std::vector<std::vector<CombPiece>> sections; ///< by plane
+    std::vector<FaceSection> sections; ///< by plane
     std::vector<CombCurve> iso_curves;
 };
 
 std::vector<CombCurve> iso_curves(const FaceCombs& face, const std::string& name,
                                   const CombOptions& options) {
     std::vector<CombCurve> all;
-    for (const auto kind : {CombCurve::Kind::iso_u, CombCurve::Kind::iso_v})
+    for (const bool by_u : {true, false})
         for (int k = 0; k < options.iso_curves; ++k) {
             const double share = (k + 0.5) / options.iso_curves;
-            auto curves = curves_of(face.run({kind, {}, share}), options.chord_error);
+            auto curves = curves_of(face.iso_curve(by_u, share), options.chord_error);
             for (CombCurve& curve : curves) {
-                curve.kind = kind;
-                curve.name = name + (kind == CombCurve::Kind::iso_u ? ": u at " : ": v at ") +
-                             share_text(share);
+                curve.kind = by_u ? CombCurve::Kind::iso_u : CombCurve::Kind::iso_v;
+                curve.name = name + (by_u ? ": u at " : ": v at ") + share_text(share);
             }
             append(all, std::move(curves));
         }
     return all;
 }
 
-} // namespace
-
-std::vector<CombCurve> comb_curves(const SurfaceModel& model, const CombOptions& options,
-                                   const Job& job) {
-    const std::vector<CombFace> placed = placed_faces(model);
+std::vector<FoundOnFace> search(const SurfaceModel& model, const std::vector<CombFace>& placed,
+                                const CombOptions& options, const Job& job) {
     const double size = bounds(model).size();
     std::vector<FoundOnFace> found(placed.size());
     parallel_for(placed.size(), job, "combs", [&](std::size_t i) {
         const FaceCombs face(model, placed[i], options, size);
         for (const SectionPlane& plane : options.planes)
-            found[i].sections.push_back(face.run({CombCurve::Kind::section, plane, 0}));
+            found[i].sections.push_back(face.section(plane));
         found[i].iso_curves =
             iso_curves(face, placed_face_name(model, placed[i].instance, placed[i].face), options);
     });
-    std::vector<CombCurve> curves;
-    for (std::uint32_t plane = 0; plane < options.planes.size(); ++plane) {
-        std::vector<CombPiece> pieces;
-        for (FoundOnFace& face : found) append(pieces, std::move(face.sections[plane]));
-        auto sections = curves_of(std::move(pieces), options.join);
-        for (CombCurve& curve : sections)
-            curve.name = options.planes[plane].name, curve.plane = plane;
-        append(curves, std::move(sections));
+    return found;
+}
+
+/// The curves of one plane; takes them out of `found`.
+std::vector<CombCurve> section_curves(std::vector<FoundOnFace>& found, std::uint32_t plane,
+                                      const CombOptions& options) {
+    constexpr double same = 2; // chord errors
+    std::vector<CombPiece> pieces;
+    for (FoundOnFace& face : found) append(pieces, std::move(face.sections[plane].pieces));
+    auto sections =
+        curves_of(without_doubles(std::move(pieces), same * options.chord_error), options.join);
+    for (CombCurve& curve : sections) curve.name = options.planes[plane].name, curve.plane = plane;
+    return sections;
+}
+
+std::vector<SectionRemark> remarks_on(const std::vector<FoundOnFace>& found,
+                                      const std::vector<CombFace>& placed, std::uint32_t plane) {
+    std::vector<SectionRemark> remarks;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const FaceSection& section = found[i].sections[plane];
+        SectionRemark remark{SectionRemark::Kind::within, plane, placed[i].instance,
+                             placed[i].face};
+        if (section.within) remarks.push_back(remark);
+        remark.kind = SectionRemark::Kind::touches;
+        for (const Vec3& place : section.touched) {
+            remark.place = place;
+            remarks.push_back(remark);
+        }
     }
-    for (FoundOnFace& face : found) append(curves, std::move(face.iso_curves));
-    return curves;
+    return remarks;
+}
+
+/// A plane with neither curves nor remarks.
+SectionRemark missed(const SurfaceModel& model, const SectionPlane& plane, std::uint32_t index) {
+    SectionRemark remark{SectionRemark::Kind::missed, index};
+    remark.reach = heights(model, plane.normal);
+    return remark;
+}
+
+} // namespace
+
+FoundCombs comb_curves(const SurfaceModel& model, const CombOptions& options, const Job& job) {
+    const std::vector<CombFace> placed = placed_faces(model);
+    std::vector<FoundOnFace> found = search(model, placed, options, job);
+    FoundCombs combs;
+    for (std::uint32_t plane = 0; plane < options.planes.size(); ++plane) {
+        std::vector<SectionRemark> remarks = remarks_on(found, placed, plane);
+        std::vector<CombCurve> curves = section_curves(found, plane, options);
+        if (remarks.empty() && curves.empty())
+            remarks.push_back(missed(model, options.planes[plane], plane));
+        append(combs.curves, std::move(curves));
+        append(combs.remarks, std::move(remarks));
+    }
+    for (FoundOnFace& face : found) append(combs.curves, std::move(face.iso_curves));
+    return combs;
 }
 
 std::vector<Vec3> inflections_of(const CombCurve& curve) {

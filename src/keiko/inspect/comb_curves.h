@@ -5,6 +5,7 @@
 #include "keiko/inspect/section_plane.h"
 #include "keiko/patch/surface_model.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,11 @@ struct CombSample {
 /// What of a curve runs over one patch; curvatures may jump from one such piece to the next.
 struct CombPiece {
     std::uint32_t instance = 0, face = 0, patch = 0; ///< into the model's arrays
-    std::vector<CombSample> samples;
+    bool on_border = false; ///< of the patch or the face: what is beyond it has the curve as well
+    /// The plane is tangent to the surface all along: the curvature is that of the curve, positive
+    /// to the left of the way that the samples run, seen from where the plane's normal points to.
+    bool touching = false;
+    std::vector<CombSample> samples{};
 };
 
 /// A curve on the surface with how it bends all along.
@@ -43,11 +48,26 @@ struct CombOptions {
     double join = 0.5; ///< mm, over which sections go on from face to face
 };
 
-/// The curves in which planes cut the trimmed faces, followed over all seams, then the iso-curves
-/// of the faces, each sampled until its comb is true to `tolerance` (docs/theory/inspection.md). In
-/// the order of planes, then faces; the same for any thread count. Throws Cancelled.
-std::vector<CombCurve> comb_curves(const SurfaceModel& model, const CombOptions& options,
-                                   const Job& job = {});
+/// What a plane does beside cutting the body in curves.
+struct SectionRemark {
+    enum class Kind { missed, touches, within };
+    Kind kind = Kind::missed;
+    std::uint32_t plane = 0;              ///< into those asked for
+    std::uint32_t instance = 0, face = 0; ///< but for missed: that it touches or that lies in it
+    Vec3 place{0};                        ///< of touches: mm, world
+    std::array<double, 2> reach{};        ///< of missed: the heights of the body, mm
+};
+
+struct FoundCombs {
+    std::vector<CombCurve> curves; ///< sections by plane, then iso-curves by face
+    std::vector<SectionRemark> remarks;
+};
+
+/// The curves in which planes cut the trimmed faces or touch them, followed over all seams, each
+/// once also where it runs along a border; then the iso-curves of the faces; each sampled until its
+/// comb is true to `tolerance` (docs/theory/inspection.md). The same for any thread count. Throws
+/// Cancelled.
+FoundCombs comb_curves(const SurfaceModel& model, const CombOptions& options, const Job& job = {});
 
 /// Where a curve turns to bend the other way: changes of sign between neighbouring samples, in a
 /// straight line between them; not where it jumps at a border.

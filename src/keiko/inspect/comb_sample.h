@@ -15,6 +15,11 @@ struct CurveBend {
     Vec3 towards{0};
 };
 
+/// The same bend, told towards the other side.
+inline void turn_over(CurveBend& bend) {
+    bend.curvature = -bend.curvature, bend.towards = -bend.towards;
+}
+
 /// The bend of a curve at a place of the surface with the unit normal `outward`, run along u' and
 /// v' of `direction`: the normal curvature II / I.
 std::optional<CurveBend> normal_bend(const SurfaceDerivatives& s, const Vec3& outward,
@@ -25,5 +30,12 @@ std::optional<CurveBend> normal_bend(const SurfaceDerivatives& s, const Vec3& ou
 /// (Meusnier). Nothing where the plane is all but tangent to the surface.
 std::optional<CurveBend> section_bend(const SurfaceDerivatives& s, const Vec3& outward,
                                       const Vec3& plane);
+
+/// The bend of a curve that lies in a plane tangent to the surface all along it: of its own, for
+/// the surface along it is as flat as the plane. `direction` is the way it runs in u and v,
+/// `turning` the derivative of that along it; `towards` is to the left, seen from where the plane's
+/// unit normal points to. Nothing where the direction is 0.
+std::optional<CurveBend> touching_bend(const SurfaceDerivatives& s, const Vec3& plane,
+                                       const Vec2& direction, const Vec2& turning);
 
 } // namespace keiko

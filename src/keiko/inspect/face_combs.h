@@ -1,7 +1,9 @@
 #pragma once
 
 #include "keiko/inspect/comb_curves.h"
+#include "keiko/inspect/comb_sampling.h"
 #include "keiko/inspect/field_zeros.h"
+#include "keiko/inspect/plane_meeting.h"
 #include "keiko/patch/trim_region.h"
 
 #include <optional>
@@ -13,11 +15,11 @@ struct CombFace {
     std::uint32_t instance = 0, face = 0;
 };
 
-/// Which curves of a face.
-struct CombFamily {
-    CombCurve::Kind kind = CombCurve::Kind::section;
-    SectionPlane plane{}; ///< of sections
-    double share = 0;     ///< of iso-curves: of the face's parameters
+/// What of a face a plane meets.
+struct FaceSection {
+    std::vector<CombPiece> pieces; ///< one a patch and stretch of material
+    bool within = false;           ///< a patch lies in the plane
+    std::vector<Vec3> touched;     ///< places at which the plane touches, beside the pieces
 };
 
 /// Finds and samples curves on one trimmed face. Keeps references.
@@ -27,24 +29,27 @@ public:
     FaceCombs(const SurfaceModel& model, const CombFace& placed, const CombOptions& options,
               double size);
 
-    /// What of the family's curves is material, a piece a patch.
-    std::vector<CombPiece> run(const CombFamily& family) const;
+    FaceSection section(const SectionPlane& plane) const;
+    /// What of the iso-curve at a share of the face's parameters is material, a piece a patch.
+    std::vector<CombPiece> iso_curve(bool by_u, double share) const;
 
 private:
-    struct Point {
-        LinePoint at;
-        CombSample sample;
+    struct PatchUse;
+    /// What is asked at the places of a curve.
+    struct CurveRules {
+        std::function<bool(const LinePoint&)> material, on_border;
+        BendAt bend;
     };
 
-    void run_on(std::uint32_t patch, const CombFamily& family,
-                std::vector<CombPiece>& pieces) const;
-    std::optional<BernsteinField> field_of(const CombFamily& family, const PlacedPatch& patch,
-                                           const BezierPatchView& view) const;
+    void add_section(const PatchUse& patch, const SectionPlane& plane, FaceSection& section) const;
+    std::vector<CombPiece> pieces(const PatchUse& patch, const MeetingField& curve,
+                                  const CurveRules& rules) const;
+    std::vector<CombPiece> meeting_pieces(const PatchUse& patch, const PlaneMeeting& meeting,
+                                          const MeetingField& curve,
+                                          const SectionPlane& plane) const;
+    bool is_material(std::uint32_t patch, const Vec2& uv) const;
+    std::optional<double> iso_parameter(std::uint32_t patch, bool by_u, double share) const;
     double local_share(std::uint32_t patch, bool by_u, double at) const;
-    std::optional<CombSample> sample_at(const CombFamily& family, const BezierPatchView& view,
-                                        const LinePoint& at) const;
-    std::vector<CombSample> samples(const CombFamily& family, const BezierPatchView& view,
-                                    const ZeroFunction& zeros, const PatchLine& line) const;
 
     const SurfaceModel& model_;
     CombFace placed_;

@@ -38,29 +38,33 @@ void cut(const Piece& piece, bool by_u, std::deque<Piece>& open) {
 
 } // namespace
 
-std::vector<LineCell> field_cells(const BernsteinField& field, const LineCellOptions& options) {
-    std::vector<LineCell> cells;
+FieldCells field_cells(const BernsteinField& field, const LineCellOptions& options) {
+    FieldCells found;
     std::deque<Piece> open{{field, unit_square}};
     for (std::size_t looked = 0; !open.empty(); ++looked) {
         const Piece piece = std::move(open.front());
         open.pop_front();
         const BernsteinField& f = piece.field;
-        if (!f.range().holds_zero() || !(f.magnitude() > f.rounding())) continue;
+        if (!f.range().holds_zero()) continue;
+        if (!(f.magnitude() > f.rounding())) {
+            found.blank.push_back(piece.uv);
+            continue;
+        }
         const bool over_v = one_arc(f, true);
         if (over_v || one_arc(f, false)) {
-            cells.push_back({piece.uv, 0, true, over_v});
+            found.cells.push_back({piece.uv, 0, true, over_v});
             continue;
         }
         const Vec2 extent = piece.uv.extent();
         const bool can_u = extent.x > options.least_extent, can_v = extent.y > options.least_extent;
         if (looked >= options.most_boxes || (!can_u && !can_v)) {
-            cells.push_back({piece.uv, 0, false, false});
+            found.cells.push_back({piece.uv, 0, false, false});
             continue;
         }
         const bool steeper_u = f.derivative(true).magnitude() >= f.derivative(false).magnitude();
         cut(piece, can_u && (!can_v || steeper_u), open);
     }
-    return cells;
+    return found;
 }
 
 } // namespace keiko

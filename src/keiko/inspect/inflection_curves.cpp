@@ -94,7 +94,7 @@ private:
         if (!field) return;
         LineCellOptions cells;
         cells.most_boxes = most_boxes;
-        add(patch, view, field_cells(field->inner, cells), field->inner, 0);
+        add(patch, view, field_cells(field->inner, cells).cells, field->inner, 0);
         for (const ParabolicSide& side : field->sides) {
             const LineCell whole{unit_square, 0, true, side.by_u};
             if (side.sign != 0)

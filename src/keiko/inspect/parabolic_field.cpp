@@ -1,5 +1,7 @@
 #include "keiko/inspect/parabolic_field.h"
 
+#include "keiko/inspect/divided_sides.h"
+
 #include <array>
 
 namespace keiko {
@@ -66,20 +68,10 @@ int sign_of(const Interval& range) {
     return range.low > 0 ? 1 : range.high < 0 ? -1 : 0;
 }
 
-/// Divides the sides out on which the field vanishes, as often as it does.
 ParabolicField without_sides(BernsteinField field) {
     std::vector<ParabolicSide> sides;
-    for (const bool by_u : {true, false})
-        for (const bool upper : {false, true}) {
-            const auto on_side = [&] { return field.side_range(by_u, upper); };
-            bool zero = false;
-            while ((by_u ? field.degree_u() : field.degree_v()) > 0 &&
-                   on_side().magnitude() <= 2 * field.rounding()) {
-                field = field.without_side(by_u, upper);
-                zero = true;
-            }
-            if (zero) sides.push_back({by_u, upper, 0});
-        }
+    for (const DividedSide& side : divide_sides(field, 0))
+        sides.push_back({side.by_u, side.upper, 0});
     for (ParabolicSide& side : sides) side.sign = sign_of(field.side_range(side.by_u, side.upper));
     return {std::move(field), std::move(sides)};
 }

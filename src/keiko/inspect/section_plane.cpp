@@ -52,4 +52,20 @@ SectionPlane section_plane(const std::string& text) {
     throw Error("", "--section", "'" + text + "' is not x=MM, y=MM, z=MM or A,B,C=MM");
 }
 
+std::array<double, 2> heights(const SurfaceModel& model, const Vec3& along) {
+    std::array<double, 2> reach{Box3::infinity, -Box3::infinity};
+    const auto extend = [&](const Affine& placed, const Vec4& point) {
+        const double height = along.dot(placed.point(Vec3(point.x, point.y, point.z) / point.w));
+        reach = {std::min(reach[0], height), std::max(reach[1], height)};
+    };
+    for (const Instance& instance : model.instances) {
+        const Part& part = model.parts[instance.part];
+        for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f)
+            for (std::uint32_t p = 0; p < model.faces[f].patch_count; ++p)
+                for (const Vec4& point : model.patch(model.faces[f].first_patch + p).points)
+                    extend(instance.transform, point);
+    }
+    return reach;
+}
+
 } // namespace keiko

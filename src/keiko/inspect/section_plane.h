@@ -1,7 +1,8 @@
 #pragma once
 
-#include "keiko/math/vec.h"
+#include "keiko/patch/surface_model.h"
 
+#include <array>
 #include <string>
 
 namespace keiko {
@@ -16,5 +17,8 @@ struct SectionPlane {
 /// "x=MM", "y=MM", "z=MM" or "A,B,C=MM": a direction and the height along it. Throws Error for
 /// others.
 SectionPlane section_plane(const std::string& text);
+
+/// The least and the largest height of a body's control points along a unit direction, mm.
+std::array<double, 2> heights(const SurfaceModel& model, const Vec3& along);
 
 } // namespace keiko

@@ -21,6 +21,7 @@ Json piece_json(const CombPiece& piece, const SurfaceModel& model) {
     return {{"face", model.faces[piece.face].id},
             {"instance", piece.instance},
             {"patch", piece.patch - model.faces[piece.face].first_patch},
+            {"touching", piece.touching},
             {"samples", std::move(samples)}};
 }
 
@@ -39,15 +40,32 @@ Json curve_json(const CombCurve& curve, const SurfaceModel& model) {
     return json;
 }
 
+Json remark_json(const SectionRemark& remark, std::span<const SectionPlane> planes,
+                 const SurfaceModel& model) {
+    using Kind = SectionRemark::Kind;
+    const std::string& plane = planes[remark.plane].name;
+    if (remark.kind == Kind::missed)
+        return {{"plane", plane}, {"kind", "missed"}, {"body", remark.reach}};
+    Json json = {{"plane", plane},
+                 {"kind", remark.kind == Kind::within ? "within" : "touches"},
+                 {"face", model.faces[remark.face].id},
+                 {"instance", remark.instance}};
+    if (remark.kind == Kind::touches) json["place"] = point(remark.place);
+    return json;
+}
+
 } // namespace
 
-std::string combs_json(std::span<const CombCurve> curves, const SurfaceModel& model,
-                       const std::string& tool_version) {
+std::string combs_json(const FoundCombs& combs, std::span<const SectionPlane> planes,
+                       const SurfaceModel& model, const std::string& tool_version) {
     Json json = {{"format", "keiko-combs/1"},
                  {"tool", {{"name", "keiko"}, {"version", tool_version}}},
                  {"model", model.source},
-                 {"curves", Json::array()}};
-    for (const CombCurve& curve : curves) json["curves"].push_back(curve_json(curve, model));
+                 {"curves", Json::array()},
+                 {"remarks", Json::array()}};
+    for (const CombCurve& curve : combs.curves) json["curves"].push_back(curve_json(curve, model));
+    for (const SectionRemark& remark : combs.remarks)
+        json["remarks"].push_back(remark_json(remark, planes, model));
     constexpr int one_line = -1;
     return json.dump(one_line, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <vector>
 
 namespace keiko {
 namespace {
@@ -73,13 +74,9 @@ public:
     void draw() {
         for (const CombCurve& curve : curves_)
             for (const CombPiece& piece : curve.pieces) {
-                std::optional<Vec2> last;
-                for (const CombSample& s : piece.samples) {
-                    const Vec2 root = axes_.of(s.place);
-                    if (last && (root - *last).length() * unit_ < least_spacing) continue;
-                    last = root;
-                    const bool cut = std::abs(s.bend.curvature) > scale_;
-                    path(cut ? "cut" : "tooth", {root, tip(s)});
+                for (const CombSample* sample : teeth(piece)) {
+                    const bool cut = std::abs(sample->bend.curvature) > scale_;
+                    path(cut ? "cut" : "tooth", {axes_.of(sample->place), tip(*sample)});
                 }
                 std::vector<Vec2> line, tips;
                 for (const CombSample& s : piece.samples)
@@ -90,6 +87,23 @@ public:
     }
 
 private:
+    /// Of samples too near each other to be told apart the one that bends most: a spike may be as
+    /// narrow as it likes.
+    std::vector<const CombSample*> teeth(const CombPiece& piece) const {
+        std::vector<const CombSample*> chosen;
+        std::optional<Vec2> first;
+        for (const CombSample& s : piece.samples) {
+            const Vec2 root = axes_.of(s.place);
+            if (!first || (root - *first).length() * unit_ >= least_spacing) {
+                first = root;
+                chosen.push_back(&s);
+            } else if (std::abs(s.bend.curvature) > std::abs(chosen.back()->bend.curvature)) {
+                chosen.back() = &s;
+            }
+        }
+        return chosen;
+    }
+
     Vec2 tip(const CombSample& s) const {
         const double share = std::clamp(s.bend.curvature / scale_, -1.0, 1.0);
         return axes_.of(s.place - s.bend.towards * (share * tooth_));

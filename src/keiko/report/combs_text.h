@@ -8,9 +8,14 @@
 namespace keiko {
 
 /// keiko-combs/1: every curve with its length, its largest curvature, where it turns over, and its
-/// samples.
-std::string combs_json(std::span<const CombCurve> curves, const SurfaceModel& model,
-                       const std::string& tool_version);
+/// samples; and what planes do beside cutting.
+std::string combs_json(const FoundCombs& combs, std::span<const SectionPlane> planes,
+                       const SurfaceModel& model, const std::string& tool_version);
+
+/// What a user should know of planes that miss the body, touch it, or hold faces: a line a plane
+/// and kind.
+std::vector<std::string> comb_remarks(const FoundCombs& combs, std::span<const SectionPlane> planes,
+                                      const SurfaceModel& model);
 
 /// A header, then a row a sample.
 std::string combs_csv(std::span<const CombCurve> curves, const SurfaceModel& model);

@@ -15,8 +15,10 @@ std::string html_form(const Report& report) {
 }
 
 std::string html_combs(const Report& report) {
-    if (report.combs.empty()) return "";
+    if (report.combs.empty() && report.comb_remarks.empty()) return "";
     std::string html = "<section><h2>Curvature combs</h2>\n";
+    for (const std::string& remark : report.comb_remarks)
+        html += "<p class=\"soft\">" + html_escaped(remark) + ".</p>\n";
     for (const CombPicture& picture : report.combs)
         html += "<figure class=\"card combs\">" + picture.svg + "</figure>\n";
     return html + "</section>\n";

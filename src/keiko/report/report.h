@@ -54,6 +54,7 @@ struct Report {
     /// The surface by other looks than the lamps', each named for its view.
     std::vector<ReportPicture> form_pictures;
     std::vector<CombPicture> combs; ///< where combs were asked for
+    std::vector<std::string> comb_remarks;
     std::vector<CloseUp> close_ups;
 };
 

@@ -17,7 +17,7 @@ using std::numbers::pi;
 std::vector<CombCurve> sections(const SurfaceModel& model, const char* plane) {
     CombOptions options;
     options.planes = {section_plane(plane)};
-    return comb_curves(model, options);
+    return comb_curves(model, options).curves;
 }
 
 template <class F>
@@ -93,7 +93,7 @@ TEST(CombCurves, AreSampledUntilTheCombIsTrue) {
         return a * r /
                std::pow(std::pow(a * std::cos(angle), 2) + std::pow(r * std::sin(angle), 2), 1.5);
     };
-    for (const CombPiece& piece : comb_curves(model, options).at(0).pieces)
+    for (const CombPiece& piece : comb_curves(model, options).curves.at(0).pieces)
         for (std::size_t i = 1; i < piece.samples.size(); ++i) {
             const CombSample &a = piece.samples[i - 1], &b = piece.samples[i];
             const double straight = -(a.bend.curvature + b.bend.curvature) / 2;
@@ -137,7 +137,7 @@ TEST(CombCurves, OfIsoCurvesAreNormalCurvatures) {
     const SurfaceModel model = test::sphere_model(test::stretched(Vec3(80), {0, 0, 1}, Vec3(0)));
     CombOptions options;
     options.iso_curves = 3;
-    const auto curves = comb_curves(model, options);
+    const auto curves = comb_curves(model, options).curves;
     int parallels = 0;
     for (const CombCurve& curve : curves) {
         parallels += curve.closed ? 1 : 0;
@@ -156,7 +156,7 @@ TEST(CombCurves, AreTrueOnAFreeForm) {
     CombOptions options;
     options.planes = {section_plane("1,2,0.5=300")};
     options.chord_error = 1e-7;
-    const auto curves = comb_curves(model, options);
+    const auto curves = comb_curves(model, options).curves;
     ASSERT_EQ(curves.size(), 1u);
     int compared = 0;
     for (const CombPiece& piece : curves[0].pieces)
@@ -196,6 +196,93 @@ TEST(CombCurves, TellWhereTheyTurnOver) {
         ASSERT_EQ(places.size(), 1u) << middle;
         EXPECT_NEAR(places[0].x, middle, 0.05);
     }
+}
+
+/// The radius of each circle about z of a torus that a plane z = const meets, by half a turn's
+/// teeth, and the heights of its samples.
+void expect_circle(const CombCurve& curve, double radius, double z) {
+    EXPECT_TRUE(curve.closed) << z;
+    EXPECT_NEAR(curve.length, 2 * pi * radius, 1e-3 * radius);
+    for_each_sample(curve, [&](const CombSample& sample) {
+        EXPECT_NEAR(std::hypot(sample.place.x, sample.place.y), radius, 1e-6);
+        EXPECT_NEAR(sample.place.z, z, 1e-6);
+        EXPECT_NEAR(std::abs(sample.bend.curvature), 1 / radius, 1e-9);
+        // Bends towards the axis.
+        EXPECT_LT(sample.bend.towards.dot(sample.place) * sample.bend.curvature, 0);
+    });
+    EXPECT_TRUE(inflections_of(curve).empty());
+}
+
+/// Patches that meet at z = 0 and at z = +-20, where planes are tangent all around, and others.
+TEST(CombCurves, RunAlongBordersAndWherePlanesTouchOnce) {
+    for (const double turned : {0.0, 0.6}) {
+        const SurfaceModel model = test::torus_model(60, 20, turned);
+        const auto middle = sections(model, "z=0");
+        ASSERT_EQ(middle.size(), 2u) << turned;
+        for (const CombCurve& curve : middle)
+            expect_circle(curve, curve.length > 2 * pi * 60 ? 80 : 40, 0);
+        for (const double z : {20.0, -20.0}) {
+            const auto touching = sections(model, z > 0 ? "z=20" : "z=-20");
+            ASSERT_EQ(touching.size(), 1u) << turned << ' ' << z;
+            expect_circle(touching[0], 60, z);
+            EXPECT_TRUE(touching[0].pieces[0].touching);
+            EXPECT_EQ(touching[0].pieces.size(), 4u);
+        }
+    }
+}
+
+/// Two faces trimmed at x = 50, which is no border of their patches.
+TEST(CombCurves, RunAlongTrimsOnce) {
+    test::ModelBuilder builder;
+    for (const double begin : {0.1, 0.5}) {
+        builder.patch(
+            2, 1, {{0, 0, 0}, {0, 100, 0}, {50, 0, 20}, {50, 100, 20}, {100, 0, 0}, {100, 100, 0}});
+        builder.polygon({{begin, 0.2}, {begin + 0.4, 0.2}, {begin + 0.4, 0.9}, {begin, 0.9}});
+    }
+    const auto curves = sections(builder.build(), "x=50");
+    ASSERT_EQ(curves.size(), 1u);
+    EXPECT_NEAR(curves[0].length, 70, 1e-5);
+    EXPECT_LE(curves[0].pieces[0].samples.size(), 5u);
+}
+
+TEST(CombCurves, TellOfPlanesWithoutCurves) {
+    using Kind = SectionRemark::Kind;
+    const auto remarks = [](const SurfaceModel& model, const char* plane) {
+        CombOptions options;
+        options.planes = {section_plane(plane)};
+        const FoundCombs found = comb_curves(model, options);
+        EXPECT_TRUE(found.curves.empty()) << plane;
+        EXPECT_EQ(found.remarks.size(), 1u) << plane;
+        return found.remarks.empty() ? SectionRemark{} : found.remarks[0];
+    };
+    const SurfaceModel ball =
+        test::sphere_model(test::stretched(Vec3(80), {1, 2, 3}, Vec3(10, 0, 0)));
+    const SectionRemark missed = remarks(ball, "x=500");
+    EXPECT_EQ(missed.kind, Kind::missed);
+    const SectionRemark touched = remarks(ball, "x=90");
+    EXPECT_EQ(touched.kind, Kind::touches);
+    EXPECT_LT((touched.place - Vec3(90, 0, 0)).length(), 0.2);
+    test::ModelBuilder builder;
+    builder.plane({0, 0, 7}, {100, 0, 0}, {0, 100, 0});
+    EXPECT_EQ(remarks(builder.build(), "z=7").kind, Kind::within);
+}
+
+/// Where a plane touches along a curve that no parameter follows.
+TEST(CombCurves, FollowWherePlanesTouchAslant) {
+    // z = (x - y)^2 / 100 over 100 x 100, which touches z = 0 along its diagonal.
+    test::ModelBuilder builder;
+    std::vector<Vec3> points;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            const double xx = i == 2 ? 100 : 0, yy = j == 2 ? 100 : 0, xy = 100.0 * i * j / 4;
+            points.emplace_back(50 * i, 50 * j, xx + yy - 2 * xy);
+        }
+    builder.patch(2, 2, points);
+    const auto curves = sections(builder.build(), "z=0");
+    ASSERT_EQ(curves.size(), 1u);
+    EXPECT_NEAR(curves[0].length, 100 * std::sqrt(2.0), 1e-6);
+    for_each_sample(curves[0],
+                    [&](const CombSample& s) { EXPECT_NEAR(s.bend.curvature, 0, 1e-12); });
 }
 
 } // namespace

@@ -146,7 +146,7 @@ TEST(FieldCells, HoldEveryChangeOfSign) {
     const SurfaceModel model = graph(powers, 100);
     const auto field = parabolic_field(model.patch(0), 0);
     ASSERT_TRUE(field.has_value());
-    const std::vector<LineCell> cells = field_cells(field->inner);
+    const std::vector<LineCell> cells = field_cells(field->inner).cells;
     const auto gaussian = [&](const Vec2& uv) {
         const SurfaceDerivatives s = evaluate(model.patch(0), uv, 2);
         return principal_curvatures(s, s.du().cross(s.dv()).normalized()).gaussian();

@@ -14,16 +14,18 @@ protected:
     CombsText() {
         options.planes = {section_plane("y=0"), section_plane("z=900")};
         options.iso_curves = 1;
-        curves = comb_curves(model, options);
+        found = comb_curves(model, options);
+        curves = found.curves;
     }
 
     SurfaceModel model = test::sphere_model(test::stretched(Vec3(80), {0, 0, 1}, Vec3(0)));
     CombOptions options;
+    FoundCombs found;
     std::vector<CombCurve> curves;
 };
 
 TEST_F(CombsText, JsonHoldsTheSamplesOfEveryCurve) {
-    const auto json = nlohmann::json::parse(combs_json(curves, model, "9.9"));
+    const auto json = nlohmann::json::parse(combs_json(found, options.planes, model, "9.9"));
     EXPECT_EQ(json["format"], "keiko-combs/1");
     ASSERT_EQ(json["curves"].size(), curves.size());
     const auto& section = json["curves"][0];
@@ -36,6 +38,10 @@ TEST_F(CombsText, JsonHoldsTheSamplesOfEveryCurve) {
     EXPECT_NEAR(sample["curvature"].get<double>(), -1 / 80.0, 1e-9);
     EXPECT_NEAR(sample["place"][1].get<double>(), 0, 1e-9);
     EXPECT_EQ(json["curves"].back()["kind"], "iso_v");
+    ASSERT_EQ(json["remarks"].size(), 1u);
+    EXPECT_EQ(json["remarks"][0]["plane"], "z=900");
+    EXPECT_EQ(json["remarks"][0]["kind"], "missed");
+    EXPECT_NEAR(json["remarks"][0]["body"][1].get<double>(), 80, 1e-9);
 }
 
 TEST_F(CombsText, CsvHasARowASample) {
