@@ -34,6 +34,6 @@ struct FaceCurvature {
 /// pieces, and one a patch, suffice; `bound` tells what was reached. Nothing for a face that trims
 /// leave nothing of to look at.
 std::optional<FaceCurvature> face_curvature(const SurfaceModel& model, std::uint32_t instance,
-                                            std::uint32_t face, std::size_t most_splits = 300);
+                                            std::uint32_t face, std::size_t most_splits = 5000);
 
 } // namespace keiko

@@ -11,14 +11,17 @@ std::string no_cell() {
     return html_cell("", "–");
 }
 
+std::string soft_note(const std::string& text) {
+    return " <span class=\"soft small\">" + text + "</span>";
+}
+
 /// The value, and where it is not settled how far beyond it the true one may lie.
 std::string extreme(const CurvatureExtreme& k, double direction) {
     std::string text = short_number(k.value);
     if (k.undecided && std::isfinite(k.bound))
-        text += " <span class=\"soft small\">to " + short_number(k.value + direction * k.bound) +
-                "</span>";
+        text += soft_note("to " + short_number(k.value + direction * k.bound));
     else if (k.undecided)
-        text += " <span class=\"soft small\">no bound</span>";
+        text += soft_note("no bound");
     return html_number_cell(k.value, text, false);
 }
 
@@ -29,15 +32,23 @@ std::string curvature_cells(const MeasuredFace& face) {
            extreme(c.smallest_gaussian, -1);
 }
 
+/// The radius found, and where it is not settled how small the true one may be.
+std::string radius_cell(const Worst& radius) {
+    std::string text = short_number(radius.value, 4);
+    if (radius.bound > curvature_tolerance * radius.value)
+        text += soft_note("to " + short_number(radius.value - radius.bound, 4));
+    return html_number_cell(radius.value, text, radius.verdict != Verdict::pass);
+}
+
 std::string flaw_cell(const MeasuredFace& face) {
     if (face.flaws.empty()) return no_cell();
     const Flaw& flaw = face.flaws.front();
     const std::string more =
         face.flaws.size() > 1 ? " and " + std::to_string(face.flaws.size() - 1) + " more" : "";
-    return html_number_cell(flaw.depth.value,
-                            short_number(flaw.depth.value, 3) + " <span class=\"soft small\">at " +
-                                place_text(flaw.depth.place) + more + "</span>",
-                            flaw.depth.verdict != Verdict::pass);
+    return html_number_cell(
+        flaw.depth.value,
+        short_number(flaw.depth.value, 3) + soft_note("at " + place_text(flaw.depth.place) + more),
+        flaw.depth.verdict != Verdict::pass);
 }
 
 /// The length of all, and where the longest is.
@@ -46,11 +57,11 @@ std::string inflections_cell(const MeasuredFace& face) {
     double length = 0;
     for (const InflectionCurve& curve : face.inflections) length += curve.length;
     const std::vector<Vec3>& longest = face.inflections.front().points;
-    return html_number_cell(length,
-                            fixed_number(length, 1) + " <span class=\"soft small\">in " +
-                                std::to_string(face.inflections.size()) + " at " +
-                                place_text(longest[longest.size() / 2]) + "</span>",
-                            false);
+    return html_number_cell(
+        length,
+        fixed_number(length, 1) + soft_note("in " + std::to_string(face.inflections.size()) +
+                                            " at " + place_text(longest[longest.size() / 2])),
+        false);
 }
 
 std::string row(const Report& report, std::size_t index) {
@@ -62,10 +73,8 @@ std::string row(const Report& report, std::size_t index) {
                        html_cell(std::to_string(face.id), html_escaped(face.name), "left") +
                        html_cell(std::to_string(static_cast<int>(face.verdict)),
                                  "<span class=\"chip\">" + verdict + "</span>");
-    html += face.radius ? html_number_cell(face.radius->value, short_number(face.radius->value, 4),
-                                           face.radius->verdict != Verdict::pass)
-                        : no_cell();
-    html += curvature_cells(face) + inflections_cell(face);
+    html += (face.radius ? radius_cell(*face.radius) : no_cell()) + curvature_cells(face) +
+            inflections_cell(face);
     if (limits.waviness) html += flaw_cell(face);
     html += face.radius
                 ? html_cell(short_number(face.radius->place.x, 9), place_text(face.radius->place))

@@ -77,6 +77,18 @@ TEST(FaceCurvature, FindsTheExtremesOfATorus) {
     EXPECT_NEAR(c.largest_gaussian.value, 1 / (30.0 * 130), 1e-9);
 }
 
+// It is as bent everywhere: all of it must be cut to small pieces.
+TEST(FaceCurvature, BoundsATorusWithinItsBudget) {
+    const FaceCurvature c = *face_curvature(torus(), 0, 0);
+    const double size = 300;
+    expect_extreme(c.largest, 1 / 70.0, size);
+    expect_extreme(c.smallest, -1 / 30.0, size);
+    expect_extreme(c.largest_mean, -(1 / 30.0 - 1 / 70.0) / 2, size);
+    expect_extreme(c.smallest_mean, -(1 / 30.0 + 1 / 130.0) / 2, size);
+    for (const CurvatureExtreme* k : {&c.largest_gaussian, &c.smallest_gaussian})
+        EXPECT_LE(k->bound, curvature_tolerance * std::abs(k->value));
+}
+
 TEST(FaceCurvature, SaysWhereItsBoundsStayWide) {
     // A torus is as bent everywhere, so that no piece of it can be set aside.
     const FaceCurvature coarse = curvature_of(torus(), 10), fine = curvature_of(torus(), 300);
