@@ -84,12 +84,23 @@ ReportPicture picture_of(const std::string& view, const std::string& kind, const
 
 } // namespace
 
-std::vector<ReportPicture> form_pictures(const NamedView& view, const Film& film,
-                                         const Inspection& inspection, const LightRig& rig) {
-    const Image gauss = look_picture(Look::gauss, film, view.camera, rig);
-    return {
-        picture_of(view.name, "curvature", with_inflections(gauss, film, inspection, view.camera)),
-        picture_of(view.name, "zebra", look_picture(Look::zebra, film, view.camera, rig))};
+std::vector<ReportPicture> form_pictures(std::span<const NamedView> views,
+                                         std::span<const std::pair<std::string, Film>> films,
+                                         const Inspection& inspection) {
+    double full = 0;
+    for (std::size_t i = 0; i < views.size(); ++i)
+        full = std::max(full, usual_curvature(Look::gauss, films[i].second, views[i].camera));
+    std::vector<ReportPicture> pictures;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const Film& film = films[i].second;
+        const Camera& camera = views[i].camera;
+        const Image gauss = look_picture(Look::gauss, film, camera, {}, full);
+        pictures.push_back(picture_of(views[i].name, "curvature",
+                                      with_inflections(gauss, film, inspection, camera)));
+        pictures.push_back(
+            picture_of(views[i].name, "zebra", look_picture(Look::zebra, film, camera, {})));
+    }
+    return pictures;
 }
 
 } // namespace keiko

@@ -5,9 +5,11 @@
 
 namespace keiko {
 
-/// One view of a body by other looks than its lamps', from a film that has look_layers: the
-/// Gaussian curvature with what the eye sees of the inflection curves, and zebra.
-std::vector<ReportPicture> form_pictures(const NamedView& view, const Film& film,
-                                         const Inspection& inspection, const LightRig& rig);
+/// The views of a body by other looks than its lamps', from their films, which have look_layers: of
+/// each the Gaussian curvature, by one scale for all, with what the eye sees of the inflection
+/// curves, and zebra.
+std::vector<ReportPicture> form_pictures(std::span<const NamedView> views,
+                                         std::span<const std::pair<std::string, Film>> films,
+                                         const Inspection& inspection);
 
 } // namespace keiko

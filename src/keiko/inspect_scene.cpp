@@ -77,14 +77,14 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
         Film film = render_view(scene, result.rig, view.camera, picture, job);
         result.report.pictures.push_back(report_picture(
             view.name, film, markers_in(scene, result.report.inspection, view.camera)));
-        for (ReportPicture& form : form_pictures(view, film, result.report.inspection, result.rig))
-            result.report.form_pictures.push_back(std::move(form));
         result.films.emplace_back(view.name, std::move(film));
     }
+    result.report.form_pictures = form_pictures(views, result.films, result.report.inspection);
     add_lines(result.report, scene, result, options, views, job);
     if (has_curves(options.combs)) {
         result.combs = combs_of(scene.model, options.combs, job);
         result.report.combs = result.combs->pictures;
+        result.report.comb_remarks = result.combs->remarks;
     }
     result.report.close_ups =
         close_ups(scene, result.rig, result.report, views, options.picture, job);

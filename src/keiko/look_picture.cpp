@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <sstream>
 
 namespace keiko {
 namespace {
@@ -151,6 +152,33 @@ std::string band_words(Look look) {
     return "highlight lines: normals that meet the lamps' plane, by pitch";
 }
 
+/// Lines of words, none longer than the width allows where words can be parted.
+std::vector<std::string> wrapped(const std::string& words, double width) {
+    std::vector<std::string> lines{""};
+    std::istringstream in(words);
+    for (std::string word; in >> word;) {
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (lines.back().empty() || text_size(longer, 1).x <= width)
+            lines.back() = longer;
+        else
+            lines.push_back(word);
+    }
+    return lines;
+}
+
+Image with_caption(Image picture, const std::string& words) {
+    constexpr double margin = 8, line_height = 11;
+    const std::vector<std::string> lines = wrapped(words, picture.width - 2 * margin);
+    double y = picture.height - 3 - line_height * static_cast<double>(lines.size());
+    Overlay overlay;
+    for (const std::string& line : lines) {
+        overlay.texts.push_back(
+            {.at = Vec2(margin, y), .text = line, .color = Rgb(0.85), .scale = 1});
+        y += line_height;
+    }
+    return with_overlay(std::move(picture), overlay);
+}
+
 Image banded(Look look, const FilmSight& sight, std::span<const LineField> planes) {
     const Bands bands(look, sight, planes);
     Image picture(sight.width(), sight.height(), 3);
@@ -165,12 +193,7 @@ Image banded(Look look, const FilmSight& sight, std::span<const LineField> plane
             const double value = own * alpha + backdrop * (1 - alpha);
             std::fill_n(picture.pixel(x, y), 3, static_cast<float>(value));
         }
-    Overlay overlay;
-    overlay.texts.push_back({.at = Vec2(8, sight.height() - 14),
-                             .text = band_words(look),
-                             .color = Rgb(0.85),
-                             .scale = 1});
-    return with_overlay(std::move(picture), overlay);
+    return with_caption(std::move(picture), band_words(look));
 }
 
 /// The least value that all but a share of the sizes are below.
@@ -187,9 +210,12 @@ double usual_size(std::vector<double> values) {
     return *at;
 }
 
-Image colored(Look look, const FilmSight& sight) {
-    const std::vector<double> values =
-        numbers(sight, [&](int x, int y) { return sight.curvature(look, x, y); });
+std::vector<double> curvatures(Look look, const FilmSight& sight) {
+    return numbers(sight, [&](int x, int y) { return sight.curvature(look, x, y); });
+}
+
+Image colored(Look look, const FilmSight& sight, double full) {
+    const std::vector<double> values = curvatures(look, sight);
     Image shown(sight.width(), sight.height(), 1), facing(sight.width(), sight.height(), 1);
     std::transform(values.begin(), values.end(), shown.values.begin(),
                    [](double value) { return static_cast<float>(value); });
@@ -197,9 +223,7 @@ Image colored(Look look, const FilmSight& sight) {
         for (int x = 0; x < sight.width(); ++x)
             if (const auto seen = sight.at(x, y))
                 *facing.pixel(x, y) = static_cast<float>(seen->facing());
-    constexpr double flat = 1e-12;
-    return signed_color_picture(shown, facing, round_scale(std::max(usual_size(values), flat)),
-                                look == Look::gauss ? "1/mm2" : "1/mm");
+    return signed_color_picture(shown, facing, full, look == Look::gauss ? "1/mm2" : "1/mm");
 }
 
 } // namespace
@@ -222,9 +246,16 @@ std::vector<Aov> look_layers() {
     return {Aov::normal, Aov::face, Aov::depth, Aov::curvature};
 }
 
-Image look_picture(Look look, const Film& film, const Camera& camera, const LightRig& rig) {
+double usual_curvature(Look look, const Film& film, const Camera& camera) {
+    constexpr double flat = 1e-12;
+    return round_scale(std::max(usual_size(curvatures(look, FilmSight(film, camera))), flat));
+}
+
+Image look_picture(Look look, const Film& film, const Camera& camera, const LightRig& rig,
+                   std::optional<double> full) {
     const FilmSight sight(film, camera);
-    if (is_curvature(look)) return colored(look, sight);
+    if (is_curvature(look))
+        return colored(look, sight, full ? *full : usual_curvature(look, film, camera));
     std::vector<LineField> planes;
     for (const LightSource& source : rig.sources)
         if (const auto* plane = std::get_if<CPlane>(&source))

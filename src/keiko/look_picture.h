@@ -4,6 +4,7 @@
 #include "keiko/rig/light_rig.h"
 #include "keiko/spec/camera.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,9 +32,13 @@ bool is_curvature(Look look);
 std::vector<Aov> look_layers();
 
 /// The display picture of a film's surface, with a legend where colours stand for numbers.
-/// Curvatures are positive in hollows, as the eye sees them; the scale is full where 2 % of the
-/// picture of the body is beyond it. Stripes are averaged over pixels. Highlight bands are as wide
+/// Curvatures are positive in hollows, as the eye sees them; their colours are full at +-`full`, or
+/// else at usual_curvature. Stripes are averaged over pixels. Highlight bands are as wide
 /// as the gaps between them; a surface whose normal meets no C-plane of the rig is grey.
-Image look_picture(Look look, const Film& film, const Camera& camera, const LightRig& rig);
+Image look_picture(Look look, const Film& film, const Camera& camera, const LightRig& rig,
+                   std::optional<double> full = {});
+
+/// The round curvature, 1/mm or 1/mm2, that 2 % of a film's picture of the body are beyond.
+double usual_curvature(Look look, const Film& film, const Camera& camera);
 
 } // namespace keiko

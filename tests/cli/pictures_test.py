@@ -88,10 +88,16 @@ class Pictures(KeikoTest):
                  "curvature:k1", "curvature:k2")
         pictures = [self.written("a.png", "--look", look) for look in looks]
         self.assertEqual(len(set(pictures)), len(looks))
+        self.assertNotEqual(self.written("b.png", "--look", "curvature:gauss=1"), pictures[4])
         self.assertIn(b"curvature.gauss\0", self.written("a.exr", "--aov", "curvature"))
         self.assertEqual(self.written("b.png", "--look", "zebra", "--threads", "1"), pictures[1])
         for arguments, words in ((("-o", "a.exr", "--look", "zebra"), "--look zebra makes a .png"),
-                                 (("-o", "a.png", "--look", "moire"), "--look")):
+                                 (("-o", "a.png", "--look", "zebr"), "(did you mean 'zebra'?)"),
+                                 (("-o", "a.png", "--look", "zebra=1"), "not curvature:KIND=C"),
+                                 (("-o", "a.png", "--look", "curvature:k1=0"), "not curvature:KIND=C"),
+                                 (("-o", "a.png", "--look", "zebra", "--ev", "5"), "without --ev"),
+                                 (("-o", "a.png", "--look", "zebra", "--shadows"), "without --shadows"),
+                                 (("-o", "a.png", "--look", "zebra", "--rig", "auto"), "without --rig")):
             run = self.keiko("render", HOOD, *arguments, *SMALL)
             self.assertEqual(run.returncode, 2)
             self.assertIn(words, run.stderr)

@@ -55,7 +55,7 @@ private:
     std::map<Place, std::vector<std::size_t>> at_;
 };
 
-/// What stands on each pixel of a picture: the lines of a contour, a label, or nothing.
+/// What stands on each pixel of a picture: one of the lines, a label, or nothing.
 class Occupied {
 public:
     Occupied(int width, int height)
@@ -63,15 +63,15 @@ public:
           height_(height),
           by_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), nobody) {}
 
-    void add_line(const Vec2& point, int contour) {
+    void add_line(const Vec2& point, int line) {
         const int x = static_cast<int>(point.x), y = static_cast<int>(point.y);
-        if (x >= 0 && x < width_ && y >= 0 && y < height_) at(x, y) = contour;
+        if (x >= 0 && x < width_ && y >= 0 && y < height_) at(x, y) = line;
     }
-    /// Whether a box lies in the picture with nothing in it but lines of one contour.
-    bool holds_only(const Box2& box, int contour) {
+    /// Whether a box lies in the picture with nothing in it but one line.
+    bool holds_only(const Box2& box, int line) {
         if (box.lower.x < 0 || box.lower.y < 0 || box.upper.x >= width_ || box.upper.y >= height_)
             return false;
-        return every(box, [&](int by) { return by == nobody || by == contour; });
+        return every(box, [&](int by) { return by == nobody || by == line; });
     }
     void add_label(const Box2& box) {
         every(box, [](int& by) {
@@ -123,7 +123,7 @@ constexpr double places[] = {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9};
 constexpr double least_length = 5;
 
 /// Sets the label of a line and breaks the line there, if it is long enough and there is room.
-void set_label(Polyline& line, int contour, const std::string& label, int scale, Occupied& occupied,
+void set_label(Polyline& line, int number, const std::string& label, int scale, Occupied& occupied,
                std::vector<TextLabel>& texts) {
     const Vec2 size = text_size(label, scale), gap = size + Vec2(4.0 * scale);
     if (length_of(line) < least_length * size.x) return;
@@ -131,7 +131,7 @@ void set_label(Polyline& line, int contour, const std::string& label, int scale,
     for (const double share : places) {
         const Vec2 middle = line.points[static_cast<std::size_t>(share * count)];
         const Box2 box = box_around(middle, gap);
-        if (!occupied.holds_only(box, contour)) continue;
+        if (!occupied.holds_only(box, number)) continue;
         occupied.add_label(box);
         texts.push_back(
             {.at = middle - size / 2, .text = label, .color = line.color, .scale = scale});
@@ -160,15 +160,19 @@ std::vector<Polyline> joined_lines(const std::vector<Polyline>& parts) {
 Overlay labelled_contours(const std::vector<Contour>& contours, int width, int height, int scale) {
     std::vector<std::vector<Polyline>> joined;
     Occupied occupied(width, height);
-    for (std::size_t i = 0; i < contours.size(); ++i) {
-        joined.push_back(joined_lines(contours[i].lines));
-        for (const Polyline& line : joined.back())
-            for (const Vec2& point : line.points) occupied.add_line(point, static_cast<int>(i));
+    int number = 0;
+    for (const Contour& contour : contours) {
+        joined.push_back(joined_lines(contour.lines));
+        for (const Polyline& line : joined.back()) {
+            for (const Vec2& point : line.points) occupied.add_line(point, number);
+            ++number;
+        }
     }
     Overlay overlay;
+    number = 0;
     for (std::size_t i = 0; i < contours.size(); ++i)
         for (Polyline& line : joined[i]) {
-            set_label(line, static_cast<int>(i), contours[i].label, scale, occupied, overlay.texts);
+            set_label(line, number++, contours[i].label, scale, occupied, overlay.texts);
             overlay.lines.push_back(std::move(line));
         }
     return overlay;

@@ -106,38 +106,46 @@ std::optional<Integrator::Path> Integrator::advance(Path path, const Met& met, i
                                                     EyeView& view) const {
     const std::optional<Hit>& hit = met.hit;
     EyeSample& sample = view.samples[path.sample];
-    const std::uint32_t paint = hit ? paint_of_face_[hit->face] : 0;
-    if (depth == 0) {
-        sample.hit = hit;
-        sample.paint = paint;
-    } else {
-        if (depth == 1) note_mirrored(path.ray, hit, sample);
-        sample.torn = sample.torn || met.mirror.torn;
-        add_lamps(path, met.mirror.lamps, shafts, sample);
-    }
+    note(path, met, depth, shafts, sample);
+    pass_medium(path, hit ? hit->position : end_of(path.ray, hit), shafts, sample);
     if (!hit) {
-        pass_medium(path, end_of(path.ray, hit), shafts, sample);
         sample.luminance +=
             path.weight * (depth == 0 ? scene_.background : even_luminance(scene_.rig.ambient));
         return std::nullopt;
     }
     sample.paths.count(*hit);
-    pass_medium(path, hit->position, shafts, sample);
-
-    const double towards = hit->normal.dot(path.ray.direction);
-    const Vec3 normal = towards > 0 ? -hit->normal : hit->normal;
-    const double length = path.ray.direction.length(), cosine = std::abs(towards) / length;
-    const Vec3 eye = path.ray.direction / -length;
-    const LitSpot spot{path.sample, depth, {hit->position, normal, paint},
-                       hit->root,   eye,   path.weight};
+    const LitSpot spot = spot_at(path, *hit, depth);
     sample.luminance += path.weight * ambient_luminance(spot);
     view.spots.push_back(spot);
 
-    path.weight *= paints_[paint].mirrored(cosine);
+    const double cosine =
+        std::abs(hit->normal.dot(path.ray.direction)) / path.ray.direction.length();
+    path.weight *= paints_[paint_of_face_[hit->face]].mirrored(cosine);
     if (depth >= options_.max_depth || !(max_channel(path.weight) >= options_.min_weight))
         return std::nullopt;
     path.ray = mirror_ray(path.ray, *hit);
     return path;
+}
+
+/// What a ray from the eye meets first, and what its mirrored ones pass.
+void Integrator::note(Path& path, const Met& met, int depth, const VisibleFrom& shafts,
+                      EyeSample& sample) const {
+    if (depth == 0) {
+        sample.hit = met.hit;
+        sample.paint = met.hit ? paint_of_face_[met.hit->face] : 0;
+        return;
+    }
+    if (depth == 1) note_mirrored(path.ray, met.hit, sample);
+    sample.torn = sample.torn || met.mirror.torn;
+    add_lamps(path, met.mirror.lamps, shafts, sample);
+}
+
+/// Its side that the path comes from.
+LitSpot Integrator::spot_at(const Path& path, const Hit& hit, int depth) const {
+    const Vec3 normal = hit.normal.dot(path.ray.direction) > 0 ? -hit.normal : hit.normal;
+    const Vec3 eye = path.ray.direction / -path.ray.direction.length();
+    return {path.sample, depth, {hit.position, normal, paint_of_face_[hit.face]},
+            hit.root,    eye,   path.weight};
 }
 
 void Integrator::note_mirrored(const Ray& ray, const std::optional<Hit>& hit,

@@ -60,6 +60,9 @@ private:
     /// Adds what `path` meets to the view; returns its mirror reflection while that counts.
     std::optional<Path> advance(Path path, const Met& met, int depth, const VisibleFrom& shafts,
                                 EyeView& view) const;
+    void note(Path& path, const Met& met, int depth, const VisibleFrom& shafts,
+              EyeSample& sample) const;
+    LitSpot spot_at(const Path& path, const Hit& hit, int depth) const;
     void note_mirrored(const Ray& ray, const std::optional<Hit>& hit, EyeSample& sample) const;
     void add_lamps(Path& path, const MirroredLight& lamps, const VisibleFrom& shafts,
                    EyeSample& sample) const;

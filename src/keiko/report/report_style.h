@@ -33,7 +33,7 @@ p { margin: 0 0 8px; }
 .head .names { flex: 1 1 320px; min-width: 0; }
 .verdict { font-size: 34px; font-weight: 750; line-height: 1.1; color: var(--tone);
   letter-spacing: -0.02em; text-transform: capitalize; }
-.counts { display: grid; grid-template-columns: repeat(auto-fit, minmax(130px, 1fr)); gap: 12px;
+.counts { display: grid; grid-template-columns: repeat(auto-fit, minmax(112px, 1fr)); gap: 12px;
   margin-top: 12px; }
 .count { padding: 12px 16px; }
 .count b { display: block; font-size: 26px; font-weight: 680; line-height: 1.2; color: var(--tone); }

@@ -79,6 +79,17 @@ TEST(Look, CurvaturesAreAsTheEyeSeesThem) {
     EXPECT_NEAR(k.pixel(100, 80)[3], 1e-4, 1e-9);
 }
 
+TEST(Look, CurvaturesAreFullWhereAsked) {
+    const Ball ball;
+    EXPECT_EQ(usual_curvature(Look::gauss, ball.film, ball.camera), 1e-4);
+    EXPECT_EQ(usual_curvature(Look::k1, ball.film, ball.camera), 0.01);
+    const auto picture = [&](std::optional<double> full) {
+        return look_picture(Look::gauss, ball.film, ball.camera, {}, full).values;
+    };
+    EXPECT_EQ(picture(1e-4), picture({}));
+    EXPECT_NE(picture(2e-4), picture({}));
+}
+
 /// Normals of a ball about the origin meet the plane z = 1000 at x = 1000 tan(angle from z).
 TEST(Look, HighlightBandsFollowTheLamps) {
     const Ball ball;

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "keiko/cli/scene_options.h"
+#include "keiko/look_picture.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keiko::cli {
+
+/// A look and how much of a curvature its colours are full at, 1/mm or 1/mm2; none: as the picture
+/// has it.
+struct ChosenLook {
+    Look look = Look::zebra;
+    std::optional<double> full{};
+};
+
+/// First and last.
+struct Frames {
+    int first = 0, last = 0;
+};
+
+/// The options of the command that renders one picture, or one a frame.
+class RenderArguments {
+public:
+    SceneArguments scene;
+    std::filesystem::path output, hits;
+    std::string view, rig = "auto";
+    bool false_color = false, iso_lines = false, resume = false;
+    double light_error = PictureOptions().light_error;
+
+    void add_to(CLI::App& command);
+
+    /// Throws Error for options that do not go with each other or with the file that is asked for,
+    /// and for a place that cannot be written to.
+    void require() const;
+    /// Nothing: under the lamps. Throws Error for a name that no look has.
+    std::optional<ChosenLook> look() const;
+    std::vector<Aov> aovs() const;
+    FalseColorScale scale() const;
+    ShownQuantity quantity() const;
+    ToneMapping mapping() const;
+    TubeModel tubes() const;
+    /// Nothing: one picture.
+    std::optional<Frames> frames() const;
+    /// All that a picture is made of but the number of its frame.
+    std::string key() const;
+
+private:
+    void add_light(CLI::App& command);
+    void add_false_colors(CLI::App& command);
+    void add_display(CLI::App& command);
+    void add_frames(CLI::App& command);
+    void require_look(const ChosenLook& look) const;
+
+    std::string aovs_, look_ = "lamps", scale_, quantity_ = "luminance", penumbrae_ = "width",
+                       tone_ = "linear", frames_;
+    std::optional<double> ev_;
+    std::vector<const CLI::Option*> of_lamps_; ///< that no look but the lamps' heeds
+    const CLI::Option* rig_ = nullptr;
+};
+
+} // namespace keiko::cli
