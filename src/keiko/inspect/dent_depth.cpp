@@ -2,104 +2,105 @@
 
 #include "keiko/inspect/smooth_base.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <span>
 #include <vector>
 
 namespace keiko {
 namespace {
 
-/// A plane that touches the surface, to look from at what is around.
-struct Outlook {
-    Vec3 origin, x, y, z;
+constexpr int directions = 32, rings = 12;
 
-    Height height(const Vec3& position, double weight) const {
-        const Vec3 from = position - origin;
-        return {from.dot(x), from.dot(y), from.dot(z), weight};
+std::optional<TangentFrame> outlook(const SmoothFaces& faces, const SheetPlace& at) {
+    const auto s = faces.evaluate(at, 1);
+    return s ? faces.frame(at, s->du()) : std::nullopt;
+}
+
+/// The surface around a place by samples in all directions that stand for equal areas; each
+/// straight way ends where material does.
+std::vector<Height> heights_around(const SmoothFaces& faces, const SheetPlace& at,
+                                   const TangentFrame& from, double reach) {
+    std::vector<Height> heights;
+    for (int d = 0; d < directions; ++d) {
+        const double angle = 2 * std::numbers::pi * (d + 0.5) / directions;
+        SheetPlace last = at;
+        for (int r = 0; r < rings; ++r) {
+            const double radius = reach * std::sqrt((r + 0.5) / rings);
+            const Vec2 to(radius * std::cos(angle), radius * std::sin(angle));
+            const auto next = faces.moved(from, last, to);
+            if (!next) break;
+            last = *next;
+            heights.push_back({to.x, to.y, from.local(faces.evaluate(last, 0)->position()).z, 1});
+        }
     }
-};
-
-std::optional<Outlook> outlook(const FaceGrid& grid, const Vec2& place) {
-    const auto s = grid.evaluate(place, 1);
-    if (!s) return std::nullopt;
-    const Vec3 x = s->du().normalized();
-    const Vec3 z = s->du().cross(s->dv()).normalized() * grid.sign();
-    return Outlook{s->position(), x, z.cross(x), z};
+    return heights;
 }
 
 /// The form around a place.
-std::optional<SmoothBase> base_around(const FaceGrid& grid, const Outlook& from, double reach) {
-    std::vector<Height> heights;
-    std::array<std::size_t, 4> quarters{};
-    for (std::size_t row = 0; row < grid.rows(); ++row)
-        for (std::size_t column = 0; column < grid.columns(); ++column) {
-            const FaceSample& sample = grid.sample(column, row);
-            if (!sample.material || (sample.position - from.origin).length() > reach) continue;
-            heights.push_back(from.height(sample.position, sample.area));
-            ++quarters[(heights.back().x > 0 ? 1u : 0u) + (heights.back().y > 0 ? 2u : 0u)];
-        }
-    // Beside a border there is form on one side only.
-    constexpr std::size_t least_share = 20;
-    for (const std::size_t quarter : quarters)
-        if (quarter * least_share < heights.size()) return std::nullopt;
+std::optional<SmoothBase> base_under(std::span<const Height> heights, double reach) {
+    constexpr std::size_t fewest = directions * rings / 8; // half of a corner's quarter
+    if (heights.size() < fewest) return std::nullopt;
     return SmoothBase::fit(heights, reach);
 }
 
-/// Of the surface at a place, mm; positive outwards.
-std::optional<double> offset_at(const FaceGrid& grid, const Vec2& place, double reach) {
-    const auto from = outlook(grid, place);
-    if (!from) return std::nullopt;
-    const auto under = base_around(grid, *from, reach);
-    if (!under) return std::nullopt;
-    return -under->height(0, 0);
+/// Whether less than a twentieth of the samples lie in some quarter.
+bool is_one_sided(std::span<const Height> heights) {
+    std::array<std::size_t, 4> quarters{};
+    for (const Height& h : heights) ++quarters[(h.x > 0 ? 1u : 0u) + (h.y > 0 ? 2u : 0u)];
+    return std::any_of(quarters.begin(), quarters.end(),
+                       [&](std::size_t count) { return count * 20 < heights.size(); });
 }
 
-/// By steps along u and v that are halved where none leads further off.
-Vec2 furthest(const FaceGrid& grid, Vec2 place, const Outlook& from, const SmoothBase& under,
-              double reach, double spacing) {
-    const auto offset = [&](const Vec2& at) {
-        const auto s = grid.evaluate(at, 0);
-        if (!s) return 0.0;
-        const Height h = from.height(s->position(), 1);
-        return h.x * h.x + h.y * h.y < reach * reach ? h.z - under.height(h.x, h.y) : 0.0;
-    };
-    const auto s = grid.evaluate(place, 1);
-    if (!s) return place;
-    double best = offset(place);
-    const double side = best < 0 ? -1 : 1;
-    best *= side;
-    Vec2 step(spacing / s->du().length(), spacing / s->dv().length());
+/// By steps in the plane that are halved where none leads further off.
+SheetPlace furthest(const SmoothFaces& faces, const SheetPlace& begin, const TangentFrame& from,
+                    const SmoothBase& under, double reach) {
+    SheetPlace at = begin;
+    Vec2 here(0);
+    const double side = under.height(0, 0) > 0 ? -1 : 1;
+    double best = -under.height(0, 0) * side, step = reach / 10;
     constexpr int halvings = 8;
     for (int halved = 0; halved < halvings;) {
         bool moved = false;
-        for (const Vec2& way :
-             {Vec2(step.x, 0), Vec2(-step.x, 0), Vec2(0, step.y), Vec2(0, -step.y)}) {
-            const double there = offset(place + way) * side;
-            if (there > best) best = there, place += way, moved = true;
+        for (const Vec2& way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
+            const Vec2 to = here + way * step;
+            if (!(to.length2() < reach * reach)) continue;
+            const auto next = faces.moved(from, at, to);
+            if (!next) continue;
+            const double height = from.local(faces.evaluate(*next, 0)->position()).z;
+            const double there = (height - under.height(to.x, to.y)) * side;
+            if (there > best) best = there, here = to, at = *next, moved = true;
         }
-        if (!moved) step *= 0.5, ++halved;
+        if (!moved) step /= 2, ++halved;
     }
-    return place;
+    return at;
 }
 
 } // namespace
 
-std::optional<DentDepth> dent_depth(const FaceGrid& grid, const Vec2& begin, double reach,
-                                    double spacing) {
-    Vec2 place = begin;
+std::optional<DentDepth> dent_depth(const SmoothFaces& faces, const SheetPlace& begin,
+                                    double reach) {
+    SheetPlace at = begin;
     constexpr int rounds = 3;
     for (int i = 0; i < rounds; ++i) {
-        const auto from = outlook(grid, place);
+        const auto from = outlook(faces, at);
         if (!from) return std::nullopt;
-        const auto under = base_around(grid, *from, reach);
+        const auto under = base_under(heights_around(faces, at, *from, reach), reach);
         if (!under) return std::nullopt;
-        place = furthest(grid, place, *from, *under, reach, spacing);
+        at = furthest(faces, at, *from, *under, reach);
     }
+    const auto from = outlook(faces, at);
+    if (!from) return std::nullopt;
     constexpr double less = 0.8;
-    const auto from = outlook(grid, place);
-    const auto offset = offset_at(grid, place, reach), again = offset_at(grid, place, less * reach);
-    if (!from || !offset || !again) return std::nullopt;
-    return DentDepth{*offset, std::abs(*again - *offset), from->origin};
+    const std::vector<Height> around = heights_around(faces, at, *from, reach);
+    const auto under = base_under(around, reach);
+    const auto narrower = base_under(heights_around(faces, at, *from, less * reach), less * reach);
+    if (!under || !narrower) return std::nullopt;
+    const double offset = -under->height(0, 0);
+    return DentDepth{offset, std::abs(-narrower->height(0, 0) - offset), at, from->origin,
+                     is_one_sided(around)};
 }
 
 } // namespace keiko

@@ -1,22 +1,24 @@
 #pragma once
 
-#include "keiko/inspect/face_grid.h"
+#include "keiko/inspect/smooth_faces.h"
 
 #include <optional>
 
 namespace keiko {
 
-/// How far a face lies off the form around a place.
+/// How far a surface lies off the form around a place.
 struct DentDepth {
     double offset = 0; ///< mm, positive outwards: of a bump
     double bound = 0;  ///< mm, by how much it changes when a fifth less around is looked at
-    Vec3 position{0};  ///< world, mm
+    SheetPlace at;
+    Vec3 position{0};       ///< world, mm
+    bool one_sided = false; ///< a border is so near that there is no form in some quarter around
 };
 
-/// Climbs from a place of the grid to where the face is furthest off the form within `reach` mm, as
-/// SmoothBase has it (docs/theory/inspection.md). `spacing`: of the grid, mm. Nothing beside a
-/// border, where there is form on one side only.
-std::optional<DentDepth> dent_depth(const FaceGrid& grid, const Vec2& place, double reach,
-                                    double spacing);
+/// Climbs from a place to where the surface is furthest off the form within `reach` mm, as
+/// SmoothBase has it (docs/theory/inspection.md); over smooth seams, on one side of a border.
+/// Nothing where too little is around.
+std::optional<DentDepth> dent_depth(const SmoothFaces& faces, const SheetPlace& begin,
+                                    double reach);
 
 } // namespace keiko

@@ -46,9 +46,6 @@ MeasuredFace measured(const SurfaceModel& model, std::uint32_t instance, std::ui
     if (face.curvature) face.radius = smallest_radius(*face.curvature, limits.minimum_radius);
     if (face.radius) face.verdict = face.radius->verdict;
     if (face.curvature) face.inflections = inflection_curves(model, instance, index);
-    if (limits.waviness && face.curvature)
-        face.flaws = find_flaws(model, instance, index, *limits.waviness);
-    for (const Flaw& flaw : face.flaws) face.verdict = std::max(face.verdict, flaw.depth.verdict);
     return face;
 }
 

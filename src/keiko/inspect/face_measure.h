@@ -2,7 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/inspect/face_curvature.h"
-#include "keiko/inspect/face_flaws.h"
+#include "keiko/inspect/flaw.h"
 #include "keiko/inspect/inflection_curves.h"
 #include "keiko/inspect/worst.h"
 #include "keiko/spec/criteria_preset.h"
@@ -24,8 +24,8 @@ struct MeasuredFace {
     /// The smallest radius of curvature, mm; nothing of a plane. Measured where the preset does not
     /// judge it too; its limit is then 0.
     std::optional<Worst> radius;
-    /// Dents, bumps and waves at least half as deep as the limit, the deepest first; looked for
-    /// only where the preset has one.
+    /// Dents, bumps and waves at least half as deep as the limit, the deepest first; `inspect`
+    /// looks for them (find_flaws) where the preset has a limit.
     std::vector<Flaw> flaws;
     /// Where it turns from bending one way to a saddle, the longest first; not judged. None of a
     /// face that stands in for another.
@@ -33,7 +33,8 @@ struct MeasuredFace {
     Verdict verdict = Verdict::pass; ///< the worst of all
 };
 
-/// Measures and judges every placed face, in the order of instances and faces. Throws Cancelled.
+/// Measures and judges every placed face by itself, without flaws, in the order of instances and
+/// faces. Throws Cancelled.
 std::vector<MeasuredFace> measure_faces(const SurfaceModel& model, const SurfaceLimits& limits,
                                         const Job& job = {});
 

@@ -1,5 +1,6 @@
 #include "keiko/inspect/inspection.h"
 
+#include "keiko/inspect/flaw_search.h"
 #include "keiko/inspect/knot_lines.h"
 
 #include <algorithm>
@@ -22,10 +23,10 @@ void count(const MeasuredSeam& seam, SeamCounts& counts) {
     }
 }
 
-void count(const MeasuredFace& face, FaceCounts& counts) {
-    ++(face.verdict == Verdict::fail        ? counts.fail
-       : face.verdict == Verdict::undecided ? counts.undecided
-                                            : counts.pass);
+std::size_t& count_of(Verdict verdict, FaceCounts& counts) {
+    return verdict == Verdict::fail        ? counts.fail
+           : verdict == Verdict::undecided ? counts.undecided
+                                           : counts.pass;
 }
 
 /// 1/mm. Where one side bends the other way, the mismatch is 100 % whatever it amounts to.
@@ -82,6 +83,20 @@ void take(Verdict verdict, std::vector<Check> checks, Inspection& result) {
     std::move(checks.begin(), checks.end(), std::back_inserter(result.checks));
 }
 
+void add_flaws(const SurfaceModel& model, Inspection& result, const Job& job) {
+    const std::optional<WavinessLimit>& limit = result.preset.surface.waviness;
+    if (!limit) return;
+    std::vector<bool> searched;
+    for (const MeasuredFace& face : result.faces) searched.push_back(face.curvature.has_value());
+    auto flaws = find_flaws(model, result.seams, result.pieces, searched, *limit, job);
+    for (std::size_t i = 0; i < flaws.size(); ++i) {
+        MeasuredFace& face = result.faces[i];
+        face.flaws = std::move(flaws[i]);
+        for (const Flaw& flaw : face.flaws)
+            face.verdict = std::max(face.verdict, flaw.depth.verdict);
+    }
+}
+
 } // namespace
 
 Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, double join,
@@ -97,12 +112,13 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     result.facts = model_facts(model, result.pieces, join, job);
     result.facts.seams = result.seams.size();
     result.faces = measure_faces(model, preset.surface, job);
+    add_flaws(model, result, job);
     for (std::uint32_t i = 0; i < result.seams.size(); ++i) {
         count(result.seams[i], result.counts);
         take(result.seams[i].verdict, checks_of(result.seams[i], preset, i), result);
     }
     for (std::uint32_t i = 0; i < result.faces.size(); ++i) {
-        count(result.faces[i], result.face_counts);
+        ++count_of(result.faces[i].verdict, result.face_counts);
         take(result.faces[i].verdict, checks_of(result.faces[i], preset.surface, i), result);
     }
     std::copy_if(result.checks.begin(), result.checks.end(), std::back_inserter(result.findings),

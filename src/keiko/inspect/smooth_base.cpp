@@ -78,9 +78,9 @@ class Reweighted {
 public:
     explicit Reweighted(std::vector<Place> places) : places_(std::move(places)) {}
 
-    std::optional<Terms> majority() {
+    std::optional<Terms> majority() const {
         std::optional<Terms> t = solved([](const Place&) { return 1.0; });
-        constexpr int rounds = 15;
+        constexpr int rounds = 40;              // the rim of a dent goes out slowly
         for (int i = 0; i < rounds && t; ++i) { // the smallest sum of distances
             const Terms last = *t;
             const double least = 1e-3 * spread(last) + smallest;

@@ -39,6 +39,8 @@ public:
     std::optional<BoundaryFrame> frame(double t, int order = 2) const;
     /// Arc length in mm between two parameters, in either order.
     double length(double begin, double end) const;
+    /// Face parameters at t.
+    Vec2 parameters(double t) const { return evaluate(p_curve_, t, 0)[0]; }
     /// Index of the patch that it runs on at t, on the side of its material.
     std::uint32_t patch_at(double t) const;
     /// How many patches it may run through.

@@ -10,8 +10,8 @@ namespace {
 
 /// The curvature of a line 200 mm long, looked at every 2 mm.
 template <class Bend>
-std::vector<LinePoint> line(const Bend& bend) {
-    std::vector<LinePoint> points;
+std::vector<BendPoint> line(const Bend& bend) {
+    std::vector<BendPoint> points;
     for (double s = 0; s <= 200; s += 2) points.push_back({s, bend(s)});
     return points;
 }

@@ -1,0 +1,150 @@
+#include "keiko/inspect/flaw_search.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/inspect/dent_depth.h"
+#include "keiko/inspect/face_ripples.h"
+#include "keiko/inspect/ripple_groups.h"
+#include "keiko/inspect/wave_section.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace keiko {
+namespace {
+
+/// What is deeper than this share of the window is form, not a flaw.
+constexpr double deepest_share = 1.0 / 50;
+/// A depth that changes by more than this share of it with how much around is looked at may be
+/// form.
+constexpr double form_share = 0.25;
+/// A dent that is so many times as deep as its ripple tells is form that bends otherwise; planted
+/// ones are up to 6 times.
+constexpr double most_beyond_ripple = 20;
+/// How many of the deepest crests and troughs of a flaw are measured, and how many are tried: in a
+/// corner too little may be around.
+constexpr std::size_t most_measured = 6, most_tried = 30;
+
+struct PlacedFlaw {
+    Flaw flaw;
+    std::size_t face = 0; ///< into SmoothFaces
+};
+
+class FlawMeasure {
+public:
+    FlawMeasure(const SmoothFaces& faces, const WavinessLimit& limit)
+        : faces_(faces), limit_(limit) {}
+
+    /// Of the ripples of one, the deepest first. What seems to be waves but has no two of them, as
+    /// a dent that a border cuts, is none.
+    std::optional<PlacedFlaw> measured(const std::vector<FaceRipple>& ripples) const {
+        if (to_and_fro(ripples))
+            if (const auto waves = deepest_of(ripples, &FlawMeasure::wave)) return waves;
+        return deepest_of(ripples, &FlawMeasure::dent);
+    }
+
+private:
+    std::optional<PlacedFlaw> deepest_of(
+        const std::vector<FaceRipple>& ripples,
+        std::optional<PlacedFlaw> (FlawMeasure::*measure)(const FaceRipple&) const) const {
+        std::optional<PlacedFlaw> deepest;
+        std::vector<const FaceRipple*> measured;
+        for (std::size_t i = 0, tried = 0; i < ripples.size() && tried < most_tried; ++i) {
+            if (is_beside(measured, ripples[i])) continue;
+            ++tried;
+            const auto flaw = (this->*measure)(ripples[i]);
+            if (!flaw) continue;
+            if (!deepest || flaw->flaw.depth.value > deepest->flaw.depth.value) deepest = flaw;
+            measured.push_back(&ripples[i]);
+            if (measured.size() == most_measured) break;
+        }
+        if (!deepest) return std::nullopt;
+        const double found = deepest->flaw.depth.value;
+        const bool form = found > limit_.window * deepest_share || found < limit_.depth / 2;
+        return form ? std::nullopt : deepest;
+    }
+
+    /// Whether it is of a crest or trough that has been measured, as another line shows it.
+    bool is_beside(const std::vector<const FaceRipple*>& measured, const FaceRipple& ripple) const {
+        return std::any_of(measured.begin(), measured.end(), [&](const FaceRipple* other) {
+            const Vec3 apart = ripple.position - other->position;
+            return std::abs(apart.dot(ripple.along)) < ripple.width / 4 &&
+                   apart.length() < limit_.window / 2;
+        });
+    }
+
+    Worst depth(double value, double bound, const Vec3& place) const {
+        Verdict verdict = judge(value, bound, limit_.depth);
+        if (bound > form_share * value) verdict = std::min(verdict, Verdict::undecided);
+        return {value, bound, limit_.depth, place, verdict, false};
+    }
+
+    std::optional<PlacedFlaw> wave(const FaceRipple& r) const {
+        const auto found = wave_section(faces_, r.at, r.along, r.depth > 0, r.width);
+        if (!found) return std::nullopt;
+        return PlacedFlaw{
+            {Flaw::Kind::waves, depth(found->depth, found->bound, found->position), found->length},
+            found->at.face};
+    }
+
+    std::optional<PlacedFlaw> dent(const FaceRipple& r) const {
+        const auto found = dent_depth(faces_, r.at, limit_.window / 2);
+        if (!found) return std::nullopt;
+        // With form on one side only, much that bends near a border would be undecided.
+        if (std::abs(found->offset) > most_beyond_ripple * std::abs(r.depth)) return std::nullopt;
+        const bool form = found->bound > form_share * std::abs(found->offset);
+        if (form && (found->one_sided || r.cut)) return std::nullopt;
+        return PlacedFlaw{{found->offset < 0 ? Flaw::Kind::dent : Flaw::Kind::bump,
+                           depth(std::abs(found->offset), found->bound, found->position), r.width},
+                          found->at.face};
+    }
+
+    /// Whether there are crests and troughs that are nearly as deep.
+    static bool to_and_fro(const std::vector<FaceRipple>& ripples) {
+        const double first = ripples.front().depth;
+        return std::any_of(ripples.begin(), ripples.end(), [first](const FaceRipple& r) {
+            return r.depth * first < 0 && std::abs(r.depth) > std::abs(first) / 2;
+        });
+    }
+
+    const SmoothFaces& faces_;
+    WavinessLimit limit_;
+};
+
+std::vector<FaceRipple> all_ripples(const SmoothFaces& faces, const std::vector<bool>& searched,
+                                    const WavinessLimit& limit, const Job& job) {
+    std::vector<std::vector<FaceRipple>> found(faces.size());
+    parallel_for(found.size(), job, "ripples", [&](std::size_t i) {
+        if (searched[i]) found[i] = find_face_ripples(faces, i, limit);
+    });
+    std::vector<FaceRipple> all;
+    for (const std::vector<FaceRipple>& of_face : found)
+        all.insert(all.end(), of_face.begin(), of_face.end());
+    return all;
+}
+
+} // namespace
+
+std::vector<std::vector<Flaw>> find_flaws(const SurfaceModel& model,
+                                          std::span<const MeasuredSeam> seams,
+                                          std::span<const Seam> pieces,
+                                          const std::vector<bool>& searched,
+                                          const WavinessLimit& limit, const Job& job) {
+    const SmoothFaces faces(model, seams, pieces, limit.window / 20);
+    const std::vector<std::vector<FaceRipple>> groups =
+        ripple_groups(faces, all_ripples(faces, searched, limit, job), limit.window / 4);
+    std::vector<std::optional<PlacedFlaw>> measured(groups.size());
+    parallel_for(groups.size(), job, "flaws", [&](std::size_t i) {
+        measured[i] = FlawMeasure(faces, limit).measured(groups[i]);
+    });
+    std::vector<std::vector<Flaw>> flaws(faces.size());
+    for (const std::optional<PlacedFlaw>& flaw : measured)
+        if (flaw) flaws[flaw->face].push_back(flaw->flaw);
+    for (std::vector<Flaw>& of_face : flaws)
+        std::stable_sort(of_face.begin(), of_face.end(), [](const Flaw& a, const Flaw& b) {
+            return a.depth.value > b.depth.value;
+        });
+    return flaws;
+}
+
+} // namespace keiko

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/inspect/flaw.h"
+#include "keiko/inspect/seam_measure.h"
+#include "keiko/patch/surface_model.h"
+#include "keiko/spec/criteria_preset.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// The flaws of a model that are at least half as deep as the limit, by placed faces that they are
+/// deepest on (instances outer, faces without patches left out), the deepest of each first. They
+/// are followed over smooth seams and up to borders (docs/theory/inspection.md). `searched`: a
+/// placed face, whether it is looked at. `bound` of a depth is an estimate: by how much it changes
+/// when less around the flaw is looked at. Throws Cancelled.
+std::vector<std::vector<Flaw>> find_flaws(const SurfaceModel& model,
+                                          std::span<const MeasuredSeam> seams,
+                                          std::span<const Seam> pieces,
+                                          const std::vector<bool>& searched,
+                                          const WavinessLimit& limit, const Job& job = {});
+
+} // namespace keiko

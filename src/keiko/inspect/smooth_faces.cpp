@@ -1,0 +1,155 @@
+#include "keiko/inspect/smooth_faces.h"
+
+#include "keiko/math/disjoint_sets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+bool is_smooth(const MeasuredSeam& seam) {
+    const auto passes = [](const Worst& worst) { return worst.verdict == Verdict::pass; };
+    return !seam.internal && !seam.crease && passes(seam.gap) && seam.angle &&
+           passes(*seam.angle) && (!seam.curvature || passes(seam.curvature->worst));
+}
+
+Vec2 flat(const Vec3& v) {
+    return {v.x, v.y};
+}
+
+} // namespace
+
+SmoothFaces::SmoothFaces(const SurfaceModel& model, std::span<const MeasuredSeam> seams,
+                         std::span<const Seam> pieces, double spacing) {
+    for (std::uint32_t i = 0; i < model.instances.size(); ++i) {
+        const Part& part = model.parts[model.instances[i].part];
+        for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f) {
+            if (model.faces[f].patch_count == 0) continue;
+            index_[{i, f}] = faces_.size();
+            faces_.emplace_back(model, i, f);
+        }
+    }
+    crossings_.resize(faces_.size());
+    DisjointSets sheets(faces_.size());
+    const BoundaryCurves curves(model);
+    for (const MeasuredSeam& seam : seams) {
+        if (!is_smooth(seam)) continue;
+        sheets.join(index_.at({seam.instance_a, seam.face_a}),
+                    index_.at({seam.instance_b, seam.face_b}));
+        for (const std::uint32_t piece : seam.pieces) add_crossings(curves, pieces[piece], spacing);
+    }
+    for (std::size_t i = 0; i < faces_.size(); ++i) sheets_.push_back(sheets.root(i));
+}
+
+void SmoothFaces::add_crossings(const BoundaryCurves& curves, const Seam& piece, double spacing) {
+    const SurfaceCurve a = curves.curve(piece.a), b = curves.curve(piece.b);
+    const std::size_t face_a = index_.at({piece.a.instance, piece.a.face});
+    const std::size_t face_b = index_.at({piece.b.instance, piece.b.face});
+    constexpr double most = 1000;
+    const double parts =
+        std::clamp(std::ceil(a.length(piece.a.begin, piece.a.end) / spacing), 2.0, most);
+    for (double k = 0; k <= parts; ++k) {
+        const double t = piece.a.begin + k / parts * (piece.a.end - piece.a.begin);
+        const double s = piece.b.begin + k / parts * (piece.b.end - piece.b.begin);
+        const Vec2 on_a = faces_[face_a].place_of(a.parameters(t));
+        const Vec2 on_b = faces_[face_b].place_of(b.parameters(s));
+        crossings_[face_a].push_back({a.at(t).position, {face_b, on_b}});
+        crossings_[face_b].push_back({b.at(s).position, {face_a, on_a}});
+    }
+}
+
+std::optional<TangentFrame> SmoothFaces::frame(const SheetPlace& at, const Vec3& direction) const {
+    const auto s = evaluate(at, 1);
+    return s ? frame(at, *s, direction) : std::nullopt;
+}
+
+std::optional<TangentFrame> SmoothFaces::frame(const SheetPlace& at, const SurfaceDerivatives& s,
+                                               const Vec3& direction) const {
+    const Vec3 cross = s.du().cross(s.dv());
+    constexpr double beside_a_pole = 1e-3;
+    if (!(cross.length() > beside_a_pole * std::max(s.du().length2(), s.dv().length2())))
+        return std::nullopt;
+    const Vec3 z = cross.normalized() * faces_[at.face].sign();
+    const Vec3 x = (direction - z * direction.dot(z)).normalized();
+    return TangentFrame{s.position(), x, z.cross(x), z};
+}
+
+std::optional<SheetPlace> SmoothFaces::moved(const TangentFrame& over, const SheetPlace& from,
+                                             const Vec2& to) const {
+    constexpr int most_crossings = 6; // a corner of several faces, or a strip
+    return moved(over, from, to, no_index, most_crossings);
+}
+
+/// By Newton's method on the surface beyond its trims.
+std::optional<Vec2> SmoothFaces::solved(const TangentFrame& over, const SheetPlace& from,
+                                        const Vec2& to) const {
+    constexpr int most_steps = 20;
+    constexpr double close = 1e-8; // mm
+    Vec2 place = from.place;
+    for (int i = 0; i < most_steps; ++i) {
+        const auto s = faces_[from.face].evaluate_beyond(place, 1);
+        if (!s) return std::nullopt;
+        const Vec2 off = to - flat(over.local(s->position()));
+        if (std::abs(off.x) < close && std::abs(off.y) < close) return place;
+        const Vec2 u(s->du().dot(over.x), s->du().dot(over.y));
+        const Vec2 v(s->dv().dot(over.x), s->dv().dot(over.y));
+        const double area = u.cross(v);
+        Vec2 step(off.cross(v) / area, u.cross(off) / area);
+        if (!(step.length2() < 1e6)) return std::nullopt;
+        constexpr double longest = 0.7; // of a span: the next may run at another speed
+        step *= std::min(1.0, longest / std::max(step.length(), 1e-300));
+        place += step;
+    }
+    return std::nullopt;
+}
+
+std::optional<SheetPlace> SmoothFaces::moved(const TangentFrame& over, const SheetPlace& from,
+                                             const Vec2& to, std::size_t barred,
+                                             int crossings_left) const {
+    const auto there = solved(over, from, to);
+    if (there && faces_[from.face].has_material(*there)) return SheetPlace{from.face, *there};
+    if (crossings_left == 0 || crossings_[from.face].empty()) return std::nullopt;
+    const SheetPlace last = border(over, from, to);
+    const Vec3 gone = evaluate(last, 0)->position() - evaluate(from, 0)->position();
+    constexpr double nowhere = 1e-6; // mm: at a corner it does not lead back
+    const auto next = beyond(over, last, gone.length() < nowhere ? barred : no_index);
+    if (!next) return std::nullopt;
+    return moved(over, *next, to, from.face, crossings_left - 1);
+}
+
+SheetPlace SmoothFaces::border(const TangentFrame& over, const SheetPlace& from,
+                               const Vec2& to) const {
+    SheetPlace last = from;
+    const Vec2 begin = flat(over.local(evaluate(from, 0)->position()));
+    double near = 0, far = 1;
+    constexpr int halvings = 12; // only to find who goes on
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = (near + far) / 2;
+        const auto there = solved(over, last, begin + (to - begin) * middle);
+        const bool on = there && faces_[from.face].has_material(*there);
+        (on ? near : far) = middle;
+        if (on) last.place = *there;
+    }
+    return last;
+}
+
+std::optional<SheetPlace> SmoothFaces::beyond(const TangentFrame& over, const SheetPlace& border,
+                                              std::size_t barred) const {
+    const Vec3 here = evaluate(border, 0)->position();
+    const Crossing* nearest = nullptr;
+    for (const Crossing& crossing : crossings_[border.face])
+        if (crossing.beyond.face != barred &&
+            (!nearest ||
+             (crossing.position - here).length2() < (nearest->position - here).length2()))
+            nearest = &crossing;
+    if (!nearest) return std::nullopt;
+    const auto place = solved(over, nearest->beyond, flat(over.local(here)));
+    if (!place) return std::nullopt;
+    const SheetPlace there{nearest->beyond.face, *place};
+    constexpr double apart = 0.1; // mm: of another part of the border
+    if (!((evaluate(there, 0)->position() - here).length() < apart)) return std::nullopt;
+    return there;
+}
+
+} // namespace keiko
