@@ -49,6 +49,22 @@ class Lines(KeikoTest):
         self.assertEqual([(int(r["line"]), int(r["piece"]), r["view"],
                            [float(r[c]) for c in "xyz"]) for r in rows], points)
 
+    def test_inflections_have_places(self):
+        self.succeed("lines", surface("hood.step"), "--rig", TUNNEL, "--view", "high-front", "-o", "lines.json",
+                     "--inflections", "turns.csv", "-q")
+        lines = json.loads((self.folder / "lines.json").read_text())["lines"]
+        with open(self.folder / "turns.csv", newline="") as file:
+            rows = [(int(r["line"]), float(r["along"]), [float(r[c]) for c in "xyz"])
+                    for r in csv.DictReader(file)]
+        self.assertEqual(rows, [(i, turn["along"], turn["place"]) for i, line in enumerate(lines)
+                                for turn in line["inflections"]])
+        self.assertTrue(rows)
+        for line in lines:
+            self.assertEqual(len(line["inflections"]), sum(s["inflections"] for s in line["shapes"]))
+            along = [turn["along"] for turn in line["inflections"]]
+            self.assertEqual(along, sorted(along))
+            self.assertTrue(all(0 <= a <= line["length"] + 1e-9 for a in along))
+
     def test_same_bytes_for_any_number_of_threads(self):
         texts = []
         for threads in "1", "2":

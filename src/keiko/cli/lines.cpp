@@ -15,7 +15,7 @@ namespace {
 struct LinesArguments {
     SceneArguments scene;
     LinesOptions options;
-    std::filesystem::path rig, output, csv, crossings, picture;
+    std::filesystem::path rig, output, csv, crossings, inflections, picture;
     std::string preset;
     std::size_t rows = 20; ///< of the table
 };
@@ -52,8 +52,8 @@ std::filesystem::path picture_of(const std::filesystem::path& path, const LineLi
 }
 
 void require_outputs(const LinesArguments& arguments) {
-    for (const auto& path :
-         {arguments.output, arguments.csv, arguments.crossings, arguments.picture})
+    for (const auto& path : {arguments.output, arguments.csv, arguments.crossings,
+                             arguments.inflections, arguments.picture})
         if (!path.empty()) require_place_for_file(path);
     if (!arguments.picture.empty() && arguments.picture.extension() != ".png")
         throw Error(arguments.picture.string(), "", "--picture makes a .png");
@@ -68,6 +68,8 @@ void write(const LinesArguments& arguments, const Scene& scene, const LineList& 
     write_text_file(arguments.output, lines_json(list, scene.model));
     if (!arguments.csv.empty()) write_text_file(arguments.csv, lines_csv(list, scene.model));
     if (!arguments.crossings.empty()) write_text_file(arguments.crossings, crossings_csv(list));
+    if (!arguments.inflections.empty())
+        write_text_file(arguments.inflections, line_inflections_csv(list));
 }
 
 int lines(LinesArguments arguments, const Job& job) {
@@ -118,6 +120,8 @@ void add_lines(CLI::App& app, Session& session) {
     command.add_option("--csv", arguments->csv, "CSV file of the points to write as well");
     command.add_option("--crossings", arguments->crossings,
                        "CSV file of the crossings of lines and seams to write as well");
+    command.add_option("--inflections", arguments->inflections,
+                       "CSV file of the places where lines turn over to write as well");
     command.add_option("--picture", arguments->picture,
                        "PNG file of the stripes, lines and crossings to write as well");
     command.add_option("--rows", arguments->rows, "worst crossings to print")

@@ -29,7 +29,7 @@ std::vector<CourseAt> courses_of(const SurfaceModel& model, const SurfaceLine& p
                         placed_derivatives(model, piece.instance, piece.patch, points[i].uv));
         if (!course) continue;
         const double step = i == 0 ? 0 : (points[i].place - points[i - 1].place).length();
-        courses.push_back({step, *course});
+        courses.push_back({step, *course, points[i]});
     }
     return courses;
 }
@@ -97,6 +97,9 @@ private:
     void chain();
     void follow(std::uint32_t first);
     void measure();
+    void add_inflections(JoinedLine& line, const LineShape& shape,
+                         std::span<const CourseAt> courses, std::span<const std::uint32_t> pieces,
+                         double along) const;
     void shape();
     LineEnd why(std::uint32_t piece, bool head) const;
     std::string faces_at(const LineBorder& border) const;
@@ -162,7 +165,7 @@ void LineJoiner::chain() {
 
 void LineJoiner::follow(std::uint32_t first) {
     const SurfaceLine& piece = result_.pieces[first];
-    JoinedLine line{piece.plane, piece.lamp, LineEnd::closed, LineEnd::closed, {}, 0, {}};
+    JoinedLine line{piece.plane, piece.lamp, LineEnd::closed, LineEnd::closed, {}, 0, {}, {}};
     std::uint32_t i = first;
     do {
         line.pieces.push_back(i);
@@ -243,16 +246,37 @@ std::string LineJoiner::faces_at(const LineBorder& border) const {
     return placed_face_name(model_, border.instance, border.face) + place.data();
 }
 
+/// Of one stretch, which begins `along` mm from where the line does. `pieces`: a course.
+void LineJoiner::add_inflections(JoinedLine& line, const LineShape& shape,
+                                 std::span<const CourseAt> courses,
+                                 std::span<const std::uint32_t> pieces, double along) const {
+    std::size_t reached = 0;
+    for (const std::size_t i : shape.inflections) {
+        for (; reached < i; ++reached) along += courses[reached + 1].step;
+        const bool inside = i + 1 < courses.size() && pieces[i] == pieces[i + 1];
+        LineInflection found{0, courses[i].at.place};
+        if (inside)
+            found = inflection_between(model_, result_.pieces[pieces[i]], lamps_[line.plane],
+                                       courses[i].at, courses[i + 1].at);
+        line.inflections.push_back({along + found.along, found.place});
+    }
+}
+
 void LineJoiner::shape() {
     parallel_for(result_.lines.size(), job_, "shapes", [&](std::size_t i) {
         JoinedLine& line = result_.lines[i];
         std::vector<CourseAt> courses;
+        std::vector<std::uint32_t> pieces; // a course
+        double along = 0;
         for (const std::uint32_t piece : line.pieces) {
             const std::vector<CourseAt>& some = studied_[piece].courses;
             courses.insert(courses.end(), some.begin(), some.end());
+            pieces.resize(courses.size(), piece);
             if (piece != line.pieces.back() && !breaks_after_[piece]) continue;
             line.shapes.push_back(line_shape(courses, lamps_[line.plane].step(line.lamp)));
-            courses.clear();
+            add_inflections(line, line.shapes.back(), courses, pieces, along);
+            along += line.shapes.back().length;
+            courses.clear(), pieces.clear();
         }
     });
 }

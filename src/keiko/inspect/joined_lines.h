@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/inspect/line_crossing.h"
+#include "keiko/inspect/line_inflections.h"
 #include "keiko/inspect/line_shape.h"
 #include "keiko/inspect/surface_lines.h"
 
@@ -29,6 +30,8 @@ struct JoinedLine {
     std::vector<std::uint32_t> pieces; ///< into JoinedLines::pieces, in the order along the line
     double length = 0;                 ///< mm, of the chords
     std::vector<LineShape> shapes;     ///< between the crossings, in order
+    /// As the shapes count them, in order; a place at a border where the bend jumps over 0 there.
+    std::vector<LineInflection> inflections;
 };
 
 /// The lines of all lamps that one eye sees on a body.

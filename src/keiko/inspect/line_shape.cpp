@@ -12,29 +12,41 @@ namespace {
 /// Degrees. A stretch that turns by less is straight to any eye, and often to rounding.
 constexpr double least_turning = 0.05;
 
-/// Sums of the turning of stretches that turn one way, degrees.
-std::vector<double> stretches(std::span<const CourseAt> courses) {
-    std::vector<double> sums;
+/// A stretch of a line that turns one way.
+struct Stretch {
+    std::size_t begin = 0; ///< the course that it begins with
+    double turning = 0;    ///< degrees
+};
+
+std::vector<Stretch> stretches(std::span<const CourseAt> courses) {
+    std::vector<Stretch> found;
     for (std::size_t i = 1; i < courses.size(); ++i) {
         const double bend = (courses[i - 1].course.bend + courses[i].course.bend) / 2;
         const double turning = radians_to_degrees(bend * courses[i].step);
-        if (!sums.empty() && (sums.back() < 0) == (turning < 0))
-            sums.back() += turning;
+        if (!found.empty() && (found.back().turning < 0) == (turning < 0))
+            found.back().turning += turning;
         else
-            sums.push_back(turning);
+            found.push_back({i - 1, turning});
     }
-    return sums;
+    return found;
 }
 
-int inflections(const std::vector<double>& stretches) {
-    int count = 0;
+/// The course at or before the change of sign with which a stretch begins.
+std::size_t change_before(std::span<const CourseAt> courses, const Stretch& stretch) {
+    const double bend = courses[stretch.begin].course.bend;
+    return bend * stretch.turning > 0 && stretch.begin > 0 ? stretch.begin - 1 : stretch.begin;
+}
+
+std::vector<std::size_t> inflections(std::span<const CourseAt> courses,
+                                     const std::vector<Stretch>& stretches) {
+    std::vector<std::size_t> found;
     double before = 0;
-    for (const double turning : stretches) {
-        if (std::abs(turning) < least_turning) continue;
-        if (before * turning < 0) ++count;
-        before = turning;
+    for (const Stretch& stretch : stretches) {
+        if (std::abs(stretch.turning) < least_turning) continue;
+        if (before * stretch.turning < 0) found.push_back(change_before(courses, stretch));
+        before = stretch.turning;
     }
-    return count;
+    return found;
 }
 
 void take_spacing(LineShape& shape, const LineCourse& course, double step) {
@@ -53,10 +65,11 @@ void take_spacing(LineShape& shape, const LineCourse& course, double step) {
 LineShape line_shape(std::span<const CourseAt> courses, double step) {
     LineShape shape;
     double turning = 0;
-    const std::vector<double> sums = stretches(courses);
-    for (const double sum : sums) shape.turning += sum, turning += std::abs(sum);
+    const std::vector<Stretch> parts = stretches(courses);
+    for (const Stretch& part : parts)
+        shape.turning += part.turning, turning += std::abs(part.turning);
     shape.waviness = turning - std::abs(shape.turning);
-    shape.inflections = inflections(sums);
+    shape.inflections = inflections(courses, parts);
     for (const CourseAt& at : courses) {
         shape.length += at.step;
         if (std::abs(at.course.bend) > std::abs(shape.largest_bend))

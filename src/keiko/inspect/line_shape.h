@@ -2,18 +2,22 @@
 
 #include "keiko/inspect/lamp_levels.h"
 #include "keiko/inspect/line_course.h"
+#include "keiko/inspect/patch_lines.h"
 
 #include <span>
+#include <vector>
 
 namespace keiko {
 
 /// How a line runs between two crossings, from its courses at the points of its pieces: values are
 /// exact there, and the worst of them is told.
 struct LineShape {
-    double length = 0;        ///< mm
-    double turning = 0;       ///< degrees to the left, in all
-    double waviness = 0;      ///< degrees that it turns back and forth beyond that
-    int inflections = 0;      ///< between stretches that turn by 0.05 degrees or more
+    double length = 0;   ///< mm
+    double turning = 0;  ///< degrees to the left, in all
+    double waviness = 0; ///< degrees that it turns back and forth beyond that
+    /// Indices of the courses after which the line turns over, between stretches that turn by 0.05
+    /// degrees or more. There or at the next course its bend changes its sign.
+    std::vector<std::size_t> inflections;
     double largest_bend = 0;  ///< 1/mm, geodesic curvature, signed
     double least_spacing = 0; ///< mm to the next lamp's line, by the gradient; 0: no other lamp
     double most_spacing = 0;
@@ -26,6 +30,7 @@ struct LineShape {
 struct CourseAt {
     double step = 0; ///< mm from the place before; 0 for the first
     LineCourse course;
+    LinePoint at;
 };
 
 /// `step` as LampLevels::step has it.

@@ -45,6 +45,23 @@ std::string lines_csv(const LineList& list, const SurfaceModel& model) {
     return text;
 }
 
+std::string line_inflections_csv(const LineList& list) {
+    std::string text = "view,line,plane,lamp,along,x,y,z\n";
+    std::size_t count = 0;
+    for (const ViewLines& view : list.views)
+        for (const JoinedLine& line : view.found.lines) {
+            const std::string begin = view.view + "," + std::to_string(count++) + "," +
+                                      std::to_string(line.plane) + "," + std::to_string(line.lamp);
+            for (const LineInflection& turn : line.inflections) {
+                text += begin;
+                for (const double value : {turn.along, turn.place.x, turn.place.y, turn.place.z})
+                    append(text, value);
+                text += '\n';
+            }
+        }
+    return text;
+}
+
 std::string crossings_csv(const LineList& list) {
     std::string text =
         "view,line,plane,lamp,faces,verdict,severity,x,y,z,gap,angle,plane_jump,"

@@ -32,7 +32,7 @@ Json shape_json(const LineShape& shape) {
     return {{"length", shape.length},
             {"turning", shape.turning},
             {"waviness", shape.waviness},
-            {"inflections", shape.inflections},
+            {"inflections", shape.inflections.size()},
             {"largest_bend", shape.largest_bend},
             {"spacing", {shape.least_spacing, shape.most_spacing}},
             {"spacing_ratio", shape.spacing_ratio},
@@ -43,8 +43,11 @@ Json line_json(const JoinedLine& line, const ViewLines& view, const SurfaceModel
     Json json = {{"view", view.view},        {"plane", line.plane},
                  {"lamp", line.lamp},        {"begin", name_of(line.begin)},
                  {"end", name_of(line.end)}, {"length", line.length},
-                 {"shapes", Json::array()},  {"pieces", Json::array()}};
+                 {"shapes", Json::array()},  {"inflections", Json::array()},
+                 {"pieces", Json::array()}};
     for (const LineShape& shape : line.shapes) json["shapes"].push_back(shape_json(shape));
+    for (const LineInflection& turn : line.inflections)
+        json["inflections"].push_back({{"along", turn.along}, {"place", point(turn.place)}});
     for (const std::uint32_t piece : line.pieces)
         json["pieces"].push_back(piece_json(view.found.pieces[piece], model));
     return json;

@@ -13,6 +13,10 @@ std::string lines_json(const LineList& list, const SurfaceModel& model);
 /// again at its end.
 std::string lines_csv(const LineList& list, const SurfaceModel& model);
 
+/// A header and one row a place where a line turns over from bending one way to the other:
+/// view,line,plane,lamp,along,x,y,z; `along` in mm from where the line begins.
+std::string line_inflections_csv(const LineList& list);
+
 /// A header and one row a crossing, in the order of lines_json.
 std::string crossings_csv(const LineList& list);
 

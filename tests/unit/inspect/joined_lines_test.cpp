@@ -5,6 +5,7 @@
 #include "keiko/trace/mirror_ray.h"
 
 #include "tests/support/paths.h"
+#include "tests/unit/inspect/flawed_sheets.h"
 #include "tests/unit/inspect/lamps_over_sheets.h"
 #include <gtest/gtest.h>
 
@@ -223,6 +224,35 @@ std::optional<Side> side_by_rays(const Tracer& tracer, const CPlaneFrame& frame,
 double angle_to_seam(const Side& side, const Vec3& normal) {
     const Vec3 along = normal.cross(Vec3(1, 0, 0)).normalized();
     return std::atan2(normal.cross(along).dot(side.tangent), along.dot(side.tangent));
+}
+
+/// z = -y^2 / 2 R + e y P(x), P odd about x0, is its own image turned by half a turn about (x0, 0),
+/// and so is the line of a lamp along y = 0, seen from above: there it turns over.
+TEST(JoinedLines, TurnOverWhereSymmetryHasIt) {
+    constexpr double x0 = 17, s = 40;
+    const test::Profile across{{-150, 150}, {test::shifted({0, -s * s, 0, 1}, -x0)}};
+    const test::Profile along{{-150, 150}, {{0, 1}}};
+    const SurfaceModel model = test::sheet(across, along, 2e-8, {0, -1e-3});
+    constexpr int lamps = 101;
+    const JoinedLines found =
+        joined(model, lamps_turned(0, lamps), parallel_camera(Vec3(0, 0, -1)));
+    const auto line = std::find_if(found.lines.begin(), found.lines.end(),
+                                   [](const JoinedLine& l) { return l.lamp == lamps / 2; });
+    ASSERT_NE(line, found.lines.end());
+    ASSERT_EQ(line->inflections.size(), 1u);
+    EXPECT_EQ(line->shapes.at(0).inflections.size(), 1u);
+    const LineInflection& turn = line->inflections[0];
+    EXPECT_NEAR(turn.place.x, x0, 1e-6);
+    EXPECT_NEAR(turn.place.y, 0, 1e-9);
+    EXPECT_NEAR(turn.place.z, 0, 1e-9);
+    const std::vector<LinePoint>& points = found.pieces[line->pieces.at(0)].line.points;
+    double gone = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const bool beyond = (points[i].place.x - x0) * (points[0].place.x - x0) < 0;
+        gone += ((beyond ? turn.place : points[i].place) - points[i - 1].place).length();
+        if (beyond) break;
+    }
+    EXPECT_NEAR(turn.along, gone, 1e-9);
 }
 
 TEST(JoinedLines, KinkAndJumpOnFixturesAsTracedRaysShowThem) {
