@@ -1,8 +1,8 @@
 #pragma once
 
 #include "keiko/keiko.h"
-#include "keiko/mirror_plane.h"
 #include "keiko/report/comparison.h"
+#include "keiko/spec/mirror_plane.h"
 
 namespace keiko {
 

@@ -1,4 +1,5 @@
 #include "keiko/choose_lights.h"
+#include "keiko/compare/symmetry.h"
 #include "keiko/find_lines.h"
 #include "keiko/form_pictures.h"
 #include "keiko/lines_picture.h"
@@ -71,6 +72,7 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     result.report.tool_version = version();
     if (lights.placement) result.report.coverage = summary_of(scene.model, *lights.placement);
     result.report.inspection = inspect(scene.model, options.preset, options.join, job);
+    check_symmetry(scene.model, result.report.inspection, job);
     result.report.inspection.facts.tracing = trace_facts(scene.tracer.statistics());
     const PictureOptions picture = with_look_layers(options.picture);
     for (const NamedView& view : views) {

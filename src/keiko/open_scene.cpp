@@ -1,3 +1,4 @@
+#include "keiko/compare/symmetry.h"
 #include "keiko/io/scene_file.h"
 #include "keiko/keiko.h"
 #include "keiko/patch/ground_plane.h"
@@ -108,6 +109,7 @@ CheckResult check_models(std::span<const std::filesystem::path> inputs, const Ch
     const SceneSpec spec = spec_of(inputs, {.load = options.load});
     const SurfaceModel model = read_body(spec, options.load, job).model;
     CheckResult result{inspect(model, options.preset, options.join, job)};
+    check_symmetry(model, result.inspection, job);
     if (has_curves(options.combs)) result.combs = combs_of(model, options.combs, job);
     return result;
 }

@@ -196,6 +196,33 @@ class Check(KeikoTest):
                 self.assertTrue(curve["proved"])
                 self.assertAlmostEqual(curve["length"], 1153, delta=3)
 
+    def test_a_body_is_held_against_its_mirror_image(self):
+        car = surface("concept-car.step")
+        code, text = self.check(car, "--symmetry", "y", "--json", "car.json")
+        self.assertEqual(code, 0)
+        self.assertIn("\npass  KEIKO-SYMMETRY  face ", text)
+        found = json.loads((self.folder / "car.json").read_text())["symmetry"]
+        self.assertLess(found["value"], 1e-4)
+        # 5 um beside its plane the body is 10 um beside its image.
+        code, text = self.check(car, "--symmetry", "y=0.005", "--symmetry-limit", "0.0098", "--csv", "car.csv")
+        self.assertEqual(code, 1)
+        self.assertIn("the deviation from the mirror image at y = 0.005 of 0.01 mm is over the limit of 0.0098 mm, at ", text)
+        with open(self.folder / "car.csv", newline="") as file:
+            value, = (float(row["value"]) for row in csv.DictReader(file) if row["code"] == "KEIKO-SYMMETRY")
+        self.assertAlmostEqual(value, 0.01, delta=1e-4)
+
+    def test_a_plane_of_symmetry_is_checked(self):
+        for arguments, reason in ((["--symmetry", "w"], "'w' is no plane to mirror at"),
+                                  (["--symmetry-limit", "0.1"], "--symmetry-limit asks for --symmetry too")):
+            run = self.keiko("check", GAP, *arguments)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(reason, run.stderr)
+        preset = self.write("p.toml", 'format = "keiko-preset/1"\nname = "p"\n[seam]\ngap = 1\nangle = 1\n[surface]\n'
+                                      'symmetry = { plane = "y=a", distance = 0.1 }\n')
+        run = self.keiko("check", GAP, "--preset", preset)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("surface.symmetry.plane: 'y=a' is no plane to mirror at", run.stderr)
+
     def test_faces_are_told_by_their_curvature(self):
         self.check(surface("rational-sphere.step"), "--preset", "vda-4955", "--json", "a.json")
         data = json.loads((self.folder / "a.json").read_text())

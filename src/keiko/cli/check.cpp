@@ -4,6 +4,7 @@
 #include "keiko/cli/inspection_files.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/cli/symmetry_option.h"
 
 #include <iostream>
 #include <memory>
@@ -17,11 +18,13 @@ struct CheckArguments {
     std::string preset;
     InspectionFiles files;
     CombArguments combs;
+    SymmetryOption symmetry;
 };
 
 int check(CheckArguments arguments, const Job& job) {
     CheckOptions& options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
+    arguments.symmetry.apply_to(options.preset);
     options.load = load_options(arguments.models);
     options.combs = arguments.combs.options(options.join);
     arguments.files.require_places(arguments.models.inputs);
@@ -59,6 +62,7 @@ void add_check(CLI::App& app, Session& session) {
     arguments->files.add_json_and_output(command);
     arguments->files.add_to(command);
     arguments->combs.add_to(command);
+    arguments->symmetry.add_to(command);
     arguments->combs.add_files(command);
     add_load_options(command, arguments->models);
     command.footer(

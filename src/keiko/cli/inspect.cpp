@@ -5,6 +5,7 @@
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/cli/symmetry_option.h"
 
 #include <iostream>
 #include <memory>
@@ -20,6 +21,7 @@ struct InspectArguments {
     InspectionFiles files;
     std::filesystem::path hits;
     CombArguments combs;
+    SymmetryOption symmetry;
 };
 
 void print_summary(const Report& report, const std::filesystem::path& folder) {
@@ -35,6 +37,7 @@ void print_summary(const Report& report, const std::filesystem::path& folder) {
 int inspect(InspectArguments arguments, const Job& job) {
     InspectOptions& options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
+    arguments.symmetry.apply_to(options.preset);
     if (arguments.rig != "auto") {
         options.rig = arguments.rig;
         read_rig(*options.rig); // a misspelt key is told before the long work
@@ -88,6 +91,7 @@ void add_inspect(CLI::App& app, Session& session) {
         ->capture_default_str();
     arguments->files.add_to(command);
     arguments->combs.add_to(command);
+    arguments->symmetry.add_to(command);
     command.add_option("--register", arguments->hits,
                        "file (.json) for what the pictures mirror, for keiko place --from");
     command.footer("Example: keiko inspect fender.step -o out --view three-quarter-front");

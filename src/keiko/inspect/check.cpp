@@ -23,9 +23,11 @@ constexpr std::array criteria{
               "Change of the slope of the normal curvature across a seam (G3)."},
     Criterion{"G-SU-CR", "surface_with_small_curvature_radius", "radius",
               "Smallest radius of curvature of a face, over what its trims leave of it."},
-    Criterion{"G-SU-WV", "", "waviness", "Depth of waves inside a face, off the form around them."},
+    Criterion{"G-SU-WV", "", "waviness", "Depth of waves of a surface, off the form around them."},
     Criterion{"KEIKO-DENT", "", "dent",
-              "Depth of a dent or height of a bump inside a face, off the form around it."},
+              "Depth of a dent or height of a bump of a surface, off the form around it."},
+    Criterion{"KEIKO-SYMMETRY", "", "symmetry",
+              "Largest distance of a body's surface from its own mirror image."},
     Criterion{"KEIKO-LINE-JUMP", "", "line_jump",
               "Jump of a reflection line across itself where it crosses a seam."},
     Criterion{
@@ -160,6 +162,11 @@ Check check_of_lines(std::string_view code, const Worst& worst, std::size_t line
     check.message += "; of " + std::to_string(lines) + (lines == 1 ? " line " : " lines ") +
                      std::to_string(failing) + " not within it";
     return check;
+}
+
+Check check_of_symmetry(const Worst& worst, const std::string& plane) {
+    const std::string what = "the deviation from the mirror image at " + plane;
+    return judged("KEIKO-SYMMETRY", "mm", worst, {what.c_str(), " mm"});
 }
 
 std::vector<Check> checks_of(const MeasuredFace& face, const SurfaceLimits& limits,

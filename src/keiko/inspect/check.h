@@ -45,6 +45,10 @@ struct Check {
 Check check_of_lines(std::string_view code, const Worst& worst, std::size_t lines,
                      std::size_t failing);
 
+/// KEIKO-SYMMETRY held against how far a body is from its image at a plane, "y = 0", at its worst
+/// place. Without face.
+Check check_of_symmetry(const Worst& worst, const std::string& plane);
+
 /// Every criterion of the limits held against one measured face (number `index`). What they have no
 /// limit for is left out.
 std::vector<Check> checks_of(const MeasuredFace& face, const SurfaceLimits& limits,

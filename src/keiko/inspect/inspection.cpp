@@ -127,6 +127,20 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     return result;
 }
 
+void add_check(Inspection& inspection, Check check) {
+    MeasuredFace& face = inspection.faces.at(check.face);
+    --count_of(face.verdict, inspection.face_counts);
+    face.verdict = std::max(face.verdict, check.worst.verdict);
+    ++count_of(face.verdict, inspection.face_counts);
+    inspection.verdict = std::max(inspection.verdict, check.worst.verdict);
+    if (check.is_finding()) {
+        const auto behind = std::upper_bound(inspection.findings.begin(), inspection.findings.end(),
+                                             check, Worse(inspection.seams));
+        inspection.findings.insert(behind, check);
+    }
+    inspection.checks.push_back(std::move(check));
+}
+
 std::vector<std::uint32_t> worst_seams(const Inspection& inspection, std::size_t count) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < inspection.seams.size(); ++i) {

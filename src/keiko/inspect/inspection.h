@@ -44,6 +44,9 @@ struct Inspection {
 Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset = {}, double join = 0.5,
                    const Job& job = {});
 
+/// Adds a check that was made of a face apart from the inspection, as if it had been made with it.
+void add_check(Inspection& inspection, Check check);
+
 /// Indices of the `count` worst seams that are no passing crease, by falling severity.
 std::vector<std::uint32_t> worst_seams(const Inspection& inspection, std::size_t count);
 

@@ -64,10 +64,24 @@ WavinessLimit waviness_from(const TomlTable& table) {
     return limit;
 }
 
+SymmetryLimit symmetry_from(const TomlTable& table) {
+    SymmetryLimit limit;
+    const std::string plane = table.required("plane", table.text("plane"));
+    try {
+        limit.plane = MirrorPlane::parse(plane);
+    } catch (const Error& error) {
+        throw table.error("plane", error.reason());
+    }
+    limit.distance = table.required("distance", table.number("distance", lengths));
+    table.finish();
+    return limit;
+}
+
 SurfaceLimits surface_limits_from(const TomlTable& table) {
     SurfaceLimits limits;
     limits.minimum_radius = table.number("minimum_radius", lengths);
     if (const auto waviness = table.table("waviness")) limits.waviness = waviness_from(*waviness);
+    if (const auto symmetry = table.table("symmetry")) limits.symmetry = symmetry_from(*symmetry);
     table.finish();
     return limits;
 }

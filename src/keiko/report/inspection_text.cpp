@@ -15,6 +15,15 @@ std::string faces_text(const Inspection& inspection) {
            " undecided, " + std::to_string(counts.pass) + " pass";
 }
 
+/// Where it passes, too: whoever asks for it wants to know by how much.
+std::string symmetry_text(const Inspection& inspection) {
+    std::string text;
+    for (const Check& check : inspection.checks)
+        if (check.code == "KEIKO-SYMMETRY" && !check.is_finding())
+            text += "pass  " + check.code + "  " + placed_message(check) + "\n";
+    return text;
+}
+
 } // namespace
 
 std::string seams_words(const Inspection& inspection) {
@@ -28,7 +37,7 @@ std::string seams_words(const Inspection& inspection) {
 std::string inspection_text(const Inspection& inspection, std::size_t most) {
     std::string text(name_of(inspection.verdict));
     text += ": " + seams_words(inspection) + faces_text(inspection) + "; by " +
-            inspection.preset.name + "\n";
+            inspection.preset.name + "\n" + symmetry_text(inspection);
     const std::size_t shown = std::min(most, inspection.findings.size());
     for (std::size_t i = 0; i < shown; ++i) {
         const Check& finding = inspection.findings[i];

@@ -156,6 +156,8 @@ Json preset_json(const CriteriaPreset& preset) {
         preset.surface.minimum_radius ? Json(*preset.surface.minimum_radius) : Json();
     if (const auto& waviness = preset.surface.waviness)
         json["waviness"] = {{"depth", waviness->depth}, {"window", waviness->window}};
+    if (const auto& symmetry = preset.surface.symmetry)
+        json["symmetry"] = {{"plane", symmetry->plane.text()}, {"distance", symmetry->distance}};
     return json;
 }
 
@@ -183,6 +185,8 @@ Json inspection_json_value(const Inspection& inspection) {
         json["faces"].push_back(face_json(face, inspection.preset.surface));
     for (const Check& finding : inspection.findings)
         json["findings"].push_back(finding_json(finding));
+    for (const Check& check : inspection.checks)
+        if (check.code == "KEIKO-SYMMETRY") json["symmetry"] = finding_json(check);
     return json;
 }
 

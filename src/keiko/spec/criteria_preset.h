@@ -1,5 +1,7 @@
 #pragma once
 
+#include "keiko/spec/mirror_plane.h"
+
 #include <optional>
 #include <string>
 
@@ -38,10 +40,19 @@ struct WavinessLimit {
     bool operator==(const WavinessLimit&) const = default;
 };
 
+/// How far a body may be from its own mirror image.
+struct SymmetryLimit {
+    MirrorPlane plane;
+    double distance = 0.01; ///< mm, from any place of the surface to the image
+
+    bool operator==(const SymmetryLimit&) const = default;
+};
+
 /// What each face is held to, whatever its neighbours; what is absent is not judged.
 struct SurfaceLimits {
     std::optional<double> minimum_radius;  ///< mm, G-SU-CR: of the principal curvatures
     std::optional<WavinessLimit> waviness; ///< G-SU-WV and KEIKO-DENT
+    std::optional<SymmetryLimit> symmetry; ///< KEIKO-SYMMETRY, of the body as a whole
 
     bool operator==(const SurfaceLimits&) const = default;
 };

@@ -1,4 +1,4 @@
-#include "keiko/mirror_plane.h"
+#include "keiko/spec/mirror_plane.h"
 
 #include "keiko/base/error.h"
 #include "keiko/base/error_text.h"

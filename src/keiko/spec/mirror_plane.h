@@ -18,6 +18,8 @@ struct MirrorPlane {
     std::string text() const;
     /// The reflection.
     Affine motion() const;
+
+    bool operator==(const MirrorPlane&) const = default;
 };
 
 } // namespace keiko
