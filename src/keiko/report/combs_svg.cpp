@@ -16,6 +16,7 @@ constexpr double width = 960, margin = 40, head = 64; ///< units of the picture
 constexpr double tooth_share = 0.08;
 constexpr double usual_share = 0.98;  ///< of the samples are within the scale
 constexpr double least_spacing = 2.5; ///< of teeth, in the picture
+constexpr double spike = 1.1;         ///< times the tooth before: stands in its place
 
 /// Axes of a drawing as seen from `towards`, z up where it can be.
 struct DrawingAxes {
@@ -87,8 +88,8 @@ public:
     }
 
 private:
-    /// Of samples too near each other to be told apart the one that bends most: a spike may be as
-    /// narrow as it likes.
+    /// Of samples too near each other to be told apart the first, or one that bends clearly more: a
+    /// spike may be as narrow as it likes.
     std::vector<const CombSample*> teeth(const CombPiece& piece) const {
         std::vector<const CombSample*> chosen;
         std::optional<Vec2> first;
@@ -97,7 +98,8 @@ private:
             if (!first || (root - *first).length() * unit_ >= least_spacing) {
                 first = root;
                 chosen.push_back(&s);
-            } else if (std::abs(s.bend.curvature) > std::abs(chosen.back()->bend.curvature)) {
+            } else if (std::abs(s.bend.curvature) >
+                       spike * std::abs(chosen.back()->bend.curvature)) {
                 chosen.back() = &s;
             }
         }

@@ -72,5 +72,18 @@ TEST_F(CombsText, PicturesAreOfPlanesThatMeetTheBodyAndOfTheIsoCurves) {
     EXPECT_NE(pictures[0].svg.find("class=\"tooth\""), std::string::npos);
 }
 
+// Its sample is nearer to its neighbours than teeth stand.
+TEST(CombPictures, ShowSpikesAsNarrowAsTheyAre) {
+    CombCurve curve;
+    curve.pieces.emplace_back();
+    for (int i = 0; i <= 10000; ++i) {
+        const bool spike = i == 5003;
+        const CurveBend bend{spike ? 1 : 0.01, 0, Vec3(0, 0, 1)};
+        curve.pieces[0].samples.push_back({Vec3(0.1 * i, 0, 0), 0.1 * i, bend});
+    }
+    const std::string svg = combs_svg(std::span(&curve, 1), Vec3(0, 1, 0), "spike");
+    EXPECT_NE(svg.find("class=\"cut\""), std::string::npos);
+}
+
 } // namespace
 } // namespace keiko
