@@ -81,7 +81,8 @@ private:
 
     std::optional<PlacedFlaw> wave(const FaceRipple& r) const {
         const auto found = wave_section(faces_, r.at, r.along, r.depth > 0, r.width);
-        if (!found) return std::nullopt;
+        constexpr double slack = 1.1; // the length of waves that fade is not sharp
+        if (!found || found->length > slack * widest_share * limit_.window) return std::nullopt;
         return PlacedFlaw{
             {Flaw::Kind::waves, depth(found->depth, found->bound, found->position), found->length},
             found->at.face};
