@@ -18,7 +18,7 @@ namespace {
 constexpr int pieces_in_fog = 8;
 constexpr double pi = std::numbers::pi;
 /// Of a lamp's illuminance: what its penumbrae may be off by, half of what the whole system may.
-constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 1e-2;
+constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
 
 /// Answers what one source gives to the point.
 class Receiver {
@@ -95,20 +95,29 @@ private:
             number ? width_tolerance : width_tolerance_in_pictures, TubeShape::cylinder, hiding);
         Rgb sum;
         for (std::size_t k = 0; k < lamps.size(); ++k)
-            if (shares[k] > 0) sum += lit_over_width(comb, numbers[k], lamps[k], shares[k]);
+            if (shares[k] > 0 || lamps[k].luminous_caps)
+                sum += lit_over_width(comb, numbers[k], lamps[k], shares[k]);
         return sum;
     }
     /// Of the whole lamp, the share that is seen over the width. What a coat and the medium leave
-    /// of it they leave of what is seen of the axis.
+    /// of it they leave of what is seen of the axis, or, where that lights nothing, of all of it.
     Rgb lit_over_width(const CombIrradiance& comb, int index, const TubeLamp& lamp,
                        double seen) const {
-        const IntervalSet whole = IntervalSet::whole();
-        const double all = comb.solid_angle(index, whole) * seen;
+        const double all = seen_solid_angle(comb, index, lamp, seen);
         if (!coat_ && !medium_) return Rgb(all);
-        IntervalSet axis = visible_.intervals({lamp.a, lamp.b});
-        if (axis.empty()) axis = whole;
-        const double parts = comb.solid_angle(index, axis);
-        return parts > 0 ? lit_over(comb, index, lamp, axis) * (all / parts) : Rgb();
+        IntervalSet parts = visible_.intervals({lamp.a, lamp.b});
+        if (!(comb.solid_angle(index, parts) > 0)) parts = IntervalSet::whole();
+        const double lit = comb.solid_angle(index, parts);
+        return lit > 0 ? lit_over(comb, index, lamp, parts) * (all / lit) : Rgb();
+    }
+    double seen_solid_angle(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+                            double seen) const {
+        const double whole = comb.solid_angle(index, IntervalSet::whole());
+        if (!lamp.luminous_caps) return whole * seen;
+        // A shining cap is seen where its end of the axis is.
+        const IntervalSet axis = visible_.intervals({lamp.a, lamp.b});
+        return (whole - cap_solid_angle(lamp, point_, normal_)) * seen +
+               cap_solid_angle(lamp, point_, normal_, axis);
     }
     /// Solid angle of parts of a lamp, dimmed by the medium; with a coat, of what enters it.
     Rgb lit_over(const CombIrradiance& comb, int index, const TubeLamp& lamp,

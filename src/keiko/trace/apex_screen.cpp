@@ -36,7 +36,8 @@ public:
     auto end() const { return corners_.begin() + static_cast<std::ptrdiff_t>(count_); }
 
 private:
-    static constexpr std::size_t capacity = 8; ///< each of three cuts adds one
+    /// Each of three cuts adds one; where corners are in line within rounding, more.
+    static constexpr std::size_t capacity = 16;
     std::array<Vec2, capacity> corners_;
     std::size_t count_ = 0;
 };

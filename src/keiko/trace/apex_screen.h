@@ -3,6 +3,8 @@
 #include "keiko/trace/border_piece.h"
 #include "keiko/trace/silhouette_piece.h"
 
+#include <limits>
+
 namespace keiko {
 
 /// A place as an apex sees it: the slope along a row of segments and across it.
@@ -13,8 +15,8 @@ struct ScreenPlace {
 
 /// What a place may be.
 struct ScreenBox {
-    double along_low = 0, along_high = -1;
-    double across_low = 0, across_high = -1;
+    double along_low = std::numeric_limits<double>::infinity(), along_high = -along_low;
+    double across_low = along_low, across_high = along_high;
 
     bool empty() const { return !(across_low <= across_high && along_low <= along_high); }
     bool overlaps(const ScreenBox& other) const {

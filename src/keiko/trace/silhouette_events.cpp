@@ -63,11 +63,10 @@ void SilhouetteSolver::add_candidate(std::uint32_t index, const Apex& apex,
     const SilhouettePiece& piece = silhouettes_.pieces[index];
     const AffineNet::Weighed edge_on = piece.planes.weighed(piece.weights(apex));
     if (edge_on.vanishes_nowhere()) return;
-    constexpr double near = 2; ///< half sizes of the piece
     const auto known = std::find_if(all.own.begin(), all.own.end(),
                                     [&](const OwnCandidate& o) { return o.patch == piece.patch; });
     const auto found = known != all.own.end() ? std::optional(known->foot) : foot(piece, apex);
-    if (!found || !within((*found - piece.uv.center()) / (piece.uv.extent() * 0.5), near))
+    if (!found || !piece.surroundings().contains(*found))
         return all.pieces.push_back({index, edge_on});
     const auto steepest = [&] {
         return steepest_chord(piece.chords, piece.local(apex.place() - piece.center),
@@ -80,7 +79,6 @@ void SilhouetteSolver::add_candidate(std::uint32_t index, const Apex& apex,
         own = all.own.end() - 1;
     }
     own->uv.extend(piece.uv);
-    own->trimmed = own->trimmed || piece.trimmed;
 }
 
 std::optional<Vec2> SilhouetteSolver::foot(const SilhouettePiece& piece, const Apex& apex) const {
@@ -117,6 +115,7 @@ void SilhouetteSolver::finish(const Apex& apex, const std::optional<ApexHorizon>
                               SilhouetteCandidates& all) const {
     std::erase_if(all.own, [&](OwnCandidate& own) {
         const OccluderPatch& patch = silhouettes_.patches[own.patch];
+        own.trimmed = !silhouettes_.regions[patch.face].untrimmed();
         if (horizon) {
             own.steepest =
                 steepest_chord(patch.points, own.uv, apex.place() - patch.center, horizon->normal);

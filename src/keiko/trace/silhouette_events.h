@@ -28,7 +28,7 @@ struct OwnCandidate {
     std::uint32_t patch = 0; ///< into Silhouettes::patches
     Box2 uv;                 ///< of that patch: the pieces around, and the apex
     Vec2 foot{0};            ///< the apex
-    bool trimmed = false;
+    bool trimmed = false;    ///< the face is
     std::optional<OwnRings> rings{};
     /// Sine of the elevation over the tangent plane above which the apex sees nothing of the part.
     double steepest = 1;

@@ -1,6 +1,7 @@
 #include "keiko/trace/silhouette_piece.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/math/perpendicular.h"
 #include "keiko/patch/differential_geometry.h"
 #include "keiko/trace/reduced_degree.h"
 #include "keiko/trace/subpatch.h"
@@ -58,7 +59,7 @@ std::array<Vec3, 3> axes_of(const HomogeneousNet& planes, const HomogeneousNet& 
     const Vec3 normal = sum.length() > 0 ? sum.normalized() : Vec3(0, 0, 1);
     Vec3 along = spatial(points.points.back()) - spatial(points.points.front());
     along -= normal * normal.dot(along);
-    if (!(along.length2() > 0)) along = normal.cross(Vec3(normal.y, normal.z, -normal.x));
+    if (!(along.length2() > 0)) along = any_perpendicular(normal);
     along.normalize();
     return {along, normal.cross(along), normal};
 }

@@ -46,7 +46,7 @@ struct SilhouettePiece {
     std::array<Vec3, 3> rows{Vec3(0), Vec3(0), Vec3(0)};
     AffineNet points, planes;
     LoweredNet lowered_planes; ///< over the piece and its overlap
-    TangentBounds chords;      ///< of `points`, over surroundings()
+    TangentBounds chords;      ///< of `points`, for apexes whose foot is in surroundings()
     double normal_angle = 4;   ///< rad, half angle of the cone about rows[2] that holds all normals
 
     /// The piece's share of its patch with what it overlaps its neighbours by, so that no event
@@ -55,8 +55,8 @@ struct SilhouettePiece {
         constexpr double overlap = 1e-7;
         return {uv.lower - uv.extent() * overlap, uv.upper + uv.extent() * overlap};
     }
-    /// The piece and half of its extent around: an apex whose foot lies there sees the piece along
-    /// chords of this part of the patch.
+    /// The piece and half of its extent around: chords from an apex whose foot lies there to the
+    /// piece are mixtures of derivatives over this part of the patch.
     Box2 surroundings() const { return {uv.lower - uv.extent() / 2, uv.upper + uv.extent() / 2}; }
     /// What weighs `planes` into the function that is zero where `apex` sees the piece edge-on.
     Vec4 weights(const Apex& apex) const { return local(apex.seen_from(center)); }

@@ -1,5 +1,7 @@
 #include "keiko/trace/view_volume.h"
 
+#include "keiko/math/perpendicular.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +22,7 @@ Vec3 longest_way(std::span<const Vec3> corners) {
 std::array<Vec3, 2> across(const Vec3& axis, const Vec3& along) {
     Vec3 x = along - axis * along.dot(axis);
     if (!(x.length() > 1e-6 * along.length()))
-        x = axis.cross(std::abs(axis.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
+        x = any_perpendicular(axis);
     x.normalize();
     return {x, axis.cross(x)};
 }

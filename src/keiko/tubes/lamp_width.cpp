@@ -24,13 +24,13 @@ double LampWidth::lit(const SubAxis& axis, double begin, double end) const {
     const double al = view_.n_lamp * axis.cosine + view_.n_sideways * axis.sine;
     const double low = std::atan2(view_.x_at(begin), axis.r);
     const double high = std::atan2(view_.x_at(end), axis.r);
-    if (hiding_.empty()) return axis.weight * arc_integral(al, view_.n_along, low, high);
+    if (hiding_.empty()) return arc_integral(al, view_.n_along, low, high);
     const double psi = std::atan2(axis.sine, axis.cosine);
     double sum = 0;
     for (const ParameterInterval& open :
          IntervalSet(hidden_elevations(view_, hiding_, psi, axis.r)).complement(low, high))
         sum += arc_integral(al, view_.n_along, open.begin, open.end);
-    return axis.weight * sum;
+    return sum;
 }
 
 std::vector<double> LampWidth::cuts() const {

@@ -4,7 +4,6 @@
 #include "keiko/tubes/hiding_tube.h"
 #include "keiko/tubes/tube_view.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -24,7 +23,8 @@ struct SubAxis {
 /// A lamp across, as a point sees it: places from -1 to 1, sideways.
 class LampWidth {
 public:
-    /// `hiding`: other tubes of the row that may hide some of it; only looked at.
+    /// `hiding`: other tubes, of the lamp's radius and ends, that may hide some of it; only looked
+    /// at.
     LampWidth(const TubeView& view, const Vec3& point, TubeShape shape,
               std::span<const HidingTube> hiding)
         : view_(view), point_(point), shape_(shape), hiding_(hiding) {}
@@ -33,13 +33,9 @@ public:
         return shape_ == TubeShape::cylinder ? on_tube(place) : on_rectangle(place);
     }
     Segment line_of(const SubAxis& axis) const;
-    /// Projected solid angle, by the place across, of a part of a sub-axis: from t = `begin` to
+    /// Projected solid angle, by the wedge angle, of a part of a sub-axis: from t = `begin` to
     /// `end`, without what other tubes hide.
     double lit(const SubAxis& axis, double begin, double end) const;
-    /// Both edges, and what is nearest.
-    std::array<Segment, 3> outline() const {
-        return {line_of(sub_axis(-1)), line_of(sub_axis(0)), line_of(sub_axis(1))};
-    }
     /// From -1 to 1, with the places at which another tube begins or ends to hide some.
     std::vector<double> cuts() const;
 

@@ -15,7 +15,7 @@ namespace keiko {
 /// `row`: parallel lamps of one diameter in a plane, in order. The axis alone is asked for where
 /// all of a lamp is proved to be seen alike, else sub-axes across the lamp, more of them until the
 /// estimated error is below `tolerance`. 1 for a lamp that lights nothing of the point. `hiding`:
-/// for each lamp others of the row that hide some of it; the share is of what they leave.
+/// empty, or for each lamp others of the row that hide some of it; the share is of what they leave.
 std::vector<double> visible_shares(std::span<const TubeLamp> row, const Vec3& point,
                                    const Vec3& normal, const Visible& visible, double tolerance,
                                    TubeShape shape = TubeShape::cylinder,
