@@ -21,8 +21,7 @@ Vec3 longest_way(std::span<const Vec3> corners) {
 /// Unit vectors across `axis`, the first as near to `along` as can be.
 std::array<Vec3, 2> across(const Vec3& axis, const Vec3& along) {
     Vec3 x = along - axis * along.dot(axis);
-    if (!(x.length() > 1e-6 * along.length()))
-        x = any_perpendicular(axis);
+    if (!(x.length() > 1e-6 * along.length())) x = any_perpendicular(axis);
     x.normalize();
     return {x, axis.cross(x)};
 }
