@@ -36,30 +36,53 @@ struct Shaded {
     }
 };
 
+struct Deviation {
+    double rms = 0; ///< relative to each pixel's light
+    double interpolated = 0,
+           off = 0; ///< shares of the pixels: other than exact, by more than allowed
+};
+
+Deviation deviation(const Film& fast, const Film& exact, double allowed) {
+    Deviation all;
+    int lit = 0;
+    for (std::size_t i = 0; i < exact.color.values.size(); ++i) {
+        if (exact.alpha.values[i / 3] == 0) continue;
+        const double wrong =
+            static_cast<double>(fast.color.values[i]) / static_cast<double>(exact.color.values[i]) -
+            1;
+        all.rms += wrong * wrong;
+        all.interpolated += wrong != 0 ? 1 : 0;
+        all.off += std::abs(wrong) > allowed ? 1 : 0;
+        ++lit;
+    }
+    return {std::sqrt(all.rms / lit), all.interpolated / lit, all.off / lit};
+}
+
+/// Shares of `error` and of the pixels.
+void expect_hardly_off(TubeModel tubes, double most_rms, double most_off) {
+    const Shaded shaded;
+    PictureOptions options{.aovs = {}, .edge_samples = 1, .light_error = 0, .tubes = tubes};
+    const Film exact = shaded.render(options);
+    for (const double error : {1e-3, 1e-2}) {
+        options.light_error = error;
+        const Deviation found = deviation(shaded.render(options), exact, error);
+        EXPECT_LT(found.rms, most_rms * error) << error;
+        EXPECT_LT(found.off, most_off) << error;
+        EXPECT_GT(found.interpolated, 1.0 / 6) << error; // not all of it is stairs
+    }
+}
+
 } // namespace
 
 // Under a row of thin lamps the shadow of the screen is stairs, each of which is a kink: beside few
 // of them light is off by more than was asked for.
-TEST(InterpolatedLight, IsHardlyOffByMoreThanAllowed) {
-    const Shaded shaded;
-    const Film exact = shaded.render({.aovs = {}, .edge_samples = 1, .light_error = 0});
-    for (const double error : {1e-3, 1e-2}) {
-        const Film fast = shaded.render({.aovs = {}, .edge_samples = 1, .light_error = error});
-        double squares = 0;
-        int lit = 0, other = 0, off = 0;
-        for (std::size_t i = 0; i < exact.color.values.size(); ++i) {
-            const double is = static_cast<double>(exact.color.values[i]);
-            const double wrong = static_cast<double>(fast.color.values[i]) / is - 1;
-            if (exact.alpha.values[i / 3] == 0) continue;
-            squares += wrong * wrong;
-            ++lit;
-            other += wrong != 0 ? 1 : 0;
-            off += std::abs(wrong) > error ? 1 : 0;
-        }
-        EXPECT_LT(std::sqrt(squares / lit), 0.3 * error) << error;
-        EXPECT_LT(off, lit / 100) << error;
-        EXPECT_GT(other, lit / 6) << error; // not all of it is stairs, lit pixel by pixel
-    }
+TEST(InterpolatedLight, OfAxesIsHardlyOffByMoreThanAllowed) {
+    expect_hardly_off(TubeModel::preview, 0.3, 0.01);
+}
+
+// Each stair is a ramp of some pixels with a kink at either end.
+TEST(InterpolatedLight, OfTubesIsHardlyOffByMoreThanAllowed) {
+    expect_hardly_off(TubeModel::picture, 1, 0.02);
 }
 
 TEST(InterpolatedLight, OfNoErrorIsThatOfEachRay) {
