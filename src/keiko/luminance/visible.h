@@ -31,7 +31,8 @@ public:
         return all;
     }
     /// True where parallel segments, and all others between them, are proved to be seen alike:
-    /// each as a whole, or none of them at all.
+    /// each as a whole, or none of them at all, but for what of them lies below the horizon of the
+    /// point.
     virtual bool seen_alike(std::span<const Segment>) const { return false; }
 };
 

@@ -52,6 +52,12 @@ ApexView::Candidates::Candidates(const Occluders::Scene& scene, const Tracer& tr
     if (nothing_happens_in(region)) all_seen_ = sees(middle_);
 }
 
+std::vector<Vec3> ApexView::Candidates::faced_corners(std::span<const SegmentEnds> row) const {
+    std::vector<Vec3> corners;
+    for (const SegmentEnds& ends : row) corners.insert(corners.end(), ends.begin(), ends.end());
+    return facing_ ? before(apex_, *facing_, corners) : corners;
+}
+
 void ApexView::Candidates::collect(std::span<const Vec3> region) {
     const ViewVolume volume(apex_, region, facing_);
     std::optional<ApexHorizon> horizon;

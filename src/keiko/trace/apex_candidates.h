@@ -51,6 +51,8 @@ private:
     void collect(std::span<const Vec3> region);
     bool nothing_happens_in(std::span<const Vec3> region) const;
     bool sees(const Vec3& x) const { return !tracer_->any(apex_.ray_to(x)); }
+    /// Corners of what parallel segments and all between them have on the side that the apex faces.
+    std::vector<Vec3> faced_corners(std::span<const SegmentEnds> row) const;
     /// The part of a segment on the side that the apex faces.
     ParameterInterval asked_of(const SegmentEnds& ends) const;
     std::optional<Line> line_through(const SegmentEnds& ends) const;

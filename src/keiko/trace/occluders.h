@@ -76,7 +76,7 @@ public:
     std::vector<SeenParts> intervals(std::span<const SegmentEnds> row) const;
 
     /// True where parallel segments, and all others between them, are proved to be seen alike: each
-    /// as a whole, or none of them at all.
+    /// as a whole, or none of them at all, but for what of them lies on the side that is not faced.
     bool seen_alike(std::span<const SegmentEnds> row) const;
 
 private:

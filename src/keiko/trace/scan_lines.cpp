@@ -28,20 +28,16 @@ auto between(const Lines& lines, double low, double high) {
     return std::span(first, last);
 }
 
-/// A box around parallel segments; nothing where one is no scan line.
-std::optional<ScreenBox> hull_of(const ApexScreen& screen, std::span<const SegmentEnds> row) {
-    if (!screen.regular()) return std::nullopt;
+/// A box around places; nothing where one is not before the screen.
+std::optional<ScreenBox> hull_of(const ApexScreen& screen, std::span<const Vec3> places) {
     ScreenBox hull{infinity, -infinity, infinity, -infinity};
-    for (const SegmentEnds& ends : row) {
-        if (!along_screen(screen, ends)) return std::nullopt;
-        for (const Vec3& end : ends) {
-            const ScreenPlace place = screen.place(end);
-            if (!(place.depth > 0)) return std::nullopt;
-            hull.along_low = std::min(hull.along_low, place.along);
-            hull.along_high = std::max(hull.along_high, place.along);
-            hull.across_low = std::min(hull.across_low, place.across);
-            hull.across_high = std::max(hull.across_high, place.across);
-        }
+    for (const Vec3& x : places) {
+        const ScreenPlace place = screen.place(x);
+        if (!(place.depth > 0)) return std::nullopt;
+        hull.along_low = std::min(hull.along_low, place.along);
+        hull.along_high = std::max(hull.along_high, place.along);
+        hull.across_low = std::min(hull.across_low, place.across);
+        hull.across_high = std::max(hull.across_high, place.across);
     }
     return hull;
 }
@@ -180,19 +176,17 @@ std::optional<std::vector<SeenParts>> ApexView::Candidates::intervals_of_row(
 }
 
 bool ApexView::Candidates::seen_alike(std::span<const SegmentEnds> row) const {
-    const auto faced = [&](const SegmentEnds& ends) {
-        return asked_of(ends) == ParameterInterval{0, 1};
-    };
-    if (!std::all_of(row.begin(), row.end(), faced)) return false;
     if (all_seen_) return true;
     if (row.empty() || region_touched_ || has_horizon_) return false;
     const Screen& screen = screen_of((row[0][1] - row[0][0]).normalized());
-    const auto hull = hull_of(screen.screen, row);
+    const auto along = [&](const SegmentEnds& ends) { return along_screen(screen.screen, ends); };
+    if (!screen.screen.regular() || !std::all_of(row.begin(), row.end(), along)) return false;
+    const std::vector<Vec3> corners = faced_corners(row);
+    const auto hull = hull_of(screen.screen, corners);
     if (!hull) return false;
-    const auto high = [&](const SegmentEnds& ends) {
-        return normal_ && least_elevation(apex_, *normal_, ends) > silhouettes_.own_steepest();
-    };
-    if (!silhouettes_.own.empty() && !std::all_of(row.begin(), row.end(), high)) return false;
+    if (!silhouettes_.own.empty() &&
+        !(normal_ && least_elevation(apex_, *normal_, corners) > silhouettes_.own_steepest()))
+        return false;
     const auto apart = [&](const ScreenBox& box) { return !box.overlaps(*hull); };
     return std::all_of(screen.pieces.begin(), screen.pieces.end(), apart) &&
            std::all_of(screen.borders.begin(), screen.borders.end(), apart);

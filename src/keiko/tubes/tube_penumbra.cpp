@@ -30,6 +30,8 @@ constexpr Weights gauss{0, 0, 0.5555555555555556, 0, 0.8888888888888889, 0, 0.55
                         0, 0};
 constexpr Weights middle_alone{0, 0, 0, 0, 2, 0, 0, 0, 0};
 constexpr std::array<std::size_t, 5> of_gauss{0, 2, 4, 6, 8}; ///< with the ends
+constexpr std::array<std::size_t, 3> ends_and_middle{0, 4, 8};
+constexpr std::array<std::size_t, 2> of_gauss_alone{2, 6};
 constexpr std::array<std::size_t, 4> of_kronrod_alone{1, 3, 5, 7};
 
 /// Solid angle of a slice of the lamp, by its wedge angle, and what of it is hidden.
@@ -45,14 +47,19 @@ struct Slices {
     std::array<Slice, node_count> at{};
 };
 
-/// What some nodes' slices light, and the lines to be asked for: of those that light anything.
-void ask_slices(const LampWidth& width, std::span<const std::size_t> nodes_of, Slices& slices,
-                std::vector<Segment>& lines) {
+/// What some nodes' slices light.
+void light_slices(const LampWidth& width, std::span<const std::size_t> nodes_of, Slices& slices) {
     for (const std::size_t i : nodes_of) {
         slices.axes[i] = width.sub_axis(slices.middle + slices.half * nodes[i]);
         slices.at[i] = {width.lit(slices.axes[i], 0, 1)};
-        if (slices.at[i].all > 0) lines.push_back(width.line_of(slices.axes[i]));
     }
+}
+
+/// The lines to be asked for: of slices that light anything.
+void add_lines(const LampWidth& width, std::span<const std::size_t> nodes_of, const Slices& slices,
+               std::vector<Segment>& lines) {
+    for (const std::size_t i : nodes_of)
+        if (slices.at[i].all > 0) lines.push_back(width.line_of(slices.axes[i]));
 }
 
 /// With what is seen of those lines, from `next` on.
@@ -65,12 +72,20 @@ void hide_slices(const LampWidth& width, std::span<const std::size_t> nodes_of, 
     }
 }
 
+/// A part of the width, of which nothing is asked yet.
+Slices part_of(const LampWidth& width, double middle, double half) {
+    Slices part{middle, half};
+    light_slices(width, of_gauss, part);
+    return part;
+}
+
 std::vector<Slices> parts_of(const LampWidth& width) {
     const std::vector<double> cuts = width.cuts();
     std::vector<Slices> parts;
     for (std::size_t i = 1; i < cuts.size(); ++i)
         if (cuts[i - 1] < cuts[i])
-            parts.push_back({(cuts[i] + cuts[i - 1]) / 2, (cuts[i] - cuts[i - 1]) / 2});
+            parts.push_back(
+                part_of(width, (cuts[i] + cuts[i - 1]) / 2, (cuts[i] - cuts[i - 1]) / 2));
     return parts;
 }
 
@@ -109,6 +124,15 @@ double missed_at(const Slices& slices, std::size_t end, std::size_t node, std::s
     return std::abs(off) * std::abs(nodes[end] - nodes[node]) / 2;
 }
 
+/// By how much the middle's hidden share is off the line through those of the ends, and what may
+/// be missed where it is on the line by chance, as in the middle of a ramp between two kinks.
+double missed_by_middle(const Slices& slices) {
+    const double begin = slices.at[0].share(), end = slices.at[8].share();
+    constexpr double by_chance = 0.1;
+    return std::max(std::abs(slices.at[4].share() - (begin + end) / 2),
+                    by_chance * std::abs(end - begin));
+}
+
 double missed_by_gauss(const Slices& slices) {
     return missed_at(slices, 0, 2, 4) + missed_at(slices, 8, 6, 4);
 }
@@ -117,24 +141,28 @@ double missed_by_kronrod(const Slices& slices) {
     return missed_at(slices, 0, 1, 2) + missed_at(slices, 8, 7, 6);
 }
 
-/// Over what `slices` stand for, whose Gaussian nodes are known: by more nodes, then by halves,
+/// Over what `slices` stand for, whose ends and middle are known: by more nodes, then by halves,
 /// until two rules agree on what is hidden to within `error`, an absolute one for this part, and
 /// the ends with the nodes next to them, or to `depth`.
 Sums integrate(const LampWidth& width, const Visible& visible, Slices slices, double error,
                int depth) {
     const auto find = [&](std::span<const std::size_t> nodes_of, Slices& of) {
         std::vector<Segment> lines;
-        ask_slices(width, nodes_of, of, lines);
+        add_lines(width, nodes_of, of, lines);
         const std::vector<IntervalSet> seen = visible.intervals(lines);
         auto next = seen.begin();
         hide_slices(width, nodes_of, of, next);
     };
-    const Sums three = weighed(slices, gauss);
+    const double all = weighed(slices, gauss).all;
     const bool above = std::all_of(of_gauss.begin(), of_gauss.end(),
                                    [&](std::size_t i) { return slices.at[i].all > 0; });
+    if (above && missed_by_middle(slices) * all <= error) return {all, all * slices.at[4].share()};
+    find(of_gauss_alone, slices);
+    const Sums three = weighed(slices, gauss);
     if (above && difference(weighed(slices, middle_alone), three) <= error &&
         missed_by_gauss(slices) * three.all <= error)
         return three;
+    light_slices(width, of_kronrod_alone, slices);
     find(of_kronrod_alone, slices);
     const Sums seven = weighed(slices, kronrod);
     if (depth == 0 ||
@@ -142,8 +170,8 @@ Sums integrate(const LampWidth& width, const Visible& visible, Slices slices, do
         return seven;
     Sums both;
     for (const double side : {-0.5, 0.5}) {
-        Slices part{slices.middle + side * slices.half, slices.half / 2};
-        find(of_gauss, part);
+        Slices part = part_of(width, slices.middle + side * slices.half, slices.half / 2);
+        find(ends_and_middle, part);
         both += integrate(width, visible, part, error / 2, depth - 1);
     }
     return both;
@@ -165,6 +193,15 @@ std::array<Segment, 4> corner_lines(std::span<const TubeLamp> row) {
             moved(last, across - up)};
 }
 
+/// Whether any of a lamp is seen that is seen alike: where the axis is below the horizon, what is
+/// above it of the lamp tells.
+bool any_seen(const Visible& visible, const TubeLamp& lamp) {
+    if (!visible.intervals({lamp.a, lamp.b}).empty()) return true;
+    const auto corners = corner_lines({&lamp, 1});
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](const Segment& line) { return !visible.intervals(line).empty(); });
+}
+
 /// A lamp of which some may be hidden, with the nodes that are asked for first.
 struct PartlySeen {
     std::size_t lamp;
@@ -175,7 +212,7 @@ struct PartlySeen {
                  std::vector<IntervalSet>::const_iterator& next) {
         double brightest = 0;
         for (Slices& part : slices) {
-            hide_slices(width, of_gauss, part, next);
+            hide_slices(width, ends_and_middle, part, next);
             for (const std::size_t i : of_gauss)
                 brightest = std::max(brightest, part.axes[i].weight * part.at[i].all);
         }
@@ -203,14 +240,15 @@ std::vector<double> visible_shares(std::span<const TubeLamp> row, const Vec3& po
         // Along the axis the cap alone lights.
         const auto view = view_of(row[i], point, normal);
         if (all_alike || !view || visible.seen_alike(corner_lines({&row[i], 1}))) {
-            shares[i] = visible.intervals({row[i].a, row[i].b}).empty() ? 0 : 1;
+            shares[i] = any_seen(visible, row[i]) ? 1 : 0;
             continue;
         }
         const std::span<const HidingTube> others =
             hiding.empty() ? std::span<const HidingTube>() : hiding[i];
         const LampWidth width(*view, point, shape, others);
         parts.push_back({i, width, parts_of(width)});
-        for (Slices& slices : parts.back().slices) ask_slices(width, of_gauss, slices, lines);
+        for (const Slices& slices : parts.back().slices)
+            add_lines(width, ends_and_middle, slices, lines);
     }
     const std::vector<IntervalSet> seen = visible.intervals(lines);
     auto next = seen.begin();
