@@ -58,14 +58,19 @@ std::vector<double> lux_at(const Scene& scene, const Ray& point) {
     const ShadowedRig lights(*scene.rig, scene.occluders ? &*scene.occluders : nullptr,
                              scene.seen());
     const Place place = place_of(scene.seen(), point.origin, normal);
-    const LitPoint lit = lights.at(place.position, normal, place.root);
+    constexpr TubeModel model = TubeModel::automatic;
+    const LitPoint lit(
+        *scene.rig, place.position, normal, model, lights.lights(),
+        lights.seen_from(place.position, normal, place.root, lights.lights(), model, false));
+    const std::vector<Rgb> by_light = lit.illuminance_by_light();
     std::vector<double> lux;
     Rgb sum;
-    for (std::size_t i = 0; i < scene.rig->sources.size(); ++i) {
-        const Rgb lx = lit.from_source(i, TubeModel::automatic);
+    each_source(lights.lights(), [&](std::size_t, std::span<const int> lamps, std::size_t first) {
+        Rgb lx;
+        for (std::size_t i = 0; i < lamps.size(); ++i) lx += by_light[first + i];
         lux.push_back(luminance(lx));
         sum += lx;
-    }
+    });
     lux.push_back(luminance(sum));
     return lux;
 }

@@ -107,7 +107,7 @@ std::optional<Integrator::Path> Integrator::advance(Path path, const Met& met, i
     const std::optional<Hit>& hit = met.hit;
     EyeSample& sample = view.samples[path.sample];
     note(path, met, depth, shafts, sample);
-    pass_medium(path, hit ? hit->position : end_of(path.ray, hit), shafts, sample);
+    pass_medium(path, end_of(path.ray, hit), shafts, sample);
     if (!hit) {
         sample.luminance +=
             path.weight * (depth == 0 ? scene_.background : even_luminance(scene_.rig.ambient));
@@ -180,18 +180,39 @@ void Integrator::pass_medium(Path& path, const Vec3& end, const VisibleFrom& sha
     path.weight *= transmittance(*scene_.rig.medium, leg);
 }
 
-SpotLight Integrator::light_on(const LitSpot& spot) const {
+std::vector<SeenLight> Integrator::seen_from(const LitSpot& spot,
+                                             std::span<const RigLight> lights) const {
+    return lights_.seen_from(spot.place.position, spot.place.normal, spot.root, lights, tubes_);
+}
+
+std::vector<SpotLight> Integrator::light_on(const LitSpot& spot, std::span<const RigLight> lights,
+                                            std::vector<SeenLight> seen) const {
     const Paint& paint = paints_[spot.place.paint];
     const Vec3& normal = spot.place.normal;
-    const LitPoint lit = lights_.at(spot.place.position, normal, spot.root);
-    SpotLight light;
+    const LitPoint lit(scene_.rig, spot.place.position, normal, tubes_, lights, std::move(seen));
+    std::vector<SpotLight> brought(lights.size());
+    const auto each = [&](const std::vector<Rgb>& values, const auto& add) {
+        for (std::size_t i = 0; i < values.size(); ++i) add(brought[i], values[i]);
+    };
     if (paint.base().inner_reflectance(normal.dot(spot.eye)) != Rgb(0))
-        light.illuminance = lit.illuminance(tubes_, &paint.base());
+        each(lit.illuminance_by_light(&paint.base()),
+             [](SpotLight& light, const Rgb& lx) { light.illuminance = lx; });
     if (spot.depth == 0 && tells_illuminance_)
-        light.incident = keiko::luminance(lit.illuminance(tubes_));
-    if (paint.gloss()) light.lobes += lit.glossy(GlossKernel(*paint.gloss(), normal, spot.eye));
-    if (paint.flakes()) light.lobes += lit.glossy(FlakeKernel(*paint.flakes(), normal, spot.eye));
-    return light;
+        each(lit.illuminance_by_light(),
+             [](SpotLight& light, const Rgb& lx) { light.incident = keiko::luminance(lx); });
+    const auto add_lobe = [](SpotLight& light, const Rgb& sent) { light.lobes += sent; };
+    if (paint.gloss())
+        each(lit.glossy_by_light(GlossKernel(*paint.gloss(), normal, spot.eye)), add_lobe);
+    if (paint.flakes())
+        each(lit.glossy_by_light(FlakeKernel(*paint.flakes(), normal, spot.eye)), add_lobe);
+    return brought;
+}
+
+SpotLight Integrator::light_on(const LitSpot& spot) const {
+    SpotLight sum;
+    for (const SpotLight& of_light : light_on(spot, lights(), seen_from(spot, lights())))
+        sum += of_light;
+    return sum;
 }
 
 Rgb Integrator::luminance(const LitSpot& spot, const SpotLight& light) const {

@@ -27,7 +27,15 @@ public:
     /// `grid_width` in each, see lamps by bent images of their pixels where neighbours tell how
     /// they are bent.
     EyeView view(std::span<const Ray> eye_rays, int grid_width = 0) const;
+    /// What all lamps and other lights bring to a spot.
     SpotLight light_on(const LitSpot& spot) const;
+    /// All lights, in the order in which they are asked for.
+    const std::vector<RigLight>& lights() const { return lights_.lights(); }
+    /// What a spot sees of some of the lights.
+    std::vector<SeenLight> seen_from(const LitSpot& spot, std::span<const RigLight> lights) const;
+    /// What each of them brings if that is `seen`.
+    std::vector<SpotLight> light_on(const LitSpot& spot, std::span<const RigLight> lights,
+                                    std::vector<SeenLight> seen) const;
     /// cd/m2 that the lamps' light makes a spot's base and lobes send to the eye.
     Rgb luminance(const LitSpot& spot, const SpotLight& light) const;
     /// The same of even light from all sides.

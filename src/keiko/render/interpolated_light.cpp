@@ -1,127 +1,226 @@
 #include "keiko/render/interpolated_light.h"
 
-#include "keiko/render/spot_grid.h"
+#include "keiko/render/grid_lights.h"
+#include "keiko/render/linear_light.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace keiko {
 namespace {
 
-/// Pixels a side of the largest squares that are lit from nine places: shadows narrower than half
-/// of it may be missed.
-constexpr int largest_square = 8;
+/// Pixels a side of the largest squares that are lit from a few places: shadows narrower than a
+/// third of it may be missed.
+constexpr int largest_square = 16;
 
-/// A rectangle of pixels, its last column and row with it.
-struct Rectangle {
-    int x0, y0, x1, y1;
+using Lights = std::vector<std::size_t>; ///< numbers, rising
 
-    int middle_x() const { return (x0 + x1) / 2; }
-    int middle_y() const { return (y0 + y1) / 2; }
-    bool is_small() const { return x1 - x0 <= 1 && y1 - y0 <= 1; }
-    bool is_large() const { return std::max(x1 - x0, y1 - y0) > largest_square; }
+/// How far a light may be off, as a share of the error that is allowed.
+struct Doubt {
+    std::size_t light;
+    double error;
 };
 
-/// The four parts around the middle, which share its column and row.
-std::array<Rectangle, 4> quarters(const Rectangle& r) {
-    const int x = r.middle_x(), y = r.middle_y();
-    return {{{r.x0, r.y0, x, y}, {x, r.y0, r.x1, y}, {r.x0, y, x, r.y1}, {x, y, r.x1, r.y1}}};
-}
-
-/// How far a place lies from `begin` to `end`, 0 to 1.
-double share(int begin, int end, int at) {
-    return end > begin ? static_cast<double>(at - begin) / (end - begin) : 0;
+double ratio(double wrong, double allowed) {
+    return wrong == 0 ? 0 : allowed > 0 ? wrong / allowed : std::numeric_limits<double>::infinity();
 }
 
 class Interpolation {
 public:
-    Interpolation(const Integrator& integrator, const SpotGrid& grid, double error,
+    Interpolation(const Integrator& integrator, const SpotGrid& grid,
+                  const std::vector<bool>& skipped, double error,
                   std::span<const EyeSample> samples)
         : integrator_(integrator),
           grid_(grid),
+          skipped_(skipped),
           error_(error),
           samples_(samples),
-          exact_(samples.size()),
-          between_(samples.size()) {}
+          lights_(integrator, grid),
+          light_(samples.size()) {}
 
-    void light(const Rectangle& r) {
-        if (error_ > 0 && !r.is_small() && !r.is_large() &&
-            grid_.is_smooth(r.x0, r.y0, r.x1, r.y1) && is_linear(r)) {
-            for (const Rectangle& quarter : quarters(r)) fill(quarter);
-        } else if (r.is_small()) {
-            for (int y = r.y0; y <= r.y1; ++y)
-                for (int x = r.x0; x <= r.x1; ++x)
-                    if (grid_.at(x, y)) exact(x, y);
-        } else {
-            for (const Rectangle& quarter : quarters(r)) light(quarter);
-        }
-    }
-    /// On a place that was lit.
-    const SpotLight& operator[](std::size_t i) const {
-        return exact_[i] ? *exact_[i] : between_[i];
+    /// The light of each place that is not skipped, by its sample.
+    std::vector<SpotLight> light() {
+        const Rectangle all{0, 0, grid_.width() - 1, grid_.height() - 1};
+        const auto numbers = lights_.numbers();
+        const Lights each(numbers.begin(), numbers.end());
+        light(LinearLight{all}, {each, each}, 1);
+        return std::move(light_);
     }
 
 private:
-    const SpotLight& exact(int x, int y) {
-        auto& known = exact_[grid_.index(x, y)];
-        if (!known) known = integrator_.light_on(*grid_.at(x, y));
-        return *known;
+    /// Lights that are not linear over a rectangle.
+    struct Open {
+        Lights lit;
+        Lights seen; ///< those of them of which it is not known either what is seen
+    };
+
+    /// Lights a rectangle, of which `known` is what some lights bring to it and `open` are the
+    /// others; `left` of the error is still allowed.
+    void light(const LinearLight& known, Open open, double left) {
+        const Rectangle& r = known.of;
+        if (!asks_for_any(r)) return;
+        if (open.lit.empty() || r.is_small()) return fill(known, open);
+        Lights linear;
+        if (error_ > 0 && !(r.longest() > largest_square) &&
+            grid_.is_smooth(r.x0, r.y0, r.x1, r.y1)) {
+            find_probes(r, open);
+            linear = take_linear(known, open, left);
+            take_linearly_seen(known, open, left);
+        }
+        for (const Rectangle& quarter : r.quarters()) {
+            LinearLight of_quarter = known.part(quarter);
+            for (std::size_t i = 0; i < 4; ++i) {
+                const auto [x, y] = quarter.corners()[i];
+                if (!linear.empty()) of_quarter.corners[i] += lights_.sum(x, y, linear);
+            }
+            light(of_quarter, open, left);
+        }
     }
-    /// Between the corners.
-    SpotLight linear(const Rectangle& r, int x, int y) {
-        const double s = share(r.x0, r.x1, x), t = share(r.y0, r.y1, y);
-        const SpotLight upper = exact(r.x0, r.y0) * (1 - s) + exact(r.x1, r.y0) * s;
-        const SpotLight lower = exact(r.x0, r.y1) * (1 - s) + exact(r.x1, r.y1) * s;
-        return upper * (1 - t) + lower * t;
+    void find_probes(const Rectangle& r, const Open& open) {
+        const auto find = [&](const Pixel& p) {
+            lights_.find_for_sure(p.x, p.y, open.seen);
+            lights_.find(p.x, p.y, open.lit);
+        };
+        for (const Pixel& p : r.corners()) find(p);
+        for (const Pixel& p : r.probes()) find(p);
     }
-    /// Whether the quarters may be filled: the corners tell what lies amid them, and the quarters'
-    /// corners what lies in them. Two places with nothing in common with the others, since shadows
-    /// of a row of lamps are stairs, which look even where places and steps lie alike.
-    bool is_linear(const Rectangle& r) {
-        for (const int y : {r.y0, r.middle_y(), r.y1})
-            for (const int x : {r.x0, r.middle_x(), r.x1})
-                if (!fits(r, x, y)) return false;
-        constexpr int probed = 6;
-        if (std::min(r.x1 - r.x0, r.y1 - r.y0) < probed) return true;
-        const auto parts = quarters(r);
-        return fits(parts[0], r.x0 + 3, r.y0 + 1) && fits(parts[3], r.x1 - 2, r.y1 - 3);
+    /// Takes lights off that are linear in the quarters, within what is `left` of the error, which
+    /// they lessen.
+    Lights take_linear(const LinearLight& known, Open& open, double& left) const {
+        const Lights linear = least_doubtful(
+            known, open.lit, open.lit, left,
+            [&](std::size_t light, const Pixel& p) -> std::optional<SpotLight> {
+                return between_corners(known.of, light, p) - lights_.light(p.x, p.y, light);
+            });
+        without(open.lit, linear);
+        without(open.seen, linear);
+        return linear;
     }
-    bool fits(const Rectangle& r, int x, int y) {
-        const LitSpot& spot = *grid_.at(x, y);
-        const SpotLight& light = exact(x, y);
-        const SpotLight wrong = linear(r, x, y) - light;
-        if (std::abs(wrong.incident) > error_ * light.incident) return false;
-        const Rgb off = seen_of(spot, wrong);
-        const Rgb seen = samples_[spot.sample].luminance + seen_of(spot, light);
-        return std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)}) <=
-               error_ * max_channel(seen);
+    /// The same of those of which what is seen is linear, and so known in the quarters.
+    void take_linearly_seen(const LinearLight& known, Open& open, double& left) {
+        const Rectangle& r = known.of;
+        const Lights linear = least_doubtful(
+            known, open.lit, open.seen, left,
+            [&](std::size_t light, const Pixel& p) { return wrong_if_seen_linearly(r, light, p); });
+        for (const std::size_t light : linear)
+            for (const Rectangle& quarter : r.quarters()) take_seen(quarter, light);
+        without(open.seen, linear);
     }
-    Rgb seen_of(const LitSpot& spot, const SpotLight& light) const {
-        return spot.weight * integrator_.luminance(spot, light);
+    std::optional<SpotLight> wrong_if_seen_linearly(const Rectangle& r, std::size_t light,
+                                                    const Pixel& p) const {
+        const auto seen = seen_between_corners(r, light, p);
+        if (!seen) return std::nullopt;
+        if (*seen == lights_.seen(p.x, p.y, light)) return SpotLight();
+        return lights_.if_seen(p.x, p.y, light, *seen) - lights_.light(p.x, p.y, light);
     }
-    void fill(const Rectangle& r) {
+    void take_seen(const Rectangle& r, std::size_t light) {
         for (int y = r.y0; y <= r.y1; ++y)
-            for (int x = r.x0; x <= r.x1; ++x) between_[grid_.index(x, y)] = linear(r, x, y);
+            for (int x = r.x0; x <= r.x1; ++x)
+                if (const auto seen = seen_between_corners(r, light, {x, y}))
+                    lights_.take(x, y, light, *seen);
+    }
+    /// Those of some lights of which `wrong`(light, place) is least at the probes, as long as all
+    /// together are within what is `left` of the error, which they lessen; none of which that is
+    /// nothing. `lit`: all that are not `known`.
+    template <class Wrong>
+    Lights least_doubtful(const LinearLight& known, const Lights& lit, const Lights& lights,
+                          double& left, const Wrong& wrong) const {
+        std::vector<Doubt> doubts;
+        for (const std::size_t light : lights) doubts.push_back({light, 0});
+        for (const Pixel& p : known.of.probes()) {
+            const SpotLight total = known.at(p) + lights_.sum(p.x, p.y, lit);
+            for (Doubt& doubt : doubts)
+                if (doubt.error <= left)
+                    doubt.error =
+                        std::max(doubt.error, share_of_error(p, wrong(doubt.light, p), total));
+        }
+        std::stable_sort(doubts.begin(), doubts.end(),
+                         [](const Doubt& a, const Doubt& b) { return a.error < b.error; });
+        Lights taken;
+        for (const Doubt& doubt : doubts) {
+            if (!(doubt.error <= left)) break;
+            left -= doubt.error;
+            taken.push_back(doubt.light);
+        }
+        std::sort(taken.begin(), taken.end());
+        return taken;
+    }
+    static void without(Lights& lights, const Lights& taken) {
+        std::erase_if(lights, [&](std::size_t light) {
+            return std::binary_search(taken.begin(), taken.end(), light);
+        });
+    }
+    /// What one light would bring to a place if it were linear between the corners.
+    SpotLight between_corners(const Rectangle& r, std::size_t light, const Pixel& p) const {
+        LinearLight linear{r};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto [x, y] = r.corners()[i];
+            linear.corners[i] = lights_.light(x, y, light);
+        }
+        return linear.at(p);
+    }
+    /// Nothing where the corners do not see the same number of parts of it.
+    std::optional<SeenLight> seen_between_corners(const Rectangle& r, std::size_t light,
+                                                  const Pixel& p) const {
+        const auto [a, b, c, d] = r.corners();
+        const auto at = [&](const Pixel& corner) {
+            return lights_.seen(corner.x, corner.y, light);
+        };
+        const double s = share_of_way(r.x0, r.x1, p.x), t = share_of_way(r.y0, r.y1, p.y);
+        const auto upper = between(at(a), at(b), s), lower = between(at(c), at(d), s);
+        return upper && lower ? between(*upper, *lower, t) : std::nullopt;
+    }
+    /// What is wrong at a place as a share of what may be, `total` being all light there.
+    double share_of_error(const Pixel& p, const std::optional<SpotLight>& wrong,
+                          const SpotLight& total) const {
+        if (!wrong) return std::numeric_limits<double>::infinity();
+        const LitSpot& spot = *grid_.at(p.x, p.y);
+        const auto seen_of = [&](const SpotLight& light) {
+            return spot.weight * integrator_.luminance(spot, light);
+        };
+        const Rgb off = seen_of(*wrong), seen = samples_[spot.sample].luminance + seen_of(total);
+        const double most = std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)});
+        return std::max(ratio(most, error_ * max_channel(seen)),
+                        ratio(std::abs(wrong->incident), error_ * total.incident));
+    }
+    bool asks_for(int x, int y) const { return grid_.at(x, y) && !skipped_[grid_.index(x, y)]; }
+    bool asks_for_any(const Rectangle& r) const {
+        for (int y = r.y0; y <= r.y1; ++y)
+            for (int x = r.x0; x <= r.x1; ++x)
+                if (asks_for(x, y)) return true;
+        return false;
+    }
+    void fill(const LinearLight& known, const Open& open) {
+        const Rectangle& r = known.of;
+        for (int y = r.y0; y <= r.y1; ++y)
+            for (int x = r.x0; x <= r.x1; ++x) {
+                if (!asks_for(x, y)) continue;
+                lights_.find_for_sure(x, y, open.seen);
+                lights_.find(x, y, open.lit);
+                light_[grid_.index(x, y)] = known.at({x, y}) + lights_.sum(x, y, open.lit);
+            }
     }
 
     const Integrator& integrator_;
     const SpotGrid& grid_;
+    const std::vector<bool>& skipped_;
     double error_;
     std::span<const EyeSample> samples_;
-    std::vector<std::optional<SpotLight>> exact_;
-    std::vector<SpotLight> between_;
+    GridLights lights_;
+    std::vector<SpotLight> light_;
 };
 
 } // namespace
 
-void add_interpolated_light(const Integrator& integrator, int width, int height, double error,
-                            EyeView& view) {
+void add_interpolated_light(const Integrator& integrator, int width,
+                            const std::vector<bool>& skipped, double error, EyeView& view) {
+    const auto height = static_cast<int>(view.samples.size()) / width;
     each_depth(view.spots, [&](std::span<const LitSpot> spots) {
         const SpotGrid grid(width, height, spots);
-        Interpolation light(integrator, grid, error, view.samples);
-        light.light({0, 0, width - 1, height - 1});
+        const std::vector<SpotLight> light =
+            Interpolation(integrator, grid, skipped, error, view.samples).light();
         for (const LitSpot& spot : spots)
             integrator.add_light(spot, light[spot.sample], view.samples[spot.sample]);
     });

@@ -39,6 +39,7 @@ struct SpotLight {
     SpotLight operator+(const SpotLight& o) const {
         return {illuminance + o.illuminance, lobes + o.lobes, incident + o.incident};
     }
+    SpotLight& operator+=(const SpotLight& o) { return *this = *this + o; }
     SpotLight operator-(const SpotLight& o) const {
         return {illuminance - o.illuminance, lobes - o.lobes, incident - o.incident};
     }

@@ -1,41 +1,34 @@
 #include "keiko/render/outlines.h"
 
-#include <algorithm>
-
 namespace keiko {
+namespace {
 
-Outlines::Outlines(int width, int height)
-    : width_(width),
-      height_(height),
-      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
-
-const Outlines::Pixel& Outlines::at(int x, int y) const {
-    return pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                   static_cast<std::size_t>(x)];
+SurfacePlace place_of(const EyeSample& sample) {
+    return {sample.hit->position, sample.hit->normal, sample.paint};
 }
 
-void Outlines::set(int x, int y, const EyeSample& sample) {
-    if (!sample.hit) return;
-    const Hit& hit = *sample.hit;
-    pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-            static_cast<std::size_t>(x)] = {true,
-                                            sample.mirrored_face.has_value(),
-                                            sample.torn,
-                                            {hit.position, hit.normal, sample.paint}};
+/// Whether two pixels do not show the same smooth thing.
+bool differ(const EyeSample& a, const EyeSample& b) {
+    if (!a.hit || !b.hit) return a.hit.has_value() != b.hit.has_value();
+    return a.mirrored_face.has_value() != b.mirrored_face.has_value() ||
+           !continues(place_of(a), place_of(b));
 }
 
-bool Outlines::differ(const Pixel& a, const Pixel& b) {
-    if (a.hit != b.hit) return true;
-    return a.hit && (a.mirrors_body != b.mirrors_body || !continues(a.place, b.place));
-}
+} // namespace
 
-bool Outlines::cross(int x, int y) const {
-    const Pixel& here = at(x, y);
-    if (here.torn) return true;
-    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height_ - 1); ++j)
-        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width_ - 1); ++i)
-            if (differ(here, at(i, j))) return true;
-    return false;
+std::vector<bool> outlined_pixels(std::span<const EyeSample> samples, int width) {
+    const auto w = static_cast<std::size_t>(width);
+    const auto crossed = [&](std::size_t i) {
+        if (samples[i].torn) return true;
+        for (const std::size_t row : {i - w, i, i + w})
+            for (const std::size_t other : {row - 1, row, row + 1})
+                if (differ(samples[i], samples[other])) return true;
+        return false;
+    };
+    std::vector<bool> outlined;
+    for (std::size_t row = w; row + w < samples.size(); row += w)
+        for (std::size_t x = 1; x + 1 < w; ++x) outlined.push_back(crossed(row + x));
+    return outlined;
 }
 
 } // namespace keiko

@@ -33,13 +33,13 @@ float blank_value(Aov aov) {
 }
 
 /// What a pixel shows of light, of one sample or in the mean.
-struct SeenLight {
+struct ShownLight {
     Rgb color;
     double covered = 0;     ///< share of the pixel that shows the model
     double illuminance = 0; ///< lx, of that share
 };
 
-void write_light(Film& film, int x, int y, const SeenLight& seen) {
+void write_light(Film& film, int x, int y, const ShownLight& seen) {
     put(film.color, x, y, {seen.color.r, seen.color.g, seen.color.b});
     put(film.alpha, x, y, {seen.covered});
     if (const auto layer = film.aovs.find(Aov::luminance); layer != film.aovs.end())
@@ -102,7 +102,7 @@ void write_pixel(Film& film, int x, int y, const EyeSample& sample) {
 }
 
 void write_mean(Film& film, int x, int y, std::span<const EyeSample> samples) {
-    SeenLight sum;
+    ShownLight sum;
     for (const EyeSample& sample : samples) {
         sum.color += sample.luminance;
         sum.covered += sample.hit ? 1 : 0;

@@ -48,40 +48,52 @@ PathCounts paths_of(std::span<const EyeSample> samples) {
     return counts;
 }
 
-/// One ray a pixel; neighbours beyond the tile tell how the images of its pixels are bent.
-PathCounts render_centres(const Integrator& integrator, const Camera& camera, const Tile& tile,
-                          double light_error, Film& film, Outlines& outlines) {
-    const int width = tile.x1 - tile.x0;
-    const Tile bordered{tile.x0 - 1, tile.y0 - 1, tile.x1 + 1, tile.y1 + 1};
-    std::vector<Ray> rays;
-    for_each_pixel(bordered, [&](int x, int y) { append_cell_rays(camera, x, y, 1, rays); });
-    EyeView view = without_border(integrator.view(rays, width + 2), width + 2);
-    add_interpolated_light(integrator, width, tile.y1 - tile.y0, light_error, view);
+/// One ray a pixel, those of `outlined` pixels without the light of spots.
+PathCounts render_centres(const Integrator& integrator, const Tile& tile, double light_error,
+                          const std::vector<bool>& outlined, EyeView view, Film& film) {
+    add_interpolated_light(integrator, tile.x1 - tile.x0, outlined, light_error, view);
     auto sample = view.samples.begin();
-    for_each_pixel(tile, [&](int x, int y) {
-        write_pixel(film, x, y, *sample);
-        outlines.set(x, y, *sample++);
-    });
+    for_each_pixel(tile, [&](int x, int y) { write_pixel(film, x, y, *sample++); });
     return paths_of(view.samples);
 }
 
 /// Replaces the luminance of the pixels that hold an outline by the mean over their cells.
 PathCounts refine_outlines(const Integrator& integrator, const Camera& camera, const Tile& tile,
-                           int n, const Outlines& outlines, Film& film) {
+                           int n, const std::vector<bool>& outlined, Film& film) {
     std::vector<Ray> rays;
+    auto crossed = outlined.begin();
     for_each_pixel(tile, [&](int x, int y) {
-        if (outlines.cross(x, y)) append_cell_rays(camera, x, y, n, rays);
+        if (*crossed++) append_cell_rays(camera, x, y, n, rays);
     });
     EyeView view = integrator.view(rays);
     add_shared_light(integrator, n, view);
     const auto cells = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
     std::span<const EyeSample> rest(view.samples);
+    crossed = outlined.begin();
     for_each_pixel(tile, [&](int x, int y) {
-        if (!outlines.cross(x, y)) return;
+        if (!*crossed++) return;
         write_mean(film, x, y, rest.first(cells));
         rest = rest.subspan(cells);
     });
     return paths_of(view.samples);
+}
+
+/// Neighbours beyond the tile tell where outlines are and how the images of pixels are bent.
+PathCounts render_tile(const Integrator& integrator, const Camera& camera, const Tile& tile,
+                       const PictureOptions& options, Film& film) {
+    const int width = tile.x1 - tile.x0 + 2;
+    const Tile bordered{tile.x0 - 1, tile.y0 - 1, tile.x1 + 1, tile.y1 + 1};
+    std::vector<Ray> rays;
+    for_each_pixel(bordered, [&](int x, int y) { append_cell_rays(camera, x, y, 1, rays); });
+    const EyeView view = integrator.view(rays, width);
+    const bool refines = options.edge_samples > 1;
+    const std::vector<bool> outlined =
+        refines ? outlined_pixels(view.samples, width) : std::vector<bool>(view.samples.size());
+    PathCounts paths = render_centres(integrator, tile, options.light_error, outlined,
+                                      without_border(view, width), film);
+    if (refines)
+        paths += refine_outlines(integrator, camera, tile, options.edge_samples, outlined, film);
+    return paths;
 }
 
 } // namespace
@@ -89,19 +101,12 @@ PathCounts refine_outlines(const Integrator& integrator, const Camera& camera, c
 Film render(const PictureScene& scene, const Camera& camera, const PictureOptions& options,
             const Job& job) {
     Film film = blank_film(camera.width, camera.height, options.aovs);
-    Outlines outlines(camera.width, camera.height);
     const Integrator integrator(scene, options);
     const std::vector<Tile> tiles = tiles_of(camera);
     std::vector<PathCounts> paths(tiles.size());
     parallel_for(tiles.size(), job, "render", [&](std::size_t i) {
-        paths[i] +=
-            render_centres(integrator, camera, tiles[i], options.light_error, film, outlines);
+        paths[i] = render_tile(integrator, camera, tiles[i], options, film);
     });
-    if (options.edge_samples > 1)
-        parallel_for(tiles.size(), job, "outlines", [&](std::size_t i) {
-            paths[i] +=
-                refine_outlines(integrator, camera, tiles[i], options.edge_samples, outlines, film);
-        });
     PathCounts sum;
     for (const PathCounts& tile : paths) sum += tile;
     log_detail("picture of " + path_text(sum));

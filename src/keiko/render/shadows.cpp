@@ -57,29 +57,29 @@ bool SeenPast::seen_alike(std::span<const Segment> segments) const {
     return !occluders_ || view().seen_alike(ends_of(segments));
 }
 
-LitPoint::LitPoint(const ShadowedRig& lights, const Vec3& point, const Vec3& normal,
-                   const std::optional<Root>& root)
-    : rig_(lights.rig_), point_(point), normal_(normal) {
-    const Occluders* occluders = lights.occluders_;
-    const Apex apex = Apex::at(point, root);
-    seen_.reserve(rig_.sources.size());
-    for (const LightSource& source : rig_.sources)
-        if (occluders)
-            seen_.emplace_back(occluders, lights.tracer_, apex, source_region(source, point),
-                               source_segments(source), normal);
-        else
-            seen_.emplace_back(occluders, lights.tracer_, apex, std::vector<Vec3>());
+std::vector<Rgb> LitPoint::illuminance_by_light(const ClearCoat* coat) const {
+    return by_light([&](const LightSource& source, std::span<const int> lamps,
+                        std::span<const SeenLight> seen) {
+        return illuminance_by_lamp(source, lamps, seen, rig_.medium, point_, normal_, model_, coat);
+    });
 }
 
-Rgb LitPoint::from_source(std::size_t source, TubeModel model, const ClearCoat* coat) const {
-    return illuminance_from(rig_.sources[source], rig_.medium, point_, normal_, seen_[source],
-                            model, coat);
-}
-
-Rgb LitPoint::illuminance(TubeModel model, const ClearCoat* coat) const {
-    Rgb sum;
-    for (std::size_t i = 0; i < rig_.sources.size(); ++i) sum += from_source(i, model, coat);
-    return sum;
+std::vector<SeenLight> ShadowedRig::seen_from(const Vec3& point, const Vec3& normal,
+                                              const std::optional<Root>& root,
+                                              std::span<const RigLight> lights, TubeModel model,
+                                              bool axes) const {
+    std::vector<SeenLight> all;
+    each_source(lights, [&](std::size_t i, std::span<const int> lamps, std::size_t) {
+        const LightSource& source = rig_.sources[i];
+        const SeenPast visible(
+            occluders_, tracer_, Apex::at(point, root),
+            occluders_ ? source_region(source, lamps, point) : std::vector<Vec3>(),
+            occluders_ ? source_segments(source, lamps) : std::vector<Segment>(), normal);
+        for (SeenLight& seen : seen_lights(source, lamps, point, normal, visible, model,
+                                           axes || rig_.medium.has_value()))
+            all.push_back(std::move(seen));
+    });
+    return all;
 }
 
 } // namespace keiko

@@ -7,6 +7,7 @@ namespace keiko {
 namespace {
 
 struct Corners {
+    std::span<const int> lamps;
     const Vec3& point;
 
     std::vector<Vec3> operator()(const CPlane& plane) const {
@@ -14,7 +15,8 @@ struct Corners {
         std::vector<Vec3> corners;
         const double r = frame.radius();
         for (const double along : {-r, frame.length + r})
-            for (const double across : {frame.axis(0) - r, frame.last() + r})
+            for (const double across :
+                 {frame.axis(lamps.front()) - r, frame.axis(lamps.back()) + r})
                 for (const double height : {-r, r})
                     corners.push_back(frame.at(along, across) + frame.normal * height);
         return corners;
@@ -28,14 +30,20 @@ struct Corners {
 
 } // namespace
 
-std::vector<Vec3> source_region(const LightSource& source, const Vec3& point) {
-    return std::visit(Corners{point}, source);
+std::vector<Vec3> source_region(const LightSource& source, std::span<const int> lamps,
+                                const Vec3& point) {
+    return std::visit(Corners{lamps, point}, source);
 }
 
-std::vector<Segment> source_segments(const LightSource& source) {
+std::vector<Segment> source_segments(const LightSource& source, std::span<const int> lamps) {
+    const auto* plane = std::get_if<CPlane>(&source);
+    if (!plane) return {};
+    const CPlaneFrame frame(*plane);
     std::vector<Segment> segments;
-    if (const auto* plane = std::get_if<CPlane>(&source))
-        for (const TubeLamp& lamp : lamps_of(*plane)) segments.push_back({lamp.a, lamp.b});
+    for (const int i : lamps) {
+        const TubeLamp lamp = lamp_of(frame, i, plane->luminance);
+        segments.push_back({lamp.a, lamp.b});
+    }
     return segments;
 }
 

@@ -3,8 +3,11 @@
 #include "keiko/luminance/flake_kernel.h"
 #include "keiko/luminance/gloss_kernel.h"
 #include "keiko/luminance/visible.h"
-#include "keiko/rig/light_rig.h"
+#include "keiko/rig/seen_light.h"
 #include "keiko/tubes/tube_gloss.h"
+
+#include <span>
+#include <vector>
 
 namespace keiko {
 
@@ -18,12 +21,27 @@ Rgb glossy_luminance_from(const LightSource& source, const std::optional<Medium>
                           const Vec3& point, const Kernel& kernel, const Visible& visible,
                           GlossQuadrature quadrature = GlossQuadrature::picture);
 
+/// The same from some lamps of a source, each by itself, of whose axes `seen` is known, as
+/// seen_lights() has it.
+template <class Kernel>
+std::vector<Rgb> glossy_luminance_by_lamp(const LightSource& source, std::span<const int> lamps,
+                                          std::span<const SeenLight> seen,
+                                          const std::optional<Medium>& medium, const Vec3& point,
+                                          const Kernel& kernel,
+                                          GlossQuadrature quadrature = GlossQuadrature::picture);
+
 extern template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&,
                                           const Vec3&, const GlossKernel&, const Visible&,
                                           GlossQuadrature);
 extern template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&,
                                           const Vec3&, const FlakeKernel&, const Visible&,
                                           GlossQuadrature);
+extern template std::vector<Rgb> glossy_luminance_by_lamp(
+    const LightSource&, std::span<const int>, std::span<const SeenLight>,
+    const std::optional<Medium>&, const Vec3&, const GlossKernel&, GlossQuadrature);
+extern template std::vector<Rgb> glossy_luminance_by_lamp(
+    const LightSource&, std::span<const int>, std::span<const SeenLight>,
+    const std::optional<Medium>&, const Vec3&, const FlakeKernel&, GlossQuadrature);
 
 /// Of all sources of a rig.
 template <class Kernel>

@@ -1,11 +1,11 @@
 #include "keiko/rig/illuminance.h"
 
 #include "keiko/fog/transmittance.h"
+#include "keiko/rig/rig_light.h"
 #include "keiko/spotlight/point_light.h"
 #include "keiko/tubes/coat_entry.h"
 #include "keiko/tubes/comb_irradiance.h"
 #include "keiko/tubes/tube_irradiance.h"
-#include "keiko/tubes/tube_penumbra.h"
 
 #include <numbers>
 #include <span>
@@ -17,107 +17,79 @@ namespace {
 /// Pieces of a visible part of a lamp that are attenuated by one distance each.
 constexpr int pieces_in_fog = 8;
 constexpr double pi = std::numbers::pi;
-/// Of a lamp's illuminance: what its penumbrae may be off by, half of what the whole system may.
-constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
 
-/// Answers what one source gives to the point.
+/// Answers what some lamps of a source give to the point.
 class Receiver {
 public:
-    Receiver(const std::optional<Medium>& medium, const Vec3& point, const Vec3& normal,
-             const Visible& visible, TubeModel model, const ClearCoat* coat)
-        : medium_(medium),
+    Receiver(std::span<const int> asked, std::span<const SeenLight> seen,
+             const std::optional<Medium>& medium, const Vec3& point, const Vec3& normal,
+             TubeModel model, const ClearCoat* coat)
+        : asked_(asked),
+          seen_(seen),
+          medium_(medium),
           point_(point),
           normal_(normal),
-          visible_(visible),
           model_(model),
           coat_(coat) {}
 
-    Rgb operator()(const CPlane& plane) const {
+    std::vector<Rgb> operator()(const CPlane& plane) const {
         const CPlaneFrame frame(plane);
         const TubeModel model = plane.diffuse == TubeModel::automatic ? model_ : plane.diffuse;
         const CombIrradiance comb(frame, point_, normal_, model);
-        std::vector<int> above;
-        std::vector<TubeLamp> lamps;
-        for (int i = 0; i < frame.lamps; ++i) {
-            const TubeLamp lamp = lamp_of(frame, i, plane.luminance);
-            if (below_horizon(lamp, point_, normal_)) continue;
-            above.push_back(i);
-            lamps.push_back(lamp);
+        const bool width = weighs_width(plane, model_);
+        std::vector<Rgb> lx(asked_.size());
+        for (std::size_t i = 0; i < asked_.size(); ++i) {
+            const TubeLamp lamp = lamp_of(frame, asked_[i], plane.luminance);
+            if (!below_horizon(lamp, point_, normal_))
+                lx[i] = plane.luminance * (width ? lit_over_width(comb, asked_[i], lamp, seen_[i])
+                                                 : lit_over(comb, asked_[i], lamp, seen_[i].axis));
         }
-        return plane.luminance * (asks_for_width(model) ? over_width(comb, above, lamps)
-                                                        : over_axes(comb, above, lamps));
+        return lx;
     }
 
+    template <class Light>
+    std::vector<Rgb> operator()(const Light& light) const {
+        return {from(light)};
+    }
+
+private:
     template <PointLight Light>
-    Rgb operator()(const Light& light) const {
+    Rgb from(const Light& light) const {
         const Rgb lx = illuminance(light, point_, normal_);
-        if (lx == Rgb() || visible_.intervals({light.position, light.position}).empty()) return {};
+        if (lx == Rgb() || seen_[0].axis.empty()) return {};
         const Vec3 towards = light.position - point_;
         return lx * passed(light.position) *
                (coat_ ? coat_->entering(normal_.dot(towards) / towards.length()) : 1);
     }
 
-    Rgb operator()(const Sun& sun) const {
+    Rgb from(const Sun& sun) const {
         const double cosine = normal_.dot(sun.towards());
         if (!(cosine > 0)) return {};
         const auto way = sun.way_to(point_);
-        const Vec3 far = sun.seen_from(point_);
-        if (!way || visible_.intervals({far, far}).empty()) return {};
+        if (!way || seen_[0].axis.empty()) return {};
         return sun.illuminance * passed(point_ + sun.towards() * *way) *
                (cosine * (coat_ ? coat_->entering(cosine) : 1));
     }
 
-private:
-    /// Whether shadows are weighed over the whole width of the lamps: by the models that stand for
-    /// the whole tube.
-    bool asks_for_width(TubeModel model) const {
-        const bool wide = model_ == TubeModel::automatic || model_ == TubeModel::picture;
-        return wide &&
-               (model == model_ || model == TubeModel::strip || model == TubeModel::cylinder);
-    }
-    /// Solid angles of what is seen of some lamps' axes, as `lit_over` has it.
-    Rgb over_axes(const CombIrradiance& comb, std::span<const int> numbers,
-                  std::span<const TubeLamp> lamps) const {
-        Rgb sum;
-        for (std::size_t k = 0; k < lamps.size(); ++k)
-            sum +=
-                lit_over(comb, numbers[k], lamps[k], visible_.intervals({lamps[k].a, lamps[k].b}));
-        return sum;
-    }
-    Rgb over_width(const CombIrradiance& comb, std::span<const int> numbers,
-                   std::span<const TubeLamp> lamps) const {
-        const bool number = model_ == TubeModel::automatic;
-        std::vector<std::vector<HidingTube>> hiding;
-        if (comb.overlapping())
-            for (const int lamp : numbers) hiding.push_back(comb.hiding_tubes(lamp));
-        const std::vector<double> shares = visible_shares(
-            lamps, point_, normal_, visible_,
-            number ? width_tolerance : width_tolerance_in_pictures, TubeShape::cylinder, hiding);
-        Rgb sum;
-        for (std::size_t k = 0; k < lamps.size(); ++k)
-            if (shares[k] > 0 || lamps[k].luminous_caps)
-                sum += lit_over_width(comb, numbers[k], lamps[k], shares[k]);
-        return sum;
-    }
     /// Of the whole lamp, the share that is seen over the width. What a coat and the medium leave
     /// of it they leave of what is seen of the axis, or, where that lights nothing, of all of it.
     Rgb lit_over_width(const CombIrradiance& comb, int index, const TubeLamp& lamp,
-                       double seen) const {
+                       const SeenLight& seen) const {
+        if (!(seen.share > 0) && !lamp.luminous_caps) return {};
         const double all = seen_solid_angle(comb, index, lamp, seen);
         if (!coat_ && !medium_) return Rgb(all);
-        IntervalSet parts = visible_.intervals({lamp.a, lamp.b});
-        if (!(comb.solid_angle(index, parts) > 0)) parts = IntervalSet::whole();
-        const double lit = comb.solid_angle(index, parts);
-        return lit > 0 ? lit_over(comb, index, lamp, parts) * (all / lit) : Rgb();
+        for (const IntervalSet& parts : {seen.axis, IntervalSet::whole()})
+            if (const double lit = comb.solid_angle(index, parts); lit > 0)
+                return lit_over(comb, index, lamp, parts) * (all / lit);
+        return {};
     }
     double seen_solid_angle(const CombIrradiance& comb, int index, const TubeLamp& lamp,
-                            double seen) const {
+                            const SeenLight& seen) const {
         const double whole = comb.solid_angle(index, IntervalSet::whole());
-        if (!lamp.luminous_caps) return whole * seen;
+        if (!lamp.luminous_caps) return whole * seen.share;
         // A shining cap is seen where its end of the axis is.
-        const IntervalSet axis = visible_.intervals({lamp.a, lamp.b});
-        return (whole - cap_solid_angle(lamp, point_, normal_)) * seen +
-               cap_solid_angle(lamp, point_, normal_, axis);
+        return (whole - cap_solid_angle(lamp, point_, normal_)) * seen.share +
+               cap_solid_angle(lamp, point_, normal_, seen.axis);
     }
     /// Solid angle of parts of a lamp, dimmed by the medium; with a coat, of what enters it.
     Rgb lit_over(const CombIrradiance& comb, int index, const TubeLamp& lamp,
@@ -165,9 +137,10 @@ private:
         return sum;
     }
 
+    std::span<const int> asked_; ///< numbers of lamps
+    std::span<const SeenLight> seen_;
     const std::optional<Medium>& medium_;
     const Vec3 &point_, &normal_;
-    const Visible& visible_;
     TubeModel model_;
     const ClearCoat* coat_; ///< may be null
 };
@@ -177,7 +150,21 @@ private:
 Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& medium,
                      const Vec3& point, const Vec3& normal, const Visible& visible, TubeModel model,
                      const ClearCoat* coat) {
-    return std::visit(Receiver(medium, point, normal, visible, model, coat), source);
+    const std::vector<int> lamps = lamp_numbers(source);
+    const std::vector<SeenLight> seen =
+        seen_lights(source, lamps, point, normal, visible, model, coat || medium);
+    Rgb sum;
+    for (const Rgb& lx :
+         illuminance_by_lamp(source, lamps, seen, medium, point, normal, model, coat))
+        sum += lx;
+    return sum;
+}
+
+std::vector<Rgb> illuminance_by_lamp(const LightSource& source, std::span<const int> lamps,
+                                     std::span<const SeenLight> seen,
+                                     const std::optional<Medium>& medium, const Vec3& point,
+                                     const Vec3& normal, TubeModel model, const ClearCoat* coat) {
+    return std::visit(Receiver(lamps, seen, medium, point, normal, model, coat), source);
 }
 
 std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, const Vec3& normal,

@@ -3,8 +3,10 @@
 #include "keiko/luminance/clear_coat.h"
 #include "keiko/luminance/visible.h"
 #include "keiko/rig/light_rig.h"
+#include "keiko/rig/seen_light.h"
 #include "keiko/tubes/tube_irradiance.h"
 
+#include <span>
 #include <vector>
 
 namespace keiko {
@@ -16,6 +18,14 @@ namespace keiko {
 Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& medium,
                      const Vec3& point, const Vec3& normal, const Visible& visible,
                      TubeModel model = TubeModel::automatic, const ClearCoat* coat = nullptr);
+
+/// The same from some lamps of a source, each by itself, of which `seen` is known, as seen_lights()
+/// has it with the same `model`; with a coat or a medium with axes.
+std::vector<Rgb> illuminance_by_lamp(const LightSource& source, std::span<const int> lamps,
+                                     std::span<const SeenLight> seen,
+                                     const std::optional<Medium>& medium, const Vec3& point,
+                                     const Vec3& normal, TubeModel model,
+                                     const ClearCoat* coat = nullptr);
 
 /// The same from every source of a rig, in its order.
 std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, const Vec3& normal,

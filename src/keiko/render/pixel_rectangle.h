@@ -1,0 +1,40 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace keiko {
+
+/// A place in a grid of eye rays.
+struct Pixel {
+    int x, y;
+};
+
+/// A rectangle of pixels, its last column and row with it.
+struct Rectangle {
+    int x0, y0, x1, y1;
+
+    Pixel middle() const { return {(x0 + x1) / 2, (y0 + y1) / 2}; }
+    bool is_small() const { return x1 - x0 <= 1 && y1 - y0 <= 1; }
+    int longest() const { return std::max(x1 - x0, y1 - y0); }
+    std::array<Pixel, 4> corners() const { return {{{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}}}; }
+    /// The four parts around the middle, which share its column and row.
+    std::array<Rectangle, 4> quarters() const {
+        const auto [x, y] = middle();
+        return {{{x0, y0, x, y}, {x, y0, x1, y}, {x0, y, x, y1}, {x, y, x1, y1}}};
+    }
+    /// Places that tell whether something is linear between the corners, and so in the quarters:
+    /// their other corners, and some with nothing in common with those, since shadows of a row of
+    /// lamps are stairs, which look even where places and steps lie alike.
+    std::vector<Pixel> probes() const {
+        const auto [x, y] = middle();
+        std::vector<Pixel> probes{{x, y}, {x, y0}, {x0, y}, {x1, y}, {x, y1}};
+        const int least = std::min(x1 - x0, y1 - y0);
+        if (least >= 6) probes.insert(probes.end(), {{x0 + 3, y0 + 1}, {x1 - 2, y1 - 3}});
+        if (least >= 12) probes.insert(probes.end(), {{x1 - 5, y0 + 4}, {x0 + 6, y1 - 5}});
+        return probes;
+    }
+};
+
+} // namespace keiko

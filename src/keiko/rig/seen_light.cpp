@@ -1,0 +1,110 @@
+#include "keiko/rig/seen_light.h"
+
+#include "keiko/spotlight/point_light.h"
+#include "keiko/tubes/comb_irradiance.h"
+#include "keiko/tubes/tube_irradiance.h"
+#include "keiko/tubes/tube_penumbra.h"
+
+namespace keiko {
+namespace {
+
+/// Of a lamp's illuminance: what its penumbrae may be off by, half of what the whole system may.
+constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
+
+class Looker {
+public:
+    Looker(std::span<const int> asked, const Vec3& point, const Vec3& normal,
+           const Visible& visible, TubeModel model, bool axes)
+        : asked_(asked),
+          point_(point),
+          normal_(normal),
+          visible_(visible),
+          model_(model),
+          axes_(axes) {}
+
+    std::vector<SeenLight> operator()(const CPlane& plane) const {
+        const CPlaneFrame frame(plane);
+        std::vector<SeenLight> seen(asked_.size(), SeenLight{{}, 0});
+        std::vector<std::size_t> above;
+        std::vector<TubeLamp> lamps;
+        for (std::size_t i = 0; i < asked_.size(); ++i) {
+            lamps.push_back(lamp_of(frame, asked_[i], plane.luminance));
+            if (below_horizon(lamps.back(), point_, normal_))
+                lamps.pop_back();
+            else
+                above.push_back(i);
+        }
+        const bool width = weighs_width(plane, model_);
+        if (axes_ || !width || plane.luminous_caps)
+            for (std::size_t k = 0; k < above.size(); ++k)
+                seen[above[k]].axis = visible_.intervals({lamps[k].a, lamps[k].b});
+        if (!width) {
+            for (SeenLight& light : seen) light.share = light.axis.empty() ? 0 : 1;
+            return seen;
+        }
+        const std::vector<double> shares = shares_of(plane, frame, above, lamps);
+        for (std::size_t k = 0; k < above.size(); ++k) seen[above[k]].share = shares[k];
+        return seen;
+    }
+
+    template <PointLight Light>
+    std::vector<SeenLight> operator()(const Light& light) const {
+        const bool reaches = illuminance(light, point_, normal_) != Rgb();
+        return {reaches ? seen_at(light.position) : SeenLight{{}, 0}};
+    }
+
+    std::vector<SeenLight> operator()(const Sun& sun) const {
+        const bool reaches = normal_.dot(sun.towards()) > 0 && sun.way_to(point_);
+        return {reaches ? seen_at(sun.seen_from(point_)) : SeenLight{{}, 0}};
+    }
+
+private:
+    SeenLight seen_at(const Vec3& place) const {
+        const IntervalSet seen = visible_.intervals({place, place});
+        return {seen, seen.empty() ? 0.0 : 1.0};
+    }
+    std::vector<double> shares_of(const CPlane& plane, const CPlaneFrame& frame,
+                                  std::span<const std::size_t> above,
+                                  std::span<const TubeLamp> lamps) const {
+        const TubeModel model = plane.diffuse == TubeModel::automatic ? model_ : plane.diffuse;
+        const CombIrradiance comb(frame, point_, normal_, model);
+        std::vector<std::vector<HidingTube>> hiding;
+        if (comb.overlapping())
+            for (const std::size_t i : above) hiding.push_back(comb.hiding_tubes(asked_[i]));
+        const double tolerance =
+            model_ == TubeModel::automatic ? width_tolerance : width_tolerance_in_pictures;
+        return visible_shares(lamps, point_, normal_, visible_, tolerance, TubeShape::cylinder,
+                              hiding);
+    }
+
+    std::span<const int> asked_; ///< numbers of lamps
+    const Vec3 &point_, &normal_;
+    const Visible& visible_;
+    TubeModel model_;
+    bool axes_;
+};
+
+} // namespace
+
+std::optional<SeenLight> between(const SeenLight& a, const SeenLight& b, double at) {
+    if (a.axis.size() != b.axis.size()) return std::nullopt;
+    const auto mix = [&](double from, double to) { return from + (to - from) * at; };
+    std::vector<ParameterInterval> parts;
+    for (std::size_t i = 0; i < a.axis.size(); ++i)
+        parts.push_back({mix(a.axis[i].begin, b.axis[i].begin), mix(a.axis[i].end, b.axis[i].end)});
+    return SeenLight{IntervalSet(std::move(parts)), mix(a.share, b.share)};
+}
+
+bool weighs_width(const CPlane& plane, TubeModel model) {
+    const bool wide = model == TubeModel::automatic || model == TubeModel::picture;
+    return wide && (plane.diffuse == TubeModel::automatic || plane.diffuse == model ||
+                    plane.diffuse == TubeModel::strip || plane.diffuse == TubeModel::cylinder);
+}
+
+std::vector<SeenLight> seen_lights(const LightSource& source, std::span<const int> lamps,
+                                   const Vec3& point, const Vec3& normal, const Visible& visible,
+                                   TubeModel model, bool axes) {
+    return std::visit(Looker(lamps, point, normal, visible, model, axes), source);
+}
+
+} // namespace keiko
