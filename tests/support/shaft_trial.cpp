@@ -112,8 +112,9 @@ std::vector<Segment> ShaftTrial::eye_rays(const Vec2& corner, int side) const {
     return rays;
 }
 
-std::vector<Rgb> ShaftTrial::exact(std::span<const Segment> rays, double tolerance) const {
-    const ShaftShadows shadows(rig_, &occluders_, tracer_, rays);
+std::vector<Rgb> ShaftTrial::exact(std::span<const Segment> rays, double tolerance,
+                                   std::span<const std::optional<ShadowPencil>> pencils) const {
+    const ShaftShadows shadows(rig_, &occluders_, tracer_, rays, pencils);
     const VisibleFrom visible = shadows.visible();
     std::vector<Rgb> light;
     light.reserve(rays.size());

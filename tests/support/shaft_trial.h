@@ -3,6 +3,7 @@
 #include "keiko/patch/surface_model.h"
 #include "keiko/rig/light_rig.h"
 #include "keiko/trace/occluders.h"
+#include "keiko/trace/shadow_pencil.h"
 
 #include <span>
 #include <vector>
@@ -31,7 +32,9 @@ public:
     std::vector<Segment> eye_rays(const Vec2& corner, int side) const;
 
     /// Scattered light of each ray, cd/m2, as a picture's tile of all of them has it.
-    std::vector<Rgb> exact(std::span<const Segment> rays, double tolerance) const;
+    /// With the pencils of the rays' eye, or at full precision.
+    std::vector<Rgb> exact(std::span<const Segment> rays, double tolerance,
+                           std::span<const std::optional<ShadowPencil>> pencils = {}) const;
     /// The same of one ray with so many steps in each part of it that lies in a beam.
     Rgb marched(const Segment& ray, int steps, Marching marching) const;
 

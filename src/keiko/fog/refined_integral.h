@@ -52,7 +52,7 @@ private:
     /// Between the many kinks of a table there is little left to follow.
     int order_of(std::size_t pieces) const {
         constexpr std::size_t many = 6;
-        return tolerance_ < 1e-6 ? 8 : pieces > many ? 2 : 4;
+        return tolerance_ < 1e-6 ? 8 : pieces > many ? 2 : tolerance_ < 1e-4 ? 4 : 3;
     }
 
     void add(double a, double b, int halvings) {

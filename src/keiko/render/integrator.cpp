@@ -23,7 +23,8 @@ Vec3 end_of(const Ray& ray, const std::optional<Hit>& hit) {
 
 } // namespace
 
-Integrator::Integrator(const PictureScene& scene, const PictureOptions& options)
+Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
+                       const std::optional<Vec3>& eye, const Job& job)
     : scene_(scene),
       options_(options),
       planes_(scene.rig),
@@ -38,15 +39,18 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options)
         known.push_back(material);
         paints_.emplace_back(material);
     }
+    if (eye) pencils_ = shaft_pencils(scene.rig, scene.occluders, scene.tracer, *eye, job);
 }
 
 ShaftShadows Integrator::shaft_shadows(std::span<const Path> paths,
-                                       std::span<const std::optional<Hit>> hits) const {
+                                       std::span<const std::optional<Hit>> hits, int depth) const {
     std::vector<Segment> legs;
     if (scene_.rig.medium && scene_.occluders)
         for (std::size_t i = 0; i < paths.size(); ++i)
             legs.push_back({paths[i].ray.origin, end_of(paths[i].ray, hits[i])});
-    return {scene_.rig, scene_.occluders, scene_.tracer, legs};
+    const auto pencils =
+        depth == 0 ? std::span(pencils_) : std::span<const std::optional<ShadowPencil>>();
+    return {scene_.rig, scene_.occluders, scene_.tracer, legs, pencils};
 }
 
 std::vector<EyeSample> Integrator::follow(std::span<const Ray> eye_rays) const {
@@ -71,7 +75,7 @@ EyeView Integrator::view(std::span<const Ray> eye_rays, int grid_width) const {
             depth == 0 ? std::vector<PixelMirror>(paths.size())
                        : mirrors_of(paths, hits, depth == 1 ? grid_width : 0, view.spots);
 
-        const ShaftShadows shadows = shaft_shadows(paths, hits);
+        const ShaftShadows shadows = shaft_shadows(paths, hits, depth);
         const VisibleFrom shafts = shadows.visible();
         std::vector<Path> mirrored;
         for (std::size_t i = 0; i < paths.size(); ++i)

@@ -19,7 +19,10 @@ namespace keiko {
 /// pass.
 class Integrator {
 public:
-    Integrator(const PictureScene& scene, const PictureOptions& options);
+    /// `eye`: where the rays of a picture begin, whose light shafts are made ready for it. Throws
+    /// Cancelled.
+    Integrator(const PictureScene& scene, const PictureOptions& options,
+               const std::optional<Vec3>& eye = {}, const Job& job = {});
 
     /// One sample a ray, in order, with all its light. Neighbouring rays should stand together.
     std::vector<EyeSample> follow(std::span<const Ray> eye_rays) const;
@@ -57,9 +60,9 @@ private:
         const PixelMirror& mirror; ///< of lamps
     };
 
-    /// What the lights see of the ways of the paths to what they meet.
+    /// What the lights see of the ways of the paths to what they meet; `depth`: reflections yet.
     ShaftShadows shaft_shadows(std::span<const Path> paths,
-                               std::span<const std::optional<Hit>> hits) const;
+                               std::span<const std::optional<Hit>> hits, int depth) const;
     /// The lamps that mirrored paths see. With a `grid_width` they are the pixels of a grid, whose
     /// eye rays met `spots`.
     std::vector<PixelMirror> mirrors_of(std::span<const Path> paths,
@@ -85,6 +88,7 @@ private:
     bool tells_illuminance_;
     std::vector<Paint> paints_;
     std::vector<std::uint32_t> paint_of_face_;
+    std::vector<std::optional<ShadowPencil>> pencils_; ///< of rays from the eye
 };
 
 } // namespace keiko

@@ -25,7 +25,7 @@ std::vector<IntervalSet> seen_by(const ApexView& view, std::span<const Segment> 
 } // namespace
 
 const ApexView& SeenPast::view() const {
-    if (!view_) view_.emplace(*occluders_, tracer_, apex_, region_, facing_, eye_);
+    if (!view_) view_.emplace(*occluders_, tracer_, apex_, region_, facing_);
     return *view_;
 }
 
@@ -33,7 +33,8 @@ IntervalSet SeenPast::intervals(const Segment& segment) const {
     if (!occluders_) return IntervalSet::whole();
     const auto place = place_in_row(segment);
     if (!place) return view().intervals(segment.a, segment.b).intervals;
-    if (of_row_.empty()) of_row_ = seen_by(view(), row_);
+    if (of_row_.empty())
+        of_row_ = pencil_ ? pencil_->intervals(ends_of(row_)) : seen_by(view(), row_);
     return of_row_[*place];
 }
 

@@ -5,6 +5,7 @@
 #include "keiko/rig/illuminance.h"
 #include "keiko/rig/rig_light.h"
 #include "keiko/trace/occluders.h"
+#include "keiko/trace/shadow_pencil.h"
 
 #include <optional>
 #include <vector>
@@ -18,18 +19,19 @@ public:
     /// `region`: corners of a convex body that holds every segment to be asked for. `row`: segments
     /// that are likely to be asked for, best in their order, found together with the first of
     /// them. With `facing` only what lies before the surface of that normal counts, the rest is
-    /// hidden. Without occluders everything is seen; they and the tracer are only looked at. `eye`:
-    /// see ApexView. Not for two threads at once.
+    /// hidden. Without occluders everything is seen; they and the tracer are only looked at.
+    /// `pencil`, of the apex as its light: answers for the row in their place. Not for two threads
+    /// at once.
     SeenPast(const Occluders* occluders, const Tracer& tracer, const Apex& apex,
              std::vector<Vec3> region, std::vector<Segment> row = {},
-             const std::optional<Vec3>& facing = {}, const std::optional<Vec3>& eye = {})
+             const std::optional<Vec3>& facing = {}, const ShadowPencil* pencil = nullptr)
         : occluders_(occluders),
           tracer_(tracer),
           apex_(apex),
           region_(std::move(region)),
           row_(std::move(row)),
           facing_(facing),
-          eye_(eye) {}
+          pencil_(pencil) {}
 
     IntervalSet intervals(const Segment& segment) const override;
     std::vector<IntervalSet> intervals(std::span<const Segment> segments) const override;
@@ -44,7 +46,8 @@ private:
     Apex apex_;
     std::vector<Vec3> region_;
     std::vector<Segment> row_;
-    std::optional<Vec3> facing_, eye_;
+    std::optional<Vec3> facing_;
+    const ShadowPencil* pencil_;
     mutable std::optional<ApexView> view_;
     mutable std::vector<IntervalSet> of_row_; ///< once one of the row was asked for
     mutable std::size_t next_ = 0;            ///< after the one of the row that was asked for last

@@ -2,9 +2,6 @@
 
 #include "keiko/spotlight/point_light.h"
 
-#include <algorithm>
-#include <optional>
-
 namespace keiko {
 namespace {
 
@@ -41,24 +38,44 @@ std::vector<Vec3> region_of(std::span<const Segment> segments) {
     return corners;
 }
 
-/// Where all of the rays begin, if they do in one place.
-std::optional<Vec3> eye_of(std::span<const Segment> rays) {
-    const auto from_first = [&](const Segment& ray) { return ray.a == rays.front().a; };
-    if (rays.empty() || !std::all_of(rays.begin(), rays.end(), from_first)) return {};
-    return rays.front().a;
-}
+/// Where a pencil of planes starts, unless it is the eye itself.
+struct PencilLight {
+    std::optional<Vec3> operator()(const CPlane&) const { return std::nullopt; }
+    template <PointLight Light>
+    std::optional<Vec3> operator()(const Light& light) const {
+        return light.shaft ? std::optional(light.position) : std::nullopt;
+    }
+    std::optional<Vec3> operator()(const Sun&) const { return std::nullopt; }
+};
 
 } // namespace
 
-ShaftShadows::ShaftShadows(const LightRig& rig, const Occluders* occluders, const Tracer& tracer,
-                           std::span<const Segment> eye_rays) {
-    if (!occluders || !rig.medium) return;
-    const std::optional<Vec3> eye = eye_of(eye_rays);
+std::vector<std::optional<ShadowPencil>> shaft_pencils(const LightRig& rig,
+                                                       const Occluders* occluders,
+                                                       const Tracer& tracer, const Vec3& eye,
+                                                       const Job& job) {
+    std::vector<std::optional<ShadowPencil>> pencils;
+    if (!occluders || !rig.medium) return pencils;
     for (const LightSource& source : rig.sources) {
+        const std::optional<Vec3> light = std::visit(PencilLight(), source);
+        pencils.emplace_back();
+        if (light && *light != eye) pencils.back().emplace(*occluders, tracer, *light, eye, job);
+    }
+    return pencils;
+}
+
+ShaftShadows::ShaftShadows(const LightRig& rig, const Occluders* occluders, const Tracer& tracer,
+                           std::span<const Segment> eye_rays,
+                           std::span<const std::optional<ShadowPencil>> pencils) {
+    if (!occluders || !rig.medium) return;
+    for (std::size_t i = 0; i < rig.sources.size(); ++i) {
+        const LightSource& source = rig.sources[i];
+        const bool in_pencil = !pencils.empty() && pencils[i];
         std::vector<Segment> parts = lit_parts(source, eye_rays);
         std::vector<Vec3> region = region_of(parts);
         seen_.emplace_back(occluders, tracer, std::visit(ApexOf(), source), std::move(region),
-                           std::move(parts), std::optional<Vec3>(), eye);
+                           std::move(parts), std::optional<Vec3>(),
+                           in_pencil ? &*pencils[i] : nullptr);
     }
 }
 

@@ -33,8 +33,8 @@ bool same_plane(const Vec3& a, const Vec3& b) {
 
 ApexView::Candidates::Candidates(const Occluders::Scene& scene, const Tracer& tracer,
                                  const Apex& apex, std::span<const Vec3> region,
-                                 const std::optional<Vec3>& facing, const std::optional<Vec3>& eye)
-    : scene_(&scene), tracer_(&tracer), apex_(apex), facing_(facing), eye_(eye) {
+                                 const std::optional<Vec3>& facing)
+    : scene_(&scene), tracer_(&tracer), apex_(apex), facing_(facing) {
     if (apex.excluded()) normal_ = scene.silhouettes.normal_at(*apex.excluded());
     has_horizon_ = normal_ && !(facing && same_plane(*normal_, *facing));
     std::vector<Vec3> faced;
@@ -47,7 +47,6 @@ ApexView::Candidates::Candidates(const Occluders::Scene& scene, const Tracer& tr
         return;
     }
     for (const Vec3& corner : region) middle_ += corner / static_cast<double>(region.size());
-    if (eye_) region_.assign(region.begin(), region.end());
     collect(region);
     if (nothing_happens_in(region)) all_seen_ = sees(middle_);
 }
@@ -117,16 +116,12 @@ SeenParts ApexView::Candidates::intervals(const SegmentEnds& ends) const {
         return {asked.end > 0 && sees(ends[0]) ? IntervalSet::whole() : IntervalSet()};
     auto line = line_through(ends);
     if (!line) return end_on(ends);
-    add_events(ends, *line);
+    add_events(*line);
+    add_own_events(*line);
     GapGroups gaps;
     gaps.add(line->plane, gaps_between(line->events, line->asked));
     gaps.classify(*tracer_);
     return {gaps.seen(0, gaps.size()), line->certain};
-}
-
-void ApexView::Candidates::add_events(const SegmentEnds& ends, Line& line) const {
-    if (!add_events_of_pencil(ends, line)) add_events_anywhere(line);
-    add_own_events(line);
 }
 
 void ApexView::Candidates::add_piece_events(std::size_t piece, Line& line) const {
@@ -140,7 +135,7 @@ void ApexView::Candidates::add_border_events(std::size_t border, Line& line) con
                        line.events);
 }
 
-void ApexView::Candidates::add_events_anywhere(Line& line) const {
+void ApexView::Candidates::add_events(Line& line) const {
     constexpr int few = 16; // a tree pays off only for many segments
     if (asked_for_ < few)
         ++asked_for_, add_all_events(line);

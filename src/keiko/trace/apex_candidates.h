@@ -3,7 +3,6 @@
 #include "keiko/trace/apex_screen.h"
 #include "keiko/trace/occluder_scene.h"
 #include "keiko/trace/plane_tree.h"
-#include "keiko/trace/scan_buckets.h"
 #include "keiko/trace/segment_gaps.h"
 
 namespace keiko {
@@ -12,11 +11,10 @@ namespace keiko {
 class ApexView::Candidates {
 public:
     Candidates(const Occluders::Scene& scene, const Tracer& tracer, const Apex& apex,
-               std::span<const Vec3> region, const std::optional<Vec3>& facing,
-               const std::optional<Vec3>& eye);
+               std::span<const Vec3> region, const std::optional<Vec3>& facing);
 
     SeenParts intervals(const SegmentEnds& ends) const;
-    /// Nothing where the segments are no scan lines and begin at no eye.
+    /// Nothing where the segments are no scan lines.
     std::optional<std::vector<SeenParts>> intervals_of_row(std::span<const SegmentEnds> row) const;
 
     bool seen_alike(std::span<const SegmentEnds> row) const;
@@ -42,12 +40,6 @@ private:
         std::vector<ScreenBox> pieces, borders;
     };
 
-    /// The candidates by their angle about the axis from the apex to the eye.
-    struct Pencil {
-        ApexScreen screen;
-        ScanBuckets boxes; ///< of pieces, then of borders
-    };
-
     void collect(std::span<const Vec3> region);
     bool nothing_happens_in(std::span<const Vec3> region) const;
     bool sees(const Vec3& x) const { return !tracer_->any(apex_.ray_to(x)); }
@@ -57,19 +49,12 @@ private:
     ParameterInterval asked_of(const SegmentEnds& ends) const;
     std::optional<Line> line_through(const SegmentEnds& ends) const;
     SeenParts end_on(const SegmentEnds& ends) const;
-    void add_events(const SegmentEnds& ends, Line& line) const;
     void add_piece_events(std::size_t piece, Line& line) const;
     void add_border_events(std::size_t border, Line& line) const;
-    void add_events_anywhere(Line& line) const;
+    void add_events(Line& line) const;
     void add_all_events(Line& line) const;
     void add_events_of_cut(Line& line) const;
     std::vector<Box3> candidate_boxes() const;
-    /// Nothing without an eye, or where the region is seen along the axis.
-    const Pencil* pencil() const;
-    /// False where the segment is on no ray from the eye that the pencil knows of.
-    bool add_events_of_pencil(const SegmentEnds& ends, Line& line) const;
-    /// Each segment by itself, but for the rays through the gaps of all of them.
-    std::vector<SeenParts> intervals_of_bundle(std::span<const SegmentEnds> row) const;
     void add_own_events(Line& line) const;
     void add_piercings(Line& line) const;
     void add_horizon(Line& line) const;
@@ -86,9 +71,7 @@ private:
     const Tracer* tracer_;
     Apex apex_;
     std::optional<Vec3> facing_;
-    std::optional<Vec3> eye_;
-    std::vector<Vec3> region_; ///< where there is an eye
-    Vec3 middle_{0};           ///< of the region
+    Vec3 middle_{0}; ///< of the region
     SilhouetteCandidates silhouettes_;
     std::vector<std::uint32_t> borders_;
     bool region_touched_ = false; ///< a surface may cross the region itself
@@ -99,7 +82,6 @@ private:
     std::optional<bool> all_seen_;
     mutable int asked_for_ = 0; ///< segments one by one
     mutable std::optional<PlaneTree> tree_;
-    mutable std::optional<Pencil> pencil_;
     mutable std::optional<Screen> screen_; ///< of the direction asked for last
 };
 

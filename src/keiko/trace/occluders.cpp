@@ -51,10 +51,8 @@ const Occluders::Statistics& Occluders::statistics() const {
 }
 
 ApexView::ApexView(const Occluders& occluders, const Tracer& tracer, const Apex& apex,
-                   std::span<const Vec3> region, const std::optional<Vec3>& facing,
-                   const std::optional<Vec3>& eye)
-    : candidates_(
-          std::make_unique<Candidates>(*occluders.scene_, tracer, apex, region, facing, eye)) {}
+                   std::span<const Vec3> region, const std::optional<Vec3>& facing)
+    : candidates_(std::make_unique<Candidates>(*occluders.scene_, tracer, apex, region, facing)) {}
 
 ApexView::~ApexView() = default;
 ApexView::ApexView(ApexView&&) noexcept = default;

@@ -46,6 +46,7 @@ public:
 
 private:
     friend class ApexView;
+    friend class ShadowPencil;
     struct Scene;
     std::unique_ptr<Scene> scene_;
 };
@@ -57,11 +58,9 @@ public:
     /// `region`: corners of a convex body that holds every segment to come. Looks into the
     /// occluders and into `tracer`, which are of one model. With `facing`, a unit normal, only what
     /// lies on its side of the plane through the apex is looked for, the rest counts as hidden:
-    /// what a surface is lit from. `eye`: where the lines of many segments to come begin, which is
-    /// faster then.
+    /// what a surface is lit from.
     ApexView(const Occluders& occluders, const Tracer& tracer, const Apex& apex,
-             std::span<const Vec3> region, const std::optional<Vec3>& facing = {},
-             const std::optional<Vec3>& eye = {});
+             std::span<const Vec3> region, const std::optional<Vec3>& facing = {});
     ~ApexView();
     ApexView(ApexView&&) noexcept;
     ApexView& operator=(ApexView&&) noexcept;
@@ -71,8 +70,7 @@ public:
     /// seen as a whole or not at all.
     SeenParts intervals(const Vec3& a, const Vec3& b) const;
     /// The same of several segments. Parallel ones are scan lines of a screen on which every
-    /// candidate is placed once, and share rays (docs/theory/visibility.md); those from an eye
-    /// have their rays cast together.
+    /// candidate is placed once, and share rays (docs/theory/visibility.md).
     std::vector<SeenParts> intervals(std::span<const SegmentEnds> row) const;
 
     /// True where parallel segments, and all others between them, are proved to be seen alike: each

@@ -3,12 +3,19 @@
 #include <numeric>
 
 namespace keiko {
+namespace {
+
+std::size_t bucket_count(std::size_t boxes) {
+    return std::clamp<std::size_t>(boxes, 512, 4096);
+}
+
+} // namespace
 
 ScanBuckets::ScanBuckets(std::vector<ScreenBox> boxes, double low, double high)
     : boxes_(std::move(boxes)),
       low_(low),
-      per_width_(count / std::max(high - low, 1e-12)),
-      first_(count + 1, 0) {
+      per_width_(static_cast<double>(bucket_count(boxes_.size())) / std::max(high - low, 1e-12)),
+      first_(bucket_count(boxes_.size()) + 1, 0) {
     const auto each_place = [&](const auto& visit) {
         for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
             if (boxes_[i].empty()) continue;

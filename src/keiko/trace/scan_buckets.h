@@ -30,11 +30,11 @@ public:
     }
 
 private:
-    static constexpr std::size_t count = 512;
-
     std::size_t bucket_of(double across) const {
         const double place = (across - low_) * per_width_;
-        return place > 0 ? static_cast<std::size_t>(std::min(place, count - 1.0)) : 0;
+        return place > 0 ? static_cast<std::size_t>(
+                               std::min(place, static_cast<double>(first_.size() - 2)))
+                         : 0;
     }
 
     std::vector<ScreenBox> boxes_;

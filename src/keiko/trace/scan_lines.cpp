@@ -145,7 +145,6 @@ void ApexView::Candidates::join_neighbours(const Screen& screen,
 std::optional<std::vector<SeenParts>> ApexView::Candidates::intervals_of_row(
     std::span<const SegmentEnds> row) const {
     if (row.empty() || all_seen_) return std::nullopt;
-    if (eye_) return intervals_of_bundle(row);
     const Screen& screen = screen_of((row[0][1] - row[0][0]).normalized());
     const auto scan_lines = this->scan_lines(screen.screen, row);
     if (!scan_lines) return std::nullopt;
