@@ -90,36 +90,5 @@ TEST(Occluders, SeeAPointAsAWholeOrNotAtAll) {
     expect_parts(Ball().seen(Apex::at({0, 0, 10}), {3, 0, -5}, {3, 0, -5}), {{0, 1}});
 }
 
-/// Told of the eye, a view finds the same parts to the last bit: of rays to all sides, of rays out
-/// of the light's way, and of segments that are on no ray from it.
-TEST(Occluders, SeeTheSameOfRaysWhoseEyeIsKnown) {
-    const Ball ball;
-    const Vec3 lamp(0.5, 0.2, 6), eye(-7, -3, 0.4);
-    std::vector<SegmentEnds> rays;
-    std::vector<Vec3> region;
-    for (int i = 0; i < 400; ++i) {
-        const double turn = 0.3 * i, high = -3 + 0.015 * i;
-        const Vec3 end(6 * std::cos(turn), 6 * std::sin(turn), high);
-        rays.push_back({eye + (end - eye) * (i % 2 == 0 ? 0.0 : 0.4), end});
-        if (i % 7 == 0) rays.back()[0] = Vec3(1, -4, -2);
-        region.insert(region.end(), rays.back().begin(), rays.back().end());
-    }
-    const ApexView plain(ball.occluders, ball.tracer, Apex::at(lamp), region);
-    const ApexView told(ball.occluders, ball.tracer, Apex::at(lamp), region, {}, eye);
-    int cut = 0;
-    for (const SegmentEnds& ray : rays) {
-        const SeenParts expected = plain.intervals(ray[0], ray[1]);
-        const SeenParts found = told.intervals(ray[0], ray[1]);
-        EXPECT_EQ(found.certain, expected.certain);
-        ASSERT_EQ(found.intervals.size(), expected.intervals.size());
-        for (std::size_t i = 0; i < expected.intervals.size(); ++i) {
-            EXPECT_EQ(found.intervals[i].begin, expected.intervals[i].begin);
-            EXPECT_EQ(found.intervals[i].end, expected.intervals[i].end);
-        }
-        cut += expected.intervals.size() > 1 ? 1 : 0;
-    }
-    EXPECT_GT(cut, 30);
-}
-
 } // namespace
 } // namespace keiko
