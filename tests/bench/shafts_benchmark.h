@@ -11,6 +11,7 @@ namespace keiko::bench {
 /// How far the light of rays is from its true value.
 struct ShaftError {
     double mean = 0; ///< mean of the differences over the mean light
+    double rms = 0;  ///< root of their mean square, over the mean light
     /// Share of its own light (or of a twentieth of the mean light, where that is more) by which
     /// all rays but one in a hundred are off at most.
     double most_rays = 0;
@@ -28,10 +29,11 @@ struct ShaftCost {
     std::string bodies{};
     std::size_t patches = 0;
     int lamps = 0;
-    double build_seconds = 0; ///< of what only the intervals need: silhouettes and borders
-    double exact = 0;         ///< microseconds a ray
+    double build_seconds = 0;  ///< of what only the intervals need: silhouettes and borders
+    double pencil_seconds = 0; ///< of what a light sees edge-on, a light, once a picture
+    double exact = 0;          ///< microseconds a ray, with its share of that
     ShaftError exact_error{};
-    MarchingCost to_mean{}, to_most_rays{}; ///< until that error is shaft_error
+    MarchingCost to_mean{}, to_rms{}, to_most_rays{}; ///< until that error is shaft_error
 };
 
 /// The error that both are held to.

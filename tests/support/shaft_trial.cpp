@@ -4,7 +4,6 @@
 #include "keiko/fog/transmittance.h"
 #include "keiko/render/shaft_shadows.h"
 #include "keiko/rig/luminance_along.h"
-#include "keiko/spec/camera.h"
 #include "keiko/spotlight/beam_intensity.h"
 
 #include <cmath>
@@ -96,17 +95,25 @@ private:
 ShaftTrial::ShaftTrial(SurfaceModel model, int lamps)
     : tracer_(model), occluders_(model, tracer_), rig_(ring_of_lamps(tracer_.bounds(), lamps)) {}
 
-std::vector<Segment> ShaftTrial::eye_rays(const Vec2& corner, int side) const {
+Camera ShaftTrial::camera() const {
     const Box3& body = tracer_.bounds();
     const Vec3 to_eye = Vec3(-1.2, -1.6, 0.1) * body.size();
-    const Camera camera{.eye = body.center() + to_eye, .target = body.center(), .vertical_fov = 30};
+    return {.eye = body.center() + to_eye, .target = body.center(), .vertical_fov = 30};
+}
+
+std::vector<std::optional<ShadowPencil>> ShaftTrial::pencils() const {
+    return shaft_pencils(rig_, &occluders_, tracer_, camera().eye);
+}
+
+std::vector<Segment> ShaftTrial::eye_rays(const Vec2& corner, int side) const {
+    const Camera camera = this->camera();
     const double left = camera.width * corner.x, top = camera.height * corner.y;
     std::vector<Segment> rays;
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
             const Ray ray = camera.ray(left + x + 0.5, top + y + 0.5);
             const auto hit = tracer_.nearest(ray);
-            const double end = hit ? hit->t : 2.5 * to_eye.length();
+            const double end = hit ? hit->t : 5 * tracer_.bounds().size();
             rays.push_back({ray.origin, ray.origin + ray.direction * end});
         }
     return rays;

@@ -2,6 +2,7 @@
 
 #include "keiko/patch/surface_model.h"
 #include "keiko/rig/light_rig.h"
+#include "keiko/spec/camera.h"
 #include "keiko/trace/occluders.h"
 #include "keiko/trace/shadow_pencil.h"
 
@@ -31,6 +32,8 @@ public:
     /// `corner`: upper left, as shares of the picture; (0.5, 0.5) looks at the model's middle.
     std::vector<Segment> eye_rays(const Vec2& corner, int side) const;
 
+    /// Of the lamps, for the eye of those rays.
+    std::vector<std::optional<ShadowPencil>> pencils() const;
     /// Scattered light of each ray, cd/m2, as a picture's tile of all of them has it.
     /// With the pencils of the rays' eye, or at full precision.
     std::vector<Rgb> exact(std::span<const Segment> rays, double tolerance,
@@ -39,6 +42,8 @@ public:
     Rgb marched(const Segment& ray, int steps, Marching marching) const;
 
 private:
+    Camera camera() const;
+
     Tracer tracer_;
     Occluders occluders_;
     LightRig rig_;
