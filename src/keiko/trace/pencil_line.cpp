@@ -1,59 +1,16 @@
 #include "keiko/trace/pencil_line.h"
 
-#include "keiko/patch/bernstein_roots.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace keiko {
 namespace {
 
-constexpr std::size_t points = BorderPiece::points;
-using Values = std::array<double, points>;
-
 /// Of the Bernstein polynomials of degree 5.
-Values basis(double t) {
+std::array<double, 6> basis(double t) {
     const double u = 1 - t, t2 = t * t, u2 = u * u;
     return {u2 * u2 * u,      5 * u2 * u2 * t, 10 * u2 * u * t2,
             10 * u2 * t2 * t, 5 * u * t2 * t2, t2 * t2 * t};
-}
-
-struct ValueAndSlope {
-    double value, slope;
-};
-
-ValueAndSlope evaluate(const Values& c, double t) {
-    Values b = c;
-    for (std::size_t last = points - 1; last > 1; --last)
-        for (std::size_t i = 0; i < last; ++i) b[i] += (b[i + 1] - b[i]) * t;
-    const double rise = b[1] - b[0];
-    return {b[0] + rise * t, rise * (points - 1)};
-}
-
-/// The only zero of coefficients that change sign once, by Newton's method kept inside, in powers
-/// of t.
-double single_root(const Values& c) {
-    static_assert(points == 6);
-    Values power = c;
-    for (std::size_t level = 1; level < points; ++level)
-        for (std::size_t i = points - 1; i >= level; --i) power[i] -= power[i - 1];
-    power[1] *= 5, power[2] *= 10, power[3] *= 10, power[4] *= 5;
-    double a = 0, b = 1, t = c.front() / (c.front() - c.back());
-    constexpr int most_steps = 60;
-    constexpr double settled = 1e-5; // the next step is about its square
-    for (int i = 0; i < most_steps; ++i) {
-        double value = power[5], slope = 0;
-        for (std::size_t k = points - 1; k-- > 0;) {
-            slope = slope * t + value;
-            value = value * t + power[k];
-        }
-        ((value < 0) == (c.front() < 0) ? a : b) = t;
-        const double next = t - value / slope;
-        const bool close = std::abs(next - t) <= settled;
-        t = next >= a && next <= b ? next : (a + b) / 2;
-        if (close || b - a <= settled * settled) break;
-    }
-    return t;
 }
 
 } // namespace
@@ -107,27 +64,40 @@ int PencilLine::side_of(const PencilAxes& axes, const BorderPiece& line) {
     return side;
 }
 
-PencilLine::Cuts PencilLine::cuts(const Values& off) const {
-    Cuts cuts;
-    // Next to an end, where lines meet, the neighbour may know better what is dark.
-    constexpr double ends = 0.01;
-    const auto add = [&](double t, double slope) {
-        const bool sure = t > ends && t < 1 - ends;
-        cuts.add({t, !sure || slope == 0 ? 0 : slope > 0 ? 1 : -1});
-    };
-    if (std::abs(off.front()) <= slack_) add(0, 0);
-    if (std::abs(off.back()) <= slack_) add(1, 0);
-    int changes = 0;
-    for (std::size_t i = 1; i < points; ++i) changes += (off[i - 1] < 0) != (off[i] < 0);
-    if (changes == 1)
-        add(single_root(off), off.back() - off.front());
-    else if (changes > 1)
-        for (const double t : bernstein_roots(off, 0)) add(t, evaluate(off, t).slope);
-    return cuts;
+/// By Newton's method kept inside, in powers of t.
+double PencilLine::single_root(const Values& c) {
+    static_assert(points == 6);
+    Values power = c;
+    for (std::size_t level = 1; level < points; ++level)
+        for (std::size_t i = points - 1; i >= level; --i) power[i] -= power[i - 1];
+    power[1] *= 5, power[2] *= 10, power[3] *= 10, power[4] *= 5;
+    double a = 0, b = 1, t = c.front() / (c.front() - c.back());
+    constexpr int most_steps = 60;
+    constexpr double settled = 1e-5; // the next step is about its square
+    for (int i = 0; i < most_steps; ++i) {
+        double value = power[5], slope = 0;
+        for (std::size_t k = points - 1; k-- > 0;) {
+            slope = slope * t + value;
+            value = value * t + power[k];
+        }
+        ((value < 0) == (c.front() < 0) ? a : b) = t;
+        const double next = t - value / slope;
+        const bool close = std::abs(next - t) <= settled;
+        t = next >= a && next <= b ? next : (a + b) / 2;
+        if (close || b - a <= settled * settled) break;
+    }
+    return t;
+}
+
+int PencilLine::direction(const Values& c, double t) {
+    Values b = c;
+    for (std::size_t last = points - 1; last > 1; --last)
+        for (std::size_t i = 0; i < last; ++i) b[i] += (b[i + 1] - b[i]) * t;
+    return b[1] > b[0] ? 1 : b[1] < b[0] ? -1 : 0;
 }
 
 Vec3 PencilLine::place(double t) const {
-    const Values b = basis(t);
+    const auto b = basis(t);
     Vec3 at(0);
     for (std::size_t i = 0; i < points; ++i) at += Vec3(x_[i], y_[i], z_[i]) * b[i];
     return at;

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "keiko/patch/bernstein_roots.h"
 #include "keiko/trace/border_piece.h"
 #include "keiko/trace/segment_plane.h"
 
 #include <array>
-#include <limits>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct PencilAxes {
 struct PencilRay {
     Vec2 off{1, 0};        ///< unit, across the axis: where the half-plane goes
     Vec2 begin{0}, end{0}; ///< mm
-    double sense = 1;      ///< 1 where the plane's normal is off turned by a right angle, else -1
+    int sense = 1;         ///< 1 where the plane's normal is off turned by a right angle, else -1
 
     PencilRay(const PencilAxes& axes, const SegmentPlane& plane);
     /// Parameter of the segment's place that a place of the half-plane hides from the light, as
@@ -41,41 +42,41 @@ public:
     /// Calls `visit(t, event)` for each place t of the curve at which it hides some of the ray.
     template <class Visit>
     void each_event(const PencilRay& ray, const Visit& visit) const {
-        Values off;
-        double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (std::size_t i = 0; i < points; ++i) {
-            off[i] = ray.off.x * y_[i] - ray.off.y * x_[i];
-            low = std::min(low, off[i]), high = std::max(high, off[i]);
-        }
-        if (low > slack_ || high < -slack_) return;
-        for (const Cut& cut : cuts(off)) {
-            const Vec3 at = place(cut.t);
+        each_cut(ray.off, [&](double t, int rising) {
+            const Vec3 at = place(t);
             const double ahead = ray.off.x * at.x + ray.off.y * at.y;
-            if (const auto s = ray.hidden_by({ahead, at.z}); s && ahead > 0)
-                visit(cut.t, VisibilityEvent{*s, cut.rising * side_ * (ray.sense > 0 ? 1 : -1)});
-        }
+            if (const auto s = ray.hidden_by({ahead, at.z}))
+                visit(t, VisibilityEvent{*s, ray.sense * rising * side_});
+        });
     }
 
 private:
     static constexpr std::size_t points = BorderPiece::points;
     using Values = std::array<double, points>;
-    /// Where a plane cuts the curve; whether it comes through from below, 1, or from above, -1.
-    struct Cut {
-        double t = 0;
-        int rising = 0;
-    };
-    class Cuts {
-    public:
-        void add(const Cut& cut) { cuts_[count_++] = cut; }
-        auto begin() const { return cuts_.begin(); }
-        auto end() const { return cuts_.begin() + static_cast<std::ptrdiff_t>(count_); }
 
-    private:
-        /// As many as the degree, each twice at most, and both ends.
-        std::array<Cut, 2 * points> cuts_{};
-        std::size_t count_ = 0;
-    };
-    Cuts cuts(const Values& off) const;
+    /// Calls `visit(t, rising)` where the plane that goes `off` the axis cuts the curve: 1 where
+    /// the curve comes through from below, -1 from above. 0 next to its ends: there the line that
+    /// goes on may know better what is dark.
+    template <class Visit>
+    void each_cut(const Vec2& off, const Visit& visit) const {
+        Values c;
+        int changes = 0;
+        for (std::size_t i = 0; i < points; ++i) c[i] = off.x * y_[i] - off.y * x_[i];
+        for (std::size_t i = 1; i < points; ++i) changes += (c[i - 1] < 0) != (c[i] < 0);
+        const auto sure = [](double t) { return t > 0.01 && t < 0.99; };
+        if (std::abs(c.front()) <= slack_) visit(0.0, 0);
+        if (std::abs(c.back()) <= slack_) visit(1.0, 0);
+        if (changes == 1) {
+            const double t = single_root(c);
+            visit(t, sure(t) ? (c.back() > c.front() ? 1 : -1) : 0);
+        } else if (changes > 1) {
+            for (const double t : bernstein_roots(c, 0)) visit(t, sure(t) ? direction(c, t) : 0);
+        }
+    }
+    /// The only zero of coefficients that change sign once.
+    static double single_root(const Values& c);
+    /// Sign of the slope.
+    static int direction(const Values& c, double t);
     Vec3 place(double t) const;
     static int side_of(const PencilAxes& axes, const BorderPiece& line);
 
