@@ -73,7 +73,7 @@ double PencilLine::single_root(const Values& c) {
     power[1] *= 5, power[2] *= 10, power[3] *= 10, power[4] *= 5;
     double a = 0, b = 1, t = c.front() / (c.front() - c.back());
     constexpr int most_steps = 60;
-    constexpr double settled = 1e-5; // the next step is about its square
+    constexpr double settled = 1e-4; // the next step is about its square
     for (int i = 0; i < most_steps; ++i) {
         double value = power[5], slope = 0;
         for (std::size_t k = points - 1; k-- > 0;) {
