@@ -1,58 +1,18 @@
 #include "keiko/trace/outline_piece.h"
 
 #include "keiko/patch/bernstein_roots.h"
+#include "keiko/trace/curve_through.h"
 #include "keiko/trace/surface_jet.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <utility>
+#include <optional>
 
 namespace keiko {
 namespace {
 
 constexpr std::size_t points = BorderPiece::points;
-
-/// Where curves are made to meet the outline: Chebyshev's places of [0, 1], ends included.
-double node(std::size_t k) {
-    return (1 - std::cos(std::numbers::pi * static_cast<double>(k) / (points - 1))) / 2;
-}
-
-using Matrix = std::array<std::array<double, points>, points>;
-
-/// What makes values at the nodes the control points of the polynomial through them: the inverse of
-/// the Bernstein polynomials there, by Gauss and Jordan.
-Matrix control_points_of_values() {
-    Matrix values{}, inverse{};
-    for (std::size_t k = 0; k < points; ++k) {
-        BernsteinRow row{1};
-        for (std::size_t n = 1; n < points; ++n) raise_degree(row, n, node(k));
-        std::copy_n(row.begin(), points, values[k].begin());
-        inverse[k][k] = 1;
-    }
-    for (std::size_t k = 0; k < points; ++k) {
-        const double pivot = values[k][k];
-        for (std::size_t j = 0; j < points; ++j) values[k][j] /= pivot, inverse[k][j] /= pivot;
-        for (std::size_t i = 0; i < points; ++i) {
-            const double share = i == k ? 0 : values[i][k];
-            for (std::size_t j = 0; j < points; ++j) {
-                values[i][j] -= share * values[k][j];
-                inverse[i][j] -= share * inverse[k][j];
-            }
-        }
-    }
-    return inverse;
-}
-
-template <class T>
-std::array<T, points> curve_through(const std::array<T, points>& at_nodes, const T& zero) {
-    static const Matrix matrix = control_points_of_values();
-    std::array<T, points> curve{zero, zero, zero, zero, zero, zero};
-    for (std::size_t i = 0; i < points; ++i)
-        for (std::size_t k = 0; k < points; ++k) curve[i] = curve[i] + at_nodes[k] * matrix[i][k];
-    return curve;
-}
 
 /// Follows the outline across one piece.
 class OutlineTrace {
@@ -81,7 +41,7 @@ public:
 
 private:
     static constexpr double whole = 1 + 1e-5; ///< of a piece's own coordinates, with the overlap
-    static constexpr int most_halvings = 4, clipped = most_halvings;
+    static constexpr int most_halvings = 4, clipped = most_halvings + 1;
 
     struct Place {
         Vec2 uv{0};
@@ -93,45 +53,41 @@ private:
     /// be within the piece.
     ParameterInterval range() const {
         constexpr double room = 0.05;
-        const double slope = free_ == 0 ? edge_on_.along_x : edge_on_.along_y;
-        const double steep = free_ == 0 ? edge_on_.along_y : edge_on_.along_x;
-        const double reach = std::abs(steep) * (1 + room) + edge_on_.off;
-        if (!(std::abs(slope) > 0)) return {-whole, whole};
-        const double a = (-edge_on_.value - reach) / slope, b = (-edge_on_.value + reach) / slope;
+        const double along = slope(free_);
+        const double reach = std::abs(slope(bound_)) * (1 + room) + edge_on_.off;
+        if (!(std::abs(along) > 0)) return {-whole, whole};
+        const double a = (-edge_on_.value - reach) / along, b = (-edge_on_.value + reach) / along;
         return {std::max(-whole, std::min(a, b)), std::min(whole, std::max(a, b))};
+    }
+
+    double slope(unsigned axis) const { return axis == 0 ? edge_on_.along_x : edge_on_.along_y; }
+
+    Place place(const Vec2& xy) const {
+        const Vec2 uv = piece_.uv.center() + piece_.uv.extent() * 0.5 * xy;
+        return {uv, projected(kernels_.evaluate(patch_.points.view(), uv), patch_.rational)};
+    }
+
+    /// Newton's step along the bound coordinate towards where the surface is seen edge-on.
+    double step(const SurfaceJet& j) const {
+        const Vec3 way = apex_.way_to(patch_.center + j.position);
+        const Vec3 normal_slope = bound_ == 0 ? j.duu.cross(j.dv) + j.du.cross(j.duv)
+                                              : j.duv.cross(j.dv) + j.du.cross(j.dvv);
+        return -j.du.cross(j.dv).dot(way) /
+               (normal_slope.dot(way) * piece_.uv.extent()[bound_] * 0.5);
     }
 
     /// The exact place of the outline at a free coordinate, by Newton's method.
     std::optional<Place> at(double s) const {
         constexpr int most_steps = 12;
-        constexpr double settled = 1e-14, astray = 1.5;
-        const Vec2 half = piece_.uv.extent() * 0.5;
-        const double slope = free_ == 0 ? edge_on_.along_x : edge_on_.along_y;
-        const double steep = free_ == 0 ? edge_on_.along_y : edge_on_.along_x;
+        constexpr double astray = 1.5, nearly = 1e-8; // the step after is about its square
         Vec2 xy(0);
         xy[free_] = s;
-        xy[bound_] = std::clamp(-(edge_on_.value + slope * s) / steep, -1.0, 1.0);
+        xy[bound_] = std::clamp(-(edge_on_.value + slope(free_) * s) / slope(bound_), -1.0, 1.0);
         for (int i = 0; i < most_steps; ++i) {
-            Place place{piece_.uv.center() + half * xy, {}};
-            place.jet =
-                projected(kernels_.evaluate(patch_.points.view(), place.uv), patch_.rational);
-            const SurfaceJet& j = place.jet;
-            const Vec3 way = apex_.way_to(patch_.center + j.position);
-            const Vec3 normal_slope = bound_ == 0 ? j.duu.cross(j.dv) + j.du.cross(j.duv)
-                                                  : j.duv.cross(j.dv) + j.du.cross(j.dvv);
-            const double step = j.du.cross(j.dv).dot(way) / (normal_slope.dot(way) * half[bound_]);
-            if (!(std::abs(step) < astray)) return std::nullopt;
-            if (std::abs(step) <= settled) return place;
-            xy[bound_] -= step;
-            if (std::abs(xy[bound_]) > 1 + astray) return std::nullopt;
-            // The next one is about its square.
-            constexpr double nearly = 1e-8;
-            if (std::abs(step) <= nearly) {
-                place.uv = piece_.uv.center() + half * xy;
-                place.jet =
-                    projected(kernels_.evaluate(patch_.points.view(), place.uv), patch_.rational);
-                return place;
-            }
+            const double off = step(place(xy).jet);
+            xy[bound_] += off;
+            if (!(std::abs(off) < astray && std::abs(xy[bound_]) < 1 + astray)) break;
+            if (std::abs(off) <= nearly) return place(xy);
         }
         return std::nullopt;
     }
@@ -139,7 +95,7 @@ private:
     bool cover(double a, double b, int halvings) {
         Places places;
         for (std::size_t k = 0; k < points; ++k) {
-            const auto place = at(a + (b - a) * node(k));
+            const auto place = at(a + (b - a) * curve_node(k));
             if (!place) return false;
             places[k] = *place;
         }
@@ -155,28 +111,27 @@ private:
         return true;
     }
 
+    /// The bound coordinate of the piece.
+    double bound_at(const Vec2& place) const {
+        return (place - piece_.uv.center())[bound_] / (piece_.uv.extent()[bound_] * 0.5);
+    }
+
     /// Keeps the parts within the piece.
     bool clip(const OutlinePiece& outline, double a, double b) {
-        std::array<double, points> bound{};
-        for (std::size_t i = 0; i < points; ++i)
-            bound[i] = (outline.places[i] - piece_.uv.center())[bound_] /
-                       (piece_.uv.extent()[bound_] * 0.5);
-        const auto inside = [](double x) { return std::abs(x) <= whole; };
-        if (std::all_of(bound.begin(), bound.end(), inside)) return keep(outline);
+        const auto inside = [&](const Vec2& place) { return std::abs(bound_at(place)) <= whole; };
+        if (std::all_of(outline.places.begin(), outline.places.end(), inside)) return keep(outline);
         std::vector<double> ends{0, 1};
         for (const double side : {-whole, whole}) {
-            std::array<double, points> off = bound;
-            for (double& x : off) x -= side;
+            std::array<double, points> off{};
+            for (std::size_t i = 0; i < points; ++i) off[i] = bound_at(outline.places[i]) - side;
             const std::vector<double> roots = bernstein_roots(off, 0);
             ends.insert(ends.end(), roots.begin(), roots.end());
         }
         std::sort(ends.begin(), ends.end());
-        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-            const Vec2 middle = outline.place_at((ends[i] + ends[i + 1]) / 2);
-            if (!inside((middle - piece_.uv.center())[bound_] / (piece_.uv.extent()[bound_] * 0.5)))
-                continue;
-            if (!cover(a + (b - a) * ends[i], a + (b - a) * ends[i + 1], clipped)) return false;
-        }
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+            if (inside(outline.place_at((ends[i] + ends[i + 1]) / 2)) &&
+                !cover(a + (b - a) * ends[i], a + (b - a) * ends[i + 1], clipped))
+                return false;
         return true;
     }
 
@@ -192,12 +147,12 @@ private:
         OutlinePiece outline;
         outline.patch = piece_.patch;
         outline.trimmed = piece_.trimmed;
-        outline.places = curve_through(uv, Vec2(0));
+        outline.places = curve_through(uv);
         BorderPiece& line = outline.line;
         line.instance = patch_.instance;
         line.face = patch_.face;
         line.center = patch_.center + box.center();
-        line.curve = curve_through(positions, Vec3(0));
+        line.curve = curve_through(positions);
         for (const Vec3& p : line.curve) line.radius = std::max(line.radius, p.length());
         return outline;
     }
