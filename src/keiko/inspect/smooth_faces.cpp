@@ -30,7 +30,7 @@ SmoothFaces::SmoothFaces(const SurfaceModel& model, std::span<const MeasuredSeam
             faces_.emplace_back(model, i, f);
         }
     }
-    crossings_.resize(faces_.size());
+    crossings_.resize(faces_.size()), crossing_steps_.resize(faces_.size(), 0);
     DisjointSets sheets(faces_.size());
     const BoundaryCurves curves(model);
     for (const MeasuredSeam& seam : seams) {
@@ -54,9 +54,18 @@ void SmoothFaces::add_crossings(const BoundaryCurves& curves, const Seam& piece,
         const double s = piece.b.begin + k / parts * (piece.b.end - piece.b.begin);
         const Vec2 on_a = faces_[face_a].place_of(a.parameters(t));
         const Vec2 on_b = faces_[face_b].place_of(b.parameters(s));
-        crossings_[face_a].push_back({a.at(t).position, {face_b, on_b}});
-        crossings_[face_b].push_back({b.at(s).position, {face_a, on_a}});
+        add_crossing(face_a, {a.at(t).position, {face_b, on_b}}, k > 0);
+        add_crossing(face_b, {b.at(s).position, {face_a, on_a}}, k > 0);
     }
+}
+
+void SmoothFaces::add_crossing(std::size_t face, const Crossing& crossing, bool goes_on) {
+    std::vector<Crossing>& crossings = crossings_[face];
+    if (goes_on) {
+        const double step = (crossing.position - crossings.back().position).length();
+        crossing_steps_[face] = std::max(crossing_steps_[face], step);
+    }
+    crossings.push_back(crossing);
 }
 
 std::optional<TangentFrame> SmoothFaces::frame(const SheetPlace& at, const Vec3& direction) const {
@@ -85,13 +94,12 @@ std::optional<SheetPlace> SmoothFaces::moved(const TangentFrame& over, const She
 std::optional<Vec2> SmoothFaces::solved(const TangentFrame& over, const SheetPlace& from,
                                         const Vec2& to) const {
     constexpr int most_steps = 20;
-    constexpr double close = 1e-8; // mm
+    constexpr double close = 1e-5; // mm: the step from there leaves less than 1e-8
     Vec2 place = from.place;
     for (int i = 0; i < most_steps; ++i) {
         const auto s = faces_[from.face].evaluate_beyond(place, 1);
         if (!s) return std::nullopt;
         const Vec2 off = to - flat(over.local(s->position()));
-        if (std::abs(off.x) < close && std::abs(off.y) < close) return place;
         const Vec2 u(s->du().dot(over.x), s->du().dot(over.y));
         const Vec2 v(s->dv().dot(over.x), s->dv().dot(over.y));
         const double area = u.cross(v);
@@ -100,6 +108,7 @@ std::optional<Vec2> SmoothFaces::solved(const TangentFrame& over, const SheetPla
         constexpr double longest = 0.7; // of a span: the next may run at another speed
         step *= std::min(1.0, longest / std::max(step.length(), 1e-300));
         place += step;
+        if (std::abs(off.x) < close && std::abs(off.y) < close) return place;
     }
     return std::nullopt;
 }
@@ -109,13 +118,25 @@ std::optional<SheetPlace> SmoothFaces::moved(const TangentFrame& over, const She
                                              int crossings_left) const {
     const auto there = solved(over, from, to);
     if (there && faces_[from.face].has_material(*there)) return SheetPlace{from.face, *there};
-    if (crossings_left == 0 || crossings_[from.face].empty()) return std::nullopt;
+    if (crossings_left == 0) return std::nullopt;
+    const Vec3 here = evaluate(from, 0)->position();
+    constexpr double slope = 2; // the way along the surface is longer than in the plane
+    if (!has_crossing_near(from.face, here, slope * (to - flat(over.local(here))).length()))
+        return std::nullopt;
     const SheetPlace last = border(over, from, to);
-    const Vec3 gone = evaluate(last, 0)->position() - evaluate(from, 0)->position();
+    const Vec3 gone = evaluate(last, 0)->position() - here;
     constexpr double nowhere = 1e-6; // mm: at a corner it does not lead back
     const auto next = beyond(over, last, gone.length() < nowhere ? barred : no_index);
     if (!next) return std::nullopt;
     return moved(over, *next, to, from.face, crossings_left - 1);
+}
+
+bool SmoothFaces::has_crossing_near(std::size_t face, const Vec3& position, double reach) const {
+    const double most = reach + crossing_steps_[face];
+    const std::vector<Crossing>& crossings = crossings_[face];
+    return std::any_of(crossings.begin(), crossings.end(), [&](const Crossing& crossing) {
+        return (crossing.position - position).length2() <= most * most;
+    });
 }
 
 SheetPlace SmoothFaces::border(const TangentFrame& over, const SheetPlace& from,

@@ -65,6 +65,10 @@ private:
     using Key = std::pair<std::uint32_t, std::uint32_t>; ///< instance and face
 
     void add_crossings(const BoundaryCurves& curves, const Seam& piece, double spacing);
+    /// `goes_on`: from the last one of the face, along the same seam.
+    void add_crossing(std::size_t face, const Crossing& crossing, bool goes_on);
+    /// Whether a seam of the face may come within `reach` mm of a position.
+    bool has_crossing_near(std::size_t face, const Vec3& position, double reach) const;
     std::optional<Vec2> solved(const TangentFrame& over, const SheetPlace& from,
                                const Vec2& to) const;
     std::optional<SheetPlace> moved(const TangentFrame& over, const SheetPlace& from,
@@ -78,6 +82,7 @@ private:
     std::vector<FaceSurface> faces_;
     std::map<Key, std::size_t> index_;             ///< into faces_
     std::vector<std::vector<Crossing>> crossings_; ///< a face
+    std::vector<double> crossing_steps_; ///< mm, a face: the furthest from one to the next
     std::vector<std::size_t> sheets_;
 };
 

@@ -1,5 +1,8 @@
 #include "keiko/patch/bezier_patch.h"
 
+#include "keiko/patch/bernstein_rows.h"
+
+#include <algorithm>
 #include <cassert>
 
 namespace keiko {
@@ -14,22 +17,22 @@ std::array<Vec4, 4> zero_row() {
     return row;
 }
 
-HomogeneousDerivatives homogeneous_derivatives(const BezierPatchView& patch, const Vec2& uv,
-                                               int order) {
-    const auto bu = bernstein_derivatives(patch.degree_u, uv.x, std::min(order, patch.degree_u));
-    const auto bv = bernstein_derivatives(patch.degree_v, uv.y, std::min(order, patch.degree_v));
+/// `size`: more than either degree.
+template <std::size_t order, std::size_t size>
+HomogeneousDerivatives homogeneous_derivatives(const BezierPatchView& patch, const Vec2& uv) {
+    const auto degree_u = static_cast<std::size_t>(patch.degree_u);
+    const auto degree_v = static_cast<std::size_t>(patch.degree_v);
+    const auto bu = bernstein_rows<size>(degree_u, uv.x, std::min(order, degree_u));
+    const auto bv = bernstein_rows<size>(degree_v, uv.y, std::min(order, degree_v));
     HomogeneousDerivatives result{};
     result.fill(zero_row());
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(patch.degree_u); ++i) {
+    const Vec4* p = patch.points.data();
+    for (std::size_t i = 0; i <= degree_u; ++i) {
         std::array<Vec4, 4> row = zero_row();
-        for (std::size_t j = 0; j <= static_cast<std::size_t>(patch.degree_v); ++j) {
-            const Vec4& p = patch.point(static_cast<int>(i), static_cast<int>(j));
-            for (std::size_t l = 0; l <= static_cast<std::size_t>(order); ++l)
-                row[l] += p * bv[l][j];
-        }
-        for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k)
-            for (std::size_t l = 0; k + l <= static_cast<std::size_t>(order); ++l)
-                result[k][l] += row[l] * bu[k][i];
+        for (std::size_t j = 0; j <= degree_v; ++j, ++p)
+            for (std::size_t l = 0; l <= order; ++l) row[l] += *p * bv[l][j];
+        for (std::size_t k = 0; k <= order; ++k)
+            for (std::size_t l = 0; k + l <= order; ++l) result[k][l] += row[l] * bu[k][i];
     }
     return result;
 }
@@ -48,6 +51,20 @@ Vec3 quotient(const HomogeneousDerivatives& h, const SurfaceDerivatives& known, 
     return value / h[0][0].w;
 }
 
+template <std::size_t order>
+SurfaceDerivatives derivatives(const BezierPatchView& patch, const Vec2& uv) {
+    constexpr int common = 7; // by far the most patches: rows of 8 are cleared in no time
+    const HomogeneousDerivatives h =
+        std::max(patch.degree_u, patch.degree_v) <= common
+            ? homogeneous_derivatives<order, common + 1>(patch, uv)
+            : homogeneous_derivatives<order, max_degree + 1>(patch, uv);
+    SurfaceDerivatives result;
+    for (std::size_t total = 0; total <= order; ++total)
+        for (std::size_t k = 0; k <= total; ++k)
+            result.d[k][total - k] = quotient(h, result, k, total - k);
+    return result;
+}
+
 } // namespace
 
 bool BezierPatchView::rational() const {
@@ -58,12 +75,16 @@ bool BezierPatchView::rational() const {
 
 SurfaceDerivatives evaluate(const BezierPatchView& patch, const Vec2& uv, int order) {
     assert(order >= 0 && order <= 3);
-    const HomogeneousDerivatives h = homogeneous_derivatives(patch, uv, order);
-    SurfaceDerivatives result;
-    for (std::size_t total = 0; total <= static_cast<std::size_t>(order); ++total)
-        for (std::size_t k = 0; k <= total; ++k)
-            result.d[k][total - k] = quotient(h, result, k, total - k);
-    return result;
+    switch (order) {
+        case 0:
+            return derivatives<0>(patch, uv);
+        case 1:
+            return derivatives<1>(patch, uv);
+        case 2:
+            return derivatives<2>(patch, uv);
+        default:
+            return derivatives<3>(patch, uv);
+    }
 }
 
 Box3 hull_bounds(const BezierPatchView& patch) {
