@@ -45,7 +45,8 @@ public:
             if (r.width > quantised(widest_share * window_)) continue;
             const WalkPoint& point = points[r.index];
             const WalkPoint& near = points[std::clamp(r.index, begin, end - 1)];
-            found.push_back({point.at, point.position, direction(near), r.width, r.depth, r.cut});
+            found.push_back(
+                {point.at, point.position, direction(near), r.width, r.depth, r.deepest, r.cut});
         }
         return found;
     }

@@ -15,10 +15,11 @@ constexpr double widest_share = 0.5;
 struct FaceRipple {
     SheetPlace at;
     Vec3 position{0};
-    Vec3 along{0};    ///< unit, the way of the line
-    double width = 0; ///< mm
-    double depth = 0; ///< mm, about; positive on crests
-    bool cut = false; ///< by a border
+    Vec3 along{0};      ///< unit, the way of the line
+    double width = 0;   ///< mm
+    double depth = 0;   ///< mm, about; positive on crests
+    double deepest = 0; ///< mm, as a Ripple's
+    bool cut = false;   ///< by a border
 };
 
 /// All that a face has: lines are followed over smooth seams, and up to borders.

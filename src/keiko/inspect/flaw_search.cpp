@@ -18,7 +18,7 @@ constexpr double deepest_share = 1.0 / 50;
 /// A depth that changes by more than this share of it with how much around is looked at may be
 /// form.
 constexpr double form_share = 0.25;
-/// A dent that is so many times as deep as its ripple tells is form that bends otherwise; planted
+/// A dent that is so many times as deep as its ripple may be is form that bends otherwise; planted
 /// ones are up to 6 times.
 constexpr double most_beyond_ripple = 20;
 /// How many of the deepest crests and troughs of a flaw are measured, and how many are tried: in a
@@ -38,9 +38,10 @@ public:
     /// Of the ripples of one, the deepest first. What seems to be waves but has no two of them, as
     /// a dent that a border cuts, is none.
     std::optional<PlacedFlaw> measured(const std::vector<FaceRipple>& ripples) const {
-        if (to_and_fro(ripples))
-            if (const auto waves = deepest_of(ripples, &FlawMeasure::wave)) return waves;
-        return deepest_of(ripples, &FlawMeasure::dent);
+        if (!to_and_fro(ripples)) return deepest_of(ripples, &FlawMeasure::dent);
+        const auto waves = deepest_of(ripples, &FlawMeasure::wave);
+        const auto dent = deepest_of(ripples, &FlawMeasure::dent);
+        return !waves || (dent && is_alone(dent->flaw, waves->flaw)) ? dent : waves;
     }
 
 private:
@@ -92,12 +93,21 @@ private:
         const auto found = dent_depth(faces_, r.at, limit_.window / 2);
         if (!found) return std::nullopt;
         // With form on one side only, much that bends near a border would be undecided.
-        if (std::abs(found->offset) > most_beyond_ripple * std::abs(r.depth)) return std::nullopt;
+        if (std::abs(found->offset) > most_beyond_ripple * r.deepest) return std::nullopt;
         const bool form = found->bound > form_share * std::abs(found->offset);
         if (form && (found->one_sided || r.cut)) return std::nullopt;
         return PlacedFlaw{{found->offset < 0 ? Flaw::Kind::dent : Flaw::Kind::bump,
                            depth(std::abs(found->offset), found->bound, found->position), r.width},
                           found->at.face};
+    }
+
+    /// Whether a dent is one, and not a trough of the waves that it and its rims look like. To
+    /// waves their form lies at their crests at most, twice their depth above a trough; the fourth
+    /// difference gives a dent alone 6 / 16 of its depth at most.
+    static bool is_alone(const Flaw& dent, const Flaw& waves) {
+        constexpr double most_of_waves = 2.3;
+        return dent.depth.value > most_of_waves * waves.depth.value &&
+               dent.depth.bound <= form_share * dent.depth.value;
     }
 
     /// Whether there are crests and troughs that are nearly as deep.

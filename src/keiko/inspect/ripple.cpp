@@ -38,6 +38,12 @@ double radius_squared(double width) {
     return width * width / (4 * std::numbers::pi * std::numbers::pi);
 }
 
+/// The longer one of the steps to and from a point inside the line.
+double step_beside(std::span<const BendPoint> line, std::size_t index) {
+    return std::max(line[index].length - line[index - 1].length,
+                    line[index + 1].length - line[index].length);
+}
+
 /// The turn `at` between its neighbours; nothing where the line is cut on both sides, or on one
 /// where the surface goes on or the end is too far off to have cut a wave.
 std::optional<Ripple> ripple_between(std::span<const BendPoint> line, const Turn& before,
@@ -58,7 +64,10 @@ std::optional<Ripple> ripple_between(std::span<const BendPoint> line, const Turn
     const double width = 2 * std::min(to_a, to_c);
     const double rise = a.bend - b.bend, fall = c.bend - b.bend;
     const double swing = std::abs(rise) < std::abs(fall) ? rise : fall;
-    return Ripple{at.index, width, swing / 2 * radius_squared(width), before.cut || behind.cut};
+    const double depth = swing / 2 * radius_squared(width);
+    const double widening = 1 + 2 * step_beside(line, at.index) / width;
+    return Ripple{at.index, width, depth, std::abs(depth) * widening * widening,
+                  before.cut || behind.cut};
 }
 
 } // namespace
@@ -70,7 +79,7 @@ std::vector<Ripple> find_ripples(std::span<const BendPoint> line, double depth, 
     std::vector<Ripple> ripples;
     for (std::size_t i = 1; i + 1 < at.size(); ++i) {
         const auto ripple = ripple_between(line, at[i - 1], at[i], at[i + 1], ends);
-        if (ripple && ripple->width <= window && std::abs(ripple->depth) >= depth)
+        if (ripple && ripple->width <= window && ripple->deepest >= depth)
             ripples.push_back(*ripple);
     }
     return ripples;

@@ -17,8 +17,9 @@ struct BendPoint {
 struct Ripple {
     std::size_t index = 0; ///< into the line
     double width = 0;      ///< mm, twice the way to the nearer turn
-    double depth = 0; ///< mm, of a sine that bends as much; positive where the line bends least
-    bool cut = false; ///< by a border
+    double depth = 0;   ///< mm, of a sine that bends as much; positive where the line bends least
+    double deepest = 0; ///< mm, its size where each turn lies half a step of the line further off
+    bool cut = false;   ///< by a border
 };
 
 /// Whether the surface ends where the line does.
@@ -26,7 +27,7 @@ struct LineEnds {
     bool at_begin = false, at_end = false;
 };
 
-/// The ripples of a line that are no wider than `window` and at least `depth` deep, mm. A bend of
+/// The ripples of a line that are no wider than `window` and may be `depth` deep, mm. A bend of
 /// the form, a fillet say, turns but once and is none.
 std::vector<Ripple> find_ripples(std::span<const BendPoint> line, double depth, double window,
                                  const LineEnds& ends = {});

@@ -67,6 +67,24 @@ TEST(FlawsAtBorders, DentsCutByBordersAreMeasuredFromOneSide) {
             }
 }
 
+/// A rim between a dent and its border bends as a crest of waves does; beside it fewer samples than
+/// it takes show how deep the dent is.
+TEST(FlawsAtBorders, DentsBesideBordersAreMeasuredWhereverTheirRimEnds) {
+    const SheetForm form = flattened(forms[0], half_sheet);
+    for (const double radius : {10.0, 15.0})
+        for (const double depth : {0.1, 1.0})
+            for (const double off : {0.2, 0.4, 0.6, 0.7, 0.8, 1.0, 1.1, 1.3}) { // of the radius
+                SCOPED_TRACE(testing::Message() << radius << ' ' << off << ' ' << depth);
+                const double centre = half_sheet - off * radius, y = 7 - 30 * off;
+                const Profile across =
+                    test::part(bump(centre, radius, half_sheet + radius), -half_sheet, half_sheet);
+                const Vec3 place = place_of_finding(sheet(across, bump(y, radius), -depth, form),
+                                                    depth, 100, "KEIKO-DENT");
+                EXPECT_NEAR(place.x, centre, 0.5);
+                EXPECT_NEAR(place.y, y, 0.5);
+            }
+}
+
 /// mm: two waves fit in, and waves of 1 mm are no form to it.
 double window_for(double length) {
     return std::max(2 * length, 60.0);

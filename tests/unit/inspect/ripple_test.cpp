@@ -39,7 +39,18 @@ TEST(Ripple, IsAsDeepAsTheSineThatBendsAsMuch) {
 TEST(Ripple, IsNoneThatIsWiderThanTheWindowOrShallow) {
     const auto points = line([](double s) { return sine_bend(s, 0.05, 40); });
     EXPECT_TRUE(find_ripples(points, 0.01, 30).empty());
-    EXPECT_TRUE(find_ripples(points, 0.06, 100).empty());
+    // Up to 44 mm long, with turns seen to the next of the points.
+    EXPECT_TRUE(find_ripples(points, 0.05 * 1.1 * 1.1 + 0.001, 100).empty());
+}
+
+/// A line of few points shows less of a short wave than there is.
+TEST(Ripple, MayBeAsDeepAsItIsWhereFewPointsAreOnIt) {
+    for (const double length : {10.0, 12.0, 15.0}) {
+        const auto points = line([&](double s) { return sine_bend(s, 0.05, length); });
+        const std::vector<Ripple> ripples = find_ripples(points, 0.04, 100);
+        EXPECT_GE(static_cast<double>(ripples.size()), 2 * 200 / length - 3) << length;
+        for (const Ripple& r : ripples) EXPECT_GE(r.deepest, 0.045) << length;
+    }
 }
 
 TEST(Ripple, IsNoneWhereTheFormBendsOnceOrTurnsItsSense) {
