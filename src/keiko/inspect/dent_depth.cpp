@@ -54,6 +54,14 @@ bool is_one_sided(std::span<const Height> heights) {
                        [&](std::size_t count) { return count * 20 < heights.size(); });
 }
 
+/// Whether less than a quarter of the samples are more than `far` off the form.
+bool is_alone(std::span<const Height> heights, const SmoothBase& under, double far) {
+    const auto off = std::count_if(heights.begin(), heights.end(), [&](const Height& h) {
+        return std::abs(h.z - under.height(h.x, h.y)) > far;
+    });
+    return static_cast<std::size_t>(off) * 4 < heights.size();
+}
+
 /// By steps in the plane that are halved where none leads further off.
 SheetPlace furthest(const SmoothFaces& faces, const SheetPlace& begin, const TangentFrame& from,
                     const SmoothBase& under, double reach) {
@@ -99,8 +107,12 @@ std::optional<DentDepth> dent_depth(const SmoothFaces& faces, const SheetPlace& 
     const auto narrower = base_under(heights_around(faces, at, *from, less * reach), less * reach);
     if (!under || !narrower) return std::nullopt;
     const double offset = -under->height(0, 0);
-    return DentDepth{offset, std::abs(-narrower->height(0, 0) - offset), at, from->origin,
-                     is_one_sided(around)};
+    return DentDepth{offset,
+                     std::abs(-narrower->height(0, 0) - offset),
+                     at,
+                     from->origin,
+                     is_one_sided(around),
+                     is_alone(around, *under, std::abs(offset) / 2)};
 }
 
 } // namespace keiko

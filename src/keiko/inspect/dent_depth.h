@@ -13,6 +13,7 @@ struct DentDepth {
     SheetPlace at;
     Vec3 position{0};       ///< world, mm
     bool one_sided = false; ///< a border is so near that there is no form in some quarter around
+    bool alone = false; ///< less than a quarter of what is around is half as far off, as of waves
 };
 
 /// Climbs from a place to where the surface is furthest off the form within `reach` mm, as

@@ -28,6 +28,7 @@ constexpr std::size_t most_measured = 6, most_tried = 30;
 struct PlacedFlaw {
     Flaw flaw;
     std::size_t face = 0; ///< into SmoothFaces
+    bool alone = false;   ///< of a dent: form is all around, and nothing as far off
 };
 
 class FlawMeasure {
@@ -41,7 +42,7 @@ public:
         if (!to_and_fro(ripples)) return deepest_of(ripples, &FlawMeasure::dent);
         const auto waves = deepest_of(ripples, &FlawMeasure::wave);
         const auto dent = deepest_of(ripples, &FlawMeasure::dent);
-        return !waves || (dent && is_alone(dent->flaw, waves->flaw)) ? dent : waves;
+        return !waves || (dent && is_no_wave(*dent, *waves)) ? dent : waves;
     }
 
 private:
@@ -98,16 +99,16 @@ private:
         if (form && (found->one_sided || r.cut)) return std::nullopt;
         return PlacedFlaw{{found->offset < 0 ? Flaw::Kind::dent : Flaw::Kind::bump,
                            depth(std::abs(found->offset), found->bound, found->position), r.width},
-                          found->at.face};
+                          found->at.face,
+                          found->alone && !found->one_sided};
     }
 
-    /// Whether a dent is one, and not a trough of the waves that it and its rims look like. To
-    /// waves their form lies at their crests at most, twice their depth above a trough; the fourth
-    /// difference gives a dent alone 6 / 16 of its depth at most.
-    static bool is_alone(const Flaw& dent, const Flaw& waves) {
+    /// Whether it is a dent that looks like waves by its rims: the fourth difference gives a dent
+    /// 3/8 of its depth at most.
+    static bool is_no_wave(const PlacedFlaw& dent, const PlacedFlaw& waves) {
         constexpr double most_of_waves = 2.3;
-        return dent.depth.value > most_of_waves * waves.depth.value &&
-               dent.depth.bound <= form_share * dent.depth.value;
+        return dent.alone && dent.flaw.depth.value > most_of_waves * waves.flaw.depth.value &&
+               dent.flaw.depth.bound <= form_share * dent.flaw.depth.value;
     }
 
     /// Whether there are crests and troughs that are nearly as deep.

@@ -52,6 +52,39 @@ std::optional<Wave> deepest(const BentProfile& profile, double side, double leng
     return best;
 }
 
+/// A wave as it stands on its form, which is the cubic that the fourth difference leaves out. The
+/// profile is laid out flat: its slope is an angle, which is larger than its sine, and its length
+/// that of the way up and down.
+struct Upright {
+    double depth = 0, length = 0; ///< mm
+};
+
+Upright upright(const BentProfile& profile, double middle, double length) {
+    const double swing = swing_at(profile, middle, length);
+    const auto under = [&](int halves) { // the form under a crest or a trough
+        return profile.height(middle + halves * length / 2) - (halves % 2 == 0 ? swing : -swing);
+    };
+    const double odd = (under(1) - under(-1)) / 2,
+                 cubic = ((under(2) - under(-2)) / 2 - 2 * odd) / 6;
+    const double linear = odd - cubic, square = (under(1) + under(-1)) / 2 - under(0);
+    const auto above = [&](double halves) {
+        const double form = halves * (linear + halves * (square + halves * cubic));
+        return profile.height(middle + halves * length / 2) - form;
+    };
+    constexpr int steps = 24; // half a wave
+    const double step = length / 2 / steps;
+    std::array<double, 5> height{};
+    double rise = 0, ahead = 0;
+    for (int i = 0; i <= 4 * steps; ++i) {
+        if (i % steps == 0) height[static_cast<std::size_t>(i / steps)] = rise;
+        if (i == 4 * steps) break;
+        const double at = static_cast<double>(i) / steps - 2;
+        const double angle = (above(at + 1.0 / steps) - above(at)) / step;
+        rise += step * std::sin(angle), ahead += step * std::cos(angle);
+    }
+    return {(6 * height[2] - 4 * (height[1] + height[3]) + height[0] + height[4]) / 16, ahead / 2};
+}
+
 /// A place that a profile is looked at from, and the wave found there.
 struct Found {
     SheetPlace at;
@@ -65,7 +98,9 @@ std::optional<Found> found_from(const SmoothFaces& faces, const SheetPlace& at, 
     const auto wave = deepest(*profile, side, length);
     if (!wave) return std::nullopt;
     const double shorter = swing_at(*profile, wave->middle, 0.95 * wave->length);
-    return Found{profile->place(faces, wave->crest), wave->depth * side, wave->length,
+    const Upright stands = upright(*profile, wave->middle, wave->length);
+    return Found{profile->place(faces, wave->crest),
+                 std::copysign(stands.depth, wave->depth * side), stands.length,
                  std::abs(std::abs(shorter) - std::abs(wave->depth))};
 }
 

@@ -90,9 +90,9 @@ double window_for(double length) {
     return std::max(2 * length, 60.0);
 }
 constexpr std::array lengths{20.0, 50.0, 100.0, 200.0}; ///< mm
-/// mm: steeper waves, longer along the surface than on the ground, come out over 1 % too deep.
+/// mm: deeper ones are form to that window.
 double depth_for(double deepest, double length) {
-    return std::min(deepest, length / 40);
+    return std::min(deepest, 0.9 * window_for(length) / 50);
 }
 /// Of a place of waves along x, by its distance from the crest or trough next to it.
 void expect_crest(const Vec3& place, double length) {

@@ -61,6 +61,24 @@ TEST(PlantedFlaws, WavesAreFoundAndAsDeepAsTheyAre) {
             }
 }
 
+/// Up to a tenth of their length, 33 degrees steep: as high as they stand on the form, and as long
+/// as they are on it, not along the surface.
+TEST(PlantedFlaws, SteepWavesAreAsDeepAsTheyStandOnTheForm) {
+    for (const double bend : {0.0, -1e-3})
+        for (const double length : {20.0, 50.0})
+            for (const double share : {40.0, 20.0, 15.0, 10.0}) {
+                SCOPED_TRACE(testing::Message() << bend << ' ' << length << ' ' << share);
+                const double depth = length / share, half = 3 * length;
+                const double window = std::max(51 * depth, 2.2 * length);
+                const SurfaceModel model =
+                    sheet(wave(length, half), everywhere(half), depth, {bend * 20 / half, 0});
+                const std::vector<Check> checks = checks_of_flaws(model, 0.9 * depth, window);
+                ASSERT_EQ(checks.size(), 1u);
+                EXPECT_EQ(checks[0].code, "G-SU-WV");
+                EXPECT_NEAR(checks[0].worst.value, depth, 0.002 * depth);
+            }
+}
+
 TEST(PlantedFlaws, NothingIsFoundOnTheCleanTwin) {
     for (const SheetForm& form : forms)
         for (const double least : {1e-5, limit}) {
