@@ -128,7 +128,7 @@ Check flaw_check(const Flaw& flaw) {
     return check;
 }
 
-/// One a flaw; where there is none, one that tells so.
+/// One a flaw; where there is none, one that tells so, by the limit of the narrowest window.
 std::vector<Check> flaw_checks(const MeasuredFace& face, const WavinessLimit& limit) {
     if (!face.curvature) return {not_judged("G-SU-WV", no_curvature)};
     std::vector<Check> checks;
@@ -173,8 +173,8 @@ std::vector<Check> checks_of(const MeasuredFace& face, const SurfaceLimits& limi
                              std::uint32_t index) {
     std::vector<Check> checks;
     if (limits.minimum_radius) checks.push_back(radius_check(face));
-    if (limits.waviness) {
-        std::vector<Check> flaws = flaw_checks(face, *limits.waviness);
+    if (!limits.waviness.empty()) {
+        std::vector<Check> flaws = flaw_checks(face, limits.waviness.front());
         std::move(flaws.begin(), flaws.end(), std::back_inserter(checks));
     }
     for (Check& check : checks) check.face = index, check.faces = face.name;

@@ -84,11 +84,11 @@ void take(Verdict verdict, std::vector<Check> checks, Inspection& result) {
 }
 
 void add_flaws(const SurfaceModel& model, Inspection& result, const Job& job) {
-    const std::optional<WavinessLimit>& limit = result.preset.surface.waviness;
-    if (!limit) return;
+    const std::vector<WavinessLimit>& limits = result.preset.surface.waviness;
+    if (limits.empty()) return;
     std::vector<bool> searched;
     for (const MeasuredFace& face : result.faces) searched.push_back(face.curvature.has_value());
-    auto flaws = find_flaws(model, result.seams, result.pieces, searched, *limit, job);
+    auto flaws = find_flaws(model, result.seams, result.pieces, searched, limits, job);
     for (std::size_t i = 0; i < flaws.size(); ++i) {
         MeasuredFace& face = result.faces[i];
         face.flaws = std::move(flaws[i]);

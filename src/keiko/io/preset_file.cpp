@@ -58,10 +58,27 @@ WavinessLimit waviness_from(const TomlTable& table) {
     WavinessLimit limit;
     limit.depth = table.required("depth", table.number("depth", lengths));
     limit.window = table.required("window", table.number("window", lengths));
+    limit.waves_only = table.flag("waves_only").value_or(false);
     if (limit.depth > limit.window / 50)
         throw table.error("depth", "is more than a fiftieth of the window: such is form, no flaw");
     table.finish();
     return limit;
+}
+
+/// One, or several by ascending windows.
+std::vector<WavinessLimit> waviness_limits_from(const TomlTable& table) {
+    if (table.kind("waviness") != "array") {
+        const auto waviness = table.table("waviness");
+        return waviness ? std::vector{waviness_from(*waviness)} : std::vector<WavinessLimit>{};
+    }
+    std::vector<WavinessLimit> limits;
+    for (const TomlTable& one : table.tables("waviness")) {
+        const WavinessLimit limit = waviness_from(one);
+        if (!limits.empty() && !(limits.back().window < limit.window))
+            throw one.error("window", "is no wider than the one before it");
+        limits.push_back(limit);
+    }
+    return limits;
 }
 
 SymmetryLimit symmetry_from(const TomlTable& table) {
@@ -80,7 +97,7 @@ SymmetryLimit symmetry_from(const TomlTable& table) {
 SurfaceLimits surface_limits_from(const TomlTable& table) {
     SurfaceLimits limits;
     limits.minimum_radius = table.number("minimum_radius", lengths);
-    if (const auto waviness = table.table("waviness")) limits.waviness = waviness_from(*waviness);
+    limits.waviness = waviness_limits_from(table);
     if (const auto symmetry = table.table("symmetry")) limits.symmetry = symmetry_from(*symmetry);
     table.finish();
     return limits;

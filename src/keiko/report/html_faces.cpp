@@ -75,7 +75,7 @@ std::string row(const Report& report, std::size_t index) {
                                  "<span class=\"chip\">" + verdict + "</span>");
     html += (face.radius ? radius_cell(*face.radius) : no_cell()) + curvature_cells(face) +
             inflections_cell(face);
-    if (limits.waviness) html += flaw_cell(face);
+    if (!limits.waviness.empty()) html += flaw_cell(face);
     html += face.radius
                 ? html_cell(short_number(face.radius->place.x, 9), place_text(face.radius->place))
                 : no_cell();
@@ -85,6 +85,16 @@ std::string row(const Report& report, std::size_t index) {
 std::string radius_heading(const SurfaceLimits& limits) {
     const std::string name = "smallest radius mm";
     return limits.minimum_radius ? name + " ≥ " + short_number(*limits.minimum_radius) : name;
+}
+
+/// "dents, waves mm ≤ 0.01 in 100, 0.025 in 250"
+std::string waviness_heading(const std::vector<WavinessLimit>& limits) {
+    if (limits.size() == 1) return "dents, waves mm ≤ " + short_number(limits.front().depth);
+    std::string heading = "dents, waves mm";
+    for (const WavinessLimit& limit : limits)
+        heading += (&limit == &limits.front() ? " ≤ " : ", ") + short_number(limit.depth) + " in " +
+                   short_number(limit.window);
+    return heading;
 }
 
 } // namespace
@@ -101,8 +111,7 @@ std::string html_faces(const Report& report) {
                                       "Gaussian 1/mm², largest",
                                       "smallest",
                                       "inflections mm"};
-    if (limits.waviness)
-        headings.push_back("dents, waves mm ≤ " + short_number(limits.waviness->depth));
+    if (!limits.waviness.empty()) headings.push_back(waviness_heading(limits.waviness));
     headings.push_back("tightest place x, y, z");
     std::string html = "<section><h2>All faces</h2>" + html_table_head(headings, "face");
     for (std::size_t i = 0; i < faces.size(); ++i) html += row(report, i);

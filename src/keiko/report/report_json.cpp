@@ -91,7 +91,7 @@ std::string_view name_of(Flaw::Kind kind) {
 }
 
 Json flaw_json(const Flaw& flaw) {
-    Json json = {{"kind", name_of(flaw.kind)}, {"width", flaw.width}};
+    Json json = {{"kind", name_of(flaw.kind)}, {"width", flaw.width}, {"window", flaw.window}};
     json.update(worst(flaw.depth));
     return json;
 }
@@ -117,7 +117,7 @@ Json face_json(const MeasuredFace& face, const SurfaceLimits& limits) {
     json["inflections"] = Json::array();
     for (const InflectionCurve& curve : face.inflections)
         json["inflections"].push_back(inflection_json(curve));
-    if (limits.waviness) {
+    if (!limits.waviness.empty()) {
         json["flaws"] = Json::array();
         for (const Flaw& flaw : face.flaws) json["flaws"].push_back(flaw_json(flaw));
     }
@@ -154,8 +154,9 @@ Json preset_json(const CriteriaPreset& preset) {
     if (preset.curvature_slope) json["curvature_slope"] = *preset.curvature_slope;
     json["minimum_radius"] =
         preset.surface.minimum_radius ? Json(*preset.surface.minimum_radius) : Json();
-    if (const auto& waviness = preset.surface.waviness)
-        json["waviness"] = {{"depth", waviness->depth}, {"window", waviness->window}};
+    for (const WavinessLimit& limit : preset.surface.waviness)
+        json["waviness"].push_back(
+            {{"depth", limit.depth}, {"window", limit.window}, {"waves_only", limit.waves_only}});
     if (const auto& symmetry = preset.surface.symmetry)
         json["symmetry"] = {{"plane", symmetry->plane.text()}, {"distance", symmetry->distance}};
     return json;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace keiko {
 
@@ -34,8 +35,9 @@ struct LineLimits {
 
 /// How deep dents, bumps and waves inside a face may be.
 struct WavinessLimit {
-    double depth = 0.01; ///< mm, off the form around them
-    double window = 100; ///< mm: how wide a piece of the face that form is taken from
+    double depth = 0.01;     ///< mm, off the form around them
+    double window = 100;     ///< mm: how wide a piece of the face that form is taken from
+    bool waves_only = false; ///< what bends there only once is form, however wide
 
     bool operator==(const WavinessLimit&) const = default;
 };
@@ -51,7 +53,7 @@ struct SymmetryLimit {
 /// What each face is held to, whatever its neighbours; what is absent is not judged.
 struct SurfaceLimits {
     std::optional<double> minimum_radius;  ///< mm, G-SU-CR: of the principal curvatures
-    std::optional<WavinessLimit> waviness; ///< G-SU-WV and KEIKO-DENT
+    std::vector<WavinessLimit> waviness;   ///< G-SU-WV and KEIKO-DENT; by ascending windows
     std::optional<SymmetryLimit> symmetry; ///< KEIKO-SYMMETRY, of the body as a whole
 
     bool operator==(const SurfaceLimits&) const = default;

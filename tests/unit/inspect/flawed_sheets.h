@@ -146,7 +146,7 @@ inline Profile everywhere(double half = half_sheet) {
 inline std::vector<Check> checks_of_flaws(const SurfaceModel& model, double depth,
                                           double window = 100) {
     CriteriaPreset preset;
-    preset.surface.waviness = WavinessLimit{depth, window};
+    preset.surface.waviness = {{depth, window}};
     const Inspection found = inspect(model, preset);
     std::vector<Check> checks;
     std::copy_if(found.checks.begin(), found.checks.end(), std::back_inserter(checks),

@@ -79,6 +79,49 @@ TEST(PlantedFlaws, SteepWavesAreAsDeepAsTheyStandOnTheForm) {
             }
 }
 
+/// The limits of class-a-waviness: waves from 20 to 200 mm, each told once and as deep as it is.
+TEST(PlantedFlaws, SeveralWindowsTellEachWaveOnce) {
+    CriteriaPreset preset;
+    preset.surface = preset_by_name("class-a-waviness").surface;
+    for (const double length : {20.0, 36.0, 50.0, 72.0, 100.0, 125.0, 160.0, 200.0})
+        for (const double share : {0.9, 1.1, 3.0}) { // of the limit that is for such waves
+            SCOPED_TRACE(testing::Message() << length << ' ' << share);
+            const auto& limits = preset.surface.waviness;
+            const auto measuring = std::find_if(limits.begin(), limits.end(), [&](const auto& l) {
+                return length <= l.window / 2;
+            });
+            const double depth = share * measuring->depth, half = 3 * length;
+            const Inspection found =
+                inspect(sheet(wave(length, half), everywhere(half), depth, {-2e-4, 0}), preset);
+            ASSERT_EQ(found.faces.size(), 1u);
+            ASSERT_EQ(found.faces[0].flaws.size(), 1u);
+            const Flaw& flaw = found.faces[0].flaws[0];
+            EXPECT_EQ(flaw.kind, Flaw::Kind::waves);
+            EXPECT_EQ(flaw.window, measuring->window);
+            EXPECT_NEAR(flaw.depth.value, depth, 0.01 * depth);
+            EXPECT_EQ(flaw.depth.verdict, share > 1 ? Verdict::fail : Verdict::pass);
+        }
+}
+
+/// In a window for waves alone what bends but once is form, however wide.
+TEST(PlantedFlaws, DentsAreFormToAWindowOfWavesAlone) {
+    CriteriaPreset preset;
+    preset.surface.waviness = {{0.01, 100}, {0.025, 250, true}};
+    const auto flaws_of = [&](double radius) {
+        const SurfaceModel model = sheet(bump(21, radius), bump(-33, radius), -0.1, {-2e-4, 0});
+        return inspect(model, preset).faces.at(0).flaws;
+    };
+    EXPECT_EQ(flaws_of(20).size(), 1u);
+    EXPECT_TRUE(flaws_of(60).empty());
+    preset.surface.waviness[1].waves_only = false;
+    ASSERT_EQ(flaws_of(20).size(), 1u) << "which both see";
+    EXPECT_EQ(flaws_of(20)[0].window, 100);
+    ASSERT_EQ(flaws_of(60).size(), 1u);
+    EXPECT_NEAR(flaws_of(60)[0].depth.value, 0.1, 0.001);
+    ASSERT_EQ(flaws_of(36).size(), 1u) << "which the narrow one sees but cannot measure";
+    EXPECT_EQ(flaws_of(36)[0].window, 250);
+}
+
 TEST(PlantedFlaws, NothingIsFoundOnTheCleanTwin) {
     for (const SheetForm& form : forms)
         for (const double least : {1e-5, limit}) {
@@ -127,7 +170,7 @@ TEST(PlantedFlaws, AreUndecidedWhereTheWindowIsTooNarrow) {
 /// The bodies of the repository in which nobody planted anything.
 TEST(PlantedFlaws, PresetPassesCleanFixtures) {
     const CriteriaPreset preset = preset_by_name("class-a-waviness");
-    ASSERT_TRUE(preset.surface.waviness.has_value());
+    ASSERT_FALSE(preset.surface.waviness.empty());
     const auto faces_of = [&](const char* model) {
         return inspect(load_model(test::repository(std::string("surfaces/") + model)), preset)
             .faces;

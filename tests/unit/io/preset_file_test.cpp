@@ -54,7 +54,8 @@ TEST(PresetFile, HoldsTheLimitsOfTheCriteria) {
 
 TEST(PresetFile, WavinessDiffersFromClassAOuterInItsSurfaceAlone) {
     CriteriaPreset preset = preset_by_name("class-a-waviness");
-    EXPECT_EQ(preset.surface.waviness, (WavinessLimit{0.01, 100}));
+    const std::vector<WavinessLimit> limits{{0.01, 100}, {0.025, 250, true}, {0.04, 400, true}};
+    EXPECT_EQ(preset.surface.waviness, limits);
     preset.name = "class-a-outer", preset.surface = {};
     EXPECT_EQ(preset, preset_by_name("class-a-outer"));
 }
@@ -110,11 +111,27 @@ TEST(PresetFile, LimitsDentsAndWaves) {
         "format = \"keiko-preset/1\"\nname = \"x\"\n[seam]\ngap = 1\nangle = 1\n";
     const CriteriaPreset preset =
         parse_preset(head + "[surface]\nwaviness = { depth = 0.02, window = 80 }\n", "p.toml");
-    EXPECT_EQ(preset.surface.waviness, (WavinessLimit{0.02, 80}));
+    EXPECT_EQ(preset.surface.waviness, (std::vector<WavinessLimit>{{0.02, 80}}));
     EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\n"
                       "[surface]\nwaviness = { depth = 2, window = 80 }\n"),
               "p.toml:7:22: surface.waviness.depth: is more than a fiftieth of the window: such is "
               "form, no flaw");
+}
+
+TEST(PresetFile, LimitsDentsAndWavesInSeveralWindows) {
+    const std::string head =
+        "name = \"x\"\n[seam]\ngap = 1\nangle = 1\n[surface]\nwaviness = [\n"
+        "  { depth = 0.02, window = 80 },\n";
+    const CriteriaPreset preset =
+        parse_preset("format = \"keiko-preset/1\"\n" + head +
+                         "{ depth = 0.1, window = 200, waves_only = true }]\n",
+                     "p.toml");
+    const std::vector<WavinessLimit> limits{{0.02, 80}, {0.1, 200, true}};
+    EXPECT_EQ(preset.surface.waviness, limits);
+    EXPECT_EQ(refused(head + "  { depth = 0.01, window = 80 }]\n"),
+              "p.toml:9:28: surface.waviness[1].window: is no wider than the one before it");
+    EXPECT_EQ(refused(head + "  7]\n"),
+              "p.toml:7:12: surface.waviness: must be an array of tables");
 }
 
 TEST(PresetFile, IsReadWhereItsPathIsGiven) {
