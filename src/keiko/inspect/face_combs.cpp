@@ -163,6 +163,8 @@ std::vector<CombPiece> FaceCombs::meeting_pieces(const PatchUse& patch, const Pl
     CurveRules rules;
     rules.material = [&](const LinePoint& at) {
         if (curve.touching && std::abs(meeting.height(at.uv)) > meeting.tolerance) return false;
+        if (curve.touching && !curve.on_side && curve.by_u != meeting.steep_by_u(at.uv))
+            return false;
         return is_material(patch.patch.index, at.uv) || material_at(at, 1) || material_at(at, -1);
     };
     rules.on_border = [&](const LinePoint& at) {

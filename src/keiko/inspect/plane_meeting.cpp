@@ -44,16 +44,23 @@ std::vector<Vec2> doubtful_places(const FieldCells& found) {
 }
 
 /// Where a plane touches along a curve the height has a double zero, and its derivative across the
-/// curve a simple one: that by the parameter along which the height bends more.
-BernsteinField slope_field(const BernsteinField& height, const std::vector<Vec2>& touched) {
-    const BernsteinField u = height.derivative(true), v = height.derivative(false),
-                         uu = u.derivative(true), vv = v.derivative(false);
-    double by_u = 0, by_v = 0;
-    for (const Vec2& at : touched) by_u += std::abs(uu(at)), by_v += std::abs(vv(at));
-    return by_u >= by_v ? u : v;
+/// curve a simple one: that by u where the height bends more along u, else that by v.
+void add_slopes(const BernsteinField& height, PlaneMeeting& meeting) {
+    for (const bool by_u : {true, false}) {
+        BernsteinField slope = height.derivative(by_u);
+        (by_u ? meeting.bend_u : meeting.bend_v) = slope.derivative(by_u);
+        std::vector<LineCell> cells = cells_of(slope).cells;
+        meeting.fields.push_back({std::move(slope), std::move(cells), true, false, by_u});
+    }
 }
 
 } // namespace
+
+bool PlaneMeeting::steep_by_u(const Vec2& at) const {
+    // Not 1, where a curve may run all along.
+    constexpr double favour = 1.1;
+    return favour * std::abs(bend_u(at)) >= std::abs(bend_v(at));
+}
 
 PlaneMeeting plane_meeting(const PlacedPatch& patch, const BezierPatchView& view,
                            const SectionPlane& plane, double tolerance) {
@@ -71,11 +78,7 @@ PlaneMeeting plane_meeting(const PlacedPatch& patch, const BezierPatchView& view
                                   true});
     FieldCells found = cells_of(inner);
     meeting.doubtful = doubtful_places(found);
-    if (!meeting.doubtful.empty()) {
-        BernsteinField slope = slope_field(inner, meeting.doubtful);
-        std::vector<LineCell> cells = cells_of(slope).cells;
-        meeting.fields.push_back({std::move(slope), std::move(cells), true, false});
-    }
+    if (!meeting.doubtful.empty()) add_slopes(inner, meeting);
     meeting.fields.push_back({std::move(inner), std::move(found.cells), false, false});
     return meeting;
 }

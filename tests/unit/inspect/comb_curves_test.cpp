@@ -4,8 +4,10 @@
 #include "keiko/patch/differential_geometry.h"
 
 #include "tests/support/analytic_models.h"
+#include "tests/unit/inspect/bernstein.h"
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -283,6 +285,48 @@ TEST(CombCurves, FollowWherePlanesTouchAslant) {
     EXPECT_NEAR(curves[0].length, 100 * std::sqrt(2.0), 1e-6);
     for_each_sample(curves[0],
                     [&](const CombSample& s) { EXPECT_NEAR(s.bend.curvature, 0, 1e-12); });
+}
+
+/// z = ((x - a)^2 + (y - b)^2 - r^2)^2 / 1e5 over 100 x 100 in one patch, which touches z = 0 along
+/// a circle.
+SurfaceModel ring_valley(double a, double b, double r) {
+    using Row = std::array<double, 5>;
+    const auto row = [](const Row& by_power) { return test::bernstein<5>(by_power, 0, 100); };
+    const auto powers = [&](double c) {
+        return std::array<Row, 3>{row({1}), row({c * c, -2 * c, 1}),
+                                  row({c * c * c * c, -4 * c * c * c, 6 * c * c, -4 * c, 1})};
+    };
+    const auto x = powers(a), y = powers(b);
+    const Row along = row({0, 1});
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < 5; ++i)
+        for (std::size_t j = 0; j < 5; ++j) {
+            const double quartic = x[2][i] + 2 * x[1][i] * y[1][j] + y[2][j];
+            const double z = quartic - 2 * r * r * (x[1][i] + y[1][j]) + r * r * r * r;
+            points.emplace_back(along[i], along[j], z / 1e5);
+        }
+    test::ModelBuilder builder;
+    builder.patch(4, 4, points);
+    return builder.build();
+}
+
+/// The derivative by either parameter has zeros that cross the circle where it runs along that.
+TEST(CombCurves, FollowWherePlanesTouchRoundAboutInsideAPatch) {
+    for (const auto& [a, b, r] : {std::array{50.0, 50.0, 30.0}, std::array{47.3, 52.1, 33.7},
+                                  std::array{60.0, 45.0, 20.0}, std::array{50.0, 50.0, 49.0}}) {
+        SCOPED_TRACE(r);
+        const auto curves = sections(ring_valley(a, b, r), "z=0");
+        ASSERT_EQ(curves.size(), 1u);
+        EXPECT_TRUE(curves[0].closed);
+        EXPECT_NEAR(curves[0].length, 2 * pi * r, 1e-3 * r);
+        double side = 0;
+        for_each_sample(curves[0], [&](const CombSample& s) {
+            EXPECT_NEAR(std::hypot(s.place.x - a, s.place.y - b), r, 1e-3);
+            EXPECT_NEAR(std::abs(s.bend.curvature) * r, 1, 1e-3);
+            if (side == 0) side = s.bend.curvature;
+            EXPECT_GT(side * s.bend.curvature, 0);
+        });
+    }
 }
 
 } // namespace
