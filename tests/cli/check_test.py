@@ -1,11 +1,13 @@
 """`keiko check`: verdict, exit code, and files that other programs read."""
 import csv
 import json
+import shutil
 import unittest
 import xml.etree.ElementTree as ElementTree
 from urllib.parse import unquote, urlsplit
 
 from keiko_process import SMALL, KeikoTest, surface
+from sarif_rules import faults_of_log
 
 GAP = surface("seam-g0-gap.step")
 
@@ -118,8 +120,7 @@ class Check(KeikoTest):
     def test_sarif_has_what_its_schema_requires(self):
         code, _ = self.check(surface("seam-g0-gap.step"), "--sarif", "a.sarif")
         log = json.loads((self.folder / "a.sarif").read_text())
-        self.assertEqual(set(log), {"$schema", "version", "runs"})
-        self.assertEqual(log["version"], "2.1.0")
+        self.assertEqual(faults_of_log(log), [])
         run, = log["runs"]
         driver = run["tool"]["driver"]
         self.assertEqual(driver["name"], "Keiko")
@@ -140,6 +141,22 @@ class Check(KeikoTest):
         self.assertRegex(location["logicalLocations"][0]["name"], r"\Aface 1 .* \| face 2 ")
         self.assertAlmostEqual(result["properties"]["value"], 0.05, delta=1e-9)
         self.assertEqual(len(result["properties"]["place"]), 3)
+
+    def test_sarif_keeps_to_its_rules_whatever_is_found(self):
+        awkward = "ä {0} [b](c)#%?&'.step"
+        shutil.copy(GAP, self.folder / awkward)
+        for models, preset, code in (([surface("dent.step")], "class-a-waviness", 1),
+                                     ([surface("hood.step")], "vda-4955", 0),
+                                     ([surface("seam-g2-only.step")], "class-a-strict", 1),
+                                     ([GAP, surface("dent.step")], "class-a-outer", 1),
+                                     ([awkward], "class-a-outer", 1)):
+            with self.subTest(models=models):
+                self.check(*models, "--preset", preset, "--sarif", "a.sarif")
+                log = json.loads((self.folder / "a.sarif").read_text())
+                self.assertEqual(faults_of_log(log), [])
+                run, = log["runs"]
+                self.assertEqual([unquote(urlsplit(artifact["location"]["uri"]).path) for artifact in run["artifacts"]], models)
+                self.assertEqual(bool(run["results"]), code == 1)
 
     def test_a_csv_row_holds_every_measure(self):
         self.check(GAP, "--preset", "class-a-strict", "--csv", "a.csv")

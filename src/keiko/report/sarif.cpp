@@ -38,8 +38,17 @@ std::vector<const Criterion*> rules_of(const Inspection& inspection) {
     return rules;
 }
 
+/// A message that holds no arguments and no links: braces and brackets of names would be taken for
+/// such (SARIF 2.1.0, 3.11.5 and 3.11.6).
 Json text(std::string_view message) {
-    return {{"text", message}};
+    std::string plain;
+    for (std::size_t i = 0; i < message.size(); ++i) {
+        const char c = message[i];
+        if (c == '{' || c == '}') plain += c;
+        if (c == ']' && message.substr(i + 1).starts_with('(')) plain += '\\';
+        plain += c;
+    }
+    return {{"text", plain}};
 }
 
 Json rule_json(const Criterion& rule) {
@@ -104,7 +113,8 @@ std::string sarif_json(const Inspection& inspection, const std::string& tool_ver
         results.push_back(result(finding, rules, files));
     Json artifacts = Json::array();
     for (std::size_t i = 0; i < files.size(); ++i)
-        artifacts.push_back({{"location", artifact(files[i], i)}});
+        artifacts.push_back(
+            {{"location", artifact(files[i], i)}, {"roles", Json::array({"analysisTarget"})}});
     const Json run = {{"tool", {{"driver", driver}}},
                       {"invocations", Json::array({invocation(inspection)})},
                       {"artifacts", artifacts},

@@ -83,6 +83,17 @@ TEST(SarifJson, NamesNoFileWhereItCannotTellWhich) {
     EXPECT_FALSE(run["results"][0]["locations"][0].contains("physicalLocation"));
 }
 
+/// In messages braces stand for arguments, and brackets before parentheses for links.
+TEST(SarifJson, MarksBracesAndLinksOfNames) {
+    Inspection named = inspection();
+    named.findings[0].faces = "face {0} [a](b) [c]";
+    const auto log = nlohmann::json::parse(sarif_json(named, "1", Paths{"a.step"}));
+    const auto& result = log["runs"][0]["results"][0];
+    EXPECT_TRUE(result["message"]["text"].get<std::string>().starts_with(
+        "face {{0}} [a\\](b) [c]: the gap of"));
+    EXPECT_EQ(result["locations"][0]["logicalLocations"][0]["name"], "face {0} [a](b) [c]");
+}
+
 TEST(SarifJson, WarnsOfWhatIsUndecided) {
     Inspection near = inspection();
     near.findings[0].worst.verdict = Verdict::undecided;

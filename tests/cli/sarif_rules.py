@@ -1,0 +1,108 @@
+"""What SARIF 2.1.0 asks of the objects that Keiko writes: of each the properties that its schema (OASIS,
+sarif-schema-2.1.0.json, errata 01) lets it have and those it must, and what the specification asks beyond that.
+
+A property that Keiko does not write is not listed: one that comes new is a fault until it stands here.
+"""
+import re
+from urllib.parse import urlsplit
+
+# RFC 3986: characters that a URI may hold as they are, or a byte by two hexadecimal digits.
+URI = re.compile(r"(?:[A-Za-z0-9\-._~:/?#\[\]@!$&'()*+,;=]|%[0-9A-F]{2})+\Z")
+LEVELS = {"none", "note", "warning", "error"}
+
+
+def is_uri(value):
+    return isinstance(value, str) and bool(URI.match(value)) and bool(urlsplit(value).scheme)
+
+
+def is_reference(value):
+    """A URI, or one relative to where the file is; a path from the root needs its scheme to be one."""
+    return isinstance(value, str) and bool(URI.match(value)) and not value.startswith("/") \
+        and (not urlsplit(value).scheme or value.startswith("file:///"))
+
+
+def is_index(value):
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
+
+
+def is_text(value):
+    return isinstance(value, str)
+
+
+def is_words(value):
+    """Of a message: braces stand for arguments and brackets before parentheses for links, if not marked (3.11.5, 3.11.6)."""
+    return is_text(value) and value != "" and not re.search(r"[{}]", re.sub(r"\{\{|\}\}", "", value)) \
+        and not re.search(r"(?<!\\)\]\(", value)
+
+
+def is_flag(value):
+    return isinstance(value, bool)
+
+
+def is_bag(value):
+    return isinstance(value, dict)
+
+
+# Of each object: its properties, and which of them it must have. A name stands for an object, a list of one for an
+# array of those, a list of two for one whose elements are unlike each other.
+OBJECTS = {
+    "log": ({"$schema": is_uri, "version": {"2.1.0"}, "runs": ["run"]}, {"version", "runs"}),
+    "run": ({"tool": "tool", "invocations": ["invocation"], "artifacts": ["artifact", "unlike"], "results": ["result"],
+             "properties": is_bag}, {"tool"}),
+    "tool": ({"driver": "driver"}, {"driver"}),
+    "driver": ({"name": is_text, "version": is_text, "rules": ["rule", "unlike"]}, {"name"}),
+    "rule": ({"id": is_text, "name": is_text, "shortDescription": "message", "defaultConfiguration": "configuration"}, {"id"}),
+    "configuration": ({"level": LEVELS}, set()),
+    "invocation": ({"executionSuccessful": is_flag, "toolExecutionNotifications": ["notification"]}, {"executionSuccessful"}),
+    "notification": ({"level": LEVELS, "message": "message"}, {"message"}),
+    "artifact": ({"location": "place", "roles": [{"analysisTarget"}, "unlike"]}, set()),
+    "place": ({"uri": is_reference, "index": is_index}, set()),
+    "message": ({"text": is_words}, {"text"}),
+    "result": ({"ruleId": is_text, "ruleIndex": is_index, "level": LEVELS - {"none"}, "message": "message",
+                "locations": ["location"], "properties": is_bag}, {"message"}),
+    "location": ({"physicalLocation": "physical", "logicalLocations": ["logical", "unlike"]}, set()),
+    "physical": ({"artifactLocation": "place"}, {"artifactLocation"}),
+    "logical": ({"name": is_text, "fullyQualifiedName": is_text, "kind": {"seam", "face"}}, set()),
+}
+
+
+def faults_of(value, rule, path):
+    if isinstance(rule, list):
+        if not isinstance(value, list):
+            return [f"{path}: is no array"]
+        same = len(rule) > 1 and any(one in value[:i] for i, one in enumerate(value))
+        return [f"{path}: has one twice"] * same + [
+            fault for i, one in enumerate(value) for fault in faults_of(one, rule[0], f"{path}[{i}]")]
+    if isinstance(rule, set):
+        return [] if is_text(value) and value in rule else [f"{path}: {value!r} is none of {sorted(rule)}"]
+    if not isinstance(rule, str):
+        return [] if rule(value) else [f"{path}: {value!r} is not {rule.__name__}"]
+    properties, required = OBJECTS[rule]
+    if not isinstance(value, dict):
+        return [f"{path}: is no object"]
+    faults = [f"{path}: has no {name}" for name in sorted(required - set(value))]
+    faults += [f"{path}: may not have {name}" for name in sorted(set(value) - set(properties))]
+    for name in sorted(set(value) & set(properties)):
+        faults += faults_of(value[name], properties[name], f"{path}.{name}")
+    return faults
+
+
+def reference_faults(run):
+    """Where a result points to another rule or file than it names (3.27.6, 3.4.5)."""
+    rules, artifacts = run["tool"]["driver"]["rules"], run["artifacts"]
+    faults = [f"artifact {i}: is told as {artifact['location']['index']}" for i, artifact in enumerate(artifacts)
+              if artifact["location"].get("index", i) != i]
+    for i, result in enumerate(run["results"]):
+        rule = result["ruleIndex"]
+        if rule >= len(rules) or rules[rule]["id"] != result["ruleId"]:
+            faults.append(f"result {i}: rule {rule} is not {result['ruleId']}")
+        for location in result["locations"]:
+            place = location.get("physicalLocation", {}).get("artifactLocation")
+            if place and (place["index"] >= len(artifacts) or artifacts[place["index"]]["location"]["uri"] != place["uri"]):
+                faults.append(f"result {i}: file {place['index']} is not {place['uri']}")
+    return faults
+
+
+def faults_of_log(log):
+    """All that a log breaks, a line each."""
+    return faults_of(log, "log", "log") or [fault for run in log["runs"] for fault in reference_faults(run)]
