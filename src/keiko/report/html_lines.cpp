@@ -1,4 +1,5 @@
 #include "keiko/base/counted.h"
+#include "keiko/report/html_inflections.h"
 #include "keiko/report/html_sections.h"
 #include "keiko/report/html_table.h"
 #include "keiko/report/html_text.h"
@@ -94,7 +95,7 @@ std::string html_lines(const Report& report) {
     std::string html = "<section><h2>Reflection lines</h2>" + summary(*report.lines) +
                        "<div class=\"pictures\">\n";
     for (const ReportPicture& picture : report.line_pictures) html += html_figure(picture);
-    return html + "</div>\n" + table(report) + "</section>\n";
+    return html + "</div>\n" + table(report) + html_inflections(*report.lines) + "</section>\n";
 }
 
 } // namespace keiko

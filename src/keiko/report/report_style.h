@@ -38,7 +38,7 @@ p { margin: 0 0 8px; }
 .count { padding: 12px 16px; }
 .count b { display: block; font-size: 26px; font-weight: 680; line-height: 1.2; color: var(--tone); }
 .count.none b { color: var(--soft); font-weight: 500; }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(340px, 1fr)); gap: 16px; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(340px, 100%), 1fr)); gap: 16px; }
 figure { margin: 0; overflow: hidden; break-inside: avoid; }
 figcaption { padding: 9px 14px; }
 .pictures + .card { margin-top: 16px; }
@@ -64,7 +64,7 @@ dialog img { width: 720px; max-width: 100%; border-radius: 6px; } dialog p { mar
 .combs { padding: 8px; margin-bottom: 12px; } .combs svg { display: block; width: 100%; height: auto; border-radius: 6px; }
 .measures { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: 8px 24px;
   margin-top: 10px; }
-.measure b { font-size: 18px; font-weight: 650; color: var(--tone); }
+.measure b { font-size: 18px; font-weight: 650; color: var(--tone); white-space: nowrap; }
 .bar { height: 4px; border-radius: 2px; background: var(--tint); margin: 4px 0 2px; position: relative; }
 .bar i { position: absolute; inset: 0 auto 0 0; border-radius: 2px; background: var(--tone);
   print-color-adjust: exact; -webkit-print-color-adjust: exact; }
@@ -86,9 +86,14 @@ td.tone { color: var(--tone); font-weight: 620; }
   color: var(--tone); border: 1px solid var(--tone); }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 6px 24px; margin: 0; padding: 18px 24px; }
 dt { color: var(--soft); } dd { margin: 0; overflow-wrap: anywhere; }
+details { margin-top: 12px; } summary { cursor: pointer; color: var(--soft); margin-bottom: 8px; }
 ul { margin: 0; padding: 0 0 0 18px; }
 footer { margin-top: 32px; color: var(--soft); font-size: 13px; }
-@media (max-width: 720px) { .seam { flex-wrap: wrap; } .seam img { width: 100%; }
+@media (max-width: 1050px) { .counts:has(> :nth-child(7)) { grid-template-columns: repeat(4, 1fr); } }
+@media (max-width: 560px) { .counts, .counts:has(> :nth-child(7)) { grid-template-columns: 1fr 1fr; }
+  .counts > :last-child:nth-child(odd) { grid-column: span 2; } }
+@media (max-width: 720px) { .seam { flex-wrap: wrap; align-items: flex-start; } .seam img { width: 100%; }
+  .seam .body { flex-basis: calc(100% - 50px); }
   .measures { grid-template-columns: 1fr; } }
 @media print { :root { --page: #fff; --card: #fff; --ink: #000; --soft: #444; --line: #ccc; --tint: #eee; }
   main { max-width: none; padding: 0; } .scroll { max-height: none; overflow: visible; }

@@ -184,6 +184,22 @@ TEST(ReportHtml, HasLinesWorstFirstWithTheirLimits) {
     EXPECT_NE(html.find("<b>1</b>line crossing fails"), std::string::npos);
 }
 
+TEST(ReportHtml, HasThePlacesWhereLinesTurnOver) {
+    Report with_lines = report();
+    with_lines.lines = lines();
+    EXPECT_EQ(report_html(with_lines).find("turn over"), std::string::npos);
+    JoinedLine line;
+    line.plane = 1, line.lamp = 7, line.length = 812.34;
+    line.inflections = {{100.5, {1, 2, 3}}, {700, {4, 5, 6.25}}};
+    with_lines.lines->views[1].found.lines = {line, {}};
+    const std::string html = report_html(with_lines);
+    EXPECT_NE(html.find("<summary>1 line turns over at 2 places</summary>"), std::string::npos);
+    const std::size_t row = html.find(">1.7</td>");
+    EXPECT_EQ(html.find("812.3", row), html.find("812.3"));
+    EXPECT_NE(html.find(">100.5</td><td data-v=\"1\">1.0, 2.0, 3.0</td>"), std::string::npos);
+    EXPECT_NE(html.find(">700.0</td><td data-v=\"4\">4.0, 5.0, 6.3</td>"), std::string::npos);
+}
+
 TEST(ReportHtml, TellsBeforeAllElseHowMuchOfTheBordersMeetsNoOther) {
     const std::string html = report_html(report());
     const std::size_t told = html.find("mm of borders meet no other · class-a-outer");
