@@ -17,13 +17,28 @@ std::array<Vec4, 4> zero_row() {
     return row;
 }
 
+/// The polynomials of the degrees that most patches have, unrolled.
+template <std::size_t order, std::size_t size>
+std::array<std::array<double, size>, 4> rows_of(std::size_t degree, double t) {
+    switch (degree) {
+        case 2:
+            return bernstein_rows<size>(2, t, std::min<std::size_t>(order, 2));
+        case 3:
+            return bernstein_rows<size>(3, t, order);
+        case 5:
+            return bernstein_rows<size>(5, t, order);
+        default:
+            return bernstein_rows<size>(degree, t, std::min(order, degree));
+    }
+}
+
 /// `size`: more than either degree.
 template <std::size_t order, std::size_t size>
 HomogeneousDerivatives homogeneous_derivatives(const BezierPatchView& patch, const Vec2& uv) {
     const auto degree_u = static_cast<std::size_t>(patch.degree_u);
     const auto degree_v = static_cast<std::size_t>(patch.degree_v);
-    const auto bu = bernstein_rows<size>(degree_u, uv.x, std::min(order, degree_u));
-    const auto bv = bernstein_rows<size>(degree_v, uv.y, std::min(order, degree_v));
+    const auto bu = rows_of<order, size>(degree_u, uv.x);
+    const auto bv = rows_of<order, size>(degree_v, uv.y);
     HomogeneousDerivatives result{};
     result.fill(zero_row());
     const Vec4* p = patch.points.data();
