@@ -11,8 +11,9 @@ namespace {
 
 /// Of the window's width.
 constexpr double sample_share = 1.0 / 20;
-/// Ripples are looked for down to this share of the limit: they tell of a depth only about.
-constexpr double ripple_share = 1.0 / 8;
+/// Ripples are looked for down to this share of the limit: planted dents are up to 5.3 times as
+/// deep as theirs may be.
+constexpr double ripple_share = 1.0 / 6;
 /// How far lines are followed beyond a face: half the widest wave and what it takes to see that the
 /// curvature comes back.
 constexpr double follow_share = 0.75;

@@ -47,8 +47,9 @@ public:
             return limit_.waves_only ? std::nullopt : deepest_of(ripples, &FlawMeasure::dent);
         const auto waves = deepest_of(ripples, &FlawMeasure::wave);
         if (limit_.waves_only) return waves;
-        const auto dent = deepest_of(ripples, &FlawMeasure::dent);
-        return !waves || (dent && is_no_wave(*dent, *waves)) ? dent : waves;
+        if (!waves) return deepest_of(ripples, &FlawMeasure::dent);
+        const auto deepest = dent(ripples.front());
+        return deepest && is_no_wave(*deepest, *waves) ? deepest : waves;
     }
 
 private:

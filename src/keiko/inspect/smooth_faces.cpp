@@ -90,6 +90,22 @@ std::optional<SheetPlace> SmoothFaces::moved(const TangentFrame& over, const She
     return moved(over, from, to, no_index, most_crossings);
 }
 
+std::optional<SheetPlace> SmoothFaces::moved(const TangentFrame& over, const SheetPlace& from,
+                                             const SurfaceDerivatives& there,
+                                             const Vec2& to) const {
+    const auto seen = [&](const Vec3& v) { return Vec2(v.dot(over.x), v.dot(over.y)); };
+    const Vec2 u = seen(there.du()), v = seen(there.dv());
+    const double area = u.cross(v);
+    const auto step = [&](const Vec2& off) { return Vec2(off.cross(v), u.cross(off)) / area; };
+    const Vec2 first = step(to);
+    const Vec3 bend = there.duu() * (first.x * first.x) + there.duv() * (2 * first.x * first.y) +
+                      there.dvv() * (first.y * first.y);
+    const Vec2 guess = from.place + step(to - seen(bend) / 2);
+    const auto place = solved(over, {from.face, guess}, to);
+    if (place && faces_[from.face].has_material(*place)) return SheetPlace{from.face, *place};
+    return moved(over, from, to);
+}
+
 /// By Newton's method on the surface beyond its trims.
 std::optional<Vec2> SmoothFaces::solved(const TangentFrame& over, const SheetPlace& from,
                                         const Vec2& to) const {
@@ -123,7 +139,7 @@ std::optional<SheetPlace> SmoothFaces::moved(const TangentFrame& over, const She
     constexpr double slope = 2; // the way along the surface is longer than in the plane
     if (!has_crossing_near(from.face, here, slope * (to - flat(over.local(here))).length()))
         return std::nullopt;
-    const SheetPlace last = border(over, from, to);
+    const SheetPlace last = border(over, from, to, there);
     const Vec3 gone = evaluate(last, 0)->position() - here;
     constexpr double nowhere = 1e-6; // mm: at a corner it does not lead back
     const auto next = beyond(over, last, gone.length() < nowhere ? barred : no_index);
@@ -139,18 +155,19 @@ bool SmoothFaces::has_crossing_near(std::size_t face, const Vec3& position, doub
     });
 }
 
-SheetPlace SmoothFaces::border(const TangentFrame& over, const SheetPlace& from,
-                               const Vec2& to) const {
+SheetPlace SmoothFaces::border(const TangentFrame& over, const SheetPlace& from, const Vec2& to,
+                               const std::optional<Vec2>& there) const {
     SheetPlace last = from;
     const Vec2 begin = flat(over.local(evaluate(from, 0)->position()));
     double near = 0, far = 1;
     constexpr int halvings = 12; // only to find who goes on
     for (int i = 0; i < halvings; ++i) {
         const double middle = (near + far) / 2;
-        const auto there = solved(over, last, begin + (to - begin) * middle);
-        const bool on = there && faces_[from.face].has_material(*there);
+        const std::optional<Vec2> next = there ? from.place + (*there - from.place) * middle
+                                               : solved(over, last, begin + (to - begin) * middle);
+        const bool on = next && faces_[from.face].has_material(*next);
         (on ? near : far) = middle;
-        if (on) last.place = *there;
+        if (on) last.place = *next;
     }
     return last;
 }

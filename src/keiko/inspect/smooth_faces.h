@@ -55,6 +55,9 @@ public:
     /// to, over smooth seams; nothing where material ends before.
     std::optional<SheetPlace> moved(const TangentFrame& over, const SheetPlace& from,
                                     const Vec2& to) const;
+    /// The same from the origin of the plane, where the derivatives to order 2 are known.
+    std::optional<SheetPlace> moved(const TangentFrame& over, const SheetPlace& from,
+                                    const SurfaceDerivatives& there, const Vec2& to) const;
 
 private:
     /// A point of a face's border where another goes on.
@@ -73,8 +76,10 @@ private:
                                const Vec2& to) const;
     std::optional<SheetPlace> moved(const TangentFrame& over, const SheetPlace& from,
                                     const Vec2& to, std::size_t barred, int crossings_left) const;
-    /// The last place of the way to `to` that is still on the face of `from`.
-    SheetPlace border(const TangentFrame& over, const SheetPlace& from, const Vec2& to) const;
+    /// The last place of the way to `to` that is still on the face of `from`, which goes on to
+    /// `there` beyond its trims where that is known.
+    SheetPlace border(const TangentFrame& over, const SheetPlace& from, const Vec2& to,
+                      const std::optional<Vec2>& there) const;
     /// Where another face than `barred` goes on from a place on a border.
     std::optional<SheetPlace> beyond(const TangentFrame& over, const SheetPlace& border,
                                      std::size_t barred) const;

@@ -10,6 +10,7 @@ namespace {
 /// One who walks: where he is, and how he looks ahead.
 struct Walker {
     SheetPlace at;
+    SurfaceDerivatives there;
     TangentFrame frame;
     double bend = 0;
 };
@@ -20,14 +21,15 @@ std::optional<Walker> standing(const SmoothFaces& faces, const SheetPlace& at,
     auto frame = faces.frame(at, there, direction);
     if (!frame) return std::nullopt;
     if (frame->z.dot(upward) < 0) frame->y *= -1, frame->z *= -1;
-    return Walker{at, *frame, normal_curvature(there, frame->z, frame->x)};
+    return Walker{at, there, *frame, normal_curvature(there, frame->z, frame->x)};
 }
 
 /// The arc of a circle seen on its tangent.
 std::optional<Walker> ahead(const SmoothFaces& faces, const Walker& from, double step) {
     const double turn = from.bend * step;
     if (std::abs(turn) > 1) return std::nullopt;
-    const auto at = faces.moved(from.frame, from.at, Vec2(step * (1 - turn * turn / 6), 0));
+    const auto at =
+        faces.moved(from.frame, from.at, from.there, Vec2(step * (1 - turn * turn / 6), 0));
     if (!at) return std::nullopt;
     const auto s = faces.evaluate(*at, 2);
     if (!s) return std::nullopt;
