@@ -19,8 +19,8 @@ constexpr double deepest_share = 1.0 / 50;
 /// form.
 constexpr double form_share = 0.25;
 /// A dent that is so many times as deep as its ripple may be is form that bends otherwise; planted
-/// ones are up to 5.3 times.
-constexpr double most_beyond_ripple = 8;
+/// ones are up to 5.3 times, up to 10 times where their middle lies beyond a border.
+constexpr double most_beyond_ripple = 12;
 /// How far apart a dent's curvature turns that a border cuts, as a share of the window: dents of a
 /// third of it do at 0.65 of their width, seen to the next samples (docs/theory/verdict.md).
 constexpr double widest_cut_share = 0.65 / 3 + 0.1;

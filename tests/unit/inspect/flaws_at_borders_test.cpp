@@ -85,6 +85,26 @@ TEST(FlawsAtBorders, DentsBesideBordersAreMeasuredWhereverTheirRimEnds) {
             }
 }
 
+/// The deepest place of the face is then on the border.
+TEST(FlawsAtBorders, DentsWithTheirMiddleBeyondABorderAreFound) {
+    const SheetForm form = flattened(forms[0], half_sheet);
+    for (const double radius : {10.0, 12.0, 15.0})
+        for (const double depth : {0.1, 1.0})
+            for (const double off : {0.1, 0.25, 0.4}) { // of the radius
+                SCOPED_TRACE(testing::Message() << radius << ' ' << off << ' ' << depth);
+                const Profile across =
+                    test::part(bump(half_sheet + off * radius, radius, half_sheet + 2 * radius),
+                               -half_sheet, half_sheet);
+                const auto checks =
+                    checks_of_flaws(sheet(across, bump(9.6, radius), -depth, form), 0.01);
+                ASSERT_EQ(checks.size(), 1u);
+                const double there = depth * std::pow(1 - off * off, 4);
+                EXPECT_EQ(checks[0].code, "KEIKO-DENT");
+                EXPECT_EQ(checks[0].worst.verdict, Verdict::fail);
+                EXPECT_NEAR(checks[0].worst.value, there, 0.03 * there);
+            }
+}
+
 /// mm: two waves fit in, and waves of 1 mm are no form to it.
 double window_for(double length) {
     return std::max(2 * length, 60.0);
