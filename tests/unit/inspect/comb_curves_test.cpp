@@ -312,17 +312,19 @@ SurfaceModel ring_valley(double a, double b, double r) {
 
 /// The derivative by either parameter has zeros that cross the circle where it runs along that.
 TEST(CombCurves, FollowWherePlanesTouchRoundAboutInsideAPatch) {
-    for (const auto& [a, b, r] : {std::array{50.0, 50.0, 30.0}, std::array{47.3, 52.1, 33.7},
-                                  std::array{60.0, 45.0, 20.0}, std::array{50.0, 50.0, 49.0}}) {
-        SCOPED_TRACE(r);
-        const auto curves = sections(ring_valley(a, b, r), "z=0");
+    struct Circle {
+        double a, b, r;
+    };
+    for (const Circle& c : {Circle{50, 50, 30}, {47.3, 52.1, 33.7}, {60, 45, 20}, {50, 50, 49}}) {
+        SCOPED_TRACE(c.r);
+        const auto curves = sections(ring_valley(c.a, c.b, c.r), "z=0");
         ASSERT_EQ(curves.size(), 1u);
         EXPECT_TRUE(curves[0].closed);
-        EXPECT_NEAR(curves[0].length, 2 * pi * r, 1e-3 * r);
+        EXPECT_NEAR(curves[0].length, 2 * pi * c.r, 1e-3 * c.r);
         double side = 0;
         for_each_sample(curves[0], [&](const CombSample& s) {
-            EXPECT_NEAR(std::hypot(s.place.x - a, s.place.y - b), r, 1e-3);
-            EXPECT_NEAR(std::abs(s.bend.curvature) * r, 1, 1e-3);
+            EXPECT_NEAR(std::hypot(s.place.x - c.a, s.place.y - c.b), c.r, 1e-3);
+            EXPECT_NEAR(std::abs(s.bend.curvature) * c.r, 1, 1e-3);
             if (side == 0) side = s.bend.curvature;
             EXPECT_GT(side * s.bend.curvature, 0);
         });
