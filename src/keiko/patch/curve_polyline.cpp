@@ -14,10 +14,6 @@ double nearest_on_segment(const Vec3& p0, const Vec3& p1, const Vec3& p) {
     return square > 0 ? std::clamp((p - p0).dot(along) / square, 0.0, 1.0) : 0;
 }
 
-double distance_to_segment(const Vec3& p0, const Vec3& p1, const Vec3& p) {
-    return (p0 + (p1 - p0) * nearest_on_segment(p0, p1, p) - p).length();
-}
-
 class PolylineMaker {
 public:
     PolylineMaker(const SurfaceCurve& curve, double chord_error)
@@ -44,7 +40,7 @@ private:
         constexpr int max_depth = 8;
         const double t = (t0 + t1) / 2;
         const Vec3 p = curve_.at(t).position;
-        const double sag = distance_to_segment(p0, p1, p), chord = (p1 - p0).length();
+        const double sag = segment_distance(p0, p1, p), chord = (p1 - p0).length();
         // A sag of an eighth of the chord is a turn of about 60 degrees.
         const bool fine = sag <= chord_error_ && (8 * sag <= chord || chord <= chord_error_);
         if (fine || depth == max_depth) {
@@ -74,7 +70,7 @@ Box3 CurvePolyline::box() const {
 double CurvePolyline::distance(const Vec3& p) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        least = std::min(least, distance_to_segment(points[i], points[i + 1], p));
+        least = std::min(least, segment_distance(points[i], points[i + 1], p));
     return least;
 }
 
@@ -95,17 +91,25 @@ CurvePolyline make_polyline(const SurfaceCurve& curve, double chord_error) {
     return PolylineMaker(curve, chord_error).make();
 }
 
-double segment_distance(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1) {
+double segment_distance(const Vec3& p0, const Vec3& p1, const Vec3& p) {
+    return (p0 + (p1 - p0) * nearest_on_segment(p0, p1, p) - p).length();
+}
+
+SegmentApproach segment_approach(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1) {
     // The least distance is attained at an end of one of them, or where both lines are nearest.
-    const double ends =
-        std::min({distance_to_segment(p0, p1, q0), distance_to_segment(p0, p1, q1),
-                  distance_to_segment(q0, q1, p0), distance_to_segment(q0, q1, p1)});
+    SegmentApproach best{segment_distance(q0, q1, p0), 0};
+    const auto offer = [&](double distance, double share) {
+        if (distance < best.distance) best = {distance, share};
+    };
+    offer(segment_distance(q0, q1, p1), 1);
+    offer(segment_distance(p0, p1, q0), nearest_on_segment(p0, p1, q0));
+    offer(segment_distance(p0, p1, q1), nearest_on_segment(p0, p1, q1));
     const Vec3 u = p1 - p0, v = q1 - q0, w = p0 - q0;
     const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), uw = u.dot(w), vw = v.dot(w);
     const double determinant = uu * vv - uv * uv;
     const double x = (uv * vw - vv * uw) / determinant, y = (uu * vw - uv * uw) / determinant;
-    if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) return ends;
-    return std::min(ends, (w + u * x - v * y).length());
+    if (x >= 0 && x <= 1 && y >= 0 && y <= 1) offer((w + u * x - v * y).length(), x);
+    return best;
 }
 
 } // namespace keiko

@@ -23,7 +23,16 @@ struct CurvePolyline {
 /// Halves the curve until the chords are within `chord_error` mm of it and turn little.
 CurvePolyline make_polyline(const SurfaceCurve& curve, double chord_error);
 
-/// Distance in mm between the segments p0 p1 and q0 q1.
-double segment_distance(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1);
+/// Distance in mm between a point and the segment p0 p1.
+double segment_distance(const Vec3& p0, const Vec3& p1, const Vec3& p);
+
+/// Where two segments are nearest to each other.
+struct SegmentApproach {
+    double distance = 0; ///< mm
+    double share = 0;    ///< of the way along the first one, 0 to 1
+};
+
+/// Of the segments p0 p1 and q0 q1.
+SegmentApproach segment_approach(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1);
 
 } // namespace keiko

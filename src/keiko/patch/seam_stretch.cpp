@@ -31,7 +31,16 @@ struct Look {
     bool facing = false;  ///< a square foot within the join distance, nearly parallel
     bool forward = false; ///< b runs the way a runs
     bool end_of_b = false;
+
+    /// b lies beside a on the side of greater (else lesser) t, too.
+    bool goes_on(bool greater) const { return !end_of_b || s != (forward == greater ? 1 : 0); }
 };
+
+/// From one look to the next the borders face each other without a turn.
+bool go_on(const Look& x, const Look& y) {
+    const bool ordered = x.forward ? x.s < y.s : x.s > y.s;
+    return x.facing && y.facing && x.forward == y.forward && ordered;
+}
 
 /// An end of the curve instead of a parameter that is as good as there.
 double snapped(const ClosestPoint& foot) {
@@ -51,9 +60,14 @@ public:
     Alongside(const Border& a, const Border& b, double join)
         : a_(a), b_(b), join_(join), a_closed_(closed(a)), b_closed_(closed(b)) {}
 
-    std::vector<Stretch> stretches() const {
+    std::vector<Stretch> stretches() {
         std::vector<Stretch> found;
-        for (const ParameterInterval& range : close_ranges()) collect(looks_in(range), found);
+        approach();
+        for (const ParameterInterval& range : close_) {
+            std::vector<Look> looks = looks_in(range);
+            add_looks_between(looks);
+            collect(looks, found);
+        }
         for (Stretch& stretch : found) mark_overlaps(stretch);
         return found;
     }
@@ -64,8 +78,11 @@ private:
         return (points.front() - points.back()).length() <= snap;
     }
 
-    IntervalSet close_ranges() const;
+    void approach();
     std::vector<Look> looks_in(const ParameterInterval& range) const;
+    void add_looks_between(std::vector<Look>& looks) const;
+    void look_where_near(const Look& x, const Look& y, std::vector<Look>& more) const;
+    void look_where_apart(const Look& x, const Look& y, std::vector<Look>& more) const;
     void collect(const std::vector<Look>& looks, std::vector<Stretch>& found) const;
     void mark_overlaps(Stretch& stretch) const;
 
@@ -76,10 +93,12 @@ private:
     const Border &a_, &b_;
     double join_;
     bool a_closed_, b_closed_; ///< ends where it began
+    IntervalSet close_;        ///< runs of segments of a that come near any of b
+    /// Where inside of such a segment one of b is nearest to it; parameters of a, rising.
+    std::vector<double> nearest_;
 };
 
-/// Runs of segments of a that come near any segment of b, as parameters of a.
-IntervalSet Alongside::close_ranges() const {
+void Alongside::approach() {
     const CurvePolyline &a = a_.polyline, &b = b_.polyline;
     const double reach = join_ + a.deviation + b.deviation;
     const Box3 box = b.box().padded(join_ + a.deviation);
@@ -101,14 +120,17 @@ IntervalSet Alongside::close_ranges() const {
             const Vec3 other_along = b.points[j + 1] - b.points[j];
             if (!segment.overlaps(other) || !nearly_parallel(along, other_along, sin_between))
                 continue;
-            if (segment_distance(a.points[i], a.points[i + 1], b.points[j], b.points[j + 1]) >
-                reach)
-                continue;
-            close.push_back({a.t[i], a.t[i + 1]});
-            break;
+            const SegmentApproach nearest =
+                segment_approach(a.points[i], a.points[i + 1], b.points[j], b.points[j + 1]);
+            if (nearest.distance > reach) continue;
+            if (close.empty() || close.back().begin != a.t[i])
+                close.push_back({a.t[i], a.t[i + 1]});
+            if (nearest.share > 0 && nearest.share < 1)
+                nearest_.push_back(a.t[i] + nearest.share * (a.t[i + 1] - a.t[i]));
         }
     }
-    return IntervalSet(std::move(close));
+    close_ = IntervalSet(std::move(close));
+    std::sort(nearest_.begin(), nearest_.end());
 }
 
 Look Alongside::look(double t, double guess) const {
@@ -170,6 +192,39 @@ std::vector<Look> Alongside::looks_in(const ParameterInterval& range) const {
     return looks;
 }
 
+/// Between two looks of which one does not face b the borders may meet all the same, and part
+/// between two that do.
+void Alongside::add_looks_between(std::vector<Look>& looks) const {
+    std::vector<Look> more;
+    for (std::size_t i = 0; i + 1 < looks.size(); ++i)
+        go_on(looks[i], looks[i + 1]) ? look_where_apart(looks[i], looks[i + 1], more)
+                                      : look_where_near(looks[i], looks[i + 1], more);
+    looks.insert(looks.end(), more.begin(), more.end());
+    std::stable_sort(looks.begin(), looks.end(),
+                     [](const Look& x, const Look& y) { return x.t < y.t; });
+}
+
+void Alongside::look_where_near(const Look& x, const Look& y, std::vector<Look>& more) const {
+    const auto first = std::upper_bound(nearest_.begin(), nearest_.end(), x.t);
+    for (auto t = first; t != nearest_.end() && *t < y.t; ++t)
+        if (t == first || *t != *(t - 1))
+            more.push_back(look(*t, b_.polyline.nearest(a_.curve.at(*t).position)));
+}
+
+void Alongside::look_where_apart(const Look& x, const Look& y, std::vector<Look>& more) const {
+    const CurvePolyline& b = b_.polyline;
+    const double reach = join_ + a_.polyline.deviation;
+    const Vec3 from = a_.curve.at(x.t).position, to = a_.curve.at(y.t).position;
+    const auto [low, high] = std::minmax(x.s, y.s);
+    for (auto s = std::upper_bound(b.t.begin(), b.t.end(), low); s != b.t.end() && *s < high; ++s) {
+        const Vec3& point = b.points[static_cast<std::size_t>(s - b.t.begin())];
+        if (segment_distance(from, to, point) <= reach) continue;
+        const double share = (*s - x.s) / (y.s - x.s);
+        const double t = closest_point(a_.curve, point, x.t + share * (y.t - x.t), x.t, y.t).t;
+        if (x.t < t && t < y.t) more.push_back(look(t, *s));
+    }
+}
+
 /// Bisects between a point that faces b and one that does not.
 Look Alongside::last_facing(Look facing, Look lost) const {
     constexpr int halvings = 40;
@@ -195,14 +250,13 @@ void Alongside::collect(const std::vector<Look>& looks, std::vector<Stretch>& fo
     };
     for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
         const Look &x = looks[i], &y = looks[i + 1];
-        const bool ordered = x.forward ? x.s < y.s : x.s > y.s;
-        if (x.facing && y.facing && x.forward == y.forward && ordered) {
+        if (go_on(x, y)) {
             add(x), add(y);
             continue;
         }
-        if (x.facing && !y.facing && !x.end_of_b) add(x), add(last_facing(x, y));
+        if (x.facing && !y.facing && x.goes_on(true)) add(x), add(last_facing(x, y));
         close();
-        if (!x.facing && y.facing && !y.end_of_b) add(last_facing(y, x));
+        if (!x.facing && y.facing && y.goes_on(false)) add(last_facing(y, x)), add(y);
     }
     close();
 }

@@ -99,6 +99,67 @@ TEST(PairSeams, EndsAWedgeWhereItOpensPastTheJoinDistance) {
     EXPECT_NEAR(seams[0].a.end, join / std::sin(angle) / 100, 1e-9);
 }
 
+/// Shares its corners at x = 0 and x = 100 with a border along x and bows away by `bow` mm between.
+std::vector<Vec3> bowed_sheet(double bow) {
+    return {{0, 0, 0}, {50, -2 * bow, 0}, {100, 0, 0}, {0, -50, 0}, {50, -50, 0}, {100, -50, 0}};
+}
+
+TEST(PairSeams, FindsTheClosedEndOfASeamThatGapesOpen) {
+    for (const double opening : {2.2, 5.0, 10.0}) {
+        const Vec3 away(100, 0, opening);
+        const double length = join / std::sin(std::atan(opening / 100));
+        for (const bool backwards : {false, true}) {
+            ModelBuilder builder;
+            builder.plane({0, 0, 0}, along_x, up_y);
+            backwards ? builder.plane(away, -away, down_y) : builder.plane({0, 0, 0}, away, down_y);
+            const SurfaceModel model = builder.build();
+            const auto seams = pair_seams(model, join);
+            ASSERT_EQ(seams.size(), 1u) << opening << backwards;
+            EXPECT_EQ(seams[0].a.begin, 0);
+            EXPECT_NEAR(length_of(model, seams[0].b), length, length * 0.01);
+            EXPECT_EQ(seams[0].b.begin, backwards ? 1 : 0);
+        }
+    }
+}
+
+TEST(PairSeams, FindsBothClosedEndsOfABowedBorder) {
+    for (const double bow : {0.6, 1.0, 3.0}) {
+        ModelBuilder builder;
+        builder.plane({0, 0, 0}, along_x, up_y);
+        builder.patch(1, 2, bowed_sheet(bow));
+        const SurfaceModel model = builder.build();
+        const auto seams = pair_seams(model, join);
+        ASSERT_EQ(seams.size(), 2u) << bow;
+        const double end = (1 - std::sqrt(1 - join / bow)) / 2; // 4 bow x (1 - x) = join
+        EXPECT_EQ(seams[0].a.begin, 0);
+        EXPECT_NEAR(seams[0].a.end, end, 0.01 * end);
+        EXPECT_NEAR((end_of(model, seams[0].a) - end_of(model, seams[0].b)).length(), join, 1e-9);
+        EXPECT_NEAR(seams[1].a.begin, 1 - end, 0.01 * end);
+        EXPECT_EQ(seams[1].a.end, 1);
+    }
+}
+
+TEST(PairSeams, PartsBordersWhereThePartnerBowsAwayBetweenLooks) {
+    // The bowed border comes first, so that it is the straight one that is looked at.
+    ModelBuilder builder;
+    builder.patch(1, 2, bowed_sheet(1));
+    builder.plane({0, 0, 0}, along_x, up_y);
+    EXPECT_EQ(pair_seams(builder.build(), join).size(), 2u);
+}
+
+TEST(PairSeams, FindsBordersThatComeNearBetweenTheirEnds) {
+    // They cross in a place where no polyline has a corner.
+    const double slope = 0.06, cross = 36;
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, along_x, up_y);
+    builder.plane({0, 0, -cross * slope}, {100, 0, 100 * slope}, down_y);
+    const SurfaceModel model = builder.build();
+    const auto seams = pair_seams(model, join);
+    ASSERT_EQ(seams.size(), 1u);
+    EXPECT_NEAR(begin_of(model, seams[0].a).x, cross - join / slope, 0.05);
+    EXPECT_NEAR(end_of(model, seams[0].a).x, cross + join / slope, 0.05);
+}
+
 TEST(PairSeams, DoesNotTakeCrossingOrTouchingBordersForSeams) {
     for (const double degrees : {20.0, 45.0, 90.0}) {
         const double angle = degrees * std::numbers::pi / 180;

@@ -216,8 +216,8 @@ TEST(ReportHtml, WarnsOfABodyWithoutAnySeam) {
     apart.inspection = inspect(builder.build());
     const std::string html = report_html(apart);
     EXPECT_NE(html.find("600.0 of 600.0 mm of borders meet no other"), std::string::npos);
-    EXPECT_NE(html.find("<b>no seam was judged: of 2 faces no two have borders that meet within "
-                        "0.5 mm (--join)</b>"),
+    EXPECT_NE(html.find("<b>no seam was judged: of 2 faces no two have borders that run along "
+                        "each other within 0.5 mm (--join)</b>"),
               std::string::npos);
 }
 
