@@ -47,6 +47,19 @@ double cost_at(const Offer& offer, double x) {
     return Box3::infinity;
 }
 
+/// The same of the distance in mm, only where what lies between is material.
+double width_at(const Offer& offer, double x) {
+    const auto& points = offer.candidate->stretch.points;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const double x0 = offer.parameter(points[i]), x1 = offer.parameter(points[i + 1]);
+        if (!(std::min(x0, x1) <= x && x <= std::max(x0, x1))) continue;
+        if (!points[i].overlap || !points[i + 1].overlap) continue;
+        const double share = x1 != x0 ? (x - x0) / (x1 - x0) : 0;
+        return points[i].distance + share * (points[i + 1].distance - points[i].distance);
+    }
+    return Box3::infinity;
+}
+
 class SeamPairing {
 public:
     SeamPairing(const SurfaceModel& model, double join, const Job& job)
@@ -70,6 +83,7 @@ private:
     std::vector<Seam> choose() const;
     std::vector<Stretch> undominated(const Candidate& candidate) const;
     bool dominated(const Candidate& candidate, const FacingPoints& p) const;
+    bool across_a_face(const Candidate& candidate, const FacingPoints& p) const;
     bool on_one_face(const Candidate& candidate) const {
         const BoundaryInterval &a = intervals_[candidate.a], &b = intervals_[candidate.b];
         return a.instance == b.instance && a.face == b.face;
@@ -169,11 +183,25 @@ void SeamPairing::list_offers() {
     }
 }
 
-/// Whether both borders have a clearly nearer partner here.
+/// Whether the way from border to border leads over the whole width of one of the faces: what
+/// lies beyond its other border is that one's neighbour.
+bool SeamPairing::across_a_face(const Candidate& candidate, const FacingPoints& p) const {
+    const double reach = p.distance + indistinct_share * join_;
+    const auto narrow = [&](const std::vector<Offer>& offers, double x) {
+        return std::any_of(offers.begin(), offers.end(), [&](const Offer& offer) {
+            return on_one_face(*offer.candidate) && width_at(offer, x) <= reach;
+        });
+    };
+    return p.overlap && (narrow(offers_[candidate.a], p.t) || narrow(offers_[candidate.b], p.s));
+}
+
+/// Whether the borders belong to other partners here: both have a clearly nearer one, or a whole
+/// face lies between them.
 bool SeamPairing::dominated(const Candidate& candidate, const FacingPoints& p) const {
     const double slack = indistinct_share * join_;
     if (p.distance <= slack) return false;
     if (on_one_face(candidate) && p.overlap) return true; // a narrow face, not a closed one
+    if (across_a_face(candidate, p)) return true;
 
     const auto best = [&](const std::vector<Offer>& offers, double x) {
         double least = Box3::infinity;

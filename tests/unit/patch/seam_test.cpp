@@ -190,6 +190,20 @@ TEST(PairSeams, PassesOverTheFarSideOfASliver) {
     }
 }
 
+TEST(PairSeams, TellsBordersOfFacesNarrowerThanTheJoinDistanceApart) {
+    for (const double width : {0.1, 0.2, 0.42})
+        for (const double gap : {0.0, 0.03}) {
+            ModelBuilder builder;
+            builder.plane({0, 0, 0}, {10, 0, 0}, {0, width, 0});
+            builder.plane({0, -gap - width, 0}, {10, 0, 0}, {0, width, 0.3 * width});
+            const SurfaceModel model = builder.build();
+            const auto seams = pair_seams(model, join);
+            ASSERT_EQ(seams.size(), 1u) << width << " " << gap;
+            EXPECT_EQ(seams[0].a.curve, natural_side + 0);
+            EXPECT_EQ(seams[0].b.curve, natural_side + 2);
+        }
+}
+
 TEST(PairSeams, PassesOverTheNeighbourBehindTheTipOfANeedle) {
     // Near its tip the needle is narrower than the join distance; a gap of 5 um on one side.
     ModelBuilder builder;
