@@ -1,6 +1,7 @@
 #include "keiko/placement/lamp_field.h"
 
 #include "keiko/placement/plane_frame.h"
+#include "keiko/tubes/tube_hit.h"
 
 #include <map>
 
@@ -35,10 +36,12 @@ double LampField::coverage() const {
 
 void LampField::place(const CPlane& plane) {
     const PlaneFrame frame = frame_of(plane);
+    const CPlaneFrame tubes(plane);
     const Box2 lamps{Vec2(0), Vec2(plane.u.length(), plane.v.length())};
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-        const auto seen_through = crossing(frame, samples_[i].eye, samples_[i].position());
-        if (seen_through && lamps.contains(*seen_through)) hidden_[i] = true;
+        const Vec3& eye = samples_[i].eye;
+        const auto tube = nearest_tube(tubes, eye, samples_[i].position() - eye);
+        if (tube && tube->t < 1) hidden_[i] = true;
         if (samples_[i].blocked) continue;
         const auto hit = meet(frame, samples_[i].mirror);
         if (hit && hit->cosine >= grazing_cosine && lamps.contains(hit->place)) lit_[i] = true;

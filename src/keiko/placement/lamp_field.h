@@ -28,7 +28,7 @@ public:
     bool waits(std::size_t sample) const;
     /// Whether the sample mirrors lamps.
     bool reached(std::size_t sample) const { return lit_[sample] && !hidden_[sample]; }
-    /// Whether lamps stand between the sample and the eye.
+    /// Whether the tube of a lamp stands between the sample and the eye.
     bool hidden(std::size_t sample) const { return hidden_[sample]; }
     /// Share of the weight that is reached.
     double coverage() const;
