@@ -5,8 +5,10 @@
 #include "keiko/base/input_file.h"
 #include "keiko/io/model_format.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -103,6 +105,22 @@ private:
     int line_ = 0;
 };
 
+/// Whether a patch has no area since its points lie on one line, but for their rounding.
+bool on_a_line(const std::vector<Vec4>& points) {
+    const auto place = [](const Vec4& p) { return Vec3(p.x, p.y, p.z) / p.w; };
+    const Vec3 first = place(points.front());
+    Vec3 along(0);
+    double farthest = 0;
+    for (const Vec4& p : points) {
+        farthest = std::max(farthest, place(p).length());
+        if (const Vec3 way = place(p) - first; way.length() > along.length()) along = way;
+    }
+    const double rounding = 8 * std::numeric_limits<double>::epsilon() * farthest;
+    return along.length() > 0 && std::all_of(points.begin(), points.end(), [&](const Vec4& p) {
+               return (place(p) - first).cross(along).length() <= rounding * along.length();
+           });
+}
+
 /// The border of the unit square, counter-clockwise, as trim loop of the newest face.
 void append_border(SurfaceModel& model) {
     constexpr double corners[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
@@ -119,7 +137,7 @@ void append_face(SurfaceModel& model, std::size_t degree_u, std::size_t degree_v
                  const std::vector<Vec4>& points) {
     const auto index = static_cast<std::uint32_t>(model.faces.size());
     Face face;
-    face.id = index + 1;
+    face.id = index + static_cast<std::uint32_t>(model.lost_faces.size()) + 1;
     face.surface_kind = "bezier";
     face.first_patch = index;
     face.patch_count = 1;
@@ -175,9 +193,16 @@ SurfaceModel read_bezier_file(const std::filesystem::path& path) {
     for (std::size_t i = 0; i < count; ++i) {
         const auto degrees = lines.next_whole(2, 1, max_degree, "two degrees from 1 to 25");
         const auto points = read_points(lines, (degrees[0] + 1) * (degrees[1] + 1));
-        append_face(model, degrees[0], degrees[1], points);
+        if (on_a_line(points))
+            model.lost_faces.push_back({static_cast<std::uint32_t>(i + 1), "",
+                                        "its points lie on one line: it has no area"});
+        else
+            append_face(model, degrees[0], degrees[1], points);
     }
     lines.expect_end();
+    if (model.faces.empty())
+        throw Error(path.string(), "",
+                    "the points of each patch lie on one line: it is no surface");
     return finished(std::move(model), path, ModelFormat::bezier);
 }
 
