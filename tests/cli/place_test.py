@@ -90,6 +90,45 @@ class Place(KeikoTest):
             self.assertIn(word, run.stderr)
             self.assertNotIn("rig.toml", self.content())
 
+    def test_hits_of_cameras_that_cannot_be_are_refused(self):
+        self.succeed("render", HOOD, "-o", "hood.png", "--view", "front", "--register", "hits.json",
+                     "-q", *SMALL)
+        whole = json.loads((self.folder / "hits.json").read_text())
+        weight = whole["columns"].index("solid_angle")
+
+        def camera(**changes):
+            def change(hits):
+                hits["views"][0]["camera"].update(changes)
+            return change
+
+        def hit(column, value):
+            def change(hits):
+                hits["hits"][3][column] = value
+            return change
+
+        def no_hits(hits):
+            hits["hits"] = []
+
+        eye = whole["views"][0]["camera"]["eye"]
+        for change, reason in ((camera(height=0), "views: the camera of 'front': width and height"),
+                               (camera(width=-1), "width and height must be 1 or more"),
+                               (camera(vertical_fov=0), "vertical_fov must be above 0"),
+                               (camera(vertical_fov=-5), "vertical_fov must be above 0"),
+                               (camera(target=eye), "target must differ from eye"),
+                               (camera(up=[0, 0, 0]), "up must not be along"),
+                               (camera(eye=["a", 0, 0]), "views: a member is missing or not of the right kind"),
+                               (hit(weight, -1), "hits: one has no solid_angle above 0"),
+                               (hit(weight, "x"), "hits: "), (no_hits, "hits: there is none")):
+            damaged = json.loads(json.dumps(whole))
+            change(damaged)
+            (self.folder / "damaged.json").write_text(json.dumps(damaged))
+            run = self.keiko("place", HOOD, "--from", "damaged.json", "-o", "rig.toml", "-q")
+            self.assertEqual(run.returncode, 2, reason)
+            self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
+            self.assertIn("damaged.json:", run.stderr)
+            self.assertIn(reason, run.stderr)
+            self.assertNotIn("json.exception", run.stderr)
+
     def test_refusals_are_one_line(self):
         for arguments, word in ((("--faces", "door*"), "door*"), (("--stripes", "9:3"), "9:3"),
                                 (("--plane", "below"), "below"), ((), "--output")):

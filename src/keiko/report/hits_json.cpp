@@ -4,11 +4,13 @@
 #include "keiko/report/camera_json.h"
 
 #include <array>
+#include <cmath>
 
 namespace keiko {
 namespace {
 
 constexpr const char* format = "keiko-hits/1";
+constexpr double widest_fov = 175; ///< degrees
 
 /// Calls `visit` with each number of a hit, in the order of the columns.
 template <class Sample, class Differentials, class Visit>
@@ -45,6 +47,60 @@ Json hit_json(const ViewSample& s) {
     return json;
 }
 
+/// Calls `read` and tells of what is not there or of another kind as of `where`.
+template <class Read>
+auto part(const char* where, const Read& read) {
+    try {
+        return read();
+    } catch (const Json::exception&) {
+        throw Error("", where, "a member is missing or not of the right kind");
+    } catch (const std::logic_error&) { // of stod
+        throw Error("", where, "a number is none");
+    }
+}
+
+bool finite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void require_camera(const NamedView& view) {
+    const Camera& c = view.camera;
+    const auto require = [&](bool holds, const char* reason) {
+        if (!holds) throw Error("", "views", "the camera of '" + view.name + "': " + reason);
+    };
+    require(c.width >= 1 && c.height >= 1, "width and height must be 1 or more");
+    require(finite(c.eye) && finite(c.target) && finite(c.up), "a coordinate is not finite");
+    const Vec3 ahead = c.target - c.eye;
+    require(ahead.length() > 0, "target must differ from eye");
+    require(ahead.cross(c.up).length() > 1e-6 * ahead.length() * c.up.length(),
+            "up must not be along the view direction");
+    if (c.projection == Projection::perspective)
+        require(c.vertical_fov > 0 && c.vertical_fov <= widest_fov,
+                "vertical_fov must be above 0 and at most 175 degrees");
+    else
+        require(c.orthographic_height > 0 && std::isfinite(c.orthographic_height),
+                "orthographic_height must be above 0");
+}
+
+NamedView view_from(const Json& json) {
+    NamedView view{json.at("name"), camera_from(json.at("camera"))};
+    require_camera(view);
+    return view;
+}
+
+void require_sample(const ViewSample& s) {
+    const auto require = [](bool holds, const char* reason) {
+        if (!holds) throw Error("", "hits", reason);
+    };
+    require(s.edge >= 1, "one stands for no pixel");
+    require(s.weight > 0 && std::isfinite(s.weight), "one has no solid_angle above 0");
+    require(finite(s.mirror.origin), "a place is not finite");
+    constexpr double rounding = 1e-6;
+    require(std::abs(s.normal.length() - 1) <= rounding, "a normal is not of length 1");
+    require(std::abs(s.mirror.direction.length() - 1) <= rounding,
+            "a mirrored direction is not of length 1");
+}
+
 ViewSample hit_from(const Json& json, const RegisteredHits& hits) {
     if (json.size() != columns().size())
         throw Error("", "hits",
@@ -61,22 +117,29 @@ ViewSample hit_from(const Json& json, const RegisteredHits& hits) {
     std::size_t next = 5;
     RayDifferentials& d = s.mirror.differentials.emplace();
     for_numbers(s, d, [&](double& number) { number = real_from(json[next++]); });
+    require_sample(s);
     s.eye = hits.views[s.view].camera.ray(s.pixel.x, s.pixel.y).origin;
     return s;
 }
 
 RegisteredHits parsed(const Json& json) {
-    if (json.at("format") != format || json.at("columns") != columns())
+    if (json.value("format", Json()) != format || json.value("columns", Json()) != columns())
         throw Error("", "format", std::string("is not ") + format);
     RegisteredHits hits;
-    const Json& body = json.at("body");
-    hits.faces = body.at("faces");
-    hits.instances = body.at("instances");
-    hits.body = {point_from(body.at("lower")), point_from(body.at("upper"))};
-    for (const Json& view : json.at("views"))
-        hits.views.push_back({view.at("name"), camera_from(view.at("camera"))});
-    for (const Json& hit : json.at("hits")) hits.samples.push_back(hit_from(hit, hits));
+    part("body", [&] {
+        const Json& body = json.at("body");
+        hits.faces = body.at("faces");
+        hits.instances = body.at("instances");
+        hits.body = {point_from(body.at("lower")), point_from(body.at("upper"))};
+    });
+    part("views", [&] {
+        for (const Json& view : json.at("views")) hits.views.push_back(view_from(view));
+    });
+    part("hits", [&] {
+        for (const Json& hit : json.at("hits")) hits.samples.push_back(hit_from(hit, hits));
+    });
     if (hits.views.empty()) throw Error("", "views", "there is none");
+    if (hits.samples.empty()) throw Error("", "hits", "there is none");
     return hits;
 }
 
@@ -111,8 +174,11 @@ RegisteredHits hits_from_json(const std::string& text, const std::string& file) 
         return parsed(Json::parse(text));
     } catch (const Error& error) {
         throw Error(file, error.where(), error.reason());
-    } catch (const std::exception& error) { // of the JSON library, and of stod
-        throw Error(file, "", std::string("is no file of registered hits: ") + error.what());
+    } catch (const Json::parse_error& error) {
+        throw Error(file, "",
+                    "is no file of registered hits: no JSON at byte " + std::to_string(error.byte));
+    } catch (const Json::exception&) {
+        throw Error(file, "", "is no file of registered hits");
     }
 }
 
