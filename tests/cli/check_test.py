@@ -82,7 +82,7 @@ class Check(KeikoTest):
         self.assertEqual((self.folder / "b.xml").read_bytes(), (self.folder / "d").read_bytes())
 
     def test_what_cannot_be_written_is_told_before_the_work(self):
-        for path, reason in (("a.txt", r"a\.txt:--output: ends in none of"),
+        for path, reason in (("a.txt", r"--output: 'a\.txt' ends in none of"),
                              ("none/a.csv", r"none/a\.csv: there is no folder none")):
             run = self.keiko("check", "missing.step", "-o", path)
             self.assertEqual((run.returncode, run.stdout), (2, ""))

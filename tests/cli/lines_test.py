@@ -20,6 +20,12 @@ class Lines(KeikoTest):
         self.succeed("lines", HOLE, "--rig", TUNNEL, "-o", "lines.json", "-q", *arguments)
         return json.loads((self.folder / "lines.json").read_text())
 
+    def test_looks_are_asked_for_by_name(self):
+        for look in "foo", "1":
+            run = self.keiko("lines", HOLE, "--rig", TUNNEL, "--look", look, "-o", "l.json", "-q")
+            self.assertEqual((run.returncode, run.stdout), (2, ""))
+            self.assertIn(f"--look: {look} not in {{reflection,highlight,isophote}}", run.stderr)
+
     def test_each_look_gives_curves_with_points(self):
         for look in "reflection", "highlight", "isophote":
             found = self.lines("--view", "high-front", "--look", look)

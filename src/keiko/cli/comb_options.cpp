@@ -47,10 +47,11 @@ void CombArguments::require_places() const {
     for (const std::filesystem::path& file : files_) {
         require_place_for_file(file);
         if (std::count(files_.begin(), files_.end(), file) > 1)
-            throw Error(file.string(), "--combs", "is asked for twice");
+            throw Error("", "--combs", "'" + file.string() + "' is asked for twice");
         const std::filesystem::path ending = file.extension();
         if (ending != ".json" && ending != ".csv" && ending != ".svg")
-            throw Error(file.string(), "--combs", "ends in none of .json, .csv and .svg");
+            throw Error("", "--combs",
+                        "'" + file.string() + "' ends in none of .json, .csv and .svg");
     }
 }
 

@@ -42,7 +42,8 @@ std::vector<InspectionFiles::File> InspectionFiles::files() const {
         else if (ending == ".csv")
             all.push_back({path, Format::csv});
         else
-            throw Error(path.string(), "--output", "ends in none of .json, .xml, .sarif and .csv");
+            throw Error("", "--output",
+                        "'" + path.string() + "' ends in none of .json, .xml, .sarif and .csv");
     }
     return all;
 }

@@ -102,9 +102,13 @@ void add_lines(CLI::App& app, Session& session) {
                     "view by name, or auto; may repeat [the scene's own, or auto]")
         ->allow_extra_args(false);
     command
-        .add_option("--look", arguments->options.lines.look,
-                    "reflection, highlight or isophote [reflection]")
-        ->transform(CLI::CheckedTransformer(looks))
+        .add_option_function<std::string>(
+            "--look",
+            [arguments](const std::string& name) {
+                arguments->options.lines.look = looks.at(name);
+            },
+            "reflection, highlight or isophote [reflection]")
+        ->check(CLI::IsMember({"reflection", "highlight", "isophote"}))
         ->option_text("NAME");
     command
         .add_option("--chord", arguments->options.lines.lines.chord_error,

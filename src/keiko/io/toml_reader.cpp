@@ -55,7 +55,10 @@ void TomlTable::require_format(std::string_view expected) const {
         throw error("", "the file must begin with " + wanted);
     }
     if (*given == expected) return;
-    const std::string use = use_of_format(*given);
+    const auto family = [](std::string_view format) { return format.substr(0, format.find('/')); };
+    const std::string use = family(*given) == family(expected)
+                                ? "a version that this program does not read"
+                                : use_of_format(*given);
     throw error("format", "is '" + shortened(*given) + "'" + (use.empty() ? "" : ", " + use) +
                               "; expected " + wanted);
 }

@@ -5,6 +5,7 @@
 #include "keiko/report/html_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace keiko {
 namespace {
@@ -30,10 +31,14 @@ std::string gap_measure(const MeasuredSeam& seam) {
                    share_of_limit(gap));
 }
 
-/// A seam angle moves a lamp's image by twice the angle times its distance.
+/// How far a seam angle moves a lamp's image on lamps 2 m away: docs/theory/verdict.md. Over a fold
+/// no image goes on.
 std::string lamp_shift(double degrees) {
     constexpr double lamp_distance = 2000; // mm
-    return fixed_number(2 * degrees_to_radians(degrees) * lamp_distance, 1) + " mm at 2 m";
+    constexpr double fold = 30;            // degrees
+    if (degrees > fold) return "";
+    const double shift = 2 * lamp_distance * std::tan(degrees_to_radians(degrees));
+    return " · " + fixed_number(shift, 1) + " mm at 2 m";
 }
 
 std::string angle_measure(const MeasuredSeam& seam) {
@@ -42,7 +47,7 @@ std::string angle_measure(const MeasuredSeam& seam) {
     const std::string value = fixed_number(angle.value, 3) + "°";
     if (seam.crease) return measure("angle", "crease", value, "a crease, not judged", 1);
     return measure("angle", name_of(angle.verdict), value,
-                   "limit " + short_number(angle.limit) + "° · " + lamp_shift(angle.value),
+                   "limit " + short_number(angle.limit) + "°" + lamp_shift(angle.value),
                    share_of_limit(angle));
 }
 

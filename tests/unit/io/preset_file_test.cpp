@@ -101,6 +101,17 @@ TEST(PresetFile, SaysWhereAFileIsWrong) {
               "p.toml:7:18: surface.minimum_radius: must be above 0 and at most 1e+06, is 0");
 }
 
+TEST(PresetFile, SaysThatAVersionIsNotRead) {
+    try {
+        parse_preset("format = \"keiko-preset/2\"\n", "p.toml");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.reason(),
+                  "format: is 'keiko-preset/2', a version that this program does not read; "
+                  "expected format = \"keiko-preset/1\"");
+    }
+}
+
 TEST(PresetFile, HoldsLimitsOfFaces) {
     EXPECT_EQ(preset_by_name("vda-4955").surface.minimum_radius, 0.5);
     EXPECT_EQ(preset_by_name("class-a-outer").surface, SurfaceLimits{});
