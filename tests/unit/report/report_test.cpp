@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace keiko {
 namespace {
 
@@ -219,6 +221,25 @@ TEST(ReportHtml, WarnsOfABodyWithoutAnySeam) {
     EXPECT_NE(html.find("<b>no seam was judged: of 2 faces no two have borders that run along "
                         "each other within 0.5 mm (--join)</b>"),
               std::string::npos);
+}
+
+/// Two sheets that meet along x, the second turned by `degrees` from where the first leads.
+std::string html_of_bend(double degrees) {
+    const double angle = degrees_to_radians(degrees);
+    test::ModelBuilder builder;
+    builder.plane({0, 0, 0}, {100, 0, 0}, {0, -50, 0});
+    builder.plane({0, 0, 0}, {100, 0, 0}, {0, 50 * std::cos(angle), 50 * std::sin(angle)});
+    Report bent;
+    bent.inspection = inspect(builder.build());
+    return report_html(bent);
+}
+
+TEST(ReportHtml, TellsHowFarALampsImageJumpsButNotOverAFold) {
+    // 2 D tan 4 degrees, D = 2 m.
+    EXPECT_NE(html_of_bend(4).find("279.7 mm at 2 m"), std::string::npos);
+    const std::string fold = html_of_bend(179.5);
+    EXPECT_NE(fold.find("179.500°"), std::string::npos);
+    EXPECT_EQ(fold.find("mm at 2 m"), std::string::npos);
 }
 
 TEST(FactsText, FoldsEqualRemarksAndTellsALostFaceOnce) {
