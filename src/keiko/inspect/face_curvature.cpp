@@ -81,8 +81,11 @@ Box2 part_of(const Box2& whole, const Box2& share) {
 
 class CurvatureSearch {
 public:
-    CurvatureSearch(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face)
+    /// `tolerated`: what rounding may make of curvatures, times the size of the face.
+    CurvatureSearch(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face,
+                    double tolerated)
         : model_(model),
+          tolerated_(tolerated),
           face_(model.faces[face]),
           trims_(model, face_),
           sign_(face_.reversed != model.instances[instance].transform.mirrored() ? -1 : 1) {
@@ -189,8 +192,7 @@ private:
         const double width = s.du().cross(s.dv()).length() / std::max(u, v);
         const double growth =
             4.0 * std::max(view.degree_u, view.degree_v) * std::max(view.degree_u, view.degree_v);
-        constexpr double tolerated = 1e-9;
-        return patch.rounding * growth * size_ / (tolerated * width * width);
+        return patch.rounding * growth * size_ / (tolerated_ * width * width);
     }
 
     std::size_t most_promising(std::size_t goal) const {
@@ -243,6 +245,7 @@ private:
     }
 
     const SurfaceModel& model_;
+    double tolerated_;
     const Face& face_;
     TrimRegion trims_;
     double sign_; ///< of the outward normal against du x dv
@@ -257,7 +260,12 @@ private:
 
 std::optional<FaceCurvature> face_curvature(const SurfaceModel& model, std::uint32_t instance,
                                             std::uint32_t face, std::size_t most_splits) {
-    return CurvatureSearch(model, instance, face).run(most_splits);
+    // Rounding of long coordinates may be too much all over a face of short patches; where a few
+    // places, as those near poles, have more of it than others, they are left out.
+    for (const double tolerated : {1e-9, 1e-6})
+        if (auto found = CurvatureSearch(model, instance, face, tolerated).run(most_splits))
+            return found;
+    return std::nullopt;
 }
 
 } // namespace keiko

@@ -43,6 +43,17 @@ TEST(PlantedFlaws, DentsAreFoundWhereTheyAreAndAsDeepAsTheyAre) {
                 }
 }
 
+/// Where coordinates are long beside the patches.
+TEST(PlantedFlaws, DentsAreFoundFarFromTheOrigin) {
+    SurfaceModel model = sheet(bump(21, 10), bump(-33, 10), -0.1, forms[1]);
+    model.instances[0].transform = Affine::translate({1e7, -7e6, 3e6});
+    const std::vector<Check> checks = checks_of_flaws(model, limit);
+    ASSERT_EQ(checks.size(), 1u);
+    EXPECT_EQ(checks[0].code, "KEIKO-DENT");
+    EXPECT_NEAR(checks[0].worst.value, 0.1, 0.001);
+    EXPECT_NEAR(checks[0].worst.place.x, 1e7 + 21, 0.5);
+}
+
 TEST(PlantedFlaws, WavesAreFoundAndAsDeepAsTheyAre) {
     for (const SheetForm& form : forms)
         for (const double length : {20.0, 37.5, 50.0})
