@@ -36,12 +36,14 @@ extern template Rgb glossy_luminance_from(const LightSource&, const std::optiona
 extern template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&,
                                           const Vec3&, const FlakeKernel&, const Visible&,
                                           GlossQuadrature);
-extern template std::vector<Rgb> glossy_luminance_by_lamp(
-    const LightSource&, std::span<const int>, std::span<const SeenLight>,
-    const std::optional<Medium>&, const Vec3&, const GlossKernel&, GlossQuadrature);
-extern template std::vector<Rgb> glossy_luminance_by_lamp(
-    const LightSource&, std::span<const int>, std::span<const SeenLight>,
-    const std::optional<Medium>&, const Vec3&, const FlakeKernel&, GlossQuadrature);
+extern template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, std::span<const int>,
+                                                          std::span<const SeenLight>,
+                                                          const std::optional<Medium>&, const Vec3&,
+                                                          const GlossKernel&, GlossQuadrature);
+extern template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, std::span<const int>,
+                                                          std::span<const SeenLight>,
+                                                          const std::optional<Medium>&, const Vec3&,
+                                                          const FlakeKernel&, GlossQuadrature);
 
 /// Of all sources of a rig.
 template <class Kernel>
