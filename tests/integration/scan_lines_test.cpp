@@ -47,24 +47,36 @@ protected:
         }
     }
 
-    /// Between neighbours of the row that are told to be seen alike.
+    /// Between neighbours of the row that are told to be seen alike, on the side that is faced.
     void expect_alike(const Apex& apex, const std::optional<Vec3>& facing) {
         const std::vector<SegmentEnds> row = random_row();
         const ApexView view = view_of(row, apex, facing);
         for (std::size_t i = 0; i + 1 < row.size(); ++i) {
             if (!view.seen_alike(std::span(row).subspan(i, 2))) continue;
-            const IntervalSet first = view.intervals(row[i][0], row[i][1]).intervals;
-            EXPECT_TRUE(first.empty() || first == IntervalSet::whole());
             ++alike_;
             constexpr int between = 8;
-            for (int k = 1; k <= between; ++k) {
+            std::optional<bool> all_seen;
+            for (int k = 0; k <= between; ++k) {
                 const double share = double(k) / between;
                 const Vec3 a = row[i][0] + (row[i + 1][0] - row[i][0]) * share;
                 const Vec3 b = row[i][1] + (row[i + 1][1] - row[i][1]) * share;
-                EXPECT_EQ(view.intervals(a, b).intervals, first)
-                    << "line " << i << " and " << share;
+                const double faced = faced_length(apex, facing, a, b);
+                const double seen = view.intervals(a, b).intervals.measure();
+                cut_ += faced > 0 && faced < 1;
+                constexpr double shortest = 2e-9;
+                if (!(faced > shortest)) continue;
+                if (!all_seen) all_seen = seen > 0;
+                EXPECT_NEAR(seen, *all_seen ? faced : 0, shortest) << "line " << i << ", " << share;
             }
         }
+    }
+    /// Share of a segment on the side that is faced.
+    static double faced_length(const Apex& apex, const std::optional<Vec3>& facing, const Vec3& a,
+                               const Vec3& b) {
+        if (!facing) return 1;
+        const double at_a = facing->dot(apex.way_to(a)), at_b = facing->dot(apex.way_to(b));
+        if (at_a >= 0 && at_b >= 0) return 1;
+        return std::max({0.0, at_a, at_b}) / std::abs(at_a - at_b);
     }
 
     template <class Expect>
@@ -90,6 +102,7 @@ protected:
     Tracer tracer_{model_};
     Occluders occluders_{model_, tracer_};
     int partly_hidden_ = 0, alike_ = 0;
+    int cut_ = 0; ///< lines of those seen alike that the horizon cuts
 };
 
 TEST_P(ScanLines, GiveTheIntervalsOfSingleSegments) {
@@ -102,6 +115,10 @@ TEST_P(ScanLines, AreSeenAlikeWhereThatIsTold) {
     for_apexes_of_all_kinds(
         [&](const Apex& apex, const auto& facing) { expect_alike(apex, facing); });
     EXPECT_GT(alike_, 100);
+    // Of these two it is nowhere proved that nothing hides at the horizon.
+    const bool never_cut =
+        GetParam() == std::string("saddle.bpt") || GetParam() == std::string("cage-cube.obj");
+    EXPECT_TRUE(never_cut || cut_ > 20) << cut_;
 }
 
 INSTANTIATE_TEST_SUITE_P(, ScanLines,
