@@ -136,7 +136,8 @@ std::vector<Check> flaw_checks(const MeasuredFace& face, const WavinessLimit& li
     if (!checks.empty()) return checks;
     Worst none;
     none.limit = limit.depth, none.place = face.curvature->largest.place;
-    checks.push_back(judged("G-SU-WV", "mm", none, {"the depth of dents and waves", " mm"}));
+    const char* what = limit.waves_only ? "the depth of waves" : "the depth of dents and waves";
+    checks.push_back(judged("G-SU-WV", "mm", none, {what, " mm"}));
     return checks;
 }
 

@@ -49,7 +49,8 @@ public:
         if (limit_.waves_only) return waves;
         if (!waves) return deepest_of(ripples, &FlawMeasure::dent);
         const auto deepest = dent(ripples.front());
-        return deepest && is_no_wave(*deepest, *waves) ? deepest : waves;
+        const bool dented = deepest && !is_form(*deepest) && is_no_wave(*deepest, *waves);
+        return dented ? deepest : waves;
     }
 
 private:
@@ -67,10 +68,12 @@ private:
             measured.push_back(&ripples[i]);
             if (measured.size() == most_measured) break;
         }
-        if (!deepest) return std::nullopt;
-        const double found = deepest->flaw.depth.value;
-        const bool form = found > limit_.window * deepest_share || found < limit_.depth / 2;
-        return form ? std::nullopt : deepest;
+        if (!deepest || is_form(*deepest) || deepest->flaw.depth.value < limit_.depth / 2)
+            return std::nullopt;
+        return deepest;
+    }
+    bool is_form(const PlacedFlaw& flaw) const {
+        return flaw.flaw.depth.value > limit_.window * deepest_share;
     }
 
     /// Whether it is of a crest or trough that has been measured, as another line shows it.

@@ -105,8 +105,9 @@ private:
     int line_ = 0;
 };
 
-/// Whether a patch has no area since its points lie on one line, but for their rounding.
-bool on_a_line(const std::vector<Vec4>& points) {
+/// Whether a patch has no area since its points lie on one line or in one place, but for their
+/// rounding.
+bool has_no_extent(const std::vector<Vec4>& points) {
     const auto place = [](const Vec4& p) { return Vec3(p.x, p.y, p.z) / p.w; };
     const Vec3 first = place(points.front());
     Vec3 along(0);
@@ -116,9 +117,9 @@ bool on_a_line(const std::vector<Vec4>& points) {
         if (const Vec3 way = place(p) - first; way.length() > along.length()) along = way;
     }
     const double rounding = 8 * std::numeric_limits<double>::epsilon() * farthest;
-    return along.length() > 0 && std::all_of(points.begin(), points.end(), [&](const Vec4& p) {
-               return (place(p) - first).cross(along).length() <= rounding * along.length();
-           });
+    return std::all_of(points.begin(), points.end(), [&](const Vec4& p) {
+        return (place(p) - first).cross(along).length() <= rounding * along.length();
+    });
 }
 
 /// The border of the unit square, counter-clockwise, as trim loop of the newest face.
@@ -193,16 +194,17 @@ SurfaceModel read_bezier_file(const std::filesystem::path& path) {
     for (std::size_t i = 0; i < count; ++i) {
         const auto degrees = lines.next_whole(2, 1, max_degree, "two degrees from 1 to 25");
         const auto points = read_points(lines, (degrees[0] + 1) * (degrees[1] + 1));
-        if (on_a_line(points))
-            model.lost_faces.push_back({static_cast<std::uint32_t>(i + 1), "",
-                                        "its points lie on one line: it has no area"});
+        if (has_no_extent(points))
+            model.lost_faces.push_back(
+                {static_cast<std::uint32_t>(i + 1), "",
+                 "its points lie on one line or in one place: it has no area"});
         else
             append_face(model, degrees[0], degrees[1], points);
     }
     lines.expect_end();
     if (model.faces.empty())
         throw Error(path.string(), "",
-                    "the points of each patch lie on one line: it is no surface");
+                    "the points of each patch lie on one line or in one place: it is no surface");
     return finished(std::move(model), path, ModelFormat::bezier);
 }
 

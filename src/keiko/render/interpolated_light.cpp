@@ -23,8 +23,11 @@ struct Doubt {
     double error;
 };
 
+/// Infinite where nothing is allowed, or what is wrong is no number.
 double ratio(double wrong, double allowed) {
-    return wrong == 0 ? 0 : allowed > 0 ? wrong / allowed : std::numeric_limits<double>::infinity();
+    if (wrong == 0) return 0;
+    const double ratio = wrong / allowed;
+    return ratio >= 0 ? ratio : std::numeric_limits<double>::infinity();
 }
 
 class Interpolation {

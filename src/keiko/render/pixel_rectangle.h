@@ -19,10 +19,13 @@ struct Rectangle {
     bool is_small() const { return x1 - x0 <= 1 && y1 - y0 <= 1; }
     int longest() const { return std::max(x1 - x0, y1 - y0); }
     std::array<Pixel, 4> corners() const { return {{{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}}}; }
-    /// The four parts around the middle, which share its column and row.
-    std::array<Rectangle, 4> quarters() const {
+    /// The four parts around the middle, which share its column and row; two where it is one pixel
+    /// wide or high.
+    std::vector<Rectangle> quarters() const {
         const auto [x, y] = middle();
-        return {{{x0, y0, x, y}, {x, y0, x1, y}, {x0, y, x, y1}, {x, y, x1, y1}}};
+        if (x0 == x1) return {{x0, y0, x1, y}, {x0, y, x1, y1}};
+        if (y0 == y1) return {{x0, y0, x, y1}, {x, y0, x1, y1}};
+        return {{x0, y0, x, y}, {x, y0, x1, y}, {x0, y, x, y1}, {x, y, x1, y1}};
     }
     /// Places that tell whether something is linear between the corners, and so in the quarters:
     /// their other corners, and some with nothing in common with those, since shadows of a row of

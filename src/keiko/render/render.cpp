@@ -6,6 +6,7 @@
 #include "keiko/render/shared_light.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace keiko {
 namespace {
@@ -101,7 +102,9 @@ PathCounts render_tile(const Integrator& integrator, const Camera& camera, const
 Film render(const PictureScene& scene, const Camera& camera, const PictureOptions& options,
             const Job& job) {
     Film film = blank_film(camera.width, camera.height, options.aovs);
-    const Integrator integrator(scene, options, camera.eye, job);
+    const bool from_eye = camera.projection == Projection::perspective;
+    const Integrator integrator(scene, options, from_eye ? std::optional(camera.eye) : std::nullopt,
+                                job);
     const std::vector<Tile> tiles = tiles_of(camera);
     std::vector<PathCounts> paths(tiles.size());
     parallel_for(tiles.size(), job, "render", [&](std::size_t i) {

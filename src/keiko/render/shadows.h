@@ -107,7 +107,6 @@ public:
     ShadowedRig(const LightRig& rig, const Occluders* occluders, const Tracer& tracer)
         : rig_(rig), occluders_(occluders), tracer_(tracer), lights_(lights_of(rig)) {}
 
-    const LightRig& rig() const { return rig_; }
     /// All of them, by source, then by lamp.
     const std::vector<RigLight>& lights() const { return lights_; }
     /// What a point with a unit normal on the side to be lit sees of some lights, by source, then

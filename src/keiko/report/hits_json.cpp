@@ -116,7 +116,10 @@ ViewSample hit_from(const Json& json, const RegisteredHits& hits) {
         throw Error("", "hits", "one is of a view or face that is not there");
     std::size_t next = 5;
     RayDifferentials& d = s.mirror.differentials.emplace();
-    for_numbers(s, d, [&](double& number) { number = real_from(json[next++]); });
+    for_numbers(s, d, [&](double& number) {
+        number = real_from(json[next++]);
+        if (!std::isfinite(number)) throw Error("", "hits", "a number is not finite");
+    });
     require_sample(s);
     s.eye = hits.views[s.view].camera.ray(s.pixel.x, s.pixel.y).origin;
     return s;

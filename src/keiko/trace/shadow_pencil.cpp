@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -59,13 +58,9 @@ public:
         add_borders(curves);
         for (int quarter = 0; quarter < 4; ++quarter)
             quarters_.push_back(quarter_at(quarter, curves));
-        statistics_ = {lines_.size(), pieces_.size(), 0};
     }
 
     std::vector<IntervalSet> intervals(std::span<const SegmentEnds> segments) const;
-
-    Statistics& statistics() { return statistics_; }
-    const Statistics& statistics() const { return statistics_; }
 
 private:
     /// Pieces as the rays of one question share them: they are split where that is needed.
@@ -89,7 +84,6 @@ private:
     std::vector<EdgeLine> lines_;
     std::vector<SilhouetteCandidate> pieces_; ///< of whose outlines there are no lines
     std::vector<Quarter> quarters_;
-    Statistics statistics_;
 };
 
 void ShadowPencil::Planes::add_outlines(const Job& job, std::vector<BorderPiece>& curves) {
@@ -231,13 +225,8 @@ std::vector<IntervalSet> ShadowPencil::Planes::intervals(
 }
 
 ShadowPencil::ShadowPencil(const Occluders& occluders, const Tracer& tracer, const Vec3& light,
-                           const Vec3& eye, const Job& job) {
-    const auto begin = std::chrono::steady_clock::now();
-    auto planes = std::make_unique<Planes>(*occluders.scene_, tracer, light, eye, job);
-    planes->statistics().build_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    planes_ = std::move(planes);
-}
+                           const Vec3& eye, const Job& job)
+    : planes_(std::make_unique<Planes>(*occluders.scene_, tracer, light, eye, job)) {}
 
 ShadowPencil::~ShadowPencil() = default;
 ShadowPencil::ShadowPencil(ShadowPencil&&) noexcept = default;
@@ -245,10 +234,6 @@ ShadowPencil& ShadowPencil::operator=(ShadowPencil&&) noexcept = default;
 
 std::vector<IntervalSet> ShadowPencil::intervals(std::span<const SegmentEnds> segments) const {
     return planes_->intervals(segments);
-}
-
-const ShadowPencil::Statistics& ShadowPencil::statistics() const {
-    return planes_->statistics();
 }
 
 } // namespace keiko

@@ -30,13 +30,6 @@ public:
     /// outline_error as the light sees them. Neighbours should stand together.
     std::vector<IntervalSet> intervals(std::span<const SegmentEnds> segments) const;
 
-    struct Statistics {
-        std::size_t lines = 0;  ///< outlines and borders
-        std::size_t pieces = 0; ///< with outlines that are no lines: each ray looks for them
-        double build_seconds = 0;
-    };
-    const Statistics& statistics() const;
-
 private:
     class Planes;
     std::unique_ptr<const Planes> planes_;

@@ -54,18 +54,21 @@ TEST(BezierFile, SeveralPatchesOfAnyDegreeWithCommentsAndDosLines) {
 
 TEST(BezierFile, APatchWithoutAreaIsALostFaceAndAFileOfThemIsRefused) {
     const std::string on_a_line = "1 1\n1e5 0 0\n100000.1 0.1 0\n100000.2 0.2 0\n100000.3 0.3 0\n";
+    const std::string in_one_place = "1 1\n7 0 0\n7 0 0\n7 0 0\n7 0 0\n";
     const std::string narrow = "1 1\n0 0 0\n1 0 0\n2 0 0\n3 1e-6 0\n";
     EXPECT_EQ(reason_for("1\n" + on_a_line),
-              "line : the points of each patch lie on one line: it is no surface");
+              "line : the points of each patch lie on one line or in one place: it is no surface");
     const test::TemporaryFolder folder;
     const SurfaceModel model =
-        read_bezier_file(folder.file("x.bpt", "3\n" + narrow + on_a_line + narrow));
+        read_bezier_file(folder.file("x.bpt", "4\n" + narrow + on_a_line + narrow + in_one_place));
     ASSERT_EQ(model.faces.size(), 2u);
     EXPECT_EQ(model.faces[0].id, 1u);
     EXPECT_EQ(model.faces[1].id, 3u);
-    ASSERT_EQ(model.lost_faces.size(), 1u);
+    ASSERT_EQ(model.lost_faces.size(), 2u);
     EXPECT_EQ(model.lost_faces[0].id, 2u);
-    EXPECT_EQ(model.lost_faces[0].reason, "its points lie on one line: it has no area");
+    EXPECT_EQ(model.lost_faces[1].id, 4u);
+    EXPECT_EQ(model.lost_faces[0].reason,
+              "its points lie on one line or in one place: it has no area");
 }
 
 TEST(BezierFile, NumbersWhoseProductsWouldOverflowAreRefused) {

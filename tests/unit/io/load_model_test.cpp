@@ -70,7 +70,8 @@ TEST_F(LoadModel, ACageWhoseFirstVertexIsNoneIsACageAllTheSame) {
 
 TEST_F(LoadModel, AFileThatShrinksToAPoint) {
     const auto path = folder.file("p.bpt", "1\n1 1\n7 0 0\n7 0 0\n7 0 0\n7 0 0\n");
-    EXPECT_EQ(reason_for(path), "all its points are in one place: it is no surface");
+    EXPECT_EQ(reason_for(path),
+              "the points of each patch lie on one line or in one place: it is no surface");
 }
 
 TEST_F(LoadModel, FilesThatAreToBeSavedAnew) {

@@ -226,5 +226,32 @@ TEST(FoggyScene, MirrorsWhatItsDefinitionComesTo) {
     }
 }
 
+/// Rays of a parallel picture do not start at one eye, so that planes through a lamp and its rays
+/// have no axis in common.
+TEST(FoggyScene, ShowsShaftsInParallelPicturesAsItsRaysDo) {
+    const SurfaceModel model = ball_over_floor();
+    const Tracer tracer(model, {.second_derivatives = true, .clipping_only = false, .join = 0.5});
+    const Occluders occluders(model, tracer);
+    const LightRig lights = rig();
+    const Material matt{.name = "matt", .diffuse = ball_paint, .refractive_index = 1};
+    const std::vector<Material> materials(model.faces.size(), matt);
+    const PictureScene scene{tracer, materials, lights, Rgb(0), &occluders};
+    PictureOptions options;
+    options.edge_samples = 1, options.light_error = 0;
+    Camera camera;
+    camera.eye = eye, camera.target = ball_center;
+    camera.projection = Projection::orthographic, camera.orthographic_height = 3000;
+    camera.width = 16, camera.height = 12;
+    const Film film = render(scene, camera, options);
+    const Integrator alone(scene, options);
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) {
+            const std::vector<Ray> ray{camera.ray(x + 0.5, y + 0.5)};
+            const double expected = alone.follow(ray)[0].luminance.g;
+            EXPECT_NEAR(double{film.color.pixel(x, y)[1]}, expected, 1e-4 * expected)
+                << x << ' ' << y;
+        }
+}
+
 } // namespace
 } // namespace keiko
