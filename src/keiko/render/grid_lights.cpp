@@ -25,7 +25,7 @@ GridLights::GridLights(const Integrator& integrator, const SpotGrid& grid)
 
 GridLights::Spot& GridLights::spot(int x, int y) {
     Spot& spot = spots_[grid_.index(x, y)];
-    if (spot.lights.empty()) spot.lights.resize(numbers_.size());
+    if (spot.empty()) spot.resize(numbers_.size());
     return spot;
 }
 
@@ -37,14 +37,14 @@ std::vector<RigLight> GridLights::lights_of(std::span<const std::size_t> numbers
 
 void GridLights::find(int x, int y, std::span<const std::size_t> lights) {
     Spot& here = spot(x, y);
-    look(x, y, those_that(lights, [&](std::size_t i) { return !here.lights[i].is_seen; }));
-    light_up(x, y, those_that(lights, [&](std::size_t i) { return !here.lights[i].is_lit; }));
+    look(x, y, those_that(lights, [&](std::size_t i) { return !here[i].is_seen; }));
+    light_up(x, y, lights);
 }
 
 void GridLights::find_for_sure(int x, int y, std::span<const std::size_t> lights) {
     Spot& here = spot(x, y);
-    look(x, y, those_that(lights, [&](std::size_t i) { return !here.lights[i].is_sure; }));
-    light_up(x, y, those_that(lights, [&](std::size_t i) { return !here.lights[i].is_lit; }));
+    look(x, y, those_that(lights, [&](std::size_t i) { return !here[i].is_sure; }));
+    light_up(x, y, lights);
 }
 
 void GridLights::look(int x, int y, std::span<const std::size_t> lights) {
@@ -52,24 +52,25 @@ void GridLights::look(int x, int y, std::span<const std::size_t> lights) {
     const std::vector<SeenLight> seen = integrator_.seen_from(*grid_.at(x, y), lights_of(lights));
     Spot& here = spot(x, y);
     for (std::size_t i = 0; i < lights.size(); ++i)
-        here.lights[lights[i]] = {true, true, false, seen[i], {}};
+        here[lights[i]] = {true, true, false, seen[i], {}};
 }
 
-void GridLights::light_up(int x, int y, std::span<const std::size_t> lights) {
-    if (lights.empty()) return;
+void GridLights::light_up(int x, int y, std::span<const std::size_t> asked) {
     Spot& here = spot(x, y);
+    const auto lights = those_that(asked, [&](std::size_t i) { return !here[i].is_lit; });
+    if (lights.empty()) return;
     std::vector<SeenLight> seen;
-    for (const std::size_t light : lights) seen.push_back(here.lights[light].seen);
+    for (const std::size_t light : lights) seen.push_back(here[light].seen);
     const std::vector<SpotLight> brought =
         integrator_.light_on(*grid_.at(x, y), lights_of(lights), std::move(seen));
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        here.lights[lights[i]].light = brought[i];
-        here.lights[lights[i]].is_lit = true;
+        here[lights[i]].light = brought[i];
+        here[lights[i]].is_lit = true;
     }
 }
 
 void GridLights::take(int x, int y, std::size_t light, const SeenLight& seen) {
-    OfLight& known = spot(x, y).lights[light];
+    OfLight& known = spot(x, y)[light];
     if (!known.is_sure) known = {true, false, false, seen, {}};
 }
 

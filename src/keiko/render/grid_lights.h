@@ -28,11 +28,11 @@ public:
 
     /// What a light brings to a place where that has been found.
     const SpotLight& light(int x, int y, std::size_t number) const {
-        return spots_[grid_.index(x, y)].lights[number].light;
+        return spots_[grid_.index(x, y)][number].light;
     }
     SpotLight sum(int x, int y, std::span<const std::size_t> lights) const;
     const SeenLight& seen(int x, int y, std::size_t number) const {
-        return spots_[grid_.index(x, y)].lights[number].seen;
+        return spots_[grid_.index(x, y)][number].seen;
     }
     /// What a light would bring to a place if so much were seen of it.
     SpotLight if_seen(int x, int y, std::size_t light, const SeenLight& seen) const;
@@ -43,13 +43,12 @@ private:
         SeenLight seen{};
         SpotLight light{};
     };
-    struct Spot {
-        std::vector<OfLight> lights;
-    };
+    using Spot = std::vector<OfLight>; ///< by number; empty until it is asked for
     Spot& spot(int x, int y);
     std::vector<RigLight> lights_of(std::span<const std::size_t> numbers) const;
     void look(int x, int y, std::span<const std::size_t> lights);
-    void light_up(int x, int y, std::span<const std::size_t> lights);
+    /// Of those that are not lit yet, by what is seen of them.
+    void light_up(int x, int y, std::span<const std::size_t> asked);
 
     const Integrator& integrator_;
     const SpotGrid& grid_;

@@ -81,13 +81,13 @@ private:
             light(of_quarter, open, left);
         }
     }
+    void find(const Pixel& p, const Open& open) {
+        lights_.find_for_sure(p.x, p.y, open.seen);
+        lights_.find(p.x, p.y, open.lit);
+    }
     void find_probes(const Rectangle& r, const Open& open) {
-        const auto find = [&](const Pixel& p) {
-            lights_.find_for_sure(p.x, p.y, open.seen);
-            lights_.find(p.x, p.y, open.lit);
-        };
-        for (const Pixel& p : r.corners()) find(p);
-        for (const Pixel& p : r.probes()) find(p);
+        for (const Pixel& p : r.corners()) find(p, open);
+        for (const Pixel& p : r.probes()) find(p, open);
     }
     /// Takes lights off that are linear in the quarters, within what is `left` of the error, which
     /// they lessen.
@@ -200,8 +200,7 @@ private:
         for (int y = r.y0; y <= r.y1; ++y)
             for (int x = r.x0; x <= r.x1; ++x) {
                 if (!asks_for(x, y)) continue;
-                lights_.find_for_sure(x, y, open.seen);
-                lights_.find(x, y, open.lit);
+                find({x, y}, open);
                 light_[grid_.index(x, y)] = known.at({x, y}) + lights_.sum(x, y, open.lit);
             }
     }
