@@ -31,20 +31,10 @@ std::vector<SegmentEnds> ends_of(std::span<const Segment> segments) {
     return ends;
 }
 
-std::vector<Segment> axes_of(std::span<const TubeLamp> lamps) {
-    std::vector<Segment> axes;
-    for (const TubeLamp& lamp : lamps) axes.push_back({lamp.a, lamp.b});
-    return axes;
-}
-
-/// As the core asks for it: the axes of the row together.
 class SeenFrom final : public Visible {
 public:
-    SeenFrom(const ApexView& view, std::span<const Segment> row)
-        : view_(view), row_(row), of_row_(intervals(row)) {}
+    explicit SeenFrom(const ApexView& view) : view_(view) {}
     IntervalSet intervals(const Segment& segment) const override {
-        const auto known = std::find(row_.begin(), row_.end(), segment);
-        if (known != row_.end()) return of_row_[static_cast<std::size_t>(known - row_.begin())];
         return view_.intervals(segment.a, segment.b).intervals;
     }
     std::vector<IntervalSet> intervals(std::span<const Segment> segments) const override {
@@ -53,14 +43,18 @@ public:
             seen.push_back(std::move(parts.intervals));
         return seen;
     }
-    bool seen_alike(std::span<const Segment> segments) const override {
-        return view_.seen_alike(ends_of(segments));
+    std::vector<std::optional<bool>> seen_as_whole(std::span<const Prism> prisms) const override {
+        std::vector<PrismEdges> edges;
+        for (const Prism& prism : prisms) {
+            edges.emplace_back();
+            for (std::size_t i = 0; i < prism.size(); ++i)
+                edges.back()[i] = {prism[i].a, prism[i].b};
+        }
+        return view_.seen_as_whole(edges);
     }
 
 private:
     const ApexView& view_;
-    std::span<const Segment> row_;
-    std::vector<IntervalSet> of_row_;
 };
 
 TubeModel model_of(Emitter emitter) {
@@ -154,17 +148,17 @@ Shares by_width(const PenumbraScene& scene, const CPlane& row, double tolerance)
     return shares(scene, row, Emitter::rectangle,
                   [&](const Receiver& at, const std::vector<TubeLamp>& lamps) {
                       const ApexView view = view_from(scene, at, row);
-                      const std::vector<Segment> axes = axes_of(lamps);
-                      const SeenFrom seen(view, axes);
+                      const SeenFrom visible(view);
                       std::vector<TubeLamp> above = lamps;
                       std::erase_if(above, [&](const TubeLamp& lamp) {
                           return below_horizon(lamp, at.position, at.normal);
                       });
-                      const std::vector<double> parts = visible_shares(
-                          above, at.position, at.normal, seen, tolerance, TubeShape::rectangle);
+                      const std::vector<SeenLight> seen =
+                          seen_tubes(above, at.position, at.normal, visible,
+                                     {tolerance, TubeShape::rectangle});
                       double sum = 0;
                       for (std::size_t i = 0; i < above.size(); ++i)
-                          sum += unhidden(above[i], at, Emitter::rectangle) * parts[i];
+                          sum += unhidden(above[i], at, Emitter::rectangle) * seen[i].share;
                       return sum;
                   });
 }

@@ -3,6 +3,8 @@
 #include "keiko/math/interval_set.h"
 #include "keiko/math/vec.h"
 
+#include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +17,9 @@ struct Segment {
     Vec3 at(double t) const { return a + (b - a) * t; }
     bool operator==(const Segment&) const = default;
 };
+
+/// The parallel edges of a prism.
+using Prism = std::array<Segment, 4>;
 
 /// What can be seen of a segment from one apex. The one question of visibility that lamps
 /// (apex: surface point, segment: lamp axis) and light shafts (apex: light, segment: view ray)
@@ -30,10 +35,12 @@ public:
         for (const Segment& segment : segments) all.push_back(intervals(segment));
         return all;
     }
-    /// True where parallel segments, and all others between them, are proved to be seen alike:
-    /// each as a whole, or none of them at all, but for what of them lies below the horizon of the
-    /// point.
-    virtual bool seen_alike(std::span<const Segment>) const { return false; }
+    /// Of each prism, true where it is proved to be seen as a whole, false where nothing of it is,
+    /// in both cases but for what of it lies below the horizon of the point; nothing where neither
+    /// is proved.
+    virtual std::vector<std::optional<bool>> seen_as_whole(std::span<const Prism> prisms) const {
+        return std::vector<std::optional<bool>>(prisms.size());
+    }
 };
 
 /// Nothing stands in the way.
@@ -41,7 +48,9 @@ class AllVisible final : public Visible {
 public:
     using Visible::intervals;
     IntervalSet intervals(const Segment&) const override { return IntervalSet::whole(); }
-    bool seen_alike(std::span<const Segment>) const override { return true; }
+    std::vector<std::optional<bool>> seen_as_whole(std::span<const Prism> prisms) const override {
+        return std::vector<std::optional<bool>>(prisms.size(), true);
+    }
 };
 
 } // namespace keiko

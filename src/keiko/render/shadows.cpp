@@ -54,8 +54,15 @@ std::vector<IntervalSet> SeenPast::intervals(std::span<const Segment> segments) 
     return seen_by(view(), segments);
 }
 
-bool SeenPast::seen_alike(std::span<const Segment> segments) const {
-    return !occluders_ || view().seen_alike(ends_of(segments));
+std::vector<std::optional<bool>> SeenPast::seen_as_whole(std::span<const Prism> prisms) const {
+    if (!occluders_) return std::vector<std::optional<bool>>(prisms.size(), true);
+    std::vector<PrismEdges> edges;
+    edges.reserve(prisms.size());
+    for (const Prism& prism : prisms) {
+        edges.emplace_back();
+        for (std::size_t i = 0; i < prism.size(); ++i) edges.back()[i] = {prism[i].a, prism[i].b};
+    }
+    return view().seen_as_whole(edges);
 }
 
 std::vector<Rgb> LitPoint::illuminance_by_light(const ClearCoat* coat) const {

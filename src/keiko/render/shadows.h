@@ -35,7 +35,7 @@ public:
 
     IntervalSet intervals(const Segment& segment) const override;
     std::vector<IntervalSet> intervals(std::span<const Segment> segments) const override;
-    bool seen_alike(std::span<const Segment> segments) const override;
+    std::vector<std::optional<bool>> seen_as_whole(std::span<const Prism> prisms) const override;
 
 private:
     const ApexView& view() const;

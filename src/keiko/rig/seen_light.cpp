@@ -34,16 +34,10 @@ public:
             else
                 above.push_back(i);
         }
-        const bool width = weighs_width(plane, model_);
-        if (axes_ || !width || plane.luminous_caps)
-            for (std::size_t k = 0; k < above.size(); ++k)
-                seen[above[k]].axis = visible_.intervals({lamps[k].a, lamps[k].b});
-        if (!width) {
-            for (SeenLight& light : seen) light.share = light.axis.empty() ? 0 : 1;
-            return seen;
-        }
-        const std::vector<double> shares = shares_of(plane, frame, above, lamps);
-        for (std::size_t k = 0; k < above.size(); ++k) seen[above[k]].share = shares[k];
+        std::vector<SeenLight> of_these = weighs_width(plane, model_)
+                                              ? over_width(plane, frame, above, lamps)
+                                              : along_axes(lamps);
+        for (std::size_t k = 0; k < above.size(); ++k) seen[above[k]] = std::move(of_these[k]);
         return seen;
     }
 
@@ -63,9 +57,19 @@ private:
         const IntervalSet seen = visible_.intervals({place, place});
         return {seen, seen.empty() ? 0.0 : 1.0};
     }
-    std::vector<double> shares_of(const CPlane& plane, const CPlaneFrame& frame,
-                                  std::span<const std::size_t> above,
-                                  std::span<const TubeLamp> lamps) const {
+    std::vector<SeenLight> along_axes(std::span<const TubeLamp> lamps) const {
+        std::vector<Segment> axes;
+        for (const TubeLamp& lamp : lamps) axes.push_back({lamp.a, lamp.b});
+        std::vector<SeenLight> seen;
+        for (IntervalSet& axis : visible_.intervals(axes)) {
+            const double share = axis.empty() ? 0 : 1;
+            seen.push_back({std::move(axis), share});
+        }
+        return seen;
+    }
+    std::vector<SeenLight> over_width(const CPlane& plane, const CPlaneFrame& frame,
+                                      std::span<const std::size_t> above,
+                                      std::span<const TubeLamp> lamps) const {
         const TubeModel model = plane.diffuse == TubeModel::automatic ? model_ : plane.diffuse;
         const CombIrradiance comb(frame, point_, normal_, model);
         std::vector<std::vector<HidingTube>> hiding;
@@ -73,8 +77,8 @@ private:
             for (const std::size_t i : above) hiding.push_back(comb.hiding_tubes(asked_[i]));
         const double tolerance =
             model_ == TubeModel::automatic ? width_tolerance : width_tolerance_in_pictures;
-        return visible_shares(lamps, point_, normal_, visible_, tolerance, TubeShape::cylinder,
-                              hiding);
+        return seen_tubes(lamps, point_, normal_, visible_,
+                          {tolerance, TubeShape::cylinder, axes_ || plane.luminous_caps}, hiding);
     }
 
     std::span<const int> asked_; ///< numbers of lamps

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/luminance/seen_light.h"
 #include "keiko/luminance/visible.h"
 #include "keiko/rig/light_rig.h"
 
@@ -8,17 +9,6 @@
 #include <vector>
 
 namespace keiko {
-
-/// What a point sees of a light.
-struct SeenLight {
-    /// Of a lamp's axis; of a source without extent the whole where it is seen, else nothing.
-    IntervalSet axis{};
-    /// 0 to 1, of what a lamp brings to the surface where nothing but lamps hides any of it; of
-    /// models that ask for the whole width.
-    double share = 1;
-
-    bool operator==(const SeenLight&) const = default;
-};
 
 /// From `a` at 0 to `b` at 1, where both see the same number of parts; else nothing.
 std::optional<SeenLight> between(const SeenLight& a, const SeenLight& b, double at);

@@ -2,6 +2,7 @@
 
 #include "keiko/trace/border_events.h"
 #include "keiko/trace/chord_elevation.h"
+#include "keiko/trace/faced_corners.h"
 
 #include <algorithm>
 #include <array>
@@ -9,20 +10,6 @@
 
 namespace keiko {
 namespace {
-
-/// Corners of the part of a convex body before a plane through the apex.
-std::vector<Vec3> before(const Apex& apex, const Vec3& facing, std::span<const Vec3> corners) {
-    std::vector<Vec3> part;
-    for (const Vec3& p : corners) {
-        const double at_p = facing.dot(apex.way_to(p));
-        if (at_p >= 0) part.push_back(p);
-        for (const Vec3& q : corners) {
-            const double at_q = facing.dot(apex.way_to(q));
-            if (at_p > 0 && at_q < 0) part.push_back(p + (q - p) * (at_p / (at_p - at_q)));
-        }
-    }
-    return part;
-}
 
 bool same_plane(const Vec3& a, const Vec3& b) {
     constexpr double same = 1e-9; // rad
@@ -39,7 +26,7 @@ ApexView::Candidates::Candidates(const Occluders::Scene& scene, const Tracer& tr
     has_horizon_ = normal_ && !(facing && same_plane(*normal_, *facing));
     std::vector<Vec3> faced;
     if (facing) {
-        faced = before(apex, *facing, region);
+        faced = faced_corners(apex, *facing, region);
         region = faced;
     }
     if (region.empty()) {
@@ -49,12 +36,6 @@ ApexView::Candidates::Candidates(const Occluders::Scene& scene, const Tracer& tr
     for (const Vec3& corner : region) middle_ += corner / static_cast<double>(region.size());
     collect(region);
     if (nothing_happens_in(region)) all_seen_ = sees(middle_);
-}
-
-std::vector<Vec3> ApexView::Candidates::faced_corners(std::span<const SegmentEnds> row) const {
-    std::vector<Vec3> corners;
-    for (const SegmentEnds& ends : row) corners.insert(corners.end(), ends.begin(), ends.end());
-    return facing_ ? before(apex_, *facing_, corners) : corners;
 }
 
 void ApexView::Candidates::collect(std::span<const Vec3> region) {

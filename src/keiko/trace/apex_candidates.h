@@ -17,7 +17,7 @@ public:
     /// Nothing where the segments are no scan lines.
     std::optional<std::vector<SeenParts>> intervals_of_row(std::span<const SegmentEnds> row) const;
 
-    bool seen_alike(std::span<const SegmentEnds> row) const;
+    std::vector<std::optional<bool>> seen_as_whole(std::span<const PrismEdges> prisms) const;
 
 private:
     /// A segment under way.
@@ -43,8 +43,11 @@ private:
     void collect(std::span<const Vec3> region);
     bool nothing_happens_in(std::span<const Vec3> region) const;
     bool sees(const Vec3& x) const { return !tracer_->any(apex_.ray_to(x)); }
-    /// Corners of what parallel segments and all between them have on the side that the apex faces.
-    std::vector<Vec3> faced_corners(std::span<const SegmentEnds> row) const;
+    /// Whether the outlines of all candidates are proved to lie beside the part of a prism that has
+    /// these corners, as the apex sees it.
+    bool nothing_crosses(const PrismEdges& prism, std::span<const Vec3> corners) const;
+    /// Whether the apex's own surroundings may hide any of the part of a prism in `volume`.
+    bool own_may_cross(const ViewVolume& volume, std::span<const Vec3> corners) const;
     /// The part of a segment on the side that the apex faces.
     ParameterInterval asked_of(const SegmentEnds& ends) const;
     std::optional<Line> line_through(const SegmentEnds& ends) const;

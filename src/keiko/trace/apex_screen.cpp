@@ -116,6 +116,24 @@ ScreenPlace ApexScreen::place(const Vec3& x) const {
     return {x_.dot(way) / depth, y_.dot(way) / depth, depth};
 }
 
+bool ApexScreen::is_along(const Vec3& direction) const {
+    constexpr double parallel = 1e-10; // rad, less than boxes have room for
+    return direction.cross(along_).length() <= parallel * direction.length();
+}
+
+std::optional<ScreenBox> ApexScreen::hull(std::span<const Vec3> places) const {
+    ScreenBox hull{infinity, -infinity, infinity, -infinity};
+    for (const Vec3& x : places) {
+        const ScreenPlace place = this->place(x);
+        if (!(place.depth > 0)) return std::nullopt;
+        hull.along_low = std::min(hull.along_low, place.along);
+        hull.along_high = std::max(hull.along_high, place.along);
+        hull.across_low = std::min(hull.across_low, place.across);
+        hull.across_high = std::max(hull.across_high, place.across);
+    }
+    return hull;
+}
+
 ScreenBox ApexScreen::box(const SilhouettePiece& piece, const AffineNet::Weighed& edge_on) const {
     Polygon part;
     part.cut(edge_on.along_x, edge_on.along_y, edge_on.value + edge_on.off);

@@ -4,6 +4,8 @@
 #include "keiko/trace/silhouette_piece.h"
 
 #include <limits>
+#include <optional>
+#include <span>
 
 namespace keiko {
 
@@ -36,8 +38,11 @@ public:
 
     /// False where the segments are seen end-on, so that there are no scan lines.
     bool regular() const { return regular_; }
-    const Vec3& along() const { return along_; }
+    /// Whether a segment of this direction is a scan line.
+    bool is_along(const Vec3& direction) const;
     ScreenPlace place(const Vec3& x) const;
+    /// A box around places; nothing where one is not before the screen.
+    std::optional<ScreenBox> hull(std::span<const Vec3> places) const;
     /// Where a piece may be seen edge-on; empty where it is not. `edge_on`: zero where it is.
     ScreenBox box(const SilhouettePiece& piece, const AffineNet::Weighed& edge_on) const;
     ScreenBox box(const BorderPiece& border) const;

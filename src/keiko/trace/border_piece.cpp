@@ -77,20 +77,31 @@ std::vector<std::vector<BorderPiece>> crease_covers(const SurfaceModel& model, c
 
 } // namespace
 
-Vec3 point_on(const std::array<Vec3, BorderPiece::points>& curve, double t) {
-    std::array<Vec3, BorderPiece::points> c = curve;
+Vec3 point_on(const BorderPiece::Curve& curve, double t) {
+    BorderPiece::Curve c = curve;
     for (std::size_t level = 1; level < c.size(); ++level)
         for (std::size_t i = 0; i + level < c.size(); ++i) c[i] = c[i] * (1 - t) + c[i + 1] * t;
     return c[0];
 }
 
+std::array<BorderPiece::Curve, 2> halved(const BorderPiece::Curve& curve) {
+    std::array<BorderPiece::Curve, 2> halves{curve, curve};
+    auto& [low, high] = halves;
+    constexpr std::size_t last = BorderPiece::points - 1;
+    for (std::size_t level = 1; level <= last; ++level) {
+        for (std::size_t i = 0; i + level <= last; ++i) high[i] = (high[i] + high[i + 1]) * 0.5;
+        low[level] = high[0];
+    }
+    return halves;
+}
+
 /// The ways from which a cone of normals is not seen edge-on are a convex cone themselves, so that
 /// the control points speak for the curve.
-bool BorderPiece::may_be_edge_on(const Apex& apex) const {
+bool BorderPiece::may_be_edge_on(const Apex& apex, const Curve& part) const {
     if (!(normal_angle < std::numbers::pi / 2)) return true;
     const double sine = std::sin(normal_angle);
     bool before = true, behind = true;
-    for (const Vec3& p : curve) {
+    for (const Vec3& p : part) {
         const Vec3 way = apex.way_to(center + p);
         const double rise = normal.dot(way), least = sine * way.length() + 2 * error;
         before = before && rise > least;
@@ -104,7 +115,7 @@ Vec3 BorderPiece::at(double t) const {
 }
 
 Vec3 BorderPiece::derivative(double t) const {
-    std::array<Vec3, points> c = curve;
+    Curve c = curve;
     for (std::size_t level = 1; level + 1 < points; ++level)
         for (std::size_t i = 0; i + level < points; ++i) c[i] = c[i] * (1 - t) + c[i + 1] * t;
     return (c[1] - c[0]) * static_cast<double>(points - 1);

@@ -14,11 +14,12 @@ namespace keiko {
 /// Of degree 5, it meets the exact curve's position and first two derivatives at its ends.
 struct BorderPiece {
     static constexpr std::size_t points = 6;
+    using Curve = std::array<Vec3, points>; ///< control points
 
     std::uint32_t instance = 0, face = 0;
     Vec3 center{0};
     double radius = 0; ///< mm, of the ball about the centre that holds the curve
-    std::array<Vec3, points> curve{Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0)};
+    Curve curve{Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0)};
     double error = 0; ///< mm, largest distance to the exact curve that was met between its ends
     Box3 box;
     /// Unit, from the border into the surface and tangent to it, at begin, middle and end.
@@ -36,7 +37,9 @@ struct BorderPiece {
     Vec2 first{0}, last{0}; ///< face parameters
 
     /// False when the apex is proved to see both sides' tangent planes from one side all along.
-    bool may_be_edge_on(const Apex& apex) const;
+    bool may_be_edge_on(const Apex& apex) const { return may_be_edge_on(apex, curve); }
+    /// The same of a part of the curve.
+    bool may_be_edge_on(const Apex& apex, const Curve& part) const;
     /// Position relative to the centre, and derivative.
     Vec3 at(double t) const;
     Vec3 derivative(double t) const;
@@ -45,7 +48,9 @@ struct BorderPiece {
 };
 
 /// Of a curve of degree 5 at t.
-Vec3 point_on(const std::array<Vec3, BorderPiece::points>& curve, double t);
+Vec3 point_on(const BorderPiece::Curve& curve, double t);
+/// Over the two halves of [0, 1].
+std::array<BorderPiece::Curve, 2> halved(const BorderPiece::Curve& curve);
 
 /// The borders of every placed face, trimmed or natural, and the knot lines along which the normal
 /// jumps. Left out: the sides of a closed face that join smoothly, and sides collapsed into a

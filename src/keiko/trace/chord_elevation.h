@@ -12,6 +12,12 @@ namespace keiko {
 /// the body.
 double least_elevation(const Apex& apex, const Vec3& normal, std::span<const Vec3> corners);
 
+/// The tangent plane at an apex that lies on a surface, and what is asked for over it.
+struct ApexHorizon {
+    Vec3 normal{0};       ///< unit
+    double elevation = 0; ///< sine of the least over the plane, 0 where it is cut
+};
+
 /// What a patch's homogeneous derivatives may be over a box of its parameters, by any positive
 /// factor: component by component, middle and half width.
 struct TangentBounds {

@@ -1,5 +1,7 @@
 #include "keiko/trace/edge_on_part.h"
 
+#include <algorithm>
+
 namespace keiko {
 
 EdgeOnPart::EdgeOnPart(const Box2& uv, HomogeneousNet points, LoweredScalar edge_on,
@@ -10,6 +12,15 @@ EdgeOnPart::EdgeOnPart(const Box2& uv, HomogeneousNet points, LoweredScalar edge
       shares_(shares),
       slopes_(slopes_of(edge_on_.net)) {
     slopes_.add_error(edge_on_.error, shares);
+}
+
+bool EdgeOnPart::may_be_in(const ViewVolume& volume, const Vec3& center, int most_halvings) {
+    if (!volume.may_hold(points_, center)) return false;
+    if (most_halvings == 0) return true;
+    std::vector<EdgeOnPart>& parts = halves();
+    return std::any_of(parts.begin(), parts.end(), [&](EdgeOnPart& half) {
+        return half.may_be_in(volume, center, most_halvings - 1);
+    });
 }
 
 std::vector<EdgeOnPart>& EdgeOnPart::halves() {

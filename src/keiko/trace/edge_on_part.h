@@ -5,6 +5,7 @@
 #include "keiko/trace/seen_wedge.h"
 #include "keiko/trace/silhouette_piece.h"
 #include "keiko/trace/slopes.h"
+#include "keiko/trace/view_volume.h"
 
 #include <optional>
 #include <vector>
@@ -47,6 +48,10 @@ public:
             return visit(*this, distance, pair);
         for (EdgeOnPart& half : halves()) half.each_part(section, most_halvings - 1, visit);
     }
+
+    /// Whether a part of it, halved `most_halvings` times, may lie in `volume`; `center`: of the
+    /// patch.
+    bool may_be_in(const ViewVolume& volume, const Vec3& center, int most_halvings);
 
 private:
     std::vector<EdgeOnPart>& halves();

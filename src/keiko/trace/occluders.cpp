@@ -69,8 +69,8 @@ std::vector<SeenParts> ApexView::intervals(std::span<const SegmentEnds> row) con
     return parts;
 }
 
-bool ApexView::seen_alike(std::span<const SegmentEnds> row) const {
-    return candidates_->seen_alike(row);
+std::vector<std::optional<bool>> ApexView::seen_as_whole(std::span<const PrismEdges> prisms) const {
+    return candidates_->seen_as_whole(prisms);
 }
 
 } // namespace keiko

@@ -15,6 +15,8 @@ namespace keiko {
 
 /// Where a segment begins and ends, mm.
 using SegmentEnds = std::array<Vec3, 2>;
+/// The parallel edges of a prism.
+using PrismEdges = std::array<SegmentEnds, 4>;
 
 /// What an apex sees of a segment.
 struct SeenParts {
@@ -73,9 +75,10 @@ public:
     /// candidate is placed once, and share rays (docs/theory/visibility.md).
     std::vector<SeenParts> intervals(std::span<const SegmentEnds> row) const;
 
-    /// True where parallel segments, and all others between them, are proved to be seen alike: each
-    /// as a whole, or none of them at all, but for what of them lies on the side that is not faced.
-    bool seen_alike(std::span<const SegmentEnds> row) const;
+    /// Of each prism, true where it is proved to be seen as a whole, false where nothing of it is,
+    /// in both cases but for what of it lies on the side that is not faced; nothing where neither
+    /// is proved.
+    std::vector<std::optional<bool>> seen_as_whole(std::span<const PrismEdges> prisms) const;
 
 private:
     class Candidates;

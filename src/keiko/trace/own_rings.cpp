@@ -86,6 +86,23 @@ bool OwnRings::only_apex_in(std::size_t k, const Vec4& weights) const {
     return xx.low + xy.low + yy.low > 0 || xx.high + xy.high + yy.high < 0;
 }
 
+bool OwnRings::may_be_in(const ViewVolume& volume, const Apex& apex,
+                         const ApexHorizon& horizon) const {
+    constexpr int most_halvings = 6;
+    const Vec3 point = apex.place() - patch_->center;
+    for (std::size_t k = 0; k < most_boxes && !shell(k).second.definite(); ++k) {
+        const double steepest =
+            steepest_chord(patch_->points, of_patch(shell(k).box), point, horizon.normal);
+        if (steepest < horizon.elevation) return false;
+        std::vector<EdgeOnPart>& parts = ring(k);
+        if (std::any_of(parts.begin(), parts.end(), [&](EdgeOnPart& part) {
+                return part.may_be_in(volume, patch_->center, most_halvings);
+            }))
+            return true;
+    }
+    return false;
+}
+
 std::vector<EdgeOnPart>& OwnRings::ring(std::size_t k) const {
     Shell& outer = shell(k);
     if (outer.ring) return *outer.ring;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/trace/chord_elevation.h"
 #include "keiko/trace/edge_on_part.h"
 #include "keiko/trace/net_curvature.h"
 
@@ -30,6 +31,10 @@ public:
         for (std::size_t k = 0; k < most_boxes && !only_apex_in(k, section.weights); ++k)
             for (EdgeOnPart& part : ring(k)) part.each_part(section, most_halvings, visit);
     }
+
+    /// False when no silhouette but at the apex itself may lie in `volume`, whose least elevation
+    /// over the tangent plane at the apex is that of `horizon`.
+    bool may_be_in(const ViewVolume& volume, const Apex& apex, const ApexHorizon& horizon) const;
 
 private:
     static constexpr std::size_t most_boxes = 11; ///< 5^-10: what is left is the apex itself

@@ -1,22 +1,11 @@
 #include "keiko/trace/apex_candidates.h"
 #include "keiko/trace/border_events.h"
-#include "keiko/trace/chord_elevation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace keiko {
 namespace {
-
-/// rad: how far segments may be from parallel, less than the screen's boxes have room for.
-constexpr double parallel = 1e-10;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-bool along_screen(const ApexScreen& screen, const SegmentEnds& ends) {
-    const Vec3 along = ends[1] - ends[0];
-    return along.cross(screen.along()).length() <= parallel * along.length();
-}
 
 /// Scan lines between two places across.
 template <class Lines>
@@ -26,20 +15,6 @@ auto between(const Lines& lines, double low, double high) {
     const auto last =
         std::partition_point(first, lines.end(), [&](const auto& l) { return l.across <= high; });
     return std::span(first, last);
-}
-
-/// A box around places; nothing where one is not before the screen.
-std::optional<ScreenBox> hull_of(const ApexScreen& screen, std::span<const Vec3> places) {
-    ScreenBox hull{infinity, -infinity, infinity, -infinity};
-    for (const Vec3& x : places) {
-        const ScreenPlace place = screen.place(x);
-        if (!(place.depth > 0)) return std::nullopt;
-        hull.along_low = std::min(hull.along_low, place.along);
-        hull.along_high = std::max(hull.along_high, place.along);
-        hull.across_low = std::min(hull.across_low, place.across);
-        hull.across_high = std::max(hull.across_high, place.across);
-    }
-    return hull;
 }
 
 /// What is left of a range between boxes.
@@ -60,7 +35,7 @@ std::vector<ParameterInterval> free_between(std::vector<ParameterInterval> block
 } // namespace
 
 const ApexView::Candidates::Screen& ApexView::Candidates::screen_of(const Vec3& along) const {
-    if (screen_ && screen_->screen.along().cross(along).length() <= parallel) return *screen_;
+    if (screen_ && screen_->screen.is_along(along)) return *screen_;
     screen_.emplace(Screen{ApexScreen(apex_, along, middle_), {}, {}});
     if (!screen_->screen.regular()) return *screen_;
     screen_->pieces.reserve(silhouettes_.pieces.size());
@@ -78,7 +53,7 @@ std::optional<std::vector<ApexView::Candidates::ScanLine>> ApexView::Candidates:
     if (!screen.regular()) return std::nullopt;
     std::vector<ScanLine> lines;
     for (const SegmentEnds& ends : row) {
-        if (!along_screen(screen, ends)) return std::nullopt;
+        if (!screen.is_along(ends[1] - ends[0])) return std::nullopt;
         const ScreenPlace a = screen.place(ends[0]), b = screen.place(ends[1]);
         if (!(a.depth > 0 && b.depth > 0)) return std::nullopt;
         lines.push_back({lines.size(), a.across, a.along, b.along});
@@ -172,23 +147,6 @@ std::optional<std::vector<SeenParts>> ApexView::Candidates::intervals_of_row(
         parts.push_back(
             {groups.seen(first_gap[i], first_gap[i + 1] - first_gap[i]), lines[i].certain});
     return parts;
-}
-
-bool ApexView::Candidates::seen_alike(std::span<const SegmentEnds> row) const {
-    if (all_seen_) return true;
-    if (row.empty() || region_touched_ || has_horizon_) return false;
-    const Screen& screen = screen_of((row[0][1] - row[0][0]).normalized());
-    const auto along = [&](const SegmentEnds& ends) { return along_screen(screen.screen, ends); };
-    if (!screen.screen.regular() || !std::all_of(row.begin(), row.end(), along)) return false;
-    const std::vector<Vec3> corners = faced_corners(row);
-    const auto hull = hull_of(screen.screen, corners);
-    if (!hull) return false;
-    if (!silhouettes_.own.empty() &&
-        !(normal_ && least_elevation(apex_, *normal_, corners) > silhouettes_.own_steepest()))
-        return false;
-    const auto apart = [&](const ScreenBox& box) { return !box.overlaps(*hull); };
-    return std::all_of(screen.pieces.begin(), screen.pieces.end(), apart) &&
-           std::all_of(screen.borders.begin(), screen.borders.end(), apart);
 }
 
 } // namespace keiko

@@ -176,6 +176,18 @@ bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentP
     return certain;
 }
 
+bool SilhouetteSolver::may_be_in(const ViewVolume& volume, const SilhouetteCandidate& candidate,
+                                 const Apex& apex) const {
+    if (candidate.nowhere_edge_on()) return false;
+    const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
+    if (!volume.may_hold(piece)) return false;
+    if (!candidate.part) find_part(candidate, apex);
+    if (candidate.nowhere_edge_on()) return false;
+    constexpr int most_halvings = 8;
+    return (*candidate.part)
+        ->may_be_in(volume, silhouettes_.patches[piece.patch].center, most_halvings);
+}
+
 bool SilhouetteSolver::find(const EdgeOnPart& in, const Part& part, ScalarNet distance,
                             const LinearPair& pair, const SegmentPlane& plane,
                             std::vector<VisibilityEvent>& events) const {

@@ -34,12 +34,6 @@ struct OwnCandidate {
     double steepest = 1;
 };
 
-/// The tangent plane at an apex that lies on a surface, and what will be asked for over it.
-struct ApexHorizon {
-    Vec3 normal{0};       ///< unit
-    double elevation = 0; ///< sine of the least over the plane, 0 where it is cut
-};
-
 /// All that one apex may see edge-on.
 struct SilhouetteCandidates {
     std::vector<SilhouetteCandidate> pieces;
@@ -72,6 +66,9 @@ public:
               const SeenWedge& wedge, std::vector<VisibilityEvent>& events) const;
     bool find(const OwnCandidate& own, const SegmentPlane& plane, const SeenWedge& wedge,
               std::vector<VisibilityEvent>& events) const;
+    /// False when all that `apex` sees edge-on of a candidate is proved to lie outside.
+    bool may_be_in(const ViewVolume& volume, const SilhouetteCandidate& candidate,
+                   const Apex& apex) const;
 
 private:
     /// Where an apex on the surface lies on a piece's patch, or on its continuation close by: on

@@ -86,11 +86,26 @@ bool ViewVolume::may_hold(const SilhouettePiece& piece) const {
 }
 
 bool ViewVolume::may_hold(const BorderPiece& border) const {
+    return may_hold(border.curve, border.center, border.error);
+}
+
+bool ViewVolume::may_hold(const BorderPiece::Curve& curve, const Vec3& center, double error) const {
     for (std::size_t i = 0; i < count_; ++i) {
         const HalfSpace& h = half_spaces_[i];
-        const double outside = h.offset - h.normal.dot(border.center) - border.error * h.length;
-        if (std::all_of(border.curve.begin(), border.curve.end(),
+        const double outside = h.offset - h.normal.dot(center) - error * h.length;
+        if (std::all_of(curve.begin(), curve.end(),
                         [&](const Vec3& p) { return h.normal.dot(p) < outside; }))
+            return false;
+    }
+    return true;
+}
+
+bool ViewVolume::may_hold(const HomogeneousNet& net, const Vec3& center) const {
+    for (std::size_t i = 0; i < count_; ++i) {
+        const HalfSpace& h = half_spaces_[i];
+        const Vec4 inside(h.normal.x, h.normal.y, h.normal.z, h.normal.dot(center) - h.offset);
+        if (std::all_of(net.points.begin(), net.points.end(),
+                        [&](const Vec4& p) { return inside.dot(p) < 0; }))
             return false;
     }
     return true;

@@ -24,6 +24,10 @@ public:
     /// The same of a piece, whose parallelogram or control points are tighter than its box.
     bool may_hold(const SilhouettePiece& piece) const;
     bool may_hold(const BorderPiece& border) const;
+    /// The same of a curve of degree 5 and all within `error` of it, and of a net; their points are
+    /// relative to `center`.
+    bool may_hold(const BorderPiece::Curve& curve, const Vec3& center, double error) const;
+    bool may_hold(const HomogeneousNet& net, const Vec3& center) const;
     /// World box of the region itself.
     const Box3& region() const { return region_; }
 

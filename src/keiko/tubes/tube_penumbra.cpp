@@ -177,29 +177,26 @@ Sums integrate(const LampWidth& width, const Visible& visible, Slices slices, do
     return both;
 }
 
-/// Corner lines of a box around all tubes between the first and the last.
-std::array<Segment, 4> corner_lines(std::span<const TubeLamp> row) {
-    const TubeLamp &first = row.front(), &last = row.back();
-    const Vec3 along = (first.b - first.a).normalized();
-    Vec3 across = last.a - first.a;
-    across -= along * along.dot(across);
-    if (!(across.length2() > 0)) across = any_perpendicular(along);
-    across = across.normalized() * (first.diameter / 2);
-    const Vec3 up = along.cross(across);
-    const auto moved = [](const TubeLamp& lamp, const Vec3& by) {
-        return Segment{lamp.a + by, lamp.b + by};
-    };
-    return {moved(first, up - across), moved(first, -up - across), moved(last, across + up),
-            moved(last, across - up)};
+/// A box around a tube.
+Prism box_around(const TubeLamp& lamp) {
+    const Vec3 along = (lamp.b - lamp.a).normalized();
+    const Vec3 across = any_perpendicular(along) * (lamp.diameter / 2), up = along.cross(across);
+    const auto moved = [&](const Vec3& by) { return Segment{lamp.a + by, lamp.b + by}; };
+    return {moved(up - across), moved(-up - across), moved(across + up), moved(across - up)};
 }
 
-/// Whether any of a lamp is seen that is seen alike: where the axis is below the horizon, what is
-/// above it of the lamp tells.
-bool any_seen(const Visible& visible, const TubeLamp& lamp) {
-    if (!visible.intervals({lamp.a, lamp.b}).empty()) return true;
-    const auto corners = corner_lines({&lamp, 1});
-    return std::any_of(corners.begin(), corners.end(),
-                       [&](const Segment& line) { return !visible.intervals(line).empty(); });
+std::vector<Prism> boxes_around(std::span<const TubeLamp> row) {
+    std::vector<Prism> boxes;
+    for (const TubeLamp& lamp : row) boxes.push_back(box_around(lamp));
+    return boxes;
+}
+
+/// Of a lamp's axis.
+IntervalSet above_horizon(const TubeLamp& lamp, const Vec3& point, const Vec3& normal) {
+    const double a = normal.dot(lamp.a - point), b = normal.dot(lamp.b - point);
+    if (a >= 0 && b >= 0) return IntervalSet::whole();
+    if (!(a > 0) && !(b > 0)) return {};
+    return a > 0 ? IntervalSet::whole(0, a / (a - b)) : IntervalSet::whole(a / (a - b), 1);
 }
 
 /// A lamp of which some may be hidden, with the nodes that are asked for first.
@@ -227,33 +224,44 @@ struct PartlySeen {
 
 } // namespace
 
-std::vector<double> visible_shares(std::span<const TubeLamp> row, const Vec3& point,
-                                   const Vec3& normal, const Visible& visible, double tolerance,
-                                   TubeShape shape,
-                                   std::span<const std::vector<HidingTube>> hiding) {
-    if (row.empty()) return {};
-    const bool all_alike = visible.seen_alike(corner_lines(row));
-    std::vector<double> shares(row.size(), 1);
+std::vector<SeenLight> seen_tubes(std::span<const TubeLamp> row, const Vec3& point,
+                                  const Vec3& normal, const Visible& visible,
+                                  const PenumbraOptions& options,
+                                  std::span<const std::vector<HidingTube>> hiding) {
+    const std::vector<std::optional<bool>> wholes = visible.seen_as_whole(boxes_around(row));
+    std::vector<SeenLight> seen(row.size(), SeenLight{{}, 0});
     std::vector<PartlySeen> parts;
+    std::vector<std::size_t> asked; ///< of whose axes
     std::vector<Segment> lines;
     for (std::size_t i = 0; i < row.size(); ++i) {
-        // Along the axis the cap alone lights.
-        const auto view = view_of(row[i], point, normal);
-        if (all_alike || !view || visible.seen_alike(corner_lines({&row[i], 1}))) {
-            shares[i] = any_seen(visible, row[i]) ? 1 : 0;
+        if (wholes[i]) {
+            if (*wholes[i]) seen[i] = {above_horizon(row[i], point, normal), 1};
             continue;
         }
+        // Along the axis the cap alone lights.
+        const auto view = view_of(row[i], point, normal);
+        if (options.axes || !view) {
+            asked.push_back(i);
+            lines.push_back({row[i].a, row[i].b});
+        }
+        if (!view) continue;
         const std::span<const HidingTube> others =
             hiding.empty() ? std::span<const HidingTube>() : hiding[i];
-        const LampWidth width(*view, point, shape, others);
+        const LampWidth width(*view, point, options.shape, others);
         parts.push_back({i, width, parts_of(width)});
-        for (const Slices& slices : parts.back().slices)
-            add_lines(width, ends_and_middle, slices, lines);
     }
-    const std::vector<IntervalSet> seen = visible.intervals(lines);
-    auto next = seen.begin();
-    for (PartlySeen& part : parts) shares[part.lamp] = part.share(visible, tolerance, next);
-    return shares;
+    for (const PartlySeen& part : parts)
+        for (const Slices& slices : part.slices)
+            add_lines(part.width, ends_and_middle, slices, lines);
+    const std::vector<IntervalSet> of_lines = visible.intervals(lines);
+    auto next = of_lines.begin();
+    for (const std::size_t lamp : asked) {
+        seen[lamp].axis = *next++;
+        seen[lamp].share = seen[lamp].axis.empty() ? 0 : 1;
+    }
+    for (PartlySeen& part : parts)
+        seen[part.lamp].share = part.share(visible, options.tolerance, next);
+    return seen;
 }
 
 } // namespace keiko

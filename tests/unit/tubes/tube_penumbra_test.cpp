@@ -66,7 +66,7 @@ double share_by_strips(const Vec3& hidden_side) {
 }
 
 double share(const Visible& visible, double tolerance) {
-    return visible_shares({&lamp, 1}, Vec3(0), normal, visible, tolerance)[0];
+    return seen_tubes({&lamp, 1}, Vec3(0), normal, visible, {tolerance})[0].share;
 }
 
 } // namespace

@@ -1,0 +1,95 @@
+#include "keiko/trace/apex_candidates.h"
+#include "keiko/trace/faced_corners.h"
+
+#include <algorithm>
+#include <array>
+
+namespace keiko {
+namespace {
+
+std::vector<Vec3> corners_of(const PrismEdges& prism) {
+    std::vector<Vec3> corners;
+    for (const SegmentEnds& edge : prism) corners.insert(corners.end(), edge.begin(), edge.end());
+    return corners;
+}
+
+Vec3 middle_of(std::span<const Vec3> corners) {
+    Vec3 middle(0);
+    for (const Vec3& corner : corners) middle += corner / static_cast<double>(corners.size());
+    return middle;
+}
+
+/// Whether a border may hide or show any of `volume` in some part of it.
+bool may_cross(const BorderPiece& border, const BorderPiece::Curve& part, const Apex& apex,
+               const ViewVolume& volume, int most_halvings) {
+    if (!volume.may_hold(part, border.center, border.error) || !border.may_be_edge_on(apex, part))
+        return false;
+    if (most_halvings == 0) return true;
+    const std::array halves = halved(part);
+    return std::any_of(halves.begin(), halves.end(), [&](const BorderPiece::Curve& half) {
+        return may_cross(border, half, apex, volume, most_halvings - 1);
+    });
+}
+
+} // namespace
+
+bool ApexView::Candidates::own_may_cross(const ViewVolume& volume,
+                                         std::span<const Vec3> corners) const {
+    if (!normal_) return true;
+    const ApexHorizon horizon{*normal_, least_elevation(apex_, *normal_, corners)};
+    return std::any_of(silhouettes_.own.begin(), silhouettes_.own.end(), [&](const auto& own) {
+        return own.steepest >= horizon.elevation && own.rings->may_be_in(volume, apex_, horizon);
+    });
+}
+
+bool ApexView::Candidates::nothing_crosses(const PrismEdges& prism,
+                                           std::span<const Vec3> corners) const {
+    const Screen& screen = screen_of((prism[0][1] - prism[0][0]).normalized());
+    const auto along = [&](const SegmentEnds& edge) {
+        return screen.screen.is_along(edge[1] - edge[0]);
+    };
+    if (!screen.screen.regular() || !std::all_of(prism.begin(), prism.end(), along)) return false;
+    const auto hull = screen.screen.hull(corners);
+    if (!hull) return false;
+    std::optional<ViewVolume> volume;
+    const auto inside = [&]() -> const ViewVolume& {
+        if (!volume) volume.emplace(apex_, corners, facing_);
+        return *volume;
+    };
+    constexpr int most_halvings = 8;
+    for (std::size_t i = 0; i < screen.borders.size(); ++i) {
+        const BorderPiece& border = scene_->borders[borders_[i]];
+        if (screen.borders[i].overlaps(*hull) &&
+            may_cross(border, border.curve, apex_, inside(), most_halvings))
+            return false;
+    }
+    for (std::size_t i = 0; i < screen.pieces.size(); ++i)
+        if (screen.pieces[i].overlaps(*hull) &&
+            scene_->solver.may_be_in(inside(), silhouettes_.pieces[i], apex_))
+            return false;
+    return silhouettes_.own.empty() || !own_may_cross(inside(), corners);
+}
+
+std::vector<std::optional<bool>> ApexView::Candidates::seen_as_whole(
+    std::span<const PrismEdges> prisms) const {
+    if (all_seen_) return std::vector<std::optional<bool>>(prisms.size(), all_seen_);
+    std::vector<std::optional<bool>> seen(prisms.size());
+    if (region_touched_ || has_horizon_) return seen;
+    std::vector<Ray> rays;
+    std::vector<std::size_t> proved;
+    for (std::size_t i = 0; i < prisms.size(); ++i) {
+        std::vector<Vec3> corners = corners_of(prisms[i]);
+        if (facing_) corners = faced_corners(apex_, *facing_, corners);
+        if (corners.empty())
+            seen[i] = false;
+        else if (nothing_crosses(prisms[i], corners)) {
+            rays.push_back(apex_.ray_to(middle_of(corners)));
+            proved.push_back(i);
+        }
+    }
+    const std::vector<bool> hidden = tracer_->any(std::span<const Ray>(rays));
+    for (std::size_t k = 0; k < proved.size(); ++k) seen[proved[k]] = !hidden[k];
+    return seen;
+}
+
+} // namespace keiko
