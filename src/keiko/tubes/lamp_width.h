@@ -33,6 +33,12 @@ public:
         return shape_ == TubeShape::cylinder ? on_tube(place) : on_rectangle(place);
     }
     Segment line_of(const SubAxis& axis) const;
+    /// In the half-plane of the axis: the middle line, as much longer than the lamp as it takes to
+    /// stand before all of the axis.
+    Segment line_before_axis() const;
+    /// What is seen of the axis, and of the middle line, where that is seen of line_before_axis().
+    IntervalSet of_axis(const IntervalSet& before_axis) const;
+    IntervalSet of_middle(const IntervalSet& before_axis) const;
     /// Projected solid angle, by the wedge angle, of a part of a sub-axis: from t = `begin` to
     /// `end`, without what other tubes hide.
     double lit(const SubAxis& axis, double begin, double end) const;
@@ -41,6 +47,9 @@ public:
 
 private:
     double place_of(double psi) const;
+    double middle_share() const;
+    ParameterInterval before_axis() const;
+    IntervalSet of_line(const IntervalSet& before_axis, double nearness) const;
     SubAxis on_tube(double place) const;
     SubAxis on_rectangle(double place) const;
 

@@ -92,6 +92,30 @@ TEST(TubePenumbra, FindsEdgesAslantToTheTolerance) {
         }
 }
 
+/// The middle line tells of the axis too, also where the point is beside the lamp's ends.
+TEST(TubePenumbra, TellsWhatIsSeenOfTheAxis) {
+    for (const TubeShape shape : {TubeShape::cylinder, TubeShape::rectangle})
+        for (const double shift : {-2000.0, -300.0, 0.0, 300.0, 2000.0})
+            for (int i = 0; i < 12; ++i) {
+                TubeLamp moved = lamp;
+                const Vec3 along = (lamp.b - lamp.a).normalized();
+                moved.a += along * shift, moved.b += along * shift;
+                const Vec3 at = moved.a + (moved.b - moved.a) * ((i - 1.3) / 9.0);
+                const PastEdge visible(at.cross(along.cross(Vec3(0.1, 0.2, 1))));
+                const auto seen =
+                    seen_tubes({&moved, 1}, Vec3(0), normal, visible, {1e-4, shape, true})[0];
+                const auto alone =
+                    seen_tubes({&moved, 1}, Vec3(0), normal, visible, {1e-4, shape})[0];
+                EXPECT_NEAR(seen.share, alone.share, 1e-12);
+                const IntervalSet axis = visible.intervals(Segment{moved.a, moved.b});
+                ASSERT_EQ(seen.axis.size(), axis.size()) << shift << ' ' << i;
+                for (std::size_t k = 0; k < axis.size(); ++k) {
+                    EXPECT_NEAR(seen.axis[k].begin, axis[k].begin, 1e-12);
+                    EXPECT_NEAR(seen.axis[k].end, axis[k].end, 1e-12);
+                }
+            }
+}
+
 TEST(TubePenumbra, AsksFewLinesWhereAnEdgeCrossesTheLamp) {
     const PastEdge visible(hidden_beyond(0.1, pi / 2));
     share(visible, 3e-3);

@@ -1,0 +1,155 @@
+#include "keiko/tubes/width_slices.h"
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// On [-1, 1].
+constexpr std::array<double, Slices::count> nodes{
+    -1, -0.9604912687080202, -0.7745966692414834, -0.4342437493468026,
+    0,  0.4342437493468026,  0.7745966692414834,  0.9604912687080202,
+    1};
+using Weights = std::array<double, Slices::count>;
+constexpr Weights kronrod{0,
+                          0.1046562260264673,
+                          0.2684880898683334,
+                          0.4013974147759622,
+                          0.4509165386584741,
+                          0.4013974147759622,
+                          0.2684880898683334,
+                          0.1046562260264673,
+                          0};
+constexpr Weights gauss{0, 0, 0.5555555555555556, 0, 0.8888888888888889, 0, 0.5555555555555556,
+                        0, 0};
+constexpr Weights middle_alone{0, 0, 0, 0, 2, 0, 0, 0, 0};
+constexpr std::array<std::size_t, 5> of_gauss{0, 2, 4, 6, 8}; ///< with the ends
+constexpr std::array<std::size_t, 2> of_gauss_alone{2, 6};
+constexpr std::array<std::size_t, 4> of_kronrod_alone{1, 3, 5, 7};
+
+/// What some nodes' slices light.
+void light_slices(const LampWidth& width, std::span<const std::size_t> nodes_of, Slices& slices) {
+    for (const std::size_t i : nodes_of) {
+        slices.axes[i] = width.sub_axis(slices.center + slices.half * nodes[i]);
+        slices.at[i] = {width.lit(slices.axes[i], 0, 1)};
+    }
+}
+
+/// A part of the width, of which nothing is asked yet.
+Slices part_of(const LampWidth& width, double center, double half) {
+    Slices part{center, half};
+    light_slices(width, of_gauss, part);
+    return part;
+}
+
+SolidAngle weighed(const Slices& slices, const Weights& weights) {
+    SolidAngle sums;
+    for (std::size_t i = 0; i < Slices::count; ++i) {
+        const double weight = slices.half * weights[i] * slices.axes[i].weight;
+        sums += {weight * slices.at[i].all, weight * slices.at[i].hidden};
+    }
+    return sums;
+}
+
+/// By how much two rules disagree on what is hidden.
+double difference(const SolidAngle& coarse, const SolidAngle& fine) {
+    return std::abs(coarse.all > 0 ? coarse.hidden * (fine.all / coarse.all) - fine.hidden
+                                   : fine.hidden);
+}
+
+/// What may be missed between an end and the node next to it: by how much the end's hidden share is
+/// off the line through that node and one farther in, for the share of the width in between.
+double missed_at(const Slices& slices, std::size_t end, std::size_t node, std::size_t inner) {
+    const auto &e = slices.at[end], &n = slices.at[node], &i = slices.at[inner];
+    if (!(e.all > 0 && n.all > 0 && i.all > 0)) return 0;
+    const double beyond = (nodes[end] - nodes[node]) / (nodes[node] - nodes[inner]);
+    const double off = e.share() - n.share() - (n.share() - i.share()) * beyond;
+    return std::abs(off) * std::abs(nodes[end] - nodes[node]) / 2;
+}
+
+/// By how much the middle's hidden share is off the line through those of the ends, and what may
+/// be missed where it is on the line by chance, as in the middle of a ramp between two kinks.
+double missed_by_middle(const Slices& slices) {
+    const double begin = slices.at[0].share(), end = slices.at[8].share();
+    constexpr double by_chance = 0.1;
+    return std::max(std::abs(slices.at[4].share() - (begin + end) / 2),
+                    by_chance * std::abs(end - begin));
+}
+
+double missed_by_gauss(const Slices& slices) {
+    return missed_at(slices, 0, 2, 4) + missed_at(slices, 8, 6, 4);
+}
+
+double missed_by_kronrod(const Slices& slices) {
+    return missed_at(slices, 0, 1, 2) + missed_at(slices, 8, 7, 6);
+}
+
+} // namespace
+
+double Slices::brightest() const {
+    double most = 0;
+    for (const std::size_t i : of_gauss) most = std::max(most, axes[i].weight * at[i].all);
+    return most;
+}
+
+std::vector<Slices> parts_of(const LampWidth& width) {
+    const std::vector<double> cuts = width.cuts();
+    std::vector<Slices> parts;
+    for (std::size_t i = 1; i < cuts.size(); ++i)
+        if (cuts[i - 1] < cuts[i])
+            parts.push_back(
+                part_of(width, (cuts[i] + cuts[i - 1]) / 2, (cuts[i] - cuts[i - 1]) / 2));
+    return parts;
+}
+
+void add_lines(const LampWidth& width, std::span<const std::size_t> nodes, const Slices& slices,
+               std::vector<Segment>& lines) {
+    for (const std::size_t i : nodes)
+        if (slices.at[i].all > 0) lines.push_back(width.line_of(slices.axes[i]));
+}
+
+void hide_slice(const LampWidth& width, std::size_t node, const IntervalSet& seen, Slices& slices) {
+    for (const ParameterInterval& dark : seen.complement())
+        slices.at[node].hidden += width.lit(slices.axes[node], dark.begin, dark.end);
+}
+
+void hide_slices(const LampWidth& width, std::span<const std::size_t> nodes, Slices& slices,
+                 std::vector<IntervalSet>::const_iterator& next) {
+    for (const std::size_t i : nodes)
+        if (slices.at[i].all > 0) hide_slice(width, i, *next++, slices);
+}
+
+SolidAngle integrate(const LampWidth& width, const Visible& visible, Slices slices, double error,
+                     int most_halvings) {
+    const auto find = [&](std::span<const std::size_t> nodes_of, Slices& of) {
+        std::vector<Segment> lines;
+        add_lines(width, nodes_of, of, lines);
+        const std::vector<IntervalSet> seen = visible.intervals(lines);
+        auto next = seen.begin();
+        hide_slices(width, nodes_of, of, next);
+    };
+    const double all = weighed(slices, gauss).all;
+    const bool above = std::all_of(of_gauss.begin(), of_gauss.end(),
+                                   [&](std::size_t i) { return slices.at[i].all > 0; });
+    if (above && missed_by_middle(slices) * all <= error) return {all, all * slices.at[4].share()};
+    find(of_gauss_alone, slices);
+    const SolidAngle three = weighed(slices, gauss);
+    if (above && difference(weighed(slices, middle_alone), three) <= error &&
+        missed_by_gauss(slices) * three.all <= error)
+        return three;
+    light_slices(width, of_kronrod_alone, slices);
+    find(of_kronrod_alone, slices);
+    const SolidAngle seven = weighed(slices, kronrod);
+    if (most_halvings == 0 ||
+        (difference(three, seven) <= error && missed_by_kronrod(slices) * seven.all <= error))
+        return seven;
+    SolidAngle both;
+    for (const double side : {-0.5, 0.5}) {
+        Slices part = part_of(width, slices.center + side * slices.half, slices.half / 2);
+        find(Slices::ends_and_middle, part);
+        both += integrate(width, visible, part, error / 2, most_halvings - 1);
+    }
+    return both;
+}
+
+} // namespace keiko

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "keiko/luminance/visible.h"
+#include "keiko/tubes/lamp_width.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// A slice of a lamp through one line along it: solid angle by its wedge angle, and what of it is
+/// hidden.
+struct Slice {
+    double all = 0, hidden = 0;
+
+    double share() const { return hidden / all; }
+};
+
+/// Slices of a part of a lamp's width, at the nodes of Gauss's rules of 1 and 3 and of Kronrod's of
+/// 7, each of which holds those before it, and at both ends, which weigh nothing, but tell what
+/// lies beyond the last node.
+struct Slices {
+    static constexpr std::size_t count = 9, first = 0, middle = 4, last = 8;
+    static constexpr std::array<std::size_t, 2> ends{first, last};
+    static constexpr std::array<std::size_t, 3> ends_and_middle{first, middle, last};
+
+    double center = 0, half = 1; ///< of the width, -1 to 1
+    std::array<SubAxis, count> axes{};
+    std::array<Slice, count> at{};
+
+    /// The most light of any.
+    double brightest() const;
+};
+
+/// The parts of a width between its cuts, of which nothing is asked yet.
+std::vector<Slices> parts_of(const LampWidth& width);
+
+/// Appends the lines to be asked for at some nodes: of slices that light anything.
+void add_lines(const LampWidth& width, std::span<const std::size_t> nodes, const Slices& slices,
+               std::vector<Segment>& lines);
+/// With what is seen of a slice.
+void hide_slice(const LampWidth& width, std::size_t node, const IntervalSet& seen, Slices& slices);
+/// With what is seen of the lines of add_lines(), from `next` on.
+void hide_slices(const LampWidth& width, std::span<const std::size_t> nodes, Slices& slices,
+                 std::vector<IntervalSet>::const_iterator& next);
+
+/// Solid angle of a lamp, or of a part of it.
+struct SolidAngle {
+    double all = 0, hidden = 0;
+
+    SolidAngle& operator+=(const SolidAngle& other) {
+        all += other.all, hidden += other.hidden;
+        return *this;
+    }
+    double visible_share() const { return all > 0 ? std::clamp(1 - hidden / all, 0.0, 1.0) : 1; }
+};
+
+/// Over the part that `slices` stand for, of which the ends and the middle are known: by more
+/// nodes, then by halves, until two rules agree on what is hidden to within `error`, an absolute
+/// one for this part, and the ends with the nodes next to them, or to `most_halvings`.
+SolidAngle integrate(const LampWidth& width, const Visible& visible, Slices slices, double error,
+                     int most_halvings);
+
+} // namespace keiko
