@@ -37,7 +37,7 @@ private:
     void write_first(Piece& piece, std::span<const Ray> rays) const;
     void write_seen(Piece& piece, std::span<const Ray> rays) const;
     void write_all(Piece& piece, std::span<const Ray> rays) const;
-    void write(Piece& piece, const std::optional<Hit>& hit, const Rgb& luminance) const;
+    void write(Piece& piece, const Hit* hit, const Rgb& luminance) const;
 
     const Scene& scene_;
     const Tracer& tracer_;
@@ -61,7 +61,7 @@ void RowWriter::work(Piece& piece) const {
     write_first(piece, parsed.rays);
 }
 
-void RowWriter::write(Piece& piece, const std::optional<Hit>& hit, const Rgb& luminance) const {
+void RowWriter::write(Piece& piece, const Hit* hit, const Rgb& luminance) const {
     if (!hit) return append_empty_row(piece.rows, columns_);
     piece.hits.count(*hit);
     Hit told = *hit;
@@ -70,24 +70,25 @@ void RowWriter::write(Piece& piece, const std::optional<Hit>& hit, const Rgb& lu
 }
 
 void RowWriter::write_first(Piece& piece, std::span<const Ray> rays) const {
-    for (const std::optional<Hit>& hit : tracer_.nearest(rays)) write(piece, hit, Rgb());
+    for (const std::optional<Hit>& hit : tracer_.nearest(rays))
+        write(piece, hit ? &*hit : nullptr, Rgb());
 }
 
 void RowWriter::write_seen(Piece& piece, std::span<const Ray> rays) const {
-    for (const EyeSample& sample : integrator_.follow(rays))
-        write(piece, sample.hit, sample.luminance);
+    const EyeView view = integrator_.follow(rays);
+    for (const EyeSample& sample : view.samples) write(piece, sample.hit, sample.luminance);
 }
 
 void RowWriter::write_all(Piece& piece, std::span<const Ray> rays) const {
     std::uint64_t number = piece.lines.first_ray;
-    const auto write_numbered = [&](const std::optional<Hit>& hit) {
+    const auto write_numbered = [&](const Hit* hit) {
         append_number(piece.rows, number);
         piece.rows += ',';
         write(piece, hit, Rgb());
     };
     for (const std::vector<Hit>& hits : tracer_.all(rays)) {
-        for (const Hit& hit : hits) write_numbered(hit);
-        if (hits.empty()) write_numbered(std::nullopt);
+        for (const Hit& hit : hits) write_numbered(&hit);
+        if (hits.empty()) write_numbered(nullptr);
         ++number;
     }
 }

@@ -65,7 +65,7 @@ Film supersampled(const StripeScene& scene, int n, bool footprints) {
                         ray.differentials.reset();
                     rays.push_back(ray);
                 }
-            write_mean(film, x, y, integrator.follow(rays));
+            write_mean(film, x, y, integrator.follow(rays).samples);
         }
     return film;
 }

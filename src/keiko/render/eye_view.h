@@ -12,9 +12,9 @@ namespace keiko {
 
 /// What one eye ray brings back.
 struct EyeSample {
-    Rgb luminance;          ///< cd/m2
-    std::optional<Hit> hit; ///< the first surface
-    double illuminance = 0; ///< lx of direct light on it, where an AOV asks for it
+    Rgb luminance;            ///< cd/m2
+    const Hit* hit = nullptr; ///< the first surface, of EyeView::hits; null: none
+    double illuminance = 0;   ///< lx of direct light on it, where an AOV asks for it
     /// Where the first mirrored ray meets the nearest C-plane, mm; nothing where the body is in the
     /// way.
     std::optional<Vec2> c_plane;
@@ -26,13 +26,30 @@ struct EyeSample {
     PathCounts paths;        ///< of its hits, the mirrored rays' too
 };
 
-/// What eye rays bring back without the light of lamps on bases and lobes, and where that falls.
-struct EyeView {
-    std::vector<EyeSample> samples; ///< one a ray, in order
-    std::vector<LitSpot> spots;     ///< by depth, then by sample
+/// Of a sample with a hit.
+inline SurfacePlace place_of(const EyeSample& sample) {
+    return {sample.hit->position, sample.hit->normal, sample.paint};
+}
+
+/// Eye rays through places of a grid, row by row.
+struct EyeGrid {
+    int width = 0, height = 0;
+    std::vector<Ray> rays;
+    std::vector<std::size_t> places; ///< of the rays, rising; through others none meets the model
 };
 
-/// The inner part of the view of a grid of rays, `width` in a row, one ray off on all sides.
-EyeView without_border(const EyeView& view, int width);
+/// What eye rays bring back without the light of lamps on bases and lobes, and where that falls.
+struct EyeView {
+    EyeView() = default;
+    EyeView(EyeView&&) = default; // samples point into `hits`, which stay where they are
+    EyeView& operator=(EyeView&&) = default;
+
+    std::vector<EyeSample> samples;       ///< one a ray or place, in order
+    std::vector<LitSpot> spots;           ///< that take such light; by depth, then by sample
+    std::vector<std::optional<Hit>> hits; ///< of the rays with the first surface
+};
+
+/// The inner part of the view of a grid, `width` in a row, one place off on all sides.
+EyeView without_border(EyeView view, int width);
 
 } // namespace keiko

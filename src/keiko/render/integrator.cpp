@@ -17,8 +17,12 @@ namespace {
 /// mm: where a ray that meets nothing ends, for the medium in between.
 constexpr double far_away = 1e6;
 
-Vec3 end_of(const Ray& ray, const std::optional<Hit>& hit) {
+Vec3 end_of(const Ray& ray, const Hit* hit) {
     return hit ? hit->position : ray.origin + ray.direction.normalized() * far_away;
+}
+
+const Hit* found(const std::optional<Hit>& hit) {
+    return hit ? &*hit : nullptr;
 }
 
 } // namespace
@@ -30,7 +34,8 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
       planes_(scene.rig),
       lights_(scene.rig, scene.occluders, scene.tracer),
       tubes_(scene.occluders ? options.tubes : TubeModel::preview),
-      tells_illuminance_(std::count(options.aovs.begin(), options.aovs.end(), Aov::illuminance)) {
+      tells_illuminance_(std::count(options.aovs.begin(), options.aovs.end(), Aov::illuminance)),
+      refines_(options.edge_samples > 1) {
     std::vector<Material> known;
     for (const Material& material : scene.materials) {
         const auto found = std::find(known.begin(), known.end(), material);
@@ -42,93 +47,118 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
     if (eye) pencils_ = shaft_pencils(scene.rig, scene.occluders, scene.tracer, *eye, job);
 }
 
-ShaftShadows Integrator::shaft_shadows(std::span<const Path> paths,
+ShaftShadows Integrator::shaft_shadows(std::span<const Ray> rays,
                                        std::span<const std::optional<Hit>> hits, int depth) const {
     std::vector<Segment> legs;
     if (scene_.rig.medium && scene_.occluders)
-        for (std::size_t i = 0; i < paths.size(); ++i)
-            legs.push_back({paths[i].ray.origin, end_of(paths[i].ray, hits[i])});
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            legs.push_back({rays[i].origin, end_of(rays[i], found(hits[i]))});
     const auto pencils =
         depth == 0 ? std::span(pencils_) : std::span<const std::optional<ShadowPencil>>();
     return {scene_.rig, scene_.occluders, scene_.tracer, legs, pencils};
 }
 
-std::vector<EyeSample> Integrator::follow(std::span<const Ray> eye_rays) const {
+EyeView Integrator::follow(std::span<const Ray> eye_rays) const {
     EyeView view = this->view(eye_rays);
     for (const LitSpot& spot : view.spots)
         add_light(spot, light_on(spot), view.samples[spot.sample]);
-    return std::move(view.samples);
-}
-
-EyeView Integrator::view(std::span<const Ray> eye_rays, int grid_width) const {
-    EyeView view;
-    view.samples.resize(eye_rays.size());
-    std::vector<Path> paths;
-    for (std::size_t i = 0; i < eye_rays.size(); ++i) paths.push_back({eye_rays[i], i, Rgb(1)});
-
-    for (int depth = 0; !paths.empty(); ++depth) {
-        std::vector<Ray> rays;
-        rays.reserve(paths.size());
-        for (const Path& path : paths) rays.push_back(path.ray);
-        const std::vector<std::optional<Hit>> hits = scene_.tracer.nearest(rays);
-        const std::vector<PixelMirror> mirrors =
-            depth == 0 ? std::vector<PixelMirror>(paths.size())
-                       : mirrors_of(paths, hits, depth == 1 ? grid_width : 0, view.spots);
-
-        const ShaftShadows shadows = shaft_shadows(paths, hits, depth);
-        const VisibleFrom shafts = shadows.visible();
-        std::vector<Path> mirrored;
-        for (std::size_t i = 0; i < paths.size(); ++i)
-            if (auto next =
-                    advance(std::move(paths[i]), {hits[i], mirrors[i]}, depth, shafts, view))
-                mirrored.push_back(std::move(*next));
-        paths = std::move(mirrored);
-    }
     return view;
 }
 
-std::vector<PixelMirror> Integrator::mirrors_of(std::span<const Path> paths,
+EyeView Integrator::view(std::span<const Ray> eye_rays) const {
+    EyeView view;
+    view.samples.resize(eye_rays.size());
+    Wave wave;
+    for (std::size_t i = 0; i < eye_rays.size(); ++i) wave.add(eye_rays[i], {i, Rgb(1)});
+    follow(std::move(wave), nullptr, view);
+    return view;
+}
+
+EyeView Integrator::view(EyeGrid grid) const {
+    EyeView view;
+    EyeSample unseen;
+    unseen.luminance = scene_.background;
+    MirroredGrid mirrored(grid.width, grid.height);
+    view.samples.assign(mirrored.size(), unseen);
+    Wave wave;
+    wave.rays = std::move(grid.rays);
+    for (const std::size_t place : grid.places) {
+        view.samples[place].luminance = Rgb();
+        wave.paths.push_back({place, Rgb(1)});
+    }
+    follow(std::move(wave), &mirrored, view);
+    return view;
+}
+
+void Integrator::follow(Wave wave, MirroredGrid* grid, EyeView& view) const {
+    Wave beside; // rays that only tell how the images of neighbours are bent
+    const PixelMirror no_mirror;
+    for (int depth = 0; !wave.rays.empty(); ++depth) {
+        std::vector<std::optional<Hit>> hits = scene_.tracer.nearest(wave.rays);
+        if (depth == 1 && grid) fill(*grid, {&wave, &beside}, view.samples);
+        const std::vector<PixelMirror> mirrors =
+            depth == 0 ? std::vector<PixelMirror>()
+                       : mirrors_of(wave, hits, depth == 1 ? grid : nullptr);
+        const ShaftShadows shadows = shaft_shadows(wave.rays, hits, depth);
+        const VisibleFrom shafts = shadows.visible();
+        Wave mirrored;
+        for (std::size_t i = 0; i < wave.rays.size(); ++i) {
+            const Met met{wave.rays[i], found(hits[i]), depth == 0 ? no_mirror : mirrors[i]};
+            Path path = wave.paths[i];
+            if (!advance(path, met, depth, shafts, view)) continue;
+            const bool ends = grid && !refines_ && grid->at_border(path.sample);
+            (ends ? beside : mirrored).add(mirror_ray(met.ray, *met.hit), path);
+        }
+        if (depth == 0) view.hits = std::move(hits);
+        wave = std::move(mirrored);
+    }
+}
+
+void Integrator::fill(MirroredGrid& grid, std::initializer_list<const Wave*> waves,
+                      std::span<const EyeSample> samples) {
+    for (const Wave* wave : waves)
+        for (std::size_t i = 0; i < wave->rays.size(); ++i) {
+            const std::size_t place = wave->paths[i].sample;
+            grid.set(place, wave->rays[i], place_of(samples[place]));
+        }
+    grid.join();
+}
+
+std::vector<PixelMirror> Integrator::mirrors_of(const Wave& wave,
                                                 std::span<const std::optional<Hit>> hits,
-                                                int grid_width,
-                                                std::span<const LitSpot> spots) const {
-    std::optional<MirroredGrid> grid;
-    if (grid_width > 0) grid.emplace(grid_width, spots);
-    if (grid)
-        for (const Path& path : paths) grid->set(path.sample, path.ray);
+                                                const MirroredGrid* grid) const {
     std::vector<PixelMirror> mirrors;
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-        const Ray& ray = paths[i].ray;
-        const double t_max = hits[i] ? hits[i]->t : ray.t_max;
-        mirrors.push_back(
-            mirror_of(planes_, ray, grid ? grid->pixel(paths[i].sample) : std::nullopt, t_max));
+    mirrors.reserve(wave.rays.size());
+    for (std::size_t i = 0; i < wave.rays.size(); ++i) {
+        const Ray& ray = wave.rays[i];
+        mirrors.push_back(mirror_of(planes_, ray,
+                                    grid ? grid->around(wave.paths[i].sample) : std::nullopt,
+                                    hits[i] ? hits[i]->t : ray.t_max, refines_));
     }
     return mirrors;
 }
 
-std::optional<Integrator::Path> Integrator::advance(Path path, const Met& met, int depth,
-                                                    const VisibleFrom& shafts,
-                                                    EyeView& view) const {
-    const std::optional<Hit>& hit = met.hit;
+bool Integrator::advance(Path& path, const Met& met, int depth, const VisibleFrom& shafts,
+                         EyeView& view) const {
     EyeSample& sample = view.samples[path.sample];
     note(path, met, depth, shafts, sample);
-    pass_medium(path, end_of(path.ray, hit), shafts, sample);
-    if (!hit) {
+    pass_medium(path, met, shafts, sample);
+    if (!met.hit) {
         sample.luminance +=
             path.weight * (depth == 0 ? scene_.background : even_luminance(scene_.rig.ambient));
-        return std::nullopt;
+        return false;
     }
-    sample.paths.count(*hit);
-    const LitSpot spot = spot_at(path, *hit, depth);
-    sample.luminance += path.weight * ambient_luminance(spot);
-    view.spots.push_back(spot);
-
+    sample.paths.count(*met.hit);
+    const std::uint32_t paint = paint_of_face_[met.hit->face];
+    if (takes_light(paint, depth)) {
+        view.spots.push_back(spot_at(path, met, depth));
+        sample.luminance += path.weight * ambient_luminance(view.spots.back());
+    }
+    if (depth >= options_.max_depth) return false;
     const double cosine =
-        std::abs(hit->normal.dot(path.ray.direction)) / path.ray.direction.length();
-    path.weight *= paints_[paint_of_face_[hit->face]].mirrored(cosine);
-    if (depth >= options_.max_depth || !(max_channel(path.weight) >= options_.min_weight))
-        return std::nullopt;
-    path.ray = mirror_ray(path.ray, *hit);
-    return path;
+        std::abs(met.hit->normal.dot(met.ray.direction)) / met.ray.direction.length();
+    path.weight *= paints_[paint].mirrored(cosine);
+    return max_channel(path.weight) >= options_.min_weight;
 }
 
 /// What a ray from the eye meets first, and what its mirrored ones pass.
@@ -139,33 +169,41 @@ void Integrator::note(Path& path, const Met& met, int depth, const VisibleFrom& 
         sample.paint = met.hit ? paint_of_face_[met.hit->face] : 0;
         return;
     }
-    if (depth == 1) note_mirrored(path.ray, met.hit, sample);
+    if (depth == 1) note_mirrored(met, sample);
     sample.torn = sample.torn || met.mirror.torn;
-    add_lamps(path, met.mirror.lamps, shafts, sample);
+    add_lamps(path, met, shafts, sample);
+}
+
+/// Whether light on a paint, beside what it mirrors, is seen or asked for.
+bool Integrator::takes_light(std::uint32_t paint, int depth) const {
+    return paints_[paint].takes_light() || (depth == 0 && tells_illuminance_);
 }
 
 /// Its side that the path comes from.
-LitSpot Integrator::spot_at(const Path& path, const Hit& hit, int depth) const {
-    const Vec3 normal = hit.normal.dot(path.ray.direction) > 0 ? -hit.normal : hit.normal;
-    const Vec3 eye = path.ray.direction / -path.ray.direction.length();
+LitSpot Integrator::spot_at(const Path& path, const Met& met, int depth) const {
+    const Hit& hit = *met.hit;
+    const Vec3& direction = met.ray.direction;
+    const Vec3 normal = hit.normal.dot(direction) > 0 ? -hit.normal : hit.normal;
+    const Vec3 eye = direction / -direction.length();
     return {path.sample, depth, {hit.position, normal, paint_of_face_[hit.face]},
             hit.root,    eye,   path.weight};
 }
 
-void Integrator::note_mirrored(const Ray& ray, const std::optional<Hit>& hit,
-                               EyeSample& sample) const {
-    if (hit) sample.mirrored_face = hit->face;
-    const auto plane = planes_.nearest(ray.origin, ray.direction);
-    if (plane && !(hit && hit->t < plane->at.t)) sample.c_plane = Vec2(plane->at.u, plane->at.v);
+void Integrator::note_mirrored(const Met& met, EyeSample& sample) {
+    if (met.hit) sample.mirrored_face = met.hit->face;
+    const auto& plane = met.mirror.plane;
+    if (plane && !(met.hit && met.hit->t < plane->at.t))
+        sample.c_plane = Vec2(plane->at.u, plane->at.v);
 }
 
-void Integrator::add_lamps(Path& path, const MirroredLight& lamps, const VisibleFrom& shafts,
+void Integrator::add_lamps(Path& path, const Met& met, const VisibleFrom& shafts,
                            EyeSample& sample) const {
+    const MirroredLight& lamps = met.mirror.lamps;
     if (lamps.coverage == 0) return;
-    const Ray& ray = path.ray;
+    const Ray& ray = met.ray;
     Rgb seen = lamps.luminance;
     if (scene_.rig.medium) {
-        const auto plane = planes_.nearest(ray.origin, ray.direction);
+        const auto& plane = met.mirror.plane;
         const Segment leg{ray.origin, plane ? ray.at(plane->at.t) : ray.origin};
         seen *= transmittance(*scene_.rig.medium, leg);
         seen += lamps.coverage *
@@ -175,10 +213,10 @@ void Integrator::add_lamps(Path& path, const MirroredLight& lamps, const Visible
     path.weight *= 1 - lamps.coverage;
 }
 
-void Integrator::pass_medium(Path& path, const Vec3& end, const VisibleFrom& shafts,
+void Integrator::pass_medium(Path& path, const Met& met, const VisibleFrom& shafts,
                              EyeSample& sample) const {
     if (!scene_.rig.medium) return;
-    const Segment leg{path.ray.origin, end};
+    const Segment leg{met.ray.origin, end_of(met.ray, met.hit)};
     sample.luminance += path.weight * luminance_along(scene_.rig, leg, Rgb(0), shafts,
                                                       picture_scattering_tolerance);
     path.weight *= transmittance(*scene_.rig.medium, leg);

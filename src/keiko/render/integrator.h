@@ -1,12 +1,13 @@
 #pragma once
 
 #include "keiko/render/eye_view.h"
-#include "keiko/render/mirrored_pixel.h"
+#include "keiko/render/mirrored_grid.h"
 #include "keiko/render/paint.h"
 #include "keiko/render/picture.h"
 #include "keiko/render/shadows.h"
 #include "keiko/render/shaft_shadows.h"
 
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,11 +26,13 @@ public:
                const std::optional<Vec3>& eye = {}, const Job& job = {});
 
     /// One sample a ray, in order, with all its light. Neighbouring rays should stand together.
-    std::vector<EyeSample> follow(std::span<const Ray> eye_rays) const;
-    /// The same, but for the light of the spots. Rays that are the pixels of a grid, row by row,
-    /// `grid_width` in each, see lamps by bent images of their pixels where neighbours tell how
-    /// they are bent.
-    EyeView view(std::span<const Ray> eye_rays, int grid_width = 0) const;
+    EyeView follow(std::span<const Ray> eye_rays) const;
+    /// The same, but for the light of the spots.
+    EyeView view(std::span<const Ray> eye_rays) const;
+    /// The same of the pixels of a grid: those with a ray see lamps by bent images of the pixel
+    /// where neighbours tell how it is bent, the others see the background. In a medium all have
+    /// rays. Where nothing is refined, pixels at the grid's border show no reflections.
+    EyeView view(EyeGrid grid) const;
     /// What all lamps and other lights bring to a spot.
     SpotLight light_on(const LitSpot& spot) const;
     /// All lights, in the order in which they are asked for.
@@ -47,37 +50,52 @@ public:
     void add_light(const LitSpot& spot, const SpotLight& light, EyeSample& sample) const;
 
 private:
-    /// A ray under way and what its light counts in its sample.
+    /// Where the light of a ray goes, and what it counts there.
     struct Path {
-        Ray ray;
         std::size_t sample;
         Rgb weight;
     };
 
-    /// What a path comes to: a surface, and lamps on the way to it.
+    /// Rays under way, of the same depth, each with its path.
+    struct Wave {
+        std::vector<Ray> rays;
+        std::vector<Path> paths;
+
+        void add(const Ray& ray, const Path& path) {
+            rays.push_back(ray);
+            paths.push_back(path);
+        }
+    };
+
+    /// What a ray comes to: a surface, and lamps on the way to it.
     struct Met {
-        const std::optional<Hit>& hit;
+        const Ray& ray;
+        const Hit* hit;
         const PixelMirror& mirror; ///< of lamps
     };
 
     /// What the lights see of the ways of the paths to what they meet; `depth`: reflections yet.
-    ShaftShadows shaft_shadows(std::span<const Path> paths,
-                               std::span<const std::optional<Hit>> hits, int depth) const;
-    /// The lamps that mirrored paths see. With a `grid_width` they are the pixels of a grid, whose
-    /// eye rays met `spots`.
-    std::vector<PixelMirror> mirrors_of(std::span<const Path> paths,
-                                        std::span<const std::optional<Hit>> hits, int grid_width,
-                                        std::span<const LitSpot> spots) const;
-    /// Adds what `path` meets to the view; returns its mirror reflection while that counts.
-    std::optional<Path> advance(Path path, const Met& met, int depth, const VisibleFrom& shafts,
-                                EyeView& view) const;
+    ShaftShadows shaft_shadows(std::span<const Ray> rays, std::span<const std::optional<Hit>> hits,
+                               int depth) const;
+    /// Follows rays of samples of a view; `grid`: whose places the samples are.
+    void follow(Wave wave, MirroredGrid* grid, EyeView& view) const;
+    /// Sets the mirrored rays of the samples of a grid.
+    static void fill(MirroredGrid& grid, std::initializer_list<const Wave*> waves,
+                     std::span<const EyeSample> samples);
+    /// The lamps that mirrored rays see; `grid`: of which they are.
+    std::vector<PixelMirror> mirrors_of(const Wave& wave, std::span<const std::optional<Hit>> hits,
+                                        const MirroredGrid* grid) const;
+    /// Adds what a ray meets to the view; false where its mirror reflection does not count, else
+    /// the path is that one's.
+    bool advance(Path& path, const Met& met, int depth, const VisibleFrom& shafts,
+                 EyeView& view) const;
     void note(Path& path, const Met& met, int depth, const VisibleFrom& shafts,
               EyeSample& sample) const;
-    LitSpot spot_at(const Path& path, const Hit& hit, int depth) const;
-    void note_mirrored(const Ray& ray, const std::optional<Hit>& hit, EyeSample& sample) const;
-    void add_lamps(Path& path, const MirroredLight& lamps, const VisibleFrom& shafts,
-                   EyeSample& sample) const;
-    void pass_medium(Path& path, const Vec3& end, const VisibleFrom& shafts,
+    bool takes_light(std::uint32_t paint, int depth) const;
+    LitSpot spot_at(const Path& path, const Met& met, int depth) const;
+    static void note_mirrored(const Met& met, EyeSample& sample);
+    void add_lamps(Path& path, const Met& met, const VisibleFrom& shafts, EyeSample& sample) const;
+    void pass_medium(Path& path, const Met& met, const VisibleFrom& shafts,
                      EyeSample& sample) const;
 
     const PictureScene& scene_;
@@ -85,7 +103,7 @@ private:
     RigPlanes planes_;
     ShadowedRig lights_;
     TubeModel tubes_;
-    bool tells_illuminance_;
+    bool tells_illuminance_, refines_;
     std::vector<Paint> paints_;
     std::vector<std::uint32_t> paint_of_face_;
     std::vector<std::optional<ShadowPencil>> pencils_; ///< of rays from the eye

@@ -3,13 +3,9 @@
 namespace keiko {
 namespace {
 
-SurfacePlace place_of(const EyeSample& sample) {
-    return {sample.hit->position, sample.hit->normal, sample.paint};
-}
-
 /// Whether two pixels do not show the same smooth thing.
 bool differ(const EyeSample& a, const EyeSample& b) {
-    if (!a.hit || !b.hit) return a.hit.has_value() != b.hit.has_value();
+    if (!a.hit || !b.hit) return a.hit != b.hit;
     return a.mirrored_face.has_value() != b.mirrored_face.has_value() ||
            !continues(place_of(a), place_of(b));
 }

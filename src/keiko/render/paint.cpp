@@ -52,7 +52,8 @@ Paint::Paint(const Material& material)
       gloss_albedo_(table_of(gloss_)),
       flake_albedo_(table_of(flakes_)),
       mirror_(border_of(material)),
-      base_(coat_of(material, gloss_albedo_)) {}
+      base_(coat_of(material, gloss_albedo_)),
+      takes_light_(gloss_ || flakes_ || base_of(material) != Rgb(0)) {}
 
 Rgb Paint::mirrored(double cosine) const {
     return gloss_ ? Rgb() : mirror_(cosine);

@@ -20,6 +20,8 @@ public:
     /// Lobes, if there are any.
     const std::optional<Gloss>& gloss() const { return gloss_; }
     const std::optional<Flakes>& flakes() const { return flakes_; }
+    /// Whether it shows any light but what it mirrors sharply.
+    bool takes_light() const { return takes_light_; }
     /// Share of even light from all sides that the lobes send to an eye under `cosine`.
     Rgb gloss_albedo(double cosine) const;
 
@@ -29,6 +31,7 @@ private:
     std::shared_ptr<const AlbedoTable> gloss_albedo_, flake_albedo_;
     Reflectance mirror_;
     ClearCoat base_;
+    bool takes_light_;
 };
 
 } // namespace keiko

@@ -2,11 +2,14 @@
 #include "keiko/base/parallel.h"
 #include "keiko/render/interpolated_light.h"
 #include "keiko/render/outlines.h"
+#include "keiko/render/picture_cover.h"
 #include "keiko/render/pixel_writer.h"
 #include "keiko/render/shared_light.h"
+#include "keiko/spec/prepared_camera.h"
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace keiko {
 namespace {
@@ -33,8 +36,40 @@ void for_each_pixel(const Tile& tile, const F& visit) {
         for (int x = tile.x0; x < tile.x1; ++x) visit(x, y);
 }
 
+/// The eye rays of a picture.
+struct PictureRays {
+    PreparedCamera camera;
+    std::optional<PictureCover> cover; ///< others see nothing but the background
+
+    bool may_meet(int x, int y) const { return !cover || cover->may_show(x, y); }
+};
+
+/// Where there is a medium, rays that meet nothing see it too.
+PictureRays rays_of(const PictureScene& scene, const Camera& camera) {
+    PictureRays rays{PreparedCamera(camera), std::nullopt};
+    if (!scene.rig.medium) rays.cover.emplace(camera, scene.tracer.boxes());
+    return rays;
+}
+
+/// A tile and the pixels around it.
+EyeGrid grid_of(const PictureRays& eye, const Tile& tile) {
+    const Tile bordered{tile.x0 - 1, tile.y0 - 1, tile.x1 + 1, tile.y1 + 1};
+    EyeGrid grid{bordered.x1 - bordered.x0, bordered.y1 - bordered.y0, {}, {}};
+    const auto size = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
+    grid.rays.reserve(size), grid.places.reserve(size);
+    std::size_t place = 0;
+    for_each_pixel(bordered, [&](int x, int y) {
+        if (eye.may_meet(x, y)) {
+            grid.rays.push_back(eye.camera.ray(x + 0.5, y + 0.5));
+            grid.places.push_back(place);
+        }
+        ++place;
+    });
+    return grid;
+}
+
 /// The centres of a pixel's n x n cells as eye rays, each with the footprint of its cell.
-void append_cell_rays(const Camera& camera, int x, int y, int n, std::vector<Ray>& rays) {
+void append_cell_rays(const PreparedCamera& camera, int x, int y, int n, std::vector<Ray>& rays) {
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
             Ray ray = camera.ray(x + (i + 0.5) / n, y + (j + 0.5) / n);
@@ -59,8 +94,8 @@ PathCounts render_centres(const Integrator& integrator, const Tile& tile, double
 }
 
 /// Replaces the luminance of the pixels that hold an outline by the mean over their cells.
-PathCounts refine_outlines(const Integrator& integrator, const Camera& camera, const Tile& tile,
-                           int n, const std::vector<bool>& outlined, Film& film) {
+PathCounts refine_outlines(const Integrator& integrator, const PreparedCamera& camera,
+                           const Tile& tile, int n, const std::vector<bool>& outlined, Film& film) {
     std::vector<Ray> rays;
     auto crossed = outlined.begin();
     for_each_pixel(tile, [&](int x, int y) {
@@ -80,20 +115,18 @@ PathCounts refine_outlines(const Integrator& integrator, const Camera& camera, c
 }
 
 /// Neighbours beyond the tile tell where outlines are and how the images of pixels are bent.
-PathCounts render_tile(const Integrator& integrator, const Camera& camera, const Tile& tile,
+PathCounts render_tile(const Integrator& integrator, const PictureRays& eye, const Tile& tile,
                        const PictureOptions& options, Film& film) {
     const int width = tile.x1 - tile.x0 + 2;
-    const Tile bordered{tile.x0 - 1, tile.y0 - 1, tile.x1 + 1, tile.y1 + 1};
-    std::vector<Ray> rays;
-    for_each_pixel(bordered, [&](int x, int y) { append_cell_rays(camera, x, y, 1, rays); });
-    const EyeView view = integrator.view(rays, width);
+    EyeView view = integrator.view(grid_of(eye, tile));
     const bool refines = options.edge_samples > 1;
     const std::vector<bool> outlined =
         refines ? outlined_pixels(view.samples, width) : std::vector<bool>(view.samples.size());
     PathCounts paths = render_centres(integrator, tile, options.light_error, outlined,
-                                      without_border(view, width), film);
+                                      without_border(std::move(view), width), film);
     if (refines)
-        paths += refine_outlines(integrator, camera, tile, options.edge_samples, outlined, film);
+        paths +=
+            refine_outlines(integrator, eye.camera, tile, options.edge_samples, outlined, film);
     return paths;
 }
 
@@ -105,10 +138,11 @@ Film render(const PictureScene& scene, const Camera& camera, const PictureOption
     const bool from_eye = camera.projection == Projection::perspective;
     const Integrator integrator(scene, options, from_eye ? std::optional(camera.eye) : std::nullopt,
                                 job);
+    const PictureRays eye = rays_of(scene, camera);
     const std::vector<Tile> tiles = tiles_of(camera);
     std::vector<PathCounts> paths(tiles.size());
     parallel_for(tiles.size(), job, "render", [&](std::size_t i) {
-        paths[i] = render_tile(integrator, camera, tiles[i], options, film);
+        paths[i] = render_tile(integrator, eye, tiles[i], options, film);
     });
     PathCounts sum;
     for (const PathCounts& tile : paths) sum += tile;

@@ -5,16 +5,13 @@ namespace keiko {
 SpotGrid::SpotGrid(int width, int height, std::span<const LitSpot> spots, std::size_t first_sample)
     : width_(width),
       height_(height),
-      spots_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
-      joins_(spots_.size()) {
-    for (const LitSpot& spot : spots) spots_[spot.sample - first_sample] = &spot;
-    const auto joined = [](const LitSpot* a, const LitSpot* b) {
-        return a && b && continues(a->place, b->place);
-    };
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            joins_[index(x, y)] = {x + 1 < width && joined(at(x, y), at(x + 1, y)),
-                                   y + 1 < height && joined(at(x, y), at(x, y + 1))};
+      spots_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+    std::vector<const SurfacePlace*> places(spots_.size());
+    for (const LitSpot& spot : spots) {
+        spots_[spot.sample - first_sample] = &spot;
+        places[spot.sample - first_sample] = &spot.place;
+    }
+    joins_ = SmoothJoins(width, places);
 }
 
 bool SpotGrid::is_smooth(int x0, int y0, int x1, int y1) const {

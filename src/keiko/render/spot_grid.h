@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/render/lit_spot.h"
+#include "keiko/render/smooth_joins.h"
 
 #include <span>
 #include <vector>
@@ -19,8 +19,8 @@ public:
     /// Null where the ray meets nothing at this depth.
     const LitSpot* at(int x, int y) const { return spots_[index(x, y)]; }
     /// Whether a place and its right or lower neighbour show one smooth surface.
-    bool goes_right(int x, int y) const { return joins_[index(x, y)].right; }
-    bool goes_down(int x, int y) const { return joins_[index(x, y)].down; }
+    bool goes_right(int x, int y) const { return joins_.right(index(x, y)); }
+    bool goes_down(int x, int y) const { return joins_.down(index(x, y)); }
     /// Whether all of a rectangle, its last row and column with it, shows one smooth surface.
     bool is_smooth(int x0, int y0, int x1, int y1) const;
 
@@ -30,13 +30,9 @@ public:
     }
 
 private:
-    struct Joins {
-        bool right = false, down = false;
-    };
-
     int width_, height_;
     std::vector<const LitSpot*> spots_;
-    std::vector<Joins> joins_;
+    SmoothJoins joins_;
 };
 
 /// The spots of each depth in turn: `visit(spots of a depth)`.

@@ -12,15 +12,18 @@ RigPlanes::RigPlanes(const LightRig& rig) {
             planes_.push_back({i, CPlaneFrame(*plane), plane->luminance, plane->mirror});
 }
 
-std::optional<RigPlanes::OnRay> RigPlanes::next(const Vec3& origin, const Vec3& direction,
-                                                const std::optional<OnRay>& last) const {
-    std::optional<OnRay> nearest;
-    for (const Plane& plane : planes_) {
+std::optional<RigPlaneHit> RigPlanes::next(const Vec3& origin, const Vec3& direction,
+                                           const std::optional<RigPlaneHit>& last) const {
+    std::optional<RigPlaneHit> nearest;
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+        const Plane& plane = planes_[i];
+        if (last && last->number == i) continue;
         const auto hit = c_plane_coordinates(plane.frame, origin, direction);
-        if (!hit || (last && (hit->t < last->hit.t ||
-                              (hit->t == last->hit.t && plane.source <= last->plane->source))))
+        if (!hit || (last && (hit->t < last->at.t ||
+                              (hit->t == last->at.t && plane.source <= last->source))))
             continue;
-        if (!nearest || hit->t < nearest->hit.t) nearest = OnRay{&plane, *hit};
+        if (!nearest || hit->t < nearest->at.t)
+            nearest = RigPlaneHit{plane.source, *hit, &plane.frame, i};
     }
     return nearest;
 }
@@ -28,24 +31,29 @@ std::optional<RigPlanes::OnRay> RigPlanes::next(const Vec3& origin, const Vec3& 
 MirroredLight RigPlanes::luminance(const Vec3& origin, const Vec3& direction,
                                    const std::optional<RayDifferentials>& spread,
                                    double t_max) const {
+    return luminance(nearest(origin, direction), origin, direction, spread, t_max);
+}
+
+MirroredLight RigPlanes::luminance(const std::optional<RigPlaneHit>& nearest, const Vec3& origin,
+                                   const Vec3& direction,
+                                   const std::optional<RayDifferentials>& spread,
+                                   double t_max) const {
     FrontToBack rows;
     bool resolved = true;
-    for (auto on = next(origin, direction, {}); on && on->hit.t <= t_max;
-         on = next(origin, direction, on)) {
-        const CPlaneFrame& frame = on->plane->frame;
+    for (auto on = nearest; on && on->at.t <= t_max; on = next(origin, direction, on)) {
+        const CPlaneFrame& frame = *on->frame;
+        const Plane& plane = planes_[on->number];
         const Footprint footprint =
-            spread ? footprint_on(frame, on->hit, direction, *spread) : Footprint();
-        const StripeLook row = look_up(frame, origin, direction, footprint, on->plane->mirror);
-        rows.add(on->plane->luminance, row.coverage);
+            spread ? footprint_on(frame, on->at, direction, *spread) : Footprint();
+        const StripeLook row = look_up(frame, on->at, origin, direction, footprint, plane.mirror);
+        rows.add(plane.luminance, row.coverage);
         resolved = resolved && (row.resolved || row.coverage == 0);
     }
     return {rows.light, rows.opacity, resolved};
 }
 
 std::optional<RigPlaneHit> RigPlanes::nearest(const Vec3& origin, const Vec3& direction) const {
-    const auto on = next(origin, direction, {});
-    if (!on) return {};
-    return RigPlaneHit{on->plane->source, on->hit, &on->plane->frame};
+    return next(origin, direction, {});
 }
 
 } // namespace keiko

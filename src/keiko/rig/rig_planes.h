@@ -19,6 +19,7 @@ struct RigPlaneHit {
     std::size_t source = 0; ///< index into LightRig::sources
     CPlaneHit at;
     const CPlaneFrame* frame = nullptr; ///< of the plane
+    std::size_t number = 0;             ///< of the plane among those of the rig
 };
 
 /// The C-planes of a rig, made ready for mirror rays. Sources without extent are not seen.
@@ -34,6 +35,10 @@ public:
     MirroredLight luminance(const Vec3& origin, const Vec3& direction,
                             const std::optional<RayDifferentials>& spread = {},
                             double t_max = std::numeric_limits<double>::infinity()) const;
+    /// The same where the nearest plane has been found.
+    MirroredLight luminance(const std::optional<RigPlaneHit>& nearest, const Vec3& origin,
+                            const Vec3& direction, const std::optional<RayDifferentials>& spread,
+                            double t_max) const;
     std::optional<RigPlaneHit> nearest(const Vec3& origin, const Vec3& direction) const;
 
 private:
@@ -43,13 +48,9 @@ private:
         Rgb luminance;
         TubeLook mirror;
     };
-    struct OnRay {
-        const Plane* plane;
-        CPlaneHit hit;
-    };
     /// The nearest plane on the ray, or the nearest behind `last`.
-    std::optional<OnRay> next(const Vec3& origin, const Vec3& direction,
-                              const std::optional<OnRay>& last) const;
+    std::optional<RigPlaneHit> next(const Vec3& origin, const Vec3& direction,
+                                    const std::optional<RigPlaneHit>& last) const;
 
     std::vector<Plane> planes_;
 };

@@ -1,6 +1,7 @@
 #include "keiko/spec/camera.h"
 
 #include "keiko/base/units.h"
+#include "keiko/spec/prepared_camera.h"
 
 #include <cmath>
 
@@ -36,25 +37,7 @@ double Camera::pixel_size() const {
 }
 
 Ray Camera::ray(double x, double y) const {
-    const CameraAxes frame = axes();
-    const Vec2 position = plane_position(*this, x, y);
-    const Vec3 offset = frame.right * position.x + frame.up * position.y;
-    const Vec3 dx = frame.right * pixel_size(), dy = frame.up * -pixel_size();
-    if (projection == Projection::orthographic)
-        return {.origin = eye + offset,
-                .direction = frame.forward,
-                .differentials = RayDifferentials{.origin_dx = dx, .origin_dy = dy},
-                .excluded = {}};
-
-    const Vec3 through = frame.forward + offset;
-    const double length = through.length();
-    const Vec3 direction = through / length;
-    const auto of_unit = [&](const Vec3& d) { return (d - direction * direction.dot(d)) / length; };
-    return {
-        .origin = eye,
-        .direction = direction,
-        .differentials = RayDifferentials{.direction_dx = of_unit(dx), .direction_dy = of_unit(dy)},
-        .excluded = {}};
+    return PreparedCamera(*this).ray(x, y);
 }
 
 double Camera::pixel_solid_angle(double x, double y) const {
@@ -64,14 +47,7 @@ double Camera::pixel_solid_angle(double x, double y) const {
 }
 
 std::optional<Vec2> project(const Camera& camera, const Vec3& point) {
-    const CameraAxes frame = camera.axes();
-    const Vec3 offset = point - camera.eye;
-    const double depth = offset.dot(frame.forward);
-    const bool perspective = camera.projection == Projection::perspective;
-    if (perspective && !(depth > 0)) return {};
-    const double scale = camera.pixel_size() * (perspective ? depth : 1);
-    return Vec2(camera.width / 2.0 + offset.dot(frame.right) / scale,
-                camera.height / 2.0 - offset.dot(frame.up) / scale);
+    return PreparedCamera(camera).project(point);
 }
 
 } // namespace keiko

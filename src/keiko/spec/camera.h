@@ -25,7 +25,7 @@ struct Camera {
     int width = 960, height = 540;
 
     /// Ray with unit direction through the picture point (x, y) in pixels, (0.5, 0.5) being the
-    /// centre of the upper left pixel; with differentials per pixel.
+    /// centre of the upper left pixel; with differentials per pixel. For many rays: PreparedCamera.
     Ray ray(double x, double y) const;
     /// Solid angle of the pixel at (x, y) in sr; for orthographic cameras the same for all: 1.
     double pixel_solid_angle(double x, double y) const;

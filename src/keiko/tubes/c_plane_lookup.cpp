@@ -73,12 +73,13 @@ StripeLook sampled(const CPlaneFrame& frame, const Vec3& origin, const Vec3& dir
 StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& direction,
                     const Footprint& footprint, TubeLook look) {
     const bool round = look == TubeLook::tube;
-    const double width = round ? apparent_diameter(frame, direction) : frame.diameter;
     const PixelFilter along(footprint.dx.x, footprint.dy.x), across(footprint.dx.y, footprint.dy.y);
     const bool resolved = across.width() <= resolvable_pitches * frame.pitch;
     const auto coverage = resolved ? comb_coverage : mean_coverage;
     const Ends ends = ends_of(frame, direction, round);
     const double lengthwise = along.share(ends.begin - hit.u, ends.end - hit.u);
+    if (lengthwise == 0) return {0, resolved};
+    const double width = round ? apparent_diameter(frame, direction) : frame.diameter;
     return {lengthwise * coverage(frame, width, hit.v, across), resolved};
 }
 
@@ -115,11 +116,15 @@ std::optional<int> strip_at(const CPlaneFrame& frame, double u, double v, double
 StripeLook look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
                    const Footprint& footprint, TubeLook look) {
     const auto hit = c_plane_coordinates(frame, origin, direction);
-    if (!hit) return {};
+    return hit ? look_up(frame, *hit, origin, direction, footprint, look) : StripeLook();
+}
+
+StripeLook look_up(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
+                   const Vec3& direction, const Footprint& footprint, TubeLook look) {
     if (footprint.is_point())
-        return {point_shines(frame, *hit, origin, direction, look) ? 1.0 : 0.0, true};
+        return {point_shines(frame, hit, origin, direction, look) ? 1.0 : 0.0, true};
     if (look == TubeLook::exact) return sampled(frame, origin, direction, footprint);
-    return filtered(frame, *hit, direction, footprint, look);
+    return filtered(frame, hit, direction, footprint, look);
 }
 
 Rgb mirrored_luminance(const CPlane& plane, const Vec3& origin, const Vec3& direction,

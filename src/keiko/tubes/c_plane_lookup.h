@@ -46,6 +46,9 @@ struct StripeLook {
 /// caller's.
 StripeLook look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
                    const Footprint& footprint = {}, TubeLook look = TubeLook::tube);
+/// The same where the ray is known to meet the plane at `hit`.
+StripeLook look_up(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
+                   const Vec3& direction, const Footprint& footprint, TubeLook look);
 
 /// Luminance in cd/m2 of the same, darkness between the lamps.
 Rgb mirrored_luminance(const CPlane& plane, const Vec3& origin, const Vec3& direction,

@@ -213,7 +213,8 @@ TEST(FoggyScene, MirrorsWhatItsDefinitionComesTo) {
         rays.back().direction = direction;
     }
     const Integrator plain(scene, options), picture(scene, options, eye);
-    const std::vector<EyeSample> found = plain.follow(rays), shown = picture.follow(rays);
+    const std::vector<EyeSample> found = plain.follow(rays).samples;
+    const std::vector<EyeSample> shown = picture.follow(rays).samples;
     for (std::size_t i = 0; i < ways.size(); ++i) {
         const Rgb expected = by_definition(file, ways[i].first, ways[i].second);
         for (const auto channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
@@ -247,7 +248,7 @@ TEST(FoggyScene, ShowsShaftsInParallelPicturesAsItsRaysDo) {
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x) {
             const std::vector<Ray> ray{camera.ray(x + 0.5, y + 0.5)};
-            const double expected = alone.follow(ray)[0].luminance.g;
+            const double expected = alone.follow(ray).samples[0].luminance.g;
             EXPECT_NEAR(double{film.color.pixel(x, y)[1]}, expected, 1e-4 * expected)
                 << x << ' ' << y;
         }

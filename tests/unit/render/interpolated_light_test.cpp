@@ -107,7 +107,7 @@ TEST(InterpolatedLight, OfNoErrorIsThatOfEachRay) {
         for (int x = 5; x < 384; x += 20) {
             const std::vector<Ray> ray{shaded.stage.camera.ray(x + 0.5, y + 0.5)};
             EXPECT_EQ(film.color.pixel(x, y)[1],
-                      static_cast<float>(integrator.follow(ray)[0].luminance.g))
+                      static_cast<float>(integrator.follow(ray).samples[0].luminance.g))
                 << x << " " << y;
         }
 }

@@ -1,5 +1,4 @@
-#include "keiko/render/mirrored_pixel.h"
-
+#include "keiko/render/mirrored_grid.h"
 #include "keiko/trace/mirror_ray.h"
 
 #include "tests/unit/render/stage.h"
@@ -21,10 +20,22 @@ Ray mirrored(const Stage& stage, double x, double y, double size) {
     return mirror_ray(eye, *stage.tracer.nearest(eye));
 }
 
+/// The mirrored rays of a pixel and its neighbours.
+struct Around {
+    Ray centre, left, right, above, below;
+
+    Around(const Stage& stage, double x, double y, double size)
+        : centre(mirrored(stage, x, y, size)),
+          left(mirrored(stage, x - size, y, size)),
+          right(mirrored(stage, x + size, y, size)),
+          above(mirrored(stage, x, y - size, size)),
+          below(mirrored(stage, x, y + size, size)) {}
+
+    PixelRays rays() const { return {centre, left, right, above, below}; }
+};
+
 MirroredPixel pixel_at(const Stage& stage, double x, double y, double size) {
-    return {mirrored(stage, x, y, size), mirrored(stage, x - size, y, size),
-            mirrored(stage, x + size, y, size), mirrored(stage, x, y - size, size),
-            mirrored(stage, x, y + size, size)};
+    return MirroredPixel(Around(stage, x, y, size).rays());
 }
 
 /// Between directions to a corner of a pixel: as the cubic tells it and as it is.
@@ -83,14 +94,14 @@ TEST(MirroredPixel, SeesStripesWhereItsImageIsBent) {
     double bent = 0, straight = 0;
     for (const double x : {22.0, 30.0, 38.0, 46.0, 54.0, 62.0})
         for (const double y : {24.0, 30.0, 36.0}) {
-            const Ray centre = mirrored(stage, x, y, size);
+            const Around around(stage, x, y, size);
             const double truth = sampled(stage, x, y, size);
-            const auto off = [&](const std::optional<MirroredPixel>& pixel) {
-                return std::abs(
-                    mirror_of(RigPlanes(stage.rig), centre, pixel, centre.t_max).lamps.coverage -
-                    truth);
+            const auto off = [&](const std::optional<PixelRays>& rays) {
+                const PixelMirror seen = mirror_of(RigPlanes(stage.rig), around.centre, rays,
+                                                   around.centre.t_max, false);
+                return std::abs(seen.lamps.coverage - truth);
             };
-            bent = std::max(bent, off(pixel_at(stage, x, y, size)));
+            bent = std::max(bent, off(around.rays()));
             straight = std::max(straight, off({}));
         }
     EXPECT_LT(bent, 0.02);
@@ -99,23 +110,24 @@ TEST(MirroredPixel, SeesStripesWhereItsImageIsBent) {
 
 TEST(MirroredGrid, HasPixelsWhereFourNeighboursShowTheSame) {
     const Stage stage(dome());
-    std::vector<LitSpot> spots;
+    std::vector<SurfacePlace> places;
     std::vector<Ray> rays(9);
     for (std::size_t i = 0; i < 9; ++i) {
         const double x = 47 + static_cast<double>(i % 3), y = 26 + static_cast<double>(i / 3);
         const auto hit = stage.tracer.nearest(stage.camera.ray(x, y));
-        spots.push_back({.sample = i, .place = {hit->position, hit->normal, i == 5 ? 1u : 0u}});
+        places.push_back({hit->position, hit->normal, i == 5 ? 1u : 0u});
         rays[i] = mirrored(stage, x, y, 1);
     }
     const auto middle = [&] {
-        MirroredGrid grid(3, spots);
-        for (std::size_t i = 0; i < 9; ++i) grid.set(i, rays[i]);
-        EXPECT_FALSE(grid.pixel(0));
-        EXPECT_FALSE(grid.pixel(8));
-        return grid.pixel(4).has_value();
+        MirroredGrid grid(3, 3);
+        for (std::size_t i = 0; i < 9; ++i) grid.set(i, rays[i], places[i]);
+        grid.join();
+        EXPECT_FALSE(grid.around(0));
+        EXPECT_FALSE(grid.around(8));
+        return grid.around(4).has_value();
     };
     EXPECT_FALSE(middle()); // its right neighbour is of another paint
-    spots[5].place.paint = 0;
+    places[5].paint = 0;
     EXPECT_TRUE(middle());
     rays[1].differentials.reset();
     EXPECT_FALSE(middle());

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "keiko/render/mirrored_pixel.h"
+
+namespace keiko {
+
+/// How far the corners of a pixel's image on a C-plane, as the cubic through its mirrored rays has
+/// them, are off the parallelogram that the centre's differentials tell: across the lamps, in
+/// pitches. `plane`: where the centre's ray meets it. Nothing where the ray of a corner does not.
+std::optional<double> image_bend(const RigPlaneHit& plane, const PixelRays& rays);
+
+} // namespace keiko

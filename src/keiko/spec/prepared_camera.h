@@ -1,0 +1,29 @@
+#pragma once
+
+#include "keiko/spec/camera.h"
+
+namespace keiko {
+
+/// A camera made ready for many rays and points: what they have in common is found once.
+class PreparedCamera {
+public:
+    explicit PreparedCamera(const Camera& camera);
+
+    /// Camera::ray.
+    Ray ray(double x, double y) const;
+    /// project() of the camera.
+    std::optional<Vec2> project(const Vec3& point) const;
+
+private:
+    Ray parallel_ray(const Vec3& offset) const;
+    Ray ray_from_eye(const Vec3& offset) const;
+
+    Projection projection_;
+    Vec3 eye_;
+    CameraAxes axes_;
+    Vec2 middle_;       ///< of the picture, in pixels
+    double pixel_size_; ///< Camera::pixel_size
+    Vec3 dx_, dy_;      ///< of a pixel on the picture plane
+};
+
+} // namespace keiko
