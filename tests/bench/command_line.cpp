@@ -79,6 +79,9 @@ void add_penumbra(CLI::App& app, PenumbraOptions& options) {
     penumbra->add_option("--points", options.points, "lit points of each scene")
         ->check(CLI::Range(10, 10000000))
         ->capture_default_str();
+    penumbra->add_option("--width", options.width, "of the pictures, pixels")
+        ->check(CLI::Range(16, 16384))
+        ->capture_default_str();
     penumbra
         ->add_option("--probes", options.probes, "only probe each lamp's intervals by so many rays")
         ->check(CLI::Range(1, 1000000));

@@ -59,8 +59,8 @@ void shafts(const ShaftsOptions& options) {
 void penumbra(const PenumbraOptions& options) {
     const PenumbraTables tables = run_penumbra_benchmark(options);
     std::string page;
-    for (const Table* table :
-         {&tables.equal_error, &tables.by_lamps, &tables.by_patches, &tables.wrong}) {
+    for (const Table* table : {&tables.equal_error, &tables.pictures, &tables.by_lamps,
+                               &tables.by_patches, &tables.wrong}) {
         if (table->rows.empty()) continue;
         print(text_of(*table) + "\n");
         page += markdown_of(*table) + "\n";

@@ -2,6 +2,7 @@
 
 #include "tests/bench/log_plot.h"
 #include "tests/bench/penumbra_methods.h"
+#include "tests/bench/penumbra_picture.h"
 #include "tests/bench/progress.h"
 #include "tests/bench/scenes.h"
 #include <fmt/format.h>
@@ -96,7 +97,7 @@ Cost best_sampling(const std::vector<std::vector<Cost>>& ladders, double error) 
 
 std::vector<std::string> row_of(const PenumbraScene& scene, const char* emitter, double error,
                                 double us, const Cost& rays) {
-    return {scene.name,      emitter,           fmt::format("{:g}", error), digits(us),
+    return {scene.name,      emitter,           fmt::format("{:.2g}", error), digits(us),
             digits(rays.us), digits(rays.rays), digits(rays.us / us)};
 }
 
@@ -130,6 +131,33 @@ void add_width(const PenumbraScene& scene, Table& table) {
 double exact_cost(const PenumbraScene& scene, int count) {
     const CPlane row = scene.row_of(count);
     return us_a_point(fastest([&] { return by_intervals(scene, row); }));
+}
+
+/// The largest error of linear light with which a picture's receivers are within `error`.
+void add_picture_of(const PenumbraPicture& picture, const PenumbraScene& scene, Emitter emitter,
+                    const Shares& truth, Table& table) {
+    constexpr double error = 1e-3;
+    const bool axis = emitter == Emitter::axis;
+    std::vector<std::vector<Cost>> ladders;
+    const Shares sampled_truth = axis ? truth : by_width(scene, scene.row, 1e-8);
+    for (const int across : axis ? std::vector{1} : std::vector{1, 2, 4})
+        ladders.push_back(
+            ladder(scene, axis ? Emitter::axis : Emitter::rectangle, across, sampled_truth));
+    for (double light_error = 30 * error;; light_error /= 2) {
+        const Shares shares = fastest([&] { return picture.render(emitter, light_error); });
+        const double off = rms(shares, truth);
+        if (off > error) continue;
+        table.rows.push_back(row_of(scene, axis ? "axis" : "width", off, us_a_point(shares),
+                                    best_sampling(ladders, off)));
+        return;
+    }
+}
+
+void add_pictures(PenumbraScene& scene, const PenumbraOptions& options, Table& table) {
+    const PenumbraPicture picture(scene, options.width, options.points);
+    add_picture_of(picture, scene, Emitter::axis, by_intervals(scene, scene.row), table);
+    add_picture_of(picture, scene, Emitter::tube, by_width(scene, scene.row, 1e-8, Emitter::tube),
+                   table);
 }
 
 void add_lamps(const PenumbraScene& scene, Table& table, LogPlot& plot) {
@@ -173,6 +201,9 @@ PenumbraTables run_penumbra_benchmark(const PenumbraOptions& options) {
         .equal_error = {.head = {"scene", "of a lamp", "RMS", "Keiko us", "rays us", "rays a lamp",
                                  "ratio"},
                         .left = 2},
+        .pictures = {.head = {"picture", "of a lamp", "RMS", "Keiko us", "rays us", "rays a lamp",
+                              "ratio"},
+                     .left = 2},
         .by_lamps = {.head = {"scene", "1 lamp us", "12 lamps us", "48 lamps us"}},
         .by_patches = {.head = {"patches", "12 lamps us"}, .left = 0},
         .wrong = {.head = {"scene", "lamps", "probes", "uncertain", "wrong"}}};
@@ -186,7 +217,7 @@ PenumbraTables run_penumbra_benchmark(const PenumbraOptions& options) {
             continue;
         }
         tell(file.name, "penumbrae");
-        const PenumbraScene scene(file.name, file.load(), clearance, lamps, options.points);
+        PenumbraScene scene(file.name, file.load(), clearance, lamps, options.points);
         if (options.probes > 0) {
             add_wrong(scene, options.probes, tables.wrong);
             continue;
@@ -194,6 +225,7 @@ PenumbraTables run_penumbra_benchmark(const PenumbraOptions& options) {
         add_axis(scene, tables.equal_error);
         add_width(scene, tables.equal_error);
         add_lamps(scene, tables.by_lamps, lamp_plot);
+        add_pictures(scene, options, tables.pictures);
     }
     if (options.probes > 0) return tables;
     add_patches(options.points, tables.by_patches, patch_plot);

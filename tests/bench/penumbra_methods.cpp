@@ -58,7 +58,15 @@ private:
 };
 
 TubeModel model_of(Emitter emitter) {
-    return emitter == Emitter::axis ? TubeModel::line : TubeModel::rectangle;
+    switch (emitter) {
+        case Emitter::axis:
+            return TubeModel::line;
+        case Emitter::rectangle:
+            return TubeModel::rectangle;
+        case Emitter::tube:
+            break;
+    }
+    return TubeModel::picture;
 }
 
 double unhidden(const TubeLamp& lamp, const Receiver& at, Emitter emitter) {
@@ -74,10 +82,7 @@ Shares shares(const PenumbraScene& scene, const CPlane& row, Emitter emitter, co
     all.seconds = thread_seconds([&] {
         for (const Receiver& at : scene.receivers) all.values.push_back(lit(at, lamps));
     });
-    double whole = 0;
-    for (const Receiver& at : scene.receivers)
-        for (const TubeLamp& lamp : lamps) whole += unhidden(lamp, at, emitter);
-    const double mean = whole / static_cast<double>(scene.receivers.size());
+    const double mean = mean_unhidden(scene, row, emitter);
     for (double& value : all.values) value /= mean;
     return all;
 }
@@ -144,23 +149,22 @@ Shares by_intervals(const PenumbraScene& scene, const CPlane& row) {
                   });
 }
 
-Shares by_width(const PenumbraScene& scene, const CPlane& row, double tolerance) {
-    return shares(scene, row, Emitter::rectangle,
-                  [&](const Receiver& at, const std::vector<TubeLamp>& lamps) {
-                      const ApexView view = view_from(scene, at, row);
-                      const SeenFrom visible(view);
-                      std::vector<TubeLamp> above = lamps;
-                      std::erase_if(above, [&](const TubeLamp& lamp) {
-                          return below_horizon(lamp, at.position, at.normal);
-                      });
-                      const std::vector<SeenLight> seen =
-                          seen_tubes(above, at.position, at.normal, visible,
-                                     {tolerance, TubeShape::rectangle});
-                      double sum = 0;
-                      for (std::size_t i = 0; i < above.size(); ++i)
-                          sum += unhidden(above[i], at, Emitter::rectangle) * seen[i].share;
-                      return sum;
-                  });
+Shares by_width(const PenumbraScene& scene, const CPlane& row, double tolerance, Emitter emitter) {
+    const TubeShape shape = emitter == Emitter::tube ? TubeShape::cylinder : TubeShape::rectangle;
+    return shares(scene, row, emitter, [&](const Receiver& at, const std::vector<TubeLamp>& lamps) {
+        const ApexView view = view_from(scene, at, row);
+        const SeenFrom visible(view);
+        std::vector<TubeLamp> above = lamps;
+        std::erase_if(above, [&](const TubeLamp& lamp) {
+            return below_horizon(lamp, at.position, at.normal);
+        });
+        const std::vector<SeenLight> seen =
+            seen_tubes(above, at.position, at.normal, visible, {tolerance, shape});
+        double sum = 0;
+        for (std::size_t i = 0; i < above.size(); ++i)
+            sum += unhidden(above[i], at, emitter) * seen[i].share;
+        return sum;
+    });
 }
 
 Shares by_samples(const PenumbraScene& scene, const CPlane& row, Emitter emitter,
@@ -178,6 +182,13 @@ Shares by_samples(const PenumbraScene& scene, const CPlane& row, Emitter emitter
             if (!hidden[i]) sum += samples[i].light;
         return sum;
     });
+}
+
+double mean_unhidden(const PenumbraScene& scene, const CPlane& row, Emitter emitter) {
+    double whole = 0;
+    for (const Receiver& at : scene.receivers)
+        for (const TubeLamp& lamp : lamps_of(row)) whole += unhidden(lamp, at, emitter);
+    return whole / static_cast<double>(scene.receivers.size());
 }
 
 double rms(const Shares& a, const Shares& b) {

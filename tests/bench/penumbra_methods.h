@@ -4,8 +4,8 @@
 
 namespace keiko::bench {
 
-/// What of a tube is integrated over.
-enum class Emitter { axis, rectangle };
+/// What of a tube is integrated over: its axis, the facing rectangle, or what pictures take of it.
+enum class Emitter { axis, rectangle, tube };
 
 /// How many strata a lamp is cut into; one shadow ray each.
 struct Strata {
@@ -21,13 +21,17 @@ struct Shares {
 
 /// By exact intervals of the lamps' axes: the light of a thin lamp in closed form.
 Shares by_intervals(const PenumbraScene& scene, const CPlane& row);
-/// By exact intervals of sub-axes of the facing rectangle, as many as `tolerance` takes.
-Shares by_width(const PenumbraScene& scene, const CPlane& row, double tolerance);
+/// By exact intervals of sub-axes of the rectangle or the tube, as many as `tolerance` takes.
+Shares by_width(const PenumbraScene& scene, const CPlane& row, double tolerance,
+                Emitter emitter = Emitter::rectangle);
 /// Light-sample ray casting: a ray to a random place of each stratum of each lamp, all rays of a
 /// receiver in packets. Of an axis strata lie along it; of a rectangle both ways, which is
 /// stratified Monte Carlo sampling of its area.
 Shares by_samples(const PenumbraScene& scene, const CPlane& row, Emitter emitter,
                   const Strata& strata);
+
+/// What a row gives a receiver unhidden, on the mean.
+double mean_unhidden(const PenumbraScene& scene, const CPlane& row, Emitter emitter);
 
 /// RMS of the difference.
 double rms(const Shares& a, const Shares& b);

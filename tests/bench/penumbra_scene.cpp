@@ -30,11 +30,24 @@ CPlane row_over(const Box3& box, int lamps) {
             .diameter = 0.01 * box.size()};
 }
 
+Vec3 eye_before(const Box3& box) {
+    return box.center() + Vec3(-1.6, -1.1, 0.7) * box.size();
+}
+
+/// The body and the shadows around it fill the picture.
+Camera camera_before(const Box3& box) {
+    Camera camera;
+    camera.eye = eye_before(box);
+    camera.target = box.center();
+    camera.vertical_fov = 24;
+    return camera;
+}
+
 /// What rays from a standing eye into the box and its surroundings meet.
 std::vector<Receiver> receivers_of(const Tracer& tracer, const Box3& box, std::size_t count) {
     constexpr double surroundings = 1.4;
     Random random(7);
-    const Vec3 eye = box.center() + Vec3(-1.6, -1.1, 0.7) * box.size();
+    const Vec3 eye = eye_before(box);
     const Vec3 half = box.extent() * (surroundings / 2);
     std::vector<Receiver> receivers;
     while (receivers.size() < count) {
@@ -45,13 +58,17 @@ std::vector<Receiver> receivers_of(const Tracer& tracer, const Box3& box, std::s
                 uniform(random, box.center()[k] - half[k], box.center()[k] + half[k]) - eye[k];
         const auto hit = tracer.nearest(ray);
         if (!hit) continue;
-        const bool behind = hit->normal.dot(ray.direction) > 0;
-        receivers.push_back({hit->position, behind ? -hit->normal : hit->normal, hit->root});
+        receivers.push_back(receiver_at(*hit, ray));
     }
     return receivers;
 }
 
 } // namespace
+
+Receiver receiver_at(const Hit& hit, const Ray& ray) {
+    const bool behind = hit.normal.dot(ray.direction) > 0;
+    return {hit.position, behind ? -hit.normal : hit.normal, hit.root};
+}
 
 PenumbraScene::PenumbraScene(std::string scene, const SurfaceModel& body, double clearance,
                              int lamps, std::size_t points)
@@ -65,9 +82,11 @@ PenumbraScene::PenumbraScene(std::string scene, const Box3& box, const SurfaceMo
                              std::size_t points)
     : name(std::move(scene)),
       patches(all.patches.size()),
-      tracer(all),
+      faces(all.faces.size()),
+      tracer(all, {.second_derivatives = true}),
       occluders(all, tracer),
       row(row_over(box, lamps)),
+      camera(camera_before(box)),
       receivers(receivers_of(tracer, box, points)) {}
 
 CPlane PenumbraScene::row_of(int lamps) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/spec/camera.h"
 #include "keiko/trace/occluders.h"
 #include "keiko/tubes/c_plane.h"
 
@@ -14,13 +15,17 @@ struct Receiver {
     Root root{};
 };
 
+/// Where a ray meets a surface, on the side that the ray comes from.
+Receiver receiver_at(const Hit& hit, const Ray& ray);
+
 /// A body on the ground under a row of lamps, and points of both that a standing eye sees.
 struct PenumbraScene {
     std::string name{};
-    std::size_t patches = 0; ///< with the ground
+    std::size_t patches = 0, faces = 0; ///< with the ground
     Tracer tracer;
     Occluders occluders;
     CPlane row{};
+    Camera camera{}; ///< of the standing eye
     std::vector<Receiver> receivers{};
 
     /// The row hangs level over the body, somewhat larger than it. `clearance`: between the ground
