@@ -23,6 +23,10 @@ public:
     const Vec3& normal() const { return normal_; }
     const Vec3& peak() const { return peak_; }
     double spread() const { return flakes_.refractive_index * flakes_.distribution.spread(); }
+    LobeChart chart() const {
+        return {peak_, flakes_.distribution.spread(), normal_, inner_eye_,
+                flakes_.refractive_index};
+    }
     double cone(double share) const;
 
 private:

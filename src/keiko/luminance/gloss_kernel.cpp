@@ -37,6 +37,11 @@ double GlossKernel::shaded(double nh, double nl, double vh) const {
     return 1;
 }
 
+LobeChart GlossKernel::chart() const {
+    return gloss_.distribution.of_half_vectors() ? LobeChart(peak_, spread(), normal_, eye_)
+                                                 : LobeChart(peak_, spread());
+}
+
 Rgb GlossKernel::operator()(const Vec3& light) const {
     const double nl = normal_.dot(light);
     if (!(nl > 0) || !(nv_ > 0)) return {};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/luminance/distribution.h"
+#include "keiko/luminance/lobe_chart.h"
 #include "keiko/luminance/reflectance.h"
 #include "keiko/math/vec.h"
 
@@ -38,6 +39,7 @@ public:
     /// The direction about which the light comes in, and the angle within which most of it does.
     const Vec3& peak() const { return peak_; }
     double spread() const { return gloss_.distribution.spread(); }
+    LobeChart chart() const;
     double cone(double share) const { return gloss_.distribution.cone(share); }
 
 private:

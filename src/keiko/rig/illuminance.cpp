@@ -127,8 +127,11 @@ private:
         if (!coat_) return comb.solid_angle(index, seen);
         const auto view = view_of(lamp, point_, normal_);
         if (!view) return comb.solid_angle(index, seen); // a cap alone, seen along the axis
+        const auto outline = lamp.luminous_caps ? TubeOutline::capped : TubeOutline::lateral;
         const auto share = [&](const ParameterInterval& part) {
-            return entering_share(*coat_, *view, {view->x_at(part.begin), view->x_at(part.end)});
+            const VisiblePart visible{view->x_at(part.begin), view->x_at(part.end),
+                                      !(part.begin > 0), !(part.end < 1)};
+            return entering_share(*coat_, TubeSlices(*view, visible, outline), model_);
         };
         if (seen.size() == 1) return comb.solid_angle(index, seen) * share(seen[0]);
         double sum = 0;

@@ -1,13 +1,16 @@
 #pragma once
 
 #include "keiko/luminance/clear_coat.h"
-#include "keiko/tubes/tube_view.h"
+#include "keiko/tubes/tube_model.h"
+#include "keiko/tubes/tube_slices.h"
 
 namespace keiko {
 
-/// Share of the light of a lamp's part that enters a coat, 0 to 1: the mean over the part's axis,
-/// weighted by what each piece of it gives the surface. 0 where the axis lies below the horizon. To
-/// about 2e-3; 1.5e-2 where a thick tube is near and its light grazes.
-double entering_share(const ClearCoat& coat, const TubeView& view, const VisiblePart& part);
+/// Share of the light of a lamp's part that enters a coat, 0 to 1: the mean over what is seen of
+/// the part, weighted by what each piece of it gives the surface; 0 where all of it lies below the
+/// horizon. To 1e-5 where `model` is automatic or cylinder; else in few half-planes, to about 1e-4
+/// and 2.3e-3 at most.
+double entering_share(const ClearCoat& coat, const TubeSlices& slices,
+                      TubeModel model = TubeModel::automatic);
 
 } // namespace keiko

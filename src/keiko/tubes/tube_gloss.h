@@ -1,47 +1,14 @@
 #pragma once
 
-#include "keiko/math/adaptive_quadrature.h"
-#include "keiko/tubes/tube_slices.h"
-
-#include <array>
+#include "keiko/tubes/across_rule.h"
+#include "keiko/tubes/gloss_slice.h"
 
 namespace keiko {
 
 /// How finely lobes are integrated over lamps.
 enum class GlossQuadrature {
-    picture, ///< fixed nodes: about 3e-4 of a lamp in ordinary position
+    picture, ///< few half-planes: below 2.3e-3 of what a lamp gives
     number   ///< halved until 1e-9 of the lamp is reached
-};
-
-/// A range in the pieces between some places.
-class CutRange {
-public:
-    CutRange(double begin, double end) : begin_(begin), end_(end) {}
-
-    /// Up to 8 places; those outside of the range do not count.
-    void cut_at(double x) {
-        if (!(x > begin_ && x < end_) || count_ == cuts_.size()) return;
-        std::size_t at = count_++;
-        for (; at > 0 && cuts_[at - 1] > x; --at) cuts_[at] = cuts_[at - 1];
-        cuts_[at] = x;
-    }
-    /// Sum of `f(a, b)` over the pieces from begin to end.
-    template <class F>
-    Rgb sum(const F& f) const {
-        Rgb total;
-        double from = begin_;
-        for (std::size_t i = 0; i <= count_; ++i) {
-            const double to = i < count_ ? cuts_[i] : end_;
-            if (from < to) total += f(from, to);
-            from = to;
-        }
-        return total;
-    }
-
-private:
-    double begin_, end_;
-    std::array<double, 8> cuts_{};
-    std::size_t count_ = 0;
 };
 
 /// Integral of a kernel (GlossKernel, FlakeKernel) over the directions to a part of a lamp: times
@@ -50,95 +17,136 @@ private:
 template <class Kernel>
 class TubeGloss {
 public:
-    TubeGloss(const TubeSlices& slices, const Kernel& kernel) : slices_(slices), kernel_(kernel) {
-        const TubeView& view = slices.view();
-        const Vec3& peak = kernel.peak();
-        along_ = view.along.dot(peak);
-        psi_ = std::atan2(view.sideways.dot(peak), -view.towards.dot(peak));
-        // Meridians crowd at the ends of the axis.
-        const double across = std::sqrt(std::max(0.0, 1 - along_ * along_));
-        psi_spread_ = kernel.spread() / std::max(across, 0.05);
+    TubeGloss(const TubeSlices& slices, const Kernel& kernel)
+        : slices_(slices),
+          kernel_(kernel),
+          chart_(kernel.chart()),
+          half_(slices.half_angle()),
+          psi_(std::atan2(slices.view().sideways.dot(chart_.peak()),
+                          -slices.view().towards.dot(chart_.peak()))) {
+        approach();
     }
 
     Rgb integral(GlossQuadrature quadrature) const {
-        return quadrature == GlossQuadrature::picture ? fixed() : refined();
+        return quadrature == GlossQuadrature::picture ? for_picture() : as_number();
     }
 
 private:
-    /// With few nodes across the lamp, fewest where it is narrow beside the lobe and whole.
-    Rgb fixed() const {
-        const double half = slices_.half_angle();
-        const bool easy = half < 0.1 * psi_spread_ && !slices_.crosses_horizon();
-        const int nodes = easy ? 2 : 4;
-        CutRange wedge(-half, half);
-        if (psi_spread_ < half)
-            for (const double step : {-1.5, -0.5, 0.5, 1.5})
-                wedge.cut_at(psi_ + step * psi_spread_);
-        const auto slice = [&](double psi) {
-            return slice_sum(psi, kernel_.spread() > wide, [](const auto& f, double a, double b) {
-                return integrate(f, a, b, nodes_along);
-            });
-        };
-        return wedge.sum([&](double a, double b) { return integrate(slice, a, b, nodes); });
+    /// What so many half-planes are good for.
+    struct Reach {
+        double width; ///< of the lamp's half, in spreads of the lobe
+        double dip;   ///< see TubeSlices::dip()
+        double steep; ///< of the flank at the rims
+        double ratio; ///< d / D
+    };
+    /// Gauss's rules of 1, 2 and 4 half-planes miss the width^2, ^4 and ^8 with factors of about
+    /// 0.5, 0.2 and 0.02 where the lobe is steepest, the dip^2, ^4 and ^8 likewise, and what the
+    /// rims' mean leaves out goes with (d/D)^2.
+    static constexpr Reach one{0.02, 0.05, 0.1, 0.1}, two{0.08, 0.15, 0.1, 0.2},
+        four{0.4, 0.15, 0.35, 0.2};
+    /// Half-planes that differ by more ask for more of them.
+    static constexpr double steepest = 0.2;
+
+    bool within(const Reach& reach) const {
+        return half_ < reach.width * psi_spread_ && slices_.dip() < reach.dip &&
+               steep_ < reach.steep && slices_.view().ratio() < reach.ratio;
     }
 
-    /// In the angle that makes the outline smooth: sin psi = sin(half) sin t.
-    Rgb refined() const {
-        const double sine_limit = std::sin(slices_.half_angle()), quarter = std::numbers::pi / 2;
-        const double scale = largest_part(fixed());
-        if (scale == 0 && !near_peak()) return {};
-        const double allowed = refinement * std::max(scale, 1e-300);
-        const auto slice = [&](double t) {
-            const double psi = std::asin(sine_limit * std::sin(t));
-            const double rate = sine_limit * std::cos(t) / std::cos(psi);
-            const double inner = allowed / std::max(rate, 1e-6) / 8;
-            return rate * slice_sum(psi, false, [&](const auto& f, double a, double b) {
-                       return integrate_adaptively(f, a, b, inner);
-                   });
-        };
-        CutRange wedge(-quarter, quarter);
-        wedge.cut_at(0);
-        for (const double step : {-1.5, -0.5, 0.5, 1.5}) {
-            const double sine = std::sin(psi_ + step * psi_spread_) / sine_limit;
-            if (std::abs(sine) < 1) wedge.cut_at(std::asin(sine));
+    Rgb for_picture() const {
+        if (within(one)) return at(across_rule(1)[0]) * (2 * half_);
+        if (within(two)) {
+            const Rgb left = at(across_rule(2)[0]), right = at(across_rule(2)[1]);
+            if (largest_part(left - right) < steepest * largest_part(left + right))
+                return (left + right) * half_;
         }
-        return wedge.sum(
-            [&](double a, double b) { return integrate_adaptively(slice, a, b, allowed); });
+        if (!within(four)) return across_adaptively();
+        Rgb sum;
+        for (const AcrossNode& node : across_rule(4)) sum += at(node) * (node.weight * half_);
+        return sum;
+    }
+    Rgb at(const AcrossNode& node) const {
+        const double psi = half_ * node.x;
+        return GlossSlice(slices_, kernel_, chart_, psi)
+            .for_picture(slices_.elevations(psi, node.rim * slices_.view().radius));
+    }
+    Rgb across_adaptively() const {
+        return integrate_paired(over_outline([](const auto& slice, const auto& range, double) {
+                                    return slice.for_picture(range);
+                                }),
+                                outline(), picture_error);
+    }
+    Rgb as_number() const {
+        const double scale = largest_part(across_adaptively());
+        if (scale == 0 && std::abs(psi_) > half_ + psi_spread_) return {};
+        const double allowed = refinement * std::max(scale, 1e-300);
+        const auto sent = over_outline([&](const auto& slice, const auto& range, double rate) {
+            return slice.as_number(range, allowed / std::max(rate, 1e-6) / 8);
+        });
+        return sum_over_pieces(outline(), [&](double a, double b) {
+            return integrate_adaptively(sent, a, b, allowed);
+        });
     }
 
-    bool near_peak() const { return std::abs(psi_) < slices_.half_angle() + psi_spread_; }
-
-    /// Over the elevations of one half-plane, by `rule`, cut about the peak; in fewer pieces if
-    /// `coarse`.
-    template <class Rule>
-    Rgb slice_sum(double psi, bool coarse, const Rule& rule) const {
-        const ParameterInterval range = slices_.elevations(psi);
-        if (!(range.begin < range.end)) return {};
-        const Vec3 across = slices_.across(psi), along = slices_.view().along;
-        const double highest = std::atan2(along_, across.dot(kernel_.peak()));
-        const auto f = [&](double eta) {
-            const double cosine = std::cos(eta);
-            return kernel_(across * cosine + along * std::sin(eta)) * cosine;
+    /// `of_slice` of a half-plane by the angle t that makes the outline smooth, sin psi =
+    /// sin(half) sin t, times the rate of psi.
+    template <class OfSlice>
+    auto over_outline(OfSlice of_slice) const {
+        return [this, of_slice, limit = std::sin(half_)](double t) {
+            const double psi = std::asin(limit * std::sin(t));
+            const double rate = limit * std::cos(t) / std::cos(psi);
+            return of_slice(GlossSlice(slices_, kernel_, chart_, psi), slices_.elevations(psi),
+                            rate) *
+                   rate;
         };
-        CutRange elevations(range.begin, range.end);
-        const double spread = kernel_.spread();
-        if (coarse)
-            for (const double step : {-1.0, 1.0}) elevations.cut_at(highest + step * spread);
-        else
-            for (const double step : {-2.0, -0.7, 0.7, 2.0})
-                elevations.cut_at(highest + step * spread);
-        return elevations.sum([&](double a, double b) { return rule(f, a, b); });
+    }
+    /// t, cut about the peak.
+    CutRange outline() const {
+        const double quarter = std::numbers::pi / 2, limit = std::sin(half_);
+        CutRange range(-quarter, quarter);
+        range.cut_at(0);
+        for (const double step : {-1.5, -0.5, 0.5, 1.5}) {
+            const double psi = psi_ + step * psi_spread_, sine = std::sin(psi) / limit;
+            if (std::abs(psi) < quarter && std::abs(sine) < 1) range.cut_at(std::asin(sine));
+        }
+        return range;
+    }
+    /// Looks at the lobe where the part comes nearest to the peak.
+    void approach() {
+        const TubeView& view = slices_.view();
+        const double least = std::atan2(slices_.part().begin, view.distance);
+        const double most = std::atan2(slices_.part().end, view.distance);
+        const double psi = std::clamp(psi_, -half_, half_);
+        const Vec3 across = slices_.across(psi);
+        double crest = std::asin(std::clamp(view.along.dot(chart_.peak()), -1.0, 1.0)), eta = 0;
+        LobeChart::Place place;
+        for (int step = 0; step < 2; ++step) {
+            eta = std::clamp(crest, least, most);
+            place = chart_.at(across * std::cos(eta) + view.along * std::sin(eta),
+                              view.along * std::cos(eta) - across * std::sin(eta));
+            crest = eta - place.off.dot(place.rate) / place.rate.length2();
+        }
+        const Vec3 light = across * std::cos(eta) + view.along * std::sin(eta);
+        const Vec3 sideways = view.sideways * std::cos(psi) + view.towards * std::sin(psi);
+        // Meridians crowd at the ends of the axis.
+        const double crowded = std::max(std::cos(eta), 0.02);
+        psi_spread_ = 1 / (chart_.at(light, sideways).rate.length() * crowded);
+        if (crest < least || crest > most)
+            steep_ = 2 * std::abs(place.off.dot(place.rate) * std::sin(eta) * std::cos(eta)) *
+                     view.radius / view.distance;
     }
 
-    static constexpr int nodes_along = 8;
-    static constexpr double wide = 0.5; ///< radians; a lobe wider than that needs fewer pieces
+    static constexpr double picture_error = 3e-3; ///< that the coarser rule may have
     static constexpr double refinement = 1e-9;
 
     const TubeSlices& slices_;
     const Kernel& kernel_;
-    double along_ = 0;      ///< component of the peak along the axis
-    double psi_ = 0;        ///< wedge angle of the peak
-    double psi_spread_ = 0; ///< the kernel's spread in that angle
+    LobeChart chart_;
+    double half_;
+    double psi_;            ///< wedge angle of the peak
+    double psi_spread_ = 0; ///< the lobe's spread in that angle
+    /// By how much the lobe changes as the lamp's end is shifted by what a rim stands out, where
+    /// only the lobe's flank lies on the lamp.
+    double steep_ = 0;
 };
 
 } // namespace keiko

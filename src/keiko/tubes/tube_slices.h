@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace keiko {
@@ -19,16 +20,26 @@ public:
         : view_(view), part_(part), outline_(outline) {}
 
     const TubeView& view() const { return view_; }
+    const VisiblePart& part() const { return part_; }
     /// The lamp lies within +- this angle.
     double half_angle() const {
         return outline_ == TubeOutline::rectangle ? std::atan(view_.radius / view_.distance)
                                                   : std::asin(view_.radius / view_.distance);
     }
-    /// Whether the tangent plane cuts the axis within the part.
-    bool crosses_horizon() const {
-        const double foot = view_.n_lamp * view_.distance;
-        return (foot + view_.n_along * part_.begin) * (foot + view_.n_along * part_.end) < 0;
+    /// How near the lamp comes to the horizon: how far half its width dips towards the tangent
+    /// plane over the height of its axis, where the part is lowest, or, of a part that the plane
+    /// cuts across, four times that where it is highest. What is seen of a lamp changes across it
+    /// by about that share where light grazes. Infinite where the plane may cut it lengthwise.
+    double dip() const {
+        const double dips = view_.radius * std::abs(view_.n_sideways);
+        if (whole()) return dips / std::min(height(part_.begin), height(part_.end));
+        const double highest = std::max(height(part_.begin), height(part_.end));
+        return std::abs(height(0)) > dips && highest > view_.radius
+                   ? 4 * dips / highest
+                   : std::numeric_limits<double>::infinity();
     }
+    /// Whether all of the part is surely above the horizon.
+    bool whole() const { return std::min(height(part_.begin), height(part_.end)) > view_.radius; }
     /// Unit vector of the half-plane, across the axis.
     Vec3 across(double psi) const {
         return view_.sideways * std::sin(psi) - view_.towards * std::cos(psi);
@@ -36,29 +47,38 @@ public:
     /// Elevations towards end b that the part takes in the half-plane, above the horizon; empty
     /// (begin >= end) where there are none.
     ParameterInterval elevations(double psi) const {
-        const double cosine = std::cos(psi), across = view_.distance * std::sin(psi);
-        const double middle = view_.distance * cosine;
-        double near = view_.distance / cosine, far = near;
-        const double cut = near;
-        if (outline_ != TubeOutline::rectangle) {
-            const double half =
-                std::sqrt(std::max(0.0, (view_.radius - across) * (view_.radius + across)));
-            near = middle - half;
-            far = outline_ == TubeOutline::capped ? middle + half : near;
-        }
-        const double low =
-            part_.begins ? std::min(std::atan2(part_.begin, near), std::atan2(part_.begin, far))
-                         : std::atan2(part_.begin, cut);
-        const double high = part_.ends
-                                ? std::max(std::atan2(part_.end, near), std::atan2(part_.end, far))
-                                : std::atan2(part_.end, cut);
+        const double across = view_.distance * std::sin(psi);
+        return elevations(
+            psi, std::sqrt(std::max(0.0, (view_.radius - across) * (view_.radius + across))));
+    }
+    /// The same where the lamp's near side stands out by `rim` mm, and its far side as much.
+    ParameterInterval elevations(double psi, double rim) const {
+        const auto [low, high] = ends(psi, rim);
+        const double cosine = std::cos(psi);
         const double level = view_.n_lamp * cosine + view_.n_sideways * std::sin(psi);
         const double zenith = std::atan2(view_.n_along, level);
-        return {std::max(low, zenith - std::numbers::pi / 2),
-                std::min(high, zenith + std::numbers::pi / 2)};
+        return {std::max(2 * std::atan(low), zenith - std::numbers::pi / 2),
+                std::min(2 * std::atan(high), zenith + std::numbers::pi / 2)};
+    }
+    /// The same without regard to the horizon, as tangents of half the elevations.
+    ParameterInterval ends(double psi, double rim) const {
+        const double cosine = std::cos(psi), cut = view_.distance / cosine;
+        double near = cut, far = cut;
+        if (outline_ != TubeOutline::rectangle) {
+            near = view_.distance * cosine - rim;
+            far = outline_ == TubeOutline::capped ? view_.distance * cosine + rim : near;
+        }
+        const auto tangent = [](double x, double r) { return x / (r + std::sqrt(x * x + r * r)); };
+        return {part_.begins ? std::min(tangent(part_.begin, near), tangent(part_.begin, far))
+                             : tangent(part_.begin, cut),
+                part_.ends ? std::max(tangent(part_.end, near), tangent(part_.end, far))
+                           : tangent(part_.end, cut)};
     }
 
 private:
+    /// Of the axis over the tangent plane.
+    double height(double x) const { return view_.n_lamp * view_.distance + view_.n_along * x; }
+
     const TubeView& view_;
     VisiblePart part_;
     TubeOutline outline_;
