@@ -52,6 +52,7 @@ Film supersampled(const StripeScene& scene, int n, bool footprints) {
     const Integrator integrator(picture, options);
     Film film = blank_film(camera.width, camera.height, {});
     const auto cells = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+    const std::vector<double> shares(cells, 1);
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x) {
             std::vector<Ray> rays;
@@ -65,7 +66,7 @@ Film supersampled(const StripeScene& scene, int n, bool footprints) {
                         ray.differentials.reset();
                     rays.push_back(ray);
                 }
-            write_mean(film, x, y, integrator.follow(rays).samples);
+            write_mean(film, x, y, integrator.follow(rays).samples, shares);
         }
     return film;
 }

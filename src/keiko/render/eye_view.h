@@ -14,14 +14,17 @@ namespace keiko {
 struct EyeSample {
     Rgb luminance;            ///< cd/m2
     const Hit* hit = nullptr; ///< the first surface, of EyeView::hits; null: none
+    double cosine = 0;        ///< of the angle at which it is seen, 0 to 1
     double illuminance = 0;   ///< lx of direct light on it, where an AOV asks for it
     /// Where the first mirrored ray meets the nearest C-plane, mm; nothing where the body is in the
     /// way.
     std::optional<Vec2> c_plane;
+    double across_lamps = 0; ///< the same across that plane's lamps, in their pitches
     /// The face that the first mirrored ray meets, or nothing where it leaves the body.
     std::optional<std::uint32_t> mirrored_face;
     /// The image of the pixel that the first mirrored ray stands for is not smooth.
     bool torn = false;
+    bool lit = false;        ///< it has spots, whose light comes later
     std::uint32_t paint = 0; ///< faces of one paint share this number
     PathCounts paths;        ///< of its hits, the mirrored rays' too
 };

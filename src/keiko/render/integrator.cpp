@@ -152,11 +152,13 @@ bool Integrator::advance(Path& path, const Met& met, int depth, const VisibleFro
     const std::uint32_t paint = paint_of_face_[met.hit->face];
     if (takes_light(paint, depth)) {
         view.spots.push_back(spot_at(path, met, depth));
+        sample.lit = true;
         sample.luminance += path.weight * ambient_luminance(view.spots.back());
     }
-    if (depth >= options_.max_depth) return false;
     const double cosine =
         std::abs(met.hit->normal.dot(met.ray.direction)) / met.ray.direction.length();
+    if (depth == 0) sample.cosine = cosine;
+    if (depth >= options_.max_depth) return false;
     path.weight *= paints_[paint].mirrored(cosine);
     return max_channel(path.weight) >= options_.min_weight;
 }
@@ -192,8 +194,9 @@ LitSpot Integrator::spot_at(const Path& path, const Met& met, int depth) const {
 void Integrator::note_mirrored(const Met& met, EyeSample& sample) {
     if (met.hit) sample.mirrored_face = met.hit->face;
     const auto& plane = met.mirror.plane;
-    if (plane && !(met.hit && met.hit->t < plane->at.t))
-        sample.c_plane = Vec2(plane->at.u, plane->at.v);
+    if (!plane || (met.hit && met.hit->t < plane->at.t)) return;
+    sample.c_plane = Vec2(plane->at.u, plane->at.v);
+    sample.across_lamps = plane->at.v / plane->frame->pitch;
 }
 
 void Integrator::add_lamps(Path& path, const Met& met, const VisibleFrom& shafts,

@@ -1,30 +1,41 @@
 #include "keiko/render/outlines.h"
 
-namespace keiko {
-namespace {
+#include <algorithm>
+#include <array>
+#include <cmath>
 
-/// Whether two pixels do not show the same smooth thing.
+namespace keiko {
+
 bool differ(const EyeSample& a, const EyeSample& b) {
-    if (!a.hit || !b.hit) return a.hit != b.hit;
+    if (!a.hit || !b.hit) return (a.hit != nullptr) != (b.hit != nullptr);
     return a.mirrored_face.has_value() != b.mirrored_face.has_value() ||
            !continues(place_of(a), place_of(b));
 }
 
-} // namespace
-
-std::vector<bool> outlined_pixels(std::span<const EyeSample> samples, int width) {
-    const auto w = static_cast<std::size_t>(width);
-    const auto crossed = [&](std::size_t i) {
-        if (samples[i].torn) return true;
-        for (const std::size_t row : {i - w, i, i + w})
-            for (const std::size_t other : {row - 1, row, row + 1})
-                if (differ(samples[i], samples[other])) return true;
-        return false;
+bool look_alike(const EyeSample& a, const EyeSample& b) {
+    if ((a.hit != nullptr) != (b.hit != nullptr)) return false;
+    if ((a.lit || b.lit) && differ(a, b)) return false;
+    const auto near = [](double x, double y) {
+        return std::abs(x - y) <= 0.01 * std::max(std::abs(x), std::abs(y));
     };
-    std::vector<bool> outlined;
+    return near(a.luminance.r, b.luminance.r) && near(a.luminance.g, b.luminance.g) &&
+           near(a.luminance.b, b.luminance.b);
+}
+
+std::vector<Outline> outlines_of(std::span<const EyeSample> samples, int width) {
+    const auto w = static_cast<std::size_t>(width);
+    const auto outline = [&](std::size_t i) {
+        if (samples[i].torn) return Outline::torn;
+        const auto off = [&](std::size_t other) { return differ(samples[i], samples[other]); };
+        const std::array beside{i - w, i - 1, i + 1, i + w};
+        if (std::any_of(beside.begin(), beside.end(), off)) return Outline::likely;
+        const std::array diagonal{i - w - 1, i - w + 1, i + w - 1, i + w + 1};
+        return std::any_of(diagonal.begin(), diagonal.end(), off) ? Outline::near : Outline::none;
+    };
+    std::vector<Outline> outlines;
     for (std::size_t row = w; row + w < samples.size(); row += w)
-        for (std::size_t x = 1; x + 1 < w; ++x) outlined.push_back(crossed(row + x));
-    return outlined;
+        for (std::size_t x = 1; x + 1 < w; ++x) outlines.push_back(outline(row + x));
+    return outlines;
 }
 
 } // namespace keiko

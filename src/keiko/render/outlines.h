@@ -2,14 +2,30 @@
 
 #include "keiko/render/eye_view.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace keiko {
 
+/// Whether two neighbours do not show the same smooth thing: an outline, a trim border, a crease or
+/// the border of a reflection of the body runs between them.
+bool differ(const EyeSample& a, const EyeSample& b);
+
+/// Whether two places look the same in the picture: luminances within 1 %, and one surface where
+/// light is still to come.
+bool look_alike(const EyeSample& a, const EyeSample& b);
+
+/// What is known of outlines in a pixel before more rays are sent.
+enum class Outline : std::uint8_t {
+    none,   ///< one ray is enough
+    near,   ///< may be in it, but not between its centre and those of the four beside it
+    likely, ///< between its centre and a neighbour's
+    torn    ///< what the pixel mirrors is not smooth
+};
+
 /// Of the inner pixels of a grid of eye rays, `width` in a row and one pixel off on all sides, row
-/// by row: whether an outline runs between the pixel and one of its eight neighbours, or what it
-/// mirrors is not smooth, so that one ray a pixel is not enough.
-std::vector<bool> outlined_pixels(std::span<const EyeSample> samples, int width);
+/// by row.
+std::vector<Outline> outlines_of(std::span<const EyeSample> samples, int width);
 
 } // namespace keiko

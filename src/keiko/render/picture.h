@@ -25,7 +25,8 @@ struct PictureScene {
 /// How a picture is made.
 struct PictureOptions {
     std::vector<Aov> aovs;
-    int edge_samples = 4; ///< samples a side of a pixel that holds an outline; 1: one ray a pixel
+    /// Cells a side that a pixel with outlines is divided into at the most; 1: one ray a pixel.
+    int edge_samples = 4;
     /// Of what the eye sees: what the light on bases may be off by for being taken linear between
     /// places a few pixels apart. 0: found for each pixel.
     double light_error = 2e-3;
@@ -37,8 +38,9 @@ struct PictureOptions {
 };
 
 /// Renders luminance in cd/m2 with the AOVs asked for: one ray a pixel, whose footprint on the
-/// C-plane gives smooth lamp stripes, and `edge_samples`^2 rays where the pixel's neighbourhood
-/// holds an outline, a trim border, a crease or the border of a reflection of the body in itself.
+/// C-plane gives smooth lamp stripes. Pixels whose neighbourhood holds an outline, a trim border, a
+/// crease or the border of a reflection of the body in itself are split along it, or divided where
+/// it is not straight, into up to `edge_samples`^2 cells.
 /// The same bytes for any thread count. Throws Cancelled.
 Film render(const PictureScene& scene, const Camera& camera, const PictureOptions& options,
             const Job& job = {});

@@ -101,16 +101,19 @@ void write_pixel(Film& film, int x, int y, const EyeSample& sample) {
     for (auto& [aov, image] : film.aovs) write_aov(aov, image, x, y, sample);
 }
 
-void write_mean(Film& film, int x, int y, std::span<const EyeSample> samples) {
+void write_mean(Film& film, int x, int y, std::span<const EyeSample> samples,
+                std::span<const double> shares) {
     ShownLight sum;
-    for (const EyeSample& sample : samples) {
-        sum.color += sample.luminance;
-        sum.covered += sample.hit ? 1 : 0;
-        sum.illuminance += sample.illuminance;
+    double all = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const double share = shares[i];
+        sum.color += samples[i].luminance * share;
+        sum.covered += samples[i].hit ? share : 0;
+        sum.illuminance += samples[i].illuminance * share;
+        all += share;
     }
-    const auto count = static_cast<double>(samples.size());
     const double lit = sum.covered > 0 ? sum.illuminance / sum.covered : 0;
-    write_light(film, x, y, {sum.color / count, sum.covered / count, lit});
+    write_light(film, x, y, {sum.color / all, sum.covered / all, lit});
 }
 
 } // namespace keiko

@@ -68,65 +68,84 @@ EyeGrid grid_of(const PictureRays& eye, const Tile& tile) {
     return grid;
 }
 
-/// The centres of a pixel's n x n cells as eye rays, each with the footprint of its cell.
-void append_cell_rays(const PreparedCamera& camera, int x, int y, int n, std::vector<Ray>& rays) {
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            Ray ray = camera.ray(x + (i + 0.5) / n, y + (j + 0.5) / n);
-            ray.differentials = ray.differentials->scaled(1.0 / n);
-            rays.push_back(ray);
-        }
-}
-
 PathCounts paths_of(std::span<const EyeSample> samples) {
     PathCounts counts;
     for (const EyeSample& sample : samples) counts += sample.paths;
     return counts;
 }
 
-/// One ray a pixel, those of `outlined` pixels without the light of spots.
+/// One ray a pixel, those of pixels `in_parts` without the light of spots.
 PathCounts render_centres(const Integrator& integrator, const Tile& tile, double light_error,
-                          const std::vector<bool>& outlined, EyeView view, Film& film) {
-    add_interpolated_light(integrator, tile.x1 - tile.x0, outlined, light_error, view);
+                          const std::vector<bool>& in_parts, EyeView view, Film& film) {
+    add_interpolated_light(integrator, tile.x1 - tile.x0, in_parts, light_error, view);
     auto sample = view.samples.begin();
     for_each_pixel(tile, [&](int x, int y) { write_pixel(film, x, y, *sample++); });
     return paths_of(view.samples);
 }
 
-/// Replaces the luminance of the pixels that hold an outline by the mean over their cells.
-PathCounts refine_outlines(const Integrator& integrator, const PreparedCamera& camera,
-                           const Tile& tile, int n, const std::vector<bool>& outlined, Film& film) {
-    std::vector<Ray> rays;
-    auto crossed = outlined.begin();
+/// The pixels of a tile that may hold outlines, with what their centres show: not of those that
+/// mirror something that is not smooth, or whose image the neighbours do not tell to be straight.
+std::vector<OutlineCell> outlined_cells(const Tile& tile, std::span<const Outline> outlines,
+                                        std::span<const EyeSample> samples) {
+    const auto width = static_cast<std::size_t>(tile.x1 - tile.x0);
+    std::vector<OutlineCell> cells;
+    std::size_t pixel = 0;
     for_each_pixel(tile, [&](int x, int y) {
-        if (*crossed++) append_cell_rays(camera, x, y, n, rays);
+        const Outline outline = outlines[pixel];
+        const std::size_t place =
+            (pixel / width + 1) * (width + 2) + pixel % width + 1; // the view is one pixel wider
+        if (outline != Outline::none)
+            cells.push_back(
+                {pixel, Vec2(x, y), 1, 0, outline == Outline::torn ? nullptr : &samples[place]});
+        ++pixel;
     });
-    EyeView view = integrator.view(rays);
-    add_shared_light(integrator, n, view);
-    const auto cells = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
-    std::span<const EyeSample> rest(view.samples);
-    crossed = outlined.begin();
-    for_each_pixel(tile, [&](int x, int y) {
-        if (!*crossed++) return;
-        write_mean(film, x, y, rest.first(cells));
-        rest = rest.subspan(cells);
-    });
-    return paths_of(view.samples);
+    return cells;
+}
+
+/// Replaces the luminance of pixels by the mean over their parts.
+void write_parts(const RefinedPixels& refined, const Tile& tile, Film& film) {
+    const auto width = static_cast<std::size_t>(tile.x1 - tile.x0);
+    std::vector<EyeSample> samples;
+    std::vector<double> shares;
+    const std::vector<PixelPart>& parts = refined.parts;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        samples.push_back(parts[i].sample), shares.push_back(parts[i].share);
+        const std::size_t pixel = parts[i].pixel;
+        if (i + 1 < parts.size() && parts[i + 1].pixel == pixel) continue;
+        write_mean(film, tile.x0 + static_cast<int>(pixel % width),
+                   tile.y0 + static_cast<int>(pixel / width), samples, shares);
+        samples.clear(), shares.clear();
+    }
+}
+
+/// How often pixels are halved to have `cells` a side.
+int halvings_to(int cells) {
+    int depth = 0;
+    while (1 << depth < cells) ++depth;
+    return depth;
+}
+
+RefinedPixels refine_outlines(const Integrator& integrator, const PictureRays& eye,
+                              const Tile& tile, int edge_samples, const EyeView& view) {
+    if (edge_samples == 1) return {};
+    const std::vector<Outline> outlines = outlines_of(view.samples, tile.x1 - tile.x0 + 2);
+    return refined_pixels(integrator, eye.camera, outlined_cells(tile, outlines, view.samples),
+                          halvings_to(edge_samples));
 }
 
 /// Neighbours beyond the tile tell where outlines are and how the images of pixels are bent.
 PathCounts render_tile(const Integrator& integrator, const PictureRays& eye, const Tile& tile,
                        const PictureOptions& options, Film& film) {
-    const int width = tile.x1 - tile.x0 + 2;
     EyeView view = integrator.view(grid_of(eye, tile));
-    const bool refines = options.edge_samples > 1;
-    const std::vector<bool> outlined =
-        refines ? outlined_pixels(view.samples, width) : std::vector<bool>(view.samples.size());
-    PathCounts paths = render_centres(integrator, tile, options.light_error, outlined,
-                                      without_border(std::move(view), width), film);
-    if (refines)
-        paths +=
-            refine_outlines(integrator, eye.camera, tile, options.edge_samples, outlined, film);
+    RefinedPixels refined = refine_outlines(integrator, eye, tile, options.edge_samples, view);
+    add_shared_light(integrator, refined);
+    const int width = tile.x1 - tile.x0;
+    std::vector<bool> in_parts(static_cast<std::size_t>(width * (tile.y1 - tile.y0)));
+    for (const PixelPart& part : refined.parts) in_parts[part.pixel] = true;
+    PathCounts paths = render_centres(integrator, tile, options.light_error, in_parts,
+                                      without_border(std::move(view), width + 2), film);
+    write_parts(refined, tile, film);
+    paths += refined.paths;
     return paths;
 }
 

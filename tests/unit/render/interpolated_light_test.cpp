@@ -132,10 +132,13 @@ TEST(SharedLight, LightsEachSurfaceOfAPixelOnce) {
             rays.push_back(camera.ray(rim.x + i / 4.0 - 0.4, rim.y + j / 4.0 - 0.4));
     EyeView view = integrator.view(rays);
     ASSERT_EQ(view.spots.size(), 16u);
-    add_shared_light(integrator, 4, view);
+    RefinedPixels pixel;
+    for (const EyeSample& sample : view.samples) pixel.parts.push_back({0, 1.0 / 16, sample});
+    pixel.spots = view.spots;
+    add_shared_light(integrator, pixel);
     std::vector<double> screen, plate;
-    for (const EyeSample& sample : view.samples)
-        (sample.hit->face == 1 ? screen : plate).push_back(sample.luminance.g);
+    for (const PixelPart& part : pixel.parts)
+        (part.sample.hit->face == 1 ? screen : plate).push_back(part.sample.luminance.g);
     ASSERT_FALSE(screen.empty());
     ASSERT_FALSE(plate.empty());
     for (const auto* surface : {&screen, &plate})

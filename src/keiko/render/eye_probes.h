@@ -1,0 +1,34 @@
+#pragma once
+
+#include "keiko/render/integrator.h"
+#include "keiko/spec/prepared_camera.h"
+
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace keiko {
+
+/// Single eye rays through places of the picture, px, that tell what is seen there; what they bring
+/// back is kept.
+class EyeProbes {
+public:
+    EyeProbes(const Integrator& integrator, const PreparedCamera& camera)
+        : integrator_(integrator), camera_(camera) {}
+
+    /// One sample a place, in order.
+    std::vector<const EyeSample*> at(std::span<const Vec2> places);
+    /// The same, but places that were asked for before get no ray again.
+    std::vector<const EyeSample*> shared_at(std::span<const Vec2> places);
+
+    PathCounts paths() const;
+
+private:
+    const Integrator& integrator_;
+    const PreparedCamera& camera_;
+    std::vector<EyeView> views_;
+    std::map<std::pair<double, double>, const EyeSample*> known_;
+};
+
+} // namespace keiko
