@@ -74,12 +74,16 @@ EyeView Integrator::view(std::span<const Ray> eye_rays) const {
     return view;
 }
 
-EyeView Integrator::view(EyeGrid grid) const {
-    EyeView view;
+EyeSample Integrator::unseen() const {
     EyeSample unseen;
     unseen.luminance = scene_.background;
+    return unseen;
+}
+
+EyeView Integrator::view(EyeGrid grid) const {
+    EyeView view;
     MirroredGrid mirrored(grid.width, grid.height);
-    view.samples.assign(mirrored.size(), unseen);
+    view.samples.assign(mirrored.size(), unseen());
     Wave wave;
     wave.rays = std::move(grid.rays);
     for (const std::size_t place : grid.places) {

@@ -33,6 +33,8 @@ public:
     /// where neighbours tell how it is bent, the others see the background. In a medium all have
     /// rays. Where nothing is refined, pixels at the grid's border show no reflections.
     EyeView view(EyeGrid grid) const;
+    /// What an eye ray brings back that meets nothing where there is no medium.
+    EyeSample unseen() const;
     /// What all lamps and other lights bring to a spot.
     SpotLight light_on(const LitSpot& spot) const;
     /// All lights, in the order in which they are asked for.

@@ -21,13 +21,13 @@ MirroredLight mean_over(const RigPlanes& planes, const MirroredPixel& pixel, int
     MirroredLight mean;
     for (int j = 0; j < parts; ++j)
         for (int i = 0; i < parts; ++i) {
-            const Ray ray =
-                pixel.ray((i + 0.5) / parts - 0.5, (j + 0.5) / parts - 0.5, 1.0 / parts);
-            const MirroredLight part =
-                planes.luminance(ray.origin, ray.direction, ray.differentials, t_max);
-            mean.luminance += part.luminance;
-            mean.coverage += part.coverage;
-            mean.resolved = mean.resolved && part.resolved;
+            const PartOfPixel part =
+                pixel.part((i + 0.5) / parts - 0.5, (j + 0.5) / parts - 0.5, 1.0 / parts);
+            const MirroredLight seen =
+                planes.luminance(part.origin, part.direction, part.spread, t_max);
+            mean.luminance += seen.luminance;
+            mean.coverage += seen.coverage;
+            mean.resolved = mean.resolved && seen.resolved;
         }
     mean.luminance *= 1.0 / (parts * parts);
     mean.coverage /= parts * parts;
@@ -46,6 +46,25 @@ MirroredPixel::MirroredPixel(const PixelRays& rays)
              slopes_of(rays.left), slopes_of(rays.right), slopes_of(rays.above),
              slopes_of(rays.below)) {}
 
+/// With m the most that slopes of neighbours are off the centre's, the second derivatives of the
+/// cubic are at most m, the third at most 2 m. In the pixel, half a unit to all sides, that adds up
+/// to 1/8 + 1/8 + 1/4 + 4/48 + 4/16 times m, and for the slopes to 1/2 + 1/2 + 2/8 + 2/4 + 2/8.
+RayBundle MirroredPixel::bundle(const PixelRays& rays) {
+    constexpr double off = 5.0 / 6, slope_off = 2;
+    const RayDifferentials& own = *rays.centre.differentials;
+    Vec2 most(0); // of origins, of directions; squared
+    for (const Ray* neighbour : {&rays.left, &rays.right, &rays.above, &rays.below}) {
+        const RayDifferentials& d = *neighbour->differentials;
+        most.x = std::max({most.x, (d.origin_dx - own.origin_dx).length2(),
+                           (d.origin_dy - own.origin_dy).length2()});
+        most.y = std::max({most.y, (d.direction_dx - own.direction_dx).length2(),
+                           (d.direction_dy - own.direction_dy).length2()});
+    }
+    const double origin = std::sqrt(most.x), direction = std::sqrt(most.y);
+    return {rays.centre.origin, rays.centre.direction, own, off * origin, off * direction,
+            slope_off * origin, slope_off * direction};
+}
+
 double MirroredPixel::misfit(const PixelRays& rays, double t) const {
     Vec2 most(0); // of origins, of directions
     const auto compare = [&](const Ray& neighbour, double x, double y) {
@@ -58,29 +77,24 @@ double MirroredPixel::misfit(const PixelRays& rays, double t) const {
     return most.x + t * most.y;
 }
 
-Ray MirroredPixel::ray(double x, double y) const {
+PartOfPixel MirroredPixel::part(double x, double y, double share) const {
     const Jet value = cubic_.at(x, y);
-    Ray ray;
-    ray.origin = value.origin;
-    ray.direction = value.direction;
-    return ray;
-}
-
-Ray MirroredPixel::ray(double x, double y, double share) const {
     const auto [by_x, by_y] = cubic_.slopes(x, y);
     const Jet dx = by_x * share, dy = by_y * share;
-    Ray ray = this->ray(x, y);
-    ray.differentials = RayDifferentials{dx.origin, dy.origin, dx.direction, dy.direction};
-    return ray;
+    return {value.origin, value.direction, {dx.origin, dy.origin, dx.direction, dy.direction}};
 }
 
 PixelMirror mirror_of(const RigPlanes& planes, const Ray& centre,
                       const std::optional<PixelRays>& around, double t_max, bool tells_torn) {
     PixelMirror mirror{{}, planes.nearest(centre.origin, centre.direction)};
-    const auto bend = mirror.plane && around ? image_bend(*mirror.plane, *around) : std::nullopt;
+    if (!mirror.plane) return mirror;
+    const bool dark = around && planes.are_missed_by(MirroredPixel::bundle(*around));
+    if (dark && !tells_torn) return mirror;
+    const auto bend = around ? image_bend(*mirror.plane, *around) : std::nullopt;
     if (tells_torn && bend)
         mirror.torn = MirroredPixel(*around).misfit(*around, mirror.plane->at.t) >
                       whole * mirror.plane->frame->pitch;
+    if (dark) return mirror;
     if (!bend || *bend <= straight) {
         mirror.lamps = planes.luminance(mirror.plane, centre.origin, centre.direction,
                                         centre.differentials, t_max);

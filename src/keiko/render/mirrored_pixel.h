@@ -15,15 +15,22 @@ struct PixelRays {
     const Ray &left, &right, &above, &below;
 };
 
+/// The mirrored ray of a part of a pixel.
+struct PartOfPixel {
+    Vec3 origin, direction;
+    RayDifferentials spread;
+};
+
 /// A pixel's mirrored rays as a cubic in the place in the picture.
 class MirroredPixel {
 public:
     explicit MirroredPixel(const PixelRays& rays);
+    /// Bounds of the rays of all its parts, itself with them.
+    static RayBundle bundle(const PixelRays& rays);
 
-    /// The ray at a place relative to the centre, in pixels, without differentials.
-    Ray ray(double x, double y) const;
-    /// The same, with the differentials there of a pixel of `share` times the width and height.
-    Ray ray(double x, double y, double share) const;
+    /// The ray of a pixel of `share` times the width and height around a place relative to the
+    /// centre, in pixels.
+    PartOfPixel part(double x, double y, double share) const;
     /// By how much the rays of neighbours are off the cubic where they pass the plane that the
     /// centre's ray meets at t, mm at the most: large where the surface's curvature jumps.
     double misfit(const PixelRays& rays, double t) const;

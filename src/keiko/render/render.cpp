@@ -136,7 +136,14 @@ RefinedPixels refine_outlines(const Integrator& integrator, const PictureRays& e
 /// Neighbours beyond the tile tell where outlines are and how the images of pixels are bent.
 PathCounts render_tile(const Integrator& integrator, const PictureRays& eye, const Tile& tile,
                        const PictureOptions& options, Film& film) {
-    EyeView view = integrator.view(grid_of(eye, tile));
+    EyeGrid grid = grid_of(eye, tile);
+    if (grid.rays.empty()) {
+        for_each_pixel(tile, [&, unseen = integrator.unseen()](int x, int y) {
+            write_pixel(film, x, y, unseen);
+        });
+        return {};
+    }
+    EyeView view = integrator.view(std::move(grid));
     RefinedPixels refined = refine_outlines(integrator, eye, tile, options.edge_samples, view);
     add_shared_light(integrator, refined);
     const int width = tile.x1 - tile.x0;

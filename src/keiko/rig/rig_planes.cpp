@@ -43,13 +43,17 @@ MirroredLight RigPlanes::luminance(const std::optional<RigPlaneHit>& nearest, co
     for (auto on = nearest; on && on->at.t <= t_max; on = next(origin, direction, on)) {
         const CPlaneFrame& frame = *on->frame;
         const Plane& plane = planes_[on->number];
-        const Footprint footprint =
-            spread ? footprint_on(frame, on->at, direction, *spread) : Footprint();
+        const Footprint footprint = spread ? footprint_on(frame, on->at, *spread) : Footprint();
         const StripeLook row = look_up(frame, on->at, origin, direction, footprint, plane.mirror);
         rows.add(plane.luminance, row.coverage);
         resolved = resolved && (row.resolved || row.coverage == 0);
     }
     return {rows.light, rows.opacity, resolved};
+}
+
+bool RigPlanes::are_missed_by(const RayBundle& rays) const {
+    return std::all_of(planes_.begin(), planes_.end(),
+                       [&](const Plane& plane) { return misses_lamps(plane.frame, rays); });
 }
 
 std::optional<RigPlaneHit> RigPlanes::nearest(const Vec3& origin, const Vec3& direction) const {

@@ -2,6 +2,7 @@
 
 #include "keiko/rig/light_rig.h"
 #include "keiko/tubes/c_plane_lookup.h"
+#include "keiko/tubes/ray_bundle.h"
 
 #include <limits>
 
@@ -39,6 +40,8 @@ public:
     MirroredLight luminance(const std::optional<RigPlaneHit>& nearest, const Vec3& origin,
                             const Vec3& direction, const std::optional<RayDifferentials>& spread,
                             double t_max) const;
+    /// Whether it is proved that luminance() finds no lamp for any ray of a bundle.
+    bool are_missed_by(const RayBundle& rays) const;
     std::optional<RigPlaneHit> nearest(const Vec3& origin, const Vec3& direction) const;
 
 private:

@@ -17,19 +17,18 @@ constexpr double parallel = 1e-12;
 constexpr double resolvable_pitches = 4;
 
 /// Derivative of (u, v) by one picture axis: the hit moves with the ray and stays on the plane.
-Vec2 slide(const CPlaneFrame& frame, double t, const Vec3& direction, const Vec3& origin_rate,
+Vec2 slide(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin_rate,
            const Vec3& direction_rate) {
-    const Vec3 d = frame.vector(direction);
-    const Vec3 rate = frame.vector(origin_rate + direction_rate * t);
+    const Vec3& d = hit.direction;
+    const Vec3 rate = frame.vector(origin_rate + direction_rate * hit.t);
     const double t_rate = rate.z / d.z;
     return {rate.x - d.x * t_rate, rate.y - d.y * t_rate};
 }
 
 /// How far along u the ray runs from a tube's surface to the level of its axis, mm: the mean over
-/// the tube's width, pi / 4 of that over its middle.
-double rim_shift(const CPlaneFrame& frame, const Vec3& direction) {
-    const Vec3 d = frame.vector(direction);
-    return std::numbers::pi / 4 * frame.radius() * d.x / std::hypot(d.y, d.z);
+/// the tube's width, pi / 4 of that over its middle. `d`: its direction, in frame coordinates.
+double rim_shift(const CPlaneFrame& frame, const Vec3& d) {
+    return std::numbers::pi / 4 * frame.radius() * d.x / std::sqrt(d.y * d.y + d.z * d.z);
 }
 
 bool tube_shines(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction) {
@@ -48,9 +47,9 @@ bool point_shines(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& or
 struct Ends {
     double begin, end;
 };
-Ends ends_of(const CPlaneFrame& frame, const Vec3& direction, bool round) {
+Ends ends_of(const CPlaneFrame& frame, const CPlaneHit& hit, bool round) {
     if (!round) return {0, frame.length};
-    const double shift = rim_shift(frame, direction);
+    const double shift = rim_shift(frame, hit.direction);
     if (frame.luminous_caps) return {-std::abs(shift), frame.length + std::abs(shift)};
     return {shift, frame.length + shift};
 }
@@ -76,7 +75,7 @@ StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& 
     const PixelFilter along(footprint.dx.x, footprint.dy.x), across(footprint.dx.y, footprint.dy.y);
     const bool resolved = across.width() <= resolvable_pitches * frame.pitch;
     const auto coverage = resolved ? comb_coverage : mean_coverage;
-    const Ends ends = ends_of(frame, direction, round);
+    const Ends ends = ends_of(frame, hit, round);
     const double lengthwise = along.share(ends.begin - hit.u, ends.end - hit.u);
     if (lengthwise == 0) return {0, resolved};
     const double width = round ? apparent_diameter(frame, direction) : frame.diameter;
@@ -91,7 +90,7 @@ std::optional<CPlaneHit> c_plane_coordinates(const CPlaneFrame& frame, const Vec
     if (!(std::abs(d.z) > parallel * direction.length())) return {};
     const double t = -o.z / d.z;
     if (!(t > 0)) return {};
-    return CPlaneHit{t, o.x + t * d.x, o.y + t * d.y};
+    return CPlaneHit{t, o.x + t * d.x, o.y + t * d.y, d};
 }
 
 std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& origin,
@@ -99,10 +98,10 @@ std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& or
     return c_plane_coordinates(CPlaneFrame(plane), origin, direction);
 }
 
-Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& direction,
+Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit,
                        const RayDifferentials& spread) {
-    return {slide(frame, hit.t, direction, spread.origin_dx, spread.direction_dx),
-            slide(frame, hit.t, direction, spread.origin_dy, spread.direction_dy)};
+    return {slide(frame, hit, spread.origin_dx, spread.direction_dx),
+            slide(frame, hit, spread.origin_dy, spread.direction_dy)};
 }
 
 std::optional<int> strip_at(const CPlaneFrame& frame, double u, double v, double width) {

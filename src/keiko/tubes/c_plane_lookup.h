@@ -11,6 +11,7 @@ namespace keiko {
 struct CPlaneHit {
     double t = 0;        ///< in lengths of the ray's direction, > 0
     double u = 0, v = 0; ///< mm from the corner, along and across the lamps
+    Vec3 direction{0};   ///< of the ray, in frame coordinates
 };
 
 /// Nothing for a ray that runs away from the plane or within 1e-12 rad of parallel to it.
@@ -30,7 +31,7 @@ struct Footprint {
 };
 
 /// The footprint of a ray at its `hit` on the plane, to first order.
-Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& direction,
+Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit,
                        const RayDifferentials& spread);
 
 /// What a mirrored ray, or a pixel of them, sees of a row of lamps.

@@ -73,7 +73,7 @@ std::optional<TubeHit> nearest_tube(const CPlaneFrame& frame, const Vec3& origin
 
 double apparent_diameter(const CPlaneFrame& frame, const Vec3& direction) {
     const double across = frame.v.dot(direction), down = frame.normal.dot(direction);
-    return frame.diameter * std::hypot(across, down) / std::abs(down);
+    return frame.diameter * std::sqrt(across * across + down * down) / std::abs(down);
 }
 
 } // namespace keiko

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
 
 using namespace keiko;
 using test::dome;
@@ -40,7 +42,7 @@ MirroredPixel pixel_at(const Stage& stage, double x, double y, double size) {
 
 /// Between directions to a corner of a pixel: as the cubic tells it and as it is.
 double error_of(const Stage& stage, double size) {
-    const Ray told = pixel_at(stage, 48, 27, size).ray(0.5, -0.5, 1);
+    const PartOfPixel told = pixel_at(stage, 48, 27, size).part(0.5, -0.5, 1);
     const Ray is = mirrored(stage, 48 + 0.5 * size, 27 - 0.5 * size, size);
     return (told.direction - is.direction).length() + (told.origin - is.origin).length() / 3000;
 }
@@ -79,11 +81,11 @@ TEST(MirroredPixel, IsRightToTheFourthOrder) {
 
 TEST(MirroredPixel, TellsTheDifferentialsOfItsParts) {
     const Stage stage(dome());
-    const Ray told = pixel_at(stage, 40, 30, 1).ray(0.25, 0.25, 0.5);
+    const PartOfPixel told = pixel_at(stage, 40, 30, 1).part(0.25, 0.25, 0.5);
     const Ray is = mirrored(stage, 40.25, 30.25, 0.5);
-    const Vec3 off = told.differentials->direction_dx - is.differentials->direction_dx;
+    const Vec3 off = told.spread.direction_dx - is.differentials->direction_dx;
     EXPECT_LT(off.length(), 1e-4 * is.differentials->direction_dx.length());
-    const Vec3 moved = told.differentials->origin_dy - is.differentials->origin_dy;
+    const Vec3 moved = told.spread.origin_dy - is.differentials->origin_dy;
     EXPECT_LT(moved.length(), 1e-4 * is.differentials->origin_dy.length());
 }
 
@@ -106,6 +108,40 @@ TEST(MirroredPixel, SeesStripesWhereItsImageIsBent) {
         }
     EXPECT_LT(bent, 0.02);
     EXPECT_GT(straight, 3 * bent);
+}
+
+// Random differentials, of one pixel in four with as much difference as the signs allow.
+TEST(MirroredPixel, KeepsItsPartsWithinItsBundle) {
+    std::mt19937_64 engine(20261122);
+    std::uniform_real_distribution<double> between(-1, 1);
+    double nearest = 0;
+    for (int trial = 0; trial < 4000; ++trial) {
+        const auto number = [&] {
+            const double x = between(engine);
+            return trial % 4 == 0 ? std::copysign(1.0, x) : x;
+        };
+        const auto vector = [&] { return Vec3(number(), 0.1 * number(), 0.1 * number()); };
+        std::array<Ray, 5> rays;
+        for (Ray& ray : rays)
+            ray.differentials = RayDifferentials{vector(), vector(), vector(), vector()};
+        const PixelRays pixel{rays[0], rays[1], rays[2], rays[3], rays[4]};
+        const RayBundle bundle = MirroredPixel::bundle(pixel);
+        for (const double y : {-0.5, -0.2, 0.5})
+            for (const double x : {-0.5, 0.1, 0.5}) {
+                const PartOfPixel part = MirroredPixel(pixel).part(x, y, 1);
+                const RayDifferentials& s = bundle.spread;
+                const Vec3 origin = part.origin - s.origin_dx * x - s.origin_dy * y;
+                const Vec3 direction = part.direction - s.direction_dx * x - s.direction_dy * y;
+                const double off = (direction - bundle.direction).length();
+                EXPECT_LE((origin - bundle.origin).length(), bundle.origin_rest);
+                EXPECT_LE(off, bundle.direction_rest);
+                EXPECT_LE((part.spread.origin_dx - s.origin_dx).length(), bundle.origin_slope_rest);
+                EXPECT_LE((part.spread.direction_dy - s.direction_dy).length(),
+                          bundle.direction_slope_rest);
+                nearest = std::max(nearest, off / bundle.direction_rest);
+            }
+    }
+    EXPECT_GT(nearest, 0.5);
 }
 
 TEST(MirroredGrid, HasPixelsWhereFourNeighboursShowTheSame) {

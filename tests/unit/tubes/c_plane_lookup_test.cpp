@@ -91,7 +91,7 @@ TEST(CPlaneLookup, FootprintIsTheDerivativeOfTheHit) {
     const RayDifferentials spread{
         {1, 0.2, -0.3}, {0.1, -0.7, 0.4}, {0.01, 0.02, -0.03}, {-0.02, 0, 0.01}};
     const auto hit = c_plane_coordinates(frame, origin, direction);
-    const Footprint footprint = footprint_on(frame, *hit, direction, spread);
+    const Footprint footprint = footprint_on(frame, *hit, spread);
     const double h = 1e-5;
     const auto slope = [&](const Vec3& o, const Vec3& d) {
         const auto ahead = c_plane_coordinates(frame, origin + o * h, direction + d * h);
@@ -109,7 +109,7 @@ TEST(CPlaneLookup, FilteredStripesAreTheMeanOfManyRays) {
             const RayDifferentials spread = pixel_of(90, 0.6);
             const Vec3 origin = Vec3(20, 63, 2000) - direction * 2000;
             const auto hit = c_plane_coordinates(frame, origin, direction);
-            const Footprint footprint = footprint_on(frame, *hit, direction, spread);
+            const Footprint footprint = footprint_on(frame, *hit, spread);
             const double coverage = look_up(frame, origin, direction, footprint, look).coverage;
             EXPECT_NEAR(coverage, mean_of_points(origin, direction, spread, look), 2e-3);
         }
@@ -122,7 +122,7 @@ TEST(CPlaneLookup, EndsOfTubesAreSeenWhereTheirRimsAre) {
     const RayDifferentials spread = pixel_of(60, 0);
     const Vec3 origin = Vec3(505, 50, 2000) - direction * 2000;
     const auto hit = c_plane_coordinates(frame, origin, direction);
-    const Footprint footprint = footprint_on(frame, *hit, direction, spread);
+    const Footprint footprint = footprint_on(frame, *hit, spread);
     const auto error = [&](TubeLook look) {
         return std::abs(look_up(frame, origin, direction, footprint, look).coverage -
                         mean_of_points(origin, direction, spread, TubeLook::tube));
@@ -140,7 +140,7 @@ TEST(CPlaneLookup, ExactIsTheMeanOfManyRaysOverEveryEnd) {
             const Vec3 direction(0.8, 0.3, 1), from = row.at(u, row.axis(6)) - direction * 2000;
             const RayDifferentials spread = pixel_of(70, 0.3);
             const auto hit = c_plane_coordinates(row, from, direction);
-            const Footprint footprint = footprint_on(row, *hit, direction, spread);
+            const Footprint footprint = footprint_on(row, *hit, spread);
             int lit = 0;
             constexpr int side = 300;
             for (int j = 0; j < side; ++j)
