@@ -144,9 +144,10 @@ void add_picture_of(const PenumbraPicture& picture, const PenumbraScene& scene, 
         ladders.push_back(
             ladder(scene, axis ? Emitter::axis : Emitter::rectangle, across, sampled_truth));
     for (double light_error = 30 * error;; light_error /= 2) {
-        const Shares shares = fastest([&] { return picture.render(emitter, light_error); });
-        const double off = rms(shares, truth);
+        const auto render = [&] { return picture.render(emitter, light_error); };
+        const double off = rms(render(), truth);
         if (off > error) continue;
+        const Shares shares = fastest(render);
         table.rows.push_back(row_of(scene, axis ? "axis" : "width", off, us_a_point(shares),
                                     best_sampling(ladders, off)));
         return;

@@ -11,7 +11,7 @@ namespace keiko::bench {
 struct PenumbraOptions {
     std::vector<std::string> scenes{}; ///< names or model files; none: hood and teapot
     std::size_t points = 1000;         ///< receivers of each scene
-    int width = 640;                   ///< pixels of the pictures
+    int width = 1280;                  ///< pixels of the pictures
     int probes = 0;                    ///< of each lamp, against the intervals; 0: none
     std::filesystem::path plot{};      ///< SVG of cost against lamps and patches; empty: none
     std::filesystem::path markdown{};  ///< page to put the tables into; empty: none
