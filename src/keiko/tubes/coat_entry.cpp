@@ -1,6 +1,6 @@
 #include "keiko/tubes/coat_entry.h"
 
-#include "keiko/math/adaptive_quadrature.h"
+#include "keiko/math/paired_quadrature.h"
 #include "keiko/tubes/across_rule.h"
 
 #include <algorithm>
@@ -18,9 +18,15 @@ struct Entry {
         entered += other.entered;
         return *this;
     }
+    Entry operator+(const Entry& other) const { return Entry(*this) += other; }
+    Entry operator-(const Entry& other) const { return *this + other * -1; }
     Entry operator*(double weight) const { return {given * weight, entered * weight}; }
     double share() const { return given > 0 ? entered / given : 0; }
 };
+
+double largest_part(const Entry& entry) {
+    return std::max(std::abs(entry.given), std::abs(entry.entered));
+}
 
 /// A half-plane through the point, by the tangent of half the elevation, which needs no angles.
 struct HalfPlane {
@@ -43,12 +49,13 @@ HalfPlane half_plane(const TubeView& view, double psi) {
     return {view.n_lamp * std::cos(psi) + view.n_sideways * std::sin(psi), view.n_along};
 }
 
-/// Nodes along a lamp whose ends are seen under cosines from `lowest` up: to 5e-4 each, for indices
+/// Nodes along a lamp whose ends are seen under cosines from `lowest` up: to 1e-3 each, for indices
 /// up to 1.8. Fresnel's share is steep at grazing incidence.
 int nodes_along(double span, double lowest) {
     if (span < 0.7 * lowest) return 2;
     if (span * span < lowest) return 3;
-    return span * span < 6 * lowest ? 4 : 6;
+    if (span * span < 9 * lowest) return 4;
+    return span * span < 18 * lowest ? 5 : 6;
 }
 
 /// A lamp well above the horizon, by 1 or 2 half-planes, which take the same elevations.
@@ -70,9 +77,8 @@ Entry in_few(const ClearCoat& coat, const TubeSlices& slices, int half_planes) {
 }
 
 Entry of_slice(const ClearCoat& coat, const TubeSlices& slices, double psi, double rim, int nodes) {
-    const auto [low, high] = slices.elevations(psi, rim);
-    if (!(low < high)) return {};
-    return half_plane(slices.view(), psi).entry(coat, std::tan(low / 2), std::tan(high / 2), nodes);
+    const auto [begin, end] = slices.lit_ends(psi, rim);
+    return begin < end ? half_plane(slices.view(), psi).entry(coat, begin, end, nodes) : Entry();
 }
 
 Entry in_four(const ClearCoat& coat, const TubeSlices& slices) {
@@ -87,32 +93,28 @@ Entry in_four(const ClearCoat& coat, const TubeSlices& slices) {
 /// By the angle that makes the outline smooth, as cylinder_solid_angle() does, halved as needed
 /// where the horizon cuts the lamp.
 Entry adaptively(const ClearCoat& coat, const TubeSlices& slices, double refinement, int nodes) {
-    constexpr double quarter = std::numbers::pi / 2;
-    const TubeView& view = slices.view();
-    const double limit = std::sin(slices.half_angle());
+    const double quarter = std::numbers::pi / 2, limit = std::sin(slices.half_angle());
+    CutRange outline(-quarter, quarter);
+    outline.cut_at(0);
     const auto slice = [&](double t) {
-        const double sine = limit * std::sin(t), rim = view.radius * std::cos(t);
+        const double sine = limit * std::sin(t), rim = slices.view().radius * std::cos(t);
         return of_slice(coat, slices, std::asin(sine), rim, nodes) *
                (std::cos(t) / std::sqrt((1 - sine) * (1 + sine)));
     };
-    const auto given = [&](double t) { return slice(t).given; };
-    const auto entered = [&](double t) { return slice(t).entered; };
-    const double scale = integrate(given, -quarter, quarter, 16);
-    return {integrate_adaptively(given, -quarter, quarter, refinement * scale),
-            integrate_adaptively(entered, -quarter, quarter, refinement * scale)};
+    return integrate_paired(slice, outline, refinement, 12);
 }
 
 } // namespace
 
 double entering_share(const ClearCoat& coat, const TubeSlices& slices, TubeModel model) {
     if (model == TubeModel::automatic || model == TubeModel::cylinder)
-        return adaptively(coat, slices, 1e-6, 24).share();
+        return adaptively(coat, slices, 1e-8, 24).share();
     // One half-plane misses the dip^2, two the dip^4, and what the rims' mean leaves out goes with
     // (d/D)^2: a test holds them to 2.3e-3.
     const double dip = slices.dip(), ratio = slices.view().ratio();
-    if (slices.whole() && dip < 0.05 && ratio < 0.1) return in_few(coat, slices, 1).share();
+    if (slices.whole() && dip < 0.07 && ratio < 0.1) return in_few(coat, slices, 1).share();
     if (slices.whole() && dip < 0.4 && ratio < 0.15) return in_few(coat, slices, 2).share();
-    if (!std::isfinite(dip)) return adaptively(coat, slices, 1e-3, 6).share();
+    if (!std::isfinite(dip)) return adaptively(coat, slices, 2e-2, 6).share();
     return in_four(coat, slices).share();
 }
 

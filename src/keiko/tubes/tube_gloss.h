@@ -53,8 +53,8 @@ private:
     }
 
     Rgb for_picture() const {
-        if (within(one)) return at(across_rule(1)[0]) * (2 * half_);
-        if (within(two)) {
+        if (slices_.whole() && within(one)) return at(across_rule(1)[0]) * (2 * half_);
+        if (slices_.whole() && within(two)) {
             const Rgb left = at(across_rule(2)[0]), right = at(across_rule(2)[1]);
             if (largest_part(left - right) < steepest * largest_part(left + right))
                 return (left + right) * half_;

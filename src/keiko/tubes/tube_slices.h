@@ -53,12 +53,20 @@ public:
     }
     /// The same where the lamp's near side stands out by `rim` mm, and its far side as much.
     ParameterInterval elevations(double psi, double rim) const {
-        const auto [low, high] = ends(psi, rim);
-        const double cosine = std::cos(psi);
-        const double level = view_.n_lamp * cosine + view_.n_sideways * std::sin(psi);
-        const double zenith = std::atan2(view_.n_along, level);
-        return {std::max(2 * std::atan(low), zenith - std::numbers::pi / 2),
-                std::min(2 * std::atan(high), zenith + std::numbers::pi / 2)};
+        const ParameterInterval lit = lit_ends(psi, rim);
+        return {2 * std::atan(lit.begin), 2 * std::atan(lit.end)};
+    }
+    /// The same as tangents of half the elevations, which take no angles to find.
+    ParameterInterval lit_ends(double psi, double rim) const {
+        ParameterInterval lit = ends(psi, rim);
+        // The horizon: level cos eta + along sin eta = 0.
+        const double level = view_.n_lamp * std::cos(psi) + view_.n_sideways * std::sin(psi);
+        const double along = view_.n_along, length = std::sqrt(level * level + along * along);
+        const auto root = [&](double sense) { return -level / (along + sense * length); };
+        if (level > 0 || along > 0) lit.begin = std::max(lit.begin, root(1));
+        if (level > 0 || along < 0) lit.end = std::min(lit.end, root(-1));
+        if (!(level > 0) && along == 0) lit.end = lit.begin;
+        return lit;
     }
     /// The same without regard to the horizon, as tangents of half the elevations.
     ParameterInterval ends(double psi, double rim) const {
