@@ -59,7 +59,7 @@ void write(const std::filesystem::path& folder, const std::string& name, const F
 void add(const StripeScene& scene, const std::filesystem::path& pictures, Table& table) {
     const Film truth = supersampled(scene, truth_cells, true);
     Drawn one = drawn([&] { return with_footprints(scene, 1); });
-    Drawn adaptive = drawn([&] { return with_footprints(scene, 4); });
+    Drawn adaptive = drawn([&] { return with_footprints(scene, 8); });
     const std::vector<bool> single = same_pixels(one.film, adaptive.film);
     const std::vector<bool> every(single.size(), true);
     const auto measure = [&](Drawn& picture) {
@@ -78,7 +78,7 @@ void add(const StripeScene& scene, const std::filesystem::path& pictures, Table&
             {scene.name, picture, levels(d.all), levels(d.one_ray), digits(d.seconds), ratio});
     };
     row("one ray", one, "");
-    row("one ray, outlines 4 × 4", adaptive, digits(same_error / adaptive.seconds));
+    row("one ray, outlines split", adaptive, digits(same_error / adaptive.seconds));
     row("1 ray, no footprint", ladder[0], "");
     row("16 rays, no footprint", ladder[3], "");
     row("256 rays, no footprint", ladder.back(), "");

@@ -19,7 +19,7 @@ StripeScene small_scene() {
 
 TEST(Stripes, OfOneRayWithItsFootprintAreThoseOfManyRays) {
     const StripeScene scene = small_scene();
-    const Film truth = supersampled(scene, 16, true), drawn = with_footprints(scene, 4);
+    const Film truth = supersampled(scene, 16, true), drawn = with_footprints(scene, 8);
     const std::vector<bool> every(48 * 27, true);
     const double off = display_rms(drawn, truth, every);
     EXPECT_LT(off, 3.0 / 255);
@@ -35,7 +35,7 @@ TEST(Stripes, AreTheSameInTheMeanWithFootprintsAndWithout) {
 
 TEST(Stripes, GetOneRayInMostPixels) {
     const StripeScene scene = small_scene();
-    const auto single = same_pixels(with_footprints(scene, 1), with_footprints(scene, 4));
+    const auto single = same_pixels(with_footprints(scene, 1), with_footprints(scene, 8));
     EXPECT_GT(std::count(single.begin(), single.end(), true), 48 * 27 / 2);
 }
 

@@ -9,11 +9,9 @@ namespace keiko {
 namespace {
 
 /// Of its span: how far the image of a pixel on the lamps' plane may be off a parallelogram.
-constexpr double most_bend = 0.1;
-/// Pitches in a part whose quarters cannot tell lamps apart either.
-constexpr double unresolvable = 8;
+constexpr double most_bend = 0.05;
 /// Of the larger: by how much the cosines of a pixel may differ.
-constexpr double most_turn = 0.5;
+constexpr double most_turn = 0.3;
 
 } // namespace
 
@@ -29,17 +27,17 @@ bool is_uneven(std::span<const EyeSample* const> around, double across, const Ey
                double size) {
     double flattest = amid.cosine, steepest = amid.cosine;
     double least = amid.across_lamps, most = least;
-    bool seen = amid.c_plane.has_value();
+    const bool seen = amid.c_plane.has_value();
     for (const EyeSample* sample : around) {
         flattest = std::min(flattest, sample->cosine);
         steepest = std::max(steepest, sample->cosine);
         least = std::min(least, sample->across_lamps);
         most = std::max(most, sample->across_lamps);
-        seen = seen && sample->c_plane;
+        if (sample->c_plane.has_value() != seen) return true; // the plane's horizon
     }
     if ((steepest - flattest) * size > most_turn * steepest) return true;
     const double span = most - least, bend = std::abs(across - amid.across_lamps);
-    return seen && span < unresolvable && bend * size > most_bend * span;
+    return seen && bend * size > most_bend * span;
 }
 
 std::vector<std::size_t> SeenCell::crossed_sides() const {
@@ -60,15 +58,14 @@ bool SeenCell::looks_like(const EyeSample& sample) const {
                        [&](const EyeSample* corner) { return look_alike(*corner, sample); });
 }
 
-bool SeenCell::continues_to(const EyeSample& sample) const {
-    return std::any_of(corners.begin(), corners.end(),
-                       [&](const EyeSample* corner) { return !differ(*corner, sample); });
-}
-
-bool SeenCell::is_uneven_about(const EyeSample& centre) const {
+bool SeenCell::is_told_by(const EyeSample& centre) const {
+    if (looks_like(centre)) return true;
+    if (looks_like(*corners[0])) return false; // it has seen what none of them did
+    const auto continues_to = [&](const EyeSample* corner) { return !differ(*corner, centre); };
     double mean = 0;
     for (const EyeSample* corner : corners) mean += corner->across_lamps / 4;
-    return is_uneven(corners, mean, centre, cell.side);
+    return std::any_of(corners.begin(), corners.end(), continues_to) &&
+           !is_uneven(corners, mean, centre, cell.side);
 }
 
 } // namespace keiko

@@ -39,9 +39,8 @@ struct SeenCell {
     CrossedSide side(std::size_t i) const;
     /// Whether all corners look like a sample.
     bool looks_like(const EyeSample& sample) const;
-    /// Whether a corner shows the same as a sample.
-    bool continues_to(const EyeSample& sample) const;
-    bool is_uneven_about(const EyeSample& centre) const;
+    /// Whether the centre tells how all of it looks.
+    bool is_told_by(const EyeSample& centre) const;
 };
 
 } // namespace keiko

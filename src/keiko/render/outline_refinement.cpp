@@ -46,15 +46,17 @@ public:
     }
 
 private:
-    /// All cells are of one depth; the finest stay whole.
+    /// All cells are of one depth; the finest stay whole whatever is at their corners.
     void pass(std::span<const OutlineCell> cells) {
         std::vector<SeenCell> whole, crossed;
+        if (cells[0].depth == finest_) {
+            for (const OutlineCell& cell : cells) whole.push_back({cell});
+            return shade(whole, {});
+        }
         for (SeenCell& seen : looked_at(cells)) {
             const bool plain = seen.looks_like(*seen.corners[0]) &&
                                (!seen.cell.centre || seen.looks_like(*seen.cell.centre));
-            const bool is_finest = seen.cell.depth == finest_;
-            (plain || is_finest || seen.crossed_sides().empty() ? whole : crossed)
-                .push_back(std::move(seen));
+            (plain || seen.crossed_sides().empty() ? whole : crossed).push_back(std::move(seen));
         }
         std::vector<CutCell> cuts = straight_ones(cuts_of(std::move(crossed), whole));
         shade(whole, cuts);
@@ -164,9 +166,8 @@ private:
         const OutlineCell& cell = seen.cell;
         const bool known = cell.centre != nullptr;
         const EyeSample& centre = known ? *cell.centre : view.samples[sample];
-        const bool plain = seen.looks_like(centre);
-        const bool smooth = plain || (seen.continues_to(centre) && !seen.is_uneven_about(centre));
-        if (!smooth && cell.depth < finest_)
+        const bool told = cell.depth == finest_ || seen.is_told_by(centre);
+        if (!told)
             divide(cell);
         else if (!known)
             keep(sample, cell.pixel, cell.side * cell.side, centre);

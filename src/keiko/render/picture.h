@@ -26,7 +26,7 @@ struct PictureScene {
 struct PictureOptions {
     std::vector<Aov> aovs;
     /// Cells a side that a pixel with outlines is divided into at the most; 1: one ray a pixel.
-    int edge_samples = 4;
+    int edge_samples = 8;
     /// Of what the eye sees: what the light on bases may be off by for being taken linear between
     /// places a few pixels apart. 0: found for each pixel.
     double light_error = 2e-3;
