@@ -91,9 +91,10 @@ PixelMirror mirror_of(const RigPlanes& planes, const Ray& centre,
     const bool dark = around && planes.are_missed_by(MirroredPixel::bundle(*around));
     if (dark && !tells_torn) return mirror;
     const auto bend = around ? image_bend(*mirror.plane, *around) : std::nullopt;
-    if (tells_torn && bend)
-        mirror.torn = MirroredPixel(*around).misfit(*around, mirror.plane->at.t) >
-                      whole * mirror.plane->frame->pitch;
+    if (tells_torn && around)
+        mirror.torn = !bend || // the plane's horizon
+                      MirroredPixel(*around).misfit(*around, mirror.plane->at.t) >
+                          whole * mirror.plane->frame->pitch;
     if (dark) return mirror;
     if (!bend || *bend <= straight) {
         mirror.lamps = planes.luminance(mirror.plane, centre.origin, centre.direction,
