@@ -13,6 +13,16 @@ constexpr double most_bend = 0.05;
 /// Of the larger: by how much the cosines of a pixel may differ.
 constexpr double most_turn = 0.3;
 
+/// Whether a centre is brighter or darker than what corners show: it has seen what they have not.
+bool outshines(const EyeSample& centre, const std::array<const EyeSample*, 4>& corners) {
+    std::array<double, 4> shown{};
+    std::transform(corners.begin(), corners.end(), shown.begin(),
+                   [](const EyeSample* corner) { return luminance(corner->luminance); });
+    const auto [least, most] = std::minmax_element(shown.begin(), shown.end());
+    const double seen = luminance(centre.luminance), slack = 0.1 * *most;
+    return seen < *least - slack || seen > *most + slack;
+}
+
 } // namespace
 
 std::array<OutlineCell, 4> OutlineCell::quarters() const {
@@ -60,7 +70,7 @@ bool SeenCell::looks_like(const EyeSample& sample) const {
 
 bool SeenCell::is_told_by(const EyeSample& centre) const {
     if (looks_like(centre)) return true;
-    if (looks_like(*corners[0])) return false; // it has seen what none of them did
+    if (outshines(centre, corners)) return false;
     const auto continues_to = [&](const EyeSample* corner) { return !differ(*corner, centre); };
     double mean = 0;
     for (const EyeSample* corner : corners) mean += corner->across_lamps / 4;
