@@ -143,10 +143,11 @@ void add_picture_of(const PenumbraPicture& picture, const PenumbraScene& scene, 
     for (const int across : axis ? std::vector{1} : std::vector{1, 2, 4})
         ladders.push_back(
             ladder(scene, axis ? Emitter::axis : Emitter::rectangle, across, sampled_truth));
+    constexpr double least = error / 100; // below it the rule over the width is what is off
     for (double light_error = 30 * error;; light_error /= 2) {
         const auto render = [&] { return picture.render(emitter, light_error); };
         const double off = rms(render(), truth);
-        if (off > error) continue;
+        if (off > error && light_error > least) continue;
         const Shares shares = fastest(render);
         table.rows.push_back(row_of(scene, axis ? "axis" : "width", off, us_a_point(shares),
                                     best_sampling(ladders, off)));

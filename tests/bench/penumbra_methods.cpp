@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace keiko::bench {
 namespace {
@@ -17,7 +18,7 @@ using namespace test;
 ApexView view_from(const PenumbraScene& scene, const Receiver& at, const CPlane& row) {
     const CPlaneFrame frame(row);
     std::vector<Vec3> corners;
-    const double r = frame.radius();
+    const double r = frame.radius() * std::numbers::sqrt2; // of boxes however turned
     for (const double along : {0.0, frame.length})
         for (const double across : {frame.axis(0) - r, frame.last() + r})
             for (const double height : {-r, r})

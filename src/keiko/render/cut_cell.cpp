@@ -13,7 +13,8 @@ constexpr double slack = 0.1;
 /// What lies between two crossings, counted around the cell.
 CutPart part_between(const SeenCell& seen, const CrossedSide& begin, const CrossedSide& end) {
     const auto corners = seen.cell.corners();
-    // The end of the last side that comes first around the cell is outside.
+    // What shows at the far end of the first side's crossing is in the part, as is what shows at
+    // the near end of the last one's.
     std::vector<Vec2> polygon{begin.middle()};
     std::vector<const EyeSample*> around{begin.at_b};
     for (std::size_t i = begin.side; i != end.side; i = (i + 1) % 4) {

@@ -27,10 +27,9 @@ std::vector<Outline> outlines_of(std::span<const EyeSample> samples, int width) 
     const auto outline = [&](std::size_t i) {
         if (samples[i].torn) return Outline::torn;
         const auto off = [&](std::size_t other) { return differ(samples[i], samples[other]); };
-        const std::array beside{i - w, i - 1, i + 1, i + w};
-        if (std::any_of(beside.begin(), beside.end(), off)) return Outline::likely;
-        const std::array diagonal{i - w - 1, i - w + 1, i + w - 1, i + w + 1};
-        return std::any_of(diagonal.begin(), diagonal.end(), off) ? Outline::near : Outline::none;
+        const std::array around{i - w - 1, i - w,     i - w + 1, i - 1,
+                                i + 1,     i + w - 1, i + w,     i + w + 1};
+        return std::any_of(around.begin(), around.end(), off) ? Outline::likely : Outline::none;
     };
     std::vector<Outline> outlines;
     for (std::size_t row = w; row + w < samples.size(); row += w)

@@ -19,9 +19,8 @@ bool look_alike(const EyeSample& a, const EyeSample& b);
 /// What is known of outlines in a pixel before more rays are sent.
 enum class Outline : std::uint8_t {
     none,   ///< one ray is enough
-    near,   ///< may be in it, but not between its centre and those of the four beside it
-    likely, ///< between its centre and a neighbour's
-    torn    ///< what the pixel mirrors is not smooth
+    likely, ///< between its centre and one of its eight neighbours'
+    torn    ///< what the pixel mirrors is not smooth, or its image is not told to be straight
 };
 
 /// Of the inner pixels of a grid of eye rays, `width` in a row and one pixel off on all sides, row

@@ -83,8 +83,7 @@ PathCounts render_centres(const Integrator& integrator, const Tile& tile, double
     return paths_of(view.samples);
 }
 
-/// The pixels of a tile that may hold outlines, with what their centres show: not of those that
-/// mirror something that is not smooth, or whose image the neighbours do not tell to be straight.
+/// The pixels of a tile that may hold outlines, with what their centres show unless they are torn.
 std::vector<OutlineCell> outlined_cells(const Tile& tile, std::span<const Outline> outlines,
                                         std::span<const EyeSample> samples) {
     const auto width = static_cast<std::size_t>(tile.x1 - tile.x0);

@@ -1,7 +1,7 @@
 #include "keiko/render/shared_light.h"
 
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 namespace keiko {
 namespace {

@@ -3,6 +3,8 @@
 #include "keiko/spotlight/point_light.h"
 #include "keiko/tubes/tube_lamp.h"
 
+#include <numbers>
+
 namespace keiko {
 namespace {
 
@@ -13,7 +15,7 @@ struct Corners {
     std::vector<Vec3> operator()(const CPlane& plane) const {
         const CPlaneFrame frame(plane);
         std::vector<Vec3> corners;
-        const double r = frame.radius();
+        const double r = frame.radius() * std::numbers::sqrt2; // of boxes however turned
         for (const double along : {-r, frame.length + r})
             for (const double across :
                  {frame.axis(lamps.front()) - r, frame.axis(lamps.back()) + r})

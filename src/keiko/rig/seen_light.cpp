@@ -10,6 +10,8 @@ namespace {
 
 /// Of a lamp's illuminance: what its penumbrae may be off by, half of what the whole system may.
 constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
+/// Of half a lamp's width, by the angle around it, between lines that see the same.
+constexpr double widest_gap = 0.12, widest_gap_in_pictures = 1;
 
 class Looker {
 public:
@@ -75,10 +77,12 @@ private:
         std::vector<std::vector<HidingTube>> hiding;
         if (comb.overlapping())
             for (const std::size_t i : above) hiding.push_back(comb.hiding_tubes(asked_[i]));
-        const double tolerance =
-            model_ == TubeModel::automatic ? width_tolerance : width_tolerance_in_pictures;
+        const bool number = model_ == TubeModel::automatic;
         return seen_tubes(lamps, point_, normal_, visible_,
-                          {tolerance, TubeShape::cylinder, axes_ || plane.luminous_caps}, hiding);
+                          {.tolerance = number ? width_tolerance : width_tolerance_in_pictures,
+                           .axes = axes_ || plane.luminous_caps,
+                           .widest_gap = number ? widest_gap : widest_gap_in_pictures},
+                          hiding);
     }
 
     std::span<const int> asked_; ///< numbers of lamps

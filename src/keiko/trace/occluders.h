@@ -75,9 +75,9 @@ public:
     /// candidate is placed once, and share rays (docs/theory/visibility.md).
     std::vector<SeenParts> intervals(std::span<const SegmentEnds> row) const;
 
-    /// Of each prism, true where it is proved to be seen as a whole, false where nothing of it is,
-    /// in both cases but for what of it lies on the side that is not faced; nothing where neither
-    /// is proved.
+    /// Of each prism, all in the region, true where it is proved to be seen as a whole, false where
+    /// nothing of it is, in both cases but for what of it lies on the side that is not faced;
+    /// nothing where neither is proved.
     std::vector<std::optional<bool>> seen_as_whole(std::span<const PrismEdges> prisms) const;
 
 private:

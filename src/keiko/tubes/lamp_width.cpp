@@ -20,44 +20,19 @@ Segment LampWidth::line_of(const SubAxis& axis) const {
     return {foot + view_.along * view_.x_at(0), foot + view_.along * view_.x_at(1)};
 }
 
-/// Distance of the middle line, by that of the axis.
-double LampWidth::middle_share() const {
-    return sub_axis(0).r / view_.distance;
+bool LampWidth::middle_tells_axis() const {
+    return view_.x_at(0) <= 0 && view_.x_at(1) >= 0;
 }
 
-/// mm along the lamp from the foot of the point.
-ParameterInterval LampWidth::before_axis() const {
-    const double begin = view_.x_at(0), end = view_.x_at(1), share = middle_share();
-    return {std::min(begin, begin * share), std::max(end, end * share)};
-}
-
-Segment LampWidth::line_before_axis() const {
-    const Vec3 foot = point_ - view_.towards * sub_axis(0).r;
-    const auto [begin, end] = before_axis();
-    return {foot + view_.along * begin, foot + view_.along * end};
-}
-
-/// Of a line parallel to the axis in its half-plane, as long, at the distance of the middle line by
-/// `nearness`.
-IntervalSet LampWidth::of_line(const IntervalSet& before_axis, double nearness) const {
-    const ParameterInterval reach = this->before_axis();
+IntervalSet LampWidth::of_axis(const IntervalSet& middle) const {
     const double begin = view_.x_at(0), length = view_.x_at(1) - begin;
+    const double farther = view_.distance / sub_axis(0).r;
     const auto at = [&](double t) {
-        return std::clamp(((reach.begin + t * reach.length()) / nearness - begin) / length, 0.0,
-                          1.0);
+        return std::clamp(((begin + t * length) * farther - begin) / length, 0.0, 1.0);
     };
     std::vector<ParameterInterval> seen;
-    for (const ParameterInterval& part : before_axis)
-        seen.push_back({at(part.begin), at(part.end)});
+    for (const ParameterInterval& part : middle) seen.push_back({at(part.begin), at(part.end)});
     return IntervalSet(std::move(seen));
-}
-
-IntervalSet LampWidth::of_axis(const IntervalSet& before_axis) const {
-    return of_line(before_axis, middle_share());
-}
-
-IntervalSet LampWidth::of_middle(const IntervalSet& before_axis) const {
-    return of_line(before_axis, 1);
 }
 
 double LampWidth::lit(const SubAxis& axis, double begin, double end) const {

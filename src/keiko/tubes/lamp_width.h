@@ -33,12 +33,11 @@ public:
         return shape_ == TubeShape::cylinder ? on_tube(place) : on_rectangle(place);
     }
     Segment line_of(const SubAxis& axis) const;
-    /// In the half-plane of the axis: the middle line, as much longer than the lamp as it takes to
-    /// stand before all of the axis.
-    Segment line_before_axis() const;
-    /// What is seen of the axis, and of the middle line, where that is seen of line_before_axis().
-    IntervalSet of_axis(const IntervalSet& before_axis) const;
-    IntervalSet of_middle(const IntervalSet& before_axis) const;
+    /// Whether all of the axis is seen through the middle line: where the point is between the
+    /// lamp's ends, so that only the tube is between them.
+    bool middle_tells_axis() const;
+    /// What is seen of the axis where that is seen of the middle line, if it tells.
+    IntervalSet of_axis(const IntervalSet& middle) const;
     /// Projected solid angle, by the wedge angle, of a part of a sub-axis: from t = `begin` to
     /// `end`, without what other tubes hide.
     double lit(const SubAxis& axis, double begin, double end) const;
@@ -47,9 +46,6 @@ public:
 
 private:
     double place_of(double psi) const;
-    double middle_share() const;
-    ParameterInterval before_axis() const;
-    IntervalSet of_line(const IntervalSet& before_axis, double nearness) const;
     SubAxis on_tube(double place) const;
     SubAxis on_rectangle(double place) const;
 

@@ -7,7 +7,7 @@ namespace keiko {
 
 /// How finely lobes are integrated over lamps.
 enum class GlossQuadrature {
-    picture, ///< few half-planes: below 2.3e-3 of what a lamp gives
+    picture, ///< few half-planes: 2.3e-3 of what a lamp gives, 4e-3 of the narrowest lobes
     number   ///< halved until 1e-9 of the lamp is reached
 };
 

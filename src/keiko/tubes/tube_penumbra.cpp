@@ -12,7 +12,8 @@ namespace {
 /// A box around a tube.
 Prism box_around(const TubeLamp& lamp) {
     const Vec3 along = (lamp.b - lamp.a).normalized();
-    const Vec3 across = any_perpendicular(along) * (lamp.diameter / 2), up = along.cross(across);
+    const Vec3 across = any_perpendicular(along).normalized() * (lamp.diameter / 2);
+    const Vec3 up = along.cross(across);
     const auto moved = [&](const Vec3& by) { return Segment{lamp.a + by, lamp.b + by}; };
     return {moved(up - across), moved(-up - across), moved(across + up), moved(across - up)};
 }
@@ -45,40 +46,37 @@ public:
           width_(width),
           parts_(parts_of(width)),
           asks_axis_(axis),
-          middle_tells_(axis && parts_.size() == 1 && parts_[0].at[Slices::middle].all > 0) {}
+          middle_tells_(parts_.size() == 1 && parts_[0].at[Slices::middle].all > 0 &&
+                        width.middle_tells_axis()) {}
 
     void add_lines(std::vector<Segment>& lines) const {
-        if (asks_axis_) lines.push_back(middle_tells_ ? width_.line_before_axis() : axis_);
-        for (const Slices& part : parts_) keiko::add_lines(width_, first_nodes(), part, lines);
+        if (asks_axis_ && !middle_tells_) lines.push_back(axis_);
+        for (const Slices& part : parts_)
+            keiko::add_lines(width_, Slices::ends_and_middle, part, lines);
     }
     /// By what is seen of those lines, from `next` on.
-    SeenLight seen(const Visible& visible, double tolerance,
+    SeenLight seen(const Visible& visible, const PenumbraOptions& options,
                    std::vector<IntervalSet>::const_iterator& next) {
         SeenLight seen;
-        if (asks_axis_) seen.axis = of_axis(*next++);
+        if (asks_axis_) seen.axis = middle_tells_ ? width_.of_axis(next[before_middle()]) : *next++;
         double brightest = 0;
         for (Slices& part : parts_) {
-            hide_slices(width_, first_nodes(), part, next);
+            hide_slices(width_, Slices::ends_and_middle, part, next);
             brightest = std::max(brightest, part.brightest());
         }
-        constexpr int most_halvings = 14;
         SolidAngle sums;
-        for (const Slices& part : parts_)
-            sums += integrate(width_, visible, part, tolerance * 2 * brightest * part.half,
-                              most_halvings);
+        for (const Slices& part : parts_) {
+            constexpr int most_halvings = 14;
+            const double error = options.tolerance * 2 * brightest * part.half;
+            sums += integrate(width_, visible, part, {error, options.widest_gap, most_halvings});
+        }
         seen.share = sums.visible_share();
         return seen;
     }
 
 private:
-    std::span<const std::size_t> first_nodes() const {
-        return middle_tells_ ? std::span<const std::size_t>(Slices::ends) : Slices::ends_and_middle;
-    }
-    IntervalSet of_axis(const IntervalSet& seen) {
-        if (!middle_tells_) return seen;
-        hide_slice(width_, Slices::middle, width_.of_middle(seen), parts_[0]);
-        return width_.of_axis(seen);
-    }
+    /// Lines of the first part before the middle one.
+    int before_middle() const { return parts_[0].at[Slices::first].all > 0 ? 1 : 0; }
 
     Segment axis_;
     LampWidth width_;
@@ -117,7 +115,7 @@ std::vector<SeenLight> seen_tubes(std::span<const TubeLamp> row, const Vec3& poi
     const std::vector<IntervalSet> of_lines = visible.intervals(lines);
     auto next = of_lines.begin();
     for (std::size_t k = 0; k < parts.size(); ++k)
-        seen[lamp_of[k]] = parts[k].seen(visible, options.tolerance, next);
+        seen[lamp_of[k]] = parts[k].seen(visible, options, next);
     return seen;
 }
 

@@ -12,9 +12,12 @@ namespace keiko {
 
 /// How closely penumbrae are looked at.
 struct PenumbraOptions {
-    double tolerance = 0; ///< of a lamp's projected solid angle
+    double tolerance = 0; ///< of a lamp's projected solid angle, as bright all over as at its best
     TubeShape shape = TubeShape::cylinder;
     bool axes = false; ///< what is seen of axes is asked for as well
+    /// Of half the width, by the angle around a cylinder: lines that all see the same are no
+    /// farther apart than this. What hides less may be missed between them.
+    double widest_gap = 1;
 };
 
 /// What `point` with unit `normal` sees of a row's lamps: shares, 0 to 1, of their projected solid

@@ -1,5 +1,6 @@
 #include "keiko/tubes/width_slices.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keiko {
@@ -10,6 +11,8 @@ constexpr std::array<double, Slices::count> nodes{
     -1, -0.9604912687080202, -0.7745966692414834, -0.4342437493468026,
     0,  0.4342437493468026,  0.7745966692414834,  0.9604912687080202,
     1};
+constexpr double gauss_gap = 0.7745966692414834; ///< the widest between nodes
+constexpr double kronrod_gap = 0.4342437493468026;
 using Weights = std::array<double, Slices::count>;
 constexpr Weights kronrod{0,
                           0.1046562260264673,
@@ -119,8 +122,8 @@ void hide_slices(const LampWidth& width, std::span<const std::size_t> nodes, Sli
         if (slices.at[i].all > 0) hide_slice(width, i, *next++, slices);
 }
 
-SolidAngle integrate(const LampWidth& width, const Visible& visible, Slices slices, double error,
-                     int most_halvings) {
+SolidAngle integrate(const LampWidth& width, const Visible& visible, Slices slices,
+                     const SliceRule& until) {
     const auto find = [&](std::span<const std::size_t> nodes_of, Slices& of) {
         std::vector<Segment> lines;
         add_lines(width, nodes_of, of, lines);
@@ -128,28 +131,35 @@ SolidAngle integrate(const LampWidth& width, const Visible& visible, Slices slic
         auto next = seen.begin();
         hide_slices(width, nodes_of, of, next);
     };
+    const auto in_halves = [&] {
+        const SliceRule of_half{until.error / 2, until.widest_gap, until.most_halvings - 1};
+        SolidAngle both;
+        for (const double side : {-0.5, 0.5}) {
+            Slices part = part_of(width, slices.center + side * slices.half, slices.half / 2);
+            find(Slices::ends_and_middle, part);
+            both += integrate(width, visible, part, of_half);
+        }
+        return both;
+    };
+    const auto near_enough = [&](double gap) { return gap * slices.half <= until.widest_gap; };
+    if (!near_enough(kronrod_gap)) return in_halves();
     const double all = weighed(slices, gauss).all;
     const bool above = std::all_of(of_gauss.begin(), of_gauss.end(),
                                    [&](std::size_t i) { return slices.at[i].all > 0; });
-    if (above && missed_by_middle(slices) * all <= error) return {all, all * slices.at[4].share()};
+    if (above && near_enough(1) && missed_by_middle(slices) * all <= until.error)
+        return {all, all * slices.at[Slices::middle].share()};
     find(of_gauss_alone, slices);
     const SolidAngle three = weighed(slices, gauss);
-    if (above && difference(weighed(slices, middle_alone), three) <= error &&
-        missed_by_gauss(slices) * three.all <= error)
+    if (above && near_enough(gauss_gap) &&
+        difference(weighed(slices, middle_alone), three) <= until.error &&
+        missed_by_gauss(slices) * three.all <= until.error)
         return three;
     light_slices(width, of_kronrod_alone, slices);
     find(of_kronrod_alone, slices);
     const SolidAngle seven = weighed(slices, kronrod);
-    if (most_halvings == 0 ||
-        (difference(three, seven) <= error && missed_by_kronrod(slices) * seven.all <= error))
-        return seven;
-    SolidAngle both;
-    for (const double side : {-0.5, 0.5}) {
-        Slices part = part_of(width, slices.center + side * slices.half, slices.half / 2);
-        find(Slices::ends_and_middle, part);
-        both += integrate(width, visible, part, error / 2, most_halvings - 1);
-    }
-    return both;
+    const bool agree = difference(three, seven) <= until.error &&
+                       missed_by_kronrod(slices) * seven.all <= until.error;
+    return agree || until.most_halvings == 0 ? seven : in_halves();
 }
 
 } // namespace keiko

@@ -57,10 +57,17 @@ struct SolidAngle {
     double visible_share() const { return all > 0 ? std::clamp(1 - hidden / all, 0.0, 1.0) : 1; }
 };
 
+/// When to be content.
+struct SliceRule {
+    double error = 0;      ///< of what is hidden, absolute
+    double widest_gap = 1; ///< between nodes, of half the width
+    int most_halvings = 0;
+};
+
 /// Over the part that `slices` stand for, of which the ends and the middle are known: by more
-/// nodes, then by halves, until two rules agree on what is hidden to within `error`, an absolute
-/// one for this part, and the ends with the nodes next to them, or to `most_halvings`.
-SolidAngle integrate(const LampWidth& width, const Visible& visible, Slices slices, double error,
-                     int most_halvings);
+/// nodes, then by halves, until nodes are near enough and two rules agree on what is hidden, and
+/// the ends with the nodes next to them.
+SolidAngle integrate(const LampWidth& width, const Visible& visible, Slices slices,
+                     const SliceRule& until);
 
 } // namespace keiko
