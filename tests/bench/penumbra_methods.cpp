@@ -1,5 +1,7 @@
 #include "tests/bench/penumbra_methods.h"
 
+#include "keiko/render/shadows.h"
+#include "keiko/render/source_region.h"
 #include "keiko/tubes/tube_irradiance.h"
 #include "keiko/tubes/tube_penumbra.h"
 
@@ -8,55 +10,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace keiko::bench {
 namespace {
 
 using namespace test;
 
+std::vector<Vec3> region_of(const Receiver& at, const CPlane& row) {
+    return source_region(row, lamp_numbers(row), at.position);
+}
+
 ApexView view_from(const PenumbraScene& scene, const Receiver& at, const CPlane& row) {
-    const CPlaneFrame frame(row);
-    std::vector<Vec3> corners;
-    const double r = frame.radius() * std::numbers::sqrt2; // of boxes however turned
-    for (const double along : {0.0, frame.length})
-        for (const double across : {frame.axis(0) - r, frame.last() + r})
-            for (const double height : {-r, r})
-                corners.push_back(frame.at(along, across) + frame.normal * height);
-    return {scene.occluders, scene.tracer, Apex::at(at.position, at.root), corners, at.normal};
+    return {scene.occluders, scene.tracer, Apex::at(at.position, at.root), region_of(at, row),
+            at.normal};
 }
-
-std::vector<SegmentEnds> ends_of(std::span<const Segment> segments) {
-    std::vector<SegmentEnds> ends;
-    for (const Segment& segment : segments) ends.push_back({segment.a, segment.b});
-    return ends;
-}
-
-class SeenFrom final : public Visible {
-public:
-    explicit SeenFrom(const ApexView& view) : view_(view) {}
-    IntervalSet intervals(const Segment& segment) const override {
-        return view_.intervals(segment.a, segment.b).intervals;
-    }
-    std::vector<IntervalSet> intervals(std::span<const Segment> segments) const override {
-        std::vector<IntervalSet> seen;
-        for (SeenParts& parts : view_.intervals(ends_of(segments)))
-            seen.push_back(std::move(parts.intervals));
-        return seen;
-    }
-    std::vector<std::optional<bool>> seen_as_whole(std::span<const Prism> prisms) const override {
-        std::vector<PrismEdges> edges;
-        for (const Prism& prism : prisms) {
-            edges.emplace_back();
-            for (std::size_t i = 0; i < prism.size(); ++i)
-                edges.back()[i] = {prism[i].a, prism[i].b};
-        }
-        return view_.seen_as_whole(edges);
-    }
-
-private:
-    const ApexView& view_;
-};
 
 TubeModel model_of(Emitter emitter) {
     switch (emitter) {
@@ -153,8 +120,8 @@ Shares by_intervals(const PenumbraScene& scene, const CPlane& row) {
 Shares by_width(const PenumbraScene& scene, const CPlane& row, double tolerance, Emitter emitter) {
     const TubeShape shape = emitter == Emitter::tube ? TubeShape::cylinder : TubeShape::rectangle;
     return shares(scene, row, emitter, [&](const Receiver& at, const std::vector<TubeLamp>& lamps) {
-        const ApexView view = view_from(scene, at, row);
-        const SeenFrom visible(view);
+        const SeenPast visible(&scene.occluders, scene.tracer, Apex::at(at.position, at.root),
+                               region_of(at, row), {}, at.normal);
         std::vector<TubeLamp> above = lamps;
         std::erase_if(above, [&](const TubeLamp& lamp) {
             return below_horizon(lamp, at.position, at.normal);

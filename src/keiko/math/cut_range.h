@@ -9,9 +9,11 @@ namespace keiko {
 /// A range in the pieces between some places.
 class CutRange {
 public:
+    static constexpr std::size_t most_pieces = 9;
+
     CutRange(double begin, double end) : places_{begin, end} {}
 
-    /// Up to 8 places; those outside of the range do not count.
+    /// As long as there are no more than `most_pieces`; places outside of the range do not count.
     void cut_at(double x) {
         if (!(x > places_[0] && x < places_[last_]) || last_ + 1 == places_.size()) return;
         std::size_t at = ++last_;
@@ -22,7 +24,7 @@ public:
     std::span<const double> places() const { return std::span(places_).first(last_ + 1); }
 
 private:
-    std::array<double, 10> places_{};
+    std::array<double, most_pieces + 1> places_{};
     std::size_t last_ = 1;
 };
 

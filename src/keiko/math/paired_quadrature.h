@@ -57,7 +57,7 @@ template <class F>
 auto integrate_paired(const F& f, const CutRange& range, double relative, int depth = 6) {
     const std::span<const double> places = range.places();
     const std::size_t pieces = places.size() - 1;
-    std::array<decltype(paired_panel(f, 0, 0)), 9> sums{};
+    std::array<decltype(paired_panel(f, 0, 0)), CutRange::most_pieces> sums{};
     auto whole = (sums[0] = paired_panel(f, places[0], places[1])).fine;
     for (std::size_t i = 1; i < pieces; ++i)
         whole += (sums[i] = paired_panel(f, places[i], places[i + 1])).fine;

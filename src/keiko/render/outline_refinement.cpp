@@ -14,6 +14,7 @@ namespace {
 
 /// How often the side of a pixel is halved to find where an outline crosses it.
 constexpr int halvings = 5;
+
 /// Halves sides again and again until the places of the outlines on them are known.
 void close_in(EyeProbes& probes, std::span<CrossedSide> sides, int steps) {
     const auto crossed = [](const CrossedSide& side) {

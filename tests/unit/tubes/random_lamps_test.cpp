@@ -122,6 +122,30 @@ double off(const Case& made, const Kernel& kernel, GlossQuadrature quadrature, d
 /// Of a lamp's luminance: less is not looked at.
 constexpr double faint = 1e-4;
 
+/// Numbers and pictures of `tries` random lamps, more than `least` of them lit, in lobes that
+/// `lobe`(random)(normal, eye) makes.
+template <class Lobe>
+void expect_facets(unsigned seed, int tries, int least, const Lobe& lobe) {
+    test::Random random(seed);
+    double number = 0, picture = 0;
+    int lit = 0;
+    for (int i = 0; i < tries; ++i) {
+        const Case made = random_case(random);
+        const auto kernel_of = lobe(random);
+        const Vec3 eye = eye_towards_lobe(random, made);
+        if (!(made.normal.dot(eye) > 0.05)) continue;
+        const auto kernel = kernel_of(made.normal, eye);
+        const double truth = over_facets(made, [&](const Vec3& w) { return kernel(w).g; });
+        if (!(truth > faint)) continue;
+        number = std::max(number, off(made, kernel, GlossQuadrature::number, truth));
+        picture = std::max(picture, off(made, kernel, GlossQuadrature::picture, truth));
+        ++lit;
+    }
+    EXPECT_GT(lit, least);
+    EXPECT_LT(number, 1e-10);
+    EXPECT_LT(picture, 2.3e-3);
+}
+
 } // namespace
 
 TEST(RandomLamps, LightAsTheirFacetsDoInEveryModelWithinItsError) {
@@ -149,47 +173,22 @@ TEST(RandomLamps, LightAsTheirFacetsDoInEveryModelWithinItsError) {
 }
 
 TEST(RandomLamps, ShowInLobesAsTheirFacetsDo) {
-    test::Random random(7);
-    double number = 0, picture = 0;
-    int lit = 0;
-    for (int i = 0; i < 400; ++i) {
-        const Case made = random_case(random);
-        const Gloss gloss = random_gloss(random);
-        const Vec3 eye = eye_towards_lobe(random, made);
-        if (!(made.normal.dot(eye) > 0.05)) continue;
-        const GlossKernel kernel(gloss, made.normal, eye);
-        const double truth = over_facets(made, [&](const Vec3& w) { return kernel(w).g; });
-        if (!(truth > faint)) continue;
-        number = std::max(number, off(made, kernel, GlossQuadrature::number, truth));
-        picture = std::max(picture, off(made, kernel, GlossQuadrature::picture, truth));
-        ++lit;
-    }
-    EXPECT_GT(lit, 250);
-    EXPECT_LT(number, 1e-10);
-    EXPECT_LT(picture, 2.3e-3);
+    expect_facets(7, 400, 250, [](test::Random& random) {
+        return [gloss = random_gloss(random)](const Vec3& normal, const Vec3& eye) {
+            return GlossKernel(gloss, normal, eye);
+        };
+    });
 }
 
 TEST(RandomLamps, ShowInFlakesAsTheirFacetsDo) {
-    test::Random random(8);
-    double number = 0, picture = 0;
-    int lit = 0;
-    for (int i = 0; i < 300; ++i) {
-        const Case made = random_case(random);
-        const Vec3 eye = eye_towards_lobe(random, made);
-        if (!(made.normal.dot(eye) > 0.05)) continue;
-        const Flakes flakes{
-            .distribution = {DistributionKind::trowbridge_reitz, test::uniform(random, 0.1, 0.5)},
-            .refractive_index = test::uniform(random, 1, 1.8)};
-        const FlakeKernel kernel(flakes, made.normal, eye);
-        const double truth = over_facets(made, [&](const Vec3& w) { return kernel(w).g; });
-        if (!(truth > faint)) continue;
-        number = std::max(number, off(made, kernel, GlossQuadrature::number, truth));
-        picture = std::max(picture, off(made, kernel, GlossQuadrature::picture, truth));
-        ++lit;
-    }
-    EXPECT_GT(lit, 150);
-    EXPECT_LT(number, 1e-10);
-    EXPECT_LT(picture, 2.3e-3);
+    expect_facets(8, 300, 150, [](test::Random& random) {
+        const double width = test::uniform(random, 0.1, 0.5);
+        const Flakes flakes{.distribution = {DistributionKind::trowbridge_reitz, width},
+                            .refractive_index = test::uniform(random, 1, 1.8)};
+        return [flakes](const Vec3& normal, const Vec3& eye) {
+            return FlakeKernel(flakes, normal, eye);
+        };
+    });
 }
 
 // Thousands, against the numbers that the tests above hold to facets; lobes as wide as paints have
