@@ -42,18 +42,17 @@ void ApexView::Candidates::collect(std::span<const Vec3> region) {
     const ViewVolume volume(apex_, region, facing_);
     std::optional<ApexHorizon> horizon;
     if (normal_) horizon = {*normal_, least_elevation(apex_, *normal_, region)};
-    std::vector<std::uint32_t> found;
-    scene_->silhouette_pieces.find(volume, apex_, found);
-    for (const std::uint32_t piece : found)
-        if (volume.may_hold(scene_->silhouettes.pieces[piece]))
+    using Sides = ViewVolume::Sides;
+    scene_->silhouette_pieces.find(volume, apex_, [&](std::uint32_t piece, Sides sides) {
+        if (volume.may_hold(scene_->silhouettes.pieces[piece], sides))
             scene_->solver.add_candidate(piece, apex_, horizon, silhouettes_);
+    });
     scene_->solver.finish(apex_, horizon, silhouettes_);
-    found.clear();
-    scene_->border_pieces.find(volume, apex_, found);
-    for (const std::uint32_t border : found)
-        if (volume.may_hold(scene_->borders[border]) &&
-            scene_->borders[border].may_be_edge_on(apex_))
+    scene_->border_pieces.find(volume, apex_, [&](std::uint32_t border, Sides sides) {
+        const BorderPiece& piece = scene_->borders[border];
+        if (volume.may_hold(piece, sides) && piece.may_be_edge_on(apex_))
             borders_.push_back(border);
+    });
     region_touched_ = scene_->surface.touches(volume.region());
 }
 

@@ -134,13 +134,15 @@ std::optional<ScreenBox> ApexScreen::hull(std::span<const Vec3> places) const {
     return hull;
 }
 
-ScreenBox ApexScreen::box(const SilhouettePiece& piece, const AffineNet::Weighed& edge_on) const {
+ScreenBox ApexScreen::box(const SilhouettePiece& piece,
+                          const AffineBounds::Weighed& edge_on) const {
     Polygon part;
     part.cut(edge_on.along_x, edge_on.along_y, edge_on.value + edge_on.off);
     part.cut(-edge_on.along_x, -edge_on.along_y, -edge_on.value + edge_on.off);
-    const std::array nets{piece.points.weighed(piece.local(weights(x_, piece.center))),
-                          piece.points.weighed(piece.local(weights(y_, piece.center))),
-                          piece.points.weighed(piece.local(depth_weights(piece.center)))};
+    const NetFrame& frame = piece.frame;
+    const std::array nets{piece.points.weighed(frame.local(weights(x_, frame.center))),
+                          piece.points.weighed(frame.local(weights(y_, frame.center))),
+                          piece.points.weighed(frame.local(depth_weights(frame.center)))};
     const auto at = [&](std::size_t k, const Vec2& p) {
         return nets[k].value + p.x * nets[k].along_x + p.y * nets[k].along_y;
     };

@@ -44,7 +44,7 @@ public:
     /// A box around places; nothing where one is not before the screen.
     std::optional<ScreenBox> hull(std::span<const Vec3> places) const;
     /// Where a piece may be seen edge-on; empty where it is not. `edge_on`: zero where it is.
-    ScreenBox box(const SilhouettePiece& piece, const AffineNet::Weighed& edge_on) const;
+    ScreenBox box(const SilhouettePiece& piece, const AffineBounds::Weighed& edge_on) const;
     ScreenBox box(const BorderPiece& border) const;
 
 private:

@@ -23,13 +23,25 @@ struct ValueAndSlope {
     double value, slope;
 };
 
-ValueAndSlope evaluate(const Coefficients& c, double t) {
-    Coefficients b = c;
-    for (std::size_t last = b.size() - 1; last > 1; --last)
-        for (std::size_t i = 0; i < last; ++i) b[i] += (b[i + 1] - b[i]) * t;
-    const double rise = b[1] - b[0];
-    return {b[0] + rise * t, rise * static_cast<double>(b.size() - 1)};
-}
+/// A polynomial in powers of t.
+struct Powers {
+    Coefficients c;
+
+    explicit Powers(const Coefficients& bernstein) : c(bernstein) {
+        static_assert(BorderPiece::points == 6);
+        for (std::size_t level = 1; level < c.size(); ++level)
+            for (std::size_t i = c.size() - 1; i >= level; --i) c[i] -= c[i - 1];
+        c[1] *= 5, c[2] *= 10, c[3] *= 10, c[4] *= 5;
+    }
+    ValueAndSlope at(double t) const {
+        double value = c.back(), slope = 0;
+        for (std::size_t k = c.size() - 1; k-- > 0;) {
+            slope = slope * t + value;
+            value = value * t + c[k];
+        }
+        return {value, slope};
+    }
+};
 
 int sign_changes(const Coefficients& c) {
     int count = 0;
@@ -39,18 +51,47 @@ int sign_changes(const Coefficients& c) {
 
 /// The only zero of coefficients that change sign once, by Newton's method kept inside.
 double single_root(const Coefficients& c) {
+    const Powers powers(c);
     double a = 0, b = 1;
     double t = c.front() / (c.front() - c.back());
     constexpr int most_steps = 60;
-    constexpr double narrow = 1e-15;
-    for (int i = 0; i < most_steps && b - a > narrow; ++i) {
-        const auto [value, slope] = evaluate(c, t);
-        const double step = value / slope;
-        if (value == 0 || std::abs(step) <= narrow) return t;
+    constexpr double settled = 1e-9; // the step after it is rounding
+    for (int i = 0; i < most_steps; ++i) {
+        const auto [value, slope] = powers.at(t);
         ((value < 0) == (c.front() < 0) ? a : b) = t;
-        t = t - step > a && t - step < b ? t - step : (a + b) / 2;
+        const double next = t - value / slope;
+        const bool inside = next >= a && next <= b;
+        const bool close = inside && std::abs(next - t) <= settled;
+        t = inside ? next : (a + b) / 2;
+        if (close || b - a <= settled * settled) break;
     }
     return t;
+}
+
+std::array<Coefficients, 2> halved(const Coefficients& c) {
+    std::array<Coefficients, 2> halves{c, c};
+    auto& [low, high] = halves;
+    for (std::size_t level = 1; level < c.size(); ++level) {
+        for (std::size_t i = 0; i + level < c.size(); ++i) high[i] = (high[i] + high[i + 1]) / 2;
+        low[level] = high[0];
+    }
+    return halves;
+}
+
+/// Calls `add(t)` for the zeros of coefficients over [begin, end].
+template <class Add>
+void each_root(const Coefficients& c, double begin, double end, int most_halvings, const Add& add) {
+    const auto at = [&](double t) { return begin + (end - begin) * t; };
+    const int changes = sign_changes(c);
+    if (changes == 0) return;
+    if (changes == 1) return add(at(single_root(c)));
+    if (most_halvings == 0) {
+        for (const double t : bernstein_roots(c, 0)) add(at(t));
+        return;
+    }
+    const std::array halves = halved(c);
+    each_root(halves[0], begin, at(0.5), most_halvings - 1, add);
+    each_root(halves[1], at(0.5), end, most_halvings - 1, add);
 }
 
 /// On which side of the border its own surface hides the segment: a ray moved along the segment
@@ -88,11 +129,8 @@ void find_border_events(const BorderPiece& border, std::span<const TrimRegion> r
     // Pieces meet within rounding: a zero at an end belongs to both.
     if (std::abs(c.front()) <= slack) add(0);
     if (std::abs(c.back()) <= slack) add(1);
-    const int changes = sign_changes(c);
-    if (changes == 1)
-        add(single_root(c));
-    else if (changes > 1)
-        for (const double t : bernstein_roots(c, 0)) add(t);
+    constexpr int most_halvings = 8;
+    each_root(c, 0, 1, most_halvings, add);
 }
 
 } // namespace keiko

@@ -78,10 +78,10 @@ std::vector<std::vector<BorderPiece>> crease_covers(const SurfaceModel& model, c
 } // namespace
 
 Vec3 point_on(const BorderPiece::Curve& curve, double t) {
-    BorderPiece::Curve c = curve;
-    for (std::size_t level = 1; level < c.size(); ++level)
-        for (std::size_t i = 0; i + level < c.size(); ++i) c[i] = c[i] * (1 - t) + c[i + 1] * t;
-    return c[0];
+    static_assert(BorderPiece::points == 6);
+    const double s = 1 - t, ss = s * s, tt = t * t;
+    return curve[0] * (ss * ss * s) + curve[1] * (5 * ss * ss * t) + curve[2] * (10 * ss * s * tt) +
+           curve[3] * (10 * ss * tt * t) + curve[4] * (5 * s * tt * tt) + curve[5] * (tt * tt * t);
 }
 
 std::array<BorderPiece::Curve, 2> halved(const BorderPiece::Curve& curve) {
@@ -115,10 +115,13 @@ Vec3 BorderPiece::at(double t) const {
 }
 
 Vec3 BorderPiece::derivative(double t) const {
-    Curve c = curve;
-    for (std::size_t level = 1; level + 1 < points; ++level)
-        for (std::size_t i = 0; i + level < points; ++i) c[i] = c[i] * (1 - t) + c[i + 1] * t;
-    return (c[1] - c[0]) * static_cast<double>(points - 1);
+    static_assert(points == 6);
+    const double s = 1 - t, ss = s * s, tt = t * t;
+    const Curve& c = curve;
+    return ((c[1] - c[0]) * (ss * ss) + (c[2] - c[1]) * (4 * ss * s * t) +
+            (c[3] - c[2]) * (6 * ss * tt) + (c[4] - c[3]) * (4 * s * tt * t) +
+            (c[5] - c[4]) * (tt * tt)) *
+           5;
 }
 
 Vec3 BorderPiece::inward_at(double t) const {

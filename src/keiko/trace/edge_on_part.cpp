@@ -8,18 +8,20 @@ EdgeOnPart::EdgeOnPart(const Box2& uv, HomogeneousNet points, LoweredScalar edge
                        const Vec2& shares)
     : uv_(uv),
       points_(std::move(points)),
+      bounds_(affine_bounds(points_)),
       edge_on_(std::move(edge_on)),
       shares_(shares),
       slopes_(slopes_of(edge_on_.net)) {
     slopes_.add_error(edge_on_.error, shares);
 }
 
-bool EdgeOnPart::may_be_in(const ViewVolume& volume, const Vec3& center, int most_halvings) {
-    if (!volume.may_hold(points_, center)) return false;
+bool EdgeOnPart::may_be_in(const ViewVolume& volume, ViewVolume::Sides sides, const NetFrame& frame,
+                           int most_halvings) {
+    if (!volume.may_hold(bounds_, frame, sides)) return false;
     if (most_halvings == 0) return true;
     std::vector<EdgeOnPart>& parts = halves();
     return std::any_of(parts.begin(), parts.end(), [&](EdgeOnPart& half) {
-        return half.may_be_in(volume, center, most_halvings - 1);
+        return half.may_be_in(volume, sides, frame, most_halvings - 1);
     });
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "keiko/trace/affine_bounds.h"
 #include "keiko/trace/linear_pair.h"
 #include "keiko/trace/lowered_net.h"
+#include "keiko/trace/net_frame.h"
 #include "keiko/trace/seen_wedge.h"
-#include "keiko/trace/silhouette_piece.h"
 #include "keiko/trace/slopes.h"
 #include "keiko/trace/view_volume.h"
 
@@ -12,52 +13,64 @@
 
 namespace keiko {
 
-/// What is asked of a patch: silhouettes in a plane through the apex that hide some of a segment.
+/// What is asked of parts in a frame: silhouettes in a plane through the apex that hide some of a
+/// segment. Weights of homogeneous coordinates.
 struct Section {
-    const OccluderPatch* patch;
-    Vec4 weights; ///< of the plane, relative to the patch's centre
-    const SeenWedge* wedge;
+    Vec4 plane;                ///< the distance to it
+    std::array<Vec4, 2> sides; ///< how far inside of the wedge's
 
-    Section(const OccluderPatch& of, const SegmentPlane& plane, const SeenWedge& hidden)
-        : patch(&of), weights(plane.weights(of.center)), wedge(&hidden) {}
+    /// `reach`: of the parts' points from the frame's centre, mm.
+    Section(const NetFrame& frame, double reach, const SegmentPlane& of, const SeenWedge& hidden)
+        : plane(frame.local(of.weights(frame.center))), sides(hidden.weights(frame.center, reach)) {
+        for (Vec4& side : sides) side = frame.local(side);
+    }
+
+    /// Whether all is proved to lie outside of the wedge.
+    bool misses(const AffineBounds& points) const {
+        return points.weighed(sides[0]).most() < 0 || points.weighed(sides[1]).most() < 0;
+    }
 };
 
 /// A part of a patch that an apex may see edge-on. It halves where a segment needs it smaller; the
 /// halves are kept, so that all segments of the apex share what does not depend on them.
 class EdgeOnPart {
 public:
-    /// `edge_on`: over `uv` of the patch, zero where the apex sees it edge-on; `shares`: sides of
-    /// `uv` as shares of those of the box that it was lowered on. `points`: over `uv`.
+    /// `points`: over `uv` of the patch, in a frame; `edge_on`: over the same, zero where the apex
+    /// sees it edge-on; `shares`: sides of `uv` as shares of those of the box that it was lowered
+    /// on.
     EdgeOnPart(const Box2& uv, HomogeneousNet points, LoweredScalar edge_on, const Vec2& shares);
 
     const Box2& uv() const { return uv_; }
+    const HomogeneousNet& points() const { return points_; }
     const LoweredScalar& edge_on() const { return edge_on_; }
 
-    /// Calls `visit(part, distance, pair)` for each part that may hold a silhouette in the section:
-    /// at most one, or halved `most_halvings` times. `distance`: of the part to the plane;
-    /// `pair`: what its slopes and those of `edge_on` prove.
-    template <class Visit>
-    void each_part(const Section& section, int most_halvings, const Visit& visit) {
-        const OccluderPatch& patch = *section.patch;
-        if (!section.wedge->may_hold(points_, patch.center, patch.size)) return;
-        const ScalarNet distance = weighed(points_, section.weights);
-        if (!may_vanish(distance)) return;
-        const LinearPair pair(slopes_of(distance).all, slopes_.all);
+    /// Calls `solve(part, pair)` for each part that is proved, by `pair`, to hold at most one
+    /// silhouette in the section, and may hold one. Where more may be, and where that returns
+    /// false, it is halved, and after `most_halvings` given to `search(part)`.
+    template <class Solve, class Search>
+    void each_part(const Section& section, int most_halvings, const Solve& solve,
+                   const Search& search) {
+        if (section.misses(bounds_)) return;
+        const AffineBounds::Weighed distance = bounds_.weighed(section.plane);
+        if (distance.vanishes_nowhere()) return;
+        const LinearPair pair(distance, slopes_.all);
         if (pair.root_is_outside()) return;
-        if (pair.variation() < LinearPair::proved || most_halvings == 0)
-            return visit(*this, distance, pair);
-        for (EdgeOnPart& half : halves()) half.each_part(section, most_halvings - 1, visit);
+        if (pair.variation() < LinearPair::proved && solve(*this, pair)) return;
+        if (most_halvings == 0) return search(*this);
+        for (EdgeOnPart& half : halves()) half.each_part(section, most_halvings - 1, solve, search);
     }
 
-    /// Whether a part of it, halved `most_halvings` times, may lie in `volume`; `center`: of the
-    /// patch.
-    bool may_be_in(const ViewVolume& volume, const Vec3& center, int most_halvings);
+    /// Whether a part of it, halved `most_halvings` times, may lie in `volume`, by some of its
+    /// sides; `frame`: of the points.
+    bool may_be_in(const ViewVolume& volume, ViewVolume::Sides sides, const NetFrame& frame,
+                   int most_halvings);
 
 private:
     std::vector<EdgeOnPart>& halves();
 
     Box2 uv_;
     HomogeneousNet points_;
+    AffineBounds bounds_;
     LoweredScalar edge_on_;
     Vec2 shares_;
     Slopes slopes_;                                   ///< with their errors

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/trace/affine_net.h"
+#include "keiko/trace/affine_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ public:
     /// that there is none inside.
     static constexpr double straight = 0.25;
 
-    LinearPair(const AffineNet::Weighed& f, const AffineNet::Weighed& g) {
+    LinearPair(const AffineBounds::Weighed& f, const AffineBounds::Weighed& g) {
         const double d = f.along_x * g.along_y - f.along_y * g.along_x, size = std::abs(d);
         root_ = Vec2(f.along_y * g.value - g.along_y * f.value,
                      g.along_x * f.value - f.along_x * g.value) /

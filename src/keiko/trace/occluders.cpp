@@ -9,7 +9,8 @@ namespace {
 
 PieceTree silhouette_tree(const std::vector<SilhouettePiece>& pieces) {
     std::vector<PieceBound> bounds;
-    for (const SilhouettePiece& p : pieces) bounds.push_back({p.box, p.rows[2], p.normal_angle});
+    for (const SilhouettePiece& p : pieces)
+        bounds.push_back({p.box, p.frame.rows[2], p.normal_angle});
     return PieceTree(std::move(bounds));
 }
 

@@ -205,7 +205,7 @@ private:
     const SilhouettePiece& piece_;
     const OccluderPatch& patch_;
     const LeafKernels& kernels_;
-    AffineNet::Weighed edge_on_;
+    AffineBounds::Weighed edge_on_;
     const Apex& apex_;
     unsigned bound_ = 0, free_ = 1; ///< coordinates of the piece
     bool steep_ = false;

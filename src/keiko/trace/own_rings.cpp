@@ -1,6 +1,8 @@
 #include "keiko/trace/own_rings.h"
 
+#include "keiko/math/perpendicular.h"
 #include "keiko/patch/bezier_patch.h"
+#include "keiko/patch/differential_geometry.h"
 #include "keiko/trace/subpatch.h"
 
 #include <algorithm>
@@ -60,7 +62,25 @@ HomogeneousNet part_of(const HomogeneousNet& net, const Box2& uv) {
     return {net.degree_u, net.degree_v, subpatch(net.view(), uv)};
 }
 
+/// Any axes about a normal that is none.
+NetFrame frame_at(const OccluderPatch& patch, const Vec2& foot) {
+    NetFrame frame{patch.center};
+    const auto normal = unit_normal(evaluate(patch.points.view(), foot, 2), foot);
+    if (!normal) return frame;
+    const Vec3 along = any_perpendicular(*normal).normalized();
+    frame.rows = {along, normal->cross(along), *normal};
+    return frame;
+}
+
 } // namespace
+
+OwnRings::OwnRings(const OccluderPatch& patch, const Box2& uv, const Vec2& foot, ScalarNet edge_on)
+    : patch_(&patch),
+      uv_(uv),
+      foot_((foot - uv.lower) / uv.extent()),
+      frame_(frame_at(patch, foot)),
+      points_(turned(patch.points, frame_)),
+      edge_on_(std::move(edge_on)) {}
 
 OwnRings::Shell& OwnRings::shell(std::size_t k) const {
     while (shells_.size() <= k) {
@@ -68,8 +88,7 @@ OwnRings::Shell& OwnRings::shell(std::size_t k) const {
         const ScalarNet& exact = shells_.empty() ? edge_on_ : restricted(edge_on_, box);
         LoweredScalar edge_on = cheaper(exact);
         const NetCurvature second = net_curvature(edge_on, exact);
-        shells_.push_back(
-            {box, part_of(patch_->points, of_patch(box)), std::move(edge_on), second});
+        shells_.push_back({box, part_of(points_, of_patch(box)), std::move(edge_on), second});
     }
     return shells_[k];
 }
@@ -96,7 +115,7 @@ bool OwnRings::may_be_in(const ViewVolume& volume, const Apex& apex,
         if (steepest < horizon.elevation) return false;
         std::vector<EdgeOnPart>& parts = ring(k);
         if (std::any_of(parts.begin(), parts.end(), [&](EdgeOnPart& part) {
-                return part.may_be_in(volume, patch_->center, most_halvings);
+                return part.may_be_in(volume, volume.all_sides(), frame_, most_halvings);
             }))
             return true;
     }
@@ -113,7 +132,7 @@ std::vector<EdgeOnPart>& OwnRings::ring(std::size_t k) const {
                             (box.upper - outer.box.lower) / extent};
         LoweredScalar edge_on{restricted(outer.edge_on.net, in_outer), outer.edge_on.error};
         if (may_vanish(edge_on.net, edge_on.error))
-            outer.ring->emplace_back(of_patch(box), part_of(patch_->points, of_patch(box)),
+            outer.ring->emplace_back(of_patch(box), part_of(points_, of_patch(box)),
                                      std::move(edge_on), in_outer.extent());
     }
     return *outer.ring;

@@ -15,21 +15,20 @@ class OwnRings {
 public:
     /// `uv`: the surroundings, of the patch; `foot`: the apex there; `edge_on`: over `uv`, zero
     /// where the apex sees the surface edge-on.
-    OwnRings(const OccluderPatch& patch, const Box2& uv, const Vec2& foot, ScalarNet edge_on)
-        : patch_(&patch),
-          uv_(uv),
-          foot_((foot - uv.lower) / uv.extent()),
-          edge_on_(std::move(edge_on)) {}
+    OwnRings(const OccluderPatch& patch, const Box2& uv, const Vec2& foot, ScalarNet edge_on);
+
+    /// Of the parts' points: the last axis is the normal at the apex.
+    const NetFrame& frame() const { return frame_; }
 
     /// Whether no plane through the apex finds a silhouette, as the second derivative is definite.
     bool find_nothing() const { return shell(0).second.definite(); }
-    /// Calls `visit(part, distance, pair)` for each part that may hold silhouettes, as
-    /// EdgeOnPart::each_part.
-    template <class Visit>
-    void each_part(const Section& section, const Visit& visit) const {
+    /// Calls `solve(part, pair)` or `search(part)` for each part that may hold silhouettes, as
+    /// EdgeOnPart::each_part; the section is in frame().
+    template <class Solve, class Search>
+    void each_part(const Section& section, const Solve& solve, const Search& search) const {
         constexpr int most_halvings = 8;
-        for (std::size_t k = 0; k < most_boxes && !only_apex_in(k, section.weights); ++k)
-            for (EdgeOnPart& part : ring(k)) part.each_part(section, most_halvings, visit);
+        for (std::size_t k = 0; k < most_boxes && !only_apex_in(k, section.plane); ++k)
+            for (EdgeOnPart& part : ring(k)) part.each_part(section, most_halvings, solve, search);
     }
 
     /// False when no silhouette but at the apex itself may lie in `volume`, whose least elevation
@@ -40,8 +39,8 @@ private:
     static constexpr std::size_t most_boxes = 11; ///< 5^-10: what is left is the apex itself
 
     struct Shell {
-        Box2 box; ///< of the surroundings
-        HomogeneousNet points;
+        Box2 box;              ///< of the surroundings
+        HomogeneousNet points; ///< in frame()
         LoweredScalar edge_on;
         NetCurvature second;                           ///< of what `edge_on` approximates
         std::optional<std::vector<EdgeOnPart>> ring{}; ///< between this box and the next
@@ -49,7 +48,7 @@ private:
     Box2 of_patch(const Box2& box) const {
         return {uv_.lower + uv_.extent() * box.lower, uv_.lower + uv_.extent() * box.upper};
     }
-    /// Whether the plane finds no silhouette in a box but at the apex.
+    /// Whether the plane of these weights finds no silhouette in a box but at the apex.
     bool only_apex_in(std::size_t k, const Vec4& weights) const;
     std::vector<EdgeOnPart>& ring(std::size_t k) const;
     Shell& shell(std::size_t k) const;
@@ -57,6 +56,8 @@ private:
     const OccluderPatch* patch_;
     Box2 uv_;
     Vec2 foot_; ///< of the surroundings
+    NetFrame frame_;
+    HomogeneousNet points_; ///< of the patch, in the frame
     ScalarNet edge_on_;
     mutable std::vector<Shell> shells_;
 };

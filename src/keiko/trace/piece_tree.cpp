@@ -27,22 +27,10 @@ void extend(PieceBound& a, const PieceBound& b) {
     a.angle = angle;
 }
 
-void find_sine(PieceBound& bound) {
+void make_ready(PieceBound& bound) {
     bound.sine = std::sin(bound.angle);
     bound.cosine = std::cos(bound.angle);
-}
-
-/// False when no line from the apex through the box can be tangent to a surface with these normals:
-/// by the sum of the cone's angle and half of the box's.
-bool may_be_edge_on(const PieceBound& bound, const Apex& apex) {
-    constexpr double slack = 1e-9;
-    if (!(bound.angle < std::numbers::pi / 2)) return true;
-    const Vec3 way = apex.way_to(bound.box.center());
-    const double radius = apex.infinite() ? 0 : bound.box.size() / 2, squared = way.length2();
-    if (!(radius * radius < squared)) return true;
-    const double beside = std::sqrt(squared - radius * radius), room = slack * (beside + radius);
-    if (!(bound.cosine * beside - bound.sine * radius > room)) return true;
-    return std::abs(way.dot(bound.normal)) <= bound.sine * beside + bound.cosine * radius + room;
+    bound.radius = bound.box.size() / 2;
 }
 
 } // namespace
@@ -50,7 +38,7 @@ bool may_be_edge_on(const PieceBound& bound, const Apex& apex) {
 PieceTree::PieceTree(std::vector<PieceBound> bounds) : bounds_(std::move(bounds)) {
     order_.resize(bounds_.size());
     for (std::uint32_t i = 0; i < order_.size(); ++i) order_[i] = i;
-    for (PieceBound& bound : bounds_) find_sine(bound);
+    for (PieceBound& bound : bounds_) make_ready(bound);
     if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
 }
 
@@ -62,7 +50,7 @@ std::uint32_t PieceTree::build(std::uint32_t first, std::uint32_t count) {
         extend(node.bound, bounds_[order_[k]]);
         centers.extend(bounds_[order_[k]].box.center());
     }
-    find_sine(node.bound);
+    make_ready(node.bound);
     nodes_.push_back(node);
     if (count <= leaf_size) return self;
     const Vec3 extent = centers.extent();
@@ -81,26 +69,15 @@ std::uint32_t PieceTree::build(std::uint32_t first, std::uint32_t count) {
     return self;
 }
 
-void PieceTree::find(const ViewVolume& volume, const Apex& apex,
-                     std::vector<std::uint32_t>& found) const {
-    std::array<std::uint32_t, 64> todo;
-    std::size_t depth = 0;
-    if (!nodes_.empty()) todo[depth++] = 0;
-    while (depth > 0) {
-        const std::uint32_t index = todo[--depth];
-        const Node& node = nodes_[index];
-        if (!volume.may_hold(node.bound.box) || !may_be_edge_on(node.bound, apex)) continue;
-        if (node.right != 0) {
-            todo[depth++] = node.right;
-            todo[depth++] = index + 1;
-            continue;
-        }
-        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-            const PieceBound& bound = bounds_[order_[k]];
-            if (volume.may_hold(bound.box) && may_be_edge_on(bound, apex))
-                found.push_back(order_[k]);
-        }
-    }
+bool PieceTree::may_be_edge_on(const PieceBound& bound, const Apex& apex) {
+    constexpr double slack = 1e-9;
+    if (!(bound.angle < std::numbers::pi / 2)) return true;
+    const Vec3 way = apex.way_to(bound.box.center());
+    const double radius = apex.infinite() ? 0 : bound.radius, squared = way.length2();
+    if (!(radius * radius < squared)) return true;
+    const double beside = std::sqrt(squared - radius * radius), room = slack * (beside + radius);
+    if (!(bound.cosine * beside - bound.sine * radius > room)) return true;
+    return std::abs(way.dot(bound.normal)) <= bound.sine * beside + bound.cosine * radius + room;
 }
 
 bool PieceTree::touches(const Box3& box) const {

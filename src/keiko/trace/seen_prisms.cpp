@@ -19,15 +19,16 @@ Vec3 middle_of(std::span<const Vec3> corners) {
     return middle;
 }
 
-/// Whether a border may hide or show any of `volume` in some part of it.
+/// Whether a border may hide or show any of `volume` in some part of it, by some of its sides.
 bool may_cross(const BorderPiece& border, const BorderPiece::Curve& part, const Apex& apex,
-               const ViewVolume& volume, int most_halvings) {
-    if (!volume.may_hold(part, border.center, border.error) || !border.may_be_edge_on(apex, part))
+               const ViewVolume& volume, ViewVolume::Sides sides, int most_halvings) {
+    if (!volume.may_hold(part, border.center, border.error, sides) ||
+        !border.may_be_edge_on(apex, part))
         return false;
     if (most_halvings == 0) return true;
     const std::array halves = halved(part);
     return std::any_of(halves.begin(), halves.end(), [&](const BorderPiece::Curve& half) {
-        return may_cross(border, half, apex, volume, most_halvings - 1);
+        return may_cross(border, half, apex, volume, sides, most_halvings - 1);
     });
 }
 
@@ -60,7 +61,7 @@ bool ApexView::Candidates::nothing_crosses(const PrismEdges& prism,
     for (std::size_t i = 0; i < screen.borders.size(); ++i) {
         const BorderPiece& border = scene_->borders[borders_[i]];
         if (screen.borders[i].overlaps(*hull) &&
-            may_cross(border, border.curve, apex_, inside(), most_halvings))
+            may_cross(border, border.curve, apex_, inside(), inside().all_sides(), most_halvings))
             return false;
     }
     for (std::size_t i = 0; i < screen.pieces.size(); ++i)

@@ -2,9 +2,7 @@
 
 #include "keiko/math/interval_set.h"
 #include "keiko/trace/segment_plane.h"
-#include "keiko/trace/tangent_planes.h"
 
-#include <algorithm>
 #include <array>
 
 namespace keiko {
@@ -23,16 +21,16 @@ public:
         }
     }
 
-    /// False when the convex hull of a net's points, relative to `center` and at most `reach` from
-    /// it, is proved to lie outside.
-    bool may_hold(const HomogeneousNet& net, const Vec3& center, double reach) const {
-        return std::all_of(sides_.begin(), sides_.end(), [&](const Side& side) {
-            const Vec3 &n = side.inward, way = center - side.place;
+    /// What weighs homogeneous coordinates relative to `center`, of points at most `reach` from it,
+    /// into how far they lie inside of each side, mm.
+    std::array<Vec4, 2> weights(const Vec3& center, double reach) const {
+        std::array<Vec4, 2> of_sides{Vec4(0), Vec4(0)};
+        for (unsigned k = 0; k < 2; ++k) {
+            const Vec3 &n = sides_[k].inward, way = center - sides_[k].place;
             const double margin = 1e-12 * (reach + way.length()); // far beyond rounding
-            const Vec4 weights(n.x, n.y, n.z, n.dot(way) + margin);
-            return std::any_of(net.points.begin(), net.points.end(),
-                               [&](const Vec4& p) { return weights.dot(p) >= 0; });
-        });
+            of_sides[k] = Vec4(n.x, n.y, n.z, n.dot(way) + margin);
+        }
+        return of_sides;
     }
 
 private:

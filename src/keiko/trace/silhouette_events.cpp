@@ -2,7 +2,6 @@
 
 #include "keiko/trace/chord_elevation.h"
 #include "keiko/trace/linear_pair.h"
-#include "keiko/trace/subpatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +60,7 @@ void SilhouetteSolver::add_candidate(std::uint32_t index, const Apex& apex,
                                      const std::optional<ApexHorizon>& horizon,
                                      SilhouetteCandidates& all) const {
     const SilhouettePiece& piece = silhouettes_.pieces[index];
-    const AffineNet::Weighed edge_on = piece.planes.weighed(piece.weights(apex));
+    const AffineBounds::Weighed edge_on = piece.planes.weighed(piece.weights(apex));
     if (edge_on.vanishes_nowhere()) return;
     const auto known = std::find_if(all.own.begin(), all.own.end(),
                                     [&](const OwnCandidate& o) { return o.patch == piece.patch; });
@@ -69,8 +68,8 @@ void SilhouetteSolver::add_candidate(std::uint32_t index, const Apex& apex,
     if (!found || !piece.surroundings().contains(*found))
         return all.pieces.push_back({index, edge_on});
     const auto steepest = [&] {
-        return steepest_chord(piece.chords, piece.local(apex.place() - piece.center),
-                              piece.local(horizon->normal));
+        return steepest_chord(piece.chords, piece.frame.local(apex.place() - piece.frame.center),
+                              piece.frame.local(horizon->normal));
     };
     if (horizon && horizon->elevation > 0 && steepest() < horizon->elevation) return;
     auto own = known;
@@ -130,12 +129,17 @@ void SilhouetteSolver::finish(const Apex& apex, const std::optional<ApexHorizon>
 bool SilhouetteSolver::find(const OwnCandidate& own, const SegmentPlane& plane,
                             const SeenWedge& wedge, std::vector<VisibilityEvent>& events) const {
     const OccluderPatch& patch = silhouettes_.patches[own.patch];
+    const Section section(own.rings->frame(), patch.size, plane, wedge);
     bool certain = true;
-    own.rings->each_part({patch, plane, wedge}, [&](const EdgeOnPart& in, const ScalarNet& distance,
-                                                    const LinearPair& pair) {
-        const Part part{own.patch, in.uv(), own.trimmed, patch.size};
-        certain = find(in, part, distance, pair, plane, events) && certain;
-    });
+    own.rings->each_part(
+        section,
+        [&](const EdgeOnPart& in, const LinearPair& pair) {
+            return add_only_root(pair, own.patch, in.uv(), own.trimmed, plane, events);
+        },
+        [&](const EdgeOnPart& in) {
+            const Part part{own.patch, in.uv(), own.trimmed, patch.size};
+            certain = search(in, section, part, plane, events) && certain;
+        });
     return certain;
 }
 
@@ -146,32 +150,34 @@ void SilhouetteSolver::find_part(const SilhouetteCandidate& candidate, const Ape
                           magnitudes(weights).dot(piece.lowered_planes.error)};
     candidate.part.emplace();
     if (!may_vanish(edge_on.net, edge_on.error)) return;
-    const HomogeneousNet& points = silhouettes_.patches[piece.patch].points;
-    const Box2 uv = piece.overlapped();
-    *candidate.part = std::make_unique<EdgeOnPart>(
-        uv, HomogeneousNet{points.degree_u, points.degree_v, subpatch(points.view(), uv)},
-        std::move(edge_on), Vec2(1));
+    *candidate.part = std::make_unique<EdgeOnPart>(piece.overlapped(), piece.overlapped_points,
+                                                   std::move(edge_on), Vec2(1));
 }
 
 bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
                             const SeenWedge& wedge, std::vector<VisibilityEvent>& events) const {
     if (candidate.nowhere_edge_on()) return true;
     const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
-    const AffineNet::Weighed f = piece.points.weighed(piece.local(plane.weights(piece.center)));
+    const NetFrame& frame = piece.frame;
+    const AffineBounds::Weighed f = piece.points.weighed(frame.local(plane.weights(frame.center)));
     if (f.vanishes_nowhere()) return true;
     const LinearPair pair(f, candidate.edge_on);
     if (pair.root_is_outside()) return true;
     if (add_only_root(pair, piece.patch, piece.uv, piece.trimmed, plane, events)) return true;
     if (!candidate.part) find_part(candidate, plane.apex());
     if (candidate.nowhere_edge_on()) return true;
-    constexpr int most_halvings = 6;
+    constexpr int most_halvings = 10;
+    const Section section(frame, piece.box.size(), plane, wedge);
     bool certain = true;
     (*candidate.part)
         ->each_part(
-            {silhouettes_.patches[piece.patch], plane, wedge}, most_halvings,
-            [&](const EdgeOnPart& in, const ScalarNet& distance, const LinearPair& of_part) {
+            section, most_halvings,
+            [&](const EdgeOnPart& in, const LinearPair& of_part) {
+                return add_only_root(of_part, piece.patch, in.uv(), piece.trimmed, plane, events);
+            },
+            [&](const EdgeOnPart& in) {
                 const Part part{piece.patch, in.uv(), piece.trimmed, piece.box.size()};
-                certain = find(in, part, distance, of_part, plane, events) && certain;
+                certain = search(in, section, part, plane, events) && certain;
             });
     return certain;
 }
@@ -180,19 +186,19 @@ bool SilhouetteSolver::may_be_in(const ViewVolume& volume, const SilhouetteCandi
                                  const Apex& apex) const {
     if (candidate.nowhere_edge_on()) return false;
     const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
-    if (!volume.may_hold(piece)) return false;
+    ViewVolume::Sides sides = volume.all_sides();
+    if (!volume.may_hold(piece, sides)) return false;
     if (!candidate.part) find_part(candidate, apex);
     if (candidate.nowhere_edge_on()) return false;
     constexpr int most_halvings = 8;
-    return (*candidate.part)
-        ->may_be_in(volume, silhouettes_.patches[piece.patch].center, most_halvings);
+    return (*candidate.part)->may_be_in(volume, sides, piece.frame, most_halvings);
 }
 
-bool SilhouetteSolver::find(const EdgeOnPart& in, const Part& part, ScalarNet distance,
-                            const LinearPair& pair, const SegmentPlane& plane,
-                            std::vector<VisibilityEvent>& events) const {
-    if (add_only_root(pair, part.patch, part.uv, part.trimmed, plane, events)) return true;
+bool SilhouetteSolver::search(const EdgeOnPart& in, const Section& section, const Part& part,
+                              const SegmentPlane& plane,
+                              std::vector<VisibilityEvent>& events) const {
     constexpr int few = 60, many = 200;
+    ScalarNet distance = weighed(in.points(), section.plane);
     auto found = run({distance, in.edge_on().net, in.edge_on().error}, part, plane, few);
     if (!found.unclear.empty()) {
         const OccluderPatch& patch = silhouettes_.patches[part.patch];

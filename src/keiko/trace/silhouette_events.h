@@ -14,7 +14,7 @@ namespace keiko {
 /// A piece that an apex may see edge-on, with what does not depend on the segment.
 struct SilhouetteCandidate {
     std::uint32_t piece = 0;
-    AffineNet::Weighed edge_on{}; ///< zero where the piece is seen edge-on
+    AffineBounds::Weighed edge_on{}; ///< zero where the piece is seen edge-on
     /// Once a segment needs more than `edge_on`: holds nothing where the piece is proved to be seen
     /// edge-on nowhere.
     mutable std::optional<std::unique_ptr<EdgeOnPart>> part{};
@@ -90,9 +90,10 @@ private:
         double size; ///< mm
     };
     void find_part(const SilhouetteCandidate& candidate, const Apex& apex) const;
-    /// Appends the events in a part on which `pair` may prove less than what is needed.
-    bool find(const EdgeOnPart& in, const Part& part, ScalarNet distance, const LinearPair& pair,
-              const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const;
+    /// Appends the events in a part on which nothing is proved yet; false when some could not be
+    /// told apart.
+    bool search(const EdgeOnPart& in, const Section& section, const Part& part,
+                const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const;
     SilhouetteSearch::Result run(const SilhouetteSearch& search, const Part& part,
                                  const SegmentPlane& plane, int most_boxes) const;
     bool add(const SilhouetteSearch::Result& found, const Part& part, const SegmentPlane& plane,

@@ -44,14 +44,6 @@ HomogeneousNet part_of(const HomogeneousNet& net, const Box2& box) {
     return {net.degree_u, net.degree_v, subpatch(net.view(), box)};
 }
 
-HomogeneousNet turned(HomogeneousNet net, const std::array<Vec3, 3>& rows) {
-    for (Vec4& p : net.points) {
-        const Vec3 v = spatial(p);
-        p = {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v), p.w};
-    }
-    return net;
-}
-
 /// Axes about the mean normal, the first along the surface.
 std::array<Vec3, 3> axes_of(const HomogeneousNet& planes, const HomogeneousNet& points) {
     Vec3 sum(0);
@@ -76,13 +68,13 @@ SilhouettePiece piece_over(const OccluderPatch& patch, const Box2& uv) {
     HomogeneousNet points = part_of(patch.points, uv);
     const Box3 local = hull_bounds(points.view());
     const Vec3 middle = local.center();
-    piece.center = patch.center + middle;
+    piece.frame.center = patch.center + middle;
     piece.box = {patch.center + local.lower, patch.center + local.upper};
     HomogeneousNet planes = moved_planes(part_of(patch.planes, uv), middle);
-    piece.rows = axes_of(planes, points);
-    piece.normal_angle = normal_angle(planes, piece.rows[2]);
-    piece.points = affine_net(turned(moved_points(std::move(points), middle), piece.rows));
-    piece.planes = affine_net(turned(std::move(planes), piece.rows));
+    piece.frame.rows = axes_of(planes, points);
+    piece.normal_angle = normal_angle(planes, piece.frame.rows[2]);
+    piece.points = affine_net(turned(moved_points(std::move(points), middle), piece.frame));
+    piece.planes = affine_net(turned(std::move(planes), piece.frame));
     return piece;
 }
 
@@ -110,18 +102,18 @@ std::optional<unsigned> axis_to_halve(const SilhouettePiece& piece) {
     return std::nullopt;
 }
 
+HomogeneousNet points_in_frame(const OccluderPatch& patch, const SilhouettePiece& piece,
+                               const Box2& uv) {
+    const Vec3 middle = piece.frame.center - patch.center;
+    return turned(moved_points(part_of(patch.points, uv), middle), piece.frame);
+}
+
 /// Of few coefficients, for a search that splits the piece.
 LoweredNet lowered_planes(const OccluderPatch& patch, const SilhouettePiece& piece) {
     constexpr int enough = 5;
     const HomogeneousNet planes =
-        moved_planes(part_of(patch.planes, piece.overlapped()), piece.center - patch.center);
-    return lowered(turned(planes, piece.rows), enough);
-}
-
-TangentBounds chord_bounds(const OccluderPatch& patch, const SilhouettePiece& piece) {
-    HomogeneousNet points = part_of(patch.points, piece.surroundings());
-    points = moved_points(std::move(points), piece.center - patch.center);
-    return tangent_bounds(turned(std::move(points), piece.rows));
+        moved_planes(part_of(patch.planes, piece.overlapped()), piece.frame.center - patch.center);
+    return lowered(turned(planes, piece.frame), enough);
 }
 
 Box2 face_box(const OccluderPatch& patch, const Box2& uv) {
@@ -140,7 +132,8 @@ void split(const OccluderPatch& patch, const TrimRegion& region, const Box2& uv,
     const auto axis = axis_to_halve(piece);
     if (!axis || halved[*axis] >= most_halvings) {
         piece.lowered_planes = lowered_planes(patch, piece);
-        piece.chords = chord_bounds(patch, piece);
+        piece.overlapped_points = points_in_frame(patch, piece, piece.overlapped());
+        piece.chords = tangent_bounds(points_in_frame(patch, piece, piece.surroundings()));
         piece.trimmed = side == TrimSide::mixed;
         pieces.push_back(std::move(piece));
         return;

@@ -8,6 +8,7 @@
 #include "keiko/trace/apex.h"
 #include "keiko/trace/chord_elevation.h"
 #include "keiko/trace/lowered_net.h"
+#include "keiko/trace/net_frame.h"
 
 #include <vector>
 
@@ -39,15 +40,15 @@ struct SilhouettePiece {
     Box2 uv;                 ///< of that patch
     bool trimmed = false;    ///< trim curves may cross it
     Box3 box;                ///< world, mm
-    /// The nets are relative to `center` and in the axes of `rows`, the last of which is about
-    /// the normal: seen edge-on, an apex has little of that, and bounds of what varies along the
-    /// normal weigh little.
-    Vec3 center{0};
-    std::array<Vec3, 3> rows{Vec3(0), Vec3(0), Vec3(0)};
+    /// Of the nets. The last axis is about the normal: seen edge-on, an apex has little of that,
+    /// and bounds of what varies along the normal weigh little.
+    NetFrame frame;
     AffineNet points, planes;
-    LoweredNet lowered_planes; ///< over the piece and its overlap
-    TangentBounds chords;      ///< of `points`, for apexes whose foot is in surroundings()
-    double normal_angle = 4;   ///< rad, half angle of the cone about rows[2] that holds all normals
+    HomogeneousNet overlapped_points; ///< over the piece and its overlap
+    LoweredNet lowered_planes;        ///< over the same
+    TangentBounds chords;             ///< of `points`, for apexes whose foot is in surroundings()
+    double normal_angle =
+        4; ///< rad, half angle of the cone about the last axis that holds all normals
 
     /// The piece's share of its patch with what it overlaps its neighbours by, so that no event
     /// falls between them.
@@ -59,14 +60,7 @@ struct SilhouettePiece {
     /// piece are mixtures of derivatives over this part of the patch.
     Box2 surroundings() const { return {uv.lower - uv.extent() / 2, uv.upper + uv.extent() / 2}; }
     /// What weighs `planes` into the function that is zero where `apex` sees the piece edge-on.
-    Vec4 weights(const Apex& apex) const { return local(apex.seen_from(center)); }
-    /// What weighs `points` into the distance to a plane, from its weights relative to `center`.
-    Vec4 local(const Vec4& w) const {
-        const Vec3 v(w.x, w.y, w.z);
-        return {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v), w.w};
-    }
-    /// A direction in the axes of the nets.
-    Vec3 local(const Vec3& v) const { return {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)}; }
+    Vec4 weights(const Apex& apex) const { return frame.local(apex.seen_from(frame.center)); }
 };
 
 /// Everything of a model that an apex may see edge-on.

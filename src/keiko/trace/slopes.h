@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/trace/affine_net.h"
+#include "keiko/trace/affine_bounds.h"
 #include "keiko/trace/scalar_net.h"
 
 namespace keiko {
@@ -8,7 +8,7 @@ namespace keiko {
 /// A function over a box, in its [-1, 1]^2: mean slopes, how much they vary, and how much the slope
 /// along each axis does, as a share of the slopes.
 struct Slopes {
-    AffineNet::Weighed all;
+    AffineBounds::Weighed all;
     Vec2 bend;
 
     /// The axis along which halving a box of this size straightens the function more.

@@ -74,51 +74,44 @@ void ViewVolume::add(const Vec3& normal, double offset) {
     half_spaces_[count_++] = {normal, magnitudes(normal), offset, normal.length()};
 }
 
-bool ViewVolume::may_hold(const SilhouettePiece& piece) const {
-    for (std::size_t i = 0; i < count_; ++i) {
-        const HalfSpace& h = half_spaces_[i];
-        const double offset = h.normal.dot(piece.center) - h.offset;
-        const AffineNet::Weighed f =
-            piece.points.weighed(piece.local({h.normal.x, h.normal.y, h.normal.z, offset}));
-        if (f.value + std::abs(f.along_x) + std::abs(f.along_y) + f.off < 0) return false;
-    }
-    return true;
+bool ViewVolume::may_hold(const AffineBounds& points, const NetFrame& frame, Sides& sides) const {
+    return may_hold(sides, [&](const HalfSpace& h) {
+        const double inside = h.normal.dot(frame.center) - h.offset;
+        const Vec4 weights(h.normal.x, h.normal.y, h.normal.z, inside);
+        const AffineBounds::Weighed depth = points.weighed(frame.local(weights));
+        return Depth{depth.least(), depth.most()};
+    });
 }
 
-bool ViewVolume::may_hold(const BorderPiece& border) const {
-    return may_hold(border.curve, border.center, border.error);
+bool ViewVolume::may_hold(const SilhouettePiece& piece, Sides& sides) const {
+    return may_hold(piece.points, piece.frame, sides);
 }
 
-bool ViewVolume::may_hold(const BorderPiece::Curve& curve, const Vec3& center, double error) const {
-    for (std::size_t i = 0; i < count_; ++i) {
-        const HalfSpace& h = half_spaces_[i];
-        const double outside = h.offset - h.normal.dot(center) - error * h.length;
-        if (std::all_of(curve.begin(), curve.end(),
-                        [&](const Vec3& p) { return h.normal.dot(p) < outside; }))
-            return false;
-    }
-    return true;
+bool ViewVolume::may_hold(const BorderPiece& border, Sides& sides) const {
+    return may_hold(border.curve, border.center, border.error, sides);
 }
 
-bool ViewVolume::may_hold(const HomogeneousNet& net, const Vec3& center) const {
-    for (std::size_t i = 0; i < count_; ++i) {
-        const HalfSpace& h = half_spaces_[i];
-        const Vec4 inside(h.normal.x, h.normal.y, h.normal.z, h.normal.dot(center) - h.offset);
-        if (std::all_of(net.points.begin(), net.points.end(),
-                        [&](const Vec4& p) { return inside.dot(p) < 0; }))
-            return false;
-    }
-    return true;
+bool ViewVolume::may_hold(const BorderPiece::Curve& curve, const Vec3& center, double error,
+                          Sides& sides) const {
+    return may_hold(sides, [&](const HalfSpace& h) {
+        double least = h.normal.dot(curve[0]), most = least;
+        for (std::size_t i = 1; i < curve.size(); ++i) {
+            const double along = h.normal.dot(curve[i]);
+            least = std::min(least, along), most = std::max(most, along);
+        }
+        const double inside = h.normal.dot(center) - h.offset, room = error * h.length;
+        return Depth{inside + least - room, inside + most + room};
+    });
 }
 
-bool ViewVolume::may_hold(const Box3& box) const {
+bool ViewVolume::may_hold(const Box3& box, Sides& sides) const {
+    if (sides == 0) return true;
     if (!box.overlaps(hull_)) return false;
     const Vec3 center = box.center(), half = box.extent() * 0.5;
-    for (std::size_t i = 0; i < count_; ++i) {
-        const HalfSpace& h = half_spaces_[i];
-        if (h.normal.dot(center) + h.size.dot(half) < h.offset) return false;
-    }
-    return true;
+    return may_hold(sides, [&](const HalfSpace& h) {
+        const double middle = h.normal.dot(center) - h.offset, reach = h.size.dot(half);
+        return Depth{middle - reach, middle + reach};
+    });
 }
 
 } // namespace keiko

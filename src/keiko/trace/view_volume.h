@@ -6,6 +6,7 @@
 #include "keiko/trace/silhouette_piece.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
 
 namespace keiko {
@@ -19,15 +20,21 @@ public:
     ViewVolume(const Apex& apex, std::span<const Vec3> region,
                const std::optional<Vec3>& facing = {});
 
-    /// False when the box is proved to lie outside.
-    bool may_hold(const Box3& box) const;
+    /// Sides of the volume, a bit each: those that something may lie across or beyond.
+    using Sides = std::uint32_t;
+    Sides all_sides() const { return (Sides{1} << count_) - 1; }
+
+    /// False when the box is proved to lie beyond one of `sides`. Takes those off inside of which
+    /// all of it lies: no part of it need be held against them.
+    bool may_hold(const Box3& box, Sides& sides) const;
     /// The same of a piece, whose parallelogram or control points are tighter than its box.
-    bool may_hold(const SilhouettePiece& piece) const;
-    bool may_hold(const BorderPiece& border) const;
-    /// The same of a curve of degree 5 and all within `error` of it, and of a net; their points are
-    /// relative to `center`.
-    bool may_hold(const BorderPiece::Curve& curve, const Vec3& center, double error) const;
-    bool may_hold(const HomogeneousNet& net, const Vec3& center) const;
+    bool may_hold(const SilhouettePiece& piece, Sides& sides) const;
+    bool may_hold(const BorderPiece& border, Sides& sides) const;
+    /// The same of a curve of degree 5, relative to `center`, and all within `error` of it.
+    bool may_hold(const BorderPiece::Curve& curve, const Vec3& center, double error,
+                  Sides& sides) const;
+    /// The same of bounded points in the axes of a frame.
+    bool may_hold(const AffineBounds& points, const NetFrame& frame, Sides& sides) const;
     /// World box of the region itself.
     const Box3& region() const { return region_; }
 
@@ -38,6 +45,22 @@ private:
         double offset = 0, length = 1; ///< of the normal
     };
     void add(const Vec3& normal, double offset);
+    /// How far something lies inside of a side.
+    struct Depth {
+        double least, most;
+    };
+    /// By `depth` of a half-space.
+    template <class DepthIn>
+    bool may_hold(Sides& sides, const DepthIn& depth) const {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Sides side = Sides{1} << i;
+            if ((sides & side) == 0) continue;
+            const Depth in = depth(half_spaces_[i]);
+            if (in.most < 0) return false;
+            if (in.least >= 0) sides &= ~side;
+        }
+        return true;
+    }
 
     Box3 region_, hull_;
     std::array<HalfSpace, 7> half_spaces_;

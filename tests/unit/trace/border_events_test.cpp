@@ -1,0 +1,95 @@
+#include "keiko/trace/border_events.h"
+
+#include "tests/support/random.h"
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+using namespace keiko;
+using namespace keiko::test;
+
+namespace {
+
+/// A curve that may wind several times about the plane through the apex and the segment.
+BorderPiece winding_border(Random& random) {
+    BorderPiece piece;
+    piece.center = Vec3(0, 0, uniform(random, 40, 60));
+    piece.radius = 1e3;
+    piece.inward_error = std::numbers::pi / 2;
+    for (std::size_t i = 0; i < piece.curve.size(); ++i)
+        piece.curve[i] = Vec3(10.0 * static_cast<double>(i) - 25, uniform(random, -6, 6),
+                              uniform(random, -3, 3));
+    return piece;
+}
+
+/// Parameters of the curve next to which the distance to the plane changes its sign.
+std::vector<double> crossings(const BorderPiece& piece, const SegmentPlane& plane) {
+    const Vec4 w = plane.weights(piece.center);
+    const auto distance = [&](double t) {
+        const Vec3 p = piece.at(t);
+        return w.dot(Vec4(p.x, p.y, p.z, 1));
+    };
+    std::vector<double> found;
+    constexpr int steps = 5000;
+    for (int i = 0; i < steps; ++i) {
+        const double a = double(i) / steps, b = double(i + 1) / steps;
+        if ((distance(a) < 0) != (distance(b) < 0)) found.push_back((a + b) / 2);
+    }
+    return found;
+}
+
+} // namespace
+
+TEST(BorderEvents, AreAllCrossingsOfThePlaneOfASegment) {
+    Random random(91);
+    std::array<int, 6> by_count{};
+    const Apex apex = Apex::at(Vec3(0, 0, 0));
+    const auto plane = SegmentPlane::through(apex, Vec3(-90, 0, 100), Vec3(90, 0, 100));
+    ASSERT_TRUE(plane);
+    for (int trial = 0; trial < 3000; ++trial) {
+        const BorderPiece piece = winding_border(random);
+        std::vector<VisibilityEvent> events;
+        find_border_events(piece, {}, *plane, events);
+        std::vector<double> wanted, got;
+        for (const double t : crossings(piece, *plane)) {
+            const Vec3 x = piece.center + piece.at(t);
+            wanted.push_back((x.x / x.z * 100 + 90) / 180);
+        }
+        for (const VisibilityEvent& event : events) got.push_back(event.t);
+        std::sort(wanted.begin(), wanted.end());
+        std::sort(got.begin(), got.end());
+        ++by_count[std::min<std::size_t>(wanted.size(), 5)];
+        // Two zeros that a step of the search holds are not told apart there.
+        if (got.size() == wanted.size() + 2) continue;
+        ASSERT_EQ(got.size(), wanted.size());
+        for (std::size_t i = 0; i < got.size(); ++i) EXPECT_NEAR(got[i], wanted[i], 2e-4);
+    }
+    for (const std::size_t several : {1, 2, 3}) EXPECT_GT(by_count[several], 100);
+}
+
+TEST(BorderEvents, LieOnThePlaneToRounding) {
+    Random random(92);
+    const Apex apex = Apex::at(Vec3(0, 0, 0));
+    for (int trial = 0; trial < 500; ++trial) {
+        const BorderPiece piece = winding_border(random);
+        const Vec3 a(-90, uniform(random, -5, 5), 100), b(90, uniform(random, -5, 5), 100);
+        const auto plane = SegmentPlane::through(apex, a, b);
+        std::vector<VisibilityEvent> events;
+        find_border_events(piece, {}, *plane, events);
+        for (const VisibilityEvent& event : events) {
+            // The line from the apex through the event passes the curve.
+            const Vec3 way = plane->at(event.t).normalized();
+            double nearest = 1e300, at = 0;
+            const auto off = [&](double t) {
+                return (piece.center + piece.at(t)).cross(way).length();
+            };
+            for (int i = 0; i <= 1000; ++i)
+                if (off(i / 1000.0) < nearest) nearest = off(at = i / 1000.0);
+            for (double step = 1e-3; step > 1e-16; step /= 2)
+                for (const double next : {at - step, at + step})
+                    if (off(next) < nearest) nearest = off(at = next);
+            EXPECT_LT(nearest, 1e-11);
+        }
+    }
+}
