@@ -45,9 +45,9 @@ void ApexView::Candidates::collect(std::span<const Vec3> region) {
     using Sides = ViewVolume::Sides;
     scene_->silhouette_pieces.find(volume, apex_, [&](std::uint32_t piece, Sides sides) {
         if (volume.may_hold(scene_->silhouettes.pieces[piece], sides))
-            scene_->solver.add_candidate(piece, apex_, horizon, silhouettes_);
+            scene_->candidates.add(piece, apex_, horizon, silhouettes_);
     });
-    scene_->solver.finish(apex_, horizon, silhouettes_);
+    scene_->candidates.finish(apex_, horizon, silhouettes_);
     scene_->border_pieces.find(volume, apex_, [&](std::uint32_t border, Sides sides) {
         const BorderPiece& piece = scene_->borders[border];
         if (volume.may_hold(piece, sides) && piece.may_be_edge_on(apex_))

@@ -13,6 +13,7 @@ struct Occluders::Scene {
     std::vector<BorderPiece> borders;
     PieceTree silhouette_pieces, border_pieces, surface;
     LeafKernels kernels = leaf_kernels();
+    CandidateMaker candidates{silhouettes, kernels};
     SilhouetteSolver solver{silhouettes, kernels};
     Statistics statistics;
 

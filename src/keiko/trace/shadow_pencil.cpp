@@ -93,7 +93,7 @@ void ShadowPencil::Planes::add_outlines(const Job& job, std::vector<BorderPiece>
     parallel_for(found.size(), job, "", [&](std::size_t c) {
         SilhouetteCandidates candidates;
         for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
-            scene_.solver.add_candidate(static_cast<std::uint32_t>(i), apex_, {}, candidates);
+            scene_.candidates.add(static_cast<std::uint32_t>(i), apex_, {}, candidates);
         for (SilhouetteCandidate& candidate : candidates.pieces)
             if (!append_outline(scene_.silhouettes, scene_.kernels, candidate, apex_,
                                 found[c].lines))

@@ -87,6 +87,59 @@ double missed_by_kronrod(const Slices& slices) {
     return missed_at(slices, 0, 1, 2) + missed_at(slices, 8, 7, 6);
 }
 
+/// Over parts of a width, by the first of three rules that is enough, else by halves.
+class WidthIntegral {
+public:
+    WidthIntegral(const LampWidth& width, const Visible& visible, double widest_gap)
+        : width_(width), visible_(visible), widest_gap_(widest_gap) {}
+
+    SolidAngle over(Slices slices, double error, int most_halvings) const {
+        if (!near_enough(slices, kronrod_gap)) return in_halves(slices, error, most_halvings);
+        const bool above = std::all_of(of_gauss.begin(), of_gauss.end(),
+                                       [&](std::size_t i) { return slices.at[i].all > 0; });
+        const double all = weighed(slices, gauss).all;
+        if (above && near_enough(slices, 1) && missed_by_middle(slices) * all <= error)
+            return {all, all * slices.at[Slices::middle].share()};
+        find(of_gauss_alone, slices);
+        const SolidAngle three = weighed(slices, gauss);
+        if (above && near_enough(slices, gauss_gap) &&
+            difference(weighed(slices, middle_alone), three) <= error &&
+            missed_by_gauss(slices) * three.all <= error)
+            return three;
+        light_slices(width_, of_kronrod_alone, slices);
+        find(of_kronrod_alone, slices);
+        const SolidAngle seven = weighed(slices, kronrod);
+        const bool agree =
+            difference(three, seven) <= error && missed_by_kronrod(slices) * seven.all <= error;
+        return agree || most_halvings == 0 ? seven : in_halves(slices, error, most_halvings);
+    }
+
+private:
+    bool near_enough(const Slices& slices, double gap) const {
+        return gap * slices.half <= widest_gap_;
+    }
+    void find(std::span<const std::size_t> nodes_of, Slices& slices) const {
+        std::vector<Segment> lines;
+        add_lines(width_, nodes_of, slices, lines);
+        const std::vector<IntervalSet> seen = visible_.intervals(lines);
+        auto next = seen.begin();
+        hide_slices(width_, nodes_of, slices, next);
+    }
+    SolidAngle in_halves(const Slices& slices, double error, int most_halvings) const {
+        SolidAngle both;
+        for (const double side : {-0.5, 0.5}) {
+            Slices part = part_of(width_, slices.center + side * slices.half, slices.half / 2);
+            find(Slices::ends_and_middle, part);
+            both += over(std::move(part), error / 2, most_halvings - 1);
+        }
+        return both;
+    }
+
+    const LampWidth& width_;
+    const Visible& visible_;
+    double widest_gap_;
+};
+
 } // namespace
 
 double Slices::brightest() const {
@@ -124,42 +177,8 @@ void hide_slices(const LampWidth& width, std::span<const std::size_t> nodes, Sli
 
 SolidAngle integrate(const LampWidth& width, const Visible& visible, Slices slices,
                      const SliceRule& until) {
-    const auto find = [&](std::span<const std::size_t> nodes_of, Slices& of) {
-        std::vector<Segment> lines;
-        add_lines(width, nodes_of, of, lines);
-        const std::vector<IntervalSet> seen = visible.intervals(lines);
-        auto next = seen.begin();
-        hide_slices(width, nodes_of, of, next);
-    };
-    const auto in_halves = [&] {
-        const SliceRule of_half{until.error / 2, until.widest_gap, until.most_halvings - 1};
-        SolidAngle both;
-        for (const double side : {-0.5, 0.5}) {
-            Slices part = part_of(width, slices.center + side * slices.half, slices.half / 2);
-            find(Slices::ends_and_middle, part);
-            both += integrate(width, visible, part, of_half);
-        }
-        return both;
-    };
-    const auto near_enough = [&](double gap) { return gap * slices.half <= until.widest_gap; };
-    if (!near_enough(kronrod_gap)) return in_halves();
-    const double all = weighed(slices, gauss).all;
-    const bool above = std::all_of(of_gauss.begin(), of_gauss.end(),
-                                   [&](std::size_t i) { return slices.at[i].all > 0; });
-    if (above && near_enough(1) && missed_by_middle(slices) * all <= until.error)
-        return {all, all * slices.at[Slices::middle].share()};
-    find(of_gauss_alone, slices);
-    const SolidAngle three = weighed(slices, gauss);
-    if (above && near_enough(gauss_gap) &&
-        difference(weighed(slices, middle_alone), three) <= until.error &&
-        missed_by_gauss(slices) * three.all <= until.error)
-        return three;
-    light_slices(width, of_kronrod_alone, slices);
-    find(of_kronrod_alone, slices);
-    const SolidAngle seven = weighed(slices, kronrod);
-    const bool agree = difference(three, seven) <= until.error &&
-                       missed_by_kronrod(slices) * seven.all <= until.error;
-    return agree || until.most_halvings == 0 ? seven : in_halves();
+    return WidthIntegral(width, visible, until.widest_gap)
+        .over(std::move(slices), until.error, until.most_halvings);
 }
 
 } // namespace keiko
