@@ -27,8 +27,9 @@ std::optional<Flakes> flakes_of(const Material& material) {
 template <class Lobe>
 std::shared_ptr<const AlbedoTable> table_of(const std::optional<Lobe>& lobe) {
     if (!lobe) return {};
+    constexpr double allowed = 1e-4; // a tenth of what the table itself is off by in between
     return std::make_shared<const AlbedoTable>(
-        [&](double cosine) { return directional_albedo(*lobe, cosine); });
+        [&](double cosine) { return directional_albedo(*lobe, cosine, allowed); });
 }
 
 /// Flakes have their share of the light before the base.
