@@ -133,11 +133,13 @@ std::vector<PixelMirror> Integrator::mirrors_of(const Wave& wave,
                                                 const MirroredGrid* grid) const {
     std::vector<PixelMirror> mirrors;
     mirrors.reserve(wave.rays.size());
+    std::optional<MirroredStripes> stripes;
+    if (grid) stripes.emplace(planes_, *grid, stripe_kernels_, refines_);
     for (std::size_t i = 0; i < wave.rays.size(); ++i) {
         const Ray& ray = wave.rays[i];
-        mirrors.push_back(mirror_of(planes_, ray,
-                                    grid ? grid->around(wave.paths[i].sample) : std::nullopt,
-                                    hits[i] ? hits[i]->t : ray.t_max, refines_));
+        const double t_max = hits[i] ? hits[i]->t : ray.t_max;
+        mirrors.push_back(stripes ? stripes->at(wave.paths[i].sample, ray, t_max)
+                                  : mirror_of(planes_, ray, {}, t_max, refines_));
     }
     return mirrors;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/render/eye_view.h"
-#include "keiko/render/mirrored_grid.h"
+#include "keiko/render/mirrored_stripes.h"
 #include "keiko/render/paint.h"
 #include "keiko/render/picture.h"
 #include "keiko/render/shadows.h"
@@ -103,6 +103,7 @@ private:
     const PictureScene& scene_;
     const PictureOptions& options_;
     RigPlanes planes_;
+    StripeKernels stripe_kernels_ = stripe_kernels();
     ShadowedRig lights_;
     TubeModel tubes_;
     bool tells_illuminance_, refines_;

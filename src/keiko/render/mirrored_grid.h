@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/render/mirrored_pixel.h"
+#include "keiko/render/mirrored_rays.h"
 #include "keiko/render/smooth_joins.h"
 
 #include <optional>
@@ -22,11 +23,17 @@ public:
     void join();
     /// Nothing beside the grid's border and where the neighbours show something else.
     std::optional<PixelRays> around(std::size_t place) const;
+    /// Whether there are such.
+    bool is_amid(std::size_t place) const;
     bool at_border(std::size_t place) const;
+    std::size_t width() const { return width_; }
+    /// The rays with differentials.
+    const MirroredRays& rays() const { return numbers_; }
 
 private:
     std::size_t width_, height_;
     std::vector<const Ray*> rays_;
+    MirroredRays numbers_;
     std::vector<SurfacePlace> begins_;
     SmoothJoins joins_;
 };

@@ -8,14 +8,6 @@
 namespace keiko {
 namespace {
 
-/// Of the lamps' pitch: how far the image of a pixel, or of a part of one, may be off a
-/// parallelogram.
-constexpr double straight = 0.01;
-constexpr double most_parts = 8; ///< a side of a pixel
-
-/// Of the pitch: by how much neighbours' rays may be off what the pixel tells of them.
-constexpr double whole = 0.1;
-
 MirroredLight mean_over(const RigPlanes& planes, const MirroredPixel& pixel, int parts,
                         double t_max) {
     MirroredLight mean;
@@ -35,6 +27,11 @@ MirroredLight mean_over(const RigPlanes& planes, const MirroredPixel& pixel, int
 }
 
 } // namespace
+
+int parts_of_bend(double bend) {
+    constexpr double most_parts = 8;
+    return static_cast<int>(std::min(std::ceil(std::sqrt(bend / straight_image)), most_parts));
+}
 
 Slopes<MirroredPixel::Jet> MirroredPixel::slopes_of(const Ray& ray) {
     const RayDifferentials& d = *ray.differentials;
@@ -94,15 +91,14 @@ PixelMirror mirror_of(const RigPlanes& planes, const Ray& centre,
     if (tells_torn && around)
         mirror.torn = !bend || // the plane's horizon
                       MirroredPixel(*around).misfit(*around, mirror.plane->at.t) >
-                          whole * mirror.plane->frame->pitch;
+                          whole_image * mirror.plane->frame->pitch;
     if (dark) return mirror;
-    if (!bend || *bend <= straight) {
+    if (!bend || *bend <= straight_image) {
         mirror.lamps = planes.luminance(mirror.plane, centre.origin, centre.direction,
                                         centre.differentials, t_max);
         return mirror;
     }
-    const double parts = std::min(std::ceil(std::sqrt(*bend / straight)), most_parts);
-    mirror.lamps = mean_over(planes, MirroredPixel(*around), static_cast<int>(parts), t_max);
+    mirror.lamps = mean_over(planes, MirroredPixel(*around), parts_of_bend(*bend), t_max);
     return mirror;
 }
 

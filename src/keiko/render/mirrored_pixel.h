@@ -49,6 +49,14 @@ private:
     PixelCubic<Jet> cubic_;
 };
 
+/// Of the lamps' pitch: how far the image of a pixel, or of a part of one, may be off a
+/// parallelogram.
+constexpr double straight_image = 0.01;
+/// Of the pitch: by how much neighbours' rays may be off what the pixel tells of them.
+constexpr double whole_image = 0.1;
+/// A side of a pixel that are made of one whose image is bent so far.
+int parts_of_bend(double bend);
+
 /// What a pixel sees of the lamps by its mirrored rays.
 struct PixelMirror {
     MirroredLight lamps;

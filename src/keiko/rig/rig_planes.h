@@ -5,6 +5,8 @@
 #include "keiko/tubes/ray_bundle.h"
 
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace keiko {
 
@@ -26,6 +28,13 @@ struct RigPlaneHit {
 /// The C-planes of a rig, made ready for mirror rays. Sources without extent are not seen.
 class RigPlanes {
 public:
+    struct Plane {
+        std::size_t source; ///< index into LightRig::sources
+        CPlaneFrame frame;
+        Rgb luminance;
+        TubeLook mirror;
+    };
+
     explicit RigPlanes(const LightRig& rig);
 
     /// The lamps of every C-plane that the ray meets with t up to `t_max` (in lengths of
@@ -43,14 +52,10 @@ public:
     /// Whether it is proved that luminance() finds no lamp for any ray of a bundle.
     bool are_missed_by(const RayBundle& rays) const;
     std::optional<RigPlaneHit> nearest(const Vec3& origin, const Vec3& direction) const;
+    /// All, by their numbers.
+    std::span<const Plane> planes() const { return planes_; }
 
 private:
-    struct Plane {
-        std::size_t source;
-        CPlaneFrame frame;
-        Rgb luminance;
-        TubeLook mirror;
-    };
     /// The nearest plane on the ray, or the nearest behind `last`.
     std::optional<RigPlaneHit> next(const Vec3& origin, const Vec3& direction,
                                     const std::optional<RigPlaneHit>& last) const;

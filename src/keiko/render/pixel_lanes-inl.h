@@ -1,0 +1,238 @@
+// Compiled once for each instruction set by stripe_kernels.cpp.
+#if defined(KEIKO_RENDER_PIXEL_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KEIKO_RENDER_PIXEL_LANES_INL_H
+#undef KEIKO_RENDER_PIXEL_LANES_INL_H
+#else
+#define KEIKO_RENDER_PIXEL_LANES_INL_H
+#endif
+
+#include "keiko/render/stripe_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace keiko::HWY_NAMESPACE {
+
+inline Space load_space(const MirroredRays& rays, std::size_t number, std::size_t place) {
+    const Wide d;
+    return {hn::LoadU(d, rays.at(number, place)), hn::LoadU(d, rays.at(number + 1, place)),
+            hn::LoadU(d, rays.at(number + 2, place))};
+}
+
+inline RayLanes load_rays(const MirroredRays& rays, std::size_t place) {
+    const auto get = [&](std::size_t number) { return load_space(rays, number, place); };
+    return {get(MirroredRays::origin),       get(MirroredRays::direction),
+            get(MirroredRays::origin_dx),    get(MirroredRays::origin_dy),
+            get(MirroredRays::direction_dx), get(MirroredRays::direction_dy)};
+}
+
+/// PixelRays, a pixel a lane.
+struct PixelLanes {
+    RayLanes centre, left, right, above, below;
+
+    PixelLanes(const MirroredRays& rays, std::size_t place, std::size_t width)
+        : centre(load_rays(rays, place)),
+          left(load_rays(rays, place - 1)),
+          right(load_rays(rays, place + 1)),
+          above(load_rays(rays, place - width)),
+          below(load_rays(rays, place + width)) {}
+};
+
+inline Real half_sum(Real x, Real y) {
+    return hn::Mul(real(0.5), hn::Add(hn::Abs(x), hn::Abs(y)));
+}
+
+/// MirroredPixel::bundle, but for the centre and its spread.
+struct BundleLanes {
+    Real origin_rest, direction_rest, origin_slope_rest, direction_slope_rest;
+
+    explicit BundleLanes(const PixelLanes& pixel) {
+        constexpr double off = 5.0 / 6, slope_off = 2; // as there
+        Real origin = real(0), direction = real(0);
+        for (const RayLanes* r : {&pixel.left, &pixel.right, &pixel.above, &pixel.below}) {
+            const RayLanes& own = pixel.centre;
+            origin = hn::Max(origin, hn::Max((r->origin_dx - own.origin_dx).length2(),
+                                             (r->origin_dy - own.origin_dy).length2()));
+            direction = hn::Max(direction, hn::Max((r->direction_dx - own.direction_dx).length2(),
+                                                   (r->direction_dy - own.direction_dy).length2()));
+        }
+        origin = hn::Sqrt(origin), direction = hn::Sqrt(direction);
+        origin_rest = hn::Mul(real(off), origin), direction_rest = hn::Mul(real(off), direction);
+        origin_slope_rest = hn::Mul(real(slope_off), origin);
+        direction_slope_rest = hn::Mul(real(slope_off), direction);
+    }
+};
+
+/// Whether what is within `reach` of the image is between lamps or beside all of them: as in
+/// ray_bundle.cpp.
+inline Truth misses_across(const CPlaneFrame& frame, Real v, Real reach, Real footprint) {
+    const Real first = real(frame.first), last = real(frame.last()), pitch = real(frame.pitch);
+    const Real room = hn::Add(reach, real(frame.pitch / 2));
+    const Truth beside = hn::Or(hn::Lt(v, hn::Sub(first, room)), hn::Gt(v, hn::Add(last, room)));
+    const Real nearest = hn::Floor(hn::Add(hn::Div(hn::Sub(v, first), pitch), real(0.5)));
+    const Real lamp = hn::Min(hn::Max(nearest, real(0)), real(frame.lamps - 1.0));
+    const Truth between = hn::Gt(hn::Abs(hn::Sub(v, hn::MulAdd(lamp, pitch, first))), reach);
+    const Truth coarse = hn::Gt(footprint, pitch);
+    return hn::Or(hn::And(coarse, beside), hn::AndNot(coarse, between));
+}
+
+/// misses_lamps() of the pixels' bundles.
+inline Truth misses_lamps(const CPlaneFrame& frame, const PixelLanes& pixel,
+                          const ImageLanes& image) {
+    constexpr double rounding = 1e-9;
+    const Wide lanes;
+    if (frame.lamps == 0) return hn::FirstN(lanes, hn::Lanes(lanes));
+    const BundleLanes bundle(pixel);
+    const RayLanes& own = pixel.centre;
+    const Real one = real(1);
+    const Space& d = image.direction;
+    const Real dx_length = own.direction_dx.length(), dy_length = own.direction_dy.length();
+    const Real off = hn::Add(bundle.direction_rest, half_sum(dx_length, dy_length));
+    const Real down = hn::Abs(d.z), least_down = hn::Sub(down, off);
+    const Truth sane = hn::Gt(least_down, hn::Mul(real(rounding), down));
+    const Real per_down = hn::Div(one, least_down);
+
+    const Real height = hn::Abs(hn::Mul(image.t, d.z));
+    const Real origin_off =
+        hn::Add(bundle.origin_rest, half_sum(own.origin_dx.length(), own.origin_dy.length()));
+    const Truth behind = hn::And(hn::Lt(image.t, real(0)),
+                                 hn::Gt(height, hn::Mul(real(1 + 2 * rounding), origin_off)));
+
+    const Real slant = hn::Mul(hn::Add(d.length(), off), per_down), tilt = hn::Add(one, slant);
+    const Real turn = hn::Mul(hn::Mul(off, tilt), per_down);
+    const Real rest = hn::MulAdd(image.t, bundle.direction_rest, bundle.origin_rest);
+    const Real sink = half_sum(image.dx.z, image.dy.z);
+    const Real later = hn::Mul(hn::Add(rest, sink), per_down);
+    const Real slope_rest =
+        hn::MulAdd(hn::Add(image.t, later), bundle.direction_slope_rest,
+                   hn::MulAdd(later, hn::Max(dx_length, dy_length), bundle.origin_slope_rest));
+    const Real beyond = hn::Mul(hn::Add(rest, slope_rest), tilt);
+    const auto room = [&](Real by_x, Real by_y) {
+        return hn::MulAdd(real(2), hn::MulAdd(turn, sink, half_sum(by_x, by_y)), beyond);
+    };
+    const Real room_u = room(image.u_dx, image.u_dy), room_v = room(image.v_dx, image.v_dy);
+    const Real size =
+        hn::Add(hn::Sqrt(hn::MulAdd(image.at.x, image.at.x, hn::Mul(image.at.y, image.at.y))),
+                hn::Add(hn::Abs(hn::Mul(image.t, d.length())),
+                        real(frame.length + std::abs(frame.last()))));
+    const Real blur = hn::Mul(real(2 * rounding), size);
+    const Real bulge = hn::Mul(real((1 + rounding) * frame.radius()), slant);
+    const auto padded = [&](Real r) {
+        return hn::MulAdd(r, real(1 + 2 * rounding), hn::Add(blur, bulge));
+    };
+    const Real along = padded(room_u), across = padded(room_v);
+    const Truth finite = hn::And(hn::IsFinite(along), hn::IsFinite(across));
+    const Truth beside = hn::Or(hn::Lt(image.at.x, hn::Neg(along)),
+                                hn::Gt(image.at.x, hn::Add(real(frame.length), along)));
+    const Truth missed =
+        hn::Or(beside, misses_across(frame, image.at.y, across, hn::Add(room_v, blur)));
+    const Truth ahead = hn::And(hn::Ge(image.t, real(0)), hn::And(finite, missed));
+    return hn::And(sane, hn::Or(behind, ahead));
+}
+
+/// What of a ray, or of a derivative of one, tells where it meets a plane across the lamps: see
+/// image_bend.cpp.
+struct AcrossLanes {
+    Real origin_v, origin_height, direction_v, direction_height;
+
+    AcrossLanes operator+(const AcrossLanes& o) const {
+        return {hn::Add(origin_v, o.origin_v), hn::Add(origin_height, o.origin_height),
+                hn::Add(direction_v, o.direction_v), hn::Add(direction_height, o.direction_height)};
+    }
+    AcrossLanes operator-(const AcrossLanes& o) const {
+        return {hn::Sub(origin_v, o.origin_v), hn::Sub(origin_height, o.origin_height),
+                hn::Sub(direction_v, o.direction_v), hn::Sub(direction_height, o.direction_height)};
+    }
+    AcrossLanes operator*(double s) const {
+        return {hn::Mul(origin_v, real(s)), hn::Mul(origin_height, real(s)),
+                hn::Mul(direction_v, real(s)), hn::Mul(direction_height, real(s))};
+    }
+};
+
+/// Slopes by the picture's x and y.
+struct AcrossSlopes {
+    AcrossLanes x, y;
+
+    AcrossSlopes(const FrameLanes& frame, const RayLanes& rays)
+        : x(of(frame.vector(rays.origin_dx), frame.vector(rays.direction_dx))),
+          y(of(frame.vector(rays.origin_dy), frame.vector(rays.direction_dy))) {}
+
+    static AcrossLanes of(const Space& origin, const Space& direction) {
+        return {origin.y, origin.z, direction.y, direction.z};
+    }
+};
+
+/// PixelCubic::corners. That template itself knows nothing of instruction sets.
+inline std::array<AcrossLanes, 4> corners(const FrameLanes& frame, const PixelLanes& pixel,
+                                          const Space& direction) {
+    const AcrossLanes value = AcrossSlopes::of(frame.point(pixel.centre.origin), direction);
+    const AcrossSlopes own(frame, pixel.centre), left(frame, pixel.left), right(frame, pixel.right),
+        above(frame, pixel.above), below(frame, pixel.below);
+    const AcrossLanes bends = right.x - left.x + below.y - above.y;
+    const AcrossLanes twisted = (below.x - above.x + right.y - left.y) * (1.0 / 16);
+    const auto odd = [](const AcrossLanes& slope, const AcrossLanes& along_less,
+                        const AcrossLanes& along_more, const AcrossLanes& aside_less,
+                        const AcrossLanes& aside_more) {
+        return slope * (0.5 - 2.0 / 48 - 2.0 / 16) + (along_less + along_more) * (1.0 / 48) +
+               (aside_less + aside_more) * (1.0 / 16);
+    };
+    const AcrossLanes across = odd(own.x, left.x, right.x, above.x, below.x);
+    const AcrossLanes along = odd(own.y, above.y, below.y, left.y, right.y);
+    const AcrossLanes even = value + bends * (1.0 / 16), up = even - along, down = even + along;
+    return {up + twisted - across, up - twisted + across, down - twisted - across,
+            down + twisted + across};
+}
+
+/// image_bend(), and the lanes where it has a value.
+struct BendLanes {
+    Real bend;
+    Truth bounded;
+
+    BendLanes(const CPlaneFrame& plane, const FrameLanes& frame, const PixelLanes& pixel,
+              const ImageLanes& image) {
+        const Real sum = hn::Add(image.v_dx, image.v_dy), rise = hn::Sub(image.v_dx, image.v_dy);
+        const std::array<Real, 4> told{hn::Neg(sum), rise, hn::Neg(rise), sum};
+        const std::array<AcrossLanes, 4> at = corners(frame, pixel, image.direction);
+        bounded = hn::FirstN(Wide(), hn::Lanes(Wide()));
+        Real off = real(0);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const AcrossLanes& corner = at[i];
+            const Real t = hn::Neg(hn::Div(corner.origin_height, corner.direction_height));
+            bounded = hn::And(bounded, hn::And(hn::Gt(t, real(0)), hn::IsFinite(t)));
+            const Real v = hn::MulAdd(t, corner.direction_v, corner.origin_v);
+            const Real from = hn::MulAdd(real(0.5), told[i], image.at.y);
+            off = hn::Max(off, hn::Abs(hn::Sub(v, from)));
+        }
+        bend = hn::Div(off, real(plane.pitch));
+    }
+};
+
+/// MirroredPixel::misfit.
+inline Real misfit(const PixelLanes& pixel, Real t) {
+    const auto off = [](const Space& value, const Space& own, const Space& there,
+                        const Space& opposite, double side, const Space& is) {
+        // The cubic a step to one side: its slope there and at the opposite neighbour say it all.
+        const Space bend = (there - opposite).scaled(side * 0.5);
+        const Space turn = there.plus(-2, own) + opposite;
+        const Space told = value.plus(side, own).plus(0.5, bend).plus(side / 6, turn);
+        return (told - is).length2();
+    };
+    const RayLanes &c = pixel.centre, &l = pixel.left, &r = pixel.right, &a = pixel.above,
+                   &b = pixel.below;
+    const auto most = [](Real p, Real q, Real x, Real y) {
+        return hn::Sqrt(hn::Max(hn::Max(p, q), hn::Max(x, y)));
+    };
+    const Real origin = most(off(c.origin, c.origin_dx, l.origin_dx, r.origin_dx, -1, l.origin),
+                             off(c.origin, c.origin_dx, r.origin_dx, l.origin_dx, 1, r.origin),
+                             off(c.origin, c.origin_dy, a.origin_dy, b.origin_dy, -1, a.origin),
+                             off(c.origin, c.origin_dy, b.origin_dy, a.origin_dy, 1, b.origin));
+    const Real direction =
+        most(off(c.direction, c.direction_dx, l.direction_dx, r.direction_dx, -1, l.direction),
+             off(c.direction, c.direction_dx, r.direction_dx, l.direction_dx, 1, r.direction),
+             off(c.direction, c.direction_dy, a.direction_dy, b.direction_dy, -1, a.direction),
+             off(c.direction, c.direction_dy, b.direction_dy, a.direction_dy, 1, b.direction));
+    return hn::MulAdd(t, direction, origin);
+}
+
+} // namespace keiko::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

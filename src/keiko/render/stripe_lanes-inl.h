@@ -1,0 +1,195 @@
+// Compiled once for each instruction set by stripe_kernels.cpp.
+#if defined(KEIKO_RENDER_STRIPE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KEIKO_RENDER_STRIPE_LANES_INL_H
+#undef KEIKO_RENDER_STRIPE_LANES_INL_H
+#else
+#define KEIKO_RENDER_STRIPE_LANES_INL_H
+#endif
+
+#include "keiko/render/stripe_kernels.h"
+#include "keiko/trace/lanes-inl.h"
+
+#include <numbers>
+
+HWY_BEFORE_NAMESPACE();
+namespace keiko::HWY_NAMESPACE {
+
+using Real = hn::Vec<Wide>;
+using Truth = hn::Mask<Wide>;
+
+inline Real real(double x) {
+    return hn::Set(Wide(), x);
+}
+
+/// Vectors of space, one a lane: in the world, or in a plane's frame.
+struct Space {
+    Real x, y, z;
+
+    Space operator+(const Space& o) const {
+        return {hn::Add(x, o.x), hn::Add(y, o.y), hn::Add(z, o.z)};
+    }
+    Space operator-(const Space& o) const {
+        return {hn::Sub(x, o.x), hn::Sub(y, o.y), hn::Sub(z, o.z)};
+    }
+    /// This and s times another.
+    Space plus(Real s, const Space& o) const {
+        return {hn::MulAdd(s, o.x, x), hn::MulAdd(s, o.y, y), hn::MulAdd(s, o.z, z)};
+    }
+    Space plus(double s, const Space& o) const { return plus(real(s), o); }
+    Space scaled(double s) const {
+        return {hn::Mul(x, real(s)), hn::Mul(y, real(s)), hn::Mul(z, real(s))};
+    }
+    Real length2() const { return hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x))); }
+    Real length() const { return hn::Sqrt(length2()); }
+};
+
+/// A ray a lane, with how it changes by the picture's x and y.
+struct RayLanes {
+    Space origin, direction, origin_dx, origin_dy, direction_dx, direction_dy;
+};
+
+/// The axes of a plane.
+class FrameLanes {
+public:
+    explicit FrameLanes(const CPlaneFrame& frame)
+        : origin_(every(frame.origin)),
+          u_(every(frame.u)),
+          v_(every(frame.v)),
+          normal_(every(frame.normal)) {}
+
+    Space vector(const Space& w) const { return {dot(u_, w), dot(v_, w), dot(normal_, w)}; }
+    Space point(const Space& p) const { return vector(p - origin_); }
+
+private:
+    static Space every(const Vec3& a) { return {real(a.x), real(a.y), real(a.z)}; }
+    static Real dot(const Space& a, const Space& b) {
+        return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
+    }
+
+    Space origin_, u_, v_, normal_;
+};
+
+/// PixelFilter.
+class FilterLanes {
+public:
+    FilterLanes(Real by_x, Real by_y)
+        : wide_(hn::Max(hn::Abs(by_x), hn::Abs(by_y))),
+          narrow_(hn::Min(hn::Abs(by_x), hn::Abs(by_y))),
+          reach_(hn::Mul(real(0.5), hn::Add(wide_, narrow_))),
+          per_wide_(hn::Div(real(1), wide_)),
+          per_both_(hn::Div(per_wide_, hn::Add(narrow_, narrow_))) {}
+
+    Real share(Real begin, Real end) const {
+        const Real between = hn::Sub(below(end), below(begin));
+        return hn::IfThenElseZero(hn::Lt(begin, end), between);
+    }
+    Real reach() const { return reach_; }
+    Real width() const { return wide_; }
+
+private:
+    /// Integral of the filter from its centre to x.
+    Real below(Real x) const {
+        const Real away = hn::Abs(x), rest = hn::Sub(reach_, away);
+        const Real slope = hn::NegMulAdd(hn::Mul(rest, rest), per_both_, real(0.5));
+        const Real flat = hn::Mul(away, per_wide_);
+        const Real inside = hn::IfThenElse(hn::Le(away, hn::Sub(reach_, narrow_)), flat, slope);
+        const Real half = hn::IfThenElse(hn::Ge(away, reach_), real(0.5), inside);
+        return hn::CopySignToAbs(half, x);
+    }
+
+    Real wide_, narrow_, reach_, per_wide_, per_both_;
+};
+
+/// Where rays meet a plane, in its frame, and their images on it.
+struct ImageLanes {
+    Space direction, at; ///< `at`: the place, but for its height
+    Real t;
+    Truth meets;
+    Space dx, dy;                ///< how the rays change where they meet the plane
+    Real u_dx, v_dx, u_dy, v_dy; ///< Footprint
+
+    ImageLanes(const FrameLanes& frame, const RayLanes& rays)
+        : direction(frame.vector(rays.direction)) {
+        constexpr double parallel = 1e-12; // as in c_plane_lookup.cpp
+        const Space from = frame.point(rays.origin);
+        const Real per_z = hn::Div(real(1), direction.z);
+        t = hn::Neg(hn::Div(from.z, direction.z));
+        at = from.plus(t, direction);
+        meets = hn::And(hn::Gt(t, real(0)),
+                        hn::Gt(hn::Abs(direction.z), hn::Mul(real(parallel), direction.length())));
+        dx = frame.vector(rays.origin_dx.plus(t, rays.direction_dx));
+        dy = frame.vector(rays.origin_dy.plus(t, rays.direction_dy));
+        const Real slope_u = hn::Mul(direction.x, per_z), slope_v = hn::Mul(direction.y, per_z);
+        u_dx = hn::NegMulAdd(slope_u, dx.z, dx.x), v_dx = hn::NegMulAdd(slope_v, dx.z, dx.y);
+        u_dy = hn::NegMulAdd(slope_u, dy.z, dy.x), v_dy = hn::NegMulAdd(slope_v, dy.z, dy.y);
+    }
+    Truth is_point() const {
+        const auto none = [](Real a, Real b) {
+            return hn::And(hn::Eq(a, real(0)), hn::Eq(b, real(0)));
+        };
+        return hn::And(none(u_dx, v_dx), none(u_dy, v_dy));
+    }
+};
+
+/// comb_coverage() of strips narrower than the pitch.
+inline Real strips_coverage(const CPlaneFrame& frame, Truth wanted, Real half, Real center,
+                            const FilterLanes& filter) {
+    const Real first = real(frame.first), pitch = real(frame.pitch);
+    const double last = frame.lamps - 1;
+    const Real reach = hn::Add(filter.reach(), half), away = hn::Sub(center, first);
+    const Real begin = hn::Max(hn::Ceil(hn::Div(hn::Sub(away, reach), pitch)), real(0));
+    const Real end = hn::Min(hn::Floor(hn::Div(hn::Add(away, reach), pitch)), real(last));
+    Real sum = real(0);
+    for (Real lamp = begin;; lamp = hn::Add(lamp, real(1))) {
+        const Truth more = hn::And(wanted, hn::Le(lamp, end));
+        if (hn::AllFalse(Wide(), more)) return sum;
+        const Real at = hn::Sub(hn::MulAdd(lamp, pitch, first), center);
+        const Real share = filter.share(hn::Sub(at, half), hn::Add(at, half));
+        sum = hn::Add(sum, hn::IfThenElseZero(more, share));
+    }
+}
+
+/// comb_coverage() of strips `width` wide, or mean_coverage() where they are too fine.
+inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, Real center,
+                            const FilterLanes& filter) {
+    constexpr double resolvable_pitches = 4; // as in c_plane_lookup.cpp
+    const Real pitch = real(frame.pitch), half = hn::Mul(real(0.5), width);
+    const auto row = [&](Real beyond) {
+        return filter.share(hn::Sub(hn::Sub(real(frame.first), beyond), center),
+                            hn::Sub(hn::Add(real(frame.last()), beyond), center));
+    };
+    const Truth fine = hn::Gt(filter.width(), real(resolvable_pitches * frame.pitch));
+    const Truth apart = hn::AndNot(fine, hn::Lt(width, pitch));
+    Real sum = strips_coverage(frame, hn::And(wanted, apart), half, center, filter);
+    if (hn::AllFalse(Wide(), hn::AndNot(apart, wanted))) return sum;
+    sum = hn::IfThenElse(apart, sum, row(half));
+    const Real mean = hn::Mul(hn::Min(hn::Div(width, pitch), real(1)), row(real(frame.pitch / 2)));
+    return hn::IfThenElse(fine, mean, sum);
+}
+
+/// StripeLook::coverage, of images that are no points.
+inline Real coverage(const StripeRow& row, const ImageLanes& image) {
+    const CPlaneFrame& frame = row.frame;
+    if (frame.lamps == 0) return real(0);
+    const Space& d = image.direction;
+    Real begin = real(0), end = real(frame.length), width = real(frame.diameter);
+    if (row.look == TubeLook::tube) {
+        const Real flat = hn::Sqrt(hn::MulAdd(d.z, d.z, hn::Mul(d.y, d.y)));
+        width = hn::Div(hn::Mul(width, flat), hn::Abs(d.z));
+        const Real shift = hn::Div(hn::Mul(real(std::numbers::pi / 4 * frame.radius()), d.x), flat);
+        begin = frame.luminous_caps ? hn::Neg(hn::Abs(shift)) : shift;
+        end = hn::Add(end, frame.luminous_caps ? hn::Abs(shift) : shift);
+    }
+    const Real along = FilterLanes(image.u_dx, image.u_dy)
+                           .share(hn::Sub(begin, image.at.x), hn::Sub(end, image.at.x));
+    const Truth seen = hn::And(image.meets, hn::Gt(along, real(0)));
+    if (hn::AllFalse(Wide(), seen)) return real(0);
+    const FilterLanes across(image.v_dx, image.v_dy);
+    return hn::IfThenElseZero(
+        seen, hn::Mul(along, across_coverage(frame, seen, width, image.at.y, across)));
+}
+
+} // namespace keiko::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

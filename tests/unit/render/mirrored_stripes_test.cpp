@@ -1,0 +1,159 @@
+#include "keiko/render/mirrored_stripes.h"
+
+#include "keiko/trace/mirror_ray.h"
+
+#include "tests/unit/render/stage.h"
+#include "tests/unit/trace/instruction_sets.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+using namespace keiko;
+using test::dome;
+using test::Stage;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The pixels of the stage's picture, `size` times as wide and high, as a grid of mirrored rays.
+class PictureGrid {
+public:
+    PictureGrid(const Stage& stage, double size)
+        : width(static_cast<int>(stage.camera.width / size)),
+          height(static_cast<int>(stage.camera.height / size)),
+          grid(width, height),
+          rays(grid.size()) {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const auto w = static_cast<std::size_t>(width);
+            Ray eye = stage.camera.ray((static_cast<double>(i % w) + 0.5) * size,
+                                       (static_cast<double>(i / w) + 0.5) * size);
+            eye.differentials = eye.differentials->scaled(size);
+            const auto hit = stage.tracer.nearest(eye);
+            if (!hit) continue;
+            rays[i] = mirror_ray(eye, *hit);
+            grid.set(i, *rays[i], {hit->position, hit->normal, 0});
+        }
+        grid.join();
+    }
+
+    int width, height;
+    MirroredGrid grid;
+    std::vector<std::optional<Ray>> rays;
+};
+
+/// A row on the right that is seen past the end of the stage's own, and in places before it.
+CPlane wall() {
+    CPlane plane;
+    plane.origin = {900, -2000, 300};
+    plane.u = {0, 6000, 0};
+    plane.v = {300, 0, 2500};
+    plane.lamps = 5;
+    plane.diameter = 90;
+    plane.luminous_caps = true;
+    return plane;
+}
+
+std::vector<Stage> stages() {
+    std::vector<Stage> all;
+    all.emplace_back(dome());
+    all.emplace_back(dome());
+    std::get<CPlane>(all.back().rig.sources[0]).mirror = TubeLook::flat;
+    std::get<CPlane>(all.back().rig.sources[0]).lamps = 60; // too fine for wide pixels
+    all.emplace_back(dome());
+    all.back().rig.sources.push_back(wall());
+    all.emplace_back(dome());
+    std::get<CPlane>(all.back().rig.sources[0]).diameter = 300; // strips overlap
+    std::get<CPlane>(all.back().rig.sources[0]).luminous_caps = true;
+    all.emplace_back(test::flat_plate());
+    std::get<CPlane>(all.back().rig.sources[0]).mirror = TubeLook::exact;
+    return all;
+}
+
+/// What kinds of pixels were compared.
+struct Kinds {
+    int dark = 0, lit = 0, partly = 0, torn = 0, alone = 0;
+
+    void count(const PixelMirror& mirror, bool amid) {
+        const double coverage = mirror.lamps.coverage;
+        (coverage == 0 ? dark : lit) += 1;
+        partly += coverage > 0 && coverage < 1;
+        torn += mirror.torn;
+        alone += !amid;
+    }
+};
+
+void expect_same(const PixelMirror& is, const PixelMirror& plain) {
+    ASSERT_EQ(is.plane.has_value(), plain.plane.has_value());
+    ASSERT_EQ(is.torn, plain.torn);
+    ASSERT_NEAR(is.lamps.coverage, plain.lamps.coverage, 1e-11);
+    ASSERT_NEAR(is.lamps.luminance.g, plain.lamps.luminance.g, 1e-7);
+    if (!is.plane) return;
+    ASSERT_EQ(is.plane->number, plain.plane->number);
+    ASSERT_EQ(is.plane->frame, plain.plane->frame);
+    const double room = 1e-12 * plain.plane->at.t;
+    ASSERT_NEAR(is.plane->at.t, plain.plane->at.t, room);
+    ASSERT_NEAR(is.plane->at.u, plain.plane->at.u, 10 * room);
+    ASSERT_NEAR(is.plane->at.v, plain.plane->at.v, 10 * room);
+    ASSERT_EQ(is.plane->at.direction, plain.plane->at.direction);
+}
+
+void compare(const RigPlanes& planes, const PictureGrid& picture, bool tells_torn, double t_max,
+             Kinds& kinds) {
+    const StripeKernels kernels = stripe_kernels();
+    MirroredStripes stripes(planes, picture.grid, kernels, tells_torn);
+    for (std::size_t i = 0; i < picture.rays.size(); ++i) {
+        if (!picture.rays[i]) continue;
+        const Ray& ray = *picture.rays[i];
+        const PixelMirror plain = mirror_of(planes, ray, picture.grid.around(i), t_max, tells_torn);
+        ASSERT_NO_FATAL_FAILURE(expect_same(stripes.at(i, ray, t_max), plain)) << "place " << i;
+        kinds.count(plain, picture.grid.is_amid(i));
+    }
+}
+
+} // namespace
+
+// Rows of one and two kinds, with pixels from tiny to so large that their images are bent and
+// reach horizons, on every instruction set: what pixels side by side see is what each sees alone.
+TEST(MirroredStripes, AreThoseOfEachPixelByItself) {
+    Kinds kinds;
+    for (const std::int64_t set : test::instruction_sets()) {
+        const test::WithInstructionSet only(set);
+        SCOPED_TRACE(stripe_kernels().name);
+        for (const Stage& stage : stages())
+            for (const double size : {0.9, 2.7, 6.0}) {
+                const PictureGrid picture(stage, size);
+                const RigPlanes planes(stage.rig);
+                for (const bool tells_torn : {false, true})
+                    for (const double t_max : {infinity, 2300.0})
+                        ASSERT_NO_FATAL_FAILURE(compare(planes, picture, tells_torn, t_max, kinds));
+            }
+    }
+    EXPECT_GT(kinds.dark, 1000);
+    EXPECT_GT(kinds.lit, 1000);
+    EXPECT_GT(kinds.partly, 1000);
+    EXPECT_GT(kinds.torn, 20);
+    EXPECT_GT(kinds.alone, 1000);
+}
+
+/// A pixel has the same bits whichever pixel the vector begins at.
+TEST(MirroredStripes, HaveTheSameBitsInAnyCompany) {
+    const Stage stage(dome());
+    const PictureGrid picture(stage, 2.7);
+    const RigPlanes planes(stage.rig);
+    const StripeKernels kernels = stripe_kernels();
+    MirroredStripes in_order(planes, picture.grid, kernels, true);
+    for (std::size_t i = 0; i < picture.rays.size(); ++i) {
+        if (!picture.rays[i]) continue;
+        const Ray& ray = *picture.rays[i];
+        MirroredStripes alone(planes, picture.grid, kernels, true);
+        const PixelMirror a = in_order.at(i, ray, ray.t_max), b = alone.at(i, ray, ray.t_max);
+        EXPECT_EQ(a.lamps.coverage, b.lamps.coverage) << i;
+        EXPECT_EQ(a.torn, b.torn) << i;
+        ASSERT_EQ(a.plane.has_value(), b.plane.has_value()) << i;
+        if (a.plane && b.plane && a.plane->at.v != b.plane->at.v) ADD_FAILURE() << i;
+    }
+}
