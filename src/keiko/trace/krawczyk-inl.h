@@ -9,6 +9,7 @@
 #include "keiko/trace/newton-inl.h"
 
 #include <algorithm>
+#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
@@ -43,9 +44,11 @@ class KrawczykStep {
     using Pair = std::array<V, 2>; ///< one a plane
 
 public:
-    KrawczykStep(const PlanePair& planes, const SameLeaf& leaf, const Boxes<V>& boxes)
+    /// Of the first `count` boxes; anything in the others.
+    KrawczykStep(const PlanePair& planes, const SameLeaf& leaf, const Boxes<V>& boxes,
+                 std::size_t count)
         : boxes_(boxes), r_(hn::Max(boxes.half_x, boxes.half_y)) {
-        const Jet<V> at = jet_of(d_, leaf, boxes.x, boxes.y);
+        const Jet<V> at = jet_of_first(d_, leaf, count, boxes.x, boxes.y);
         value_ = seen(planes, at.value);
         by_x_ = seen(planes, at.by_x);
         by_y_ = seen(planes, at.by_y);
@@ -150,15 +153,24 @@ private:
     Pair value_, by_x_, by_y_, noise_, bend_, rest_;
 };
 
-/// Appends the boxes of a mask to arrays with room for a vector.
+/// Appends the boxes of a mask to arrays. One by one: they are few, and Highway's Compress copies a
+/// table of 2 kB each time it is called.
 template <class D, class Arrays>
 std::size_t append(D d, const Boxes<hn::Vec<D>>& b, hn::Mask<D> mask, Arrays& to,
                    std::size_t size) {
-    hn::CompressStore(b.x, mask, d, to.x.data() + size);
-    hn::CompressStore(b.y, mask, d, to.y.data() + size);
-    hn::CompressStore(b.half_x, mask, d, to.half_x.data() + size);
-    hn::CompressStore(b.half_y, mask, d, to.half_y.data() + size);
-    return size + hn::CountTrue(d, mask);
+    LaneMask left = lane_bits(d, mask, 0);
+    if (left == 0) return size;
+    alignas(64) std::array<std::array<double, hn::MaxLanes(D())>, 4> from;
+    hn::Store(b.x, d, from[0].data());
+    hn::Store(b.y, d, from[1].data());
+    hn::Store(b.half_x, d, from[2].data());
+    hn::Store(b.half_y, d, from[3].data());
+    for (; left != 0; left &= left - 1, ++size) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        to.x[size] = from[0][lane], to.y[size] = from[1][lane];
+        to.half_x[size] = from[2][lane], to.half_y[size] = from[3][lane];
+    }
+    return size;
 }
 
 /// Puts what is left of boxes back, those that hardly shrank in two halves.
@@ -192,7 +204,7 @@ bool narrow_last(D d, const PlanePair& planes, const SameLeaf& leaf, BoxStack& s
     const auto load = [&](const auto& from) { return hn::LoadU(d, from.data() + stack.size); };
     const Boxes<hn::Vec<D>> boxes{load(stack.x), load(stack.y), load(stack.half_x),
                                   load(stack.half_y)};
-    const NarrowedBoxes<D> n = KrawczykStep<D>(planes, leaf, boxes).narrowed();
+    const NarrowedBoxes<D> n = KrawczykStep<D>(planes, leaf, boxes, count).narrowed();
     const auto left = hn::And(n.left, hn::FirstN(d, count));
     const auto found = hn::And(left, n.root), kept = hn::AndNot(n.root, left);
     const auto wide = hn::Gt(hn::Max(n.boxes.half_x, n.boxes.half_y), hn::Set(d, narrowest));

@@ -147,15 +147,17 @@ Jet<hn::Vec<D>> jet_of(D d, const SameLeaf& leaf, hn::Mask<D>, hn::Vec<D> x, hn:
     return jet_of(d, leaf, x, y);
 }
 
-inline Jet<hn::Vec<Wide>> jet_of(Wide d, const OwnLeaves& leaves, hn::Mask<Wide> wanted,
-                                 hn::Vec<Wide> x, hn::Vec<Wide> y) {
+/// Jets of some lanes one after the other; `find(lane, x, y, jets)` finds each.
+template <class Find>
+Jet<hn::Vec<Wide>> jets_in_turn(Wide d, LaneMask wanted, hn::Vec<Wide> x, hn::Vec<Wide> y,
+                                const Find& find) {
     alignas(64) std::array<double, OwnLeaves::lanes> at_x, at_y;
     hn::Store(x, d, at_x.data());
     hn::Store(y, d, at_y.data());
-    JetsByRay<OwnLeaves::lanes> jets;
-    for (LaneMask left = lane_bits(d, wanted, 0); left != 0; left &= left - 1) {
+    JetsByRay<OwnLeaves::lanes> jets{};
+    for (LaneMask left = wanted; left != 0; left &= left - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-        jets.find(lane, leaves.leaf(lane), leaves.polynomial(lane), at_x[lane], at_y[lane]);
+        find(lane, at_x[lane], at_y[lane], jets);
     }
     Jet<hn::Vec<Wide>> result;
     const auto load = [&](const auto& from, auto& to) {
@@ -165,6 +167,24 @@ inline Jet<hn::Vec<Wide>> jet_of(Wide d, const OwnLeaves& leaves, hn::Mask<Wide>
     load(jets.by_x, result.by_x);
     load(jets.by_y, result.by_y);
     return result;
+}
+
+inline Jet<hn::Vec<Wide>> jet_of(Wide d, const OwnLeaves& leaves, hn::Mask<Wide> wanted,
+                                 hn::Vec<Wide> x, hn::Vec<Wide> y) {
+    const auto find = [&](std::size_t lane, double at_x, double at_y, auto& jets) {
+        jets.find(lane, leaves.leaf(lane), leaves.polynomial(lane), at_x, at_y);
+    };
+    return jets_in_turn(d, lane_bits(d, wanted, 0), x, y, find);
+}
+
+/// Jets of the first lanes; anything in the others. A few are found sooner one by one.
+inline Jet<hn::Vec<Wide>> jet_of_first(Wide d, const SameLeaf& leaf, std::size_t count,
+                                       hn::Vec<Wide> x, hn::Vec<Wide> y) {
+    if (4 * count > hn::Lanes(d)) return jet_of(d, leaf, x, y);
+    const auto find = [&](std::size_t lane, double at_x, double at_y, auto& jets) {
+        jets.find(lane, leaf.leaf, leaf.polynomial, at_x, at_y);
+    };
+    return jets_in_turn(d, (LaneMask{1} << count) - 1, x, y, find);
 }
 
 } // namespace keiko::HWY_NAMESPACE
