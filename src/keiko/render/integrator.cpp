@@ -69,7 +69,8 @@ EyeView Integrator::view(std::span<const Ray> eye_rays) const {
     EyeView view;
     view.samples.resize(eye_rays.size());
     Wave wave;
-    for (std::size_t i = 0; i < eye_rays.size(); ++i) wave.add(eye_rays[i], {i, Rgb(1)});
+    wave.reserve(eye_rays.size());
+    for (std::size_t i = 0; i < eye_rays.size(); ++i) wave.add({i, Rgb(1)}) = eye_rays[i];
     follow(std::move(wave), nullptr, view);
     return view;
 }
@@ -86,6 +87,7 @@ EyeView Integrator::view(EyeGrid grid) const {
     view.samples.assign(mirrored.size(), unseen());
     Wave wave;
     wave.rays = std::move(grid.rays);
+    wave.paths.reserve(grid.places.size());
     for (const std::size_t place : grid.places) {
         view.samples[place].luminance = Rgb();
         wave.paths.push_back({place, Rgb(1)});
@@ -106,12 +108,13 @@ void Integrator::follow(Wave wave, MirroredGrid* grid, EyeView& view) const {
         const ShaftShadows shadows = shaft_shadows(wave.rays, hits, depth);
         const VisibleFrom shafts = shadows.visible();
         Wave mirrored;
+        mirrored.reserve(wave.rays.size());
         for (std::size_t i = 0; i < wave.rays.size(); ++i) {
             const Met met{wave.rays[i], found(hits[i]), depth == 0 ? no_mirror : mirrors[i]};
             Path path = wave.paths[i];
             if (!advance(path, met, depth, shafts, view)) continue;
             const bool ends = grid && !refines_ && grid->at_border(path.sample);
-            (ends ? beside : mirrored).add(mirror_ray(met.ray, *met.hit), path);
+            mirror_ray(met.ray, *met.hit, (ends ? beside : mirrored).add(path));
         }
         if (depth == 0) view.hits = std::move(hits);
         wave = std::move(mirrored);
@@ -131,15 +134,16 @@ void Integrator::fill(MirroredGrid& grid, std::initializer_list<const Wave*> wav
 std::vector<PixelMirror> Integrator::mirrors_of(const Wave& wave,
                                                 std::span<const std::optional<Hit>> hits,
                                                 const MirroredGrid* grid) const {
-    std::vector<PixelMirror> mirrors;
-    mirrors.reserve(wave.rays.size());
+    std::vector<PixelMirror> mirrors(wave.rays.size());
     std::optional<MirroredStripes> stripes;
     if (grid) stripes.emplace(planes_, *grid, stripe_kernels_, refines_);
     for (std::size_t i = 0; i < wave.rays.size(); ++i) {
         const Ray& ray = wave.rays[i];
         const double t_max = hits[i] ? hits[i]->t : ray.t_max;
-        mirrors.push_back(stripes ? stripes->at(wave.paths[i].sample, ray, t_max)
-                                  : mirror_of(planes_, ray, {}, t_max, refines_));
+        if (stripes)
+            stripes->find(wave.paths[i].sample, ray, t_max, mirrors[i]);
+        else
+            mirrors[i] = mirror_of(planes_, ray, {}, t_max, refines_);
     }
     return mirrors;
 }

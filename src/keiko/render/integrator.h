@@ -63,9 +63,11 @@ private:
         std::vector<Ray> rays;
         std::vector<Path> paths;
 
-        void add(const Ray& ray, const Path& path) {
-            rays.push_back(ray);
+        void reserve(std::size_t count) { rays.reserve(count), paths.reserve(count); }
+        /// A blank ray of a path.
+        Ray& add(const Path& path) {
             paths.push_back(path);
+            return rays.emplace_back();
         }
     };
 

@@ -23,27 +23,28 @@ MirroredStripes::MirroredStripes(const RigPlanes& planes, const MirroredGrid& gr
       first_(std::numeric_limits<std::size_t>::max()),
       looks_(planes.planes().size()) {}
 
-PixelMirror MirroredStripes::at(std::size_t place, const Ray& centre, double t_max) {
-    const bool alone = is_plain_ || !grid_.is_amid(place);
-    if (alone) return plainly({place, 0, centre, t_max});
+void MirroredStripes::find(std::size_t place, const Ray& centre, double t_max,
+                           PixelMirror& mirror) {
+    if (is_plain_ || !grid_.is_amid(place)) {
+        mirror = plainly({place, 0, centre, t_max});
+        return;
+    }
     if (place < first_ || place - first_ >= StripeLooks::capacity) look(place);
     const Pixel pixel{place, place - first_, centre, t_max};
-    const auto number = nearest(pixel.lane);
-    if (!number) return {};
-    PixelMirror mirror{{}, hit_on(*number, pixel)};
+    const std::size_t number = nearest(pixel.lane);
+    if (number == looks_.size()) return;
+    set_hit(number, pixel, mirror.plane.emplace());
     const bool dark = is_dark(pixel.lane);
-    if (dark && !tells_torn_) return mirror;
-    const StripeLooks& seen = looks_[*number];
+    if (dark && !tells_torn_) return;
+    const StripeLooks& seen = looks_[number];
     const bool bounded = has_lane(seen.bounded, pixel.lane);
     mirror.torn =
         tells_torn_ && (!bounded || // the plane's horizon
                         seen.misfit[pixel.lane] > whole_image * mirror.plane->frame->pitch);
-    if (dark) return mirror;
+    if (dark) return;
     const bool bent = bounded && !(seen.bend[pixel.lane] <= straight_image);
-    const auto light = lamps(pixel, bent ? parts_of_bend(seen.bend[pixel.lane]) : 1);
-    if (!light) return plainly(pixel);
-    mirror.lamps = *light;
-    return mirror;
+    const int parts = bent ? parts_of_bend(seen.bend[pixel.lane]) : 1;
+    if (!find_lamps(pixel, parts, mirror.lamps)) mirror = plainly(pixel);
 }
 
 PixelMirror MirroredStripes::plainly(const Pixel& pixel) const {
@@ -64,33 +65,31 @@ bool MirroredStripes::is_dark(std::size_t lane) const {
                        [&](const StripeLooks& looks) { return has_lane(looks.missed, lane); });
 }
 
-std::optional<std::size_t> MirroredStripes::nearest(std::size_t lane) const {
-    std::optional<std::size_t> nearest;
+std::size_t MirroredStripes::nearest(std::size_t lane) const {
+    std::size_t nearest = looks_.size();
     for (std::size_t i = 0; i < looks_.size(); ++i)
         if (has_lane(looks_[i].meets, lane) &&
-            (!nearest || looks_[i].t[lane] < looks_[*nearest].t[lane]))
+            (nearest == looks_.size() || looks_[i].t[lane] < looks_[nearest].t[lane]))
             nearest = i;
     return nearest;
 }
 
-RigPlaneHit MirroredStripes::hit_on(std::size_t number, const Pixel& pixel) const {
+void MirroredStripes::set_hit(std::size_t number, const Pixel& pixel, RigPlaneHit& hit) const {
     const RigPlanes::Plane& plane = planes_.planes()[number];
     const StripeLooks& looks = looks_[number];
-    const std::size_t lane = pixel.lane;
-    return {
-        plane.source,
-        {looks.t[lane], looks.u[lane], looks.v[lane], plane.frame.vector(pixel.centre.direction)},
-        &plane.frame,
-        number};
+    hit.source = plane.source, hit.number = number;
+    hit.frame = &plane.frame;
+    hit.at.t = looks.t[pixel.lane];
+    hit.at.u = looks.u[pixel.lane], hit.at.v = looks.v[pixel.lane];
+    hit.at.direction = plane.frame.vector(pixel.centre.direction);
 }
 
-std::optional<MirroredLight> MirroredStripes::lamps(const Pixel& pixel, int parts) const {
-    MirroredLight light;
+bool MirroredStripes::find_lamps(const Pixel& pixel, int parts, MirroredLight& light) const {
     const auto planes = planes_.planes();
     for (std::size_t i = 0; i < planes.size(); ++i) {
         const StripeLooks& looks = looks_[i];
         if (has_lane(looks.missed, pixel.lane)) continue;
-        if (has_lane(looks.points, pixel.lane)) return std::nullopt;
+        if (has_lane(looks.points, pixel.lane)) return false;
         double coverage = 0;
         if (parts > 1)
             coverage = kernels_.coverage_of_parts({planes[i].frame, planes[i].mirror}, grid_.rays(),
@@ -98,10 +97,11 @@ std::optional<MirroredLight> MirroredStripes::lamps(const Pixel& pixel, int part
         else if (has_lane(looks.meets, pixel.lane) && looks.t[pixel.lane] <= pixel.t_max)
             coverage = looks.coverage[pixel.lane];
         if (coverage == 0) continue;
-        if (light.coverage > 0) return std::nullopt;
-        light = {planes[i].luminance * coverage, coverage};
+        if (light.coverage > 0) return false;
+        light.luminance = planes[i].luminance * coverage;
+        light.coverage = coverage;
     }
-    return light;
+    return true;
 }
 
 } // namespace keiko

@@ -15,8 +15,8 @@ public:
     MirroredStripes(const RigPlanes& planes, const MirroredGrid& grid, const StripeKernels& kernels,
                     bool tells_torn);
 
-    /// Of the place with the mirrored ray `centre`.
-    PixelMirror at(std::size_t place, const Ray& centre, double t_max);
+    /// Of the place with the mirrored ray `centre`; put into `mirror`, which is blank.
+    void find(std::size_t place, const Ray& centre, double t_max, PixelMirror& mirror);
 
 private:
     /// One pixel among those looked at.
@@ -28,10 +28,11 @@ private:
     PixelMirror plainly(const Pixel& pixel) const;
     void look(std::size_t place);
     bool is_dark(std::size_t lane) const;
-    std::optional<std::size_t> nearest(std::size_t lane) const;
-    RigPlaneHit hit_on(std::size_t number, const Pixel& pixel) const;
-    /// Nothing where several rows show or a footprint is a point.
-    std::optional<MirroredLight> lamps(const Pixel& pixel, int parts) const;
+    /// The number of the nearest plane; how many there are if none is met.
+    std::size_t nearest(std::size_t lane) const;
+    void set_hit(std::size_t number, const Pixel& pixel, RigPlaneHit& hit) const;
+    /// Of so many parts a side; false where several rows show or a footprint is a point.
+    bool find_lamps(const Pixel& pixel, int parts, MirroredLight& light) const;
 
     const RigPlanes& planes_;
     const MirroredGrid& grid_;

@@ -88,9 +88,7 @@ void BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
     });
     if (in_front != 0) settle(in_front, look_.nearest);
     bool kept = false;
-    for_lanes(left, [&](std::size_t lane) {
-        kept = consider(lane, candidate(lane, box), (look_.material & bit(lane)) != 0) || kept;
-    });
+    for_lanes(left, [&](std::size_t lane) { kept = consider(lane, box) || kept; });
     if (kept) fetch_polynomial(hot);
 }
 
@@ -101,47 +99,41 @@ void BlockSearch::fetch_polynomial(const HotLeaf& hot) const {
     prefetch(std::span(first, hot.coefficients()));
 }
 
-PendingLeaf BlockSearch::candidate(std::size_t lane, std::uint32_t box) const {
-    PendingLeaf leaf;
-    leaf.box = box;
-    leaf.single = ((look_.certain | look_.single) & bit(lane)) != 0;
-    leaf.nearest = look_.nearest[lane];
-    leaf.farthest = look_.farthest[lane];
-    if (!std::isfinite(leaf.nearest) || !std::isfinite(leaf.farthest)) set_reach(lane, leaf);
-    return leaf;
-}
-
-void BlockSearch::set_reach(std::size_t lane, PendingLeaf& pending) const {
-    const PlacedLeaf& placed = scene_->model.placed[pending.box];
+BlockSearch::Reach BlockSearch::reach(std::size_t lane, std::uint32_t box) const {
+    const PlacedLeaf& placed = scene_->model.placed[box];
     const PartPlacement& at = scene_->model.placements[placed.instance];
     const Leaf& leaf = scene_->model.leaves.leaves[placed.leaf];
     const Vec3 center = at.identity ? leaf.center : at.to_world.point(leaf.center);
     const TracedRay ray = block_.ray(lane);
     const double foot = (center - ray.start).dot(ray.direction);
     const double reach = 1.000001 * at.magnification * leaf.radius + block_.blur[lane];
-    pending.nearest = foot - reach;
-    pending.farthest = foot + reach;
+    return {foot - reach, foot + reach};
 }
 
-bool BlockSearch::consider(std::size_t lane, PendingLeaf leaf, bool certain) {
-    if (!(leaf.nearest <= block_.high[lane])) return false;
+bool BlockSearch::consider(std::size_t lane, std::uint32_t box) {
+    double nearest = look_.nearest[lane], farthest = look_.farthest[lane];
+    if (!std::isfinite(nearest) || !std::isfinite(farthest)) {
+        const Reach bounded = reach(lane, box);
+        nearest = bounded.nearest, farthest = bounded.farthest;
+    }
+    if (!(nearest <= block_.high[lane])) return false;
+    const bool single = ((look_.certain | look_.single) & bit(lane)) != 0;
+    bool certain = (look_.material & bit(lane)) != 0;
     if ((excluding_ & bit(lane)) != 0) {
         const TracedRay ray = block_.ray(lane);
-        const RootCheck check(scene_->model, ray, scene_->model.placed[leaf.box]);
-        if (leaf.single && check.meets_excluded_only(leaf.nearest, leaf.farthest)) return false;
-        certain = certain && check.clear_of_excluded(leaf.nearest, leaf.farthest);
+        const RootCheck check(scene_->model, ray, scene_->model.placed[box]);
+        if (single && check.meets_excluded_only(nearest, farthest)) return false;
+        certain = certain && check.clear_of_excluded(nearest, farthest);
     }
     const double room = 2 * block_.slack[lane];
-    certain = certain && leaf.nearest > block_.low[lane] + room &&
-              leaf.farthest < block_.high[lane] - room;
+    certain = certain && nearest > block_.low[lane] + room && farthest < block_.high[lane] - room;
     if (certain && goal_ == Goal::any) {
         end(lane);
         return false;
     }
     if (certain && goal_ == Goal::nearest)
-        block_.high[lane] = std::min(block_.high[lane], leaf.farthest);
-    leaf.doubtful = !certain && goal_ != Goal::all;
-    pending_.add(lane, leaf);
+        block_.high[lane] = std::min(block_.high[lane], farthest);
+    pending_.add(lane, {box, single, !certain && goal_ != Goal::all, nearest, farthest});
     return true;
 }
 

@@ -37,11 +37,13 @@ private:
     void run(const SearchScene& scene, Goal goal, std::span<const Ray> rays);
     void visit(std::uint32_t box, LaneMask lanes) override;
     void fetch_polynomial(const HotLeaf& hot) const;
-    PendingLeaf candidate(std::size_t lane, std::uint32_t box) const;
     /// Between which distances a leaf without bounds can be met.
-    void set_reach(std::size_t lane, PendingLeaf& leaf) const;
-    /// Whether the leaf is put off, for it may hold the hit.
-    bool consider(std::size_t lane, PendingLeaf leaf, bool certain);
+    struct Reach {
+        double nearest, farthest;
+    };
+    Reach reach(std::size_t lane, std::uint32_t box) const;
+    /// Whether the leaf is put off, for it may hold the hit; as it was looked at last.
+    bool consider(std::size_t lane, std::uint32_t box);
     /// Solves what is pending in lanes and ends before their `until`.
     void settle(LaneMask lanes, const RayBlock::Lanes<double>& until);
     /// Lanes that are best solved together: several on one leaf, else all that are left.

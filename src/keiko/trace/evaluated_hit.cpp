@@ -91,7 +91,10 @@ void HitEvaluation::ask(std::size_t lane) {
     const Vec2 uv = unit_square.nearest(beyond), local = (uv - leaf.domain.lower) / extent;
     const Vec2 off(std::abs(beyond.x - uv.x), std::abs(beyond.y - uv.y));
     const Vec2 error = c.error * extent + off, per = Vec2(1) / extent;
-    block_.leaf[lane] = model_.leaves.view(leaf);
+    BezierPatchView& view = block_.leaf[lane];
+    view.degree_u = leaf.degree_u, view.degree_v = leaf.degree_v;
+    view.points = std::span(model_.leaves.points)
+                      .subspan(leaf.first_point, model_.hot[c.leaf].coefficients());
     block_.rational[lane] = model_.hot[c.leaf].rational;
     block_.u[lane] = local.x, block_.v[lane] = local.y;
     block_.per_u[lane] = per.x, block_.per_v[lane] = per.y;
@@ -121,14 +124,19 @@ void HitEvaluation::write(std::size_t lane) {
 
 void HitEvaluation::write_surface(std::size_t lane, const PartPlacement& placement,
                                   Hit& hit) const {
-    const SurfaceJet jet = jet_of(block_, lane);
-    hit.position = jet.position;
-    hit.dpdu = jet.du;
-    hit.dpdv = jet.dv;
+    // Straight from the block: copies of copies would wait for each other.
+    hit.position = HitBlock::at(block_.position, lane);
+    hit.dpdu = HitBlock::at(block_.du, lane);
+    hit.dpdv = HitBlock::at(block_.dv, lane);
+    hit.normal = HitBlock::at(block_.normal, lane);
     const bool plain = (block_.plain >> lane & 1) != 0;
-    hit.normal = plain ? HitBlock::at(block_.normal, lane)
-                       : limit_normal(jet, hit.uv, block_.leaf[lane], placement);
-    if (second_derivatives_) hit.second = SecondDerivatives{jet.duu, jet.duv, jet.dvv};
+    if (!plain)
+        hit.normal = limit_normal(jet_of(block_, lane), hit.uv, block_.leaf[lane], placement);
+    if (!second_derivatives_) return;
+    SecondDerivatives& second = hit.second.emplace();
+    second.duu = HitBlock::at(block_.duu, lane);
+    second.duv = HitBlock::at(block_.duv, lane);
+    second.dvv = HitBlock::at(block_.dvv, lane);
 }
 
 double HitEvaluation::position_bound(std::size_t lane, const Leaf& leaf,

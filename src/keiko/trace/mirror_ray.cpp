@@ -52,14 +52,19 @@ bool regular(const Hit& hit) {
 
 Ray mirror_ray(const Ray& incoming, const Hit& hit) {
     Ray mirrored;
+    mirror_ray(incoming, hit, mirrored);
+    return mirrored;
+}
+
+void mirror_ray(const Ray& incoming, const Hit& hit, Ray& mirrored) {
     mirrored.origin = hit.position;
     mirrored.direction = reflect(incoming.direction, hit.normal);
     mirrored.excluded = hit.root;
-    if (!incoming.differentials || !hit.second || !regular(hit)) return mirrored;
+    if (!incoming.differentials || !hit.second || !regular(hit)) return;
 
     const RayDifferentials& in = *incoming.differentials;
     const LocalSurface surface(hit);
-    RayDifferentials out;
+    RayDifferentials& out = mirrored.differentials.emplace();
     out.origin_dx = transfer(incoming, hit, in.origin_dx, in.direction_dx);
     out.origin_dy = transfer(incoming, hit, in.origin_dy, in.direction_dy);
     out.direction_dx = reflect_change(incoming.direction, hit.normal, in.direction_dx,
@@ -67,10 +72,9 @@ Ray mirror_ray(const Ray& incoming, const Hit& hit) {
     out.direction_dy = reflect_change(incoming.direction, hit.normal, in.direction_dy,
                                       surface.normal_change(out.origin_dy));
     // At an exact silhouette the first order says nothing.
-    if (is_finite(out.origin_dx) && is_finite(out.origin_dy) && is_finite(out.direction_dx) &&
-        is_finite(out.direction_dy))
-        mirrored.differentials = out;
-    return mirrored;
+    if (!(is_finite(out.origin_dx) && is_finite(out.origin_dy) && is_finite(out.direction_dx) &&
+          is_finite(out.direction_dy)))
+        mirrored.differentials.reset();
 }
 
 } // namespace keiko

@@ -9,5 +9,7 @@ namespace keiko {
 /// first order: transfer and reflection of Igehy 1999, with the surface's own curvature; at poles,
 /// where the tangents are all but parallel, and at exact silhouettes it has none.
 Ray mirror_ray(const Ray& incoming, const Hit& hit);
+/// The same, put into a blank ray.
+void mirror_ray(const Ray& incoming, const Hit& hit, Ray& mirrored);
 
 } // namespace keiko
