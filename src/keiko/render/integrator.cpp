@@ -107,10 +107,12 @@ void Integrator::follow(Wave wave, MirroredGrid* grid, EyeView& view) const {
                        : mirrors_of(wave, hits, depth == 1 ? grid : nullptr);
         const ShaftShadows shadows = shaft_shadows(wave.rays, hits, depth);
         const VisibleFrom shafts = shadows.visible();
+        const std::vector<Incidence> incidences = this->incidences(wave.rays, hits, depth);
         Wave mirrored;
         mirrored.reserve(wave.rays.size());
         for (std::size_t i = 0; i < wave.rays.size(); ++i) {
-            const Met met{wave.rays[i], found(hits[i]), depth == 0 ? no_mirror : mirrors[i]};
+            const Met met{wave.rays[i], found(hits[i]), depth == 0 ? no_mirror : mirrors[i],
+                          incidences[i]};
             Path path = wave.paths[i];
             if (!advance(path, met, depth, shafts, view)) continue;
             const bool ends = grid && !refines_ && grid->at_border(path.sample);
@@ -119,6 +121,21 @@ void Integrator::follow(Wave wave, MirroredGrid* grid, EyeView& view) const {
         if (depth == 0) view.hits = std::move(hits);
         wave = std::move(mirrored);
     }
+}
+
+std::vector<Integrator::Incidence> Integrator::incidences(std::span<const Ray> rays,
+                                                          std::span<const std::optional<Hit>> hits,
+                                                          int depth) const {
+    std::vector<Incidence> all(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!hits[i]) continue;
+        const Vec3& direction = rays[i].direction;
+        const double cosine = std::abs(hits[i]->normal.dot(direction)) / direction.length();
+        all[i].cosine = cosine;
+        if (depth < options_.max_depth)
+            all[i].mirrored = paints_[paint_of_face_[hits[i]->face]].mirrored(cosine);
+    }
+    return all;
 }
 
 void Integrator::fill(MirroredGrid& grid, std::initializer_list<const Wave*> waves,
@@ -165,11 +182,9 @@ bool Integrator::advance(Path& path, const Met& met, int depth, const VisibleFro
         sample.lit = true;
         sample.luminance += path.weight * ambient_luminance(view.spots.back());
     }
-    const double cosine =
-        std::abs(met.hit->normal.dot(met.ray.direction)) / met.ray.direction.length();
-    if (depth == 0) sample.cosine = cosine;
+    if (depth == 0) sample.cosine = met.incidence.cosine;
     if (depth >= options_.max_depth) return false;
-    path.weight *= paints_[paint].mirrored(cosine);
+    path.weight *= met.incidence.mirrored;
     return max_channel(path.weight) >= options_.min_weight;
 }
 

@@ -71,12 +71,24 @@ private:
         }
     };
 
+    /// How a ray comes to a surface.
+    struct Incidence {
+        double cosine = 0; ///< of the angle to the normal
+        Rgb mirrored;      ///< share of the light that goes on
+    };
+
     /// What a ray comes to: a surface, and lamps on the way to it.
     struct Met {
         const Ray& ray;
         const Hit* hit;
         const PixelMirror& mirror; ///< of lamps
+        const Incidence& incidence;
     };
+
+    /// Of rays of one depth, one after the other with nothing in between: each waits for roots and
+    /// divisions, which overlap so.
+    std::vector<Incidence> incidences(std::span<const Ray> rays,
+                                      std::span<const std::optional<Hit>> hits, int depth) const;
 
     /// What the lights see of the ways of the paths to what they meet; `depth`: reflections yet.
     ShaftShadows shaft_shadows(std::span<const Ray> rays, std::span<const std::optional<Hit>> hits,
