@@ -30,7 +30,7 @@ void CrossedSide::take(const CrossedSide& upright) {
 }
 
 void CrossedSide::halve(const EyeSample& seen) {
-    const bool like_a = !differ(*at_a, seen), like_b = !differ(seen, *at_b);
+    const bool like_a = !differ_closely(*at_a, seen), like_b = !differ_closely(seen, *at_b);
     if (like_a == like_b) state = like_a ? State::bent : State::tangled;
     (like_a ? a : b) = middle();
     (like_a ? at_a : at_b) = &seen;

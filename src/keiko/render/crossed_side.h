@@ -16,6 +16,7 @@ struct CrossedSide {
     } state = State::crossed;
 
     Vec2 middle() const { return (a + b) / 2; }
+    double length() const { return (b - a).length(); }
     /// The same, from the end with the lower coordinates to the other.
     CrossedSide upright() const;
     /// Takes over what was found on the upright line.

@@ -1,24 +1,15 @@
 #pragma once
 
 #include "keiko/render/outline_cell.h"
-#include "keiko/render/picture_part.h"
 
 #include <array>
-#include <vector>
 
 namespace keiko {
 
 /// What an outline leaves of a cell on one side of it.
 struct CutPart {
-    PicturePart part{};
-    std::vector<const EyeSample*> around{}; ///< seen at its corners
-    double across = 0;                      ///< the lamps, in pitches: mean of what is seen there
-    Vec2 beside_cut{0};                     ///< a place in it by the middle of the cut, px
-
-    /// Whether a sample shows what the part has to.
-    bool shows(const EyeSample& sample) const;
-    /// Whether a sample amid it tells how all of it looks; `size`: of the cell, px.
-    bool is_told_by(const EyeSample& amid, double size) const;
+    SeenPart seen;
+    Vec2 beside_cut{0}; ///< a place in it by the middle of the cut, px
 };
 
 /// A cell that one outline cuts along a straight line.

@@ -1,6 +1,13 @@
 #include "keiko/render/eye_probes.h"
 
+#include <functional>
+
 namespace keiko {
+
+std::size_t EyeProbes::PlaceHash::operator()(const Vec2& place) const {
+    const std::hash<double> hash;
+    return hash(place.x) * 31 + hash(place.y);
+}
 
 std::vector<const EyeSample*> EyeProbes::at(std::span<const Vec2> places) {
     std::vector<Ray> rays;
@@ -18,14 +25,16 @@ std::vector<const EyeSample*> EyeProbes::at(std::span<const Vec2> places) {
 
 std::vector<const EyeSample*> EyeProbes::shared_at(std::span<const Vec2> places) {
     std::vector<Vec2> unknown;
-    for (const Vec2& place : places)
-        if (known_.emplace(std::pair(place.x, place.y), nullptr).second) unknown.push_back(place);
+    std::vector<const EyeSample**> slots;
+    for (const Vec2& place : places) {
+        const auto [slot, is_new] = known_.try_emplace(place, nullptr);
+        if (is_new) unknown.push_back(place), slots.push_back(&slot->second);
+    }
     const std::vector<const EyeSample*> found = at(unknown);
-    for (std::size_t i = 0; i < unknown.size(); ++i)
-        known_[{unknown[i].x, unknown[i].y}] = found[i];
+    for (std::size_t i = 0; i < unknown.size(); ++i) *slots[i] = found[i];
     std::vector<const EyeSample*> samples;
     samples.reserve(places.size());
-    for (const Vec2& place : places) samples.push_back(known_[{place.x, place.y}]);
+    for (const Vec2& place : places) samples.push_back(known_.find(place)->second);
     return samples;
 }
 

@@ -3,9 +3,8 @@
 #include "keiko/render/integrator.h"
 #include "keiko/spec/prepared_camera.h"
 
-#include <map>
 #include <span>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 namespace keiko {
@@ -28,7 +27,10 @@ private:
     const Integrator& integrator_;
     const PreparedCamera& camera_;
     std::vector<EyeView> views_;
-    std::map<std::pair<double, double>, const EyeSample*> known_;
+    struct PlaceHash {
+        std::size_t operator()(const Vec2& place) const;
+    };
+    std::unordered_map<Vec2, const EyeSample*, PlaceHash> known_;
 };
 
 } // namespace keiko

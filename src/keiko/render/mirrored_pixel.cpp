@@ -8,6 +8,12 @@
 namespace keiko {
 namespace {
 
+/// mm: what a pixel's image spans across the lamps.
+double span_across(const RigPlaneHit& plane, const RayDifferentials& spread) {
+    const Footprint image = footprint_on(*plane.frame, plane.at, spread);
+    return std::abs(image.dx.y) + std::abs(image.dy.y);
+}
+
 MirroredLight mean_over(const RigPlanes& planes, const MirroredPixel& pixel, int parts,
                         double t_max) {
     MirroredLight mean;
@@ -27,6 +33,14 @@ MirroredLight mean_over(const RigPlanes& planes, const MirroredPixel& pixel, int
 }
 
 } // namespace
+
+bool is_torn(double misfit, const RigPlaneHit& plane, const RayDifferentials& spread) {
+    constexpr double most = 0.1, least = 0.02; // of the pitch
+    constexpr double most_of_span = 0.05;
+    const double pitch = plane.frame->pitch;
+    if (!(misfit > least * pitch)) return false;
+    return misfit > most * pitch || misfit > most_of_span * span_across(plane, spread);
+}
 
 int parts_of_bend(double bend) {
     constexpr double most_parts = 8;
@@ -90,8 +104,8 @@ PixelMirror mirror_of(const RigPlanes& planes, const Ray& centre,
     const auto bend = around ? image_bend(*mirror.plane, *around) : std::nullopt;
     if (tells_torn && around)
         mirror.torn = !bend || // the plane's horizon
-                      MirroredPixel(*around).misfit(*around, mirror.plane->at.t) >
-                          whole_image * mirror.plane->frame->pitch;
+                      is_torn(MirroredPixel(*around).misfit(*around, mirror.plane->at.t),
+                              *mirror.plane, *around->centre.differentials);
     if (dark) return mirror;
     if (!bend || *bend <= straight_image) {
         mirror.lamps = planes.luminance(mirror.plane, centre.origin, centre.direction,

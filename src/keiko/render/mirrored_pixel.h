@@ -52,8 +52,10 @@ private:
 /// Of the lamps' pitch: how far the image of a pixel, or of a part of one, may be off a
 /// parallelogram.
 constexpr double straight_image = 0.01;
-/// Of the pitch: by how much neighbours' rays may be off what the pixel tells of them.
-constexpr double whole_image = 0.1;
+/// Whether a pixel's image is not smooth: neighbours' rays are off what the pixel tells of them by
+/// `misfit` mm, more than a tenth of the lamps' pitch, or a fiftieth where it is more of what the
+/// image spans across the lamps by the centre's `spread`.
+bool is_torn(double misfit, const RigPlaneHit& plane, const RayDifferentials& spread);
 /// A side of a pixel that are made of one whose image is bent so far.
 int parts_of_bend(double bend);
 

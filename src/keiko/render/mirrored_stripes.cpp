@@ -40,7 +40,7 @@ void MirroredStripes::find(std::size_t place, const Ray& centre, double t_max,
     const bool bounded = has_lane(seen.bounded, pixel.lane);
     mirror.torn =
         tells_torn_ && (!bounded || // the plane's horizon
-                        seen.misfit[pixel.lane] > whole_image * mirror.plane->frame->pitch);
+                        is_torn(seen.misfit[pixel.lane], *mirror.plane, *centre.differentials));
     if (dark) return;
     const bool bent = bounded && !(seen.bend[pixel.lane] <= straight_image);
     const int parts = bent ? parts_of_bend(seen.bend[pixel.lane]) : 1;

@@ -3,57 +3,34 @@
 #include "keiko/render/outlines.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace keiko {
 namespace {
 
-/// Of its span: how far the image of a pixel on the lamps' plane may be off a parallelogram.
-constexpr double most_bend = 0.05;
-/// Of the larger: by how much the cosines of a pixel may differ.
-constexpr double most_turn = 0.3;
+/// Of the larger luminance: what a pixel may be off.
+constexpr double least_contrast = 0.01;
 
-/// Whether a centre is brighter or darker than what corners show: it has seen what they have not.
-bool outshines(const EyeSample& centre, const std::array<const EyeSample*, 4>& corners) {
-    std::array<double, 4> shown{};
-    std::transform(corners.begin(), corners.end(), shown.begin(),
-                   [](const EyeSample* corner) { return luminance(corner->luminance); });
-    const auto [least, most] = std::minmax_element(shown.begin(), shown.end());
-    const double seen = luminance(centre.luminance), slack = 0.1 * *most;
-    return seen < *least - slack || seen > *most + slack;
+/// How far two samples are from showing one plane.
+double change(const EyeSample& a, const EyeSample& b) {
+    constexpr double outline = 4; // more than any turn
+    if (differ_closely(a, b)) return outline;
+    return a.hit ? a.hit->normal.cross(b.hit->normal).length() : 0;
 }
 
 } // namespace
 
-std::array<OutlineCell, 4> OutlineCell::quarters() const {
-    const double half = side / 2;
-    const auto quarter = [&](double x, double y) {
-        return OutlineCell{pixel, corner + Vec2(x, y), half, depth + 1, nullptr};
-    };
-    return {quarter(0, 0), quarter(half, 0), quarter(0, half), quarter(half, half)};
-}
-
-bool is_uneven(std::span<const EyeSample* const> around, double across, const EyeSample& amid,
-               double size) {
-    double flattest = amid.cosine, steepest = amid.cosine;
-    double least = amid.across_lamps, most = least;
-    const bool seen = amid.c_plane.has_value();
-    for (const EyeSample* sample : around) {
-        flattest = std::min(flattest, sample->cosine);
-        steepest = std::max(steepest, sample->cosine);
-        least = std::min(least, sample->across_lamps);
-        most = std::max(most, sample->across_lamps);
-        if (sample->c_plane.has_value() != seen) return true; // the plane's horizon
-    }
-    if ((steepest - flattest) * size > most_turn * steepest) return true;
-    const double span = most - least, bend = std::abs(across - amid.across_lamps);
-    return seen && bend * size > most_bend * span;
+std::array<OutlineCell, 2> OutlineCell::halves(unsigned axis) const {
+    Vec2 step(0), half = size;
+    half[axis] /= 2;
+    step[axis] = half[axis];
+    return {OutlineCell{pixel, corner, half, nullptr},
+            OutlineCell{pixel, corner + step, half, nullptr}};
 }
 
 std::vector<std::size_t> SeenCell::crossed_sides() const {
     std::vector<std::size_t> crossed;
     for (std::size_t i = 0; i < 4; ++i)
-        if (differ(*corners[i], *corners[(i + 1) % 4])) crossed.push_back(i);
+        if (differ_closely(*corners[i], *corners[(i + 1) % 4])) crossed.push_back(i);
     return crossed;
 }
 
@@ -64,18 +41,25 @@ CrossedSide SeenCell::side(std::size_t i) const {
 }
 
 bool SeenCell::looks_like(const EyeSample& sample) const {
-    return std::all_of(corners.begin(), corners.end(),
-                       [&](const EyeSample* corner) { return look_alike(*corner, sample); });
+    const double contrast = least_contrast / cell.area();
+    return std::all_of(corners.begin(), corners.end(), [&](const EyeSample* corner) {
+        return look_alike(*corner, sample, contrast) && !differ(*corner, sample);
+    });
 }
 
-bool SeenCell::is_told_by(const EyeSample& centre) const {
-    if (looks_like(centre)) return true;
-    if (outshines(centre, corners)) return false;
-    const auto continues_to = [&](const EyeSample* corner) { return !differ(*corner, centre); };
-    double mean = 0;
-    for (const EyeSample* corner : corners) mean += corner->across_lamps / 4;
-    return std::any_of(corners.begin(), corners.end(), continues_to) &&
-           !is_uneven(corners, mean, centre, cell.side);
+SeenPart SeenCell::part() const {
+    const auto places = cell.corners();
+    return {{places.begin(), places.end()}, {corners.begin(), corners.end()}};
+}
+
+unsigned SeenCell::most_varied_axis(double finest) const {
+    const Vec2& size = cell.size;
+    if (!(size.x > finest)) return 1;
+    if (!(size.y > finest)) return 0;
+    const double across = change(*corners[0], *corners[1]) + change(*corners[3], *corners[2]);
+    const double down = change(*corners[0], *corners[3]) + change(*corners[1], *corners[2]);
+    if (across == down) return size.y > size.x ? 1 : 0;
+    return down > across ? 1 : 0;
 }
 
 } // namespace keiko

@@ -1,33 +1,28 @@
 #pragma once
 
 #include "keiko/render/crossed_side.h"
+#include "keiko/render/seen_part.h"
 
 #include <array>
-#include <span>
 #include <vector>
 
 namespace keiko {
 
-/// A square cell of a pixel that may hold an outline, px.
+/// A rectangular cell of a pixel that may hold an outline, px.
 struct OutlineCell {
     std::size_t pixel = 0;
     Vec2 corner{0}; ///< the upper left
-    double side = 1;
-    int depth = 0;                     ///< 0: the pixel
+    Vec2 size{1};
     const EyeSample* centre = nullptr; ///< where that is known
 
     /// Around it.
     std::array<Vec2, 4> corners() const {
-        return {corner, corner + Vec2(side, 0), corner + Vec2(side, side), corner + Vec2(0, side)};
+        return {corner, corner + Vec2(size.x, 0), corner + size, corner + Vec2(0, size.y)};
     }
-    std::array<OutlineCell, 4> quarters() const;
+    double area() const { return size.x * size.y; }
+    /// Its parts on both sides of the middle of its width, `axis` 0, or of its height, 1.
+    std::array<OutlineCell, 2> halves(unsigned axis) const;
 };
-
-/// Whether a part of the picture, `size` pixels wide, looks other than the place amid it with a
-/// straight image on the lamps' plane tells: the image is bent, or seen at angles so different that
-/// the reflectance is not even. `around`: at its corners; `across`: their mean over the part.
-bool is_uneven(std::span<const EyeSample* const> around, double across, const EyeSample& amid,
-               double size);
 
 /// A cell with what is seen at its corners, around it.
 struct SeenCell {
@@ -37,10 +32,13 @@ struct SeenCell {
     /// The sides, i between the corners i and i + 1, whose ends do not show the same.
     std::vector<std::size_t> crossed_sides() const;
     CrossedSide side(std::size_t i) const;
-    /// Whether all corners look like a sample.
+    /// Whether all corners look like a sample, to 1 % of a pixel, on a surface that does not turn:
+    /// lamps fit into where it does.
     bool looks_like(const EyeSample& sample) const;
-    /// Whether the centre tells how all of it looks.
-    bool is_told_by(const EyeSample& centre) const;
+    SeenPart part() const;
+    /// Whether more changes over the width, 0, or over the height, 1, of those sides that are
+    /// longer than `finest`, px; of the longer where both change alike.
+    unsigned most_varied_axis(double finest) const;
 };
 
 } // namespace keiko

@@ -12,9 +12,13 @@ namespace keiko {
 /// the border of a reflection of the body runs between them.
 bool differ(const EyeSample& a, const EyeSample& b);
 
-/// Whether two places look the same in the picture: luminances within 1 %, and one surface where
-/// light is still to come.
-bool look_alike(const EyeSample& a, const EyeSample& b);
+/// The same of places so near that the surface's curvature tells how far it turns between them: a
+/// narrow rounding is no crease.
+bool differ_closely(const EyeSample& a, const EyeSample& b);
+
+/// Whether two places look the same in the picture: luminances that differ by `contrast` of the
+/// larger at the most, and one surface where light is still to come.
+bool look_alike(const EyeSample& a, const EyeSample& b, double contrast);
 
 /// What is known of outlines in a pixel before more rays are sent.
 enum class Outline : std::uint8_t {

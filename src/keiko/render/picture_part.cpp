@@ -4,9 +4,33 @@
 #include <cmath>
 
 namespace keiko {
+namespace {
 
-PicturePart square_part(const Vec2& corner, double side) {
-    return {corner + Vec2(side, side) / 2, {side, 0}, {0, side}, side * side};
+/// What of a convex polygon lies where a linear function, with these values at its corners, is not
+/// negative.
+std::vector<Vec2> clipped(std::span<const Vec2> corners, std::span<const double> values) {
+    std::vector<Vec2> left;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::size_t next = (i + 1) % corners.size();
+        const double a = values[i], b = values[next];
+        if (a >= 0) left.push_back(corners[i]);
+        if ((a >= 0) != (b >= 0))
+            left.push_back(corners[i] + (corners[next] - corners[i]) * (a / (a - b)));
+    }
+    return left;
+}
+
+/// What lies beyond a line across a direction.
+std::vector<Vec2> beyond(std::span<const Vec2> corners, const Vec2& across, double line) {
+    std::vector<double> off;
+    for (const Vec2& corner : corners) off.push_back(across.dot(corner) - line);
+    return clipped(corners, off);
+}
+
+} // namespace
+
+PicturePart rectangle_part(const Vec2& corner, const Vec2& size) {
+    return {corner + size / 2, {size.x, 0}, {0, size.y}, size.x * size.y};
 }
 
 PicturePart polygon_part(std::span<const Vec2> corners) {
@@ -32,6 +56,11 @@ PicturePart polygon_part(std::span<const Vec2> corners) {
     const double down = std::sqrt(std::max(yy - shear * shear, 0.0));
     const double scale = std::sqrt(12.0);
     return {origin + middle, Vec2(right, shear) * scale, Vec2(0, down) * scale, std::abs(area)};
+}
+
+std::vector<Vec2> strip_of(std::span<const Vec2> corners, const Vec2& across, double begin,
+                           double end) {
+    return beyond(beyond(corners, across, begin), -across, -end);
 }
 
 double polygon_mean(std::span<const Vec2> corners, std::span<const double> values) {

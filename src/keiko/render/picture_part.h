@@ -3,6 +3,7 @@
 #include "keiko/spec/prepared_camera.h"
 
 #include <span>
+#include <vector>
 
 namespace keiko {
 
@@ -13,10 +14,16 @@ struct PicturePart {
     double area = 0;        ///< of the part itself, px2
 };
 
-PicturePart square_part(const Vec2& corner, double side);
+/// `size`: width and height.
+PicturePart rectangle_part(const Vec2& corner, const Vec2& size);
 /// The parallelogram with the centre and the second moments of a convex polygon that has an area;
 /// corners in order, of either sense.
 PicturePart polygon_part(std::span<const Vec2> corners);
+
+/// What of a convex polygon lies between two lines across a unit direction, `begin` and `end` along
+/// it, px.
+std::vector<Vec2> strip_of(std::span<const Vec2> corners, const Vec2& across, double begin,
+                           double end);
 
 /// The mean over a convex polygon of what is linear in the triangles at its first corner; `values`
 /// at the corners.

@@ -95,7 +95,7 @@ std::vector<OutlineCell> outlined_cells(const Tile& tile, std::span<const Outlin
             (pixel / width + 1) * (width + 2) + pixel % width + 1; // the view is one pixel wider
         if (outline != Outline::none)
             cells.push_back(
-                {pixel, Vec2(x, y), 1, 0, outline == Outline::torn ? nullptr : &samples[place]});
+                {pixel, Vec2(x, y), Vec2(1), outline == Outline::torn ? nullptr : &samples[place]});
         ++pixel;
     });
     return cells;
@@ -117,19 +117,12 @@ void write_parts(const RefinedPixels& refined, const Tile& tile, Film& film) {
     }
 }
 
-/// How often pixels are halved to have `cells` a side.
-int halvings_to(int cells) {
-    int depth = 0;
-    while (1 << depth < cells) ++depth;
-    return depth;
-}
-
 RefinedPixels refine_outlines(const Integrator& integrator, const PictureRays& eye,
                               const Tile& tile, int edge_samples, const EyeView& view) {
     if (edge_samples == 1) return {};
     const std::vector<Outline> outlines = outlines_of(view.samples, tile.x1 - tile.x0 + 2);
     return refined_pixels(integrator, eye.camera, outlined_cells(tile, outlines, view.samples),
-                          halvings_to(edge_samples));
+                          1.0 / edge_samples);
 }
 
 /// Neighbours beyond the tile tell where outlines are and how the images of pixels are bent.

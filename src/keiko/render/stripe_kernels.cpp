@@ -44,7 +44,7 @@ void look(const StripeRow& row, const MirroredRays& rays, std::size_t place, std
 }
 
 double coverage_of_parts(const StripeRow& row, const MirroredRays& rays, std::size_t place,
-                         std::size_t width, const PixelParts& parts) {
+                         std::size_t width, const SquareParts& parts) {
     const Wide d;
     const FrameLanes frame(row.frame);
     const CubicLanes cubic(rays, place, width);

@@ -33,7 +33,7 @@ struct StripeLooks {
 };
 
 /// Parts a side of a bent pixel, and how far its rays go.
-struct PixelParts {
+struct SquareParts {
     int side = 1;
     double t_max = 0;
 };
@@ -48,7 +48,7 @@ struct StripeKernels {
                  bool thorough, StripeLooks&);
     /// The mean coverage over the parts of one pixel, as RigPlanes::luminance() of them.
     double (*coverage_of_parts)(const StripeRow&, const MirroredRays&, std::size_t place,
-                                std::size_t width, const PixelParts&);
+                                std::size_t width, const SquareParts&);
 };
 
 /// The widest that this processor has.

@@ -1,5 +1,6 @@
 #include "keiko/render/outline_refinement.h"
 
+#include "keiko/render/most_bending.h"
 #include "keiko/render/picture_part.h"
 
 #include "tests/unit/render/stage.h"
@@ -8,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
+#include <vector>
 
 using namespace keiko;
 using test::dome;
@@ -61,6 +64,59 @@ double counted_share(const Stage& stage, int x, int y) {
     return hits / static_cast<double>(n * n);
 }
 
+/// A flat plate with a rounded groove half a pixel wide, askew in the picture.
+SurfaceModel grooved_plate() {
+    constexpr double w = 25;
+    const std::array<Vec2, 7> profile{Vec2(-1000, 0),  Vec2(-2 * w, 0), Vec2(-w, 0),
+                                      Vec2(0, -w / 2), Vec2(w, 0),      Vec2(2 * w, 0),
+                                      Vec2(1000, 0)};
+    NurbsSurface surface;
+    surface.degree_u = 1, surface.degree_v = 2;
+    surface.knots_u = {0, 0, 1, 1};
+    surface.knots_v = {0, 0, 0, 1, 2, 3, 4, 5, 5, 5};
+    for (const double x : {-1000.0, 1000.0})
+        for (const Vec2& p : profile) surface.points.emplace_back(x, p.x + 0.2 * x, p.y, 1);
+    test::ModelBuilder builder;
+    builder.nurbs(surface);
+    return builder.build();
+}
+
+/// What pixels show in the mean over their 16 x 16 cells, each by a ray with its footprint.
+std::vector<double> mean_luminances(const Stage& stage) {
+    constexpr int n = 16;
+    const PictureScene scene{stage.tracer, stage.materials, stage.rig, Rgb(7)};
+    const PictureOptions options;
+    const Integrator integrator(scene, options);
+    std::vector<double> means;
+    for (int y = 0; y < stage.camera.height; ++y)
+        for (int x = 0; x < stage.camera.width; ++x) {
+            std::vector<Ray> rays;
+            for (int i = 0; i < n * n; ++i) {
+                rays.push_back(stage.camera.ray(x + (i % n + 0.5) / n, y + (i / n + 0.5) / n));
+                rays.back().differentials = rays.back().differentials->scaled(1.0 / n);
+            }
+            double sum = 0;
+            for (const EyeSample& sample : integrator.follow(rays).samples)
+                sum += luminance(sample.luminance);
+            means.push_back(sum / (n * n));
+        }
+    return means;
+}
+
+/// How far a picture is off these luminances, RMS over what is off by anything in another one.
+double rms_off(const Film& film, const Film& other, std::span<const double> truth) {
+    double squares = 0, count = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const auto seen = [i](const Film& f) {
+            const float* c = &f.color.values[3 * i];
+            return luminance(Rgb(double{c[0]}, double{c[1]}, double{c[2]}));
+        };
+        if (seen(film) == seen(other)) continue;
+        squares += (seen(film) - truth[i]) * (seen(film) - truth[i]), ++count;
+    }
+    return std::sqrt(squares / count);
+}
+
 } // namespace
 
 TEST(PicturePart, OfAPolygonHasItsMoments) {
@@ -78,7 +134,7 @@ TEST(PicturePart, OfAPolygonHasItsMoments) {
 
 TEST(PicturePart, OfASquareIsTheSquare) {
     const std::array corners{Vec2(2, 3), Vec2(2.5, 3), Vec2(2.5, 3.5), Vec2(2, 3.5)};
-    const PicturePart part = polygon_part(corners), square = square_part({2, 3}, 0.5);
+    const PicturePart part = polygon_part(corners), square = rectangle_part({2, 3}, Vec2(0.5));
     EXPECT_LT((part.centre - square.centre).length(), 1e-12);
     EXPECT_LT((part.right - square.right).length(), 1e-12);
     EXPECT_LT((part.down - square.down).length(), 1e-12);
@@ -111,7 +167,7 @@ TEST(OutlineRefinement, MakesPartsThatAreAPixelTogether) {
     const PictureOptions options;
     const Integrator integrator(scene, options);
     const RefinedPixels refined =
-        refined_pixels(integrator, PreparedCamera(stage.camera), all_pixels(stage.camera), 2);
+        refined_pixels(integrator, PreparedCamera(stage.camera), all_pixels(stage.camera), 0.25);
     std::map<std::size_t, double> shares;
     std::size_t last = 0;
     for (const PixelPart& part : refined.parts) {
@@ -135,5 +191,56 @@ TEST(OutlineRefinement, LeavesPixelsOutThatTheirCentresTell) {
     cell.corner = Vec2(2, 2);
     cell.centre = &centre.samples[0];
     const PreparedCamera camera(stage.camera);
-    EXPECT_TRUE(refined_pixels(integrator, camera, {cell}, 2).parts.empty());
+    EXPECT_TRUE(refined_pixels(integrator, camera, {cell}, 0.25).parts.empty());
+}
+
+TEST(PicturePart, IsCutIntoStripsThatAreThePolygonTogether) {
+    const std::array corners{Vec2(0, 0.3), Vec2(0.8, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+    const Vec2 across(0.6, 0.8);
+    double area = 0;
+    Vec2 centre(0);
+    for (int i = 0; i < 7; ++i) {
+        const std::vector<Vec2> strip = strip_of(corners, across, 0.2 * i, 0.2 * (i + 1));
+        for (const Vec2& corner : strip) {
+            EXPECT_GT(across.dot(corner), 0.2 * i - 1e-12);
+            EXPECT_LT(across.dot(corner), 0.2 * (i + 1) + 1e-12);
+        }
+        if (strip.size() < 3) continue;
+        const PicturePart part = polygon_part(strip);
+        area += part.area, centre += part.centre * part.area;
+    }
+    const PicturePart whole = polygon_part(corners);
+    EXPECT_NEAR(area, whole.area, 1e-12);
+    EXPECT_LT((centre / area - whole.centre).length(), 1e-12);
+}
+
+TEST(MostBending, RunsAcrossAGroove) {
+    const Stage stage(grooved_plate());
+    const std::array corners{Vec2(47, 26), Vec2(48, 26), Vec2(48, 27), Vec2(47, 27)};
+    std::vector<Ray> rays{stage.camera.ray(47.5, 26.5)};
+    for (const Vec2& corner : corners) rays.push_back(stage.camera.ray(corner.x, corner.y));
+    const PictureScene scene{stage.tracer, stage.materials, stage.rig, Rgb(7)};
+    const PictureOptions options;
+    const EyeView view = Integrator(scene, options).view(rays);
+    std::vector<const EyeSample*> seen;
+    for (std::size_t i = 1; i < 5; ++i) seen.push_back(&view.samples[i]);
+    const Vec2 across = most_bending(corners, seen, view.samples[0]);
+    // The groove runs along y = x / 5.
+    const auto off = [&](std::size_t i) {
+        const Vec3& p = view.samples[i].hit->position;
+        return p.y - 0.2 * p.x;
+    };
+    const Vec2 expected =
+        Vec2(off(2) + off(3) - off(1) - off(4), off(4) + off(3) - off(1) - off(2)).normalized();
+    EXPECT_NEAR(across.length(), 1, 1e-12);
+    EXPECT_GT(std::abs(across.dot(expected)), 0.99);
+}
+
+TEST(OutlineRefinement, ShowsAGrooveNarrowerThanAPixelAsManyRaysDo) {
+    const Stage stage(grooved_plate());
+    const std::vector<double> truth = mean_luminances(stage);
+    const Film one = stage.render({.aovs = {}, .edge_samples = 1}), split = stage.render();
+    const double off = rms_off(split, one, truth), off_one = rms_off(one, split, truth);
+    EXPECT_GT(off_one, 50); // cd/m2; images of lamps have some 360
+    EXPECT_LT(off, 6);
 }
