@@ -1,7 +1,9 @@
 #pragma once
 
+#include "keiko/film/zeroed_allocator.h"
 #include "keiko/math/rgb.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,16 +14,19 @@ namespace keiko {
 /// Pixels in rows from the top, channels interleaved.
 struct Image {
     int width = 0, height = 0, channels = 0;
-    std::vector<float> values;
+    std::vector<float, ZeroedAllocator<float>> values;
 
     Image() = default;
-    Image(int w, int h, int c, float fill = 0)
+    /// Black.
+    Image(int w, int h, int c)
         : width(w),
           height(h),
           channels(c),
           values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) *
-                     static_cast<std::size_t>(c),
-                 fill) {}
+                 static_cast<std::size_t>(c)) {}
+    Image(int w, int h, int c, float fill) : Image(w, h, c) {
+        std::fill(values.begin(), values.end(), fill);
+    }
 
     float* pixel(int x, int y) { return values.data() + offset(x, y); }
     const float* pixel(int x, int y) const { return values.data() + offset(x, y); }

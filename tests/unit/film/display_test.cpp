@@ -71,7 +71,8 @@ TEST(ToneMapping, BlackAndBrokenPixelsStayBlack) {
     const Film film = grey_film(2, 1, {0, nan});
     EXPECT_EQ(white_luminance(film), 1);
     for (const auto curve : {ToneMapping::Curve::linear, ToneMapping::Curve::reinhard})
-        EXPECT_EQ(tone_mapped(film, {.curve = curve, .ev = {}}).values, std::vector<float>(6, 0));
+        EXPECT_EQ(tone_mapped(film, {.curve = curve, .ev = {}}).values,
+                  decltype(Image::values)(6, 0));
 }
 
 TEST(ToneMapping, ReinhardKeepsHueAndReachesWhite) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdlib>
+#include <new>
+#include <utility>
+
+namespace keiko {
+
+/// Memory of zeros, on pages that a large picture's threads touch first, each its own: clearing
+/// them in one thread takes longer than some pictures need. What is made without a value there is
+/// left as it is, and so is zero once: containers must not be shortened and made longer again.
+template <class T>
+struct ZeroedAllocator {
+    using value_type = T;
+
+    ZeroedAllocator() = default;
+    template <class U>
+    explicit ZeroedAllocator(const ZeroedAllocator<U>&) {}
+
+    T* allocate(std::size_t count) {
+        if (void* const memory = std::calloc(count, sizeof(T))) return static_cast<T*>(memory);
+        throw std::bad_alloc();
+    }
+    void deallocate(T* memory, std::size_t) { std::free(memory); }
+
+    void construct(T*) {}
+    template <class... Values>
+    void construct(T* at, Values&&... values) {
+        ::new (static_cast<void*>(at)) T(std::forward<Values>(values)...);
+    }
+
+    bool operator==(const ZeroedAllocator&) const = default;
+};
+
+} // namespace keiko
