@@ -11,6 +11,8 @@ struct SeenLight {
     /// 0 to 1, of what a lamp brings to the surface where nothing but lamps hides any of it; of
     /// models that ask for the whole width.
     double share = 1;
+    /// 0 to 1, of what the cap that faces the point brings, of the same models.
+    double cap = 1;
 
     bool operator==(const SeenLight&) const = default;
 };

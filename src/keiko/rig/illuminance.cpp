@@ -75,7 +75,7 @@ private:
     /// of it they leave of what is seen of the axis, or, where that lights nothing, of all of it.
     Rgb lit_over_width(const CombIrradiance& comb, int index, const TubeLamp& lamp,
                        const SeenLight& seen) const {
-        if (!(seen.share > 0) && !lamp.luminous_caps) return {};
+        if (!(seen.share > 0) && !(lamp.luminous_caps && seen.cap > 0)) return {};
         const double all = seen_solid_angle(comb, index, lamp, seen);
         if (!coat_ && !medium_) return Rgb(all);
         for (const IntervalSet& parts : {seen.axis, IntervalSet::whole()})
@@ -87,9 +87,8 @@ private:
                             const SeenLight& seen) const {
         const double whole = comb.solid_angle(index, IntervalSet::whole());
         if (!lamp.luminous_caps) return whole * seen.share;
-        // A shining cap is seen where its end of the axis is.
-        return (whole - cap_solid_angle(lamp, point_, normal_)) * seen.share +
-               cap_solid_angle(lamp, point_, normal_, seen.axis);
+        const double cap = cap_solid_angle(lamp, point_, normal_);
+        return (whole - cap) * seen.share + cap * seen.cap;
     }
     /// Solid angle of parts of a lamp, dimmed by the medium; with a coat, of what enters it.
     Rgb lit_over(const CombIrradiance& comb, int index, const TubeLamp& lamp,

@@ -26,7 +26,7 @@ public:
 
     std::vector<SeenLight> operator()(const CPlane& plane) const {
         const CPlaneFrame frame(plane);
-        std::vector<SeenLight> seen(asked_.size(), SeenLight{{}, 0});
+        std::vector<SeenLight> seen(asked_.size(), SeenLight{{}, 0, 0});
         std::vector<std::size_t> above;
         std::vector<TubeLamp> lamps;
         for (std::size_t i = 0; i < asked_.size(); ++i) {
@@ -46,12 +46,12 @@ public:
     template <PointLight Light>
     std::vector<SeenLight> operator()(const Light& light) const {
         const bool reaches = illuminance(light, point_, normal_) != Rgb();
-        return {reaches ? seen_at(light.position) : SeenLight{{}, 0}};
+        return {reaches ? seen_at(light.position) : SeenLight{{}, 0, 0}};
     }
 
     std::vector<SeenLight> operator()(const Sun& sun) const {
         const bool reaches = normal_.dot(sun.towards()) > 0 && sun.way_to(point_);
-        return {reaches ? seen_at(sun.seen_from(point_)) : SeenLight{{}, 0}};
+        return {reaches ? seen_at(sun.seen_from(point_)) : SeenLight{{}, 0, 0}};
     }
 
 private:
@@ -80,7 +80,7 @@ private:
         const bool number = model_ == TubeModel::automatic;
         return seen_tubes(lamps, point_, normal_, visible_,
                           {.tolerance = number ? width_tolerance : width_tolerance_in_pictures,
-                           .axes = axes_ || plane.luminous_caps,
+                           .axes = axes_,
                            .widest_gap = number ? widest_gap : widest_gap_in_pictures},
                           hiding);
     }
@@ -100,7 +100,7 @@ std::optional<SeenLight> between(const SeenLight& a, const SeenLight& b, double 
     std::vector<ParameterInterval> parts;
     for (std::size_t i = 0; i < a.axis.size(); ++i)
         parts.push_back({mix(a.axis[i].begin, b.axis[i].begin), mix(a.axis[i].end, b.axis[i].end)});
-    return SeenLight{IntervalSet(std::move(parts)), mix(a.share, b.share)};
+    return SeenLight{IntervalSet(std::move(parts)), mix(a.share, b.share), mix(a.cap, b.cap)};
 }
 
 bool weighs_width(const CPlane& plane, TubeModel model) {

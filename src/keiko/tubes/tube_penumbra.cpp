@@ -1,6 +1,7 @@
 #include "keiko/tubes/tube_penumbra.h"
 
 #include "keiko/math/perpendicular.h"
+#include "keiko/tubes/cap_penumbra.h"
 #include "keiko/tubes/width_slices.h"
 
 #include <algorithm>
@@ -92,12 +93,12 @@ std::vector<SeenLight> seen_tubes(std::span<const TubeLamp> row, const Vec3& poi
                                   const PenumbraOptions& options,
                                   std::span<const std::vector<HidingTube>> hiding) {
     const std::vector<std::optional<bool>> wholes = visible.seen_as_whole(boxes_around(row));
-    std::vector<SeenLight> seen(row.size(), SeenLight{{}, 0});
+    std::vector<SeenLight> seen(row.size(), SeenLight{{}, 0, 0});
     std::vector<PartlySeen> parts;
     std::vector<std::size_t> lamp_of;
     for (std::size_t i = 0; i < row.size(); ++i) {
         if (wholes[i]) {
-            if (*wholes[i]) seen[i] = {above_horizon(row[i], point, normal), 1};
+            if (*wholes[i]) seen[i] = {above_horizon(row[i], point, normal), 1, 1};
             continue;
         }
         const auto view = view_of(row[i], point, normal);
@@ -116,6 +117,9 @@ std::vector<SeenLight> seen_tubes(std::span<const TubeLamp> row, const Vec3& poi
     auto next = of_lines.begin();
     for (std::size_t k = 0; k < parts.size(); ++k)
         seen[lamp_of[k]] = parts[k].seen(visible, options, next);
+    for (std::size_t i = 0; i < row.size(); ++i)
+        if (!wholes[i] && row[i].luminous_caps)
+            seen[i].cap = seen_share_of_cap(row[i], point, normal, visible, options.tolerance);
     return seen;
 }
 
