@@ -15,6 +15,7 @@ namespace {
 constexpr double studio_grey = 60;
 
 SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const SceneOptions& options) {
+    const Material material = named_material(options.material);
     for (const auto& input : inputs)
         if (input.extension() == ".toml") {
             if (inputs.size() > 1)
@@ -24,7 +25,7 @@ SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const SceneOpti
     SceneSpec spec;
     spec.background = Rgb(studio_grey);
     for (const auto& input : inputs)
-        spec.models.push_back({.file = input, .material = named_material(options.material)});
+        spec.models.push_back({.file = input, .material = material});
     return spec;
 }
 

@@ -120,6 +120,8 @@ class Errors(KeikoTest):
                        "sideways")
             self.fails("unknown material 'wood'", command, SADDLE, "-o", output, "--material",
                        "wood")
+        self.fails("unknown material 'wood'", "render", SOURCE / "surfaces/hood-scene.toml", "-o",
+                   "a.png", "--material", "wood")
         self.fails("unknown preset 'lax'", "inspect", SADDLE, "-o", "out", "--preset", "lax")
         self.fails('no AOV is called "hue"', "render", SADDLE, "-o", "a.exr", "--aov", "depth,hue")
         self.fails('unknown length unit "furlong"', "info", SADDLE, "--unit", "furlong")

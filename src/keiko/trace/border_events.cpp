@@ -58,6 +58,7 @@ double single_root(const Coefficients& c) {
     constexpr double settled = 1e-9; // the step after it is rounding
     for (int i = 0; i < most_steps; ++i) {
         const auto [value, slope] = powers.at(t);
+        if (value == 0) return t;
         ((value < 0) == (c.front() < 0) ? a : b) = t;
         const double next = t - value / slope;
         const bool inside = next >= a && next <= b;

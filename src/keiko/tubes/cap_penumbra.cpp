@@ -25,10 +25,9 @@ public:
     }
     bool above_horizon() const { return lowest_ < std::numbers::pi / 2; }
 
-    /// Half way up the k-th of `count` steps of the angle at which chords lie.
-    double angle(int k, int count) const {
-        return lowest_ + (std::numbers::pi / 2 - lowest_) * (k + 0.5) / count;
-    }
+    /// Of the lowest chord above the horizon.
+    double lowest() const { return lowest_; }
+    bool has_chord(double angle) const { return std::cos(angle) > 1e-9; }
     Segment chord(double angle) const {
         const Vec3 middle = centre_ + up_ * (radius_ * std::sin(angle));
         const Vec3 half = along_chords_ * (radius_ * std::cos(angle));
@@ -68,16 +67,72 @@ private:
     double radius_, lowest_ = 0; ///< angle of the lowest chord above the horizon
 };
 
-double share(const FacingCap& cap, const Visible& visible, int count) {
-    std::vector<Segment> chords;
-    for (int k = 0; k < count; ++k) chords.push_back(cap.chord(cap.angle(k, count)));
-    const std::vector<IntervalSet> seen = visible.intervals(chords);
-    double all = 0, lit = 0;
-    for (int k = 0; k < count; ++k) {
-        all += cap.light(cap.angle(k, count), IntervalSet::whole());
-        lit += cap.light(cap.angle(k, count), seen[static_cast<std::size_t>(k)]);
+/// What a chord brings, and what is seen of that.
+struct Chord {
+    double angle = 0, all = 0, lit = 0;
+};
+
+std::vector<Chord> chords_at(const std::vector<double>& angles, const FacingCap& cap,
+                             const Visible& visible) {
+    std::vector<Segment> lines;
+    for (const double angle : angles)
+        if (cap.has_chord(angle)) lines.push_back(cap.chord(angle));
+    const std::vector<IntervalSet> seen = visible.intervals(lines);
+    auto next = seen.begin();
+    std::vector<Chord> chords;
+    for (const double angle : angles)
+        chords.push_back(cap.has_chord(angle) ? Chord{angle, cap.light(angle, IntervalSet::whole()),
+                                                      cap.light(angle, *next++)}
+                                              : Chord{angle});
+    return chords;
+}
+
+/// Between neighbouring chords, with the one in the middle.
+struct Gap {
+    Chord begin, end, middle{};
+
+    double width() const { return end.angle - begin.angle; }
+    /// By how much trapezoids disagree with and without the middle: at the edge of a shadow that
+    /// lies along the chords by a share of the jump, wherever between them it is.
+    double doubt() const { return std::abs(begin.lit - 2 * middle.lit + end.lit) / 4 * width(); }
+    double all() const { return (begin.all + 4 * middle.all + end.all) / 6 * width(); }
+    double lit() const { return (begin.lit + 4 * middle.lit + end.lit) / 6 * width(); }
+};
+
+std::vector<Gap> first_gaps(const FacingCap& cap, const Visible& visible) {
+    constexpr int count = 16;
+    std::vector<double> angles;
+    for (int i = 0; i <= count; ++i)
+        angles.push_back(cap.lowest() + (std::numbers::pi / 2 - cap.lowest()) * i / count);
+    const std::vector<Chord> chords = chords_at(angles, cap, visible);
+    std::vector<Gap> gaps;
+    for (std::size_t i = 1; i < chords.size(); ++i) gaps.push_back({chords[i - 1], chords[i]});
+    return gaps;
+}
+
+/// Halves gaps until all are told to within `tolerance`.
+double share(const FacingCap& cap, const Visible& visible, double tolerance) {
+    constexpr int most_halvings = 20;
+    std::vector<Gap> open = first_gaps(cap, visible);
+    double allowed = 0, all = 0, lit = 0;
+    for (const Gap& gap : open) allowed += (gap.begin.all + gap.end.all) / 2 * gap.width();
+    allowed *= tolerance / 8; // few gaps are in doubt
+    for (int halvings = 0; !open.empty(); ++halvings) {
+        std::vector<double> angles;
+        for (const Gap& gap : open) angles.push_back((gap.begin.angle + gap.end.angle) / 2);
+        const std::vector<Chord> middles = chords_at(angles, cap, visible);
+        std::vector<Gap> halves;
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            Gap& gap = open[i];
+            gap.middle = middles[i];
+            if (gap.doubt() <= allowed || halvings == most_halvings)
+                all += gap.all(), lit += gap.lit();
+            else
+                halves.push_back({gap.begin, gap.middle}), halves.push_back({gap.middle, gap.end});
+        }
+        open = std::move(halves);
     }
-    return all > 0 ? lit / all : 0;
+    return all > 0 ? std::clamp(lit / all, 0.0, 1.0) : 0;
 }
 
 } // namespace
@@ -87,13 +142,7 @@ double seen_share_of_cap(const TubeLamp& lamp, const Vec3& point, const Vec3& no
     const auto cap = FacingCap::of(lamp, point, normal);
     if (!cap) return 1;
     if (!cap->above_horizon()) return 0;
-    constexpr int fewest = 8, most = 512;
-    double coarse = share(*cap, visible, fewest);
-    for (int count = 2 * fewest;; count *= 2) {
-        const double fine = share(*cap, visible, count);
-        if (std::abs(fine - coarse) <= tolerance || count == most) return fine;
-        coarse = fine;
-    }
+    return share(*cap, visible, tolerance);
 }
 
 } // namespace keiko

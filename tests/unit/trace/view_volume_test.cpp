@@ -64,10 +64,12 @@ TEST(ViewVolume, HoldsWhatLiesBetweenTheApexAndItsRegion) {
     for (int trial = 0; trial < 2000; ++trial) {
         const View view(random);
         const ViewVolume volume = view.volume();
-        Thing thing(random, view.place_inside(random));
-        // Something of each is at the place itself.
-        thing.net.points.assign(16, Vec4(0, 0, 0, 1));
-        thing.curve.fill(Vec3(0));
+        const Vec3 place = view.place_inside(random);
+        Thing thing(random, place + random_place(random, 50));
+        const Vec3 p = place - thing.frame.center;
+        thing.net.points.assign(16, thing.frame.local(Vec4(p.x, p.y, p.z, 1)));
+        thing.curve.fill(p);
+        thing.box = {place, place};
         ViewVolume::Sides a = volume.all_sides(), b = a, c = a;
         EXPECT_TRUE(volume.may_hold(thing.box, a));
         EXPECT_TRUE(volume.may_hold(thing.curve, thing.frame.center, 0, b));
@@ -98,6 +100,8 @@ TEST(ViewVolume, SidesThatABoxLiesInsideOfTellNothingOfItsParts) {
         Box3 part = thing.box;
         part.upper = part.center();
         expect_same([&](ViewVolume::Sides& s) { return volume.may_hold(part, s); });
+        const AffineBounds points = affine_bounds(thing.net);
+        expect_same([&](ViewVolume::Sides& s) { return volume.may_hold(points, thing.frame, s); });
     }
     EXPECT_GT(held, 300);
     EXPECT_GT(left_out, 100);

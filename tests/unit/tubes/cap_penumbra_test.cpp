@@ -81,6 +81,33 @@ TEST(CapPenumbra, IsWhatIsSeenOfTheDiscAboveTheHorizon) {
     EXPECT_GT(in_part, 10);
 }
 
+TEST(CapPenumbra, TellsEdgesAlongTheHorizonWhereverTheyLie) {
+    Random random(18);
+    for (int trial = 0; trial < 200; ++trial) {
+        const TubeLamp lamp{Vec3(0, 0, 300), Vec3(200, 0, 300), 100, Rgb(1), true};
+        const Vec3 point(-uniform(random, 50, 500), 0, 0), normal(0, 0, 1);
+        const double height = uniform(random, 252, 348);
+        const HalfHidden visible(point, Vec3(-height, 0, -point.x)); // what is higher is seen
+        double all = 0, seen = 0;
+        constexpr int rows = 20000;
+        for (int i = 0; i < rows; ++i) {
+            const double z = 250 + 100 * (i + 0.5) / rows,
+                         half = std::sqrt(2500 - (z - 300) * (z - 300));
+            constexpr int columns = 40;
+            for (int k = 0; k < columns; ++k) {
+                const Vec3 way(-point.x, half * ((2 * k + 1.0) / columns - 1), z);
+                const double light = half * z / (way.length2() * way.length2());
+                all += light;
+                if (visible.sees(point + way)) seen += light;
+            }
+        }
+        for (const double tolerance : {5e-5, 3e-3})
+            EXPECT_NEAR(seen_share_of_cap(lamp, point, normal, visible, tolerance), seen / all,
+                        tolerance + 1e-4)
+                << height;
+    }
+}
+
 TEST(CapPenumbra, DoesNotAskForACapThatFacesAway) {
     const TubeLamp lamp{Vec3(0, 0, 0), Vec3(100, 0, 0), 30, Rgb(1), true};
     const HalfHidden nothing(Vec3(50, 0, 80), Vec3(0, 0, 1));
