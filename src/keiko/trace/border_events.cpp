@@ -100,7 +100,12 @@ void each_root(const Coefficients& c, double begin, double end, int most_halving
 int dark_side(const BorderPiece& border, double t, const SegmentPlane& plane) {
     constexpr double useless = 0.2;
     if (!(border.inward_error < useless)) return 0;
-    const Vec3 way = plane.apex().way_to(border.center + border.at(t)).normalized();
+    const Vec3 to_border = plane.apex().way_to(border.center + border.at(t));
+    // A border that the apex lies on hides nothing in a direction that rounding tells.
+    constexpr double at_apex = 1e-9;
+    if (!plane.apex().infinite() && !(to_border.length() > at_apex * plane.along().length()))
+        return 0;
+    const Vec3 way = to_border.normalized();
     const Vec3 across = border.derivative(t).normalized().cross(way);
     const double inward = border.inward_at(t).normalized().dot(across);
     const double moved = plane.along().normalized().dot(across);
