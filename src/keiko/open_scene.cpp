@@ -24,8 +24,7 @@ SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const SceneOpti
         }
     SceneSpec spec;
     spec.background = Rgb(studio_grey);
-    for (const auto& input : inputs)
-        spec.models.push_back({.file = input, .material = material});
+    for (const auto& input : inputs) spec.models.push_back({.file = input, .material = material});
     return spec;
 }
 

@@ -21,8 +21,8 @@ struct SeenPart {
     /// tells; n strips take away n^2.
     double unevenness(const EyeSample& amid) const;
     /// Strips of one width along which the image is bent least, as many as make each even, but no
-    /// more than it takes for them to be as narrow as `narrowest`, px; at least two. Nothing where no surface is seen, or one
-    /// that does not turn.
+    /// more than it takes for them to be as narrow as `narrowest`, px; at least two. Nothing where
+    /// no surface is seen, or one that does not turn.
     std::vector<PicturePart> strips(const EyeSample& amid, double uneven, double narrowest) const;
 
 private:
