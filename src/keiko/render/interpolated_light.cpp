@@ -33,22 +33,21 @@ double ratio(double wrong, double allowed) {
 class Interpolation {
 public:
     Interpolation(const Integrator& integrator, const SpotGrid& grid,
-                  const std::vector<bool>& skipped, double error,
-                  std::span<const EyeSample> samples)
+                  const std::vector<bool>& skipped, double error, std::span<const Rgb> seen)
         : integrator_(integrator),
           grid_(grid),
           skipped_(skipped),
           error_(error),
-          samples_(samples),
+          seen_(seen),
           lights_(integrator, grid),
-          light_(samples.size()) {}
+          light_(grid.size()) {}
 
-    /// The light of each place that is not skipped, by its sample.
+    /// The light of each place that is not skipped, by its index.
     std::vector<SpotLight> light() {
         const Rectangle all{0, 0, grid_.width() - 1, grid_.height() - 1};
         const auto numbers = lights_.numbers();
         const Lights each(numbers.begin(), numbers.end());
-        light(LinearLight{all}, {each, each}, 1);
+        light(all, {}, {each, each}, 1);
         return std::move(light_);
     }
 
@@ -61,24 +60,25 @@ private:
 
     /// Lights a rectangle, of which `known` is what some lights bring to it and `open` are the
     /// others; `left` of the error is still allowed.
-    void light(const LinearLight& known, Open open, double left) {
-        const Rectangle& r = known.of;
+    void light(const Rectangle& r, const LinearLight& known, Open open, double left) {
         if (!asks_for_any(r)) return;
-        if (open.lit.empty() || r.is_small()) return fill(known, open);
+        if (open.lit.empty() || r.is_small()) return fill(r, known, open);
         Lights linear;
         if (error_ > 0 && !(r.longest() > largest_square) &&
             grid_.is_smooth(r.x0, r.y0, r.x1, r.y1)) {
             find_probes(r, open);
-            linear = take_linear(known, open, left);
-            take_linearly_seen(known, open, left);
+            linear = take_linear(r, known, open, left);
+            take_linearly_seen(r, known, open, left);
         }
         for (const Rectangle& quarter : r.quarters()) {
-            LinearLight of_quarter = known.part(quarter);
+            LinearLight of_quarter;
             for (std::size_t i = 0; i < 4; ++i) {
-                const auto [x, y] = quarter.corners()[i];
-                if (!linear.empty()) of_quarter.corners[i] += lights_.sum(x, y, linear);
+                const Pixel corner = quarter.corners()[i];
+                of_quarter.corners[i] = known.at(grid_.share(r, corner));
+                if (!linear.empty())
+                    of_quarter.corners[i] += lights_.sum(corner.x, corner.y, linear);
             }
-            light(of_quarter, open, left);
+            light(quarter, of_quarter, open, left);
         }
     }
     void find(const Pixel& p, const Open& open) {
@@ -87,25 +87,26 @@ private:
     }
     void find_probes(const Rectangle& r, const Open& open) {
         for (const Pixel& p : r.corners()) find(p, open);
-        for (const Pixel& p : r.probes()) find(p, open);
+        for (const Pixel& p : grid_.probes(r)) find(p, open);
     }
     /// Takes lights off that are linear in the quarters, within what is `left` of the error, which
     /// they lessen.
-    Lights take_linear(const LinearLight& known, Open& open, double& left) const {
-        const Lights linear = least_doubtful(
-            known, open.lit, open.lit, left,
-            [&](std::size_t light, const Pixel& p) -> std::optional<SpotLight> {
-                return between_corners(known.of, light, p) - lights_.light(p.x, p.y, light);
-            });
+    Lights take_linear(const Rectangle& r, const LinearLight& known, Open& open,
+                       double& left) const {
+        const Lights linear =
+            least_doubtful(r, known, open.lit, open.lit, left,
+                           [&](std::size_t light, const Pixel& p) -> std::optional<SpotLight> {
+                               return between_corners(r, light, p) - lights_.light(p.x, p.y, light);
+                           });
         without(open.lit, linear);
         without(open.seen, linear);
         return linear;
     }
     /// The same of those of which what is seen is linear, and so known in the quarters.
-    void take_linearly_seen(const LinearLight& known, Open& open, double& left) {
-        const Rectangle& r = known.of;
+    void take_linearly_seen(const Rectangle& r, const LinearLight& known, Open& open,
+                            double& left) {
         const Lights linear = least_doubtful(
-            known, open.lit, open.seen, left,
+            r, known, open.lit, open.seen, left,
             [&](std::size_t light, const Pixel& p) { return wrong_if_seen_linearly(r, light, p); });
         for (const std::size_t light : linear)
             for (const Rectangle& quarter : r.quarters()) take_seen(quarter, light);
@@ -128,12 +129,12 @@ private:
     /// together are within what is `left` of the error, which they lessen; none of which that is
     /// nothing. `lit`: all that are not `known`.
     template <class Wrong>
-    Lights least_doubtful(const LinearLight& known, const Lights& lit, const Lights& lights,
-                          double& left, const Wrong& wrong) const {
+    Lights least_doubtful(const Rectangle& r, const LinearLight& known, const Lights& lit,
+                          const Lights& lights, double& left, const Wrong& wrong) const {
         std::vector<Doubt> doubts;
         for (const std::size_t light : lights) doubts.push_back({light, 0});
-        for (const Pixel& p : known.of.probes()) {
-            const SpotLight total = known.at(p) + lights_.sum(p.x, p.y, lit);
+        for (const Pixel& p : grid_.probes(r)) {
+            const SpotLight total = known.at(grid_.share(r, p)) + lights_.sum(p.x, p.y, lit);
             for (Doubt& doubt : doubts)
                 if (doubt.error <= left)
                     doubt.error =
@@ -157,12 +158,12 @@ private:
     }
     /// What one light would bring to a place if it were linear between the corners.
     SpotLight between_corners(const Rectangle& r, std::size_t light, const Pixel& p) const {
-        LinearLight linear{r};
+        LinearLight linear;
         for (std::size_t i = 0; i < 4; ++i) {
             const auto [x, y] = r.corners()[i];
             linear.corners[i] = lights_.light(x, y, light);
         }
-        return linear.at(p);
+        return linear.at(grid_.share(r, p));
     }
     /// Nothing where the corners do not see the same number of parts of it.
     std::optional<SeenLight> seen_between_corners(const Rectangle& r, std::size_t light,
@@ -171,9 +172,9 @@ private:
         const auto at = [&](const Pixel& corner) {
             return lights_.seen(corner.x, corner.y, light);
         };
-        const double s = share_of_way(r.x0, r.x1, p.x), t = share_of_way(r.y0, r.y1, p.y);
-        const auto upper = between(at(a), at(b), s), lower = between(at(c), at(d), s);
-        return upper && lower ? between(*upper, *lower, t) : std::nullopt;
+        const Vec2 share = grid_.share(r, p);
+        const auto upper = between(at(a), at(b), share.x), lower = between(at(c), at(d), share.x);
+        return upper && lower ? between(*upper, *lower, share.y) : std::nullopt;
     }
     /// What is wrong at a place as a share of what may be, `total` being all light there.
     double share_of_error(const Pixel& p, const std::optional<SpotLight>& wrong,
@@ -183,25 +184,27 @@ private:
         const auto seen_of = [&](const SpotLight& light) {
             return spot.weight * integrator_.luminance(spot, light);
         };
-        const Rgb off = seen_of(*wrong), seen = samples_[spot.sample].luminance + seen_of(total);
+        const Rgb off = seen_of(*wrong), seen = seen_[grid_.index(p.x, p.y)] + seen_of(total);
         const double most = std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)});
         return std::max(ratio(most, error_ * max_channel(seen)),
                         ratio(std::abs(wrong->incident), error_ * total.incident));
     }
-    bool asks_for(int x, int y) const { return grid_.at(x, y) && !skipped_[grid_.index(x, y)]; }
+    bool asks_for(int x, int y) const {
+        return grid_.at(x, y) && (skipped_.empty() || !skipped_[grid_.index(x, y)]);
+    }
     bool asks_for_any(const Rectangle& r) const {
         for (int y = r.y0; y <= r.y1; ++y)
             for (int x = r.x0; x <= r.x1; ++x)
                 if (asks_for(x, y)) return true;
         return false;
     }
-    void fill(const LinearLight& known, const Open& open) {
-        const Rectangle& r = known.of;
+    void fill(const Rectangle& r, const LinearLight& known, const Open& open) {
         for (int y = r.y0; y <= r.y1; ++y)
             for (int x = r.x0; x <= r.x1; ++x) {
                 if (!asks_for(x, y)) continue;
                 find({x, y}, open);
-                light_[grid_.index(x, y)] = known.at({x, y}) + lights_.sum(x, y, open.lit);
+                light_[grid_.index(x, y)] =
+                    known.at(grid_.share(r, {x, y})) + lights_.sum(x, y, open.lit);
             }
     }
 
@@ -209,20 +212,28 @@ private:
     const SpotGrid& grid_;
     const std::vector<bool>& skipped_;
     double error_;
-    std::span<const EyeSample> samples_;
+    std::span<const Rgb> seen_;
     GridLights lights_;
     std::vector<SpotLight> light_;
 };
 
 } // namespace
 
+std::vector<SpotLight> interpolated_light(const Integrator& integrator, const SpotGrid& grid,
+                                          std::span<const Rgb> seen,
+                                          const std::vector<bool>& skipped, double error) {
+    return Interpolation(integrator, grid, skipped, error, seen).light();
+}
+
 void add_interpolated_light(const Integrator& integrator, int width,
                             const std::vector<bool>& skipped, double error, EyeView& view) {
     const auto height = static_cast<int>(view.samples.size()) / width;
     each_depth(view.spots, [&](std::span<const LitSpot> spots) {
         const SpotGrid grid(width, height, spots);
+        std::vector<Rgb> seen;
+        for (const EyeSample& sample : view.samples) seen.push_back(sample.luminance);
         const std::vector<SpotLight> light =
-            Interpolation(integrator, grid, skipped, error, view.samples).light();
+            interpolated_light(integrator, grid, seen, skipped, error);
         for (const LitSpot& spot : spots)
             integrator.add_light(spot, light[spot.sample], view.samples[spot.sample]);
     });

@@ -1,8 +1,16 @@
 #pragma once
 
 #include "keiko/render/integrator.h"
+#include "keiko/render/spot_grid.h"
 
 namespace keiko {
+
+/// The light of the spots of a grid, by place: found at places up to eight apart and between them
+/// as below. `seen`: what the eye sees of each place besides; `skipped`: places whose light is not
+/// asked for, none if empty.
+std::vector<SpotLight> interpolated_light(const Integrator& integrator, const SpotGrid& grid,
+                                          std::span<const Rgb> seen,
+                                          const std::vector<bool>& skipped, double error);
 
 /// Adds the light of the spots of a grid of eye rays, `width` in each row, row by row, to their
 /// samples, but for those of `skipped` rays. On smooth surfaces it is found at places up to eight

@@ -1,29 +1,21 @@
 #pragma once
 
+#include "keiko/math/vec.h"
 #include "keiko/render/lit_spot.h"
-#include "keiko/render/pixel_rectangle.h"
+
+#include <array>
 
 namespace keiko {
 
-/// How far a place lies from `begin` to `end`, 0 to 1.
-inline double share_of_way(int begin, int end, int at) {
-    return end > begin ? static_cast<double>(at - begin) / (end - begin) : 0;
-}
-
-/// Light at the corners of a rectangle, linear between them.
+/// Light at the corners of a rectangle, row by row, linear between them.
 struct LinearLight {
-    Rectangle of;
     std::array<SpotLight, 4> corners{};
 
-    SpotLight at(const Pixel& p) const {
-        const double s = share_of_way(of.x0, of.x1, p.x), t = share_of_way(of.y0, of.y1, p.y);
+    /// `share`: of the way from left to right and from top to bottom, 0 to 1.
+    SpotLight at(const Vec2& share) const {
+        const auto [s, t] = std::array{share.x, share.y};
         return (corners[0] * (1 - s) + corners[1] * s) * (1 - t) +
                (corners[2] * (1 - s) + corners[3] * s) * t;
-    }
-    LinearLight part(const Rectangle& r) const {
-        LinearLight part{r};
-        for (std::size_t i = 0; i < 4; ++i) part.corners[i] = at(r.corners()[i]);
-        return part;
     }
 };
 

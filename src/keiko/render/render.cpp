@@ -137,7 +137,7 @@ PathCounts render_tile(const Integrator& integrator, const PictureRays& eye, con
     }
     EyeView view = integrator.view(std::move(grid));
     RefinedPixels refined = refine_outlines(integrator, eye, tile, options.edge_samples, view);
-    add_shared_light(integrator, refined);
+    add_shared_light(integrator, tile.x1 - tile.x0, options.light_error, refined);
     const int width = tile.x1 - tile.x0;
     std::vector<bool> in_parts(static_cast<std::size_t>(width * (tile.y1 - tile.y0)));
     for (const PixelPart& part : refined.parts) in_parts[part.pixel] = true;

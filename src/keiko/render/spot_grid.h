@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/render/pixel_rectangle.h"
 #include "keiko/render/smooth_joins.h"
 
 #include <span>
@@ -12,6 +13,8 @@ class SpotGrid {
 public:
     /// `spots`: by rising sample, the first ray of the grid being `first_sample`; only looked at.
     SpotGrid(int width, int height, std::span<const LitSpot> spots, std::size_t first_sample = 0);
+    /// A row of spots; `along`: where each lies, rising.
+    SpotGrid(std::vector<const LitSpot*> row, std::vector<double> along);
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -24,14 +27,25 @@ public:
     /// Whether all of a rectangle, its last row and column with it, shows one smooth surface.
     bool is_smooth(int x0, int y0, int x1, int y1) const;
 
+    /// How far a place of a rectangle lies from its left to its right and from its top to its
+    /// bottom, 0 to 1.
+    Vec2 share(const Rectangle& r, const Pixel& p) const;
+    /// Places that tell whether something is linear between the corners of a rectangle: in a row
+    /// its middle and those that lie farthest off the line from its first to its last, on either
+    /// side; else Rectangle::probes().
+    std::vector<Pixel> probes(const Rectangle& r) const;
+
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                static_cast<std::size_t>(x);
     }
 
 private:
+    std::vector<Pixel> probes_of_row(const Rectangle& r) const;
+
     int width_, height_;
     std::vector<const LitSpot*> spots_;
+    std::vector<double> along_; ///< of the columns
     SmoothJoins joins_;
 };
 

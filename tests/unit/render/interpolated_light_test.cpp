@@ -135,7 +135,7 @@ TEST(SharedLight, LightsEachSurfaceOfAPixelOnce) {
     RefinedPixels pixel;
     for (const EyeSample& sample : view.samples) pixel.parts.push_back({0, 1.0 / 16, sample});
     pixel.spots = view.spots;
-    add_shared_light(integrator, pixel);
+    add_shared_light(integrator, 1, options.light_error, pixel);
     std::vector<double> screen, plate;
     for (const PixelPart& part : pixel.parts)
         (part.sample.hit->face == 1 ? screen : plate).push_back(part.sample.luminance.g);
@@ -145,4 +145,29 @@ TEST(SharedLight, LightsEachSurfaceOfAPixelOnce) {
         EXPECT_EQ(std::count(surface->begin(), surface->end(), surface->front()),
                   static_cast<std::ptrdiff_t>(surface->size()));
     EXPECT_GT(std::abs(screen.front() - plate.front()), 0.05 * plate.front());
+}
+
+// The rims of the screen over its own shadow, and of the plate: rows of outlined pixels, in which
+// few places are asked for.
+TEST(SharedLight, AlongOutlinesIsHardlyOffByMoreThanAllowed) {
+    const Shaded shaded(100);
+    PictureOptions options{.aovs = {}, .edge_samples = 1, .light_error = 0};
+    const Film whole = shaded.render(options);
+    options.edge_samples = 8;
+    const Film exact = shaded.render(options);
+    for (const double error : {1e-3, 1e-2}) {
+        options.light_error = error;
+        const Film fast = shaded.render(options);
+        int outlined = 0, off = 0, between = 0;
+        for (std::size_t i = 0; i < exact.color.values.size(); i += 3) {
+            const double is = fast.color.values[i], wanted = exact.color.values[i];
+            if (exact.color.values[i] == whole.color.values[i]) continue;
+            ++outlined;
+            off += std::abs(is - wanted) > error * wanted ? 1 : 0;
+            between += is != wanted ? 1 : 0;
+        }
+        EXPECT_GT(outlined, 300);
+        EXPECT_GT(between, outlined / 2) << error;
+        EXPECT_LT(off, 0.05 * outlined) << error;
+    }
 }
