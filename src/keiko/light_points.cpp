@@ -1,7 +1,8 @@
 #include "keiko/light_points.h"
 
 #include "keiko/hit_columns.h"
-#include "keiko/render/shadows.h"
+#include "keiko/render/lit_point.h"
+#include "keiko/render/shadowed_rig.h"
 #include "keiko/row_stream.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "tests/bench/penumbra_methods.h"
 
-#include "keiko/render/shadows.h"
+#include "keiko/render/seen_past.h"
 #include "keiko/render/source_region.h"
 #include "keiko/tubes/tube_irradiance.h"
 #include "keiko/tubes/tube_penumbra.h"

@@ -4,6 +4,7 @@
 #include "keiko/luminance/flake_kernel.h"
 #include "keiko/luminance/gloss_kernel.h"
 #include "keiko/luminance/photometry.h"
+#include "keiko/render/lit_point.h"
 #include "keiko/rig/luminance_along.h"
 #include "keiko/trace/mirror_ray.h"
 

@@ -4,7 +4,7 @@
 #include "keiko/render/mirrored_stripes.h"
 #include "keiko/render/paint.h"
 #include "keiko/render/picture.h"
-#include "keiko/render/shadows.h"
+#include "keiko/render/shadowed_rig.h"
 #include "keiko/render/shaft_shadows.h"
 
 #include <initializer_list>

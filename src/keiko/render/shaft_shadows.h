@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/render/shadows.h"
+#include "keiko/render/seen_past.h"
 #include "keiko/rig/luminance_along.h"
 
 #include <optional>

@@ -1,5 +1,6 @@
-#include "keiko/render/shadows.h"
-
+#include "keiko/render/lit_point.h"
+#include "keiko/render/seen_past.h"
+#include "keiko/render/shadowed_rig.h"
 #include "keiko/tubes/tube_penumbra.h"
 
 #include "tests/support/occluder_row.h"

@@ -1,4 +1,5 @@
-#include "keiko/render/shadows.h"
+#include "keiko/render/shadowed_rig.h"
+#include "keiko/tubes/c_plane_frame.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>

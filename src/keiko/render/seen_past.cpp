@@ -1,17 +1,21 @@
-#include "keiko/render/shadows.h"
-
-#include "keiko/render/source_region.h"
-
-#include <algorithm>
+#include "keiko/render/seen_past.h"
 
 namespace keiko {
 namespace {
 
+SegmentEnds ends_of(const Segment& segment) {
+    return {segment.a, segment.b};
+}
+
 std::vector<SegmentEnds> ends_of(std::span<const Segment> segments) {
     std::vector<SegmentEnds> ends;
     ends.reserve(segments.size());
-    for (const Segment& segment : segments) ends.push_back({segment.a, segment.b});
+    for (const Segment& segment : segments) ends.push_back(ends_of(segment));
     return ends;
+}
+
+PrismEdges ends_of(const Prism& prism) {
+    return {ends_of(prism[0]), ends_of(prism[1]), ends_of(prism[2]), ends_of(prism[3])};
 }
 
 std::vector<IntervalSet> seen_by(const ApexView& view, std::span<const Segment> segments) {
@@ -34,7 +38,7 @@ IntervalSet SeenPast::intervals(const Segment& segment) const {
     const auto place = place_in_row(segment);
     if (!place) return view().intervals(segment.a, segment.b).intervals;
     if (of_row_.empty())
-        of_row_ = pencil_ ? pencil_->intervals(ends_of(row_)) : seen_by(view(), row_);
+        of_row_ = pencil_ ? pencil_->intervals(ends_of(std::span(row_))) : seen_by(view(), row_);
     return of_row_[*place];
 }
 
@@ -58,36 +62,8 @@ std::vector<std::optional<bool>> SeenPast::seen_as_whole(std::span<const Prism> 
     if (!occluders_) return std::vector<std::optional<bool>>(prisms.size(), true);
     std::vector<PrismEdges> edges;
     edges.reserve(prisms.size());
-    for (const Prism& prism : prisms) {
-        edges.emplace_back();
-        for (std::size_t i = 0; i < prism.size(); ++i) edges.back()[i] = {prism[i].a, prism[i].b};
-    }
+    for (const Prism& prism : prisms) edges.push_back(ends_of(prism));
     return view().seen_as_whole(edges);
-}
-
-std::vector<Rgb> LitPoint::illuminance_by_light(const ClearCoat* coat) const {
-    return by_light([&](const LightSource& source, std::span<const int> lamps,
-                        std::span<const SeenLight> seen) {
-        return illuminance_by_lamp(source, lamps, seen, rig_.medium, point_, normal_, model_, coat);
-    });
-}
-
-std::vector<SeenLight> ShadowedRig::seen_from(const Vec3& point, const Vec3& normal,
-                                              const std::optional<Root>& root,
-                                              std::span<const RigLight> lights, TubeModel model,
-                                              bool axes) const {
-    std::vector<SeenLight> all;
-    each_source(lights, [&](std::size_t i, std::span<const int> lamps, std::size_t) {
-        const LightSource& source = rig_.sources[i];
-        const SeenPast visible(
-            occluders_, tracer_, Apex::at(point, root),
-            occluders_ ? source_region(source, lamps, point) : std::vector<Vec3>(),
-            occluders_ ? source_segments(source, lamps) : std::vector<Segment>(), normal);
-        for (SeenLight& seen : seen_lights(source, lamps, point, normal, visible, model,
-                                           axes || rig_.medium.has_value()))
-            all.push_back(std::move(seen));
-    });
-    return all;
 }
 
 } // namespace keiko

@@ -1,0 +1,26 @@
+#include "keiko/render/shadowed_rig.h"
+
+#include "keiko/render/seen_past.h"
+#include "keiko/render/source_region.h"
+
+namespace keiko {
+
+std::vector<SeenLight> ShadowedRig::seen_from(const Vec3& point, const Vec3& normal,
+                                              const std::optional<Root>& root,
+                                              std::span<const RigLight> lights, TubeModel model,
+                                              bool axes) const {
+    std::vector<SeenLight> all;
+    each_source(lights, [&](std::size_t i, std::span<const int> lamps, std::size_t) {
+        const LightSource& source = rig_.sources[i];
+        const SeenPast visible(
+            occluders_, tracer_, Apex::at(point, root),
+            occluders_ ? source_region(source, lamps, point) : std::vector<Vec3>(),
+            occluders_ ? source_segments(source, lamps) : std::vector<Segment>(), normal);
+        for (SeenLight& seen : seen_lights(source, lamps, point, normal, visible, model,
+                                           axes || rig_.medium.has_value()))
+            all.push_back(std::move(seen));
+    });
+    return all;
+}
+
+} // namespace keiko

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "keiko/rig/rig_light.h"
+#include "keiko/rig/seen_light.h"
+#include "keiko/trace/occluders.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// The sources of a rig as lights that the surfaces of a scene stand in the way of.
+class ShadowedRig {
+public:
+    /// Without occluders nothing casts shadows. All are only looked at.
+    ShadowedRig(const LightRig& rig, const Occluders* occluders, const Tracer& tracer)
+        : rig_(rig), occluders_(occluders), tracer_(tracer), lights_(lights_of(rig)) {}
+
+    /// All of them, by source, then by lamp.
+    const std::vector<RigLight>& lights() const { return lights_; }
+    /// What a point with a unit normal on the side to be lit sees of some lights, by source, then
+    /// by lamp; of a point on a surface, its own root. `axes`: see seen_lights(); rigs with a
+    /// medium have them always.
+    std::vector<SeenLight> seen_from(const Vec3& point, const Vec3& normal,
+                                     const std::optional<Root>& root,
+                                     std::span<const RigLight> lights, TubeModel model,
+                                     bool axes = true) const;
+
+private:
+    const LightRig& rig_;
+    const Occluders* occluders_;
+    const Tracer& tracer_;
+    std::vector<RigLight> lights_;
+};
+
+} // namespace keiko
