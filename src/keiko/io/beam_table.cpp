@@ -15,12 +15,14 @@ namespace {
 
 constexpr std::array<std::string_view, 3> edges{"sharp", "soft", "mixed"};
 constexpr std::array<std::string_view, 2> interpolations{"linear", "cosine"};
+constexpr TomlLimits coefficients{.low = -1e15, .high = 1e15};
 
 IntensityColumns columns_from(const TomlTable& table) {
     IntensityColumns columns;
     columns.theta = table.required("theta", table.list("theta"));
     columns.phi = table.list("phi").value_or(columns.phi);
-    columns.values = table.required("values", table.lists("values"));
+    columns.values =
+        table.required("values", table.lists("values", {.high = TomlLimits::light().high}));
     table.finish();
     if (const std::string fault = table_fault(columns); !fault.empty())
         throw table.error("", fault);
@@ -59,7 +61,8 @@ BeamProfile profile_from(const TomlTable& table) {
         return CosinePower{
             table.required("exponent", table.number("exponent", {.low = 0, .high = 1e6}))};
     if (edge == 4)
-        return CosinePolynomial{table.required("coefficients", table.list("coefficients"))};
+        return CosinePolynomial{
+            table.required("coefficients", table.list("coefficients", coefficients))};
     if (edge == 5) return table_profile_from(table);
     EdgeProfile profile{static_cast<BeamEdge>(edge)};
     profile.q = table.number("q", TomlLimits::share()).value_or(profile.q);

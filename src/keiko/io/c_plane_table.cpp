@@ -50,12 +50,12 @@ CPlane c_plane_from(const TomlTable& table) {
     plane.v = table.required("v", table.vector("v"));
     square_up(table, plane);
     plane.lamps = table.integer("lamps", 1, most_lamps).value_or(plane.lamps);
-    plane.pitch = table.number("pitch", TomlLimits::positive()).value_or(0);
-    plane.diameter = table.number("diameter", TomlLimits::positive()).value_or(plane.diameter);
+    plane.pitch = table.number("pitch", TomlLimits::length()).value_or(0);
+    plane.diameter = table.number("diameter", TomlLimits::length()).value_or(plane.diameter);
     require_room(table, plane);
 
-    const auto luminance = table.rgb("luminance", TomlLimits::not_negative());
-    const auto flux = table.number("luminous_flux", TomlLimits::not_negative());
+    const auto luminance = table.rgb("luminance", TomlLimits::light());
+    const auto flux = table.number("luminous_flux", TomlLimits::light());
     if (luminance && flux)
         throw table.error("luminous_flux", "give either luminance or luminous_flux, not both");
     if (luminance) plane.luminance = *luminance;
@@ -65,7 +65,7 @@ CPlane c_plane_from(const TomlTable& table) {
         plane.luminance =
             Rgb(tube_luminance(*flux, plane.diameter, plane.u.length(), plane.luminous_caps));
     plane.luminance *= color_of(table);
-    require_finite(table, flux ? "luminous_flux" : "color", plane.luminance);
+    require_light(table, flux ? "luminous_flux" : "luminance", plane.luminance);
     take_lamp_models(table, plane);
     table.not_yet({"on", "reflector"});
     table.finish();

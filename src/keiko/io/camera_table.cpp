@@ -26,7 +26,7 @@ Camera camera_of(const TomlTable& table) {
 
     const auto fov =
         table.number("vertical_fov", {.low = 0, .high = widest_fov, .above_low = true});
-    const auto height = table.number("orthographic_height", TomlLimits::positive());
+    const auto height = table.number("orthographic_height", TomlLimits::length());
     if (camera.projection == Projection::orthographic) {
         if (fov) throw table.error("vertical_fov", "belongs to perspective cameras");
         camera.orthographic_height = table.required("orthographic_height", height);

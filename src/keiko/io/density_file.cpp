@@ -11,6 +11,7 @@ namespace keiko {
 namespace {
 
 constexpr int most_nodes = 1024;
+constexpr double largest = 1e9; ///< mm, and times the extinction
 
 /// Words between blanks and line ends, with what follows a # skipped.
 class Words {
@@ -38,6 +39,7 @@ public:
         if (word.empty()) fail("ends too early");
         if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
             fail(in_quotes(word) + " is not a number");
+        if (std::abs(value) > largest) fail(in_quotes(word) + " is beyond 1e9");
         return value;
     }
     bool at_end() {

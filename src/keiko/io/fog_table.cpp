@@ -11,9 +11,12 @@ namespace keiko {
 namespace {
 
 constexpr double most_k = 1e6, most_g = 0.999;
+/// 1/m; of the largest a micrometre is thick.
+constexpr TomlLimits extinctions{.low = 0, .high = 1e6};
 constexpr std::size_t most_waves = 64;
 /// Shorter waves than mm are no fog.
 constexpr double shortest_wave = 1;
+constexpr double longest_wave = TomlLimits::length().high;
 /// mm: higher ones are no height of a layer, and their slopes leave double precision.
 constexpr double highest_wave = 1e6;
 
@@ -37,9 +40,11 @@ Wave wave_from(const TomlTable& table) {
     Wave wave;
     wave.amplitude = table.required(
         "amplitude", table.number("amplitude", {.low = -highest_wave, .high = highest_wave}));
-    wave.wavelength = pair_from(
-        table.required("wavelength", table.numbers("wavelength", 2, {.low = shortest_wave})));
-    if (const auto phase = table.numbers("phase", 2)) wave.phase = pair_from(*phase);
+    wave.wavelength = pair_from(table.required(
+        "wavelength",
+        table.numbers("wavelength", 2, {.low = shortest_wave, .high = longest_wave})));
+    if (const auto phase = table.numbers("phase", 2, {.low = -1e6, .high = 1e6}))
+        wave.phase = pair_from(*phase);
     table.finish();
     return wave;
 }
@@ -53,7 +58,8 @@ std::vector<Wave> waves_from(const TomlTable& table) {
         return noise_waves(
             table.required("amplitude",
                            table.number("amplitude", {.low = 0, .high = highest_wave})),
-            table.required("wavelength", table.number("wavelength", {.low = 20 * shortest_wave})));
+            table.required("wavelength", table.number("wavelength", {.low = 20 * shortest_wave,
+                                                                     .high = longest_wave})));
     std::vector<Wave> waves;
     for (const TomlTable& wave : table.tables("waves")) waves.push_back(wave_from(wave));
     if (bump == 0 && !waves.empty()) throw table.error("waves", "belong to bump = \"waves\"");
@@ -65,9 +71,9 @@ std::vector<Wave> waves_from(const TomlTable& table) {
 
 LayeredDensity layer_from(const TomlTable& table) {
     LayeredDensity layers;
-    layers.border.height = table.required("height", table.number("height"));
-    layers.extinction_above = table.required(
-        "extinction_above", table.rgb("extinction_above", TomlLimits::not_negative()));
+    layers.border.height = table.required("height", table.number("height", TomlLimits::place()));
+    layers.extinction_above =
+        table.required("extinction_above", table.rgb("extinction_above", extinctions));
     layers.border.waves = waves_from(table);
     table.finish();
     return layers;
@@ -115,10 +121,9 @@ std::string text_of(const PhaseFunction& phase) {
 
 Medium medium_from(const TomlTable& table) {
     Medium medium;
-    medium.extinction =
-        table.required("extinction", table.rgb("extinction", TomlLimits::not_negative()));
+    medium.extinction = table.required("extinction", table.rgb("extinction", extinctions));
     medium.albedo = table.rgb("albedo", TomlLimits::share()).value_or(medium.albedo);
-    medium.ambient = table.rgb("ambient", TomlLimits::not_negative()).value_or(medium.ambient);
+    medium.ambient = table.rgb("ambient", TomlLimits::light()).value_or(medium.ambient);
     if (const auto phase = table.table("phase")) medium.phase = phase_from(*phase);
     medium.density = density_from(table);
     if (const auto leg = table.choice("light_leg", {"dimmed", "clear"}))

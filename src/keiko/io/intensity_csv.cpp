@@ -67,8 +67,11 @@ private:
         throw Error(path_.string(), std::to_string(line_), reason);
     }
     double number(std::string_view field) const {
-        if (const auto value = number_in(field)) return *value;
-        fail(in_quotes(field) + " is not a number");
+        constexpr double largest = 1e15;
+        const auto value = number_in(field);
+        if (!value) fail(in_quotes(field) + " is not a number");
+        if (std::abs(*value) > largest) fail(in_quotes(field) + " is beyond 1e15");
+        return *value;
     }
     void take_header(const std::vector<std::string_view>& fields) {
         if (fields.front() != "theta" || fields.size() < 2)

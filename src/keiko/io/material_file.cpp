@@ -73,7 +73,8 @@ Material material_from(const TomlTable& table) {
     } else {
         material.diffuse = table.required("diffuse", table.rgb("diffuse", TomlLimits::share()));
         material.refractive_index =
-            table.number("refractive_index", {.low = 1}).value_or(material.refractive_index);
+            table.number("refractive_index", {.low = 1, .high = index_limits.high})
+                .value_or(material.refractive_index);
         if (const auto flakes = table.table("flakes")) material.flakes = flakes_from(*flakes);
     }
     if (material.roughness && !material.metal && material.refractive_index == 1)

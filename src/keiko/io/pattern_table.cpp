@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> readings{"centred", "rounded", "literal"};
 constexpr double most_periods = 3600;
+constexpr TomlLimits coefficients{.low = -1e15, .high = 1e15};
 /// Of a period: what rounded numbers may miss "divides 360" by.
 constexpr double rounding = 1e-9;
 
@@ -83,8 +84,8 @@ void take_pattern(const TomlTable& pattern, Spotlight& light) {
             light.pattern = dots_from(pattern);
             break;
         case 3:
-            light.pattern =
-                PhiPolynomial{{pattern.required("coefficients", pattern.list("coefficients"))}};
+            light.pattern = PhiPolynomial{
+                {pattern.required("coefficients", pattern.list("coefficients", coefficients))}};
             break;
         default:
             break;

@@ -19,8 +19,8 @@ Rgb flux_factor(const TomlTable& table, double flux, double own) {
 
 /// Tables hold cd themselves; all others take the intensity of the struct.
 Rgb intensity_from(const TomlTable& table, const Spotlight& light) {
-    const auto intensity = table.rgb("intensity", TomlLimits::not_negative());
-    const auto flux = table.number("luminous_flux", TomlLimits::not_negative());
+    const auto intensity = table.rgb("intensity", TomlLimits::light());
+    const auto flux = table.number("luminous_flux", TomlLimits::light());
     if (intensity && flux)
         throw table.error("luminous_flux", "give either intensity or luminous_flux, not both");
     if (flux) {
@@ -58,7 +58,8 @@ Spotlight spotlight_from(const TomlTable& table) {
     light.spin = table.number("spin", {.low = -1e6, .high = 1e6}).value_or(light.spin);
     take_beam(table, light);
     light.intensity = intensity_from(table, light) * color_of(table);
-    require_finite(table, table.has("luminous_flux") ? "luminous_flux" : "color", light.intensity);
+    require_light(table, table.has("luminous_flux") ? "luminous_flux" : "intensity",
+                  light.intensity);
     light.shaft = table.flag("shaft").value_or(light.shaft);
     table.finish();
     return light;
@@ -92,15 +93,15 @@ Luminaire luminaire_from(const TomlTable& table) {
     lamp.reference = direction_from(table, "reference", head_lamp ? Vec3(0, 0, 1) : lamp.reference);
     lamp.spin = table.number("spin", {.low = -1e6, .high = 1e6}).value_or(lamp.spin);
     lamp.flip_h = table.flag("flip_h").value_or(lamp.flip_h);
-    const auto dimming = table.number("dimming", TomlLimits::not_negative());
-    const auto flux = table.number("luminous_flux", TomlLimits::not_negative());
+    const auto dimming = table.number("dimming", TomlLimits::light());
+    const auto flux = table.number("luminous_flux", TomlLimits::light());
     if (dimming && flux)
         throw table.error("luminous_flux", "give either dimming or luminous_flux, not both");
     lamp.factor =
         flux ? flux_factor(table, *flux, luminous_flux(*lamp.web)) : Rgb(dimming.value_or(1));
     lamp.factor *= color_of(table);
-    require_finite(table, flux ? "luminous_flux" : "color",
-                   lamp.factor * lamp.web->candela.largest());
+    require_light(table, flux ? "luminous_flux" : "dimming",
+                  lamp.factor * lamp.web->candela.largest());
     lamp.shaft = table.flag("shaft").value_or(lamp.shaft);
     table.finish();
     return lamp;

@@ -23,7 +23,8 @@ constexpr double flat_enough = 1e-6;
 
 Window window_from(const TomlTable& table, const Vec3& sun) {
     Window window;
-    for (const auto& corner : table.required("corners", table.lists("corners"))) {
+    for (const auto& corner :
+         table.required("corners", table.lists("corners", TomlLimits::place()))) {
         if (corner.size() != 3) throw table.error("corners", "must be arrays of 3 numbers");
         window.corners.emplace_back(corner[0], corner[1], corner[2]);
     }
@@ -47,10 +48,9 @@ Sun sun_from(const TomlTable& table, const std::vector<TomlTable>& windows) {
     Sun sun;
     sun.direction = table.required("direction", table.vector("direction"));
     if (!(sun.direction.length() > 0)) throw table.error("direction", "must not be a zero vector");
-    sun.illuminance =
-        table.required("illuminance", table.rgb("illuminance", TomlLimits::not_negative())) *
-        color_of(table);
-    require_finite(table, "color", sun.illuminance);
+    sun.illuminance = table.required("illuminance", table.rgb("illuminance", TomlLimits::light())) *
+                      color_of(table);
+    require_light(table, "illuminance", sun.illuminance);
     sun.shaft = table.flag("shaft").value_or(sun.shaft);
     table.finish();
     for (const TomlTable& window : windows)
@@ -63,7 +63,7 @@ Sun sun_from(const TomlTable& table, const std::vector<TomlTable>& windows) {
 LightRig rig_from(const TomlTable& table) {
     LightRig rig;
     rig.name = table.text("name").value_or("");
-    rig.ambient = table.rgb("ambient", TomlLimits::not_negative()).value_or(rig.ambient);
+    rig.ambient = table.rgb("ambient", TomlLimits::light()).value_or(rig.ambient);
     std::vector<LightSource> sources;
     std::vector<std::pair<std::uint32_t, std::size_t>> order; // by line
     const auto take = [&](const TomlTable& t, LightSource source) {

@@ -18,11 +18,13 @@ namespace {
 
 constexpr double largest_size = 65536; ///< pixels, either way
 constexpr int most_reflections = 64;
+/// Of a model: from nanometres that are taken for millimetres to kilometres.
+constexpr TomlLimits scales{.low = 1e-6, .high = 1e6};
 
 ModelTransform transform_from(const TomlTable& table) {
     ModelTransform transform;
-    transform.scale = table.number("scale", TomlLimits::positive()).value_or(transform.scale);
-    if (const auto turn = table.numbers("rotate", 4)) {
+    transform.scale = table.number("scale", scales).value_or(transform.scale);
+    if (const auto turn = table.numbers("rotate", 4, TomlLimits::place())) {
         transform.axis = Vec3((*turn)[0], (*turn)[1], (*turn)[2]), transform.angle = (*turn)[3];
         if (!(transform.axis.length() > 0))
             throw table.error("rotate", "the axis must not be a zero vector");
@@ -118,7 +120,7 @@ void take_eye(const TomlTable& root, SceneSpec& scene) {
 
 GroundSpec ground_from(const TomlTable& table, const std::vector<Material>& materials) {
     GroundSpec ground;
-    ground.z = table.number("z").value_or(ground.z);
+    ground.z = table.number("z", TomlLimits::place()).value_or(ground.z);
     ground.material =
         table.has("material") ? material_of(table, materials) : named_material("concrete");
     table.finish();
@@ -152,8 +154,7 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
         scene.models.push_back(model_from(table, materials));
     take_eye(root, scene);
     scene.rig = rig_of(root);
-    scene.background =
-        root.rgb("background", TomlLimits::not_negative()).value_or(scene.background);
+    scene.background = root.rgb("background", TomlLimits::light()).value_or(scene.background);
     if (const auto ground = root.table("ground")) scene.ground = ground_from(*ground, materials);
     scene.max_depth = root.integer("max_depth", 0, most_reflections);
     scene.min_weight = root.number("min_weight", TomlLimits::share());

@@ -31,6 +31,12 @@ struct TomlLimits {
     static constexpr TomlLimits positive() { return {.low = 0, .above_low = true}; }
     static constexpr TomlLimits not_negative() { return {.low = 0}; }
     static constexpr TomlLimits share() { return {.low = 0, .high = 1}; }
+    /// Coordinates in mm, and those of directions: up to a thousand kilometres.
+    static constexpr TomlLimits place() { return {.low = -1e9, .high = 1e9}; }
+    /// Sizes in mm.
+    static constexpr TomlLimits length() { return {.low = 1e-6, .high = 1e9}; }
+    /// What light is made of, in any unit: products of a few stay finite.
+    static constexpr TomlLimits light() { return {.low = 0, .high = 1e15}; }
 };
 
 /// A table of a TOML file, asked key by key. Every getter gives nothing for a key that is absent
@@ -62,6 +68,7 @@ public:
     /// An array of arrays of a number and what goes with it: a number, or an array of them.
     std::optional<std::vector<std::pair<double, std::vector<double>>>> keyed_lists(
         std::string_view key) const;
+    /// A place or a direction, within TomlLimits::place().
     std::optional<Vec3> vector(std::string_view key) const;
     /// true or false.
     std::optional<bool> flag(std::string_view key) const;

@@ -36,10 +36,11 @@ std::optional<double> TomlTable::number(std::string_view key, const TomlLimits& 
 std::optional<int> TomlTable::integer(std::string_view key, int low, int high) const {
     const TomlEntry* entry = find(key);
     if (!entry) return {};
-    if (!std::holds_alternative<std::int64_t>(entry->value.content))
-        throw mismatch(key, "a whole number");
-    return static_cast<int>(checked(
-        key, entry->value, {.low = static_cast<double>(low), .high = static_cast<double>(high)}));
+    if (entry->value.kind() != "number") throw mismatch(key, "a whole number");
+    const double number = checked(
+        key, entry->value, {.low = static_cast<double>(low), .high = static_cast<double>(high)});
+    if (number != std::floor(number)) throw mismatch(key, "a whole number");
+    return static_cast<int>(number);
 }
 
 std::optional<std::string> TomlTable::text(std::string_view key) const {
@@ -143,7 +144,7 @@ std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) c
 }
 
 std::optional<Vec3> TomlTable::vector(std::string_view key) const {
-    const auto values = numbers(key, 3);
+    const auto values = numbers(key, 3, TomlLimits::place());
     if (!values) return {};
     return Vec3((*values)[0], (*values)[1], (*values)[2]);
 }

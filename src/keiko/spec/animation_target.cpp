@@ -11,18 +11,19 @@
 namespace keiko {
 namespace {
 
-constexpr double any = std::numeric_limits<double>::infinity();
+// As files may have them: mm, 1/m, cd and the like, degrees.
+constexpr double farthest = 1e9, thickest = 1e6, brightest = 1e15, most_turned = 1e6;
 
 MovingNumbers of(Vec3& v) {
-    return {{&v.x, &v.y, &v.z}};
+    return {{&v.x, &v.y, &v.z}, -farthest, farthest};
 }
-MovingNumbers of(Rgb& c) {
-    return {{&c.r, &c.g, &c.b}, 0, any, MovingNumbers::Kind::color};
+MovingNumbers of(Rgb& c, double high = brightest) {
+    return {{&c.r, &c.g, &c.b}, 0, high, MovingNumbers::Kind::color};
 }
 MovingNumbers direction_of(Vec3& v) {
-    return {{&v.x, &v.y, &v.z}, -any, any, MovingNumbers::Kind::direction};
+    return {{&v.x, &v.y, &v.z}, -farthest, farthest, MovingNumbers::Kind::direction};
 }
-MovingNumbers of(double& number, double low = -any, double high = any) {
+MovingNumbers of(double& number, double low, double high) {
     return {{&number}, low, high};
 }
 
@@ -30,7 +31,7 @@ MovingNumbers numbers_of(Spotlight& light, std::string_view key) {
     if (key == "position") return of(light.position);
     if (key == "aim") return of(light.aim);
     if (key == "reference") return of(light.reference);
-    if (key == "spin") return of(light.spin);
+    if (key == "spin") return of(light.spin, -most_turned, most_turned);
     if (key == "half_angle") return of(light.half_angle, 1e-3, light.half_angle_across ? 89 : 180);
     if (key == "intensity") return of(light.intensity);
     return {};
@@ -40,7 +41,7 @@ MovingNumbers numbers_of(Luminaire& lamp, std::string_view key) {
     if (key == "position") return of(lamp.position);
     if (key == "aim") return of(lamp.aim);
     if (key == "reference") return of(lamp.reference);
-    if (key == "spin") return of(lamp.spin);
+    if (key == "spin") return of(lamp.spin, -most_turned, most_turned);
     if (key == "dimming") return of(lamp.factor);
     return {};
 }
@@ -52,11 +53,11 @@ MovingNumbers numbers_of(Sun& sun, std::string_view key) {
 }
 
 MovingNumbers numbers_of(Medium& medium, std::string_view key) {
-    if (key == "extinction") return of(medium.extinction);
+    if (key == "extinction") return of(medium.extinction, thickest);
     if (key == "ambient") return of(medium.ambient);
     if (auto* layers = std::get_if<LayeredDensity>(&medium.density);
         layers && key == "layer.height")
-        return of(layers->border.height);
+        return of(layers->border.height, -farthest, farthest);
     return {};
 }
 
@@ -75,7 +76,7 @@ MovingNumbers numbers_of(ModelSpec& model, std::string_view key) {
         turn.places.push_back(&t.angle);
         return turn;
     }
-    if (key == "transform.scale") return of(t.scale, 1e-6);
+    if (key == "transform.scale") return of(t.scale, 1e-6, 1e6);
     return {};
 }
 

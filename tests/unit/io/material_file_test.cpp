@@ -43,7 +43,8 @@ TEST(MaterialFile, ImpossiblePaintsAreRefused) {
     EXPECT_EQ(refused("diffuse = 1.5\n"),
               "m.toml:4:11: material[0].diffuse: must be at least 0 and at most 1, is 1.5");
     EXPECT_EQ(refused("diffuse = 0.5\nrefractive_index = 0.9\n"),
-              "m.toml:5:20: material[0].refractive_index: must be at least 1, is 0.9");
+              "m.toml:5:20: material[0].refractive_index: must be at least 1 and at most 1000, is "
+              "0.9");
     EXPECT_EQ(refused("diffuse = 0.5\n[[material]]\nname = \"x\"\ndiffuse = 0\n"),
               "m.toml:6:8: material[1].name: 'x' is there twice");
 }

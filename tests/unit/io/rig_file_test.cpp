@@ -104,13 +104,6 @@ TEST(RigFile, LuminousFluxBecomesLuminance) {
     EXPECT_NEAR(read.luminance.g, 3350 / (pi * 0.026 * 1.0) / pi, 1e-8);
 }
 
-TEST(RigFile, LightBeyondTheLargestNumberIsRefused) {
-    EXPECT_EQ(rig_error(head + whole_plane + "luminance = 1e308\ncolor = [10, 1, 1]\n"),
-              "bad.toml:7:9: c_plane[0].color: is too bright");
-    EXPECT_EQ(rig_error(head + whole_plane + "luminous_flux = 1e308\ndiameter = 1e-5\n"),
-              "bad.toml:6:17: c_plane[0].luminous_flux: is too bright");
-}
-
 TEST(RigFile, KeysOfVeryManyPartsAreRefusedBeforeTheyOverflowTheStack) {
     const auto parts = [](int count) {
         std::string key = "a";
@@ -183,7 +176,7 @@ TEST(RigFile, AWrittenRigReadsBackBitForBit) {
     rig.name = "a \"quoted\" \\ name\nof\x7f 蛍光灯";
     rig.ambient = {0.1, 1.0 / 3, 1e-300};
     CPlane skew;
-    skew.origin = {-0.0, 1e22, 9007199254740993.0};
+    skew.origin = {-0.0, 1e9, 900719925.4740993};
     skew.u = Vec3(1, 2, 3).normalized() * 1234.5678901234567;
     skew.v = skew.u.cross(Vec3(0.3, -0.1, 0.7)).normalized() * std::sqrt(2e6);
     skew.lamps = 7;
@@ -254,17 +247,23 @@ TEST(RigFile, ARequiredKeyThatIsMisspeltIsNamedRatherThanMissing) {
 
 TEST(RigFile, AWrongValueIsNamedWithItsPlace) {
     EXPECT_EQ(rig_error(head + whole_plane + "pitch = 0\n"),
-              "bad.toml:6:9: c_plane[0].pitch: must be above 0, is 0");
+              "bad.toml:6:9: c_plane[0].pitch: must be at least 1e-06 and at most 1e+09, is 0");
     EXPECT_EQ(rig_error(head + whole_plane + "pitch = \"wide\"\n"),
               "bad.toml:6:9: c_plane[0].pitch: must be a number");
     EXPECT_EQ(rig_error(head + whole_plane + "diameter = inf\n"),
               "bad.toml:6:12: c_plane[0].diameter: must be a finite number");
-    EXPECT_EQ(rig_error(head + whole_plane + "diameter = -1\n"),
-              "bad.toml:6:12: c_plane[0].diameter: must be above 0, is -1");
+    EXPECT_EQ(
+        rig_error(head + whole_plane + "diameter = -1\n"),
+        "bad.toml:6:12: c_plane[0].diameter: must be at least 1e-06 and at most 1e+09, is -1");
     EXPECT_EQ(rig_error(head + whole_plane + "lamps = 0\n"),
               "bad.toml:6:9: c_plane[0].lamps: must be at least 1 and at most 1000, is 0");
     EXPECT_EQ(rig_error(head + whole_plane + "lamps = 2.5\n"),
               "bad.toml:6:9: c_plane[0].lamps: must be a whole number");
+    EXPECT_EQ(rig_error(head + whole_plane + "lamps = 1e9\n"),
+              "bad.toml:6:9: c_plane[0].lamps: must be at least 1 and at most 1000, is 1e+09");
+    EXPECT_EQ(rig_error(head + whole_plane + "lamps = \"5\"\n"),
+              "bad.toml:6:9: c_plane[0].lamps: must be a whole number");
+    EXPECT_EQ(only_plane(head + whole_plane + "lamps = 1e1\n").lamps, 10);
     EXPECT_EQ(rig_error(head + whole_plane + "color = [1, 2]\n"),
               "bad.toml:6:9: c_plane[0].color: must be an array of 3 numbers");
     EXPECT_EQ(rig_error(head + plane + "v = [0, nan, 0]\n"),

@@ -156,6 +156,22 @@ TEST_F(SceneFile, ErrorsNameTheirPlace) {
     EXPECT_EQ(error("view = \"top\"\n"), "1:1: the scene has no [[model]]");
 }
 
+TEST_F(SceneFile, NumbersBeyondAllSenseAreRefused) {
+    const std::string allowed = ": must be at least -1e+09 and at most 1e+09, is 1e+300";
+    EXPECT_EQ(error(model + "transform = { translate = [0, 1e300, 0] }\n"),
+              "4:27: model[0].transform.translate" + allowed);
+    EXPECT_EQ(error(model + "transform = { rotate = [0, 0, 1, 1e300] }\n"),
+              "4:24: model[0].transform.rotate" + allowed);
+    EXPECT_EQ(
+        error(model + "transform = { scale = 1e-300 }\n"),
+        "4:23: model[0].transform.scale: must be at least 1e-06 and at most 1e+06, is 1e-300");
+    EXPECT_EQ(error(model + "[camera]\neye = [0, 0, 1e300]\ntarget = [0, 0, 0]\n"),
+              "5:7: camera.eye" + allowed);
+    EXPECT_EQ(error(model + "[ground]\nz = 1e300\n"), "5:5: ground.z" + allowed);
+    EXPECT_EQ(error("background = 1e300\n" + model),
+              "2:14: background: must be at least 0 and at most 1e+15, is 1e+300");
+}
+
 TEST_F(SceneFile, ReadsWhatMovesAndNamesWhatCannot) {
     const std::string lamp = "[[spotlight]]\nposition = [0, 0, 9]\naim = [0, 0, 0]\n";
     const std::string moves = "[[animation]]\ntarget = \"spotlight.0.aim\"\n";

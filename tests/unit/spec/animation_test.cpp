@@ -83,6 +83,8 @@ TEST(Animation, WhatCannotMoveIsNamed) {
     EXPECT_EQ(fault("spotlight.0.spin", {1, 2}), "each value of 'spotlight.0.spin' needs 1 number");
     EXPECT_EQ(fault("model.0.transform.scale", {0}),
               "a value of 'model.0.transform.scale' is out of range");
+    EXPECT_EQ(fault("camera.eye", {0, 0, 1e300}), "a value of 'camera.eye' is out of range");
+    EXPECT_EQ(fault("fog.extinction", {1e300}), "a value of 'fog.extinction' is out of range");
     EXPECT_EQ(fault("fog.extinction", {-1}), "a value of 'fog.extinction' is out of range");
     EXPECT_EQ(fault("model.0.transform.rotate", {0, 0, 0, 90}),
               "a value of 'model.0.transform.rotate' has no direction");
