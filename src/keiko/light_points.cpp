@@ -3,6 +3,7 @@
 #include "keiko/hit_columns.h"
 #include "keiko/render/lit_point.h"
 #include "keiko/render/shadowed_rig.h"
+#include "keiko/rig/within_lamp.h"
 #include "keiko/row_stream.h"
 
 #include <algorithm>
@@ -31,6 +32,15 @@ std::vector<std::string> columns_of(const LightRig& rig) {
     }
     columns.emplace_back("sum");
     return columns;
+}
+
+/// Ends the points before the first that lies in a lamp.
+void end_before_lamps(ParsedRays& points, const RayLines& lines, const LightRig& rig) {
+    for (std::size_t i = 0; i < points.rays.size(); ++i)
+        for (std::size_t source = 0; source < rig.sources.size(); ++source)
+            if (within_lamp(rig.sources[source], points.rays[i].origin))
+                return end_before(points, lines, i, "lies in a lamp of " + columns_of(rig)[source],
+                                  point_header);
 }
 
 /// A place on the surfaces, to be lit.
@@ -88,10 +98,15 @@ std::string row_of(const std::vector<double>& lux) {
 
 void light(const Scene& scene, Piece& piece) {
     ParsedRays parsed = rays_of(piece.lines, point_header);
+    end_before_lamps(parsed, piece.lines, *scene.rig);
     piece.fault = std::move(parsed.fault);
     piece.rows.clear();
     piece.lux.clear();
     for (const Ray& point : parsed.rays) piece.lux.push_back(lux_at(scene, point));
+}
+
+void require_points(std::uint64_t count) {
+    if (count == 0) throw Error("standard input", "", "holds no points");
 }
 
 void require_rig(const Scene& scene) {
@@ -135,6 +150,7 @@ std::uint64_t light_points(const Scene& scene, const ByteSource& points, const B
     };
     stream_rows<Piece>(reader, rows, job, work,
                        [&](const Piece& piece) { count += piece.lux.size(); });
+    require_points(count);
     return count;
 }
 
@@ -152,6 +168,7 @@ std::uint64_t summarize_points(const Scene& scene, const ByteSource& points, con
             for (const std::vector<double>& lux : piece.lux)
                 for (std::size_t i = 0; i < lux.size(); ++i) columns[i].add(lux[i]);
         });
+    require_points(count);
     std::string text = "source,points,minimum,mean,maximum,uniformity\n";
     for (std::size_t i = 0; i < names.size(); ++i) text += columns[i].row(names[i], count);
     rows(text);

@@ -198,6 +198,12 @@ ParsedRays rays_of(const RayLines& lines, std::string_view header) {
     return parsed;
 }
 
+void end_before(ParsedRays& parsed, const RayLines& lines, std::size_t ray,
+                const std::string& reason, std::string_view header) {
+    parsed.fault = fault_at(lines.first_line + ray, {place_names(header), reason});
+    parsed.rays.resize(ray);
+}
+
 void end_before_far_origins(ParsedRays& parsed, const RayLines& lines, const Box3& body) {
     if (body.empty()) return;
     const double farthest = 1e8 * body.size();
@@ -207,10 +213,8 @@ void end_before_far_origins(ParsedRays& parsed, const RayLines& lines, const Box
     };
     const auto far = std::find_if(parsed.rays.begin(), parsed.rays.end(), is_far);
     if (far == parsed.rays.end()) return;
-    const auto before = static_cast<std::uint64_t>(far - parsed.rays.begin());
-    parsed.fault = fault_at(lines.first_line + before,
-                            {place_names(ray_header), "is over 1e8 times the body's size away"});
-    parsed.rays.erase(far, parsed.rays.end());
+    end_before(parsed, lines, static_cast<std::size_t>(far - parsed.rays.begin()),
+               "is over 1e8 times the body's size away");
 }
 
 } // namespace keiko

@@ -69,6 +69,10 @@ struct ParsedRays {
 /// normals; the header names the columns in errors.
 ParsedRays rays_of(const RayLines& lines, std::string_view header = ray_header);
 
+/// Ends the rays of `lines` before one of them, for a `reason` that is told of its origin.
+void end_before(ParsedRays& parsed, const RayLines& lines, std::size_t ray,
+                const std::string& reason, std::string_view header = ray_header);
+
 /// Ends the rays of `lines` before the first that comes from so far outside of a body with these
 /// bounds, 1e8 times its size, that doubles do not tell where it meets it; a tracer finds nothing.
 void end_before_far_origins(ParsedRays& parsed, const RayLines& lines, const Box3& body);

@@ -79,6 +79,22 @@ class Illuminance(KeikoTest):
             self.assertEqual(run.stderr, f"keiko: standard input:2: {reason}\n")
             self.assertEqual(run.stdout.count("\n"), 2)
 
+    def test_a_point_inside_a_lamp_ends_it_with_its_number(self):
+        run = self.keiko("illuminance", self.write("scene.toml", SCENE), "-q",
+                         input="0,0,0,0,0,1\n0,1,1004,0,0,1\n")
+        self.assertEqual(run.returncode, 2)
+        self.assertEqual(run.stderr,
+                         "keiko: standard input:2: x,y,z lies in a lamp of c_plane.0\n")
+        self.assertEqual(run.stdout.count("\n"), 2)
+
+    def test_no_points_are_told(self):
+        for nothing in "", "\n", HEADER:
+            for option in (), ("--summary",):
+                run = self.keiko("illuminance", self.write("scene.toml", SCENE), *option, "-q",
+                                 input=nothing)
+                self.assertEqual(run.returncode, 2)
+                self.assertEqual(run.stderr, "keiko: standard input: holds no points\n")
+
     def test_a_body_without_a_rig_is_refused(self):
         run = self.keiko("illuminance", SADDLE, "-q", input="0,0,0,0,0,1\n")
         self.assertEqual((run.returncode, run.stdout), (2, ""))

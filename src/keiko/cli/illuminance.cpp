@@ -42,7 +42,8 @@ void add_illuminance(CLI::App& app, Session& session) {
     command.footer(
         "Reads x,y,z,nx,ny,nz a line: a point (mm) and the normal of the surface there, of any "
         "length (line 1 may name the columns). Writes a header line and a row for each point in "
-        "order: direct illuminance in lx of each source of the scene's rig, and the sum.\n"
+        "order: direct illuminance in lx of each source of the scene's rig, and the sum. A point "
+        "inside a lamp ends it, as a malformed line does.\n"
         "Example: keiko illuminance hood-scene.toml < points.csv > lux.csv");
     session.add_command(command,
                         [arguments](const Job& job) { return illuminance(*arguments, job); });

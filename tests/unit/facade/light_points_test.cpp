@@ -127,10 +127,35 @@ TEST(LightPoints, AreSummedUpBySource) {
 TEST(LightPoints, UniformityIsTheLeastOverTheMean) {
     const std::string one = summary_of("0,0,0,0,0,1\n");
     EXPECT_EQ(one.substr(one.size() - 2), "1\n");
-    const std::string dark = summary_of("0,0,0,0,0,-1\n"), none = summary_of("");
+    const std::string dark = summary_of("0,0,0,0,0,-1\n");
     EXPECT_NE(dark.find("sum,1,0,0,0,\n"), std::string::npos) << dark;
-    EXPECT_NE(none.find("sum,0,,,,\n"), std::string::npos) << none;
     EXPECT_THROW(summary_of("0,0,0,0,0,1\n0,0\n"), Error);
+}
+
+/// The message of the Error of some points.
+std::string refused(const std::string& points) {
+    try {
+        rows_for(points);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(LightPoints, InsideLampsAreRefused) {
+    const std::string good = "0,0,0,0,0,1\n";
+    EXPECT_EQ(refused(good + "0,125,2001,0,0,1\n" + good),
+              "standard input:2: x,y,z lies in a lamp of c_plane.0");
+    EXPECT_EQ(refused("x,y,z,nx,ny,nz\n" + good + "0,0,3000,0,0,1\n"),
+              "standard input:3: x,y,z lies in a lamp of spotlight.0");
+    EXPECT_EQ(refused(good + "0,125,1986.9,0,0,-1\n"), "") << "beside the glass";
+}
+
+TEST(LightPoints, AreNeeded) {
+    for (const char* nothing : {"", "\n\n", "x,y,z,nx,ny,nz\n"}) {
+        EXPECT_EQ(refused(nothing), "standard input: holds no points");
+        EXPECT_THROW(summary_of(nothing), Error);
+    }
 }
 
 TEST(LightPoints, SummaryIsTheSameHoweverTheTextIsCut) {
