@@ -126,6 +126,16 @@ class Errors(KeikoTest):
         self.fails('no AOV is called "hue"', "render", SADDLE, "-o", "a.exr", "--aov", "depth,hue")
         self.fails('unknown length unit "furlong"', "info", SADDLE, "--unit", "furlong")
 
+    def test_an_option_that_names_nothing(self):
+        for option, name in ("--aov", "a.exr"), ("--frames", "a.png"), ("--view", "a.png"), ("--rig", "a.png"):
+            self.fails(f"{option}: is empty", "render", SADDLE, "-o", name, option, "")
+        self.fails("--scale: is empty", "render", SADDLE, "-o", "a.png", "--false-color", "--scale",
+                   "")
+
+    def test_an_exposure_that_false_colours_do_not_have(self):
+        self.fails("--false-color excludes --ev", "render", SADDLE, "-o", "a.png", "--false-color",
+                   "--ev", "9")
+
     def test_wrong_sizes(self):
         for size in "12", "0x9", "16x-9", "16x9x", "99999x9":
             self.fails("--size: ", "render", SADDLE, "-o", "a.png", "--size", size)

@@ -49,6 +49,12 @@ double full_curvature(Look look, const std::string& text) {
     return full;
 }
 
+/// An empty text is what an option has that was not given.
+CLI::Validator not_empty() {
+    return {[](const std::string& text) { return std::string(text.empty() ? "is empty" : ""); },
+            ""};
+}
+
 } // namespace
 
 std::vector<Aov> RenderArguments::aovs() const {
@@ -161,9 +167,11 @@ void RenderArguments::add_to(CLI::App& command) {
     scene.add_shadows(command);
     command.add_option("-o,--output", output, "image.exr (cd/m2, AOVs) or image.png")->required();
     add_light(command);
-    command.add_option("--aov", aovs_,
-                       "layers of an .exr, comma-separated: luminance, normal, uv, face, patch, "
-                       "depth, c_plane_uv, illuminance, curvature");
+    command
+        .add_option("--aov", aovs_,
+                    "layers of an .exr, comma-separated: luminance, normal, uv, face, patch, "
+                    "depth, c_plane_uv, illuminance, curvature")
+        ->check(not_empty());
     add_false_colors(command);
     add_display(command);
     add_frames(command);
@@ -190,8 +198,9 @@ void RenderArguments::add_light(CLI::App& command) {
                 "in each pixel, slower")
             ->check(number_between(0, 0.1))
             ->capture_default_str());
-    command.add_option("--view", view, "view by name, auto, or scene");
+    command.add_option("--view", view, "view by name, auto, or scene")->check(not_empty());
     rig_ = command.add_option("--rig", rig, "rig file, or auto: the scene's, or placed")
+               ->check(not_empty())
                ->capture_default_str();
 }
 
@@ -206,6 +215,7 @@ void RenderArguments::add_false_colors(CLI::App& command) {
         ->needs(flag)
         ->capture_default_str();
     command.add_option("--scale", scale_, "MIN:MAX of false colours, cd/m2 or lx [1:10000]")
+        ->check(not_empty())
         ->needs(flag);
     command
         .add_flag("--iso-lines", iso_lines,
@@ -226,7 +236,8 @@ void RenderArguments::add_display(CLI::App& command) {
             ->capture_default_str());
     of_lamps_.push_back(
         command.add_option("--ev", ev_, "exposure value of a .png [99 % of the body below white]")
-            ->check(number_between(-100, 100)));
+            ->check(number_between(-100, 100))
+            ->excludes(false_colors));
     command
         .add_option("--look", look_,
                     "what to look at, for .png: lamps, zebra, isophote, highlight (of the rig), or "
@@ -238,9 +249,11 @@ void RenderArguments::add_display(CLI::App& command) {
 }
 
 void RenderArguments::add_frames(CLI::App& command) {
-    auto* frames = command.add_option("--frames", frames_,
-                                      "A:B, of a scene with [[animation]]: a picture of each, "
-                                      "image-0000.png and on");
+    auto* frames = command
+                       .add_option("--frames", frames_,
+                                   "A:B, of a scene with [[animation]]: a picture of each, "
+                                   "image-0000.png and on")
+                       ->check(not_empty());
     command
         .add_option("--register", hits,
                     "file (.json) for what the picture mirrors, for keiko place --from")
