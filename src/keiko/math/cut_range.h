@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <stdexcept>
 
 namespace keiko {
 
@@ -13,9 +14,11 @@ public:
 
     CutRange(double begin, double end) : places_{begin, end} {}
 
-    /// As long as there are no more than `most_pieces`; places outside of the range do not count.
+    /// Places outside of the range do not count. Throws std::length_error for more than
+    /// `most_pieces`.
     void cut_at(double x) {
-        if (!(x > places_[0] && x < places_[last_]) || last_ + 1 == places_.size()) return;
+        if (!(x > places_[0] && x < places_[last_])) return;
+        if (last_ + 1 == places_.size()) throw std::length_error("a range of too many pieces");
         std::size_t at = ++last_;
         for (; places_[at - 1] > x; --at) places_[at] = places_[at - 1];
         places_[at] = x;

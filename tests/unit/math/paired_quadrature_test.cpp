@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 using namespace keiko;
 
@@ -44,4 +45,14 @@ TEST(CutRange, SumsOverRisingPiecesWithinTheRange) {
     });
     EXPECT_EQ(length, 3);
     EXPECT_EQ(ends, (std::vector<double>{2, 2.5, 3, 4}));
+}
+
+TEST(CutRange, DropsNoCut) {
+    CutRange range(0, 9);
+    for (int place = 8; place >= 1; --place) range.cut_at(place);
+    ASSERT_EQ(range.places().size(), CutRange::most_pieces + 1);
+    for (std::size_t i = 0; i < range.places().size(); ++i)
+        EXPECT_EQ(range.places()[i], static_cast<double>(i));
+    range.cut_at(9);
+    EXPECT_THROW(range.cut_at(0.5), std::length_error);
 }
