@@ -43,8 +43,9 @@ bool is_torn(double misfit, const RigPlaneHit& plane, const RayDifferentials& sp
 }
 
 int parts_of_bend(double bend) {
-    constexpr double most_parts = 8;
-    return static_cast<int>(std::min(std::ceil(std::sqrt(bend / straight_image)), most_parts));
+    constexpr int most_parts = 8;
+    const double parts = std::ceil(std::sqrt(bend / straight_image));
+    return parts < most_parts ? std::max(static_cast<int>(parts), 1) : most_parts;
 }
 
 Slopes<MirroredPixel::Jet> MirroredPixel::slopes_of(const Ray& ray) {

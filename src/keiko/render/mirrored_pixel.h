@@ -56,7 +56,8 @@ constexpr double straight_image = 0.01;
 /// `misfit` mm, more than a tenth of the lamps' pitch, or a fiftieth where it is more of what the
 /// image spans across the lamps by the centre's `spread`.
 bool is_torn(double misfit, const RigPlaneHit& plane, const RayDifferentials& spread);
-/// A side of a pixel that are made of one whose image is bent so far.
+/// A side of a pixel that are made of one whose image is bent so far, 1 to 8; the most where the
+/// bend is not a number. Not for negative ones.
 int parts_of_bend(double bend);
 
 /// What a pixel sees of the lamps by its mirrored rays.

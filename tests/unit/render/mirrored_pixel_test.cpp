@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace keiko;
@@ -111,6 +112,16 @@ TEST(MirroredPixel, SeesStripesWhereItsImageIsBent) {
 }
 
 // Random differentials, of one pixel in four with as much difference as the signs allow.
+TEST(MirroredPixel, IsPartedTheFinerTheMoreItsImageIsBent) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(parts_of_bend(0), 1);
+    EXPECT_EQ(parts_of_bend(straight_image), 1);
+    EXPECT_EQ(parts_of_bend(4 * straight_image), 2);
+    EXPECT_EQ(parts_of_bend(4.001 * straight_image), 3);
+    for (const double far : {64 * straight_image, 1e300, infinity, std::nan("")})
+        EXPECT_EQ(parts_of_bend(far), 8);
+}
+
 TEST(MirroredPixel, KeepsItsPartsWithinItsBundle) {
     std::mt19937_64 engine(20261122);
     std::uniform_real_distribution<double> between(-1, 1);
