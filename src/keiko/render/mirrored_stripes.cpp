@@ -67,9 +67,13 @@ bool MirroredStripes::is_dark(std::size_t lane) const {
 
 std::size_t MirroredStripes::nearest(std::size_t lane) const {
     std::size_t nearest = looks_.size();
+    const auto distance = [&](std::size_t i) {
+        const std::size_t level = planes_.planes()[i].level;
+        return looks_[has_lane(looks_[level].meets, lane) ? level : i].t[lane];
+    };
     for (std::size_t i = 0; i < looks_.size(); ++i)
         if (has_lane(looks_[i].meets, lane) &&
-            (nearest == looks_.size() || looks_[i].t[lane] < looks_[nearest].t[lane]))
+            (nearest == looks_.size() || distance(i) < distance(nearest)))
             nearest = i;
     return nearest;
 }

@@ -3,13 +3,40 @@
 #include "keiko/luminance/compositing.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace keiko {
+namespace {
+
+/// Whether planes are one but for the rounding of their numbers.
+bool in_one_plane(const CPlaneFrame& a, const CPlaneFrame& b) {
+    constexpr double rounding = 1e-14;
+    const double size = a.origin.length() + b.origin.length() + a.length + b.length;
+    return a.normal.cross(b.normal).length() <= 10 * rounding &&
+           std::abs(a.normal.dot(b.origin - a.origin)) <= rounding * size;
+}
+
+} // namespace
 
 RigPlanes::RigPlanes(const LightRig& rig) {
     for (std::size_t i = 0; i < rig.sources.size(); ++i)
-        if (const auto* plane = std::get_if<CPlane>(&rig.sources[i]))
-            planes_.push_back({i, CPlaneFrame(*plane), plane->luminance, plane->mirror});
+        if (const auto* row = std::get_if<CPlane>(&rig.sources[i])) {
+            const CPlaneFrame frame(*row);
+            const auto same = std::find_if(planes_.begin(), planes_.end(), [&](const Plane& other) {
+                return in_one_plane(other.frame, frame);
+            });
+            planes_.push_back({i, frame, row->luminance, row->mirror,
+                               static_cast<std::size_t>(same - planes_.begin())});
+        }
+}
+
+std::optional<CPlaneHit> RigPlanes::meet(const Plane& plane, const Vec3& origin,
+                                         const Vec3& direction) const {
+    auto hit = c_plane_coordinates(plane.frame, origin, direction);
+    const Plane& level = planes_[plane.level];
+    if (hit && &level != &plane)
+        hit->t = c_plane_coordinates(level.frame, origin, direction).value_or(*hit).t;
+    return hit;
 }
 
 std::optional<RigPlaneHit> RigPlanes::next(const Vec3& origin, const Vec3& direction,
@@ -18,7 +45,7 @@ std::optional<RigPlaneHit> RigPlanes::next(const Vec3& origin, const Vec3& direc
     for (std::size_t i = 0; i < planes_.size(); ++i) {
         const Plane& plane = planes_[i];
         if (last && last->number == i) continue;
-        const auto hit = c_plane_coordinates(plane.frame, origin, direction);
+        const auto hit = meet(plane, origin, direction);
         if (!hit || (last && (hit->t < last->at.t ||
                               (hit->t == last->at.t && plane.source <= last->source))))
             continue;

@@ -33,6 +33,8 @@ public:
         CPlaneFrame frame;
         Rgb luminance;
         TubeLook mirror;
+        std::size_t level; ///< number of the first plane of the rig that lies in the same one:
+                           ///< rays meet both at the distance of that
     };
 
     explicit RigPlanes(const LightRig& rig);
@@ -51,11 +53,15 @@ public:
                             double t_max) const;
     /// Whether it is proved that luminance() finds no lamp for any ray of a bundle.
     bool are_missed_by(const RayBundle& rays) const;
+    /// Of planes at one distance the first of the rig.
     std::optional<RigPlaneHit> nearest(const Vec3& origin, const Vec3& direction) const;
     /// All, by their numbers.
     std::span<const Plane> planes() const { return planes_; }
 
 private:
+    /// Where a ray meets a plane, at the distance of its level.
+    std::optional<CPlaneHit> meet(const Plane& plane, const Vec3& origin,
+                                  const Vec3& direction) const;
     /// The nearest plane on the ray, or the nearest behind `last`.
     std::optional<RigPlaneHit> next(const Vec3& origin, const Vec3& direction,
                                     const std::optional<RigPlaneHit>& last) const;

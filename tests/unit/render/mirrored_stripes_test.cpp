@@ -57,6 +57,14 @@ CPlane wall() {
     return plane;
 }
 
+/// Beside the wall, in the same plane but for rounding.
+CPlane along_the_wall() {
+    CPlane plane = wall();
+    plane.origin += plane.v * (1.0 / 3) + plane.u * 0.7;
+    plane.v = plane.v * 0.3;
+    return plane;
+}
+
 std::vector<Stage> stages() {
     std::vector<Stage> all;
     all.emplace_back(dome());
@@ -65,6 +73,8 @@ std::vector<Stage> stages() {
     std::get<CPlane>(all.back().rig.sources[0]).lamps = 60; // too fine for wide pixels
     all.emplace_back(dome());
     all.back().rig.sources.push_back(wall());
+    all.emplace_back(dome());
+    all.back().rig.sources = {along_the_wall(), wall(), along_the_wall()};
     all.emplace_back(dome());
     std::get<CPlane>(all.back().rig.sources[0]).diameter = 300; // strips overlap
     std::get<CPlane>(all.back().rig.sources[0]).luminous_caps = true;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace keiko;
 
 namespace {
@@ -53,6 +55,22 @@ TEST(RigPlanes, RowsInOnePlaneAreAllSeen) {
     const LightRig rig = rig_of({row_at(1000, blue), right});
     EXPECT_EQ(RigPlanes(rig).luminance(Vec3(400, 50, 0), up).luminance, blue);
     EXPECT_EQ(RigPlanes(rig).luminance(Vec3(600, 50, 0), up).luminance, red);
+}
+
+TEST(RigPlanes, OfRowsInOneSlantedPlaneTheFirstIsTheNearest) {
+    CPlane first{.origin = {10, 20, 1000}, .u = {1000, 0, 300}, .v = {-90, 800, 300}};
+    CPlane second = first;
+    second.origin += first.u * (1.0 / 3) + first.v * 0.7;
+    second.v = first.v * 0.3;
+    const LightRig rig = rig_of({first, second, first});
+    const RigPlanes planes(rig);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 from(std::sin(i), std::cos(3 * i), 0.1 * i);
+        const Vec3 direction(0.3 * std::sin(7 * i), 0.3 * std::cos(5 * i), 1);
+        const auto hit = planes.nearest(from, direction);
+        ASSERT_TRUE(hit);
+        EXPECT_EQ(hit->number, 0) << i;
+    }
 }
 
 TEST(RigPlanes, StopsAtTheNextSurface) {
