@@ -2,7 +2,8 @@
 
 #include "keiko/patch/boundary_curves.h"
 
-#include "tests/support/analytic_models.h"
+#include "tests/support/model_builder.h"
+#include "tests/unit/patch/seam_sides.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,22 +12,7 @@
 namespace keiko {
 namespace {
 
-using test::ModelBuilder;
-
-constexpr double join = 0.5;
-const Vec3 along_x(100, 0, 0), up_y(0, 50, 0), down_y(0, -50, 0);
-
-double length_of(const SurfaceModel& model, const BoundaryInterval& i) {
-    return BoundaryCurves(model).curve(i).length(i.begin, i.end);
-}
-
-Vec3 begin_of(const SurfaceModel& model, const BoundaryInterval& i) {
-    return BoundaryCurves(model).curve(i).at(i.begin).position;
-}
-
-Vec3 end_of(const SurfaceModel& model, const BoundaryInterval& i) {
-    return BoundaryCurves(model).curve(i).at(i.end).position;
-}
+using namespace test;
 
 TEST(PairSeams, JoinsTwoBordersAcrossAGap) {
     ModelBuilder builder;
@@ -76,90 +62,6 @@ TEST(PairSeams, SplitsALongBorderAtATJunction) {
     EXPECT_NEAR(length_of(model, seams[2].a), 50, 1e-11); // the two short ones between themselves
 }
 
-TEST(PairSeams, FindsTheExactEndsOfAPartialOverlap) {
-    ModelBuilder builder;
-    builder.plane({0, 0.02, 0}, along_x, up_y);
-    builder.plane({-40, 0, 0}, along_x, down_y);
-    const SurfaceModel model = builder.build();
-    const auto seams = pair_seams(model, join);
-    ASSERT_EQ(seams.size(), 1u);
-    EXPECT_EQ(seams[0].a.begin, 0);
-    EXPECT_NEAR(seams[0].a.end, 0.6, 1e-12);
-    EXPECT_NEAR(seams[0].b.begin, 0.4, 1e-12);
-    EXPECT_EQ(seams[0].b.end, 1);
-}
-
-TEST(PairSeams, EndsAWedgeWhereItOpensPastTheJoinDistance) {
-    const double angle = 0.01;
-    ModelBuilder builder;
-    builder.plane({0, 0, 0}, along_x, up_y);
-    builder.plane({0, 0, 0}, {100 * std::cos(angle), -100 * std::sin(angle), 0}, down_y);
-    const auto seams = pair_seams(builder.build(), join);
-    ASSERT_EQ(seams.size(), 1u);
-    EXPECT_NEAR(seams[0].a.end, join / std::sin(angle) / 100, 1e-9);
-}
-
-/// Shares its corners at x = 0 and x = 100 with a border along x and bows away by `bow` mm between.
-std::vector<Vec3> bowed_sheet(double bow) {
-    return {{0, 0, 0}, {50, -2 * bow, 0}, {100, 0, 0}, {0, -50, 0}, {50, -50, 0}, {100, -50, 0}};
-}
-
-TEST(PairSeams, FindsTheClosedEndOfASeamThatGapesOpen) {
-    for (const double opening : {2.2, 5.0, 10.0}) {
-        const Vec3 away(100, 0, opening);
-        const double length = join / std::sin(std::atan(opening / 100));
-        for (const bool backwards : {false, true}) {
-            ModelBuilder builder;
-            builder.plane({0, 0, 0}, along_x, up_y);
-            backwards ? builder.plane(away, -away, down_y) : builder.plane({0, 0, 0}, away, down_y);
-            const SurfaceModel model = builder.build();
-            const auto seams = pair_seams(model, join);
-            ASSERT_EQ(seams.size(), 1u) << opening << backwards;
-            EXPECT_EQ(seams[0].a.begin, 0);
-            EXPECT_NEAR(length_of(model, seams[0].b), length, length * 0.01);
-            EXPECT_EQ(seams[0].b.begin, backwards ? 1 : 0);
-        }
-    }
-}
-
-TEST(PairSeams, FindsBothClosedEndsOfABowedBorder) {
-    for (const double bow : {0.6, 1.0, 3.0}) {
-        ModelBuilder builder;
-        builder.plane({0, 0, 0}, along_x, up_y);
-        builder.patch(1, 2, bowed_sheet(bow));
-        const SurfaceModel model = builder.build();
-        const auto seams = pair_seams(model, join);
-        ASSERT_EQ(seams.size(), 2u) << bow;
-        const double end = (1 - std::sqrt(1 - join / bow)) / 2; // 4 bow x (1 - x) = join
-        EXPECT_EQ(seams[0].a.begin, 0);
-        EXPECT_NEAR(seams[0].a.end, end, 0.01 * end);
-        EXPECT_NEAR((end_of(model, seams[0].a) - end_of(model, seams[0].b)).length(), join, 1e-9);
-        EXPECT_NEAR(seams[1].a.begin, 1 - end, 0.01 * end);
-        EXPECT_EQ(seams[1].a.end, 1);
-    }
-}
-
-TEST(PairSeams, PartsBordersWhereThePartnerBowsAwayBetweenLooks) {
-    // The bowed border comes first, so that it is the straight one that is looked at.
-    ModelBuilder builder;
-    builder.patch(1, 2, bowed_sheet(1));
-    builder.plane({0, 0, 0}, along_x, up_y);
-    EXPECT_EQ(pair_seams(builder.build(), join).size(), 2u);
-}
-
-TEST(PairSeams, FindsBordersThatComeNearBetweenTheirEnds) {
-    // They cross in a place where no polyline has a corner.
-    const double slope = 0.06, cross = 36;
-    ModelBuilder builder;
-    builder.plane({0, 0, 0}, along_x, up_y);
-    builder.plane({0, 0, -cross * slope}, {100, 0, 100 * slope}, down_y);
-    const SurfaceModel model = builder.build();
-    const auto seams = pair_seams(model, join);
-    ASSERT_EQ(seams.size(), 1u);
-    EXPECT_NEAR(begin_of(model, seams[0].a).x, cross - join / slope, 0.05);
-    EXPECT_NEAR(end_of(model, seams[0].a).x, cross + join / slope, 0.05);
-}
-
 TEST(PairSeams, DoesNotTakeCrossingOrTouchingBordersForSeams) {
     for (const double degrees : {20.0, 45.0, 90.0}) {
         const double angle = degrees * std::numbers::pi / 180;
@@ -175,97 +77,6 @@ TEST(PairSeams, DoesNotTakeCrossingOrTouchingBordersForSeams) {
     }
 }
 
-TEST(PairSeams, PassesOverTheFarSideOfASliver) {
-    for (const double gap : {0.0, 0.04}) {
-        ModelBuilder builder;
-        builder.plane({0, 0.3 + gap, 0}, along_x, up_y);
-        builder.plane({0, 0, 0}, along_x, {0, 0.3, 0});
-        builder.plane({0, 0, 0}, along_x, down_y);
-        const auto seams = pair_seams(builder.build(), join);
-        ASSERT_EQ(seams.size(), 2u) << gap;
-        EXPECT_EQ(seams[0].a.face, 0u);
-        EXPECT_EQ(seams[0].b.face, 1u);
-        EXPECT_EQ(seams[1].a.face, 1u);
-        EXPECT_EQ(seams[1].b.face, 2u);
-    }
-}
-
-TEST(PairSeams, TellsBordersOfFacesNarrowerThanTheJoinDistanceApart) {
-    for (const double width : {0.1, 0.2, 0.42})
-        for (const double gap : {0.0, 0.03}) {
-            ModelBuilder builder;
-            builder.plane({0, 0, 0}, {10, 0, 0}, {0, width, 0});
-            builder.plane({0, -gap - width, 0}, {10, 0, 0}, {0, width, 0.3 * width});
-            const SurfaceModel model = builder.build();
-            const auto seams = pair_seams(model, join);
-            ASSERT_EQ(seams.size(), 1u) << width << " " << gap;
-            EXPECT_EQ(seams[0].a.curve, natural_side + 0);
-            EXPECT_EQ(seams[0].b.curve, natural_side + 2);
-        }
-}
-
-TEST(PairSeams, PassesOverTheNeighbourBehindTheTipOfANeedle) {
-    // Near its tip the needle is narrower than the join distance; a gap of 5 um on one side.
-    ModelBuilder builder;
-    builder.plane({0, 0, 0}, {100, 2, 0}, up_y);
-    builder.patch(1, 1, {{0, 0, 0}, {0, 0, 0}, {100, 0, 0}, {100, 2, 0}});
-    builder.plane({0, -0.005, 0}, along_x, down_y);
-    const auto seams = pair_seams(builder.build(), join);
-    ASSERT_EQ(seams.size(), 2u);
-    EXPECT_EQ(seams[0].a.face, 0u);
-    EXPECT_EQ(seams[0].b.face, 1u);
-    EXPECT_EQ(seams[1].a.face, 1u);
-    EXPECT_EQ(seams[1].b.face, 2u);
-}
-
-TEST(PairSeams, KeepsATinyFaceWhoseEdgesAreShorterThanTheJoinDistance) {
-    ModelBuilder builder;
-    builder.plane({0, 0, 0}, along_x, up_y);
-    builder.plane({20, 0, 0}, {0.2, 0, 0}, {0, -0.1, 0});
-    const auto seams = pair_seams(builder.build(), join);
-    ASSERT_EQ(seams.size(), 1u);
-    EXPECT_NEAR(seams[0].a.begin, 0.2, 1e-12);
-    EXPECT_NEAR(seams[0].a.end, 0.202, 1e-12);
-}
-
-/// Covers x in [0, 10] and y from 0 to 5; its border at y = 0 is cut into equal pieces.
-std::vector<Vec2> cut_rectangle(int pieces) {
-    std::vector<Vec2> corners;
-    for (int i = 0; i <= pieces; ++i) corners.emplace_back(static_cast<double>(i) / pieces, 0);
-    corners.emplace_back(1, 1);
-    corners.emplace_back(0, 1);
-    return corners;
-}
-
-TEST(PairSeams, DoNotDependOnHowBordersAreCut) {
-    // 4 times the gap is more than a piece is long, and pieces end in the middle of others.
-    const double gap = 0.05;
-    for (const auto& [upper, lower] : {std::pair(1, 200), std::pair(200, 3), std::pair(130, 170)}) {
-        ModelBuilder builder;
-        builder.plane({0, gap, 0}, {10, 0, 0}, {0, 5, 0});
-        builder.polygon(cut_rectangle(upper));
-        builder.plane({0, 0, 0}, {10, 0, 0}, {0, -5, 0});
-        builder.polygon(cut_rectangle(lower));
-        const SurfaceModel model = builder.build();
-        double length = 0;
-        for (const Seam& seam : pair_seams(model, join)) length += length_of(model, seam.a);
-        EXPECT_NEAR(length, 10, 1e-9) << upper << " and " << lower;
-    }
-}
-
-TEST(PairSeams, LeaveAScrapAtOneEndOfASeam) {
-    // Beyond x = 10 the lower border turns away by 9 degrees; the upper one ends 0.3 mm later.
-    ModelBuilder builder;
-    builder.plane({0, 0, 0}, {10.3, 0, 0}, {0, 5, 0});
-    const double away = 10 * std::tan(9 * std::numbers::pi / 180);
-    builder.plane({0, -10, 0}, {20, 0, 0}, {0, 10, 0});
-    builder.polygon({{0, 0}, {1, 0}, {1, 1 - away / 10}, {0.5, 1}, {0, 1}});
-    const SurfaceModel model = builder.build();
-    const auto seams = pair_seams(model, join);
-    ASSERT_EQ(seams.size(), 1u);
-    EXPECT_NEAR(length_of(model, seams[0].a), 10, 1e-9);
-}
-
 TEST(PairSeams, JoinsAPartToItsMirrorImage) {
     ModelBuilder builder;
     builder.plane({0, 0, 10}, along_x, up_y);
@@ -277,96 +88,6 @@ TEST(PairSeams, JoinsAPartToItsMirrorImage) {
     ASSERT_EQ(seams.size(), 1u);
     EXPECT_EQ(seams[0].a, (BoundaryInterval{0, 0, natural_side, 0, 1}));
     EXPECT_EQ(seams[0].b, (BoundaryInterval{1, 0, natural_side, 0, 1}));
-}
-
-const double half_root = std::sqrt(0.5);
-
-/// A quarter of a cylinder about z, in u from `from` quarter turns, in v along z.
-std::vector<Vec4> quarter_cylinder(double radius, double height, int from) {
-    const auto at = [&](double x, double y, double z, double w) {
-        const int turns = from % 4;
-        for (int i = 0; i < turns; ++i) std::swap(x, y), x = -x;
-        return Vec4(radius * x * w, radius * y * w, z * w, w);
-    };
-    return {at(1, 0, 0, 1),         at(1, 0, height, 1),
-            at(1, 1, 0, half_root), at(1, 1, height, half_root),
-            at(0, 1, 0, 1),         at(0, 1, height, 1)};
-}
-
-TEST(PairSeams, JoinsAClosedFaceToItself) {
-    // Four knot spans of one face: the natural side at u lowest meets the one at u highest.
-    NurbsSurface tube{2, 1, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, {0, 0, 1, 1}, {}};
-    for (int quarter = 0; quarter < 4; ++quarter) {
-        const auto points = quarter_cylinder(30, 80, quarter);
-        tube.points.insert(tube.points.end(), points.begin() + (quarter == 0 ? 0 : 2),
-                           points.end());
-    }
-    ModelBuilder builder;
-    builder.nurbs(tube);
-    const SurfaceModel model = builder.build();
-    const auto seams = pair_seams(model, join);
-    ASSERT_EQ(seams.size(), 1u);
-    EXPECT_EQ(seams[0].a.face, seams[0].b.face);
-    EXPECT_NEAR(length_of(model, seams[0].a), 80, 1e-10);
-}
-
-// Both ends of each border face both ends of the other.
-TEST(PairSeams, JoinsATorusToItselfAllAround) {
-    for (const double size : {1e-2, 1.0, 1e3}) {
-        const SurfaceModel model = test::torus_model(60 * size, 20 * size, 0.3);
-        double length = 0;
-        for (const Seam& seam : pair_seams(model, size < 1 ? 0.01 : join)) {
-            EXPECT_NEAR(length_of(model, seam.a), length_of(model, seam.b), 1e-9 * size);
-            length += length_of(model, seam.a) / size;
-        }
-        const double pi = std::numbers::pi;
-        EXPECT_NEAR(length, 2 * pi * (60 + 20 * std::cos(0.3) + 20), 1e-6) << size;
-    }
-}
-
-TEST(PairSeams, DoesNotTakeANarrowFaceForAClosedOne) {
-    ModelBuilder builder;
-    builder.plane({0, 0, 0}, along_x, {0, 0.3, 0});
-    EXPECT_TRUE(pair_seams(builder.build(), join).empty());
-}
-
-TEST(PairSeams, JoinsBordersOfDifferentParametrisation) {
-    // The rim of a quarter cylinder against the same arc, trimmed out of a plane by a p-curve.
-    ModelBuilder builder;
-    builder.rational_patch(2, 1, quarter_cylinder(30, 80, 0));
-    builder.plane({0, 0, 0}, {100, 0, 0}, {0, 100, 0});
-    const double r = 0.3;
-    builder.loop({{Vec3(0, 0, 1), Vec3(r, 0, 1)},
-                  {Vec3(r, 0, 1), Vec3(r, r, 1) * half_root, Vec3(0, r, 1)},
-                  {Vec3(0, r, 1), Vec3(0, 0, 1)}});
-    const SurfaceModel model = builder.build();
-    const auto seams = pair_seams(model, join);
-    ASSERT_EQ(seams.size(), 1u);
-    EXPECT_EQ(seams[0].b, (BoundaryInterval{0, 1, 1, 0, 1}));
-    EXPECT_NEAR(length_of(model, seams[0].a), 15 * std::numbers::pi, 1e-9);
-}
-
-TEST(PairSeams, SkipsBordersThatArePoints) {
-    // Two octants of a sphere: they share a meridian and, as a point, the pole.
-    const double w = half_root;
-    const std::vector<Vec4> octant{{10, 0, 0, 1},
-                                   {10 * w, 0, 10 * w, w},
-                                   {0, 0, 10, 1},
-                                   {10 * w, 10 * w, 0, w},
-                                   {10 * w * w, 10 * w * w, 10 * w * w, w * w},
-                                   {0, 0, 10 * w, w},
-                                   {0, 10, 0, 1},
-                                   {0, 10 * w, 10 * w, w},
-                                   {0, 0, 10, 1}};
-    std::vector<Vec4> next = octant;
-    for (Vec4& p : next) p = Vec4(-p.y, p.x, p.z, p.w);
-    ModelBuilder builder;
-    builder.rational_patch(2, 2, octant);
-    builder.rational_patch(2, 2, next);
-    const SurfaceModel model = builder.build();
-    const auto seams = pair_seams(model, join);
-    ASSERT_EQ(seams.size(), 1u);
-    EXPECT_NEAR(length_of(model, seams[0].a), 5 * std::numbers::pi, 1e-9);
 }
 
 TEST(PairSeams, ReportsTheEdgeThatTheFileShares) {
@@ -419,50 +140,12 @@ TEST(PairSeams, ReadsTheWidePatchBesideAKnotSpanOfNoWidth) {
     EXPECT_NEAR(BoundaryCurves(model).curve(seams[0].a).at(0.25).position.x, 25, 1e-6);
 }
 
-TEST(PatchGrid, FindsThePatchesOfAnAdaptiveSubdivision) {
-    // One half of the square whole, the other in two: storage-jar-offset-surfaces.step.
-    SurfaceModel model;
-    using Kind = ParameterMap::Kind;
-    const auto add = [&](double u0, double u1, double v0, double v1) {
-        model.patches.push_back({0, 0, 1, 1, {Kind::affine, u0, u1}, {Kind::affine, v0, v1}});
-    };
-    model.control_points.assign(4, Vec4(0, 0, 0, 1));
-    add(0, 0.5, 0, 0.5), add(0, 0.5, 0.5, 1), add(0.5, 1, 0, 1);
-    Face face;
-    face.patch_count = 3;
-    const PatchGrid grid(model, face);
-    EXPECT_EQ(grid.locate({0.2, 0.2}, {0, 0}), 0u);
-    EXPECT_EQ(grid.locate({0.2, 0.8}, {0, 0}), 1u);
-    EXPECT_EQ(grid.locate({0.8, 0.2}, {0, 0}), 2u);
-    EXPECT_EQ(grid.locate({0.8, 0.8}, {0, 0}), 2u);
-    EXPECT_EQ(grid.locate({0.5, 0.8}, {-1, 0}), 1u); // on the line: by the side of the material
-    EXPECT_EQ(grid.locate({0.5, 0.8}, {1, 0}), 2u);
-    EXPECT_EQ(grid.locate({0.2, 0.5}, {0, -1}), 0u);
-    EXPECT_EQ(grid.locate({7, 0.2}, {0, 0}), 2u); // outside: the nearest
-}
-
 TEST(PairSeams, PassesOverABorderThatIsNoNumber) {
     ModelBuilder builder;
     builder.rational_patch(1, 1, {{0, 0, 0, 0}, {0, 50, 0, 0}, {9, 0, 0, 0}, {9, 50, 0, 0}});
     builder.plane({0, 0, 0}, along_x, up_y);
     builder.plane({0, 0, 0}, along_x, down_y);
     EXPECT_EQ(pair_seams(builder.build(), join).size(), 1u);
-}
-
-TEST(BoundaryCurves, PointsInwardsAtOuterBordersAndAtHoles) {
-    ModelBuilder builder;
-    builder.plane({0, 0, 0}, {100, 0, 0}, {0, 100, 0});
-    builder.polygon({{0, 0}, {0, 1}, {1, 1}, {1, 0}});                 // clockwise on purpose
-    builder.polygon({{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}}); // anticlockwise hole
-    const SurfaceModel model = builder.build();
-    const BoundaryCurves curves(model);
-    const auto inward = [&](std::uint32_t curve) {
-        return curves.curve({0, 0, curve, 0, 1}).frame(0.5)->inward;
-    };
-    EXPECT_NEAR(inward(0).x, 1, 1e-15); // u = 0
-    EXPECT_NEAR(inward(2).x, -1, 1e-15);
-    EXPECT_NEAR(inward(4).y, -1, 1e-15); // the hole's lower side
-    EXPECT_NEAR(inward(6).y, 1, 1e-15);
 }
 
 } // namespace
