@@ -1,0 +1,198 @@
+#include "keiko/report/report_html.h"
+
+#include "keiko/base/units.h"
+#include "keiko/report/report.h"
+#include "keiko/report/report_json.h"
+
+#include "tests/support/model_builder.h"
+#include "tests/unit/report/sample_report.h"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+using namespace test;
+
+TEST(ReportHtml, RowsOfFindingsOpenTheirCloseUps) {
+    Report with_faces = report();
+    ReportPicture dent{"close-up-2", "", "close-up-2.png", "a dent", 360, 240, {}};
+    with_faces.close_ups[0].picture.title = "close-up-1";
+    with_faces.close_ups.push_back({CloseUp::Of::face, 1, dent});
+    const std::string html = report_html(with_faces);
+    EXPECT_NE(html.find("data-shot=\"close-up-1\""), std::string::npos);
+    EXPECT_NE(html.find("data-shot=\"close-up-2\""), std::string::npos);
+    EXPECT_NE(html.find("<img id=\"close-up-1\""), std::string::npos);
+    // The seam's is in its card, the face's in the gallery.
+    EXPECT_LT(html.find("<img id=\"close-up-1\""), html.find("<div hidden>"));
+    EXPECT_GT(html.find("<img id=\"close-up-2\""), html.find("<div hidden>"));
+    EXPECT_NE(html.find("<dialog id=\"viewer\">"), std::string::npos);
+    const auto json = nlohmann::json::parse(report_json(with_faces));
+    EXPECT_EQ(json["close_ups"][1]["face"], 1);
+}
+
+TEST(ReportHtml, TellsOfInflectionCurvesAndCombs) {
+    Report bent = report();
+    bent.inspection.faces[0].inflections.push_back(
+        {false, true, 12.5, 1e-5, 0.001, {Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(7, 8, 9)}});
+    bent.combs.push_back({"y=120", "<svg>comb</svg>"});
+    const std::string html = report_html(bent);
+    EXPECT_NE(html.find("inflections mm"), std::string::npos);
+    EXPECT_NE(html.find("in 1 at 4.0, 5.0, 6.0"), std::string::npos);
+    EXPECT_NE(html.find("<svg>comb</svg>"), std::string::npos);
+    EXPECT_EQ(report_files(bent).at("combs-y=120.svg"), "<svg>comb</svg>");
+    const auto curve = nlohmann::json::parse(report_json(bent))["faces"][0]["inflections"][0];
+    EXPECT_EQ(curve["length"], 12.5);
+    EXPECT_EQ(curve["points"][1], nlohmann::json({4, 5, 6}));
+}
+
+TEST(ReportHtml, HasLinesWorstFirstWithTheirLimits) {
+    Report with_lines = report();
+    EXPECT_EQ(report_html(with_lines).find("Reflection lines"), std::string::npos);
+    with_lines.lines = lines();
+    const std::string html = report_html(with_lines);
+    EXPECT_NE(html.find("rig tubes &amp; more"), std::string::npos);
+    EXPECT_NE(html.find("1 crossing fails, 0 undecided, 2 pass, 1 not judged"), std::string::npos);
+    EXPECT_LT(html.find("bad &lt;1&gt;"), html.find(">near<"));
+    EXPECT_NE(html.find("<b>1</b>line crossing fails"), std::string::npos);
+}
+
+TEST(ReportHtml, HasThePlacesWhereLinesTurnOver) {
+    Report with_lines = report();
+    with_lines.lines = lines();
+    EXPECT_EQ(report_html(with_lines).find("turn over"), std::string::npos);
+    JoinedLine line;
+    line.plane = 1, line.lamp = 7, line.length = 812.34;
+    line.inflections = {{100.5, {1, 2, 3}}, {700, {4, 5, 6.25}}};
+    with_lines.lines->views[1].found.lines = {line, {}};
+    const std::string html = report_html(with_lines);
+    EXPECT_NE(html.find("<summary>1 line turns over at 2 places</summary>"), std::string::npos);
+    const std::size_t row = html.find(">1.7</td>");
+    EXPECT_EQ(html.find("812.3", row), html.find("812.3"));
+    EXPECT_NE(html.find(">100.5</td><td data-v=\"1\">1.0, 2.0, 3.0</td>"), std::string::npos);
+    EXPECT_NE(html.find(">700.0</td><td data-v=\"4\">4.0, 5.0, 6.3</td>"), std::string::npos);
+}
+
+TEST(ReportHtml, TellsBeforeAllElseHowMuchOfTheBordersMeetsNoOther) {
+    const std::string html = report_html(report());
+    const std::size_t told = html.find("mm of borders meet no other · class-a-outer");
+    EXPECT_LT(told, html.find("<div class=\"counts\">"));
+    EXPECT_EQ(html.find("no seam was judged"), std::string::npos);
+    EXPECT_NE(html.find("<b>1</b>face lost"), std::string::npos);
+}
+
+TEST(ReportHtml, WarnsOfABodyWithoutAnySeam) {
+    test::ModelBuilder builder;
+    builder.plane({0, 0, 0}, {100, 0, 0}, {0, 50, 0});
+    builder.plane({0, 50.6, 0}, {100, 0, 0}, {0, 50, 0});
+    Report apart;
+    apart.inspection = inspect(builder.build());
+    const std::string html = report_html(apart);
+    EXPECT_NE(html.find("600.0 of 600.0 mm of borders meet no other"), std::string::npos);
+    EXPECT_NE(html.find("<b>no seam was judged: of 2 faces no two have borders that run along "
+                        "each other within 0.5 mm (--join)</b>"),
+              std::string::npos);
+}
+
+/// Two sheets that meet along x, the second turned by `degrees` from where the first leads.
+std::string html_of_bend(double degrees) {
+    const double angle = degrees_to_radians(degrees);
+    test::ModelBuilder builder;
+    builder.plane({0, 0, 0}, {100, 0, 0}, {0, -50, 0});
+    builder.plane({0, 0, 0}, {100, 0, 0}, {0, 50 * std::cos(angle), 50 * std::sin(angle)});
+    Report bent;
+    bent.inspection = inspect(builder.build());
+    return report_html(bent);
+}
+
+TEST(ReportHtml, TellsHowFarALampsImageJumpsButNotOverAFold) {
+    // 2 D tan 4 degrees, D = 2 m.
+    EXPECT_NE(html_of_bend(4).find("279.7 mm at 2 m"), std::string::npos);
+    const std::string fold = html_of_bend(179.5);
+    EXPECT_NE(fold.find("179.500°"), std::string::npos);
+    EXPECT_EQ(fold.find("mm at 2 m"), std::string::npos);
+}
+
+TEST(ReportHtml, TellsTheFirstScreenInOrder) {
+    const std::string html = report_html(report());
+    std::size_t at = 0;
+    for (const char* text :
+         {"<header class=\"card head fail\">", "seams fail", "undecided", "</b>crease</div>",
+          "not covered", "Reflections", "Worst seams", "0.0400 mm", "0.300°", "Coverage", "87.5 %",
+          "All seams", "lost faces", "repairs", "1 × open loop closed on 1 face, up to 0.25 mm",
+          "a &lt;seam&gt; added", "invalid in the file"}) {
+        const std::size_t next = html.find(text, at);
+        ASSERT_NE(next, std::string::npos) << text;
+        at = next;
+    }
+}
+
+/// The first seam smooth up to its curvature, whose slope jumps by 0.4 degrees.
+Report with_slope_failure() {
+    Report sloped = report();
+    sloped.inspection.preset.curvature_slope = 0.1;
+    MeasuredSeam& seam = sloped.inspection.seams[0];
+    seam.gap = {.value = 0, .bound = 0, .limit = 0.01};
+    seam.curvature = CurvatureStep{};
+    seam.curvature->worst.limit = 0.1;
+    seam.slope = CurvatureSlopeStep{};
+    seam.slope->worst = {.value = 0.4, .bound = 0, .limit = 0.1, .verdict = Verdict::fail};
+    seam.severity = 4;
+    return sloped;
+}
+
+TEST(ReportHtml, TellsWhyASeamFailsByTheSlopeOfItsCurvatureAlone) {
+    const std::string html = report_html(with_slope_failure());
+    EXPECT_NE(html.find("<div class=\"measure fail\"><span class=\"soft\">curvature's slope</span> "
+                        "<b>0.400°</b>"),
+              std::string::npos);
+    EXPECT_NE(html.find("limit 0.1°</span>"), std::string::npos);
+    EXPECT_NE(html.find(">its slope ° ≤ 0.1<"), std::string::npos);
+    EXPECT_NE(html.find("<td class=\"tone\" data-v=\"0.4\">0.400</td>"), std::string::npos);
+    EXPECT_EQ(report_html(report()).find("its slope °"), std::string::npos);
+}
+
+TEST(ReportHtml, TellsOverlapsAndKnotLinesFromGapsAndSeams) {
+    Report odd = report();
+    odd.inspection.seams[0].overlap = true;
+    odd.inspection.seams[1].internal = true;
+    const std::string html = report_html(odd);
+    EXPECT_NE(html.find("<span class=\"soft\">overlap</span> <b>0.0400 mm</b>"), std::string::npos);
+    EXPECT_NE(html.find("a knot line inside the face"), std::string::npos);
+    EXPECT_NE(html.find("data-v=\"seam, overlap\""), std::string::npos);
+    EXPECT_NE(html.find("data-v=\"knot line\""), std::string::npos);
+}
+
+TEST(ReportHtml, HeadsTheColumnsWithTheirLimits) {
+    const std::string html = report_html(report());
+    for (const char* heading : {">gap mm ≤ 0.01<", ">angle ° ≤ 0.1<", ">curvature ≤ 10 %<"})
+        EXPECT_NE(html.find(heading), std::string::npos) << heading;
+}
+
+TEST(ReportHtml, EscapesNamesAndNeedsNoOtherFile) {
+    const std::string html = report_html(report());
+    EXPECT_NE(html.find("door &lt;left&gt;.step"), std::string::npos);
+    EXPECT_EQ(html.find("<left>"), std::string::npos);
+    EXPECT_NE(html.find("A&amp;B"), std::string::npos);
+    EXPECT_NE(html.find("data:image/png;base64,bm90IHJlYWxseSBhIFBORw=="), std::string::npos);
+    for (const char* outside : {"http://", "https://", "src=\"front", "<link", "@import"})
+        EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+}
+
+TEST(ReportHtml, PutsMarkersInSharesOfThePicture) {
+    EXPECT_NE(report_html(report()).find("left:25.00%;top:25.00%\">1<"), std::string::npos);
+}
+
+TEST(ReportHtml, LeavesOutWhatThereIsNot) {
+    Report bare;
+    bare.inspection = inspect(SurfaceModel{});
+    const std::string html = report_html(bare);
+    for (const char* absent : {"Reflections", "Worst seams", "Coverage", "not covered"})
+        EXPECT_EQ(html.find(absent), std::string::npos) << absent;
+    EXPECT_NE(html.find("<header class=\"card head pass\">"), std::string::npos);
+}
+
+} // namespace
+} // namespace keiko
