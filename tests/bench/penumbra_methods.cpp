@@ -2,6 +2,7 @@
 
 #include "keiko/render/seen_past.h"
 #include "keiko/render/source_region.h"
+#include "keiko/rig/rig_light.h"
 #include "keiko/tubes/tube_irradiance.h"
 #include "keiko/tubes/tube_penumbra.h"
 
