@@ -1,9 +1,11 @@
 #include "keiko/render/interpolated_light.h"
 
 #include "keiko/render/grid_lights.h"
+#include "keiko/render/light_doubts.h"
 #include "keiko/render/linear_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -14,14 +16,6 @@ namespace {
 /// Pixels a side of the largest squares that are lit from a few places: shadows narrower than a
 /// third of it may be missed.
 constexpr int largest_square = 16;
-
-using Lights = std::vector<std::size_t>; ///< numbers, rising
-
-/// How far a light may be off, as a share of the error that is allowed.
-struct Doubt {
-    std::size_t light;
-    double error;
-};
 
 /// Infinite where nothing is allowed, or what is wrong is no number.
 double ratio(double wrong, double allowed) {
@@ -58,6 +52,12 @@ private:
         Lights seen; ///< those of them of which it is not known either what is seen
     };
 
+    /// Doubts of the lights that are open in whether they are linear, and in whether what is seen
+    /// of them is.
+    struct Doubts {
+        std::vector<Doubt> lit, seen;
+    };
+
     /// Lights a rectangle, of which `known` is what some lights bring to it and `open` are the
     /// others; `left` of the error is still allowed.
     void light(const Rectangle& r, const LinearLight& known, Open open, double left) {
@@ -66,17 +66,18 @@ private:
         Lights linear;
         if (error_ > 0 && !(r.longest() > largest_square) &&
             grid_.is_smooth(r.x0, r.y0, r.x1, r.y1)) {
-            find_probes(r, open);
-            linear = take_linear(r, known, open, left);
-            take_linearly_seen(r, known, open, left);
+            Doubts doubts = doubts_of(r, known, open, left);
+            linear = least_doubtful(std::move(doubts.lit), left);
+            without(open.lit, linear);
+            without(open.seen, linear);
+            take_linearly_seen(r, std::move(doubts.seen), open, left);
         }
         for (const Rectangle& quarter : r.quarters()) {
             LinearLight of_quarter;
             for (std::size_t i = 0; i < 4; ++i) {
                 const Pixel corner = quarter.corners()[i];
-                of_quarter.corners[i] = known.at(grid_.share(r, corner));
-                if (!linear.empty())
-                    of_quarter.corners[i] += lights_.sum(corner.x, corner.y, linear);
+                of_quarter.corners[i] =
+                    known.at(grid_.share(r, corner)) + brought_to(r, linear, corner);
             }
             light(quarter, of_quarter, open, left);
         }
@@ -85,31 +86,74 @@ private:
         lights_.find_for_sure(p.x, p.y, open.seen);
         lights_.find(p.x, p.y, open.lit);
     }
-    void find_probes(const Rectangle& r, const Open& open) {
+    /// All middles of a tiny rectangle are all that is asked of it: it is left to two of them.
+    static std::vector<Pixel> tested_middles(const Rectangle& r) {
+        const std::array all = r.middles();
+        return {all.begin(), r.is_tiny() ? all.begin() + 2 : all.end()};
+    }
+    /// What lights that are linear bring to a corner of a quarter.
+    SpotLight brought_to(const Rectangle& r, const Lights& linear, const Pixel& p) const {
+        if (!r.is_tiny()) return lights_.sum(p.x, p.y, linear);
+        SpotLight sum;
+        for (const std::size_t light : linear) sum += between_corners(r, light, p);
+        return sum;
+    }
+    /// At odd places only those are asked for that the middles, for which the quarters ask as well,
+    /// leave a hope.
+    Doubts doubts_of(const Rectangle& r, const LinearLight& known, const Open& open, double left) {
+        Doubts doubts{doubts_in(open.lit), doubts_in(open.seen)};
         for (const Pixel& p : r.corners()) find(p, open);
-        for (const Pixel& p : grid_.probes(r)) find(p, open);
+        const std::vector<Pixel> middles = tested_middles(r);
+        for (const Pixel& p : middles) find(p, open);
+        for (const Pixel& p : middles)
+            add_doubts(r, p, known.at(grid_.share(r, p)) + lights_.sum(p.x, p.y, open.lit), left,
+                       doubts);
+        for (const Pixel& p : grid_.odd_places(r)) {
+            const Open hopeful = hopes(doubts, left);
+            find(p, hopeful);
+            SpotLight total = known.at(grid_.share(r, p));
+            for (const std::size_t light : open.lit)
+                total += holds(hopeful.lit, light) ? lights_.light(p.x, p.y, light)
+                                                   : between_corners(r, light, p);
+            add_doubts(r, p, total, left, doubts);
+        }
+        return doubts;
     }
-    /// Takes lights off that are linear in the quarters, within what is `left` of the error, which
-    /// they lessen.
-    Lights take_linear(const Rectangle& r, const LinearLight& known, Open& open,
-                       double& left) const {
-        const Lights linear =
-            least_doubtful(r, known, open.lit, open.lit, left,
-                           [&](std::size_t light, const Pixel& p) -> std::optional<SpotLight> {
-                               return between_corners(r, light, p) - lights_.light(p.x, p.y, light);
-                           });
-        without(open.lit, linear);
-        without(open.seen, linear);
-        return linear;
+    /// The lights of which either may still be within what is `left` of the error.
+    static Open hopes(const Doubts& doubts, double left) {
+        Open hopeful;
+        for (const auto& of : {doubts.lit, doubts.seen})
+            for (const Doubt& doubt : of)
+                if (doubt.error <= left) hopeful.lit.push_back(doubt.light);
+        std::sort(hopeful.lit.begin(), hopeful.lit.end());
+        hopeful.lit.erase(std::unique(hopeful.lit.begin(), hopeful.lit.end()), hopeful.lit.end());
+        for (const Doubt& doubt : doubts.seen)
+            if (holds(hopeful.lit, doubt.light)) hopeful.seen.push_back(doubt.light);
+        return hopeful;
     }
-    /// The same of those of which what is seen is linear, and so known in the quarters.
-    void take_linearly_seen(const Rectangle& r, const LinearLight& known, Open& open,
+    /// Of one place, `total` being all light there; only where they are still within what is `left`
+    /// of the error.
+    void add_doubts(const Rectangle& r, const Pixel& p, const SpotLight& total, double left,
+                    Doubts& doubts) const {
+        for (Doubt& doubt : doubts.lit)
+            if (doubt.error <= left)
+                doubt.add(share_of_error(
+                    p, between_corners(r, doubt.light, p) - lights_.light(p.x, p.y, doubt.light),
+                    total));
+        for (Doubt& doubt : doubts.seen)
+            if (doubt.error <= left)
+                doubt.add(share_of_error(p, wrong_if_seen_linearly(r, doubt.light, p), total));
+    }
+    /// Takes lights off of which what is seen is linear, and so known in the quarters.
+    void take_linearly_seen(const Rectangle& r, std::vector<Doubt> doubts, Open& open,
                             double& left) {
-        const Lights linear = least_doubtful(
-            r, known, open.lit, open.seen, left,
-            [&](std::size_t light, const Pixel& p) { return wrong_if_seen_linearly(r, light, p); });
+        std::erase_if(doubts, [&](const Doubt& doubt) { return !holds(open.seen, doubt.light); });
+        const Lights linear = least_doubtful(std::move(doubts), left);
         for (const std::size_t light : linear)
-            for (const Rectangle& quarter : r.quarters()) take_seen(quarter, light);
+            if (r.is_tiny())
+                take_seen(r, light);
+            else
+                for (const Rectangle& quarter : r.quarters()) take_seen(quarter, light);
         without(open.seen, linear);
     }
     std::optional<SpotLight> wrong_if_seen_linearly(const Rectangle& r, std::size_t light,
@@ -124,37 +168,6 @@ private:
             for (int x = r.x0; x <= r.x1; ++x)
                 if (const auto seen = seen_between_corners(r, light, {x, y}))
                     lights_.take(x, y, light, *seen);
-    }
-    /// Those of some lights of which `wrong`(light, place) is least at the probes, as long as all
-    /// together are within what is `left` of the error, which they lessen; none of which that is
-    /// nothing. `lit`: all that are not `known`.
-    template <class Wrong>
-    Lights least_doubtful(const Rectangle& r, const LinearLight& known, const Lights& lit,
-                          const Lights& lights, double& left, const Wrong& wrong) const {
-        std::vector<Doubt> doubts;
-        for (const std::size_t light : lights) doubts.push_back({light, 0});
-        for (const Pixel& p : grid_.probes(r)) {
-            const SpotLight total = known.at(grid_.share(r, p)) + lights_.sum(p.x, p.y, lit);
-            for (Doubt& doubt : doubts)
-                if (doubt.error <= left)
-                    doubt.error =
-                        std::max(doubt.error, share_of_error(p, wrong(doubt.light, p), total));
-        }
-        std::stable_sort(doubts.begin(), doubts.end(),
-                         [](const Doubt& a, const Doubt& b) { return a.error < b.error; });
-        Lights taken;
-        for (const Doubt& doubt : doubts) {
-            if (!(doubt.error <= left)) break;
-            left -= doubt.error;
-            taken.push_back(doubt.light);
-        }
-        std::sort(taken.begin(), taken.end());
-        return taken;
-    }
-    static void without(Lights& lights, const Lights& taken) {
-        std::erase_if(lights, [&](std::size_t light) {
-            return std::binary_search(taken.begin(), taken.end(), light);
-        });
     }
     /// What one light would bring to a place if it were linear between the corners.
     SpotLight between_corners(const Rectangle& r, std::size_t light, const Pixel& p) const {

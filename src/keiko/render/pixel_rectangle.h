@@ -17,6 +17,8 @@ struct Rectangle {
 
     Pixel middle() const { return {(x0 + x1) / 2, (y0 + y1) / 2}; }
     bool is_small() const { return x1 - x0 <= 1 && y1 - y0 <= 1; }
+    /// Its corners and middles are all of it.
+    bool is_tiny() const { return x1 - x0 <= 2 && y1 - y0 <= 2; }
     int longest() const { return std::max(x1 - x0, y1 - y0); }
     std::array<Pixel, 4> corners() const { return {{{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}}}; }
     /// The four parts around the middle, which share its column and row; two where it is one pixel
@@ -27,16 +29,22 @@ struct Rectangle {
         if (y0 == y1) return {{x0, y0, x, y1}, {x, y0, x1, y1}};
         return {{x0, y0, x, y}, {x, y0, x1, y}, {x0, y, x, y1}, {x, y, x1, y1}};
     }
-    /// Places that tell whether something is linear between the corners, and so in the quarters:
-    /// their other corners, and some with nothing in common with those, since shadows of a row of
-    /// lamps are stairs, which look even where places and steps lie alike.
-    std::vector<Pixel> probes() const {
+    /// The other corners of the quarters.
+    std::array<Pixel, 5> middles() const {
         const auto [x, y] = middle();
-        std::vector<Pixel> probes{{x, y}, {x, y0}, {x0, y}, {x1, y}, {x, y1}};
+        return {{{x, y}, {x, y0}, {x0, y}, {x1, y}, {x, y1}}};
+    }
+    /// Places with nothing in common with those, since shadows of a row of lamps are stairs, which
+    /// look even where places and steps lie alike.
+    std::vector<Pixel> odd_places() const {
         const int least = std::min(x1 - x0, y1 - y0);
-        if (least >= 6) probes.insert(probes.end(), {{x0 + 3, y0 + 1}, {x1 - 2, y1 - 3}});
-        if (least >= 12) probes.insert(probes.end(), {{x1 - 5, y0 + 4}, {x0 + 6, y1 - 5}});
-        return probes;
+        if (least < 6) return {};
+        std::vector<Pixel> odd{{x0 + 3, y0 + 1}, {x1 - 2, y1 - 3}};
+        if (least >= 12) {
+            odd.push_back({x1 - 5, y0 + 4});
+            odd.push_back({x0 + 6, y1 - 5});
+        }
+        return odd;
     }
 };
 

@@ -42,11 +42,11 @@ Vec2 SpotGrid::share(const Rectangle& r, const Pixel& p) const {
     return {share_of_way(along(r.x0), along(r.x1), along(p.x)), share_of_way(r.y0, r.y1, p.y)};
 }
 
-std::vector<Pixel> SpotGrid::probes(const Rectangle& r) const {
-    return height_ > 1 ? r.probes() : probes_of_row(r);
+std::vector<Pixel> SpotGrid::odd_places(const Rectangle& r) const {
+    return height_ > 1 ? r.odd_places() : odd_places_of_row(r);
 }
 
-std::vector<Pixel> SpotGrid::probes_of_row(const Rectangle& r) const {
+std::vector<Pixel> SpotGrid::odd_places_of_row(const Rectangle& r) const {
     const auto& [first, normal, paint] = at(r.x0, 0)->place;
     const Vec3 across = normal.cross(at(r.x1, 0)->place.position - first);
     std::pair low{0.0, r.x0}, high{0.0, r.x0};
@@ -54,10 +54,10 @@ std::vector<Pixel> SpotGrid::probes_of_row(const Rectangle& r) const {
         const std::pair off{across.dot(at(x, 0)->place.position - first), x};
         low = std::min(low, off), high = std::max(high, off);
     }
-    std::vector<Pixel> probes{r.middle()};
+    std::vector<Pixel> odd;
     for (const int x : {low.second, high.second})
-        if (x != r.x0 && x != probes[0].x) probes.push_back({x, 0});
-    return probes;
+        if (x != r.x0 && x != r.middle().x) odd.push_back({x, 0});
+    return odd;
 }
 
 bool SpotGrid::is_smooth(int x0, int y0, int x1, int y1) const {

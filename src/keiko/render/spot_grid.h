@@ -30,10 +30,10 @@ public:
     /// How far a place of a rectangle lies from its left to its right and from its top to its
     /// bottom, 0 to 1.
     Vec2 share(const Rectangle& r, const Pixel& p) const;
-    /// Places that tell whether something is linear between the corners of a rectangle: in a row
-    /// its middle and those that lie farthest off the line from its first to its last, on either
-    /// side; else Rectangle::probes().
-    std::vector<Pixel> probes(const Rectangle& r) const;
+    /// Places besides its middles that tell whether something is linear between the corners of a
+    /// rectangle: in a row those that lie farthest off the line from its first to its last, on
+    /// either side; else Rectangle::odd_places().
+    std::vector<Pixel> odd_places(const Rectangle& r) const;
 
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    std::vector<Pixel> probes_of_row(const Rectangle& r) const;
+    std::vector<Pixel> odd_places_of_row(const Rectangle& r) const;
 
     int width_, height_;
     std::vector<const LitSpot*> spots_;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace keiko {
+
+/// Numbers of lights, rising.
+using Lights = std::vector<std::size_t>;
+
+bool holds(const Lights& lights, std::size_t light);
+/// Takes some off.
+void without(Lights& lights, const Lights& taken);
+
+/// How far a light may be off, as a share of the error that is allowed.
+struct Doubt {
+    std::size_t light;
+    double error = 0;
+
+    void add(double other) { error = std::max(error, other); }
+};
+
+/// Of none of them yet.
+std::vector<Doubt> doubts_in(const Lights& lights);
+/// The lights in which there is least doubt, as long as all together are within what is `left` of
+/// the error, which they lessen.
+Lights least_doubtful(std::vector<Doubt> doubts, double& left);
+
+} // namespace keiko
