@@ -4,8 +4,8 @@
 #include "keiko/math/interval_set.h"
 #include "keiko/patch/boundary_curves.h"
 #include "keiko/patch/box_tree.h"
+#include "keiko/patch/seam_offer.h"
 #include "keiko/patch/seam_pieces.h"
-#include "keiko/patch/seam_stretch.h"
 
 #include <algorithm>
 
@@ -14,51 +14,6 @@ namespace {
 
 /// mm: a curve shorter than this is a point in space, such as a pole.
 constexpr double point_length = 1e-6;
-
-/// A stretch and the two borders that it joins; border a is the earlier.
-struct Candidate {
-    std::uint32_t a = 0, b = 0;
-    Stretch stretch;
-};
-
-/// What another candidate offers along a stretch of one border.
-struct Offer {
-    const Candidate* candidate;
-    bool as_a;
-
-    double parameter(const FacingPoints& p) const { return as_a ? p.t : p.s; }
-};
-
-/// A far side of a sliver faces the neighbour across the sliver's own material.
-double cost(const FacingPoints& p) {
-    constexpr double overlap_penalty = 4;
-    return p.overlap ? overlap_penalty * p.distance : p.distance;
-}
-
-/// Cost of an offer at a parameter of its border, or infinity where it does not reach.
-double cost_at(const Offer& offer, double x) {
-    const auto& points = offer.candidate->stretch.points;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const double x0 = offer.parameter(points[i]), x1 = offer.parameter(points[i + 1]);
-        if (!(std::min(x0, x1) <= x && x <= std::max(x0, x1))) continue;
-        const double share = x1 != x0 ? (x - x0) / (x1 - x0) : 0;
-        return cost(points[i]) + share * (cost(points[i + 1]) - cost(points[i]));
-    }
-    return Box3::infinity;
-}
-
-/// The same of the distance in mm, only where what lies between is material.
-double width_at(const Offer& offer, double x) {
-    const auto& points = offer.candidate->stretch.points;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const double x0 = offer.parameter(points[i]), x1 = offer.parameter(points[i + 1]);
-        if (!(std::min(x0, x1) <= x && x <= std::max(x0, x1))) continue;
-        if (!points[i].overlap || !points[i + 1].overlap) continue;
-        const double share = x1 != x0 ? (x - x0) / (x1 - x0) : 0;
-        return points[i].distance + share * (points[i + 1].distance - points[i].distance);
-    }
-    return Box3::infinity;
-}
 
 class SeamPairing {
 public:
@@ -77,20 +32,21 @@ private:
     void find_candidates();
     /// Pairs of borders of which `wanted` says so, within `join`.
     template <class Wanted>
-    std::vector<Candidate> candidates(const BoxTree& tree, double join, const Wanted& wanted) const;
-    std::vector<bool> covered_borders(const std::vector<Candidate>& candidates) const;
+    std::vector<SeamCandidate> candidates(const BoxTree& tree, double join,
+                                          const Wanted& wanted) const;
+    std::vector<bool> covered_borders(const std::vector<SeamCandidate>& candidates) const;
     void list_offers();
     std::vector<Seam> choose() const;
-    std::vector<Stretch> undominated(const Candidate& candidate) const;
-    bool dominated(const Candidate& candidate, const FacingPoints& p) const;
-    bool across_a_face(const Candidate& candidate, const FacingPoints& p) const;
-    bool on_one_face(const Candidate& candidate) const {
+    std::vector<Stretch> undominated(const SeamCandidate& candidate) const;
+    bool dominated(const SeamCandidate& candidate, const FacingPoints& p) const;
+    bool across_a_face(const SeamCandidate& candidate, const FacingPoints& p) const;
+    bool on_one_face(const SeamCandidate& candidate) const {
         const BoundaryInterval &a = intervals_[candidate.a], &b = intervals_[candidate.b];
         return a.instance == b.instance && a.face == b.face;
     }
-    std::optional<std::uint32_t> shared_edge(const Candidate& candidate) const;
-    SeamPiece piece(const Candidate& candidate, const Stretch& stretch) const;
-    Seam seam(const Candidate& candidate, const Stretch& stretch) const;
+    std::optional<std::uint32_t> shared_edge(const SeamCandidate& candidate) const;
+    SeamPiece piece(const SeamCandidate& candidate, const Stretch& stretch) const;
+    Seam seam(const SeamCandidate& candidate, const Stretch& stretch) const;
 
     const SurfaceModel& model_;
     double join_;
@@ -98,8 +54,8 @@ private:
     BoundaryCurves curves_;
     std::vector<BoundaryInterval> intervals_;
     std::vector<Border> borders_;
-    std::vector<Candidate> candidates_;
-    std::vector<std::vector<Offer>> offers_; ///< a border
+    std::vector<SeamCandidate> candidates_;
+    std::vector<std::vector<SeamOffer>> offers_; ///< a border
 };
 
 constexpr std::size_t borders_per_task = 16;
@@ -118,10 +74,10 @@ void SeamPairing::make_borders() {
 }
 
 template <class Wanted>
-std::vector<Candidate> SeamPairing::candidates(const BoxTree& tree, double join,
-                                               const Wanted& wanted) const {
-    std::vector<std::vector<Candidate>> found(task_count(borders_.size()));
-    const auto search = [&](std::uint32_t a, std::vector<Candidate>& into) {
+std::vector<SeamCandidate> SeamPairing::candidates(const BoxTree& tree, double join,
+                                                   const Wanted& wanted) const {
+    std::vector<std::vector<SeamCandidate>> found(task_count(borders_.size()));
+    const auto search = [&](std::uint32_t a, std::vector<SeamCandidate>& into) {
         const CurvePolyline& polyline = borders_[a].polyline;
         if (!(polyline.length > point_length)) return;
         for (const std::uint32_t b : tree.overlapping(polyline.box().padded(join))) {
@@ -135,15 +91,15 @@ std::vector<Candidate> SeamPairing::candidates(const BoxTree& tree, double join,
         for (std::size_t a = task * borders_per_task; a < end; ++a)
             search(static_cast<std::uint32_t>(a), found[task]);
     });
-    std::vector<Candidate> all;
+    std::vector<SeamCandidate> all;
     for (auto& part : found) std::move(part.begin(), part.end(), std::back_inserter(all));
     return all;
 }
 
 /// Borders with partners all along.
-std::vector<bool> SeamPairing::covered_borders(const std::vector<Candidate>& candidates) const {
+std::vector<bool> SeamPairing::covered_borders(const std::vector<SeamCandidate>& candidates) const {
     std::vector<std::vector<ParameterInterval>> parts(borders_.size());
-    for (const Candidate& c : candidates) {
+    for (const SeamCandidate& c : candidates) {
         const FacingPoints &first = c.stretch.points.front(), &last = c.stretch.points.back();
         parts[c.a].push_back({first.t, last.t});
         parts[c.b].push_back({std::min(first.s, last.s), std::max(first.s, last.s)});
@@ -166,18 +122,18 @@ void SeamPairing::find_candidates() {
         candidates(tree, close_by * join_, [](std::uint32_t, std::uint32_t) { return true; });
     const std::vector<bool> covered = covered_borders(candidates_);
     const auto open = [&](std::uint32_t a, std::uint32_t b) { return !covered[a] || !covered[b]; };
-    std::erase_if(candidates_, [&](const Candidate& c) { return open(c.a, c.b); });
-    std::vector<Candidate> wide = candidates(tree, join_, open);
+    std::erase_if(candidates_, [&](const SeamCandidate& c) { return open(c.a, c.b); });
+    std::vector<SeamCandidate> wide = candidates(tree, join_, open);
     std::move(wide.begin(), wide.end(), std::back_inserter(candidates_));
     std::stable_sort(candidates_.begin(), candidates_.end(),
-                     [](const Candidate& x, const Candidate& y) {
+                     [](const SeamCandidate& x, const SeamCandidate& y) {
                          return std::pair(x.a, x.b) < std::pair(y.a, y.b);
                      });
 }
 
 void SeamPairing::list_offers() {
     offers_.resize(borders_.size());
-    for (const Candidate& candidate : candidates_) {
+    for (const SeamCandidate& candidate : candidates_) {
         offers_[candidate.a].push_back({&candidate, true});
         offers_[candidate.b].push_back({&candidate, false});
     }
@@ -185,10 +141,10 @@ void SeamPairing::list_offers() {
 
 /// Whether the way from border to border leads over the whole width of one of the faces: what
 /// lies beyond its other border is that one's neighbour.
-bool SeamPairing::across_a_face(const Candidate& candidate, const FacingPoints& p) const {
+bool SeamPairing::across_a_face(const SeamCandidate& candidate, const FacingPoints& p) const {
     const double reach = p.distance + indistinct_share * join_;
-    const auto narrow = [&](const std::vector<Offer>& offers, double x) {
-        return std::any_of(offers.begin(), offers.end(), [&](const Offer& offer) {
+    const auto narrow = [&](const std::vector<SeamOffer>& offers, double x) {
+        return std::any_of(offers.begin(), offers.end(), [&](const SeamOffer& offer) {
             return on_one_face(*offer.candidate) && width_at(offer, x) <= reach;
         });
     };
@@ -197,15 +153,15 @@ bool SeamPairing::across_a_face(const Candidate& candidate, const FacingPoints& 
 
 /// Whether the borders belong to other partners here: both have a clearly nearer one, or a whole
 /// face lies between them.
-bool SeamPairing::dominated(const Candidate& candidate, const FacingPoints& p) const {
+bool SeamPairing::dominated(const SeamCandidate& candidate, const FacingPoints& p) const {
     const double slack = indistinct_share * join_;
     if (p.distance <= slack) return false;
     if (on_one_face(candidate) && p.overlap) return true; // a narrow face, not a closed one
     if (across_a_face(candidate, p)) return true;
 
-    const auto best = [&](const std::vector<Offer>& offers, double x) {
+    const auto best = [&](const std::vector<SeamOffer>& offers, double x) {
         double least = Box3::infinity;
-        for (const Offer& offer : offers)
+        for (const SeamOffer& offer : offers)
             if (offer.candidate != &candidate) least = std::min(least, cost_at(offer, x));
         return least;
     };
@@ -213,7 +169,7 @@ bool SeamPairing::dominated(const Candidate& candidate, const FacingPoints& p) c
     return best(offers_[candidate.a], p.t) < bar && best(offers_[candidate.b], p.s) < bar;
 }
 
-std::vector<Stretch> SeamPairing::undominated(const Candidate& candidate) const {
+std::vector<Stretch> SeamPairing::undominated(const SeamCandidate& candidate) const {
     std::vector<Stretch> kept;
     Stretch current;
     const auto close = [&] {
@@ -226,7 +182,7 @@ std::vector<Stretch> SeamPairing::undominated(const Candidate& candidate) const 
     return kept;
 }
 
-SeamPiece SeamPairing::piece(const Candidate& candidate, const Stretch& stretch) const {
+SeamPiece SeamPairing::piece(const SeamCandidate& candidate, const Stretch& stretch) const {
     const BoundaryInterval &a = intervals_[candidate.a], &b = intervals_[candidate.b];
     const Border &border_a = borders_[candidate.a], &border_b = borders_[candidate.b];
     std::vector<std::array<Vec3, 2>> way;
@@ -252,7 +208,7 @@ SeamPiece SeamPairing::piece(const Candidate& candidate, const Stretch& stretch)
 }
 
 /// The edge of the file that both borders are of.
-std::optional<std::uint32_t> SeamPairing::shared_edge(const Candidate& candidate) const {
+std::optional<std::uint32_t> SeamPairing::shared_edge(const SeamCandidate& candidate) const {
     const BoundaryInterval &a = intervals_[candidate.a], &b = intervals_[candidate.b];
     if (a.curve >= natural_side || b.curve >= natural_side) return std::nullopt;
     const std::uint32_t edge = model_.trim_curves[a.curve].edge;
@@ -260,7 +216,7 @@ std::optional<std::uint32_t> SeamPairing::shared_edge(const Candidate& candidate
     return edge;
 }
 
-Seam SeamPairing::seam(const Candidate& candidate, const Stretch& stretch) const {
+Seam SeamPairing::seam(const SeamCandidate& candidate, const Stretch& stretch) const {
     const FacingPoints &first = stretch.points.front(), &last = stretch.points.back();
     Seam result{intervals_[candidate.a], intervals_[candidate.b], shared_edge(candidate)};
     result.a.begin = first.t, result.a.end = last.t;
@@ -271,7 +227,7 @@ Seam SeamPairing::seam(const Candidate& candidate, const Stretch& stretch) const
 std::vector<Seam> SeamPairing::choose() const {
     std::vector<SeamPiece> pieces;
     std::vector<Seam> all, seams;
-    for (const Candidate& candidate : candidates_)
+    for (const SeamCandidate& candidate : candidates_)
         for (const Stretch& stretch : undominated(candidate)) {
             const SeamPiece found = piece(candidate, stretch);
             if (!(found.length > point_length)) continue;
