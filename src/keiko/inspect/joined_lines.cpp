@@ -101,7 +101,6 @@ private:
                          std::span<const CourseAt> courses, std::span<const std::uint32_t> pieces,
                          double along) const;
     void shape();
-    LineEnd why(std::uint32_t piece, bool head) const;
     std::string faces_at(const LineBorder& border) const;
     void name(LineCrossing& crossing) const;
 
@@ -174,33 +173,15 @@ void LineJoiner::follow(std::uint32_t first) {
         i = next_[i];
     } while (i != no_index && i != first);
     if (i == no_index && !piece.line.closed) {
+        const auto why = [&](std::uint32_t index, bool head) {
+            const SurfaceLine& ending = result_.pieces[index];
+            return line_end(model_, ending, head, studied_[index].ends[head ? 0 : 1],
+                            lamps_of(ending).field, preset_.feature_angle);
+        };
         line.begin = why(first, true);
         line.end = why(line.pieces.back(), false);
     }
     result_.lines.push_back(std::move(line));
-}
-
-LineEnd LineJoiner::why(std::uint32_t index, bool head) const {
-    const LineBorders::End& end = studied_[index].ends[head ? 0 : 1];
-    bool at_seam = false;
-    for (const LineMeeting& meeting : end.meetings) {
-        if (meeting.angle > preset_.feature_angle) return LineEnd::crease;
-        at_seam = at_seam || meeting.border.seam != no_index;
-    }
-    if (at_seam) return LineEnd::seam;
-    if (end.on_border) return LineEnd::free_border;
-    if (!end.meetings.empty()) return LineEnd::patch;
-    const SurfaceLine& piece = result_.pieces[index];
-    const LinePoint& point = head ? piece.line.points.front() : piece.line.points.back();
-    const SurfaceDerivatives s = placed_derivatives(model_, piece.instance, piece.patch, point.uv);
-    const Vec3 normal = s.du().cross(s.dv()).normalized();
-    const LineField& field = lamps_of(piece).field;
-    constexpr double grazing = 1e-4, at_lamp_end = 1e-6; // radians; share of the lamp
-    if (!(std::abs(field.eye().towards(s.position()).normalized().dot(normal)) > grazing))
-        return LineEnd::silhouette;
-    const double along = field.image(s.position(), normal).along / field.plane().length;
-    const bool ends_with_lamp = std::min(std::abs(along), std::abs(along - 1)) < at_lamp_end;
-    return field.look() != LineLook::isophote && ends_with_lamp ? LineEnd::lamp : LineEnd::hidden;
 }
 
 void LineJoiner::measure() {
@@ -282,12 +263,6 @@ void LineJoiner::shape() {
 }
 
 } // namespace
-
-std::string_view name_of(LineEnd end) {
-    constexpr std::array<std::string_view, 8> names{"closed",      "lamp",   "silhouette", "hidden",
-                                                    "free-border", "crease", "seam",       "patch"};
-    return names[static_cast<std::size_t>(end)];
-}
 
 LineSeams::LineSeams(const SurfaceModel& model, double join, const Job& job)
     : seams(pair_seams(model, join, job)),

@@ -1,27 +1,14 @@
 #pragma once
 
 #include "keiko/inspect/line_crossing.h"
+#include "keiko/inspect/line_end.h"
 #include "keiko/inspect/line_inflections.h"
 #include "keiko/inspect/line_shape.h"
 #include "keiko/inspect/surface_lines.h"
 
-#include <string_view>
 #include <vector>
 
 namespace keiko {
-
-/// Why a line ends.
-enum class LineEnd {
-    closed,      ///< it does not: it runs back into itself
-    lamp,        ///< with the lamp
-    silhouette,  ///< where the surface turns away from the eye
-    hidden,      ///< behind something, or its lamp's light does not get there
-    free_border, ///< where the material ends
-    crease,      ///< at a seam with more than the feature angle
-    seam,        ///< at a seam beyond which it does not go on
-    patch        ///< at a line inside a face, where the search lost it
-};
-std::string_view name_of(LineEnd end);
 
 /// A line of one lamp over any number of patches.
 struct JoinedLine {
