@@ -1,12 +1,10 @@
 #include "keiko/patch/seam_stretch.h"
 
-#include "keiko/base/units.h"
-#include "keiko/math/interval_set.h"
+#include "keiko/patch/border_approach.h"
 #include "keiko/patch/closest_point.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace keiko {
@@ -14,9 +12,7 @@ namespace {
 
 /// mm: an end this near to another is the same end; CAD systems themselves join at 1e-7 to 1e-5.
 constexpr double snap = 1e-6;
-/// Borders that diverge faster than this cross or touch; they do not form a seam.
-constexpr double parallel = degrees_to_radians(10);
-const double sin_parallel = std::sin(parallel);
+const double sin_parallel = std::sin(parallel_borders);
 
 /// Either end of a closed curve stands for both: a foot does not tell them apart.
 std::vector<double> ends_at(double t, bool closed) {
@@ -50,20 +46,19 @@ double snapped(const ClosestPoint& foot) {
     return foot.t;
 }
 
-bool nearly_parallel(const Vec3& a, const Vec3& b, double sine) {
-    const Vec3 c = a.cross(b);
-    return c.dot(c) <= sine * sine * a.dot(a) * b.dot(b);
-}
-
 class Alongside {
 public:
     Alongside(const Border& a, const Border& b, double join)
-        : a_(a), b_(b), join_(join), a_closed_(closed(a)), b_closed_(closed(b)) {}
+        : a_(a),
+          b_(b),
+          join_(join),
+          a_closed_(closed(a)),
+          b_closed_(closed(b)),
+          approach_(border_approach(a.polyline, b.polyline, join)) {}
 
-    std::vector<Stretch> stretches() {
+    std::vector<Stretch> stretches() const {
         std::vector<Stretch> found;
-        approach();
-        for (const ParameterInterval& range : close_) {
+        for (const ParameterInterval& range : approach_.close) {
             std::vector<Look> looks = looks_in(range);
             add_looks_between(looks);
             collect(looks, found);
@@ -78,7 +73,6 @@ private:
         return (points.front() - points.back()).length() <= snap;
     }
 
-    void approach();
     std::vector<Look> looks_in(const ParameterInterval& range) const;
     void add_looks_between(std::vector<Look>& looks) const;
     void look_where_near(const Look& x, const Look& y, std::vector<Look>& more) const;
@@ -93,45 +87,8 @@ private:
     const Border &a_, &b_;
     double join_;
     bool a_closed_, b_closed_; ///< ends where it began
-    IntervalSet close_;        ///< runs of segments of a that come near any of b
-    /// Where inside of such a segment one of b is nearest to it; parameters of a, rising.
-    std::vector<double> nearest_;
+    BorderApproach approach_;
 };
-
-void Alongside::approach() {
-    const CurvePolyline &a = a_.polyline, &b = b_.polyline;
-    const double reach = join_ + a.deviation + b.deviation;
-    const Box3 box = b.box().padded(join_ + a.deviation);
-    // Twice the turns, as they are estimates.
-    const double between = std::min(parallel + 2 * (a.turn + b.turn), std::numbers::pi / 2);
-    const double sin_between = std::sin(between);
-    std::vector<ParameterInterval> close;
-    for (std::size_t i = 0; i + 1 < a.points.size(); ++i) {
-        Box3 segment;
-        segment.extend(a.points[i]);
-        segment.extend(a.points[i + 1]);
-        if (!segment.overlaps(box)) continue;
-        segment = segment.padded(reach);
-        const Vec3 along = a.points[i + 1] - a.points[i];
-        for (std::size_t j = 0; j + 1 < b.points.size(); ++j) {
-            Box3 other;
-            other.extend(b.points[j]);
-            other.extend(b.points[j + 1]);
-            const Vec3 other_along = b.points[j + 1] - b.points[j];
-            if (!segment.overlaps(other) || !nearly_parallel(along, other_along, sin_between))
-                continue;
-            const SegmentApproach nearest =
-                segment_approach(a.points[i], a.points[i + 1], b.points[j], b.points[j + 1]);
-            if (nearest.distance > reach) continue;
-            if (close.empty() || close.back().begin != a.t[i])
-                close.push_back({a.t[i], a.t[i + 1]});
-            if (nearest.share > 0 && nearest.share < 1)
-                nearest_.push_back(a.t[i] + nearest.share * (a.t[i + 1] - a.t[i]));
-        }
-    }
-    close_ = IntervalSet(std::move(close));
-    std::sort(nearest_.begin(), nearest_.end());
-}
 
 Look Alongside::look(double t, double guess) const {
     const SurfaceCurve::Point from = a_.curve.at(t);
@@ -205,8 +162,9 @@ void Alongside::add_looks_between(std::vector<Look>& looks) const {
 }
 
 void Alongside::look_where_near(const Look& x, const Look& y, std::vector<Look>& more) const {
-    const auto first = std::upper_bound(nearest_.begin(), nearest_.end(), x.t);
-    for (auto t = first; t != nearest_.end() && *t < y.t; ++t)
+    const std::vector<double>& nearest = approach_.nearest;
+    const auto first = std::upper_bound(nearest.begin(), nearest.end(), x.t);
+    for (auto t = first; t != nearest.end() && *t < y.t; ++t)
         if (t == first || *t != *(t - 1))
             more.push_back(look(*t, b_.polyline.nearest(a_.curve.at(*t).position)));
 }
