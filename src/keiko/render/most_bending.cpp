@@ -8,7 +8,8 @@
 namespace keiko {
 namespace {
 
-/// The slopes of something over the picture by least squares.
+/// The slopes of something over the picture by least squares. Places are told from their mean, so
+/// that a constant in the values, such as that of a place that is not the mean, drops out.
 class SlopeFit {
 public:
     void add(const Vec2& place, const Vec3& value) {
