@@ -1,5 +1,7 @@
 #pragma once
 
+#include "keiko/patch/bernstein.h"
+
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -30,9 +32,7 @@ std::array<std::array<double, size>, 4> bernstein_rows(std::size_t degree, doubl
             }
         }
         if (n == degree) return rows;
-        row[n + 1] = t * row[n];
-        for (std::size_t i = n; i > 0; --i) row[i] = (1 - t) * row[i] + t * row[i - 1];
-        row[0] *= 1 - t;
+        raise_degree(row, n + 1, t);
     }
 }
 
