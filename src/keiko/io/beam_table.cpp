@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> edges{"sharp", "soft", "mixed"};
 constexpr std::array<std::string_view, 2> interpolations{"linear", "cosine"};
+/// Degrees: of narrower beams doubles tell no profile.
+constexpr double narrowest = 1e-3;
 constexpr TomlLimits coefficients{.low = -1e15, .high = 1e15};
 
 IntensityColumns columns_from(const TomlTable& table) {
@@ -73,7 +75,7 @@ BeamProfile profile_from(const TomlTable& table) {
 /// the struct.
 double own_half_angle(const Spotlight& light) {
     if (const auto* table = std::get_if<TableProfile>(&light.profile))
-        return std::max((*table)->lit_up_to(), 1e-3);
+        return std::max((*table)->lit_up_to(), narrowest);
     if (std::holds_alternative<CosinePower>(light.profile)) return 90;
     if (std::holds_alternative<CosinePolynomial>(light.profile)) return 180;
     return light.half_angle;
@@ -120,10 +122,9 @@ private:
 
 void take_beam(const TomlTable& table, Spotlight& light) {
     light.profile = profile_from(table);
-    const auto half = table.number("half_angle", {.low = 0, .high = 180, .above_low = true});
+    const auto half = table.number("half_angle", {.low = narrowest, .high = 180});
     light.half_angle = half.value_or(own_half_angle(light));
-    light.half_angle_across =
-        table.number("half_angle_across", {.low = 0, .high = 89, .above_low = true});
+    light.half_angle_across = table.number("half_angle_across", {.low = narrowest, .high = 89});
     if (light.half_angle_across && light.half_angle > 89)
         throw table.error("half_angle_across", "needs a half_angle of at most 89");
     if (const auto pattern = table.table("pattern")) take_pattern(*pattern, light);

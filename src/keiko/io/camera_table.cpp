@@ -3,7 +3,7 @@
 namespace keiko {
 namespace {
 
-constexpr double widest_fov = 175; ///< degrees
+constexpr double narrowest_fov = 1e-3, widest_fov = 175; ///< degrees
 
 void require_direction(const TomlTable& table, const Camera& camera) {
     const Vec3 view = camera.target - camera.eye;
@@ -24,8 +24,7 @@ Camera camera_of(const TomlTable& table) {
     camera.up = table.vector("up").value_or(camera.up);
     require_direction(table, camera);
 
-    const auto fov =
-        table.number("vertical_fov", {.low = 0, .high = widest_fov, .above_low = true});
+    const auto fov = table.number("vertical_fov", {.low = narrowest_fov, .high = widest_fov});
     const auto height = table.number("orthographic_height", TomlLimits::length());
     if (camera.projection == Projection::orthographic) {
         if (fov) throw table.error("vertical_fov", "belongs to perspective cameras");

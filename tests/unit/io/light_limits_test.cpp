@@ -55,6 +55,14 @@ TEST(LightLimits, SizesThatNoLampHasAreRefused) {
               "fog.layer.wavelength: must be at least 20 and at most 1e+09, is 1e+10");
 }
 
+TEST(LightLimits, BeamsTooNarrowForTheirProfileAreRefused) {
+    EXPECT_EQ(refused(spot + "half_angle = 1e-300\n"),
+              "spotlight[0].half_angle: must be at least 0.001 and at most 180, is 1e-300");
+    EXPECT_EQ(refused(spot + "half_angle_across = 1e-9\n"),
+              "spotlight[0].half_angle_across: must be at least 0.001 and at most 89, is 1e-09");
+    EXPECT_EQ(refused(spot + "half_angle = 1e-3\n"), "");
+}
+
 TEST(LightLimits, LightBeyondAllLampsIsRefusedByTheKeyThatHoldsIt) {
     const std::string allowed = ": must be at least 0 and at most 1e+15, is 1e+16";
     EXPECT_EQ(refused(whole_plane + "luminance = 1e16\ncolor = [10, 1, 1]\n"),
