@@ -3,7 +3,7 @@
 #include "keiko/fog/transmittance.h"
 #include "keiko/luminance/photometry.h"
 #include "keiko/rig/luminance_along.h"
-#include "keiko/trace/mirror_ray.h"
+#include "keiko/trace/mirroring.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,14 +108,17 @@ void Integrator::follow(Wave wave, MirroredGrid* grid, EyeView& view) const {
         const std::vector<Incidence> incidences = this->incidences(wave.rays, hits, depth);
         Wave mirrored;
         mirrored.reserve(wave.rays.size());
+        if (depth == 0 && grid) beside.reserve(grid->most_at_border());
+        Mirroring mirroring(mirror_kernel_);
         for (std::size_t i = 0; i < wave.rays.size(); ++i) {
             const Met met{wave.rays[i], found(hits[i]), depth == 0 ? no_mirror : mirrors[i],
                           incidences[i]};
             Path path = wave.paths[i];
             if (!advance(path, met, depth, shafts, view)) continue;
             const bool ends = grid && !refines_ && grid->at_border(path.sample);
-            mirror_ray(met.ray, *met.hit, (ends ? beside : mirrored).add(path));
+            mirroring.add(met.ray, *met.hit, (ends ? beside : mirrored).add(path));
         }
+        mirroring.finish();
         if (depth == 0) view.hits = std::move(hits);
         wave = std::move(mirrored);
     }

@@ -6,6 +6,7 @@
 #include "keiko/render/picture.h"
 #include "keiko/render/shadowed_rig.h"
 #include "keiko/render/shaft_shadows.h"
+#include "keiko/trace/mirror_kernel.h"
 
 #include <initializer_list>
 #include <optional>
@@ -118,6 +119,7 @@ private:
     const PictureOptions& options_;
     RigPlanes planes_;
     StripeKernels stripe_kernels_ = stripe_kernels();
+    MirrorKernel mirror_kernel_ = mirror_kernel();
     ShadowedRig lights_;
     TubeModel tubes_;
     bool tells_illuminance_, refines_;

@@ -26,6 +26,8 @@ public:
     /// Whether there are such.
     bool is_amid(std::size_t place) const;
     bool at_border(std::size_t place) const;
+    /// At least as many as places at the border.
+    std::size_t most_at_border() const { return 2 * (width_ + height_); }
     std::size_t width() const { return width_; }
     /// The rays with differentials.
     const MirroredRays& rays() const { return numbers_; }

@@ -7,6 +7,7 @@
 #endif
 
 #include "keiko/trace/patch_jet-inl.h"
+#include "keiko/trace/space_lanes-inl.h"
 
 #include <algorithm>
 #include <bit>
@@ -49,34 +50,6 @@ HomogeneousJets homogeneous_jets(const HitBlock& hits, std::size_t lane, LaneMas
         }
     }
     return jets;
-}
-
-/// Vectors of space, one a lane.
-template <class V>
-using Space = std::array<V, 3>;
-
-template <class V>
-Space<V> scaled(const Space<V>& a, V factor) {
-    return {hn::Mul(a[0], factor), hn::Mul(a[1], factor), hn::Mul(a[2], factor)};
-}
-template <class V>
-Space<V> sum(const Space<V>& a, const Space<V>& b) {
-    return {hn::Add(a[0], b[0]), hn::Add(a[1], b[1]), hn::Add(a[2], b[2])};
-}
-template <class V>
-Space<V> difference(const Space<V>& a, const Space<V>& b) {
-    return {hn::Sub(a[0], b[0]), hn::Sub(a[1], b[1]), hn::Sub(a[2], b[2])};
-}
-template <class V>
-V square(const Space<V>& a) {
-    return hn::Add(hn::Add(hn::Mul(a[0], a[0]), hn::Mul(a[1], a[1])), hn::Mul(a[2], a[2]));
-}
-template <class V>
-Space<V> cross(const Space<V>& a, const Space<V>& b) {
-    const auto entry = [&](std::size_t i, std::size_t j) {
-        return hn::Sub(hn::Mul(a[i], b[j]), hn::Mul(a[j], b[i]));
-    };
-    return {entry(1, 2), entry(2, 0), entry(0, 1)};
 }
 
 template <class V>
@@ -125,16 +98,6 @@ void place(HitBlock& hits) {
         for (HitBlock::Vectors* a : {&hits.du, &hits.dv, &hits.duu, &hits.duv, &hits.dvv})
             put(*a, to_world->vector(HitBlock::at(*a, lane)));
     }
-}
-
-template <class D>
-Space<hn::Vec<D>> load(D d, const HitBlock::Vectors& from, std::size_t lane) {
-    return {hn::Load(d, from[0].data() + lane), hn::Load(d, from[1].data() + lane),
-            hn::Load(d, from[2].data() + lane)};
-}
-template <class D>
-void store(D d, const Space<hn::Vec<D>>& from, HitBlock::Vectors& to, std::size_t lane) {
-    for (std::size_t k = 0; k < 3; ++k) hn::Store(from[k], d, to[k].data() + lane);
 }
 
 /// The surface in its part, by patch parameters.
