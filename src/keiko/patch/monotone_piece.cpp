@@ -10,6 +10,9 @@
 namespace keiko {
 namespace {
 
+/// Of what is added up across a chord, where places are far from 0.
+constexpr double rounding = 1e-14;
+
 Vec2 projected(const Vec3& p) {
     return Vec2(p.x, p.y) / p.z;
 }
@@ -65,8 +68,8 @@ std::vector<double> extrema(const BezierCurveView& curve, int coordinate) {
     std::vector<double> derivative = product(differences(x), w);
     const std::vector<double> correction = product(x, differences(w));
     for (std::size_t i = 0; i < derivative.size(); ++i) derivative[i] -= correction[i];
-    constexpr double rounding = 1e-14;
-    return bernstein_roots(derivative, rounding * size * heaviest);
+    constexpr double of_products = 1e-14;
+    return bernstein_roots(derivative, of_products * size * heaviest);
 }
 
 } // namespace
@@ -81,6 +84,38 @@ MonotonePiece::MonotonePiece(std::vector<Vec3> points, std::uint32_t curve, doub
       end_(end) {
     box_.extend(first_);
     box_.extend(last_);
+    find_strip();
+}
+
+void MonotonePiece::find_strip() {
+    constexpr double all = std::numeric_limits<double>::infinity();
+    for (const Vec3& p : points_) {
+        if (!(p.z > 0)) {
+            strip_low_ = -all, strip_high_ = all;
+            return;
+        }
+        const Vec2 place = projected(p);
+        const double beside = beside_chord(place - first_), room = rounding * across(place);
+        strip_low_ = std::min(strip_low_, beside - room);
+        strip_high_ = std::max(strip_high_, beside + room);
+    }
+}
+
+double MonotonePiece::beside_chord(const Vec2& place) const {
+    const Vec2 chord = last_ - first_;
+    return chord.x * place.y - chord.y * place.x;
+}
+
+double MonotonePiece::across(const Vec2& size) const {
+    const Vec2 chord = box_.extent();
+    return chord.x * std::abs(size.y) + chord.y * std::abs(size.x);
+}
+
+bool MonotonePiece::may_touch(const Box2& box) const {
+    if (!box_.overlaps(box)) return false;
+    const double room = across(box.extent() / 2) + rounding * (across(first_) + across(last_));
+    const double middle = beside_chord(box.center() - first_);
+    return middle - room <= strip_high_ && middle + room >= strip_low_;
 }
 
 Vec2 MonotonePiece::point(double t) const {

@@ -220,10 +220,9 @@ std::size_t TrimRegion::bytes() const {
 
 bool TrimRegion::may_be_near_edge(const Box2& around) const {
     const auto [begin, end] = pieces_between(around.lower.y, around.upper.y);
-    for (std::size_t i = begin; i < end; ++i) {
-        const Box2& box = pieces_[row_pieces_[i]].box();
-        if (piece_edges_[row_pieces_[i]].width > 0 && box.overlaps(around)) return true;
-    }
+    for (std::size_t i = begin; i < end; ++i)
+        if (piece_edges_[row_pieces_[i]].width > 0 && pieces_[row_pieces_[i]].may_touch(around))
+            return true;
     return false;
 }
 

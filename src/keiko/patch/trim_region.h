@@ -49,8 +49,8 @@ public:
     std::optional<NearEdge> nearest_edge(const Vec2& face_parameters, const ParameterMetric& metric,
                                          double most,
                                          std::span<const std::uint32_t> among = {}) const;
-    /// Whether nearest_edge may find a place in the box, of face parameters: by the boxes of the
-    /// curves, much quicker.
+    /// Whether nearest_edge may find a place in the box, of face parameters: by what boxes
+    /// and strips hold the curves, much quicker.
     bool may_be_near_edge(const Box2& around) const;
     /// Edges of the face's loops, sorted.
     std::span<const std::uint32_t> edges() const { return edges_; }

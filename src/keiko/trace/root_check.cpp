@@ -87,11 +87,12 @@ bool RootCheck::is_excluded(const Crossing& c) const {
 
 bool RootCheck::is_at_end(const Crossing& c, const PartRay& part, double distance) const {
     if (!(distance <= near_end * leaf_.radius)) return false;
-    const auto normal = steady_normal(evaluate(model_.leaves.view(leaf_), c.uv, 2), c.uv);
-    const double sine = normal ? std::abs(normal->dot(part.direction)) : 1;
     const double rounding =
         64 * epsilon * (part.origin.length() + leaf_.center.length() + leaf_.radius) +
         4 * part.error;
+    if (distance <= rounding) return true; // at whatever angle
+    const auto normal = steady_normal(evaluate(model_.leaves.view(leaf_), c.uv, 2), c.uv);
+    const double sine = normal ? std::abs(normal->dot(part.direction)) : 1;
     return distance * sine <= rounding;
 }
 

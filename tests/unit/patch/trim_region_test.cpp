@@ -217,6 +217,27 @@ TEST_P(Tangles, AreClassifiedSafelyAndSharply) {
     EXPECT_GT(decided, 100);
 }
 
+/// Strips along chords leave out many boxes that lie within those of pieces, and none that a piece
+/// touches.
+TEST_P(Tangles, MayTouchTheBoxesThatTheyTouch) {
+    Random random(9);
+    int touched = 0, left_out = 0;
+    for (const Curve& curve : tangle(random, 20, GetParam()))
+        for (const MonotonePiece& piece : monotone_pieces({curve}, 0))
+            for (int i = 0; i < 200; ++i) {
+                const Vec2 share(uniform(random, 0, 1), uniform(random, 0, 1));
+                const Vec2 middle =
+                    i % 2 ? piece.box().lower + piece.box().extent() * share : piece.point(share.x);
+                const Vec2 half(std::pow(10, -uniform(random, 1, 16)));
+                const Box2 box{middle - half, middle + half};
+                const bool touches = piece.touches(box);
+                touched += touches, left_out += !piece.may_touch(box);
+                ASSERT_TRUE(piece.may_touch(box) || !touches) << i;
+            }
+    EXPECT_GT(touched, 3000);
+    EXPECT_GT(left_out, 1000);
+}
+
 TEST_P(Tangles, KnowTheirNearestPoint) {
     Random random(8);
     const SurfaceModel model = face_with({tangle(random, 4, GetParam())});
