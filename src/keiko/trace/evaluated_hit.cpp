@@ -68,21 +68,36 @@ void HitEvaluation::announce(const Crossing& crossing) const {
 }
 
 void HitEvaluation::add(const Crossing& crossing, Hit& hit) {
-    crossings_[block_.count] = &crossing;
-    hits_[block_.count] = &hit;
-    ask(block_.count++);
-    if (block_.count == HitBlock::capacity) finish();
+    Group& group = by_leaf_[crossing.leaf % by_leaf_.size()];
+    if (group.count > 0 && group.crossings[0]->leaf != crossing.leaf) mix(group);
+    group.add(&crossing, &hit);
+    if (group.full()) evaluate(group);
 }
 
 void HitEvaluation::finish() {
-    if (block_.count == 0) return;
-    kernels_.evaluate_hits(block_);
-    for (std::size_t lane = 0; lane < block_.count; ++lane) write(lane);
-    block_.count = 0;
+    for (Group& group : by_leaf_) mix(group);
+    evaluate(mixed_);
 }
 
-void HitEvaluation::ask(std::size_t lane) {
-    const Crossing& c = *crossings_[lane];
+void HitEvaluation::mix(Group& group) {
+    for (std::size_t i = 0; i < group.count; ++i) {
+        mixed_.add(group.crossings[i], group.hits[i]);
+        if (mixed_.full()) evaluate(mixed_);
+    }
+    group.count = 0;
+}
+
+void HitEvaluation::evaluate(Group& group) {
+    if (group.count == 0) return;
+    block_.count = group.count;
+    for (std::size_t lane = 0; lane < group.count; ++lane) ask(*group.crossings[lane], lane);
+    kernels_.evaluate_hits(block_);
+    for (std::size_t lane = 0; lane < group.count; ++lane)
+        write(*group.crossings[lane], lane, *group.hits[lane]);
+    group.count = 0;
+}
+
+void HitEvaluation::ask(const Crossing& c, std::size_t lane) {
     const PlacedLeaf& placed = model_.placed[c.leaf];
     const Leaf& leaf = model_.leaves.leaves[placed.leaf];
     const PartPlacement& placement = model_.placements[placed.instance];
@@ -103,12 +118,10 @@ void HitEvaluation::ask(std::size_t lane) {
     block_.error_u[lane] = error.x, block_.error_v[lane] = error.y;
 }
 
-void HitEvaluation::write(std::size_t lane) {
-    const Crossing& c = *crossings_[lane];
+void HitEvaluation::write(const Crossing& c, std::size_t lane, Hit& hit) const {
     const PlacedLeaf& placed = model_.placed[c.leaf];
     const Leaf& leaf = model_.leaves.leaves[placed.leaf];
     const PartPlacement& placement = model_.placements[placed.instance];
-    Hit& hit = *hits_[lane];
     hit.t = c.t;
     hit.flags = c.flags;
     if (c.seam != no_index) hit.seam = c.seam;

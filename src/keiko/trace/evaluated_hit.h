@@ -7,7 +7,8 @@
 namespace keiko {
 
 /// Makes hits of crossings: everything about them, in world coordinates. Several are evaluated
-/// side by side.
+/// side by side, those on one leaf together where enough of them follow soon: it costs half as
+/// much.
 class HitEvaluation {
 public:
     HitEvaluation(const TracedModel& model, const LeafKernels& kernels, bool second_derivatives)
@@ -20,8 +21,24 @@ public:
     void finish();
 
 private:
-    void ask(std::size_t lane);
-    void write(std::size_t lane);
+    /// Crossings that wait for others beside them.
+    struct Group {
+        std::size_t count = 0;
+        HitBlock::Lanes<const Crossing*> crossings;
+        HitBlock::Lanes<Hit*> hits;
+
+        bool full() const { return count == HitBlock::capacity; }
+        void add(const Crossing* crossing, Hit* hit) {
+            crossings[count] = crossing;
+            hits[count++] = hit;
+        }
+    };
+
+    /// Makes room in a group: what it holds is evaluated beside others.
+    void mix(Group& group);
+    void evaluate(Group& group);
+    void ask(const Crossing& crossing, std::size_t lane);
+    void write(const Crossing& crossing, std::size_t lane, Hit& hit) const;
     /// What depends on the derivatives, but for the bound.
     void write_surface(std::size_t lane, const PartPlacement& placement, Hit& hit) const;
     /// mm, of the world.
@@ -32,8 +49,8 @@ private:
     const LeafKernels& kernels_;
     bool second_derivatives_;
     HitBlock block_;
-    HitBlock::Lanes<const Crossing*> crossings_{};
-    HitBlock::Lanes<Hit*> hits_{};
+    std::array<Group, 8> by_leaf_; ///< each of one leaf; by the last digits of its number
+    Group mixed_;
 };
 
 /// One of them.

@@ -19,7 +19,7 @@ namespace keiko::HWY_NAMESPACE {
 struct HomogeneousJets {
     static constexpr std::size_t lanes = hn::MaxLanes(Wide());
 
-    alignas(64) std::array<std::array<std::array<double, lanes>, 4>, 6> at{};
+    alignas(64) std::array<std::array<std::array<double, lanes>, 4>, 6> at;
 
     void put(const HomogeneousJet& jet, std::size_t lane) {
         const std::array<const Component4*, 6> from{&jet.value, &jet.du,  &jet.dv,
@@ -29,11 +29,64 @@ struct HomogeneousJets {
     }
 };
 
-/// The control points' sums, one hit after the other; the bases of leaves of the same degrees
-/// side by side.
+/// The sums of jet_at() of hits on one leaf, side by side; two components at a time fill the
+/// registers.
+void find_jets_on_leaf(const BezierPatchView& leaf, const BasisJet<Wide>& u,
+                       const BasisJet<Wide>& v, HomogeneousJets& jets) {
+    const Wide d;
+    using V = hn::Vec<Wide>;
+    using Pair = std::array<V, 2>;
+    const auto rows = static_cast<std::size_t>(leaf.degree_u);
+    const auto columns = static_cast<std::size_t>(leaf.degree_v);
+    const auto at = [&](const BasisJet<Wide>::Row& basis, std::size_t i) {
+        return hn::Load(d, basis[i].data());
+    };
+    const auto add = [](const Pair& a, V factor, Pair& to) {
+        for (std::size_t c = 0; c < 2; ++c) to[c] = hn::MulAdd(a[c], factor, to[c]);
+    };
+    const Pair zero{hn::Zero(d), hn::Zero(d)};
+    for (std::size_t first = 0; first < 4; first += 2) {
+        std::array<Pair, 6> sums{zero, zero, zero, zero, zero, zero};
+        const Vec4* point = leaf.points.data();
+        for (std::size_t i = 0; i <= rows; ++i) {
+            Pair row = zero, slope = zero, bend = zero;
+            for (std::size_t j = 0; j <= columns; ++j, ++point) {
+                const double* coordinate = &point->x + first;
+                const Pair p{hn::Set(d, coordinate[0]), hn::Set(d, coordinate[1])};
+                add(p, at(v.value, j), row);
+                add(p, at(v.first, j), slope);
+                add(p, at(v.second, j), bend);
+            }
+            const V b = at(u.value, i), b1 = at(u.first, i);
+            add(row, b, sums[0]), add(row, b1, sums[1]);
+            add(slope, b, sums[2]), add(row, at(u.second, i), sums[3]);
+            add(slope, b1, sums[4]), add(bend, b, sums[5]);
+        }
+        for (std::size_t k = 0; k < sums.size(); ++k)
+            for (std::size_t c = 0; c < 2; ++c)
+                hn::Store(sums[k][c], d, jets.at[k][first + c].data());
+    }
+}
+
+/// Whether so many hits are on one leaf that all lanes of a vector are filled by its points.
+bool are_many_on_leaf(const HitBlock& hits, std::size_t lane, LaneMask wanted) {
+    constexpr int many = 4;
+    const auto* points = hits.leaf[lane].points.data();
+    int count = 0;
+    for (; wanted != 0; wanted &= wanted - 1, ++count)
+        if (hits.leaf[lane + static_cast<std::size_t>(std::countr_zero(wanted))].points.data() !=
+            points)
+            return false;
+    return count >= many;
+}
+
+/// The control points' sums, of hits on several leaves one after the other; the bases of leaves of
+/// the same degrees side by side.
 HomogeneousJets homogeneous_jets(const HitBlock& hits, std::size_t lane, LaneMask wanted) {
     const Wide d;
     HomogeneousJets jets;
+    const bool one_leaf = are_many_on_leaf(hits, lane, wanted);
+    if (!one_leaf) jets.at = {}; // numbers in lanes that no one wants, too
     while (wanted != 0) {
         const BezierPatchView& shape =
             hits.leaf[lane + static_cast<std::size_t>(std::countr_zero(wanted))];
@@ -41,6 +94,10 @@ HomogeneousJets homogeneous_jets(const HitBlock& hits, std::size_t lane, LaneMas
                                hn::Load(d, hits.u.data() + lane));
         const BasisJet<Wide> v(static_cast<std::size_t>(shape.degree_v),
                                hn::Load(d, hits.v.data() + lane));
+        if (one_leaf) {
+            find_jets_on_leaf(shape, u, v, jets);
+            return jets;
+        }
         for (LaneMask left = wanted; left != 0; left &= left - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(left));
             const BezierPatchView& leaf = hits.leaf[lane + i];
