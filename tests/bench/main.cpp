@@ -1,3 +1,5 @@
+#include "keiko/base/kept_memory.h"
+
 #include "tests/bench/command_line.h"
 #include "tests/bench/cut_shaft.h"
 #include "tests/bench/markdown.h"
@@ -84,6 +86,7 @@ void frames(const FrameOptions& options) {
 } // namespace
 
 int main(int argc, char** argv) {
+    keiko::keep_freed_memory(); // as keiko does
     const Command command = parse_command_line(argc, argv);
     try {
         switch (command.group) {

@@ -1,3 +1,4 @@
+#include "keiko/base/kept_memory.h"
 #include "keiko/cli/commands.h"
 #include "keiko/keiko.h"
 
@@ -6,6 +7,7 @@
 
 int main(int argc, char** argv) try {
     using namespace keiko;
+    keep_freed_memory();
     cli::Session session;
     CLI::App app("Keiko judges free-form surfaces by the reflections of parallel lamps.", "keiko");
     app.set_version_flag("--version", version());
