@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace keiko {
 namespace {
@@ -14,8 +15,11 @@ CutPart part_between(const SeenCell& seen, const CrossedSide& begin, const Cross
     const auto corners = seen.cell.corners();
     // What shows at the far end of the first side's crossing is in the part, as is what shows at
     // the near end of the last one's.
-    std::vector<Vec2> polygon{begin.middle()};
-    std::vector<const EyeSample*> around{begin.at_b};
+    constexpr std::size_t most = 6; // corners
+    std::vector<Vec2> polygon;
+    std::vector<const EyeSample*> around;
+    polygon.reserve(most), around.reserve(most);
+    polygon.push_back(begin.middle()), around.push_back(begin.at_b);
     for (std::size_t i = begin.side; i != end.side; i = (i + 1) % 4) {
         polygon.push_back(corners[(i + 1) % 4]);
         around.push_back(seen.corners[(i + 1) % 4]);
@@ -24,8 +28,8 @@ CutPart part_between(const SeenCell& seen, const CrossedSide& begin, const Cross
     around.push_back(end.at_a);
     const Vec2 cut = (begin.middle() + end.middle()) / 2;
     const Vec2 step = polygon_part(polygon).centre - cut;
-    const double most = slack * std::sqrt(seen.cell.area()) / step.length();
-    return {{polygon, around}, cut + step * std::min(most, 1.0)};
+    const double farthest = slack * std::sqrt(seen.cell.area()) / step.length();
+    return {{std::move(polygon), std::move(around)}, cut + step * std::min(farthest, 1.0)};
 }
 
 } // namespace

@@ -25,16 +25,18 @@ std::vector<const EyeSample*> EyeProbes::at(std::span<const Vec2> places) {
 
 std::vector<const EyeSample*> EyeProbes::shared_at(std::span<const Vec2> places) {
     std::vector<Vec2> unknown;
-    std::vector<const EyeSample**> slots;
+    std::vector<const EyeSample**> slots, empty;
+    slots.reserve(places.size());
     for (const Vec2& place : places) {
         const auto [slot, is_new] = known_.try_emplace(place, nullptr);
-        if (is_new) unknown.push_back(place), slots.push_back(&slot->second);
+        slots.push_back(&slot->second);
+        if (is_new) unknown.push_back(place), empty.push_back(&slot->second);
     }
     const std::vector<const EyeSample*> found = at(unknown);
-    for (std::size_t i = 0; i < unknown.size(); ++i) *slots[i] = found[i];
+    for (std::size_t i = 0; i < unknown.size(); ++i) *empty[i] = found[i];
     std::vector<const EyeSample*> samples;
     samples.reserve(places.size());
-    for (const Vec2& place : places) samples.push_back(known_.find(place)->second);
+    for (const EyeSample* const* slot : slots) samples.push_back(*slot);
     return samples;
 }
 

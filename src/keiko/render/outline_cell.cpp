@@ -29,6 +29,7 @@ std::array<OutlineCell, 2> OutlineCell::halves(unsigned axis) const {
 
 std::vector<std::size_t> SeenCell::crossed_sides() const {
     std::vector<std::size_t> crossed;
+    crossed.reserve(4);
     for (std::size_t i = 0; i < 4; ++i)
         if (differ_closely(*corners[i], *corners[(i + 1) % 4])) crossed.push_back(i);
     return crossed;

@@ -52,11 +52,13 @@ private:
     /// With what is seen at the corners of those that are not the finest.
     std::vector<SeenCell> looked_at(std::span<const OutlineCell> cells) {
         std::vector<Vec2> places;
+        places.reserve(4 * cells.size());
         for (const OutlineCell& cell : cells)
             if (!is_finest(cell))
                 for (const Vec2& corner : cell.corners()) places.push_back(corner);
         const std::vector<const EyeSample*> samples = probes_.shared_at(places);
         std::vector<SeenCell> seen;
+        seen.reserve(cells.size());
         auto next = samples.begin();
         for (const OutlineCell& cell : cells) {
             seen.push_back({cell});
@@ -83,6 +85,7 @@ private:
     std::vector<CutCell> cuts_of(std::vector<SeenCell> cells, std::vector<SeenCell>& whole) {
         const std::vector<CrossedSide> all = outline_crossings(probes_, cells);
         std::vector<CutCell> cuts;
+        cuts.reserve(cells.size());
         auto begin = all.begin();
         for (SeenCell& seen : cells) {
             const auto end = begin + static_cast<std::ptrdiff_t>(seen.crossed_sides().size());
@@ -106,6 +109,7 @@ private:
 
     std::vector<CutCell> straight_ones(std::vector<CutCell> cuts) {
         std::vector<Vec2> places;
+        places.reserve(2 * cuts.size());
         for (const CutCell& cut : cuts)
             for (const CutPart& part : cut.parts) places.push_back(part.beside_cut);
         const std::vector<const EyeSample*> seen = probes_.at(places);
@@ -124,6 +128,7 @@ private:
     /// Sends the rays that the parts are seen by, and keeps the parts that show what they should.
     void shade(std::span<const SeenCell> whole, std::span<const CutCell> cuts) {
         std::vector<Ray> rays;
+        rays.reserve(whole.size() + 2 * cuts.size());
         for (const SeenCell& seen : whole)
             if (!seen.cell.centre)
                 rays.push_back(ray_of(camera_, rectangle_part(seen.cell.corner, seen.cell.size)));
@@ -185,6 +190,7 @@ private:
 
     void shade_strips() {
         std::vector<Ray> rays;
+        rays.reserve(strips_.size());
         for (const Strip& strip : strips_) rays.push_back(ray_of(camera_, strip.part));
         parts_.open(integrator_.view(rays));
         for (std::size_t i = 0; i < strips_.size(); ++i)

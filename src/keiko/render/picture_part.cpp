@@ -10,6 +10,7 @@ namespace {
 /// negative.
 std::vector<Vec2> clipped(std::span<const Vec2> corners, std::span<const double> values) {
     std::vector<Vec2> left;
+    left.reserve(corners.size() + 1);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const std::size_t next = (i + 1) % corners.size();
         const double a = values[i], b = values[next];
@@ -23,6 +24,7 @@ std::vector<Vec2> clipped(std::span<const Vec2> corners, std::span<const double>
 /// What lies beyond a line across a direction.
 std::vector<Vec2> beyond(std::span<const Vec2> corners, const Vec2& across, double line) {
     std::vector<double> off;
+    off.reserve(corners.size());
     for (const Vec2& corner : corners) off.push_back(across.dot(corner) - line);
     return clipped(corners, off);
 }

@@ -32,6 +32,7 @@ RefinedPixels PixelParts::finish(const PathCounts& probes) {
         return result_.parts[a].pixel < result_.parts[b].pixel;
     });
     std::vector<PixelPart> parts;
+    parts.reserve(order.size());
     std::vector<std::size_t> place(order.size());
     for (const std::size_t i : order) {
         place[i] = parts.size();

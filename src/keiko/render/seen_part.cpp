@@ -56,6 +56,7 @@ double SeenPart::turn(const EyeSample& amid) const {
 double SeenPart::bend(const EyeSample& amid) const {
     Range across(amid.across_lamps), light(luminance(amid.luminance));
     std::vector<double> places;
+    places.reserve(seen.size());
     for (const EyeSample* sample : seen) {
         across.add(sample->across_lamps);
         light.add(luminance(sample->luminance));
@@ -70,6 +71,7 @@ double SeenPart::bend(const EyeSample& amid) const {
 
 double SeenPart::glare(const EyeSample& amid) const {
     std::vector<double> lights;
+    lights.reserve(seen.size());
     for (const EyeSample* sample : seen) lights.push_back(luminance(sample->luminance));
     const double mean = polygon_mean(corners, lights), own = luminance(amid.luminance);
     return std::abs(mean - own) / (most_glare * std::max({mean, own, 1e-9}));
