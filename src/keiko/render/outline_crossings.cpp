@@ -7,7 +7,7 @@ namespace keiko {
 namespace {
 
 /// px: how near the place of a crossing is known.
-constexpr double nearness = 1.0 / 32;
+constexpr double nearness = 1.0 / 64;
 
 bool is_open(const CrossedSide& side) {
     return side.state == CrossedSide::State::crossed && side.length() > nearness;

@@ -9,7 +9,7 @@
 namespace keiko {
 
 /// The sides that outlines cross of each cell in turn, closed in on by halving until the place is
-/// known to a thirty-second of a pixel or no outline is found there. Cells side by side share what
+/// known to a sixty-fourth of a pixel or no outline is found there. Cells side by side share what
 /// is found.
 std::vector<CrossedSide> outline_crossings(EyeProbes& probes, std::span<const SeenCell> cells);
 
