@@ -5,7 +5,6 @@
 #include "keiko/render/linear_light.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -76,8 +75,9 @@ private:
             LinearLight of_quarter;
             for (std::size_t i = 0; i < 4; ++i) {
                 const Pixel corner = quarter.corners()[i];
-                of_quarter.corners[i] =
-                    known.at(grid_.share(r, corner)) + brought_to(r, linear, corner);
+                of_quarter.corners[i] = known.at(grid_.share(r, corner));
+                if (!linear.empty())
+                    of_quarter.corners[i] += lights_.sum(corner.x, corner.y, linear);
             }
             light(quarter, of_quarter, open, left);
         }
@@ -86,26 +86,13 @@ private:
         lights_.find_for_sure(p.x, p.y, open.seen);
         lights_.find(p.x, p.y, open.lit);
     }
-    /// All middles of a tiny rectangle are all that is asked of it: it is left to two of them.
-    static std::vector<Pixel> tested_middles(const Rectangle& r) {
-        const std::array all = r.middles();
-        return {all.begin(), r.is_tiny() ? all.begin() + 2 : all.end()};
-    }
-    /// What lights that are linear bring to a corner of a quarter.
-    SpotLight brought_to(const Rectangle& r, const Lights& linear, const Pixel& p) const {
-        if (!r.is_tiny()) return lights_.sum(p.x, p.y, linear);
-        SpotLight sum;
-        for (const std::size_t light : linear) sum += between_corners(r, light, p);
-        return sum;
-    }
     /// At odd places only those are asked for that the middles, for which the quarters ask as well,
     /// leave a hope.
     Doubts doubts_of(const Rectangle& r, const LinearLight& known, const Open& open, double left) {
         Doubts doubts{doubts_in(open.lit), doubts_in(open.seen)};
         for (const Pixel& p : r.corners()) find(p, open);
-        const std::vector<Pixel> middles = tested_middles(r);
-        for (const Pixel& p : middles) find(p, open);
-        for (const Pixel& p : middles)
+        for (const Pixel& p : r.middles()) find(p, open);
+        for (const Pixel& p : r.middles())
             add_doubts(r, p, known.at(grid_.share(r, p)) + lights_.sum(p.x, p.y, open.lit), left,
                        doubts);
         for (const Pixel& p : grid_.odd_places(r)) {
@@ -150,10 +137,7 @@ private:
         std::erase_if(doubts, [&](const Doubt& doubt) { return !holds(open.seen, doubt.light); });
         const Lights linear = least_doubtful(std::move(doubts), left);
         for (const std::size_t light : linear)
-            if (r.is_tiny())
-                take_seen(r, light);
-            else
-                for (const Rectangle& quarter : r.quarters()) take_seen(quarter, light);
+            for (const Rectangle& quarter : r.quarters()) take_seen(quarter, light);
         without(open.seen, linear);
     }
     std::optional<SpotLight> wrong_if_seen_linearly(const Rectangle& r, std::size_t light,
