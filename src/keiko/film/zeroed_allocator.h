@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <type_traits>
 #include <utility>
 
 namespace keiko {
@@ -11,6 +13,9 @@ namespace keiko {
 /// left as it is, and so is zero once: containers must not be shortened and made longer again.
 template <class T>
 struct ZeroedAllocator {
+    static_assert(std::is_trivial_v<T>, "zeros must be a value, and need no construction");
+    static_assert(alignof(T) <= alignof(std::max_align_t), "std::calloc aligns no further");
+
     using value_type = T;
 
     ZeroedAllocator() = default;

@@ -8,7 +8,8 @@
 namespace keiko {
 
 /// What the pixels of a grid see of the lamps: mirror_of(), to within rounding, of neighbours side
-/// by side. Places are best asked for in their order.
+/// by side; whether stripes were too fine, MirroredLight::resolved, is not told. Places are best
+/// asked for in their order.
 class MirroredStripes {
 public:
     /// All are only looked at; the grid's rays are set and joined. `tells_torn` as in mirror_of().

@@ -151,7 +151,8 @@ TEST(MirroredStripes, AreThoseOfEachPixelByItself) {
     EXPECT_GT(kinds.alone, 1000);
 }
 
-// What is left out for being dark would have been dark: no lamp is in any of 64 parts of it.
+// What is left out for being dark would have been dark to the last bit: no lamp is in any part of
+// it, into however many it would have been cut.
 TEST(MirroredStripes, LeaveOutNoPixelWithALampInIt) {
     int left_out = 0;
     for (const std::int64_t set : test::instruction_sets()) {
@@ -171,10 +172,11 @@ TEST(MirroredStripes, LeaveOutNoPixelWithALampInIt) {
                     kernels.look(row, picture.grid.rays(), i, width, false, looks);
                     if ((looks.missed & 1) == 0) continue;
                     ++left_out;
-                    ASSERT_EQ(kernels.coverage_of_parts(row, picture.grid.rays(), i, width,
-                                                        {8, infinity}),
-                              0)
-                        << i;
+                    for (int side = 1; side <= 8; ++side)
+                        ASSERT_EQ(kernels.coverage_of_parts(row, picture.grid.rays(), i, width,
+                                                            {side, infinity}),
+                                  0)
+                            << i << " in " << side;
                 }
             }
     }
