@@ -1,6 +1,7 @@
 #include "keiko/render/eye_probes.h"
 
 #include <functional>
+#include <utility>
 
 namespace keiko {
 
@@ -16,7 +17,7 @@ std::vector<const EyeSample*> EyeProbes::at(std::span<const Vec2> places) {
         rays.push_back(camera_.ray(place.x, place.y));
         rays.back().differentials.reset();
     }
-    views_.push_back(integrator_.view(rays));
+    views_.push_back(integrator_.view(std::move(rays)));
     std::vector<const EyeSample*> samples;
     samples.reserve(places.size());
     for (const EyeSample& sample : views_.back().samples) samples.push_back(&sample);

@@ -57,18 +57,19 @@ ShaftShadows Integrator::shaft_shadows(std::span<const Ray> rays,
 }
 
 EyeView Integrator::follow(std::span<const Ray> eye_rays) const {
-    EyeView view = this->view(eye_rays);
+    EyeView view = this->view(std::vector<Ray>(eye_rays.begin(), eye_rays.end()));
     for (const LitSpot& spot : view.spots)
         add_light(spot, light_on(spot), view.samples[spot.sample]);
     return view;
 }
 
-EyeView Integrator::view(std::span<const Ray> eye_rays) const {
+EyeView Integrator::view(std::vector<Ray> eye_rays) const {
     EyeView view;
     view.samples.resize(eye_rays.size());
     Wave wave;
-    wave.reserve(eye_rays.size());
-    for (std::size_t i = 0; i < eye_rays.size(); ++i) wave.add({i, Rgb(1)}) = eye_rays[i];
+    wave.paths.reserve(eye_rays.size());
+    for (std::size_t i = 0; i < eye_rays.size(); ++i) wave.paths.push_back({i, Rgb(1)});
+    wave.rays = std::move(eye_rays);
     follow(std::move(wave), nullptr, view);
     return view;
 }

@@ -29,7 +29,7 @@ public:
     /// One sample a ray, in order, with all its light. Neighbouring rays should stand together.
     EyeView follow(std::span<const Ray> eye_rays) const;
     /// The same, but for the light of the spots.
-    EyeView view(std::span<const Ray> eye_rays) const;
+    EyeView view(std::vector<Ray> eye_rays) const;
     /// The same of the pixels of a grid: those with a ray see lamps by bent images of the pixel
     /// where neighbours tell how it is bent, the others see the background. In a medium all have
     /// rays. Where nothing is refined, pixels at the grid's border show no reflections.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace keiko {
 namespace {
@@ -135,7 +136,7 @@ private:
         for (const CutCell& cut : cuts)
             for (const CutPart& part : cut.parts)
                 rays.push_back(ray_of(camera_, part.seen.whole()));
-        parts_.open(integrator_.view(rays));
+        parts_.open(integrator_.view(std::move(rays)));
         std::size_t sample = 0;
         for (const SeenCell& seen : whole) keep_whole(seen, sample);
         for (const CutCell& cut : cuts) {
@@ -192,7 +193,7 @@ private:
         std::vector<Ray> rays;
         rays.reserve(strips_.size());
         for (const Strip& strip : strips_) rays.push_back(ray_of(camera_, strip.part));
-        parts_.open(integrator_.view(rays));
+        parts_.open(integrator_.view(std::move(rays)));
         for (std::size_t i = 0; i < strips_.size(); ++i)
             parts_.keep(i, strips_[i].pixel, strips_[i].part.area);
         parts_.close();
