@@ -109,8 +109,8 @@ private:
     /// The lights of which either may still be within what is `left` of the error.
     static Open hopes(const Doubts& doubts, double left) {
         Open hopeful;
-        for (const auto& of : {doubts.lit, doubts.seen})
-            for (const Doubt& doubt : of)
+        for (const auto* of : {&doubts.lit, &doubts.seen})
+            for (const Doubt& doubt : *of)
                 if (doubt.error <= left) hopeful.lit.push_back(doubt.light);
         std::sort(hopeful.lit.begin(), hopeful.lit.end());
         hopeful.lit.erase(std::unique(hopeful.lit.begin(), hopeful.lit.end()), hopeful.lit.end());
