@@ -10,8 +10,9 @@ namespace keiko {
 
 void keep_freed_memory() {
 #ifdef __GLIBC__
+    if (std::getenv("MALLOC_TRIM_THRESHOLD_") || std::getenv("MALLOC_MMAP_THRESHOLD_")) return;
     mallopt(M_TRIM_THRESHOLD, 64 << 20);
-    mallopt(M_MMAP_THRESHOLD, 32 << 20); // the most that there may be
+    mallopt(M_MMAP_THRESHOLD, 4 << 20);
 #endif
 }
 

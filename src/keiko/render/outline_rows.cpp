@@ -12,6 +12,8 @@ namespace {
 
 using Spots = std::vector<OutlineSpot>;
 
+constexpr double longest_row = 16; ///< px
+
 Vec2 pixel_of(const OutlineSpot& spot) {
     return Vec2(spot.pixel.x, spot.pixel.y);
 }
@@ -41,14 +43,23 @@ bool share_a_pixel(const Spots& spots) {
     return std::adjacent_find(pixels.begin(), pixels.end()) != pixels.end();
 }
 
-/// Each pixel but once, and at most two off the line from the first to the last.
+/// Each pixel but once, at most two off the line from the first to the last, and three on from the
+/// one before: other pieces of outlines of one surface may lie on the same line.
 bool lie_in_a_row(const Spots& spots) {
     if (share_a_pixel(spots)) return false;
     const Ends ends = ends_of(spots);
-    return std::all_of(spots.begin(), spots.end(), [&](const OutlineSpot& spot) {
+    const double length = ends.way().length();
+    if (length > longest_row) return false;
+    std::vector<double> along;
+    for (const OutlineSpot& spot : spots) {
         const Vec2 off = pixel_of(spot) - pixel_of(*ends.first);
-        return std::abs(ends.way().cross(off)) <= 2 * ends.way().length();
-    });
+        if (std::abs(ends.way().cross(off)) > 2 * length) return false;
+        along.push_back(ends.way().dot(off));
+    }
+    std::sort(along.begin(), along.end());
+    return std::adjacent_find(along.begin(), along.end(), [&](double a, double b) {
+               return b - a > 3 * length;
+           }) == along.end();
 }
 
 OutlineRow row_of(const Spots& spots) {

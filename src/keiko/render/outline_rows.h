@@ -24,7 +24,8 @@ struct OutlineRow {
 std::vector<std::vector<OutlineSpot>> smooth_surfaces(std::vector<OutlineSpot> spots);
 
 /// All of `spots`, which are of one depth, in rows along straight pieces of outlines: each row of
-/// one smooth surface, its pixels apart and at most two off a line.
+/// one smooth surface, its pixels apart, at most two off a line and three from one to the next, and
+/// sixteen from end to end.
 std::vector<OutlineRow> outline_rows(const std::vector<OutlineSpot>& spots);
 
 } // namespace keiko

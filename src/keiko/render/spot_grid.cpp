@@ -57,6 +57,8 @@ std::vector<Pixel> SpotGrid::odd_places_of_row(const Rectangle& r) const {
     std::vector<Pixel> odd;
     for (const int x : {low.second, high.second})
         if (x != r.x0 && x != r.middle().x) odd.push_back({x, 0});
+    if (r.longest() >= 6) odd.push_back({r.x1 - (r.longest() < 12 ? 2 : 4), 0});
+    if (r.longest() >= 12) odd.push_back({r.x0 + 3, 0});
     return odd;
 }
 

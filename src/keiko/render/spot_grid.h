@@ -32,7 +32,8 @@ public:
     Vec2 share(const Rectangle& r, const Pixel& p) const;
     /// Places besides its middles that tell whether something is linear between the corners of a
     /// rectangle: in a row those that lie farthest off the line from its first to its last, on
-    /// either side; else Rectangle::odd_places().
+    /// either side, and such that no more than four in a row are not looked at; else
+    /// Rectangle::odd_places().
     std::vector<Pixel> odd_places(const Rectangle& r) const;
 
     std::size_t index(int x, int y) const {

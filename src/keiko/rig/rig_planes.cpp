@@ -25,8 +25,8 @@ RigPlanes::RigPlanes(const LightRig& rig) {
             const auto same = std::find_if(planes_.begin(), planes_.end(), [&](const Plane& other) {
                 return in_one_plane(other.frame, frame);
             });
-            planes_.push_back({i, frame, row->luminance, row->mirror,
-                               static_cast<std::size_t>(same - planes_.begin())});
+            const std::size_t level = same == planes_.end() ? planes_.size() : same->level;
+            planes_.push_back({i, frame, row->luminance, row->mirror, level});
         }
 }
 

@@ -51,8 +51,7 @@ Space<V> cross(const Space<V>& a, const Space<V>& b) {
 
 /// Of the three coordinates' arrays, from a lane on.
 template <class D, std::size_t size>
-Space<hn::Vec<D>> load(D d, const std::array<std::array<double, size>, 3>& from,
-                       std::size_t lane) {
+Space<hn::Vec<D>> load(D d, const std::array<std::array<double, size>, 3>& from, std::size_t lane) {
     return {hn::Load(d, from[0].data() + lane), hn::Load(d, from[1].data() + lane),
             hn::Load(d, from[2].data() + lane)};
 }

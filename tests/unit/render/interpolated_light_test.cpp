@@ -171,3 +171,30 @@ TEST(SharedLight, AlongOutlinesIsHardlyOffByMoreThanAllowed) {
         EXPECT_LT(off, 0.05 * outlined) << error;
     }
 }
+
+// Bars over a plate under a point of light: where their shadows, six pixels wide, cross the rims of
+// the plate, in every phase against rows of outlined pixels, none is lit.
+TEST(SharedLight, FindsNarrowShadowsThatCrossAnOutline) {
+    test::ModelBuilder builder;
+    builder.plane({-140, -50.4, 0}, {280, 0, 0}, {0, 100.8, 0});
+    for (int i = 0; i < 10; ++i) builder.plane({-130.0 + 27 * i, -120, 50}, {6, 0, 0}, {0, 240, 0});
+    Stage stage(builder.build(), 1);
+    stage.rig.sources = {Spotlight{.position = {-3000, 0, 3000}, .aim = {0, 0, 0}}};
+    stage.camera.projection = Projection::orthographic, stage.camera.orthographic_height = 160;
+    stage.camera.eye = {0, 0, 1000}, stage.camera.up = {0, 1, 0};
+    stage.camera.width = 320, stage.camera.height = 160;
+    const Occluders occluders(stage.model, stage.tracer);
+    const auto render = [&](double error) {
+        return keiko::render({stage.tracer, stage.materials, stage.rig, Rgb(0), &occluders},
+                             stage.camera, {.aovs = {}, .light_error = error});
+    };
+    const Film exact = render(0), fast = render(2e-3);
+    int dark = 0;
+    for (int y = 0; y < 160; ++y)
+        for (int x = 0; x < 320; ++x) {
+            const float wanted = exact.color.pixel(x, y)[1];
+            dark += wanted == 0 ? 1 : 0;
+            EXPECT_NEAR(fast.color.pixel(x, y)[1], wanted, 0.01F * wanted) << x << " " << y;
+        }
+    EXPECT_GT(dark, 1000);
+}

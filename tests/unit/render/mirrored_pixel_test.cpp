@@ -111,7 +111,6 @@ TEST(MirroredPixel, SeesStripesWhereItsImageIsBent) {
     EXPECT_GT(straight, 3 * bent);
 }
 
-// Random differentials, of one pixel in four with as much difference as the signs allow.
 TEST(MirroredPixel, IsPartedTheFinerTheMoreItsImageIsBent) {
     const double infinity = std::numeric_limits<double>::infinity();
     EXPECT_EQ(parts_of_bend(0), 1);
@@ -122,6 +121,7 @@ TEST(MirroredPixel, IsPartedTheFinerTheMoreItsImageIsBent) {
         EXPECT_EQ(parts_of_bend(far), 8);
 }
 
+// Random differentials, of one pixel in four with as much difference as the signs allow.
 TEST(MirroredPixel, KeepsItsPartsWithinItsBundle) {
     std::mt19937_64 engine(20261122);
     std::uniform_real_distribution<double> between(-1, 1);
