@@ -90,12 +90,12 @@ MonotonePiece::MonotonePiece(std::vector<Vec3> points, std::uint32_t curve, doub
 void MonotonePiece::find_strip() {
     constexpr double all = std::numeric_limits<double>::infinity();
     for (const Vec3& p : points_) {
-        if (!(p.z > 0)) {
+        const Vec2 place = projected(p);
+        const double beside = beside_chord(place - first_), room = rounding * across(place);
+        if (!(p.z > 0) || !std::isfinite(beside) || !std::isfinite(room)) {
             strip_low_ = -all, strip_high_ = all;
             return;
         }
-        const Vec2 place = projected(p);
-        const double beside = beside_chord(place - first_), room = rounding * across(place);
         strip_low_ = std::min(strip_low_, beside - room);
         strip_high_ = std::max(strip_high_, beside + room);
     }
