@@ -30,7 +30,7 @@ struct HomogeneousJets {
 };
 
 /// The sums of jet_at() of hits on one leaf, side by side; two components at a time fill the
-/// registers.
+/// registers. In its order of products and sums, since a hit has the same bits in any company.
 void find_jets_on_leaf(const BezierPatchView& leaf, const BasisJet<Wide>& u,
                        const BasisJet<Wide>& v, HomogeneousJets& jets) {
     const Wide d;

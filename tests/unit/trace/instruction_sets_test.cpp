@@ -94,5 +94,34 @@ TEST(InstructionSets, GiveARayTheSameBitsInAnyCompany) {
     }
 }
 
+/// Hits of one leaf are evaluated side by side where there are many: to the bits of one alone.
+TEST(InstructionSets, EvaluateAHitToTheSameBitsInAnyCompany) {
+    const SurfaceModel model = sheets();
+    const std::vector<Ray> all = rays();
+    for (const std::int64_t set : instruction_sets()) {
+        const WithInstructionSet only(set);
+        const Tracer tracer(model, {.second_derivatives = true});
+        SCOPED_TRACE(tracer.statistics().instruction_set);
+        const std::vector<std::optional<Hit>> together = tracer.nearest(all);
+        int hits = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const std::optional<Hit> alone = tracer.nearest(std::span(&all[i], 1)).front();
+            ASSERT_EQ(alone.has_value(), together[i].has_value()) << i;
+            if (!alone) continue;
+            ++hits;
+            const Hit &a = *alone, &b = *together[i];
+            EXPECT_EQ(a.position, b.position) << i;
+            EXPECT_EQ(a.normal, b.normal) << i;
+            EXPECT_EQ(a.dpdu, b.dpdu) << i;
+            EXPECT_EQ(a.dpdv, b.dpdv) << i;
+            EXPECT_EQ(a.second->duu, b.second->duu) << i;
+            EXPECT_EQ(a.second->duv, b.second->duv) << i;
+            EXPECT_EQ(a.second->dvv, b.second->dvv) << i;
+            EXPECT_EQ(a.position_bound, b.position_bound) << i;
+        }
+        EXPECT_GT(hits, 4000);
+    }
+}
+
 } // namespace
 } // namespace keiko
