@@ -45,9 +45,8 @@ bool share_a_pixel(const Spots& spots) {
 
 /// Each pixel but once, at most two off the line from the first to the last, and three on from the
 /// one before: other pieces of outlines of one surface may lie on the same line.
-bool lie_in_a_row(const Spots& spots) {
+bool lie_in_a_row(const Spots& spots, const Ends& ends) {
     if (share_a_pixel(spots)) return false;
-    const Ends ends = ends_of(spots);
     const double length = ends.way().length();
     if (length > longest_row) return false;
     std::vector<double> along;
@@ -62,8 +61,7 @@ bool lie_in_a_row(const Spots& spots) {
            }) == along.end();
 }
 
-OutlineRow row_of(const Spots& spots) {
-    const Ends ends = ends_of(spots);
+OutlineRow row_of(const Spots& spots, const Ends& ends) {
     const Vec3 begin = ends.first->spot->place.position;
     const Vec3 way = ends.last->spot->place.position - begin;
     std::vector<std::pair<double, const LitSpot*>> places;
@@ -89,13 +87,14 @@ std::array<Spots, 2> halves(const Spots& spots) {
 
 void add_rows(const Spots& spots, std::vector<OutlineRow>& rows) {
     for (const Spots& surface : smooth_surfaces(spots)) {
-        if (lie_in_a_row(surface)) {
-            rows.push_back(row_of(surface));
+        const Ends ends = ends_of(surface);
+        if (lie_in_a_row(surface, ends)) {
+            rows.push_back(row_of(surface, ends));
             continue;
         }
         const auto [low, high] = halves(surface);
         if (high.empty()) {
-            for (const OutlineSpot& spot : surface) rows.push_back(row_of({spot}));
+            for (const OutlineSpot& spot : surface) rows.push_back({{spot.spot}, {0}});
         } else {
             add_rows(low, rows);
             add_rows(high, rows);

@@ -1,7 +1,7 @@
 #include "keiko/rig/within_lamp.h"
 
 #include "keiko/spotlight/point_light.h"
-#include "keiko/tubes/c_plane_frame.h"
+#include "keiko/tubes/c_plane_lookup.h"
 
 #include <cmath>
 
@@ -17,11 +17,9 @@ struct Holds {
     bool operator()(const CPlane& plane) const {
         const CPlaneFrame frame(plane);
         const Vec3 at = frame.point(point);
-        if (!(at.x > 0 && at.x < frame.length)) return false;
-        for (int i = 0; i < frame.lamps; ++i)
-            if (std::hypot(at.y - frame.axis(i), at.z) < frame.radius() * (1 - rounding))
-                return true;
-        return false;
+        const auto nearest = strip_at(frame, at.x, at.y, frame.diameter);
+        return nearest &&
+               std::hypot(at.y - frame.axis(*nearest), at.z) < frame.radius() * (1 - rounding);
     }
     template <PointLight Light>
     bool operator()(const Light& light) const {
