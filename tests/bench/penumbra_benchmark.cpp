@@ -133,33 +133,40 @@ double exact_cost(const PenumbraScene& scene, int count) {
     return us_a_point(fastest([&] { return by_intervals(scene, row); }));
 }
 
-/// The largest error of linear light with which a picture's receivers are within `error`.
+/// The cheapest picture whose receivers are within `error`, or as near as the rule over the width
+/// lets them be.
+Cost picture_cost(const PenumbraPicture& picture, Emitter emitter, const Shares& truth,
+                  double error) {
+    const double least = error / 100;
+    for (double light_error = 30 * error;; light_error /= 1.5) {
+        const auto render = [&] { return picture.render(emitter, light_error); };
+        const double off = rms(render(), truth);
+        if (off <= error || light_error <= least)
+            return {.error = off, .us = us_a_point(fastest(render))};
+    }
+}
+
 void add_picture_of(const PenumbraPicture& picture, const PenumbraScene& scene, Emitter emitter,
-                    const Shares& truth, Table& table) {
-    constexpr double error = 1e-3;
+                    const Shares& truth, std::span<const double> wanted, Table& table) {
     const bool axis = emitter == Emitter::axis;
     std::vector<std::vector<Cost>> ladders;
     const Shares sampled_truth = axis ? truth : by_width(scene, scene.row, 1e-8);
     for (const int across : axis ? std::vector{1} : std::vector{1, 2, 4})
         ladders.push_back(
             ladder(scene, axis ? Emitter::axis : Emitter::rectangle, across, sampled_truth));
-    constexpr double least = error / 100; // below it the rule over the width is what is off
-    for (double light_error = 30 * error;; light_error /= 2) {
-        const auto render = [&] { return picture.render(emitter, light_error); };
-        const double off = rms(render(), truth);
-        if (off > error && light_error > least) continue;
-        const Shares shares = fastest(render);
-        table.rows.push_back(row_of(scene, axis ? "axis" : "width", off, us_a_point(shares),
-                                    best_sampling(ladders, off)));
-        return;
+    for (const double error : wanted) {
+        const Cost cost = picture_cost(picture, emitter, truth, error);
+        table.rows.push_back(row_of(scene, axis ? "axis" : "width", cost.error, cost.us,
+                                    best_sampling(ladders, cost.error)));
     }
 }
 
 void add_pictures(PenumbraScene& scene, const PenumbraOptions& options, Table& table) {
     const PenumbraPicture picture(scene, options.width, options.points);
-    add_picture_of(picture, scene, Emitter::axis, by_intervals(scene, scene.row), table);
+    add_picture_of(picture, scene, Emitter::axis, by_intervals(scene, scene.row), errors, table);
+    // Pictures weigh widths to 3e-3 of a lamp at best.
     add_picture_of(picture, scene, Emitter::tube, by_width(scene, scene.row, 1e-8, Emitter::tube),
-                   table);
+                   std::span(errors).first(1), table);
 }
 
 void add_lamps(const PenumbraScene& scene, Table& table, LogPlot& plot) {

@@ -25,6 +25,8 @@ public:
     double mirrored(double cosine) const {
         return rough_ ? (*rough_)(cosine).g : fresnel_dielectric(cosine, n_);
     }
+    /// Whether it throws nothing back.
+    bool passes_all() const { return n_ == 1 && !rough_; }
     /// The rest.
     double entering(double cosine) const { return 1 - mirrored(cosine); }
 

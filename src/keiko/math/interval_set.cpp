@@ -8,27 +8,44 @@ IntervalSet::IntervalSet(std::vector<ParameterInterval> intervals) {
     std::erase_if(intervals, [](const ParameterInterval& i) { return !(i.begin < i.end); });
     std::sort(intervals.begin(), intervals.end(),
               [](const auto& a, const auto& b) { return a.begin < b.begin; });
-    std::size_t kept = 0;
-    for (const ParameterInterval& next : intervals) {
-        if (kept > 0 && next.begin <= intervals[kept - 1].end)
-            intervals[kept - 1].end = std::max(intervals[kept - 1].end, next.end);
-        else
-            intervals[kept++] = next;
+    for (std::size_t i = 0; i < intervals.size();) {
+        ParameterInterval joined = intervals[i++];
+        while (i < intervals.size() && intervals[i].begin <= joined.end)
+            joined.end = std::max(joined.end, intervals[i++].end);
+        append(joined);
     }
-    intervals.resize(kept);
-    intervals_ = std::move(intervals);
+}
+
+void IntervalSet::append(const ParameterInterval& last) {
+    if (size_ == few_.size()) {
+        many_.assign(few_.begin(), few_.end());
+        few_ = {};
+    }
+    if (size_ < few_.size())
+        few_[size_] = last;
+    else
+        many_.push_back(last);
+    ++size_;
+}
+
+IntervalSet IntervalSet::between(const IntervalSet& a, const IntervalSet& b, double at) {
+    const auto mix = [&](double from, double to) { return from + (to - from) * at; };
+    IntervalSet set;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        set.append({mix(a[i].begin, b[i].begin), mix(a[i].end, b[i].end)});
+    return set;
 }
 
 double IntervalSet::measure() const {
     double sum = 0;
-    for (const ParameterInterval& i : intervals_) sum += i.length();
+    for (const ParameterInterval& i : *this) sum += i.length();
     return sum;
 }
 
 bool IntervalSet::contains(double t) const {
-    const auto after = std::upper_bound(intervals_.begin(), intervals_.end(), t,
-                                        [](double x, const auto& i) { return x < i.begin; });
-    return after != intervals_.begin() && t <= std::prev(after)->end;
+    const auto* after = std::upper_bound(
+        begin(), end(), t, [](double x, const auto& i) { return x < i.begin; });
+    return after != begin() && t <= std::prev(after)->end;
 }
 
 IntervalSet IntervalSet::intersect(const IntervalSet& other) const {
@@ -41,7 +58,7 @@ IntervalSet IntervalSet::intersect(const IntervalSet& other) const {
 }
 
 IntervalSet IntervalSet::unite(const IntervalSet& other) const {
-    std::vector<ParameterInterval> both = intervals_;
+    std::vector<ParameterInterval> both(begin(), end());
     both.insert(both.end(), other.begin(), other.end());
     return IntervalSet(std::move(both));
 }
@@ -49,7 +66,7 @@ IntervalSet IntervalSet::unite(const IntervalSet& other) const {
 IntervalSet IntervalSet::complement(double begin, double end) const {
     std::vector<ParameterInterval> gaps;
     double from = begin;
-    for (const ParameterInterval& i : intervals_) {
+    for (const ParameterInterval& i : *this) {
         gaps.push_back({from, std::min(i.begin, end)});
         from = std::max(from, i.end);
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace keiko {
@@ -20,14 +22,18 @@ public:
     explicit IntervalSet(std::vector<ParameterInterval> intervals);
     /// The whole of [begin, end].
     static IntervalSet whole(double begin = 0, double end = 1) {
-        return IntervalSet({{begin, end}});
+        IntervalSet set;
+        if (begin < end) set.append({begin, end});
+        return set;
     }
+    /// From `a` at 0 to `b` at 1, sets of one size, interval by interval.
+    static IntervalSet between(const IntervalSet& a, const IntervalSet& b, double at);
 
-    bool empty() const { return intervals_.empty(); }
-    auto begin() const { return intervals_.begin(); }
-    auto end() const { return intervals_.end(); }
-    std::size_t size() const { return intervals_.size(); }
-    const ParameterInterval& operator[](std::size_t i) const { return intervals_[i]; }
+    bool empty() const { return size_ == 0; }
+    const ParameterInterval* begin() const { return many_.empty() ? few_.data() : many_.data(); }
+    const ParameterInterval* end() const { return begin() + size_; }
+    std::size_t size() const { return size_; }
+    const ParameterInterval& operator[](std::size_t i) const { return begin()[i]; }
 
     /// Sum of the lengths.
     double measure() const;
@@ -40,7 +46,13 @@ public:
     bool operator==(const IntervalSet&) const = default;
 
 private:
-    std::vector<ParameterInterval> intervals_;
+    /// One beyond the others.
+    void append(const ParameterInterval& last);
+
+    // Most sets are of one interval or two, and pictures hold millions.
+    std::size_t size_ = 0;
+    std::array<ParameterInterval, 2> few_{}; ///< all, those beyond `size_` zero; or
+    std::vector<ParameterInterval> many_;    ///< all, if they are more
 };
 
 } // namespace keiko

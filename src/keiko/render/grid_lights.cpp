@@ -70,8 +70,7 @@ void GridLights::light_up(int x, int y, std::span<const std::size_t> asked) {
 }
 
 void GridLights::take(int x, int y, std::size_t light, const SeenLight& seen) {
-    OfLight& known = spot(x, y)[light];
-    if (!known.is_sure) known = {true, false, false, seen, {}};
+    spot(x, y)[light] = {true, false, false, seen, {}};
 }
 
 SpotLight GridLights::sum(int x, int y, std::span<const std::size_t> lights) const {

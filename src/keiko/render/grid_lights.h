@@ -23,7 +23,12 @@ public:
     void find(int x, int y, std::span<const std::size_t> lights);
     /// The same by what is seen for sure.
     void find_for_sure(int x, int y, std::span<const std::size_t> lights);
-    /// Takes it that so much is seen of a light, where it is not known for sure.
+    /// Whether it is known what is seen of a light, for sure or not.
+    bool is_seen(int x, int y, std::size_t light) const {
+        const Spot& here = spots_[grid_.index(x, y)];
+        return !here.empty() && here[light].is_seen;
+    }
+    /// Takes it that so much is seen of a light, where it is not known.
     void take(int x, int y, std::size_t light, const SeenLight& seen);
 
     /// What a light brings to a place where that has been found.

@@ -10,8 +10,10 @@ namespace keiko {
 using Lights = std::vector<std::size_t>;
 
 bool holds(const Lights& lights, std::size_t light);
-/// Takes some off.
-void without(Lights& lights, const Lights& taken);
+Lights without(const Lights& lights, const Lights& taken);
+
+Lights united(const Lights& a, const Lights& b);
+Lights common(const Lights& a, const Lights& b);
 
 /// How far a light may be off, as a share of the error that is allowed.
 struct Doubt {
@@ -23,6 +25,8 @@ struct Doubt {
 
 /// Of none of them yet.
 std::vector<Doubt> doubts_in(const Lights& lights);
+/// Those of no more than `most`.
+Lights within(const std::vector<Doubt>& doubts, double most);
 /// The lights in which there is least doubt, as long as all together are within what is `left` of
 /// the error, which they lessen.
 Lights least_doubtful(std::vector<Doubt> doubts, double& left);

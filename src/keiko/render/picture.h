@@ -27,8 +27,8 @@ struct PictureOptions {
     std::vector<Aov> aovs;
     /// Cells a side that a pixel with outlines is divided into at the most; 1: one ray a pixel.
     int edge_samples = 8;
-    /// Of what the eye sees: what the light on bases may be off by for being taken linear between
-    /// places a few pixels apart. 0: found for each pixel.
+    /// Of what the eye sees: what the light on bases may be off by for being told by places a
+    /// few pixels apart. 0: found for each pixel.
     double light_error = 2e-3;
     int max_depth = 3;        ///< mirror reflections followed along one ray
     double min_weight = 1e-3; ///< reflections that count less than this end the path

@@ -36,7 +36,8 @@ struct Rectangle {
     /// look even where places and steps lie alike.
     std::vector<Pixel> odd_places() const {
         const int least = std::min(x1 - x0, y1 - y0);
-        if (least < 6) return {};
+        if (least < 3) return {};
+        if (least < 6) return {{x1 - 1, y1 - 1}};
         std::vector<Pixel> odd{{x0 + 3, y0 + 1}, {x1 - 2, y1 - 3}};
         if (least >= 12) {
             odd.push_back({x1 - 5, y0 + 4});

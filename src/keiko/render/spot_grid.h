@@ -27,6 +27,8 @@ public:
     /// Whether all of a rectangle, its last row and column with it, shows one smooth surface.
     bool is_smooth(int x0, int y0, int x1, int y1) const;
 
+    /// Where a place lies in the grid: along a row, or by its column; and its row.
+    Vec2 place(const Pixel& p) const { return Vec2(along_[static_cast<std::size_t>(p.x)], p.y); }
     /// How far a place of a rectangle lies from its left to its right and from its top to its
     /// bottom, 0 to 1.
     Vec2 share(const Rectangle& r, const Pixel& p) const;

@@ -21,12 +21,18 @@ std::vector<SpotLight> Integrator::light_on(const LitSpot& spot, std::span<const
     const auto each = [&](const std::vector<Rgb>& values, const auto& add) {
         for (std::size_t i = 0; i < values.size(); ++i) add(brought[i], values[i]);
     };
-    if (paint.base().inner_reflectance(normal.dot(spot.eye)) != Rgb(0))
-        each(lit.illuminance_by_light(&paint.base()),
+    const ClearCoat* coat = paint.base().passes_all() ? nullptr : &paint.base();
+    const bool scatters = paint.base().inner_reflectance(normal.dot(spot.eye)) != Rgb(0);
+    if (scatters)
+        each(lit.illuminance_by_light(coat),
              [](SpotLight& light, const Rgb& lx) { light.illuminance = lx; });
-    if (spot.depth == 0 && tells_illuminance_)
-        each(lit.illuminance_by_light(),
-             [](SpotLight& light, const Rgb& lx) { light.incident = keiko::luminance(lx); });
+    if (spot.depth == 0 && tells_illuminance_) {
+        if (!scatters || coat)
+            each(lit.illuminance_by_light(),
+                 [](SpotLight& light, const Rgb& lx) { light.incident = keiko::luminance(lx); });
+        else
+            for (SpotLight& light : brought) light.incident = keiko::luminance(light.illuminance);
+    }
     const auto add_lobe = [](SpotLight& light, const Rgb& sent) { light.lobes += sent; };
     if (paint.gloss())
         each(lit.glossy_by_light(GlossKernel(*paint.gloss(), normal, spot.eye)), add_lobe);

@@ -5,6 +5,8 @@
 #include "keiko/tubes/tube_irradiance.h"
 #include "keiko/tubes/tube_penumbra.h"
 
+#include <algorithm>
+
 namespace keiko {
 namespace {
 
@@ -97,10 +99,19 @@ private:
 std::optional<SeenLight> between(const SeenLight& a, const SeenLight& b, double at) {
     if (a.axis.size() != b.axis.size()) return std::nullopt;
     const auto mix = [&](double from, double to) { return from + (to - from) * at; };
-    std::vector<ParameterInterval> parts;
-    for (std::size_t i = 0; i < a.axis.size(); ++i)
-        parts.push_back({mix(a.axis[i].begin, b.axis[i].begin), mix(a.axis[i].end, b.axis[i].end)});
-    return SeenLight{IntervalSet(std::move(parts)), mix(a.share, b.share), mix(a.cap, b.cap)};
+    return SeenLight{IntervalSet::between(a.axis, b.axis, at), mix(a.share, b.share),
+                     mix(a.cap, b.cap)};
+}
+
+bool alike(const SeenLight& a, const SeenLight& b) {
+    const auto same_ends = [](const ParameterInterval& i, const ParameterInterval& k) {
+        return (i.begin > 0) == (k.begin > 0) && (i.end < 1) == (k.end < 1);
+    };
+    const auto same_part = [](double i, double k) {
+        return (i > 0) == (k > 0) && (i < 1) == (k < 1);
+    };
+    return same_part(a.share, b.share) && same_part(a.cap, b.cap) &&
+           std::equal(a.axis.begin(), a.axis.end(), b.axis.begin(), b.axis.end(), same_ends);
 }
 
 bool weighs_width(const CPlane& plane, TubeModel model) {

@@ -13,6 +13,10 @@ namespace keiko {
 /// From `a` at 0 to `b` at 1, where both see the same number of parts; else nothing.
 std::optional<SeenLight> between(const SeenLight& a, const SeenLight& b, double at);
 
+/// Whether two points see the same parts of a light as a whole, in part and not at all. Between two
+/// that do not, its light has a kink.
+bool alike(const SeenLight& a, const SeenLight& b);
+
 /// Whether a model of a row weighs shadows over the whole width of the lamps: those do that stand
 /// for the whole tube. `model`: what is asked for, which a row that names its own overrides.
 bool weighs_width(const CPlane& plane, TubeModel model);

@@ -48,3 +48,29 @@ TEST(IntervalSet, ComplementOfNothingIsTheWhole) {
     EXPECT_EQ(IntervalSet().complement(), IntervalSet::whole());
     EXPECT_TRUE(IntervalSet::whole().complement().empty());
 }
+
+// Sets of none to five intervals, kept in place or not.
+TEST(IntervalSet, BetweenTwoOfOneSizeEndsMoveEvenly) {
+    std::mt19937 random(5);
+    int compared = 0;
+    for (int round = 0; round < 500; ++round) {
+        const IntervalSet a = random_set(random), b = random_set(random);
+        EXPECT_EQ(IntervalSet::between(a, a, 0.3), a);
+        if (a.size() != b.size()) continue;
+        const IntervalSet middle = IntervalSet::between(a, b, 0.5);
+        ASSERT_EQ(middle.size(), a.size());
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            EXPECT_DOUBLE_EQ(middle[i].begin, (a[i].begin + b[i].begin) / 2);
+            EXPECT_DOUBLE_EQ(middle[i].end, (a[i].end + b[i].end) / 2);
+        }
+        EXPECT_EQ(IntervalSet::between(a, b, 0), a);
+        ++compared;
+    }
+    EXPECT_GT(compared, 50);
+}
+
+TEST(IntervalSet, WholeOfNothingIsEmpty) {
+    EXPECT_TRUE(IntervalSet::whole(0.5, 0.5).empty());
+    EXPECT_TRUE(IntervalSet::whole(0.5, 0.4).empty());
+    EXPECT_EQ(IntervalSet::whole(0.2, 0.7), IntervalSet({{0.2, 0.7}}));
+}
