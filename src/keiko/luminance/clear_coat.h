@@ -23,6 +23,7 @@ public:
 
     /// Share of the light that the coat throws back, by the cosine of the angle of incidence.
     double mirrored(double cosine) const {
+        if (passes_all()) return 0;
         return rough_ ? (*rough_)(cosine).g : fresnel_dielectric(cosine, n_);
     }
     /// Whether it throws nothing back.

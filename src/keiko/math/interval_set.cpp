@@ -43,8 +43,8 @@ double IntervalSet::measure() const {
 }
 
 bool IntervalSet::contains(double t) const {
-    const auto* after = std::upper_bound(
-        begin(), end(), t, [](double x, const auto& i) { return x < i.begin; });
+    const auto* after =
+        std::upper_bound(begin(), end(), t, [](double x, const auto& i) { return x < i.begin; });
     return after != begin() && t <= std::prev(after)->end;
 }
 

@@ -10,6 +10,9 @@ namespace {
 /// Pixels a side of the largest squares that are lit from a few places: shadows narrower than a
 /// third of it may be missed.
 constexpr int largest_square = 16;
+/// Of the error that is left: what lights may use that are told over one size of squares, so that
+/// some is left for smaller ones, beside the edges of shadows.
+constexpr double share_of_a_size = 0.5;
 
 class Interpolation {
 public:
@@ -37,8 +40,7 @@ private:
     void light(const Rectangle& r, LightPolynomial known, OpenLights open, double left) {
         if (!asks_for_any(r)) return;
         if (open.lit.empty() || r.is_small()) return fill(r, known, open);
-        RectangleTrial::Told told;
-        if (may_be_told(r)) told = trial_.tell(r, known, open, left);
+        const RectangleTrial::Told told = tell(r, known, open, left);
         for (const Lights* lights : {&told.parabolas, &told.lines}) {
             open.lit = without(open.lit, *lights);
             open.seen = without(open.seen, *lights);
@@ -55,16 +57,23 @@ private:
             light(quarter, of_quarter, left_open, left);
         }
     }
-    bool may_be_told(const Rectangle& r) const {
-        return error_ > 0 && r.longest() <= largest_square &&
-               grid_.is_smooth(r.x0, r.y0, r.x1, r.y1);
+    RectangleTrial::Told tell(const Rectangle& r, const LightPolynomial& known,
+                              const OpenLights& open, double& left) {
+        if (!(error_ > 0) || r.longest() > largest_square ||
+            !grid_.is_smooth(r.x0, r.y0, r.x1, r.y1))
+            return {};
+        double allowed = left * share_of_a_size;
+        const double kept = left - allowed;
+        RectangleTrial::Told told = trial_.tell(r, known, open, allowed);
+        left = kept + allowed;
+        return told;
     }
     template <class MakeFit>
     void add(const Lights& lights, const MakeFit& fit, const Rectangle& r,
              LightPolynomial& known) const {
         if (lights.empty()) return;
-        known += fit(grid_, r).through(
-            [&](const Pixel& p) { return lights_.sum(p.x, p.y, lights); });
+        known +=
+            fit(grid_, r).through([&](const Pixel& p) { return lights_.sum(p.x, p.y, lights); });
     }
     bool asks_for(int x, int y) const {
         return grid_.at(x, y) && (skipped_.empty() || !skipped_[grid_.index(x, y)]);
