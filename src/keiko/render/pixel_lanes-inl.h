@@ -105,8 +105,13 @@ inline Truth misses_lamps(const CPlaneFrame& frame, const PixelLanes& pixel,
         hn::MulAdd(hn::Add(image.t, later), bundle.direction_slope_rest,
                    hn::MulAdd(later, hn::Max(dx_length, dy_length), bundle.origin_slope_rest));
     const Real beyond = hn::Mul(hn::Add(rest, slope_rest), tilt);
+    const Real turn_within = hn::Add(half_sum(dx_length, dy_length), bundle.direction_slope_rest);
+    const Real left = hn::NegMulAdd(turn_within, per_down, one);
+    const Real widening = hn::IfThenElse(hn::Gt(left, real(0)), hn::Div(one, left), hn::Inf(lanes));
     const auto room = [&](Real by_x, Real by_y) {
-        return hn::MulAdd(real(2), hn::MulAdd(turn, sink, half_sum(by_x, by_y)), beyond);
+        const Real images =
+            hn::MulAdd(real(2), hn::MulAdd(turn, sink, half_sum(by_x, by_y)), beyond);
+        return hn::Mul(images, widening);
     };
     const Real room_u = room(image.u_dx, image.u_dy), room_v = room(image.v_dx, image.v_dy);
     const Real size =

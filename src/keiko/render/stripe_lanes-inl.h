@@ -8,6 +8,7 @@
 
 #include "keiko/render/stripe_kernels.h"
 #include "keiko/trace/lanes-inl.h"
+#include "keiko/tubes/end_coverage.h"
 
 #include <numbers>
 
@@ -59,6 +60,8 @@ public:
 
     Space vector(const Space& w) const { return {dot(u_, w), dot(v_, w), dot(normal_, w)}; }
     Space point(const Space& p) const { return vector(p - origin_); }
+    /// The last component of vector().
+    Real height(const Space& w) const { return dot(normal_, w); }
 
 private:
     static Space every(const Vec3& a) { return {real(a.x), real(a.y), real(a.z)}; }
@@ -105,8 +108,8 @@ struct ImageLanes {
     Space direction, at; ///< `at`: the place, but for its height
     Real t;
     Truth meets;
-    Space dx, dy;                ///< how the rays change where they meet the plane
-    Real u_dx, v_dx, u_dy, v_dy; ///< Footprint
+    Space dx, dy; ///< how the rays change where they meet the plane
+    Real u_dx, v_dx, u_dy, v_dy, descent_x, descent_y; ///< Footprint
 
     ImageLanes(const FrameLanes& frame, const RayLanes& rays)
         : direction(frame.vector(rays.direction)) {
@@ -120,8 +123,19 @@ struct ImageLanes {
         dx = frame.vector(rays.origin_dx.plus(t, rays.direction_dx));
         dy = frame.vector(rays.origin_dy.plus(t, rays.direction_dy));
         const Real slope_u = hn::Mul(direction.x, per_z), slope_v = hn::Mul(direction.y, per_z);
+        descent_x = hn::Mul(frame.height(rays.direction_dx), per_z);
+        descent_y = hn::Mul(frame.height(rays.direction_dy), per_z);
         u_dx = hn::NegMulAdd(slope_u, dx.z, dx.x), v_dx = hn::NegMulAdd(slope_v, dx.z, dx.y);
         u_dy = hn::NegMulAdd(slope_u, dy.z, dy.x), v_dy = hn::NegMulAdd(slope_v, dy.z, dy.y);
+    }
+    /// Footprint::reach() along the lamps.
+    Real reach_along() const {
+        const auto half_sum = [](Real x, Real y) {
+            return hn::Mul(real(0.5), hn::Add(hn::Abs(x), hn::Abs(y)));
+        };
+        const Real least = hn::Sub(real(1), half_sum(descent_x, descent_y));
+        const Real reach = hn::Div(half_sum(u_dx, u_dy), least);
+        return hn::IfThenElse(hn::Gt(least, real(0)), reach, hn::Inf(Wide()));
     }
     Truth is_point() const {
         const auto none = [](Real a, Real b) {
@@ -149,10 +163,11 @@ inline Real strips_coverage(const CPlaneFrame& frame, Truth wanted, Real half, R
     }
 }
 
+constexpr double resolvable_pitches = 4; // as in c_plane_lookup.cpp
+
 /// comb_coverage() of strips `width` wide, or mean_coverage() where they are too fine.
 inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, Real center,
                             const FilterLanes& filter) {
-    constexpr double resolvable_pitches = 4; // as in c_plane_lookup.cpp
     const Real pitch = real(frame.pitch), half = hn::Mul(real(0.5), width);
     const auto row = [&](Real beyond) {
         return filter.share(hn::Sub(hn::Sub(real(frame.first), beyond), center),
@@ -167,26 +182,60 @@ inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, 
     return hn::IfThenElse(fine, mean, sum);
 }
 
-/// StripeLook::coverage, of images that are no points.
-inline Real coverage(const StripeRow& row, const ImageLanes& image) {
-    const CPlaneFrame& frame = row.frame;
-    if (frame.lamps == 0) return real(0);
-    const Space& d = image.direction;
-    Real begin = real(0), end = real(frame.length), width = real(frame.diameter);
-    if (row.look == TubeLook::tube) {
+/// The ends of the lamps as they look on the plane, and how wide strips are there.
+struct LookLanes {
+    Real begin, end, width;
+
+    LookLanes(const StripeRow& row, const Space& d) {
+        const CPlaneFrame& frame = row.frame;
+        begin = real(0), end = real(frame.length), width = real(frame.diameter);
+        if (row.look != TubeLook::tube) return;
         const Real flat = hn::Sqrt(hn::MulAdd(d.z, d.z, hn::Mul(d.y, d.y)));
         width = hn::Div(hn::Mul(width, flat), hn::Abs(d.z));
         const Real shift = hn::Div(hn::Mul(real(std::numbers::pi / 4 * frame.radius()), d.x), flat);
         begin = frame.luminous_caps ? hn::Neg(hn::Abs(shift)) : shift;
         end = hn::Add(end, frame.luminous_caps ? hn::Abs(shift) : shift);
     }
-    const Real along = FilterLanes(image.u_dx, image.u_dy)
-                           .share(hn::Sub(begin, image.at.x), hn::Sub(end, image.at.x));
-    const Truth seen = hn::And(image.meets, hn::Gt(along, real(0)));
+};
+
+/// end_coverage(), of the lanes `cut`, which are few; elsewhere 0.
+inline Real coverage_at_ends(const CPlaneFrame& frame, const ImageLanes& image,
+                             const LookLanes& look, Truth cut) {
+    const Wide d;
+    const std::array all{look.begin, look.end,        look.width,     image.at.x,
+                         image.at.y, image.u_dx,      image.v_dx,     image.u_dy,
+                         image.v_dy, image.descent_x, image.descent_y};
+    std::array<std::array<double, StripeLooks::capacity>, all.size()> of;
+    for (std::size_t i = 0; i < all.size(); ++i) hn::StoreU(all[i], d, of[i].data());
+    std::array<double, StripeLooks::capacity> found{};
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+        if ((lane_bits(d, cut, 0) >> lane & 1) == 0) continue;
+        const auto at = [&](std::size_t number) { return of[number][lane]; };
+        const Footprint footprint{{at(5), at(6)}, {at(7), at(8)}, {at(9), at(10)}};
+        const double across = std::max(std::abs(at(6)), std::abs(at(8)));
+        found[lane] = end_coverage(frame, at(2), across <= resolvable_pitches * frame.pitch,
+                                   {at(0), at(1)}, {at(3), at(4)}, footprint);
+    }
+    return hn::LoadU(d, found.data());
+}
+
+/// StripeLook::coverage, of images that are no points.
+inline Real coverage(const StripeRow& row, const ImageLanes& image) {
+    const CPlaneFrame& frame = row.frame;
+    if (frame.lamps == 0) return real(0);
+    const LookLanes look(row, image.direction);
+    const Real reach = image.reach_along();
+    const Real low = hn::Sub(image.at.x, reach), high = hn::Add(image.at.x, reach);
+    const Truth beside = hn::Or(hn::Le(high, look.begin), hn::Ge(low, look.end));
+    const Truth seen = hn::AndNot(beside, image.meets);
     if (hn::AllFalse(Wide(), seen)) return real(0);
+    const Truth amid = hn::And(seen, hn::And(hn::Ge(low, look.begin), hn::Le(high, look.end)));
     const FilterLanes across(image.v_dx, image.v_dy);
-    return hn::IfThenElseZero(
-        seen, hn::Mul(along, across_coverage(frame, seen, width, image.at.y, across)));
+    const Real of_strips =
+        hn::IfThenElseZero(amid, across_coverage(frame, amid, look.width, image.at.y, across));
+    const Truth cut = hn::AndNot(amid, seen);
+    if (hn::AllFalse(Wide(), cut)) return of_strips;
+    return hn::IfThenElse(cut, coverage_at_ends(frame, image, look, cut), of_strips);
 }
 
 } // namespace keiko::HWY_NAMESPACE

@@ -1,10 +1,12 @@
 #include "keiko/tubes/c_plane_lookup.h"
 
+#include "keiko/tubes/end_coverage.h"
 #include "keiko/tubes/stripe_coverage.h"
 #include "keiko/tubes/tube_hit.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace keiko {
@@ -44,10 +46,7 @@ bool point_shines(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& or
 
 /// The ends of the lamps as they look on the plane, mm along u: the near ends of dark-capped tubes
 /// hide behind their rims, luminous caps add to both.
-struct Ends {
-    double begin, end;
-};
-Ends ends_of(const CPlaneFrame& frame, const CPlaneHit& hit, bool round) {
+LampEnds ends_of(const CPlaneFrame& frame, const CPlaneHit& hit, bool round) {
     if (!round) return {0, frame.length};
     const double shift = rim_shift(frame, hit.direction);
     if (frame.luminous_caps) return {-std::abs(shift), frame.length + std::abs(shift)};
@@ -72,17 +71,25 @@ StripeLook sampled(const CPlaneFrame& frame, const Vec3& origin, const Vec3& dir
 StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& direction,
                     const Footprint& footprint, TubeLook look) {
     const bool round = look == TubeLook::tube;
-    const PixelFilter along(footprint.dx.x, footprint.dy.x), across(footprint.dx.y, footprint.dy.y);
+    const PixelFilter across(footprint.dx.y, footprint.dy.y);
     const bool resolved = across.width() <= resolvable_pitches * frame.pitch;
-    const auto coverage = resolved ? comb_coverage : mean_coverage;
-    const Ends ends = ends_of(frame, hit, round);
-    const double lengthwise = along.share(ends.begin - hit.u, ends.end - hit.u);
-    if (lengthwise == 0) return {0, resolved};
+    const LampEnds ends = ends_of(frame, hit, round);
+    const double reach = footprint.reach(0);
+    if (hit.u + reach <= ends.begin || hit.u - reach >= ends.end) return {0, resolved};
     const double width = round ? apparent_diameter(frame, direction) : frame.diameter;
-    return {lengthwise * coverage(frame, width, hit.v, across), resolved};
+    if (!(hit.u - reach >= ends.begin && hit.u + reach <= ends.end))
+        return {end_coverage(frame, width, resolved, ends, {hit.u, hit.v}, footprint), resolved};
+    const auto coverage = resolved ? comb_coverage : mean_coverage;
+    return {coverage(frame, width, hit.v, across), resolved};
 }
 
 } // namespace
+
+double Footprint::reach(unsigned axis) const {
+    const double least = 1 - (std::abs(descent.x) + std::abs(descent.y)) / 2;
+    if (!(least > 0)) return std::numeric_limits<double>::infinity();
+    return (std::abs(dx[axis]) + std::abs(dy[axis])) / (2 * least);
+}
 
 std::optional<CPlaneHit> c_plane_coordinates(const CPlaneFrame& frame, const Vec3& origin,
                                              const Vec3& direction) {
@@ -101,7 +108,9 @@ std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& or
 Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit,
                        const RayDifferentials& spread) {
     return {slide(frame, hit, spread.origin_dx, spread.direction_dx),
-            slide(frame, hit, spread.origin_dy, spread.direction_dy)};
+            slide(frame, hit, spread.origin_dy, spread.direction_dy),
+            Vec2(frame.normal.dot(spread.direction_dx), frame.normal.dot(spread.direction_dy)) /
+                hit.direction.z};
 }
 
 std::optional<int> strip_at(const CPlaneFrame& frame, double u, double v, double width) {

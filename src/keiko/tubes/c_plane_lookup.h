@@ -20,14 +20,21 @@ std::optional<CPlaneHit> c_plane_coordinates(const CPlaneFrame& frame, const Vec
 std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& origin,
                                              const Vec3& direction);
 
-/// A pixel's image on a C-plane: derivatives of (u, v) by the picture's x and y, mm per pixel.
-/// All 0: a point.
+/// A pixel's image on a C-plane, as its rays have it if they change linearly with the picture's x
+/// and y: a place (x, y) off the pixel's centre, px, sees what is
+/// (x dx + y dy) / (1 + x descent.x + y descent.y) off the image's.
 struct Footprint {
-    Vec2 dx{0}, dy{0};
+    Vec2 dx{0}, dy{0}; ///< derivatives of (u, v) at the centre, mm per pixel; all 0: a point
+    /// Of the component of the rays' direction across the plane, over itself, per pixel; 0: the
+    /// image is a parallelogram.
+    Vec2 descent{0};
 
     /// An axis-parallel box of that extent, mm.
     static Footprint box(double du, double dv) { return {{du, 0}, {0, dv}}; }
     bool is_point() const { return dx == Vec2(0) && dy == Vec2(0); }
+    /// Nothing of it is farther from its centre along an axis of the plane, mm; infinite where the
+    /// plane's horizon runs through the pixel.
+    double reach(unsigned axis) const;
 };
 
 /// The footprint of a ray at its `hit` on the plane, to first order.

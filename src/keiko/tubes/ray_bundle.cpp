@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // Another ray of the bundle is off the centre's by e where that one meets the plane, at t: it meets
 // the plane itself at e - (d / d.z) e.z from there, d being its own direction. With e = x wx + y wy
@@ -45,12 +46,17 @@ Image image_of(const CPlaneFrame& frame, const RayBundle& rays, const Vec3& d, d
     const double later = (rest + half_sum(wx.z, wy.z)) / least_down;
     const double slope_rest = rays.origin_slope_rest + (t + later) * rays.direction_slope_rest +
                               later * std::max(s.direction_dx.length(), s.direction_dy.length());
+    // Of the descent of any ray, what is left of it all over its footprint.
+    const double turn_within = half_sum(s.direction_dx.length(), s.direction_dy.length());
+    const double left = 1 - (turn_within + rays.direction_slope_rest) / least_down;
+    const double widening = left > 0 ? 1 / left : std::numeric_limits<double>::infinity();
     // Twice: as far as the images lie apart, and half a footprint beyond them.
     const auto room = [&](double along_x, double along_y, double along_d) {
         const double slope = along_d / d.z;
-        return 2 * (half_sum(along_x - slope * wx.z, along_y - slope * wy.z) +
-                    turn * half_sum(wx.z, wy.z)) +
-               (rest + slope_rest) * (1 + slant);
+        const double images = 2 * (half_sum(along_x - slope * wx.z, along_y - slope * wy.z) +
+                                   turn * half_sum(wx.z, wy.z)) +
+                              (rest + slope_rest) * (1 + slant);
+        return images * widening;
     };
     const Vec3 at = frame.point(rays.origin) + d * t;
     const double room_u = room(wx.x, wy.x, d.x), room_v = room(wx.y, wy.y, d.y);
