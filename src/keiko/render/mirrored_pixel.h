@@ -49,8 +49,8 @@ private:
     PixelCubic<Jet> cubic_;
 };
 
-/// Of the lamps' pitch: how far the image of a pixel, or of a part of one, may be off a
-/// parallelogram.
+/// How far the image of a pixel, or of a part of one, may be off what its own rays tell:
+/// image_bend().
 constexpr double straight_image = 0.01;
 /// Whether a pixel's image is not smooth: neighbours' rays are off what the pixel tells of them by
 /// `misfit` mm, more than a tenth of the lamps' pitch, or a fiftieth where it is more of what the

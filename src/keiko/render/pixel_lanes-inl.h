@@ -133,80 +133,110 @@ inline Truth misses_lamps(const CPlaneFrame& frame, const PixelLanes& pixel,
     return hn::And(sane, hn::Or(behind, ahead));
 }
 
-/// What of a ray, or of a derivative of one, tells where it meets a plane across the lamps: see
-/// image_bend.cpp.
-struct AcrossLanes {
-    Real origin_v, origin_height, direction_v, direction_height;
+/// What of a ray, or of a derivative of one, tells where it meets a plane along one of its axes:
+/// see image_bend.cpp.
+struct SliceLanes {
+    Real origin, origin_height, direction, direction_height;
 
-    AcrossLanes operator+(const AcrossLanes& o) const {
-        return {hn::Add(origin_v, o.origin_v), hn::Add(origin_height, o.origin_height),
-                hn::Add(direction_v, o.direction_v), hn::Add(direction_height, o.direction_height)};
+    SliceLanes(Real o, Real o_height, Real d, Real d_height)
+        : origin(o), origin_height(o_height), direction(d), direction_height(d_height) {}
+    SliceLanes(const Space& o, const Space& d, unsigned axis)
+        : SliceLanes(axis == 0 ? o.x : o.y, o.z, axis == 0 ? d.x : d.y, d.z) {}
+
+    SliceLanes operator+(const SliceLanes& o) const {
+        return {hn::Add(origin, o.origin), hn::Add(origin_height, o.origin_height),
+                hn::Add(direction, o.direction), hn::Add(direction_height, o.direction_height)};
     }
-    AcrossLanes operator-(const AcrossLanes& o) const {
-        return {hn::Sub(origin_v, o.origin_v), hn::Sub(origin_height, o.origin_height),
-                hn::Sub(direction_v, o.direction_v), hn::Sub(direction_height, o.direction_height)};
+    SliceLanes operator-(const SliceLanes& o) const {
+        return {hn::Sub(origin, o.origin), hn::Sub(origin_height, o.origin_height),
+                hn::Sub(direction, o.direction), hn::Sub(direction_height, o.direction_height)};
     }
-    AcrossLanes operator*(double s) const {
-        return {hn::Mul(origin_v, real(s)), hn::Mul(origin_height, real(s)),
-                hn::Mul(direction_v, real(s)), hn::Mul(direction_height, real(s))};
+    SliceLanes operator*(double s) const {
+        return {hn::Mul(origin, real(s)), hn::Mul(origin_height, real(s)),
+                hn::Mul(direction, real(s)), hn::Mul(direction_height, real(s))};
     }
 };
 
 /// Slopes by the picture's x and y.
-struct AcrossSlopes {
-    AcrossLanes x, y;
+struct SliceSlopes {
+    SliceLanes x, y;
 
-    AcrossSlopes(const FrameLanes& frame, const RayLanes& rays)
-        : x(of(frame.vector(rays.origin_dx), frame.vector(rays.direction_dx))),
-          y(of(frame.vector(rays.origin_dy), frame.vector(rays.direction_dy))) {}
-
-    static AcrossLanes of(const Space& origin, const Space& direction) {
-        return {origin.y, origin.z, direction.y, direction.z};
-    }
+    SliceSlopes(const FrameLanes& frame, const RayLanes& rays, unsigned axis)
+        : x(frame.vector(rays.origin_dx), frame.vector(rays.direction_dx), axis),
+          y(frame.vector(rays.origin_dy), frame.vector(rays.direction_dy), axis) {}
 };
 
 /// PixelCubic::corners. That template itself knows nothing of instruction sets.
-inline std::array<AcrossLanes, 4> corners(const FrameLanes& frame, const PixelLanes& pixel,
-                                          const Space& direction) {
-    const AcrossLanes value = AcrossSlopes::of(frame.point(pixel.centre.origin), direction);
-    const AcrossSlopes own(frame, pixel.centre), left(frame, pixel.left), right(frame, pixel.right),
-        above(frame, pixel.above), below(frame, pixel.below);
-    const AcrossLanes bends = right.x - left.x + below.y - above.y;
-    const AcrossLanes twisted = (below.x - above.x + right.y - left.y) * (1.0 / 16);
-    const auto odd = [](const AcrossLanes& slope, const AcrossLanes& along_less,
-                        const AcrossLanes& along_more, const AcrossLanes& aside_less,
-                        const AcrossLanes& aside_more) {
+inline std::array<SliceLanes, 4> corners(const FrameLanes& frame, const PixelLanes& pixel,
+                                         const Space& direction, unsigned axis) {
+    const SliceLanes value(frame.point(pixel.centre.origin), direction, axis);
+    const SliceSlopes own(frame, pixel.centre, axis), left(frame, pixel.left, axis),
+        right(frame, pixel.right, axis), above(frame, pixel.above, axis),
+        below(frame, pixel.below, axis);
+    const SliceLanes bends = right.x - left.x + below.y - above.y;
+    const SliceLanes twisted = (below.x - above.x + right.y - left.y) * (1.0 / 16);
+    const auto odd = [](const SliceLanes& slope, const SliceLanes& along_less,
+                        const SliceLanes& along_more, const SliceLanes& aside_less,
+                        const SliceLanes& aside_more) {
         return slope * (0.5 - 2.0 / 48 - 2.0 / 16) + (along_less + along_more) * (1.0 / 48) +
                (aside_less + aside_more) * (1.0 / 16);
     };
-    const AcrossLanes across = odd(own.x, left.x, right.x, above.x, below.x);
-    const AcrossLanes along = odd(own.y, above.y, below.y, left.y, right.y);
-    const AcrossLanes even = value + bends * (1.0 / 16), up = even - along, down = even + along;
+    const SliceLanes across = odd(own.x, left.x, right.x, above.x, below.x);
+    const SliceLanes along = odd(own.y, above.y, below.y, left.y, right.y);
+    const SliceLanes even = value + bends * (1.0 / 16), up = even - along, down = even + along;
     return {up + twisted - across, up - twisted + across, down - twisted - across,
             down + twisted + across};
 }
 
+/// What a linear function is at the corners of a pixel at whose centre it is 0.
+inline std::array<Real, 4> linear_corners(Real by_x, Real by_y) {
+    const Real sum = hn::Mul(real(0.5), hn::Add(by_x, by_y));
+    const Real rise = hn::Mul(real(0.5), hn::Sub(by_x, by_y));
+    return {hn::Neg(sum), rise, hn::Neg(rise), sum};
+}
+
 /// image_bend(), and the lanes where it has a value.
 struct BendLanes {
-    Real bend;
-    Truth bounded;
+    Real bend = real(0);
+    Truth bounded = hn::FirstN(Wide(), hn::Lanes(Wide()));
 
     BendLanes(const CPlaneFrame& plane, const FrameLanes& frame, const PixelLanes& pixel,
               const ImageLanes& image) {
-        const Real sum = hn::Add(image.v_dx, image.v_dy), rise = hn::Sub(image.v_dx, image.v_dy);
-        const std::array<Real, 4> told{hn::Neg(sum), rise, hn::Neg(rise), sum};
-        const std::array<AcrossLanes, 4> at = corners(frame, pixel, image.direction);
-        bounded = hn::FirstN(Wide(), hn::Lanes(Wide()));
+        const auto told = linear_corners(image.v_dx, image.v_dy);
+        const std::array<SliceLanes, 4> at = corners(frame, pixel, image.direction, 1);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Real t = hn::Neg(hn::Div(at[i].origin_height, at[i].direction_height));
+            bounded = hn::And(bounded, hn::And(hn::Gt(t, real(0)), hn::IsFinite(t)));
+            const Real v = hn::MulAdd(t, at[i].direction, at[i].origin);
+            bend = hn::Max(bend, hn::Abs(hn::Sub(v, hn::Add(told[i], image.at.y))));
+        }
+        bend = hn::Div(bend, real(plane.pitch));
+        const Real reach = image.reach_along();
+        const Truth begin = hn::Lt(hn::Abs(image.at.x), reach);
+        const Truth end = hn::Lt(hn::Abs(hn::Sub(real(plane.length), image.at.x)), reach);
+        const Truth at_ends = hn::And(bounded, hn::Or(begin, end));
+        if (hn::AllFalse(Wide(), at_ends)) return;
+        const Real along =
+            hn::IfThenElse(hn::IsFinite(reach), bend_along(frame, pixel, image), real(1));
+        bend = hn::IfThenElse(at_ends, hn::Max(bend, along), bend);
+    }
+
+private:
+    /// As in image_bend.cpp.
+    static Real bend_along(const FrameLanes& frame, const PixelLanes& pixel,
+                           const ImageLanes& image) {
+        const auto told = linear_corners(image.u_dx, image.u_dy);
+        const auto nearer = linear_corners(image.descent_x, image.descent_y);
+        const std::array<SliceLanes, 4> at = corners(frame, pixel, image.direction, 0);
         Real off = real(0);
         for (std::size_t i = 0; i < 4; ++i) {
-            const AcrossLanes& corner = at[i];
-            const Real t = hn::Neg(hn::Div(corner.origin_height, corner.direction_height));
-            bounded = hn::And(bounded, hn::And(hn::Gt(t, real(0)), hn::IsFinite(t)));
-            const Real v = hn::MulAdd(t, corner.direction_v, corner.origin_v);
-            const Real from = hn::MulAdd(real(0.5), told[i], image.at.y);
-            off = hn::Max(off, hn::Abs(hn::Sub(v, from)));
+            const Real t = hn::Neg(hn::Div(at[i].origin_height, at[i].direction_height));
+            const Real u = hn::MulAdd(t, at[i].direction, at[i].origin);
+            const Real from = hn::Div(told[i], hn::Add(real(1), nearer[i]));
+            off = hn::Max(off, hn::Abs(hn::Sub(u, hn::Add(from, image.at.x))));
         }
-        bend = hn::Div(off, real(plane.pitch));
+        const Real span = hn::Add(hn::Abs(image.u_dx), hn::Abs(image.u_dy));
+        return hn::Min(hn::Div(off, span), real(1));
     }
 };
 

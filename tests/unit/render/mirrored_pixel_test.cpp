@@ -70,6 +70,30 @@ double sampled(const Stage& stage, double x, double y, double size) {
     return sum / (n * n);
 }
 
+/// How far large pixels of the stage's picture are off the mean over many points, at the most: by
+/// their bent images, and by straight ones.
+struct Errors {
+    double bent = 0, straight = 0;
+    int pixels_with_borders = 0; ///< of lamps
+
+    explicit Errors(const Stage& stage) {
+        constexpr double size = 6;
+        for (const double x : {22.0, 30.0, 38.0, 46.0, 54.0, 62.0})
+            for (const double y : {24.0, 30.0, 36.0}) {
+                const Around around(stage, x, y, size);
+                const double truth = sampled(stage, x, y, size);
+                const auto off = [&](const std::optional<PixelRays>& rays) {
+                    const PixelMirror seen = mirror_of(RigPlanes(stage.rig), around.centre, rays,
+                                                       around.centre.t_max, false);
+                    return std::abs(seen.lamps.coverage - truth);
+                };
+                bent = std::max(bent, off(around.rays()));
+                straight = std::max(straight, off({}));
+                pixels_with_borders += truth > 0.1 && truth < 0.9;
+            }
+    }
+};
+
 } // namespace
 
 TEST(MirroredPixel, IsRightToTheFourthOrder) {
@@ -93,22 +117,25 @@ TEST(MirroredPixel, TellsTheDifferentialsOfItsParts) {
 // Pixels so large that their images on the lamps' plane are bent by a good part of the pitch.
 TEST(MirroredPixel, SeesStripesWhereItsImageIsBent) {
     const Stage stage(dome());
-    constexpr double size = 6;
-    double bent = 0, straight = 0;
-    for (const double x : {22.0, 30.0, 38.0, 46.0, 54.0, 62.0})
-        for (const double y : {24.0, 30.0, 36.0}) {
-            const Around around(stage, x, y, size);
-            const double truth = sampled(stage, x, y, size);
-            const auto off = [&](const std::optional<PixelRays>& rays) {
-                const PixelMirror seen = mirror_of(RigPlanes(stage.rig), around.centre, rays,
-                                                   around.centre.t_max, false);
-                return std::abs(seen.lamps.coverage - truth);
-            };
-            bent = std::max(bent, off(around.rays()));
-            straight = std::max(straight, off({}));
-        }
-    EXPECT_LT(bent, 0.02);
-    EXPECT_GT(straight, 3 * bent);
+    const Errors errors(stage);
+    EXPECT_LT(errors.bent, 0.02);
+    EXPECT_GT(errors.straight, 3 * errors.bent);
+}
+
+// Lamps so far apart that images count as straight across them, and so short that they end within.
+TEST(MirroredPixel, SeesEndsOfLampsWhereItsImageIsBent) {
+    Stage stage(dome());
+    CPlane& plane = std::get<CPlane>(stage.rig.sources[0]);
+    plane.origin = {-600, 500, 2000};
+    plane.u = {800, 300, 0};
+    plane.v = {-2400, 6400, 0};
+    plane.lamps = 2;
+    plane.diameter = 2400;
+    plane.mirror = TubeLook::flat;
+    const Errors errors(stage);
+    EXPECT_GT(errors.pixels_with_borders, 3);
+    EXPECT_LT(errors.bent, 0.01);
+    EXPECT_GT(errors.straight, 3 * errors.bent);
 }
 
 TEST(MirroredPixel, IsPartedTheFinerTheMoreItsImageIsBent) {

@@ -104,7 +104,7 @@ double coverage_of_parts(const StripeRow& row, const PixelRays& rays, const Squa
 
 /// Which cases were met.
 struct Met {
-    int pixels = 0, missed = 0, lit = 0, partly = 0, unbounded = 0, bent = 0;
+    int pixels = 0, missed = 0, lit = 0, partly = 0, unbounded = 0, bent = 0, at_ends = 0;
 };
 
 bool has(std::uint32_t set, std::size_t lane) {
@@ -132,6 +132,8 @@ void compare(const StripeRow& row, const PixelRays& rays, const StripeLooks& loo
         ASSERT_NEAR(looks.bend[lane], *bend, 1e-9 * (1 + *bend));
     }
     met.bent += bend && *bend > straight_image;
+    const double reach = footprint_on(row.frame, *hit, *ray.differentials).reach(0);
+    met.at_ends += std::abs(hit->u) < reach || std::abs(row.frame.length - hit->u) < reach;
     const double misfit = MirroredPixel(rays).misfit(rays, hit->t);
     ASSERT_NEAR(looks.misfit[lane], misfit, 1e-11 * (misfit + 1000));
     if (has(looks.missed, lane)) return;
@@ -160,7 +162,8 @@ TEST(StripeKernels, ComputeWhatTheFormulasForOnePixelDo) {
                     << trial << ", " << lane;
         }
         EXPECT_GT(met.pixels, 20000);
-        for (const int count : {met.missed, met.lit, met.partly, met.unbounded, met.bent})
+        for (const int count :
+             {met.missed, met.lit, met.partly, met.unbounded, met.bent, met.at_ends})
             EXPECT_GT(count, 500);
     }
 }
