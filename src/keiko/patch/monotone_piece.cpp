@@ -72,6 +72,22 @@ std::vector<double> extrema(const BezierCurveView& curve, int coordinate) {
     return bernstein_roots(derivative, of_products * size * heaviest);
 }
 
+/// The derivative by t, as control points.
+std::vector<Vec3> derivative(const std::vector<Vec3>& points) {
+    std::vector<Vec3> result;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        result.push_back((points[i] - points[i - 1]) * static_cast<double>(points.size() - 1));
+    return result;
+}
+
+/// Bounds of the coordinates of a curve.
+Vec3 most_of(const std::vector<Vec3>& points) {
+    Box3 all;
+    all.extend(Vec3(0));
+    for (const Vec3& p : points) all.extend(magnitudes(p));
+    return all.upper;
+}
+
 } // namespace
 
 MonotonePiece::MonotonePiece(std::vector<Vec3> points, std::uint32_t curve, double begin,
@@ -84,7 +100,28 @@ MonotonePiece::MonotonePiece(std::vector<Vec3> points, std::uint32_t curve, doub
       end_(end) {
     box_.extend(first_);
     box_.extend(last_);
+    double choose = 1;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (i > 0) choose *= static_cast<double>(points_.size() - i) / static_cast<double>(i);
+        binomials_.push_back(choose);
+    }
     find_strip();
+    find_bend();
+}
+
+void MonotonePiece::find_bend() {
+    std::vector<Vec3> points; // from the first place, so that one far off costs no digits
+    for (const Vec3& p : points_)
+        points.push_back({p.x - first_.x * p.z, p.y - first_.y * p.z, p.z});
+    const std::vector<Vec3> slopes = derivative(points);
+    const Vec3 first = most_of(slopes), second = most_of(derivative(slopes));
+    const auto least = std::min_element(points.begin(), points.end(),
+                                        [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
+    // X = x / w, so X' = (x' - X w') / w and X'' = (x'' - 2 X' w' - X w'') / w.
+    const Vec2 farthest = box_.extent();
+    const Vec2 slope = (Vec2(first.x, first.y) + farthest * first.z) / least->z;
+    bend_ = (Vec2(second.x, second.y) + slope * (2 * first.z) + farthest * second.z) / least->z;
+    if (!(least->z > 0)) bend_ = Vec2(std::numeric_limits<double>::infinity());
 }
 
 void MonotonePiece::find_strip() {
@@ -123,12 +160,11 @@ Vec2 MonotonePiece::point(double t) const {
     if (n == 1) return projected(points_[0] * (1 - t) + points_[1] * t);
     // Horner's scheme for the Bernstein form, as in Farin's "hornbez".
     const double s = 1 - t;
-    double power = 1, choose = 1;
+    double power = 1;
     Vec3 sum = points_[0] * s;
     for (std::size_t i = 1; i < n; ++i) {
         power *= t;
-        choose *= static_cast<double>(n - i + 1) / static_cast<double>(i);
-        sum = (sum + points_[i] * (power * choose)) * s;
+        sum = (sum + points_[i] * (power * binomials_[i])) * s;
     }
     return projected(sum + points_[n] * (power * t));
 }

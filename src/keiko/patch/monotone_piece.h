@@ -23,6 +23,9 @@ public:
     double curve_parameter(double t) const { return begin_ + t * (end_ - begin_); }
 
     Vec2 point(double t) const;
+    /// Bounds of the second derivatives of x and of y by t, as far as they are not 0 anywhere;
+    /// infinite where a weight is not positive.
+    const Vec2& bend() const { return bend_; }
     /// Whether the ray from `p` towards +x crosses the piece. An end at exactly p.y belongs to
     /// the side above, so that a closed chain is crossed an even or odd number of times whatever
     /// p is.
@@ -40,6 +43,7 @@ private:
     /// The most that two places so far apart differ in it.
     double across(const Vec2& size) const;
     void find_strip();
+    void find_bend();
     /// A stretch [a, b] (in either order) with its ends' points.
     struct Bracket {
         double a, b;
@@ -50,8 +54,10 @@ private:
     Bracket bracket(double y, double x) const;
 
     std::vector<Vec3> points_;
+    std::vector<double> binomials_; ///< one a point
     Vec2 first_, last_;
     Box2 box_;
+    Vec2 bend_{0};
     double strip_low_ = 0, strip_high_ = 0; ///< beside_chord() of the control points
     std::uint32_t curve_;
     double begin_, end_;

@@ -1,6 +1,7 @@
 #include "keiko/patch/trim_region.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -33,8 +34,8 @@ void append_loop(const SurfaceModel& model, const TrimLoop& loop,
 
 /// A part of a piece between two of its parameters.
 struct Stretch {
-    double a, b;
-    Vec2 at_a, at_b;
+    double a = 0, b = 1;
+    Vec2 at_a{0}, at_b{0};
 
     /// Share of the chord from a to b at which it is nearest to `p`.
     double foot(const Vec2& p, const ParameterMetric& metric) const {
@@ -44,7 +45,17 @@ struct Stretch {
     }
 };
 
-/// Nearest point of a piece by branch and bound on the boxes of its stretches; tightens `best`.
+/// How far any place of a stretch is off its chord, at the most: no farther than its box is wide,
+/// and, by Taylor's theorem, than an eighth of the bend.
+double most_off(const Stretch& s, double bend, const ParameterMetric& metric) {
+    Box2 box;
+    box.extend(s.at_a);
+    box.extend(s.at_b);
+    const double length = s.b - s.a;
+    return std::min(metric.across(box.extent()), bend / 8 * (length * length));
+}
+
+/// Nearest point of a piece by branch and bound on the chords of its stretches; tightens `best`.
 bool approach(const MonotonePiece& piece, const Vec2& p, const ParameterMetric& metric,
               TrimRegion::NearCurve& best) {
     // Where steps have no length (at a pole) everything is equally near: without an end of its own
@@ -52,33 +63,32 @@ bool approach(const MonotonePiece& piece, const Vec2& p, const ParameterMetric& 
     constexpr double share_of_distance = 1e-3, share_of_reach = 1e-9;
     // So short a stretch is its chord to within rounding.
     constexpr double straight = 1e-9;
-    const double least = share_of_reach * best.distance;
+    const double least = share_of_reach * best.distance, bend = metric.across(piece.bend());
     bool found = false;
     const auto tighten = [&](const Vec2& at, double t) {
         const double d = metric.length(at - p);
         if (d < best.distance)
             best = {d, piece.curve(), piece.curve_parameter(t), at}, found = true;
     };
-    std::vector<Stretch> open{{0, 1, piece.first(), piece.last()}};
-    while (!open.empty()) {
-        const Stretch s = open.back();
-        open.pop_back();
-        Box2 box;
-        box.extend(s.at_a);
-        box.extend(s.at_b);
-        if (!(metric.distance(p, box) < best.distance)) continue;
+    constexpr std::size_t most_open = 32; // halved 30 times, a stretch is short enough
+    std::array<Stretch, most_open> open;
+    open[0] = {0, 1, piece.first(), piece.last()};
+    for (std::size_t count = 1; count > 0;) {
+        const Stretch s = open[--count];
+        const double share = s.foot(p, metric), off = most_off(s, bend, metric);
+        const Vec2 foot = s.at_a + (s.at_b - s.at_a) * share;
+        if (!(metric.length(foot - p) - off < best.distance)) continue;
+        const double t = s.a + (s.b - s.a) * share;
         if (s.b - s.a < straight) {
-            const double share = s.foot(p, metric);
-            tighten(s.at_a + (s.at_b - s.at_a) * share, s.a + (s.b - s.a) * share);
+            tighten(foot, t);
             continue;
         }
+        tighten(piece.point(t), t);
+        if (off <= std::max(least, share_of_distance * best.distance)) continue;
         const double m = (s.a + s.b) / 2;
         const Vec2 at_m = piece.point(m);
-        tighten(at_m, m);
-        const double fine_enough = std::max(least, share_of_distance * best.distance);
-        if (metric.across(box.extent()) <= fine_enough) continue;
-        open.push_back({m, s.b, at_m, s.at_b});
-        open.push_back({s.a, m, s.at_a, at_m});
+        open[count++] = {m, s.b, at_m, s.at_b};
+        open[count++] = {s.a, m, s.at_a, at_m};
     }
     return found;
 }
@@ -198,10 +208,13 @@ std::optional<TrimRegion::NearEdge> TrimRegion::nearest_edge(
     const Vec2& p, const ParameterMetric& metric, double most,
     std::span<const std::uint32_t> among) const {
     std::optional<NearEdge> best;
-    const double reach = most / metric.least().y;
-    const auto [begin, end] = pieces_between(p.y - reach, p.y + reach);
+    constexpr double room = 1 + 1e-9; // for rounding
+    const Vec2 reach = Vec2(most * room) / metric.least();
+    const Box2 around{p - reach, p + reach};
+    const auto [begin, end] = pieces_between(around.lower.y, around.upper.y);
     for (std::size_t i = begin; i < end; ++i) {
         const MonotonePiece& piece = pieces_[row_pieces_[i]];
+        if (!piece.box().overlaps(around)) continue;
         const PieceEdge& own = piece_edges_[row_pieces_[i]];
         const double radius = std::min(best ? best->at.distance : most, own.width);
         if (!(metric.distance(p, piece.box()) <= radius)) continue;

@@ -246,6 +246,23 @@ TEST_P(Tangles, MayTouchTheBoxesThatTheyTouch) {
     }
 }
 
+TEST_P(Tangles, BoundTheirBend) {
+    Random random(12);
+    double closest = 0;
+    for (const Curve& curve : tangle(random, 20, GetParam()))
+        for (const MonotonePiece& piece : monotone_pieces({curve}, 0))
+            for (int i = 0; i < 200; ++i) {
+                const double a = uniform(random, 0, 1), b = uniform(random, 0, 1);
+                const Vec2 sag = piece.point((a + b) / 2) - (piece.point(a) + piece.point(b)) / 2;
+                const Vec2 most = piece.bend() * ((b - a) * (b - a) / 8);
+                ASSERT_LE(std::abs(sag.x), most.x + 1e-15);
+                ASSERT_LE(std::abs(sag.y), most.y + 1e-15);
+                closest = std::max({closest, sag.x / most.x, sag.y / most.y});
+            }
+    EXPECT_GT(closest, 0.2);
+    EXPECT_LE(closest, 1);
+}
+
 TEST_P(Tangles, KnowTheirNearestPoint) {
     Random random(8);
     const SurfaceModel model = face_with({tangle(random, 4, GetParam())});
