@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace keiko {
 namespace {
@@ -15,21 +14,18 @@ CutPart part_between(const SeenCell& seen, const CrossedSide& begin, const Cross
     const auto corners = seen.cell.corners();
     // What shows at the far end of the first side's crossing is in the part, as is what shows at
     // the near end of the last one's.
-    constexpr std::size_t most = 6; // corners
-    std::vector<Vec2> polygon;
-    std::vector<const EyeSample*> around;
-    polygon.reserve(most), around.reserve(most);
-    polygon.push_back(begin.middle()), around.push_back(begin.at_b);
-    for (std::size_t i = begin.side; i != end.side; i = (i + 1) % 4) {
-        polygon.push_back(corners[(i + 1) % 4]);
-        around.push_back(seen.corners[(i + 1) % 4]);
-    }
-    polygon.push_back(end.middle());
-    around.push_back(end.at_a);
+    SeenPart part;
+    const auto add = [&](const Vec2& corner, const EyeSample* sample) {
+        part.corners.push_back(corner), part.seen.push_back(sample);
+    };
+    add(begin.middle(), begin.at_b);
+    for (std::size_t i = begin.side; i != end.side; i = (i + 1) % 4)
+        add(corners[(i + 1) % 4], seen.corners[(i + 1) % 4]);
+    add(end.middle(), end.at_a);
     const Vec2 cut = (begin.middle() + end.middle()) / 2;
-    const Vec2 step = polygon_part(polygon).centre - cut;
+    const Vec2 step = part.whole().centre - cut;
     const double farthest = slack * std::sqrt(seen.cell.area()) / step.length();
-    return {{std::move(polygon), std::move(around)}, cut + step * std::min(farthest, 1.0)};
+    return {part, cut + step * std::min(farthest, 1.0)};
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "keiko/render/integrator.h"
 #include "keiko/spec/prepared_camera.h"
 
+#include <memory_resource>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -30,7 +31,8 @@ private:
     struct PlaceHash {
         std::size_t operator()(const Vec2& place) const;
     };
-    std::unordered_map<Vec2, const EyeSample*, PlaceHash> known_;
+    std::pmr::monotonic_buffer_resource memory_; ///< of what is known: nothing is forgotten
+    std::pmr::unordered_map<Vec2, const EyeSample*, PlaceHash> known_{&memory_};
 };
 
 } // namespace keiko

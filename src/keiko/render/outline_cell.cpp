@@ -27,9 +27,8 @@ std::array<OutlineCell, 2> OutlineCell::halves(unsigned axis) const {
             OutlineCell{pixel, corner + step, half, nullptr}};
 }
 
-std::vector<std::size_t> SeenCell::crossed_sides() const {
-    std::vector<std::size_t> crossed;
-    crossed.reserve(4);
+ShortList<std::size_t, 4> SeenCell::crossed_sides() const {
+    ShortList<std::size_t, 4> crossed;
     for (std::size_t i = 0; i < 4; ++i)
         if (differ_closely(*corners[i], *corners[(i + 1) % 4])) crossed.push_back(i);
     return crossed;
@@ -49,8 +48,10 @@ bool SeenCell::looks_like(const EyeSample& sample) const {
 }
 
 SeenPart SeenCell::part() const {
-    const auto places = cell.corners();
-    return {{places.begin(), places.end()}, {corners.begin(), corners.end()}};
+    SeenPart part;
+    for (const Vec2& place : cell.corners()) part.corners.push_back(place);
+    for (const EyeSample* corner : corners) part.seen.push_back(corner);
+    return part;
 }
 
 unsigned SeenCell::most_varied_axis(double finest) const {

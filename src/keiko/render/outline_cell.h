@@ -4,7 +4,6 @@
 #include "keiko/render/seen_part.h"
 
 #include <array>
-#include <vector>
 
 namespace keiko {
 
@@ -30,7 +29,7 @@ struct SeenCell {
     std::array<const EyeSample*, 4> corners{};
 
     /// The sides, i between the corners i and i + 1, whose ends do not show the same.
-    std::vector<std::size_t> crossed_sides() const;
+    ShortList<std::size_t, 4> crossed_sides() const;
     CrossedSide side(std::size_t i) const;
     /// Whether all corners look like a sample, to 1 % of a pixel, on a surface that does not turn:
     /// lamps fit into where it does.

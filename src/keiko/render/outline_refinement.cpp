@@ -93,7 +93,7 @@ private:
             const bool tangled = std::any_of(begin, end, [](const CrossedSide& side) {
                 return side.state == CrossedSide::State::tangled;
             });
-            std::vector<CrossedSide> sharp;
+            ShortList<CrossedSide, 4> sharp;
             std::copy_if(begin, end, std::back_inserter(sharp), [](const CrossedSide& side) {
                 return side.state == CrossedSide::State::crossed;
             });

@@ -8,9 +8,8 @@ namespace {
 
 /// What of a convex polygon lies where a linear function, with these values at its corners, is not
 /// negative.
-std::vector<Vec2> clipped(std::span<const Vec2> corners, std::span<const double> values) {
-    std::vector<Vec2> left;
-    left.reserve(corners.size() + 1);
+Polygon clipped(std::span<const Vec2> corners, std::span<const double> values) {
+    Polygon left;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const std::size_t next = (i + 1) % corners.size();
         const double a = values[i], b = values[next];
@@ -22,9 +21,8 @@ std::vector<Vec2> clipped(std::span<const Vec2> corners, std::span<const double>
 }
 
 /// What lies beyond a line across a direction.
-std::vector<Vec2> beyond(std::span<const Vec2> corners, const Vec2& across, double line) {
-    std::vector<double> off;
-    off.reserve(corners.size());
+Polygon beyond(std::span<const Vec2> corners, const Vec2& across, double line) {
+    ShortList<double, 24> off;
     for (const Vec2& corner : corners) off.push_back(across.dot(corner) - line);
     return clipped(corners, off);
 }
@@ -60,8 +58,7 @@ PicturePart polygon_part(std::span<const Vec2> corners) {
     return {origin + middle, Vec2(right, shear) * scale, Vec2(0, down) * scale, std::abs(area)};
 }
 
-std::vector<Vec2> strip_of(std::span<const Vec2> corners, const Vec2& across, double begin,
-                           double end) {
+Polygon strip_of(std::span<const Vec2> corners, const Vec2& across, double begin, double end) {
     return beyond(beyond(corners, across, begin), -across, -end);
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "keiko/base/short_list.h"
 #include "keiko/spec/prepared_camera.h"
 
 #include <span>
-#include <vector>
 
 namespace keiko {
 
@@ -14,6 +14,9 @@ struct PicturePart {
     double area = 0;        ///< of the part itself, px2
 };
 
+/// A convex polygon, its corners in order; room for what two cuts make of six of them.
+using Polygon = ShortList<Vec2, 24>;
+
 /// `size`: width and height.
 PicturePart rectangle_part(const Vec2& corner, const Vec2& size);
 /// The parallelogram with the centre and the second moments of a convex polygon that has an area;
@@ -21,9 +24,8 @@ PicturePart rectangle_part(const Vec2& corner, const Vec2& size);
 PicturePart polygon_part(std::span<const Vec2> corners);
 
 /// What of a convex polygon lies between two lines across a unit direction, `begin` and `end` along
-/// it, px.
-std::vector<Vec2> strip_of(std::span<const Vec2> corners, const Vec2& across, double begin,
-                           double end);
+/// it, px; of six corners at the most.
+Polygon strip_of(std::span<const Vec2> corners, const Vec2& across, double begin, double end);
 
 /// The mean over a convex polygon of what is linear in the triangles at its first corner; `values`
 /// at the corners.

@@ -55,8 +55,7 @@ double SeenPart::turn(const EyeSample& amid) const {
 
 double SeenPart::bend(const EyeSample& amid) const {
     Range across(amid.across_lamps), light(luminance(amid.luminance));
-    std::vector<double> places;
-    places.reserve(seen.size());
+    ShortList<double, most_corners> places;
     for (const EyeSample* sample : seen) {
         across.add(sample->across_lamps);
         light.add(luminance(sample->luminance));
@@ -70,8 +69,7 @@ double SeenPart::bend(const EyeSample& amid) const {
 }
 
 double SeenPart::glare(const EyeSample& amid) const {
-    std::vector<double> lights;
-    lights.reserve(seen.size());
+    ShortList<double, most_corners> lights;
     for (const EyeSample* sample : seen) lights.push_back(luminance(sample->luminance));
     const double mean = polygon_mean(corners, lights), own = luminance(amid.luminance);
     return std::abs(mean - own) / (most_glare * std::max({mean, own, 1e-9}));
@@ -103,7 +101,7 @@ std::vector<PicturePart> SeenPart::strips(const EyeSample& amid, double uneven,
     std::vector<PicturePart> parts;
     for (double i = 0; i < n; ++i) {
         const double end = i + 1 < n ? range.least + (i + 1) * step : range.most;
-        const std::vector<Vec2> strip = strip_of(corners, across, range.least + i * step, end);
+        const Polygon strip = strip_of(corners, across, range.least + i * step, end);
         if (strip.size() < 3) continue;
         const PicturePart part = polygon_part(strip);
         if (part.area > 0) parts.push_back(part);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/short_list.h"
 #include "keiko/render/eye_view.h"
 #include "keiko/render/picture_part.h"
 
@@ -9,8 +10,10 @@ namespace keiko {
 
 /// A convex part of the picture with what is seen at its corners.
 struct SeenPart {
-    std::vector<Vec2> corners; ///< px, of either sense
-    std::vector<const EyeSample*> seen;
+    static constexpr std::size_t most_corners = 6;
+
+    ShortList<Vec2, most_corners> corners; ///< px, of either sense
+    ShortList<const EyeSample*, most_corners> seen;
 
     PicturePart whole() const { return polygon_part(corners); }
     /// Whether a sample amid it shows the same smooth thing as one of its corners.

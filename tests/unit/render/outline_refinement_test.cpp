@@ -225,7 +225,7 @@ TEST(PicturePart, IsCutIntoStripsThatAreThePolygonTogether) {
     double area = 0;
     Vec2 centre(0);
     for (int i = 0; i < 7; ++i) {
-        const std::vector<Vec2> strip = strip_of(corners, across, 0.2 * i, 0.2 * (i + 1));
+        const Polygon strip = strip_of(corners, across, 0.2 * i, 0.2 * (i + 1));
         for (const Vec2& corner : strip) {
             EXPECT_GT(across.dot(corner), 0.2 * i - 1e-12);
             EXPECT_LT(across.dot(corner), 0.2 * (i + 1) + 1e-12);
