@@ -27,11 +27,11 @@ std::array<OutlineCell, 2> OutlineCell::halves(unsigned axis) const {
             OutlineCell{pixel, corner + step, half, nullptr}};
 }
 
-ShortList<std::size_t, 4> SeenCell::crossed_sides() const {
-    ShortList<std::size_t, 4> crossed;
+SeenCell::SeenCell(const OutlineCell& seen, std::span<const EyeSample* const, 4> around)
+    : cell(seen) {
+    std::copy(around.begin(), around.end(), corners.begin());
     for (std::size_t i = 0; i < 4; ++i)
-        if (differ_closely(*corners[i], *corners[(i + 1) % 4])) crossed.push_back(i);
-    return crossed;
+        if (differ_closely(*corners[i], *corners[(i + 1) % 4])) crossed_sides.push_back(i);
 }
 
 CrossedSide SeenCell::side(std::size_t i) const {

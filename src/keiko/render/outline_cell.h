@@ -4,6 +4,7 @@
 #include "keiko/render/seen_part.h"
 
 #include <array>
+#include <span>
 
 namespace keiko {
 
@@ -27,9 +28,12 @@ struct OutlineCell {
 struct SeenCell {
     OutlineCell cell;
     std::array<const EyeSample*, 4> corners{};
-
     /// The sides, i between the corners i and i + 1, whose ends do not show the same.
-    ShortList<std::size_t, 4> crossed_sides() const;
+    ShortList<std::size_t, 4> crossed_sides{};
+
+    explicit SeenCell(const OutlineCell& unseen) : cell(unseen) {}
+    SeenCell(const OutlineCell& seen, std::span<const EyeSample* const, 4> around);
+
     CrossedSide side(std::size_t i) const;
     /// Whether all corners look like a sample, to 1 % of a pixel, on a surface that does not turn:
     /// lamps fit into where it does.

@@ -33,7 +33,7 @@ std::vector<CrossedSide> outline_crossings(EyeProbes& probes, std::span<const Se
     std::map<std::array<double, 4>, std::size_t> known;
     std::vector<std::size_t> places;
     for (const SeenCell& seen : cells)
-        for (const std::size_t i : seen.crossed_sides()) {
+        for (const std::size_t i : seen.crossed_sides) {
             sides.push_back(seen.side(i));
             const CrossedSide upright = sides.back().upright();
             const std::array key{upright.a.x, upright.a.y, upright.b.x, upright.b.y};

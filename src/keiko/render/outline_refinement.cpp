@@ -47,7 +47,7 @@ private:
     static bool is_plain(const SeenCell& seen) {
         const bool alike = seen.looks_like(*seen.corners[0]) &&
                            (!seen.cell.centre || seen.looks_like(*seen.cell.centre));
-        return alike || seen.crossed_sides().empty();
+        return alike || seen.crossed_sides.empty();
     }
 
     /// With what is seen at the corners of those that are not the finest.
@@ -60,12 +60,14 @@ private:
         const std::vector<const EyeSample*> samples = probes_.shared_at(places);
         std::vector<SeenCell> seen;
         seen.reserve(cells.size());
-        auto next = samples.begin();
+        std::span<const EyeSample* const> left = samples;
         for (const OutlineCell& cell : cells) {
-            seen.push_back({cell});
-            if (is_finest(cell)) continue;
-            std::copy_n(next, 4, seen.back().corners.begin());
-            next += 4;
+            if (is_finest(cell)) {
+                seen.emplace_back(cell);
+                continue;
+            }
+            seen.emplace_back(cell, left.first<4>());
+            left = left.subspan(4);
         }
         return seen;
     }
@@ -89,7 +91,7 @@ private:
         cuts.reserve(cells.size());
         auto begin = all.begin();
         for (SeenCell& seen : cells) {
-            const auto end = begin + static_cast<std::ptrdiff_t>(seen.crossed_sides().size());
+            const auto end = begin + static_cast<std::ptrdiff_t>(seen.crossed_sides.size());
             const bool tangled = std::any_of(begin, end, [](const CrossedSide& side) {
                 return side.state == CrossedSide::State::tangled;
             });

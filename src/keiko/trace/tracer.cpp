@@ -20,6 +20,10 @@ std::vector<Box3> boxes_of(const TracedModel& model, const Job& job) {
     return boxes;
 }
 
+std::optional<Hit> first_of(std::vector<Hit> hits) {
+    return hits.empty() ? std::nullopt : std::optional(std::move(hits.front()));
+}
+
 BlockSearch& block_search() {
     thread_local BlockSearch search;
     return search;
@@ -97,8 +101,7 @@ Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 std::optional<Hit> Tracer::hit_of(const Ray& ray, const Crossing& crossing) const {
     if (!crossing) return std::nullopt;
     if (!has(crossing.flags, HitFlags::seam)) return scene_->evaluate(crossing);
-    std::vector<Hit> hits = all(ray);
-    return hits.empty() ? std::nullopt : std::optional(std::move(hits.front()));
+    return first_of(all(ray));
 }
 
 std::optional<Hit> Tracer::nearest(const Ray& ray) const {
@@ -132,17 +135,22 @@ Hit Tracer::evaluate(const Crossing& crossing) const {
 std::vector<std::optional<Hit>> Tracer::nearest(std::span<const Ray> rays) const {
     const std::vector<Crossing> crossings = nearest_crossings(rays);
     std::vector<std::optional<Hit>> hits(rays.size());
+    std::vector<Ray> in_seams;
     HitEvaluation evaluation = scene_->evaluation();
     constexpr std::size_t ahead = HitBlock::capacity;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (i + ahead < rays.size() && crossings[i + ahead])
             evaluation.announce(crossings[i + ahead]);
         if (has(crossings[i].flags, HitFlags::seam))
-            hits[i] = hit_of(rays[i], crossings[i]);
+            in_seams.push_back(rays[i]);
         else if (crossings[i])
             evaluation.add(crossings[i], hits[i].emplace());
     }
     evaluation.finish();
+    std::vector<std::vector<Hit>> all_there = all(in_seams);
+    auto next = all_there.begin();
+    for (std::size_t i = 0; i < rays.size() && next != all_there.end(); ++i)
+        if (has(crossings[i].flags, HitFlags::seam)) hits[i] = first_of(std::move(*next++));
     return hits;
 }
 
