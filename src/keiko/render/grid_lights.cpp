@@ -19,7 +19,7 @@ GridLights::GridLights(const Integrator& integrator, const SpotGrid& grid)
     : integrator_(integrator),
       grid_(grid),
       numbers_(integrator.lights().size()),
-      spots_(grid.size()) {
+      spots_(grid.size(), &memory_) {
     std::iota(numbers_.begin(), numbers_.end(), std::size_t{0});
 }
 

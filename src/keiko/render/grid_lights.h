@@ -3,6 +3,7 @@
 #include "keiko/render/integrator.h"
 #include "keiko/render/spot_grid.h"
 
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -48,7 +49,7 @@ private:
         SeenLight seen{};
         SpotLight light{};
     };
-    using Spot = std::vector<OfLight>; ///< by number; empty until it is asked for
+    using Spot = std::pmr::vector<OfLight>; ///< by number; empty until it is asked for
     Spot& spot(int x, int y);
     std::vector<RigLight> lights_of(std::span<const std::size_t> numbers) const;
     void look(int x, int y, std::span<const std::size_t> lights);
@@ -58,7 +59,8 @@ private:
     const Integrator& integrator_;
     const SpotGrid& grid_;
     std::vector<std::size_t> numbers_;
-    std::vector<Spot> spots_;
+    std::pmr::monotonic_buffer_resource memory_; ///< of the spots
+    std::pmr::vector<Spot> spots_;
 };
 
 } // namespace keiko

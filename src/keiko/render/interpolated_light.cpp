@@ -10,6 +10,8 @@ namespace {
 /// Pixels a side of the largest squares that are lit from a few places: shadows narrower than a
 /// third of it may be missed.
 constexpr int largest_square = 16;
+/// Pixels a side of squares whose corners and middles are all that they have.
+constexpr int all_asked = 2;
 /// Of the error that is left: what lights may use that are told over one size of squares, so that
 /// some is left for smaller ones, beside the edges of shadows.
 constexpr double share_of_a_size = 0.5;
@@ -39,7 +41,7 @@ private:
     /// others; `left` of the error is still allowed.
     void light(const Rectangle& r, LightPolynomial known, OpenLights open, double left) {
         if (!asks_for_any(r)) return;
-        if (open.lit.empty() || r.is_small()) return fill(r, known, open);
+        if (open.lit.empty() || r.longest() <= all_asked) return fill(r, known, open);
         const RectangleTrial::Told told = tell(r, known, open, left);
         for (const Lights* lights : {&told.parabolas, &told.lines}) {
             open.lit = without(open.lit, *lights);

@@ -16,7 +16,6 @@ struct Rectangle {
     int x0, y0, x1, y1;
 
     Pixel middle() const { return {(x0 + x1) / 2, (y0 + y1) / 2}; }
-    bool is_small() const { return x1 - x0 <= 1 && y1 - y0 <= 1; }
     int longest() const { return std::max(x1 - x0, y1 - y0); }
     std::array<Pixel, 4> corners() const { return {{{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}}}; }
     /// The four parts around the middle, which share its column and row; two where it is one pixel
