@@ -36,10 +36,6 @@ struct PixelLanes {
           below(load_rays(rays, place + width)) {}
 };
 
-inline Real half_sum(Real x, Real y) {
-    return hn::Mul(real(0.5), hn::Add(hn::Abs(x), hn::Abs(y)));
-}
-
 /// MirroredPixel::bundle, but for the centre and its spread.
 struct BundleLanes {
     Real origin_rest, direction_rest, origin_slope_rest, direction_slope_rest;

@@ -103,6 +103,10 @@ private:
     Real wide_, narrow_, reach_, per_wide_, per_both_;
 };
 
+inline Real half_sum(Real x, Real y) {
+    return hn::Mul(real(0.5), hn::Add(hn::Abs(x), hn::Abs(y)));
+}
+
 /// Where rays meet a plane, in its frame, and their images on it.
 struct ImageLanes {
     Space direction, at; ///< `at`: the place, but for its height
@@ -130,9 +134,6 @@ struct ImageLanes {
     }
     /// Footprint::reach() along the lamps.
     Real reach_along() const {
-        const auto half_sum = [](Real x, Real y) {
-            return hn::Mul(real(0.5), hn::Add(hn::Abs(x), hn::Abs(y)));
-        };
         const Real least = hn::Sub(real(1), half_sum(descent_x, descent_y));
         const Real reach = hn::Div(half_sum(u_dx, u_dy), least);
         return hn::IfThenElse(hn::Gt(least, real(0)), reach, hn::Inf(Wide()));
