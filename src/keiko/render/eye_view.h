@@ -34,11 +34,11 @@ inline SurfacePlace place_of(const EyeSample& sample) {
     return {sample.hit->position, sample.hit->normal, sample.paint};
 }
 
-/// Eye rays through places of a grid, row by row.
+/// Eye rays through places of a grid, which are numbered row by row.
 struct EyeGrid {
     int width = 0, height = 0;
     std::vector<Ray> rays;
-    std::vector<std::size_t> places; ///< of the rays, rising; through others none meets the model
+    std::vector<std::size_t> places; ///< of the rays; through others none meets the model
 };
 
 /// What eye rays bring back without the light of lamps on bases and lobes, and where that falls.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace keiko {
 
@@ -21,6 +22,11 @@ Vec3 end_of(const Ray& ray, const Hit* hit) {
 
 const Hit* found(const std::optional<Hit>& hit) {
     return hit ? &*hit : nullptr;
+}
+
+void sort_by_sample(std::span<LitSpot> spots) {
+    std::sort(spots.begin(), spots.end(),
+              [](const LitSpot& a, const LitSpot& b) { return a.sample < b.sample; });
 }
 
 } // namespace
@@ -111,6 +117,7 @@ void Integrator::follow(Wave wave, MirroredGrid* grid, EyeView& view) const {
         mirrored.reserve(wave.rays.size());
         if (depth == 0 && grid) beside.reserve(grid->most_at_border());
         Mirroring mirroring(mirror_kernel_);
+        const std::size_t spots = view.spots.size();
         for (std::size_t i = 0; i < wave.rays.size(); ++i) {
             const Met met{wave.rays[i], found(hits[i]), depth == 0 ? no_mirror : mirrors[i],
                           incidences[i]};
@@ -120,6 +127,7 @@ void Integrator::follow(Wave wave, MirroredGrid* grid, EyeView& view) const {
             mirroring.add(met.ray, *met.hit, (ends ? beside : mirrored).add(path));
         }
         mirroring.finish();
+        sort_by_sample(std::span(view.spots).subspan(spots));
         if (depth == 0) view.hits = std::move(hits);
         wave = std::move(mirrored);
     }
@@ -154,16 +162,19 @@ std::vector<PixelMirror> Integrator::mirrors_of(const Wave& wave,
                                                 std::span<const std::optional<Hit>> hits,
                                                 const MirroredGrid* grid) const {
     std::vector<PixelMirror> mirrors(wave.rays.size());
-    std::optional<MirroredStripes> stripes;
-    if (grid) stripes.emplace(planes_, *grid, stripe_kernels_, refines_);
-    for (std::size_t i = 0; i < wave.rays.size(); ++i) {
-        const Ray& ray = wave.rays[i];
-        const double t_max = hits[i] ? hits[i]->t : ray.t_max;
-        if (stripes)
-            stripes->find(wave.paths[i].sample, ray, t_max, mirrors[i]);
-        else
-            mirrors[i] = mirror_of(planes_, ray, {}, t_max, refines_);
+    const auto t_max = [&](std::size_t i) { return hits[i] ? hits[i]->t : wave.rays[i].t_max; };
+    if (!grid) {
+        for (std::size_t i = 0; i < wave.rays.size(); ++i)
+            mirrors[i] = mirror_of(planes_, wave.rays[i], {}, t_max(i), refines_);
+        return mirrors;
     }
+    constexpr auto none = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> ray_at(grid->size(), none);
+    for (std::size_t i = 0; i < wave.rays.size(); ++i) ray_at[wave.paths[i].sample] = i;
+    MirroredStripes stripes(planes_, *grid, stripe_kernels_, refines_);
+    for (std::size_t place = 0; place < ray_at.size(); ++place)
+        if (const std::size_t i = ray_at[place]; i != none)
+            stripes.find(place, wave.rays[i], t_max(i), mirrors[i]);
     return mirrors;
 }
 

@@ -1,5 +1,6 @@
 #include "keiko/base/log.h"
 #include "keiko/base/parallel.h"
+#include "keiko/render/hilbert_order.h"
 #include "keiko/render/interpolated_light.h"
 #include "keiko/render/outlines.h"
 #include "keiko/render/picture_cover.h"
@@ -57,14 +58,12 @@ EyeGrid grid_of(const PictureRays& eye, const Tile& tile) {
     EyeGrid grid{bordered.x1 - bordered.x0, bordered.y1 - bordered.y0, {}, {}};
     const auto size = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
     grid.rays.reserve(size), grid.places.reserve(size);
-    std::size_t place = 0;
-    for_each_pixel(bordered, [&](int x, int y) {
-        if (eye.may_meet(x, y)) {
-            grid.rays.push_back(eye.camera.ray(x + 0.5, y + 0.5));
-            grid.places.push_back(place);
-        }
-        ++place;
-    });
+    for (const GridPlace& place : hilbert_order(grid.width, grid.height)) {
+        const int x = bordered.x0 + place.x, y = bordered.y0 + place.y;
+        if (!eye.may_meet(x, y)) continue;
+        grid.rays.push_back(eye.camera.ray(x + 0.5, y + 0.5));
+        grid.places.push_back(place.number);
+    }
     return grid;
 }
 
