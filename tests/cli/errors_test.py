@@ -124,6 +124,8 @@ class Errors(KeikoTest):
                    "a.png", "--material", "wood")
         self.fails("unknown preset 'lax'", "inspect", SADDLE, "-o", "out", "--preset", "lax")
         self.fails('no AOV is called "hue"', "render", SADDLE, "-o", "a.exr", "--aov", "depth,hue")
+        self.fails('"depth" is asked for twice', "render", SADDLE, "-o", "a.exr", "--aov",
+                   "depth,normal,depth")
         self.fails('unknown length unit "furlong"', "info", SADDLE, "--unit", "furlong")
 
     def test_an_option_that_names_nothing(self):

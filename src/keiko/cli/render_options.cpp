@@ -6,6 +6,7 @@
 #include "keiko/cli/output_place.h"
 #include "keiko/input_key.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -62,7 +63,11 @@ std::vector<Aov> RenderArguments::aovs() const {
     std::vector<Aov> aovs;
     for (std::size_t begin = 0; begin <= aovs_.size();) {
         const std::size_t end = std::min(aovs_.find(',', begin), aovs_.size());
-        aovs.push_back(aov_by_name(aovs_.substr(begin, end - begin)));
+        const std::string name = aovs_.substr(begin, end - begin);
+        const Aov aov = aov_by_name(name);
+        if (std::find(aovs.begin(), aovs.end(), aov) != aovs.end())
+            throw Error("", "aov", "\"" + name + "\" is asked for twice");
+        aovs.push_back(aov);
         begin = end + 1;
     }
     return aovs;
