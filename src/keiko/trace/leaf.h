@@ -26,6 +26,10 @@ struct Leaf {
     /// Bound of the face's seam reach in patch parameters anywhere on the leaf; infinite where mm
     /// say nothing about parameters, as at a pole.
     Vec2 seam_reach{0};
+    /// Unit; the surface's own unit normal, of either sense, is nowhere on the leaf farther from it
+    /// than `normal_spread`, infinite where that is not known.
+    Vec3 normal{0};
+    double normal_spread = 0;
     Vec3 center{0};    ///< part coordinates
     double radius = 0; ///< mm, of the ball about the centre that holds the control points
     double weight = 1; ///< largest weight

@@ -31,6 +31,25 @@ Vec2 farthest_apart(const LeafFrame& f, double distance) {
     return {bound(f.u, f.rows[0]), bound(f.v, f.rows[1])};
 }
 
+/// Bound of how far the unit normal may be, anywhere on the leaf, from that of the frame.
+double normal_spread(const LeafFrame& f) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (!f.regular || !(f.w.value <= 0.5)) return infinity; // as f.height asks for
+    // X = (x + e) / w, so X_x = (1 + e_x - X w_x) / w: by how much that may be off 1 / w.
+    const double least = 1 / (1 + f.w.value), most = 1 / (1 - f.w.value);
+    const auto slope = [&](const ComponentBounds& own, double farthest) {
+        return (own.slope + farthest * f.w.slope) * most;
+    };
+    const double u = slope(f.u, (1 + f.u.value) * most), v = slope(f.v, (1 + f.v.value) * most);
+    const double n = slope(f.n, f.height);
+    const double area = (least - u) * (least - v) - u * v;
+    if (!(least > u && least > v && area > 0)) return infinity;
+    // The cross product of the tangents in the frame, (a, b, area), is one of `rows` in space.
+    const double off =
+        n * (f.rows[0].length() * (most + 2 * v) + f.rows[1].length() * (most + 2 * u)) / area;
+    return 2 * off / f.rows[2].length() * (1 + 1e-9);
+}
+
 /// With its frame and its polynomial.
 void append_leaf(const Leaf& leaf, const std::vector<Vec4>& points, const LeafFrame& frame,
                  LeafSet& set) {
@@ -86,6 +105,8 @@ void LeafMaker::add(const Share& share, const LeafFrame& frame, LeafSet& set) co
     put_at_center(points, leaf);
     const LeafFrame own = leaf_frame({patch_.degree_u, patch_.degree_v, points});
     leaf.seam_reach = leaf.domain.extent() * farthest_apart(own, reach_);
+    leaf.normal_spread = normal_spread(own);
+    if (own.regular) leaf.normal = own.rows[2].normalized();
     append_leaf(leaf, points, own, set);
 }
 

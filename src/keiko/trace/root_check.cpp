@@ -142,12 +142,19 @@ bool RootCheck::is_material(Crossing& c) const {
     return trim.reach > 0 && is_seam(c, uv, trim);
 }
 
-/// A first look for rays through windows: no more than some comparisons.
-bool RootCheck::may_be_near_edge(const Vec2& uv, const FaceTrim& trim) const {
-    constexpr double widest = 0.01;
-    const Vec2& reach = leaf_.seam_reach;
-    if (!(reach.x < widest && reach.y < widest)) return true;
+/// A first look: no more than some comparisons for rays through windows.
+bool RootCheck::may_be_near_edge(const Vec2& uv, const FaceTrim& trim,
+                                 const Vec3& direction) const {
+    // A ray sees lengths in the surface no shorter than by the sine of its angle to it.
+    const double sine = std::abs(leaf_.normal.dot(direction)) - leaf_.normal_spread;
+    const double depth = sine * seam_depth > 1 ? 1 / (sine * seam_depth) : 1;
+    const Vec2 reach = leaf_.seam_reach * (depth * (1 + 1e-9));
     const PatchFrame& patch = model_.patches[leaf_.patch];
+    const auto is_affine = [](const ParameterMap& map) {
+        return map.kind == ParameterMap::Kind::affine;
+    };
+    const double widest = is_affine(patch.map_u) && is_affine(patch.map_v) ? 1 : 0.01;
+    if (!(reach.x < widest && reach.y < widest)) return true;
     Box2 around;
     around.extend(patch.to_face(uv - reach));
     around.extend(patch.to_face(uv + reach));
@@ -178,8 +185,8 @@ bool RootCheck::is_lip_of_own(const TrimRegion::NearEdge& near, const SeamGap& g
 
 /// Whether the place, beyond a border, is in the gap to the neighbour's.
 bool RootCheck::is_seam(Crossing& c, const Vec2& uv, const FaceTrim& trim) const {
-    if (!may_be_near_edge(uv, trim)) return false;
     const PartRay part = part_ray();
+    if (!may_be_near_edge(uv, trim, part.direction)) return false;
     const NearPlace place = near_place(c, trim, part.direction);
     if (!place.edge) return false;
     const TrimRegion::NearCurve& border = place.edge->at;

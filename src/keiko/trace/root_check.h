@@ -47,7 +47,7 @@ private:
     NearPlace near_place(const Crossing& crossing, const FaceTrim& trim, const Vec3& direction,
                          std::span<const std::uint32_t> among = {}) const;
     bool is_material(Crossing& crossing) const;
-    bool may_be_near_edge(const Vec2& uv, const FaceTrim& trim) const;
+    bool may_be_near_edge(const Vec2& uv, const FaceTrim& trim, const Vec3& direction) const;
     bool is_lip_of_own(const TrimRegion::NearEdge& near, const SeamGap& gap, double distance) const;
     bool is_seam(Crossing& crossing, const Vec2& uv, const FaceTrim& trim) const;
 

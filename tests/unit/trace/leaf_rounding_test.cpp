@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace keiko {
 namespace {
@@ -63,6 +64,29 @@ TEST_P(LeafRounding, KeepsWithinItsBound) {
     EXPECT_LT(worst, 1);
     EXPECT_EQ(continued, tested.reach > 0);
     RecordProperty("largest error over bound", std::to_string(worst));
+}
+
+TEST(LeafNormals, AreNoFartherOffThanBounded) {
+    Random random(6);
+    double closest = 0;
+    for (int i = 0; i < 60; ++i) {
+        SurfaceKind kind;
+        kind.weights = i % 2 == 1 ? 1.5 : 1;
+        const SurfaceModel model = random_face(random, kind);
+        const TrimRegion region(model, model.faces[0]);
+        const LeafSet leaves = make_leaves(model, model.faces[0], region, 0, 0.65);
+        for (const Leaf& leaf : leaves.leaves)
+            for (int k = 0; k < 50 && std::isfinite(leaf.normal_spread); ++k) {
+                const Vec2 own(uniform(random, 0, 1), uniform(random, 0, 1));
+                const SurfaceDerivatives s = evaluate(leaves.view(leaf), own, 1);
+                const Vec3 normal = s.du().cross(s.dv()).normalized();
+                const double off =
+                    std::min((normal - leaf.normal).length(), (normal + leaf.normal).length());
+                ASSERT_LE(off, leaf.normal_spread + 1e-12) << i;
+                closest = std::max(closest, off / leaf.normal_spread);
+            }
+    }
+    EXPECT_GT(closest, 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(
