@@ -17,15 +17,13 @@ IntervalSet::IntervalSet(std::vector<ParameterInterval> intervals) {
 }
 
 void IntervalSet::append(const ParameterInterval& last) {
-    if (size_ == few_.size()) {
-        many_.assign(few_.begin(), few_.end());
-        few_ = {};
+    if (many_.empty() && few_size_ < few_.size()) {
+        few_[few_size_++] = last;
+        return;
     }
-    if (size_ < few_.size())
-        few_[size_] = last;
-    else
-        many_.push_back(last);
-    ++size_;
+    if (many_.empty()) many_.assign(few_.begin(), few_.end());
+    few_ = {}, few_size_ = 0;
+    many_.push_back(last);
 }
 
 IntervalSet IntervalSet::between(const IntervalSet& a, const IntervalSet& b, double at) {

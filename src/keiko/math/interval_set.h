@@ -29,10 +29,10 @@ public:
     /// From `a` at 0 to `b` at 1, sets of one size, interval by interval.
     static IntervalSet between(const IntervalSet& a, const IntervalSet& b, double at);
 
-    bool empty() const { return size_ == 0; }
+    bool empty() const { return size() == 0; }
     const ParameterInterval* begin() const { return many_.empty() ? few_.data() : many_.data(); }
-    const ParameterInterval* end() const { return begin() + size_; }
-    std::size_t size() const { return size_; }
+    const ParameterInterval* end() const { return begin() + size(); }
+    std::size_t size() const { return many_.empty() ? few_size_ : many_.size(); }
     const ParameterInterval& operator[](std::size_t i) const { return begin()[i]; }
 
     /// Sum of the lengths.
@@ -50,8 +50,8 @@ private:
     void append(const ParameterInterval& last);
 
     // Most sets are of one interval or two, and pictures hold millions.
-    std::size_t size_ = 0;
-    std::array<ParameterInterval, 2> few_{}; ///< all, those beyond `size_` zero; or
+    std::size_t few_size_ = 0;
+    std::array<ParameterInterval, 2> few_{}; ///< all, those beyond that size zero; or
     std::vector<ParameterInterval> many_;    ///< all, if they are more
 };
 

@@ -23,8 +23,8 @@ public:
     double curve_parameter(double t) const { return begin_ + t * (end_ - begin_); }
 
     Vec2 point(double t) const;
-    /// Bounds of the second derivatives of x and of y by t, as far as they are not 0 anywhere;
-    /// infinite where a weight is not positive.
+    /// Bounds of the magnitudes of the second derivatives of x and of y by t; infinite where a
+    /// weight is not positive.
     const Vec2& bend() const { return bend_; }
     /// Whether the ray from `p` towards +x crosses the piece. An end at exactly p.y belongs to
     /// the side above, so that a closed chain is crossed an even or odd number of times whatever

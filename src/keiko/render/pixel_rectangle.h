@@ -32,16 +32,16 @@ struct Rectangle {
         return {{{x, y}, {x, y0}, {x0, y}, {x1, y}, {x, y1}}};
     }
     /// Places with nothing in common with those, since shadows of a row of lamps are stairs, which
-    /// look even where places and steps lie alike.
+    /// look even where places and steps lie alike. Of narrow rectangles they lie on the border.
     std::vector<Pixel> odd_places() const {
-        const int least = std::min(x1 - x0, y1 - y0);
-        if (least < 3) return {};
-        if (least < 6) return {{x1 - 1, y1 - 1}};
-        std::vector<Pixel> odd{{x0 + 3, y0 + 1}, {x1 - 2, y1 - 3}};
-        if (least >= 12) {
-            odd.push_back({x1 - 5, y0 + 4});
-            odd.push_back({x0 + 6, y1 - 5});
-        }
+        std::vector<Pixel> odd;
+        if (longest() < 3) return odd;
+        if (longest() < 6)
+            odd = {{x1 - 1, y1 - 1}};
+        else
+            odd = {{x0 + 3, y0 + 1}, {x1 - 2, y1 - 3}};
+        if (longest() >= 12) odd.insert(odd.end(), {{x1 - 5, y0 + 4}, {x0 + 6, y1 - 5}});
+        for (Pixel& p : odd) p = {std::clamp(p.x, x0, x1), std::clamp(p.y, y0, y1)};
         return odd;
     }
 };

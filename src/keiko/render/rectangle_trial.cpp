@@ -41,15 +41,17 @@ RectangleTrial::Told RectangleTrial::tell(const Rectangle& r, const LightPolynom
                                           const OpenLights& open, double& left) {
     const LightFit lines = LightFit::lines(grid_, r);
     const std::vector<Test> middles = middles_of(r, known, open);
+    const bool may_bend = grid_.odd_places(r).size() > 1;
+    const double most = may_bend ? most_bent * left : left;
     std::vector<Doubt> lit = doubts_in(open.lit);
-    test(lines, middles, most_bent * left, lit);
-    const Lights smooth = within(lit, most_bent * left);
+    test(lines, middles, most, lit);
+    const Lights smooth = within(lit, most);
     std::vector<Doubt> seen = doubts_in(without(open.seen, smooth));
     test_seen(r, middles, left, seen);
     const std::vector<Test> odd = odd_places_of(r, known, open, united(smooth, within(seen, left)));
     test(lines, odd, left, lit);
     Told told;
-    told.parabolas = lessen(lit, doubts_in_parabolas(r, odd, smooth, left));
+    if (may_bend) told.parabolas = lessen(lit, doubts_in_parabolas(r, middles, odd, smooth, left));
     told.lines = least_doubtful(std::move(lit), left);
     told.parabolas = common(told.parabolas, told.lines);
     std::vector<Doubt> others = doubts_in(without(common(open.seen, smooth), told.lines));
@@ -91,12 +93,14 @@ std::vector<RectangleTrial::Test> RectangleTrial::odd_places_of(const Rectangle&
 }
 
 std::vector<Doubt> RectangleTrial::doubts_in_parabolas(const Rectangle& r,
+                                                       const std::vector<Test>& middles,
                                                        const std::vector<Test>& odd,
                                                        const Lights& lights, double left) const {
-    if (odd.size() < 2) return {};
+    const LightFit parabolas = LightFit::parabolas(grid_, r);
     std::vector<Doubt> doubts = doubts_in(lights);
     std::erase_if(doubts, [&](const Doubt& d) { return !sees_alike(r, odd, d.light); });
-    test(LightFit::parabolas(grid_, r), odd, left / caution, doubts);
+    test(parabolas, odd, left / caution, doubts);
+    test(parabolas, middles, left / caution, doubts); // rows may have a line instead
     for (Doubt& doubt : doubts) doubt.error *= caution;
     return doubts;
 }
@@ -155,6 +159,7 @@ double RectangleTrial::share_of_error(const Pixel& p, const std::optional<SpotLi
         return spot.weight * integrator_.luminance(spot, light);
     };
     const Rgb off = seen_of(*wrong), seen = seen_[grid_.index(p.x, p.y)] + seen_of(total);
+    if (std::isnan(off.r + off.g + off.b)) return infinite;
     const double most = std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)});
     return std::max(ratio(most, error_ * max_channel(seen)),
                     ratio(std::abs(wrong->incident), error_ * total.incident));

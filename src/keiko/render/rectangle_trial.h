@@ -40,8 +40,9 @@ private:
                                  const OpenLights& open);
     std::vector<Test> odd_places_of(const Rectangle& r, const LightPolynomial& known,
                                     const OpenLights& open, const Lights& hopeful);
-    std::vector<Doubt> doubts_in_parabolas(const Rectangle& r, const std::vector<Test>& odd,
-                                           const Lights& lights, double left) const;
+    std::vector<Doubt> doubts_in_parabolas(const Rectangle& r, const std::vector<Test>& middles,
+                                           const std::vector<Test>& odd, const Lights& lights,
+                                           double left) const;
     bool sees_alike(const Rectangle& r, const std::vector<Test>& odd, std::size_t light) const;
     void test(const LightFit& fit, const std::vector<Test>& tests, double most,
               std::vector<Doubt>& doubts) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace keiko {
@@ -54,11 +55,12 @@ std::vector<Pixel> SpotGrid::odd_places_of_row(const Rectangle& r) const {
         const std::pair off{across.dot(at(x, 0)->place.position - first), x};
         low = std::min(low, off), high = std::max(high, off);
     }
+    std::set<int> columns{low.second, high.second};
+    if (r.longest() >= 6) columns.insert(r.x1 - (r.longest() < 12 ? 2 : 4));
+    if (r.longest() >= 12) columns.insert(r.x0 + 3);
     std::vector<Pixel> odd;
-    for (const int x : {low.second, high.second})
+    for (const int x : columns)
         if (x != r.x0 && x != r.middle().x) odd.push_back({x, 0});
-    if (r.longest() >= 6) odd.push_back({r.x1 - (r.longest() < 12 ? 2 : 4), 0});
-    if (r.longest() >= 12) odd.push_back({r.x0 + 3, 0});
     return odd;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace keiko {
 namespace {
@@ -66,10 +67,13 @@ public:
         const Linear past_low = past(axis, low), past_high = past(axis, high);
         return part.where(past_low).where({-past_high.amid, -past_high.by_x, -past_high.by_y});
     }
-    /// Not finite on the horizon.
+    /// No number on the horizon, to rounding.
     double v(const Vec2& place) const {
-        const double off = footprint_.dx.y * place.x + footprint_.dy.y * place.y;
-        return centre_.y + off / denominator_.at(place);
+        const double before = denominator_.at(place);
+        const double rounding =
+            1e-12 * (1 + std::abs(denominator_.by_x) + std::abs(denominator_.by_y));
+        if (!(before > rounding)) return std::numeric_limits<double>::quiet_NaN();
+        return centre_.y + (footprint_.dx.y * place.x + footprint_.dy.y * place.y) / before;
     }
 
 private:

@@ -69,6 +69,14 @@ TEST(IntervalSet, BetweenTwoOfOneSizeEndsMoveEvenly) {
     EXPECT_GT(compared, 50);
 }
 
+TEST(IntervalSet, IsEmptyWhenMovedFromIfItIsLarge) {
+    IntervalSet set({{0, 0.1}, {0.2, 0.3}, {0.4, 0.5}});
+    const IntervalSet moved = std::move(set);
+    EXPECT_EQ(moved.size(), 3u);
+    EXPECT_EQ(set.size(), 0u);
+    EXPECT_EQ(set.begin(), set.end());
+}
+
 TEST(IntervalSet, WholeOfNothingIsEmpty) {
     EXPECT_TRUE(IntervalSet::whole(0.5, 0.5).empty());
     EXPECT_TRUE(IntervalSet::whole(0.5, 0.4).empty());

@@ -188,3 +188,41 @@ TEST(EndCoverage, EndsAtThePlanesHorizon) {
     EXPECT_NEAR(found, sampled(frame, rays, 800), 2e-3);
     EXPECT_GT(found, 0.02);
 }
+
+// Few strips, far apart, that go on to their vanishing point in the pixel. The truth: each strip by
+// itself, as a plane of one wide lamp, for which no range of strips is looked for.
+TEST(EndCoverage, CountsResolvedStripsUpToTheHorizon) {
+    test::Random random(5);
+    CPlane plane;
+    plane.origin = {0, 0, 2000};
+    plane.u = {length, 0, 0};
+    plane.v = {0, 500, 0};
+    plane.lamps = 5, plane.pitch = pitch, plane.diameter = diameter;
+    const CPlaneFrame frame(plane);
+    plane.lamps = 1, plane.pitch = plane.diameter = 20;
+    const CPlaneFrame one(plane);
+    int lit = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const auto any = [&](double least, double most) {
+            return test::uniform(random, least, most);
+        };
+        const Vec3 from(any(100, 900), any(-6000, 200), any(0, 1900));
+        const Vec3 direction(any(-0.1, 0.1), trial % 2 ? 1 : -1, any(0.0005, 0.2));
+        const double size = any(0.05, 0.6);
+        const RayDifferentials differentials{Vec3(0), Vec3(0),
+                                             Vec3(size * any(0.3, 1), 0, size * any(-1, 1)),
+                                             Vec3(size * any(-0.3, 0.3), 0, size)};
+        const auto hit = c_plane_coordinates(frame, from, direction);
+        if (!hit) continue;
+        const Footprint image = footprint_on(frame, *hit, differentials);
+        double sum = 0;
+        for (int i = 0; i < frame.lamps; ++i) {
+            const Vec2 centre(hit->u, hit->v - frame.axis(i) + one.axis(0));
+            sum += end_coverage(one, diameter, true, {0, length}, centre, image);
+        }
+        EXPECT_NEAR(end_coverage(frame, diameter, true, {0, length}, {hit->u, hit->v}, image), sum,
+                    1e-9);
+        lit += sum > 0.01 ? 1 : 0;
+    }
+    EXPECT_GT(lit, 500);
+}
