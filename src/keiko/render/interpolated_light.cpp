@@ -7,8 +7,8 @@
 namespace keiko {
 namespace {
 
-/// Pixels a side of the largest squares that are lit from a few places: shadows narrower than a
-/// third of it may be missed.
+/// Pixels a side of the largest squares that are lit from a few places: shadows narrower than
+/// half of it may be missed.
 constexpr int largest_square = 16;
 /// Pixels a side of squares whose corners and middles are all that they have.
 constexpr int all_asked = 2;

@@ -220,6 +220,26 @@ inline Real coverage_at_ends(const CPlaneFrame& frame, const ImageLanes& image,
     return hn::LoadU(d, found.data());
 }
 
+/// Of rays that start among the tubes, which are few, one by one; elsewhere 0.
+inline Real coverage_among_tubes(const CPlaneFrame& frame, const ImageLanes& image, Truth among) {
+    const Wide d;
+    const std::array all{image.t,           image.at.x,        image.at.y,      image.direction.x,
+                         image.direction.y, image.direction.z, image.u_dx,      image.v_dx,
+                         image.u_dy,        image.v_dy,        image.descent_x, image.descent_y};
+    std::array<std::array<double, StripeLooks::capacity>, all.size()> of;
+    for (std::size_t i = 0; i < all.size(); ++i) hn::StoreU(all[i], d, of[i].data());
+    std::array<double, StripeLooks::capacity> found{};
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+        if ((lane_bits(d, among, 0) >> lane & 1) == 0) continue;
+        const auto at = [&](std::size_t number) { return of[number][lane]; };
+        const CPlaneHit hit{at(0), at(1), at(2), {at(3), at(4), at(5)}};
+        const Vec3 direction = frame.u * at(3) + frame.v * at(4) + frame.normal * at(5);
+        const Footprint footprint{{at(6), at(7)}, {at(8), at(9)}, {at(10), at(11)}};
+        found[lane] = look_up(frame, hit, Vec3(0), direction, footprint, TubeLook::tube).coverage;
+    }
+    return hn::LoadU(d, found.data());
+}
+
 /// StripeLook::coverage, of images that are no points.
 inline Real coverage(const StripeRow& row, const ImageLanes& image) {
     const CPlaneFrame& frame = row.frame;
@@ -228,15 +248,21 @@ inline Real coverage(const StripeRow& row, const ImageLanes& image) {
     const Real reach = image.reach_along();
     const Real low = hn::Sub(image.at.x, reach), high = hn::Add(image.at.x, reach);
     const Truth beside = hn::Or(hn::Le(high, look.begin), hn::Ge(low, look.end));
-    const Truth seen = hn::AndNot(beside, image.meets);
-    if (hn::AllFalse(Wide(), seen)) return real(0);
+    const Truth reached = hn::AndNot(beside, image.meets);
+    if (hn::AllFalse(Wide(), reached)) return real(0);
+    const Real layer = real(row.look == TubeLook::tube ? frame.radius() : 0);
+    const Real height = hn::Abs(hn::Mul(image.t, image.direction.z));
+    const Truth among = hn::And(reached, hn::Lt(height, layer)); // starts_among_tubes()
+    const Truth seen = hn::AndNot(among, reached);
     const Truth amid = hn::And(seen, hn::And(hn::Ge(low, look.begin), hn::Le(high, look.end)));
     const FilterLanes across(image.v_dx, image.v_dy);
     const Real of_strips =
         hn::IfThenElseZero(amid, across_coverage(frame, amid, look.width, image.at.y, across));
     const Truth cut = hn::AndNot(amid, seen);
-    if (hn::AllFalse(Wide(), cut)) return of_strips;
-    return hn::IfThenElse(cut, coverage_at_ends(frame, image, look, cut), of_strips);
+    if (hn::AllFalse(Wide(), hn::Or(cut, among))) return of_strips;
+    const Real one_by_one = hn::Add(coverage_at_ends(frame, image, look, cut),
+                                    coverage_among_tubes(frame, image, among));
+    return hn::IfThenElse(amid, of_strips, one_by_one);
 }
 
 } // namespace keiko::HWY_NAMESPACE

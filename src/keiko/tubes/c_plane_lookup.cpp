@@ -53,6 +53,20 @@ LampEnds ends_of(const CPlaneFrame& frame, const CPlaneHit& hit, bool round) {
     return {shift, frame.length + shift};
 }
 
+/// The lamps that lie ahead of a ray that starts between the planes that touch all tubes: of those
+/// behind it the line may run through the strips as well.
+CPlaneFrame ahead(CPlaneFrame frame, const CPlaneHit& hit) {
+    const Vec3& d = hit.direction;
+    if (d.y == 0 || frame.lamps == 0) return frame;
+    const double nearest = hit.v - hit.t * (d.y * d.y + d.z * d.z) / d.y;
+    const double place =
+        std::clamp((nearest - frame.first) / frame.pitch, -1.0, double(frame.lamps));
+    const int behind = static_cast<int>(std::floor(place)) + 1; // lamps of lesser v
+    if (d.y > 0) frame.first = frame.axis(std::min(behind, frame.lamps));
+    frame.lamps = std::max(d.y > 0 ? frame.lamps - behind : std::min(behind, frame.lamps), 0);
+    return frame;
+}
+
 /// The mean over a grid of parallel rays through the footprint.
 StripeLook sampled(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
                    const Footprint& footprint) {
@@ -75,7 +89,8 @@ StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& 
     const bool resolved = across.width() <= resolvable_pitches * frame.pitch;
     const LampEnds ends = ends_of(frame, hit, round);
     const double reach = footprint.reach(0);
-    if (hit.u + reach <= ends.begin || hit.u - reach >= ends.end) return {0, resolved};
+    if (frame.lamps == 0 || hit.u + reach <= ends.begin || hit.u - reach >= ends.end)
+        return {0, resolved};
     const double width = round ? apparent_diameter(frame, direction) : frame.diameter;
     if (!(hit.u - reach >= ends.begin && hit.u + reach <= ends.end))
         return {end_coverage(frame, width, resolved, ends, {hit.u, hit.v}, footprint), resolved};
@@ -105,6 +120,10 @@ std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& or
     return c_plane_coordinates(CPlaneFrame(plane), origin, direction);
 }
 
+bool starts_among_tubes(const CPlaneFrame& frame, const CPlaneHit& hit) {
+    return hit.t * std::abs(hit.direction.z) < frame.radius();
+}
+
 Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit,
                        const RayDifferentials& spread) {
     return {slide(frame, hit, spread.origin_dx, spread.direction_dx),
@@ -132,6 +151,8 @@ StripeLook look_up(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& o
     if (footprint.is_point())
         return {point_shines(frame, hit, origin, direction, look) ? 1.0 : 0.0, true};
     if (look == TubeLook::exact) return sampled(frame, origin, direction, footprint);
+    if (look == TubeLook::tube && starts_among_tubes(frame, hit))
+        return filtered(ahead(frame, hit), hit, direction, footprint, look);
     return filtered(frame, hit, direction, footprint, look);
 }
 

@@ -37,6 +37,9 @@ struct Footprint {
     double reach(unsigned axis) const;
 };
 
+/// Whether the ray starts between the two planes that touch all tubes of the row.
+bool starts_among_tubes(const CPlaneFrame& frame, const CPlaneHit& hit);
+
 /// The footprint of a ray at its `hit` on the plane, to first order.
 Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit,
                        const RayDifferentials& spread);

@@ -71,7 +71,8 @@ struct Strip {
 
 CPlane any_row(Random& random) {
     CPlane row;
-    row.origin = Vec3(-1500, -1500, 1500) + any_vector(random, 500);
+    const double height = uniform(random, 0, 1) < 0.2 ? 0 : 1500; // or rays start among the tubes
+    row.origin = Vec3(-1500, -1500, height) + any_vector(random, 500);
     row.u = Vec3(3000, 0, 0) + any_vector(random, 400);
     row.v = Vec3(0, 2500, 0) + any_vector(random, 400);
     row.lamps = 1 + static_cast<int>(uniform(random, 0, 20));
@@ -104,7 +105,8 @@ double coverage_of_parts(const StripeRow& row, const PixelRays& rays, const Squa
 
 /// Which cases were met.
 struct Met {
-    int pixels = 0, missed = 0, lit = 0, partly = 0, unbounded = 0, bent = 0, at_ends = 0;
+    int pixels = 0, missed = 0, lit = 0, partly = 0, unbounded = 0, bent = 0, at_ends = 0,
+        among = 0;
 };
 
 bool has(std::uint32_t set, std::size_t lane) {
@@ -139,6 +141,7 @@ void compare(const StripeRow& row, const PixelRays& rays, const StripeLooks& loo
     if (has(looks.missed, lane)) return;
     const double coverage = coverage_of(row, ray.origin, ray.direction, *ray.differentials);
     ASSERT_NEAR(looks.coverage[lane], coverage, 1e-9);
+    met.among += starts_among_tubes(row.frame, *hit);
     met.lit += coverage > 0, met.partly += coverage > 0 && coverage < 1;
 }
 
@@ -163,7 +166,7 @@ TEST(StripeKernels, ComputeWhatTheFormulasForOnePixelDo) {
         }
         EXPECT_GT(met.pixels, 20000);
         for (const int count :
-             {met.missed, met.lit, met.partly, met.unbounded, met.bent, met.at_ends})
+             {met.missed, met.lit, met.partly, met.unbounded, met.bent, met.at_ends, met.among})
             EXPECT_GT(count, 500);
     }
 }

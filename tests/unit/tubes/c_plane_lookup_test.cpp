@@ -3,6 +3,7 @@
 #include "keiko/tubes/tube_hit.h"
 #include "keiko/tubes/tube_lamp.h"
 
+#include "tests/support/random.h"
 #include <gtest/gtest.h>
 
 using namespace keiko;
@@ -166,6 +167,39 @@ TEST(CPlaneLookup, RowLooksClosedAtGrazingAngles) {
     EXPECT_EQ(look_up(frame, origin, direction).coverage, 1);
     EXPECT_EQ(look_up(frame, origin, direction, Footprint::box(5, 5)).coverage, 1);
     EXPECT_GT(apparent_diameter(frame, direction), frame.pitch);
+}
+
+// A body that crosses the plane of the lamps: rays from there may leave the tubes behind, though
+// their lines run through the strips.
+TEST(CPlaneLookup, TubesBehindARayFromAmongThemAreNotSeen) {
+    test::Random random(11);
+    int ahead = 0, behind = 0;
+    for (int lamps : {1, 12}) {
+        CPlane plane = ceiling;
+        plane.lamps = lamps;
+        const CPlaneFrame row(plane);
+        for (int trial = 0; trial < 4000; ++trial) {
+            const double sense = trial % 2 ? 1 : -1, beyond = test::uniform(random, 30, 3000);
+            const double aside = sense > 0 ? row.first - beyond : row.last() + beyond;
+            const Vec3 origin = row.at(test::uniform(random, 300, 700), aside) +
+                                row.normal * test::uniform(random, -19, 19);
+            const Vec3 direction(0, test::uniform(random, 0, 1) < 0.5 ? sense : -sense,
+                                 test::uniform(random, -0.02, 0.02));
+            const auto hit = c_plane_coordinates(row, origin, direction);
+            if (!hit) continue;
+            ASSERT_TRUE(starts_among_tubes(row, *hit));
+            const double seen =
+                look_up(row, *hit, origin, direction, Footprint::box(1e-6, 1e-6), TubeLook::tube)
+                    .coverage;
+            const bool away = direction.y * sense < 0;
+            EXPECT_TRUE(!away || seen == 0);
+            EXPECT_TRUE(away || lamps > 1 ||
+                        (seen > 0.5) == nearest_tube(row, origin, direction).has_value());
+            behind += away, ahead += !away && seen > 0;
+        }
+    }
+    EXPECT_GT(behind, 1000);
+    EXPECT_GT(ahead, 500);
 }
 
 TEST(CPlaneLookup, TooFineStripesGiveTheirMeanAndSaySo) {
