@@ -8,7 +8,7 @@
 
 #include "keiko/render/stripe_kernels.h"
 #include "keiko/trace/lanes-inl.h"
-#include "keiko/tubes/end_coverage.h"
+#include "keiko/tubes/c_plane_lookup.h"
 
 #include <numbers>
 
@@ -199,30 +199,10 @@ struct LookLanes {
     }
 };
 
-/// end_coverage(), of the lanes `cut`, which are few; elsewhere 0.
-inline Real coverage_at_ends(const CPlaneFrame& frame, const ImageLanes& image,
-                             const LookLanes& look, Truth cut) {
+/// look_up() of some lanes, which are few; elsewhere 0.
+inline Real coverage_one_by_one(const StripeRow& row, const ImageLanes& image, Truth wanted) {
     const Wide d;
-    const std::array all{look.begin, look.end,        look.width,     image.at.x,
-                         image.at.y, image.u_dx,      image.v_dx,     image.u_dy,
-                         image.v_dy, image.descent_x, image.descent_y};
-    std::array<std::array<double, StripeLooks::capacity>, all.size()> of;
-    for (std::size_t i = 0; i < all.size(); ++i) hn::StoreU(all[i], d, of[i].data());
-    std::array<double, StripeLooks::capacity> found{};
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-        if ((lane_bits(d, cut, 0) >> lane & 1) == 0) continue;
-        const auto at = [&](std::size_t number) { return of[number][lane]; };
-        const Footprint footprint{{at(5), at(6)}, {at(7), at(8)}, {at(9), at(10)}};
-        const double across = std::max(std::abs(at(6)), std::abs(at(8)));
-        found[lane] = end_coverage(frame, at(2), across <= resolvable_pitches * frame.pitch,
-                                   {at(0), at(1)}, {at(3), at(4)}, footprint);
-    }
-    return hn::LoadU(d, found.data());
-}
-
-/// Of rays that start among the tubes, which are few, one by one; elsewhere 0.
-inline Real coverage_among_tubes(const CPlaneFrame& frame, const ImageLanes& image, Truth among) {
-    const Wide d;
+    const CPlaneFrame& frame = row.frame;
     const std::array all{image.t,           image.at.x,        image.at.y,      image.direction.x,
                          image.direction.y, image.direction.z, image.u_dx,      image.v_dx,
                          image.u_dy,        image.v_dy,        image.descent_x, image.descent_y};
@@ -230,12 +210,13 @@ inline Real coverage_among_tubes(const CPlaneFrame& frame, const ImageLanes& ima
     for (std::size_t i = 0; i < all.size(); ++i) hn::StoreU(all[i], d, of[i].data());
     std::array<double, StripeLooks::capacity> found{};
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-        if ((lane_bits(d, among, 0) >> lane & 1) == 0) continue;
+        if ((lane_bits(d, wanted, 0) >> lane & 1) == 0) continue;
         const auto at = [&](std::size_t number) { return of[number][lane]; };
         const CPlaneHit hit{at(0), at(1), at(2), {at(3), at(4), at(5)}};
         const Vec3 direction = frame.u * at(3) + frame.v * at(4) + frame.normal * at(5);
         const Footprint footprint{{at(6), at(7)}, {at(8), at(9)}, {at(10), at(11)}};
-        found[lane] = look_up(frame, hit, Vec3(0), direction, footprint, TubeLook::tube).coverage;
+        // The origin is asked for by points and exact looks alone.
+        found[lane] = look_up(frame, hit, Vec3(0), direction, footprint, row.look).coverage;
     }
     return hn::LoadU(d, found.data());
 }
@@ -253,16 +234,14 @@ inline Real coverage(const StripeRow& row, const ImageLanes& image) {
     const Real layer = real(row.look == TubeLook::tube ? frame.radius() : 0);
     const Real height = hn::Abs(hn::Mul(image.t, image.direction.z));
     const Truth among = hn::And(reached, hn::Lt(height, layer)); // starts_among_tubes()
-    const Truth seen = hn::AndNot(among, reached);
-    const Truth amid = hn::And(seen, hn::And(hn::Ge(low, look.begin), hn::Le(high, look.end)));
+    const Truth within = hn::And(hn::Ge(low, look.begin), hn::Le(high, look.end));
+    const Truth amid = hn::AndNot(among, hn::And(reached, within));
     const FilterLanes across(image.v_dx, image.v_dy);
     const Real of_strips =
         hn::IfThenElseZero(amid, across_coverage(frame, amid, look.width, image.at.y, across));
-    const Truth cut = hn::AndNot(amid, seen);
-    if (hn::AllFalse(Wide(), hn::Or(cut, among))) return of_strips;
-    const Real one_by_one = hn::Add(coverage_at_ends(frame, image, look, cut),
-                                    coverage_among_tubes(frame, image, among));
-    return hn::IfThenElse(amid, of_strips, one_by_one);
+    const Truth others = hn::AndNot(amid, reached); // at ends, and among tubes
+    if (hn::AllFalse(Wide(), others)) return of_strips;
+    return hn::IfThenElse(amid, of_strips, coverage_one_by_one(row, image, others));
 }
 
 } // namespace keiko::HWY_NAMESPACE
