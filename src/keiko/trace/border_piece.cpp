@@ -3,6 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/patch/boundary_curves.h"
 #include "keiko/trace/border_partners.h"
+#include "keiko/trace/border_reach.h"
 #include "keiko/trace/crease_lines.h"
 #include "keiko/trace/curve_cover.h"
 
@@ -36,6 +37,11 @@ bool is_smooth_closing(const BoundaryCurves& borders, const BoundaryInterval& in
     return closes_smoothly(borders.curve(interval), borders.curve(opposite));
 }
 
+double reach_of(const SurfaceModel& model, const Tracer& tracer, const BoundaryInterval& border) {
+    if (border.curve >= natural_side) return border_reach(model, border.instance, border.face);
+    return border_reach(model, tracer, border.instance, border.face, border.curve);
+}
+
 /// By border curve.
 std::vector<std::vector<BorderPiece>> border_covers(const SurfaceModel& model, const Tracer& tracer,
                                                     const Job& job) {
@@ -48,6 +54,7 @@ std::vector<std::vector<BorderPiece>> border_covers(const SurfaceModel& model, c
         BorderPiece kind;
         kind.instance = intervals[i].instance;
         kind.face = intervals[i].face;
+        kind.error = reach_of(model, tracer, intervals[i]);
         const auto partner = partners.partner(intervals[i]);
         const auto beyond = [&](double, const Vec3& place) {
             return partner ? partner->inward_at(place) : std::nullopt;
@@ -66,6 +73,7 @@ std::vector<std::vector<BorderPiece>> crease_covers(const SurfaceModel& model, c
         BorderPiece kind;
         kind.instance = line.instance;
         kind.face = line.face;
+        kind.error = border_reach(model, line.instance, line.face);
         kind.trimmed = model.faces[line.face].loop_count > 0;
         kind.first = Vec2(line.p_curve[0].x, line.p_curve[0].y);
         kind.last = Vec2(line.p_curve[1].x, line.p_curve[1].y);

@@ -20,7 +20,9 @@ struct BorderPiece {
     Vec3 center{0};
     double radius = 0; ///< mm, of the ball about the centre that holds the curve
     Curve curve{Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0)};
-    double error = 0; ///< mm, largest distance to the exact curve that was met between its ends
+    /// mm: how far beside the curve rays may still meet the surface: the largest distance to the
+    /// exact curve that was met between its ends, and the seam's reach beyond that.
+    double error = 0;
     Box3 box;
     /// Unit, from the border into the surface and tangent to it, at begin, middle and end.
     std::array<Vec3, 3> inward{Vec3(0), Vec3(0), Vec3(0)};

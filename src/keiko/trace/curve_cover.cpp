@@ -73,9 +73,10 @@ private:
         if (!(a < b)) return;
         BorderPiece piece = kind_;
         const auto curve = hermite(curve_.at(a), curve_.at(b), b - a);
-        piece.error = error_of(curve, a, b);
+        const double error = error_of(curve, a, b);
+        piece.error = kind_.error + error;
         find_inward(piece, a, b);
-        const bool settled = piece.error <= tolerance_ && !turns(curve);
+        const bool settled = error <= tolerance_ && !turns(curve);
         const bool steady = piece.inward_error <= most_inward_error;
         if ((!settled && halvings < most_halvings) ||
             (!steady && halvings < most_halvings_for_inward)) {

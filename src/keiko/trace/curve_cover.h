@@ -14,7 +14,8 @@ namespace keiko {
 using Beyond = std::function<std::optional<Vec3>(double, const Vec3&)>;
 
 /// Pieces that cover a curve, each as `kind` but for what follows from the curve: as short as it
-/// takes to be within 1e-9 of the curve's size, or rounding. None for a curve that is a point.
+/// takes to be within 1e-9 of the curve's size, or rounding. What a piece is off its curve is added
+/// to the kind's error. None for a curve that is a point.
 std::vector<BorderPiece> curve_cover(const SurfaceCurve& curve, const Beyond& beyond,
                                      const BorderPiece& kind);
 

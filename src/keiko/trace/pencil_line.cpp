@@ -64,38 +64,6 @@ int PencilLine::side_of(const PencilAxes& axes, const BorderPiece& line) {
     return side;
 }
 
-/// By Newton's method kept inside, in powers of t.
-double PencilLine::single_root(const Values& c) {
-    static_assert(points == 6);
-    Values power = c;
-    for (std::size_t level = 1; level < points; ++level)
-        for (std::size_t i = points - 1; i >= level; --i) power[i] -= power[i - 1];
-    power[1] *= 5, power[2] *= 10, power[3] *= 10, power[4] *= 5;
-    double a = 0, b = 1, t = c.front() / (c.front() - c.back());
-    constexpr int most_steps = 60;
-    constexpr double settled = 1e-4; // the next step is about its square
-    for (int i = 0; i < most_steps; ++i) {
-        double value = power[5], slope = 0;
-        for (std::size_t k = points - 1; k-- > 0;) {
-            slope = slope * t + value;
-            value = value * t + power[k];
-        }
-        ((value < 0) == (c.front() < 0) ? a : b) = t;
-        const double next = t - value / slope;
-        const bool close = std::abs(next - t) <= settled;
-        t = next >= a && next <= b ? next : (a + b) / 2;
-        if (close || b - a <= settled * settled) break;
-    }
-    return t;
-}
-
-int PencilLine::direction(const Values& c, double t) {
-    Values b = c;
-    for (std::size_t last = points - 1; last > 1; --last)
-        for (std::size_t i = 0; i < last; ++i) b[i] += (b[i + 1] - b[i]) * t;
-    return b[1] > b[0] ? 1 : b[1] < b[0] ? -1 : 0;
-}
-
 Vec3 PencilLine::place(double t) const {
     const auto b = basis(t);
     Vec3 at(0);

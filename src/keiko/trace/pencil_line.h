@@ -1,13 +1,10 @@
 #pragma once
 
-#include "keiko/patch/bernstein_roots.h"
 #include "keiko/trace/border_piece.h"
+#include "keiko/trace/plane_cuts.h"
 #include "keiko/trace/segment_plane.h"
 
-#include <array>
-#include <cmath>
 #include <optional>
-#include <vector>
 
 namespace keiko {
 
@@ -52,37 +49,26 @@ public:
 
 private:
     static constexpr std::size_t points = BorderPiece::points;
-    using Values = std::array<double, points>;
 
-    /// Calls `visit(t, rising)` where the plane that goes `off` the axis cuts the curve: 1 where
-    /// the curve comes through from below, -1 from above. 0 next to its ends: there the line that
-    /// goes on may know better what is dark.
+    /// Calls `visit(t, rising)` where the plane that goes `off` the axis cuts the curve, as
+    /// PlaneCut tells; 0 next to the curve's ends, too: there the line that goes on may know better
+    /// what is dark.
     template <class Visit>
     void each_cut(const Vec2& off, const Visit& visit) const {
-        Values c;
-        int changes = 0;
+        PlaneDistances c;
         for (std::size_t i = 0; i < points; ++i) c[i] = off.x * y_[i] - off.y * x_[i];
-        for (std::size_t i = 1; i < points; ++i) changes += (c[i - 1] < 0) != (c[i] < 0);
-        const auto sure = [](double t) { return t > 0.01 && t < 0.99; };
-        if (std::abs(c.front()) <= slack_) visit(0.0, 0);
-        if (std::abs(c.back()) <= slack_) visit(1.0, 0);
-        if (changes == 1) {
-            const double t = single_root(c);
-            visit(t, sure(t) ? (c.back() > c.front() ? 1 : -1) : 0);
-        } else if (changes > 1) {
-            for (const double t : bernstein_roots(c, 0)) visit(t, sure(t) ? direction(c, t) : 0);
-        }
+        constexpr double settled = 1e-4, next_to_end = 0.01;
+        keiko::each_cut(c, slack_, settled, [&](const PlaneCut& cut) {
+            const bool sure = cut.t > next_to_end && cut.t < 1 - next_to_end;
+            visit(cut.t, sure ? cut.rising : 0);
+        });
     }
-    /// The only zero of coefficients that change sign once.
-    static double single_root(const Values& c);
-    /// Sign of the slope.
-    static int direction(const Values& c, double t);
     Vec3 place(double t) const;
     static int side_of(const PencilAxes& axes, const BorderPiece& line);
 
-    Values x_{}, y_{}, z_{}; ///< control points, mm from the light
-    double slack_;           ///< mm
-    int side_;               ///< on which the surface lies, of the curve's direction; 0 unknown
+    PlaneDistances x_{}, y_{}, z_{}; ///< control points, mm from the light
+    double slack_;                   ///< mm
+    int side_; ///< on which the surface lies, of the curve's direction; 0 unknown
 };
 
 } // namespace keiko

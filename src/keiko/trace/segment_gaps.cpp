@@ -62,7 +62,7 @@ void GapGroups::classify(const Tracer& tracer) {
     for (std::size_t i = 0; i < gaps_.size(); ++i)
         if (leader_[i] == i && !dark[i]) {
             const SegmentPlane& plane = *planes_[longest[i]];
-            rays.push_back(plane.apex().ray_to(plane.at(gaps_[longest[i]].middle())));
+            rays.push_back(plane.apex().ray_to(plane.at(gaps_[longest[i]].inside())));
             asked.push_back(i);
         }
     const std::vector<bool> hidden = tracer.any(std::span<const Ray>(rays));

@@ -136,3 +136,60 @@ TEST(BorderEvents, LieOnThePlaneToRounding) {
         }
     }
 }
+
+namespace {
+
+/// From (-20, y0, 50) to (20, y2, 50): a parabola of these heights.
+BorderPiece parabola(double y0, double y1, double y2) {
+    BorderPiece piece;
+    piece.center = Vec3(0, 0, 50);
+    piece.radius = 1e3;
+    piece.error = 1e-8;
+    const auto at = [&](double t) { // the polar form
+        return [=](double s) {
+            return y0 * (1 - t) * (1 - s) + y1 * (t + s - 2 * t * s) + y2 * t * s;
+        };
+    };
+    // Control points of degree 5: means of the polar form over pairs of five zeros and ones.
+    for (std::size_t i = 0; i <= 5; ++i) {
+        const double n = static_cast<double>(i), m = 5 - n;
+        const double y =
+            (n * (n - 1) * at(1)(1) + 2 * n * m * at(0)(1) + m * (m - 1) * at(0)(0)) / 20;
+        piece.curve[i] = Vec3(8 * n - 20, y, 0);
+    }
+    return piece;
+}
+
+std::vector<VisibilityEvent> events_of(const BorderPiece& piece) {
+    const Apex apex = Apex::at(Vec3(0, 0, 0));
+    const auto plane = SegmentPlane::through(apex, Vec3(-90, 0, 100), Vec3(90, 0, 100));
+    std::vector<VisibilityEvent> events;
+    find_border_events(piece, {}, *plane, events);
+    std::sort(events.begin(), events.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+    return events;
+}
+
+} // namespace
+
+TEST(BorderEvents, MarkTheEndsOfABorderThatLiesInThePlane) {
+    for (const double off : {0.0, 7e-12, -5e-9, 9e-9}) {
+        const auto events = events_of(parabola(off, off, off));
+        ASSERT_EQ(events.size(), 2u) << off;
+        EXPECT_NEAR(events[0].t, 50.0 / 180, 1e-9);
+        EXPECT_NEAR(events[1].t, 130.0 / 180, 1e-9);
+        for (const VisibilityEvent& event : events) EXPECT_EQ(event.dark, 0);
+    }
+    EXPECT_TRUE(events_of(parabola(2e-8, 2e-8, 2e-8)).empty());
+}
+
+TEST(BorderEvents, MarkWhereABorderTouchesThePlane) {
+    // Lowest, by `least`, at t = 1/4.
+    const auto touching = [](double least) { return parabola(1 + least, -3 + least, 9 + least); };
+    for (const double least : {0.0, 7e-12, 9e-9}) {
+        const auto events = events_of(touching(least));
+        ASSERT_FALSE(events.empty()) << least;
+        for (const VisibilityEvent& event : events) EXPECT_NEAR(event.t, 70.0 / 180, 1e-6) << least;
+    }
+    EXPECT_TRUE(events_of(touching(2e-8)).empty());
+    EXPECT_EQ(events_of(touching(-1e-3)).size(), 2u);
+}
