@@ -42,6 +42,11 @@ public:
     const std::vector<RigLight>& lights() const { return lights_.lights(); }
     /// What a spot sees of some of the lights.
     std::vector<SeenLight> seen_from(const LitSpot& spot, std::span<const RigLight> lights) const;
+    /// See ShadowedRig::may_come_between().
+    bool may_come_between(std::span<const Vec3> places, const RigLight& light,
+                          const std::optional<Vec3>& facing) const {
+        return lights_.may_come_between(places, light, facing);
+    }
     /// What each of them brings if that is `seen`.
     std::vector<SpotLight> light_on(const LitSpot& spot, std::span<const RigLight> lights,
                                     std::vector<SeenLight> seen) const;

@@ -8,7 +8,7 @@ namespace keiko {
 namespace {
 
 /// Pixels a side of the largest squares that are lit from a few places: shadows narrower than
-/// half of it may be missed.
+/// half of it may be missed on curved surfaces and where the light is hidden in part anyway.
 constexpr int largest_square = 16;
 /// Pixels a side of squares whose corners and middles are all that they have.
 constexpr int all_asked = 2;

@@ -33,14 +33,30 @@ Lights lessen(std::vector<Doubt>& doubts, const std::vector<Doubt>& others) {
     return lessened;
 }
 
+bool is_whole(const SeenLight& seen) {
+    return seen.share == 1 && seen.cap == 1 && seen.axis == IntervalSet::whole();
+}
+
+/// The normal of the plane that places lie in, which is that at the first; nothing where they do
+/// not lie in one.
+std::optional<Vec3> plane_of(std::span<const Vec3> places, const Vec3& normal) {
+    constexpr double flat = 1e-9;
+    for (const Vec3& place : places)
+        if (std::abs(normal.dot(place - places[0])) > flat * (place - places[0]).length())
+            return std::nullopt;
+    return normal;
+}
+
 } // namespace
 
 /// Lights that the middles rule out, for which the quarters ask as well, are not asked for at odd
 /// places.
 RectangleTrial::Told RectangleTrial::tell(const Rectangle& r, const LightPolynomial& known,
-                                          const OpenLights& open, double& left) {
+                                          const OpenLights& all, double& left) {
     const LightFit lines = LightFit::lines(grid_, r);
-    const std::vector<Test> middles = middles_of(r, known, open);
+    const std::vector<Test> middles = middles_of(r, known, all);
+    const Lights hidden = threatened(r, all.seen);
+    const OpenLights open{without(all.lit, hidden), without(all.seen, hidden), all.linearly_seen};
     const bool may_bend = grid_.odd_places(r).size() > 1;
     const double most = may_bend ? most_bent * left : left;
     std::vector<Doubt> lit = doubts_in(open.lit);
@@ -48,7 +64,7 @@ RectangleTrial::Told RectangleTrial::tell(const Rectangle& r, const LightPolynom
     const Lights smooth = within(lit, most);
     std::vector<Doubt> seen = doubts_in(without(open.seen, smooth));
     test_seen(r, middles, left, seen);
-    const std::vector<Test> odd = odd_places_of(r, known, open, united(smooth, within(seen, left)));
+    const std::vector<Test> odd = odd_places_of(r, known, all, united(smooth, within(seen, left)));
     test(lines, odd, left, lit);
     Told told;
     if (may_bend) told.parabolas = lessen(lit, doubts_in_parabolas(r, middles, odd, smooth, left));
@@ -61,6 +77,23 @@ RectangleTrial::Told RectangleTrial::tell(const Rectangle& r, const LightPolynom
     told.seen = least_doubtful(std::move(seen), left);
     told.lines = without(told.lines, told.parabolas);
     return told;
+}
+
+Lights RectangleTrial::threatened(const Rectangle& r, const Lights& lights) const {
+    std::vector<Pixel> pixels;
+    for (const Pixel& p : r.corners()) pixels.push_back(p);
+    for (const Pixel& p : r.middles()) pixels.push_back(p);
+    std::vector<Vec3> places;
+    for (const Pixel& p : pixels) places.push_back(grid_.at(p.x, p.y)->place.position);
+    const auto facing = plane_of(places, grid_.at(r.x0, r.y0)->place.normal);
+    Lights threatened;
+    for (const std::size_t light : lights) {
+        const auto whole = [&](const Pixel& p) { return is_whole(lights_.seen(p.x, p.y, light)); };
+        if (std::all_of(pixels.begin(), pixels.end(), whole) &&
+            integrator_.may_come_between(places, integrator_.lights()[light], facing))
+            threatened.push_back(light);
+    }
+    return threatened;
 }
 
 std::vector<RectangleTrial::Test> RectangleTrial::middles_of(const Rectangle& r,

@@ -36,6 +36,8 @@ private:
         return [this, lights](const Pixel& p) { return lights_.sum(p.x, p.y, lights); };
     }
 
+    /// Lights that corners and middles see as a whole though something may come between.
+    Lights threatened(const Rectangle& r, const Lights& lights) const;
     std::vector<Test> middles_of(const Rectangle& r, const LightPolynomial& known,
                                  const OpenLights& open);
     std::vector<Test> odd_places_of(const Rectangle& r, const LightPolynomial& known,

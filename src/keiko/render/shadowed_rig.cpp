@@ -3,6 +3,8 @@
 #include "keiko/render/seen_past.h"
 #include "keiko/render/source_region.h"
 
+#include <algorithm>
+
 namespace keiko {
 
 std::vector<SeenLight> ShadowedRig::seen_from(const Vec3& point, const Vec3& normal,
@@ -21,6 +23,18 @@ std::vector<SeenLight> ShadowedRig::seen_from(const Vec3& point, const Vec3& nor
             all.push_back(std::move(seen));
     });
     return all;
+}
+
+bool ShadowedRig::may_come_between(std::span<const Vec3> places, const RigLight& light,
+                                   const std::optional<Vec3>& facing) const {
+    if (!occluders_) return false;
+    std::vector<Vec3> region;
+    for (const Vec3& place : places)
+        for (const Vec3& corner :
+             source_region(rig_.sources[light.source], {&light.lamp, 1}, place))
+            if (std::find(region.begin(), region.end(), corner) == region.end())
+                region.push_back(corner);
+    return occluders_->may_come_between(places, region, facing);
 }
 
 } // namespace keiko

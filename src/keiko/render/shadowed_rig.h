@@ -27,6 +27,11 @@ public:
                                      std::span<const RigLight> lights, TubeModel model,
                                      bool axes = true) const;
 
+    /// False where it is proved that all of the hull of `places` sees all of a light or nothing of
+    /// it; see Occluders::may_come_between().
+    bool may_come_between(std::span<const Vec3> places, const RigLight& light,
+                          const std::optional<Vec3>& facing) const;
+
 private:
     const LightRig& rig_;
     const Occluders* occluders_;

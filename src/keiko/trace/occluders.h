@@ -46,6 +46,13 @@ public:
     };
     const Statistics& statistics() const;
 
+    /// False where it is proved that all of the hull of `places`, which no surface crosses, sees
+    /// all of the hull of `region` or nothing of it: what any of them may see edge-on is not
+    /// between. With `facing`, a unit normal, only what lies on its side of all places counts,
+    /// beyond rounding: what a flat surface is lit from.
+    bool may_come_between(std::span<const Vec3> places, std::span<const Vec3> region,
+                          const std::optional<Vec3>& facing = {}) const;
+
 private:
     friend class ApexView;
     friend class ShadowPencil;

@@ -29,6 +29,17 @@ public:
     /// to lie inside of.
     template <class Visit>
     void find(const ViewVolume& volume, const Apex& apex, const Visit& visit) const {
+        any(
+            volume, [&](const PieceBound& bound) { return may_be_edge_on(bound, apex); },
+            [&](std::uint32_t piece, ViewVolume::Sides sides) {
+                visit(piece, sides);
+                return false;
+            });
+    }
+    /// Whether `found(piece, sides)`, in the same order, says so of any piece whose box `volume`
+    /// may hold and whose bound `counts`, as those of all that hold it do.
+    template <class Counts, class Found>
+    bool any(const ViewVolume& volume, const Counts& counts, const Found& found) const {
         struct Open {
             std::uint32_t node;
             ViewVolume::Sides sides;
@@ -39,8 +50,7 @@ public:
         while (depth > 0) {
             auto [index, sides] = todo[--depth];
             const Node& node = nodes_[index];
-            if (!volume.may_hold(node.bound.box, sides) || !may_be_edge_on(node.bound, apex))
-                continue;
+            if (!volume.may_hold(node.bound.box, sides) || !counts(node.bound)) continue;
             if (node.right != 0) {
                 todo[depth++] = {node.right, sides};
                 todo[depth++] = {index + 1, sides};
@@ -49,10 +59,12 @@ public:
             for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
                 const PieceBound& bound = bounds_[order_[k]];
                 ViewVolume::Sides of_piece = sides;
-                if (volume.may_hold(bound.box, of_piece) && may_be_edge_on(bound, apex))
-                    visit(order_[k], of_piece);
+                if (volume.may_hold(bound.box, of_piece) && counts(bound) &&
+                    found(order_[k], of_piece))
+                    return true;
             }
         }
+        return false;
     }
     /// Whether any box overlaps this one.
     bool touches(const Box3& box) const;

@@ -18,6 +18,18 @@ Vec3 longest_way(std::span<const Vec3> corners) {
     return longest;
 }
 
+Vec3 middle_of(std::span<const Vec3> points) {
+    Vec3 middle(0);
+    for (const Vec3& point : points) middle += point / static_cast<double>(points.size());
+    return middle;
+}
+
+double farthest(std::span<const Vec3> points, const Vec3& way) {
+    double most = -Box3::infinity;
+    for (const Vec3& point : points) most = std::max(most, way.dot(point));
+    return most;
+}
+
 /// Unit vectors across `axis`, the first as near to `along` as can be.
 std::array<Vec3, 2> across(const Vec3& axis, const Vec3& along) {
     Vec3 x = along - axis * along.dot(axis);
@@ -68,6 +80,28 @@ ViewVolume::ViewVolume(const Apex& apex, std::span<const Vec3> region,
         add(above, above.dot(origin) + shift * low - margin * reach);
         add(below, below.dot(origin) - shift * high - margin * reach);
     }
+}
+
+ViewVolume::ViewVolume(std::span<const Vec3> places, std::span<const Vec3> region,
+                       const std::optional<Vec3>& facing) {
+    for (const Vec3& corner : region) region_.extend(corner);
+    hull_ = region_;
+    for (const Vec3& place : places) hull_.extend(place);
+    const double reach = hull_.size();
+    constexpr double margin = 1e-9, above = 1e-6;
+    if (facing) add(*facing, farthest(places, *facing) + above * reach);
+    const auto add_behind = [&](const Vec3& outward) {
+        const double most = std::max(farthest(places, outward), farthest(region, outward));
+        add(-outward, -most - margin * reach);
+    };
+    const Vec3 way = middle_of(region) - middle_of(places), axis = way.normalized();
+    add_behind(axis);
+    add_behind(-axis);
+    for (const Vec3& beside : across(axis, longest_way(region)))
+        for (const Vec3& side : {beside, -beside}) {
+            const double widens = farthest(region, side) - farthest(places, side);
+            add_behind(side - axis * (widens / way.length()));
+        }
 }
 
 void ViewVolume::add(const Vec3& normal, double offset) {

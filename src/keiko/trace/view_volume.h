@@ -20,6 +20,11 @@ public:
     ViewVolume(const Apex& apex, std::span<const Vec3> region,
                const std::optional<Vec3>& facing = {});
 
+    /// The hull of places and a region: what lies outside is between none of the two. With `facing`
+    /// only what lies on its side of all places, beyond rounding.
+    ViewVolume(std::span<const Vec3> places, std::span<const Vec3> region,
+               const std::optional<Vec3>& facing = {});
+
     /// Sides of the volume, a bit each: those that something may lie across or beyond.
     using Sides = std::uint32_t;
     Sides all_sides() const { return (Sides{1} << count_) - 1; }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 using namespace keiko;
 using test::Stage;
@@ -96,6 +97,42 @@ TEST(InterpolatedLight, OfLobesIsHardlyOffByMoreThanAllowed) {
         material.flakes = FlakeLayer();
     }
     expect_hardly_off(glossy, TubeModel::picture, 1, 0.02);
+}
+
+// Plates and wires, narrower than any square of places, over a plate under points of light, a sun
+// and tubes along the wires.
+TEST(InterpolatedLight, FindsNarrowShadowsOnFlatSurfaces) {
+    test::ModelBuilder builder;
+    builder.plane({-400, -200, 0}, {800, 0, 0}, {0, 400, 0});
+    for (int i = 0; i < 12; ++i) {
+        const double size = 1 + 0.6 * i, x = -350 + 61.3 * i;
+        builder.plane({x, -120.7, 40}, {size, 0, 0}, {0, size, 0});
+        builder.plane({x, 17.3, 40}, {30, 0, 0}, {0, size, 0});
+    }
+    Stage stage(builder.build(), 1);
+    stage.camera.projection = Projection::orthographic, stage.camera.orthographic_height = 400;
+    stage.camera.eye = {0, 0, 1000}, stage.camera.up = {0, 1, 0};
+    stage.camera.width = 640, stage.camera.height = 320;
+    CPlane tubes = std::get<CPlane>(stage.rig.sources[0]);
+    tubes.origin = {-30, -300, 300}, tubes.u = {60, 0, 0}, tubes.v = {0, 600, 0};
+    tubes.lamps = 2, tubes.diameter = 3;
+    const Occluders occluders(stage.model, stage.tracer);
+    for (const LightSource& source :
+         {LightSource(Spotlight{.position = {-900, 300, 1000}, .aim = {0, 0, 0}}),
+          LightSource(Sun{.direction = {0.3, 0.2, -1}}), LightSource(tubes)}) {
+        stage.rig.sources = {source};
+        const auto render = [&](double error) {
+            return keiko::render({stage.tracer, stage.materials, stage.rig, Rgb(0), &occluders},
+                                 stage.camera,
+                                 {.aovs = {}, .edge_samples = 1, .light_error = error});
+        };
+        constexpr double error = 2e-3;
+        const Deviation found = deviation(render(error), render(0), error);
+        EXPECT_EQ(found.twice, 0) << source.index();
+        // That of the sun is even, so that what is told is exact.
+        const bool even = std::holds_alternative<Sun>(source);
+        EXPECT_TRUE(even || found.interpolated > 0.05) << source.index();
+    }
 }
 
 TEST(InterpolatedLight, OfNoErrorIsThatOfEachRay) {
