@@ -90,9 +90,11 @@ private:
         for (int y = r.y0; y <= r.y1; ++y)
             for (int x = r.x0; x <= r.x1; ++x) {
                 if (!asks_for(x, y)) continue;
+                SpotLight& light = light_[grid_.index(x, y)];
+                light = known.at(grid_.place({x, y}));
+                if (open.lit.empty()) continue;
                 find(open, grid_, {x, y}, lights_);
-                light_[grid_.index(x, y)] =
-                    known.at(grid_.place({x, y})) + lights_.sum(x, y, open.lit);
+                light += lights_.sum(x, y, open.lit);
             }
     }
 

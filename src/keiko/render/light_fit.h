@@ -14,6 +14,9 @@ public:
     /// near a corner, linear.
     static LightFit parabolas(const SpotGrid& grid, const Rectangle& r);
 
+    /// Whether it goes through the middles too.
+    bool goes_through_middles() const { return columns_.size() != 2 && rows_.size() != 2; }
+
     /// What the light at each node counts at a place of the grid.
     using Weights = std::array<double, 9>;
     Weights weights(const Vec2& place) const;

@@ -1,5 +1,7 @@
 #include "keiko/render/rectangle_trial.h"
 
+#include "keiko/render/threatened_lights.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,16 +10,16 @@ namespace keiko {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// Of the error: how far light that parabolas may tell is off lines at the middles.
-constexpr double most_bent = 8;
-/// What parabolas are off by counts so often, since fewer places test them than lines.
-constexpr double caution = 4;
+/// How parabolas are told on squares of one size. The smaller these are the fewer places test them.
+struct Bending {
+    double most;    ///< of the error: how far off lines at the middles their light may be
+    double caution; ///< what they are off by counts so often, since fewer test them than lines
+};
+constexpr Bending bending_on_large{8, 4}, bending_on_small{2, 8};
 
-/// Infinite where nothing is allowed, or what is wrong is no number.
-double ratio(double wrong, double allowed) {
-    if (wrong == 0) return 0;
-    const double ratio = wrong / allowed;
-    return ratio >= 0 ? ratio : infinite;
+const Bending& bending_on(const Rectangle& r) {
+    constexpr int large = 6; // have more odd places than one
+    return r.longest() >= large ? bending_on_large : bending_on_small;
 }
 
 /// Puts lesser doubts, whose lights it tells, in place of those in the same lights.
@@ -33,20 +35,6 @@ Lights lessen(std::vector<Doubt>& doubts, const std::vector<Doubt>& others) {
     return lessened;
 }
 
-bool is_whole(const SeenLight& seen) {
-    return seen.share == 1 && seen.cap == 1 && seen.axis == IntervalSet::whole();
-}
-
-/// The normal of the plane that places lie in, which is that at the first; nothing where they do
-/// not lie in one.
-std::optional<Vec3> plane_of(std::span<const Vec3> places, const Vec3& normal) {
-    constexpr double flat = 1e-9;
-    for (const Vec3& place : places)
-        if (std::abs(normal.dot(place - places[0])) > flat * (place - places[0]).length())
-            return std::nullopt;
-    return normal;
-}
-
 } // namespace
 
 /// Lights that the middles rule out, for which the quarters ask as well, are not asked for at odd
@@ -55,10 +43,10 @@ RectangleTrial::Told RectangleTrial::tell(const Rectangle& r, const LightPolynom
                                           const OpenLights& all, double& left) {
     const LightFit lines = LightFit::lines(grid_, r);
     const std::vector<Test> middles = middles_of(r, known, all);
-    const Lights hidden = threatened(r, all.seen);
+    const Lights hidden = threatened_lights(integrator_, grid_, lights_, r, all.seen);
     const OpenLights open{without(all.lit, hidden), without(all.seen, hidden), all.linearly_seen};
-    const bool may_bend = grid_.odd_places(r).size() > 1;
-    const double most = may_bend ? most_bent * left : left;
+    const bool may_bend = !grid_.odd_places(r).empty();
+    const double most = may_bend ? bending_on(r).most * left : left;
     std::vector<Doubt> lit = doubts_in(open.lit);
     test(lines, middles, most, lit);
     const Lights smooth = within(lit, most);
@@ -79,21 +67,9 @@ RectangleTrial::Told RectangleTrial::tell(const Rectangle& r, const LightPolynom
     return told;
 }
 
-Lights RectangleTrial::threatened(const Rectangle& r, const Lights& lights) const {
-    std::vector<Pixel> pixels;
-    for (const Pixel& p : r.corners()) pixels.push_back(p);
-    for (const Pixel& p : r.middles()) pixels.push_back(p);
-    std::vector<Vec3> places;
-    for (const Pixel& p : pixels) places.push_back(grid_.at(p.x, p.y)->place.position);
-    const auto facing = plane_of(places, grid_.at(r.x0, r.y0)->place.normal);
-    Lights threatened;
-    for (const std::size_t light : lights) {
-        const auto whole = [&](const Pixel& p) { return is_whole(lights_.seen(p.x, p.y, light)); };
-        if (std::all_of(pixels.begin(), pixels.end(), whole) &&
-            integrator_.may_come_between(places, integrator_.lights()[light], facing))
-            threatened.push_back(light);
-    }
-    return threatened;
+RectangleTrial::Test RectangleTrial::test_at(const Pixel& p, const SpotLight& total) const {
+    return {p, AllowedError(integrator_, *grid_.at(p.x, p.y), seen_[grid_.index(p.x, p.y)], total,
+                            error_)};
 }
 
 std::vector<RectangleTrial::Test> RectangleTrial::middles_of(const Rectangle& r,
@@ -103,7 +79,7 @@ std::vector<RectangleTrial::Test> RectangleTrial::middles_of(const Rectangle& r,
     std::vector<Test> middles;
     for (const Pixel& p : r.middles()) {
         find(open, grid_, p, lights_);
-        middles.push_back({p, known.at(grid_.place(p)) + lights_.sum(p.x, p.y, open.lit)});
+        middles.push_back(test_at(p, known.at(grid_.place(p)) + lights_.sum(p.x, p.y, open.lit)));
     }
     return middles;
 }
@@ -119,8 +95,8 @@ std::vector<RectangleTrial::Test> RectangleTrial::odd_places_of(const Rectangle&
     for (const Pixel& p : grid_.odd_places(r)) {
         find({hopeful, common(hopeful, open.seen), open.linearly_seen}, grid_, p, lights_);
         const Vec2 place = grid_.place(p);
-        odd.push_back({p, known.at(place) + lights_.sum(p.x, p.y, hopeful) +
-                              lines.sum(lines.weights(place), sum_of(others))});
+        odd.push_back(test_at(p, known.at(place) + lights_.sum(p.x, p.y, hopeful) +
+                                     lines.sum(lines.weights(place), sum_of(others))));
     }
     return odd;
 }
@@ -130,10 +106,11 @@ std::vector<Doubt> RectangleTrial::doubts_in_parabolas(const Rectangle& r,
                                                        const std::vector<Test>& odd,
                                                        const Lights& lights, double left) const {
     const LightFit parabolas = LightFit::parabolas(grid_, r);
+    const double caution = bending_on(r).caution;
     std::vector<Doubt> doubts = doubts_in(lights);
     std::erase_if(doubts, [&](const Doubt& d) { return !sees_alike(r, odd, d.light); });
     test(parabolas, odd, left / caution, doubts);
-    test(parabolas, middles, left / caution, doubts); // rows may have a line instead
+    if (!parabolas.goes_through_middles()) test(parabolas, middles, left / caution, doubts);
     for (Doubt& doubt : doubts) doubt.error *= caution;
     return doubts;
 }
@@ -155,24 +132,27 @@ bool RectangleTrial::sees_alike(const Rectangle& r, const std::vector<Test>& odd
 /// Only those that are still within `most`.
 void RectangleTrial::test(const LightFit& fit, const std::vector<Test>& tests, double most,
                           std::vector<Doubt>& doubts) const {
-    for (const auto& [p, total] : tests) {
+    for (const auto& [p, allowed] : tests) {
         const LightFit::Weights weights = fit.weights(grid_.place(p));
-        for (Doubt& doubt : doubts)
-            if (doubt.error <= most)
-                doubt.add(share_of_error(p,
-                                         fit.sum(weights, sum_of({&doubt.light, 1})) -
-                                             lights_.light(p.x, p.y, doubt.light),
-                                         total));
+        for (Doubt& doubt : doubts) {
+            if (!(doubt.error <= most)) continue;
+            const auto light = [&, this](const Pixel& at) -> const SpotLight& {
+                return lights_.light(at.x, at.y, doubt.light);
+            };
+            doubt.add(allowed.used_by(fit.sum(weights, light) - light(p)));
+        }
     }
 }
 
 /// Only those that are still within `most`.
 void RectangleTrial::test_seen(const Rectangle& r, const std::vector<Test>& tests, double most,
                                std::vector<Doubt>& doubts) const {
-    for (const auto& [p, total] : tests)
-        for (Doubt& doubt : doubts)
-            if (doubt.error <= most)
-                doubt.add(share_of_error(p, wrong_if_seen_linearly({doubt.light, r}, p), total));
+    for (const auto& [p, allowed] : tests)
+        for (Doubt& doubt : doubts) {
+            if (!(doubt.error <= most)) continue;
+            const auto wrong = wrong_if_seen_linearly({doubt.light, r}, p);
+            doubt.add(wrong ? allowed.used_by(*wrong) : infinite);
+        }
 }
 
 std::optional<SpotLight> RectangleTrial::wrong_if_seen_linearly(const LinearlySeen& linear,
@@ -181,21 +161,6 @@ std::optional<SpotLight> RectangleTrial::wrong_if_seen_linearly(const LinearlySe
     if (!seen) return std::nullopt;
     if (*seen == lights_.seen(p.x, p.y, linear.light)) return SpotLight();
     return lights_.if_seen(p.x, p.y, linear.light, *seen) - lights_.light(p.x, p.y, linear.light);
-}
-
-/// What is wrong at a place as a share of what may be, `total` being all light there.
-double RectangleTrial::share_of_error(const Pixel& p, const std::optional<SpotLight>& wrong,
-                                      const SpotLight& total) const {
-    if (!wrong) return infinite;
-    const LitSpot& spot = *grid_.at(p.x, p.y);
-    const auto seen_of = [&](const SpotLight& light) {
-        return spot.weight * integrator_.luminance(spot, light);
-    };
-    const Rgb off = seen_of(*wrong), seen = seen_[grid_.index(p.x, p.y)] + seen_of(total);
-    if (std::isnan(off.r + off.g + off.b)) return infinite;
-    const double most = std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)});
-    return std::max(ratio(most, error_ * max_channel(seen)),
-                    ratio(std::abs(wrong->incident), error_ * total.incident));
 }
 
 } // namespace keiko

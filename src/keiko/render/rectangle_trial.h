@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/render/allowed_error.h"
 #include "keiko/render/light_fit.h"
 #include "keiko/render/open_lights.h"
 
@@ -26,18 +27,17 @@ public:
               double& left);
 
 private:
-    /// A place by which lights are judged, and all light there.
+    /// A place by which lights are judged.
     struct Test {
         Pixel place;
-        SpotLight total;
+        AllowedError allowed;
     };
+    Test test_at(const Pixel& p, const SpotLight& total) const;
     /// What some lights together bring to places.
     auto sum_of(std::span<const std::size_t> lights) const {
         return [this, lights](const Pixel& p) { return lights_.sum(p.x, p.y, lights); };
     }
 
-    /// Lights that corners and middles see as a whole though something may come between.
-    Lights threatened(const Rectangle& r, const Lights& lights) const;
     std::vector<Test> middles_of(const Rectangle& r, const LightPolynomial& known,
                                  const OpenLights& open);
     std::vector<Test> odd_places_of(const Rectangle& r, const LightPolynomial& known,
@@ -52,8 +52,6 @@ private:
                    std::vector<Doubt>& doubts) const;
     std::optional<SpotLight> wrong_if_seen_linearly(const LinearlySeen& linear,
                                                     const Pixel& p) const;
-    double share_of_error(const Pixel& p, const std::optional<SpotLight>& wrong,
-                          const SpotLight& total) const;
 
     const Integrator& integrator_;
     const SpotGrid& grid_;
