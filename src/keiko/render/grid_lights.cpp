@@ -3,18 +3,6 @@
 #include <numeric>
 
 namespace keiko {
-namespace {
-
-template <class Keep>
-std::vector<std::size_t> those_that(std::span<const std::size_t> numbers, const Keep& keep) {
-    std::vector<std::size_t> kept;
-    for (const std::size_t number : numbers)
-        if (keep(number)) kept.push_back(number);
-    return kept;
-}
-
-} // namespace
-
 GridLights::GridLights(const Integrator& integrator, const SpotGrid& grid)
     : integrator_(integrator),
       grid_(grid),
@@ -29,43 +17,50 @@ GridLights::Spot& GridLights::spot(int x, int y) {
     return spot;
 }
 
-std::vector<RigLight> GridLights::lights_of(std::span<const std::size_t> numbers) const {
-    std::vector<RigLight> lights;
-    for (const std::size_t number : numbers) lights.push_back(integrator_.lights()[number]);
-    return lights;
+template <class Keep>
+void GridLights::ask_for(std::span<const std::size_t> lights, const Keep& keep) {
+    asked_.clear(), asked_lamps_.clear();
+    for (const std::size_t light : lights) {
+        if (!keep(light)) continue;
+        asked_.push_back(light);
+        asked_lamps_.push_back(integrator_.lights()[light]);
+    }
 }
 
 void GridLights::find(int x, int y, std::span<const std::size_t> lights) {
-    Spot& here = spot(x, y);
-    look(x, y, those_that(lights, [&](std::size_t i) { return !here[i].is_seen; }));
+    if (lights.empty()) return;
+    ask_for(lights, [&here = spot(x, y)](std::size_t i) { return !here[i].is_seen; });
+    look(x, y);
     light_up(x, y, lights);
 }
 
 void GridLights::find_for_sure(int x, int y, std::span<const std::size_t> lights) {
-    Spot& here = spot(x, y);
-    look(x, y, those_that(lights, [&](std::size_t i) { return !here[i].is_sure; }));
+    if (lights.empty()) return;
+    ask_for(lights, [&here = spot(x, y)](std::size_t i) { return !here[i].is_sure; });
+    look(x, y);
     light_up(x, y, lights);
 }
 
-void GridLights::look(int x, int y, std::span<const std::size_t> lights) {
-    if (lights.empty()) return;
-    const std::vector<SeenLight> seen = integrator_.seen_from(*grid_.at(x, y), lights_of(lights));
+void GridLights::look(int x, int y) {
+    if (asked_.empty()) return;
+    std::vector<SeenLight> seen = integrator_.seen_from(*grid_.at(x, y), asked_lamps_);
     Spot& here = spot(x, y);
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        here[lights[i]] = {true, true, false, seen[i], {}};
+    for (std::size_t i = 0; i < asked_.size(); ++i)
+        here[asked_[i]] = {true, true, false, std::move(seen[i]), {}};
 }
 
-void GridLights::light_up(int x, int y, std::span<const std::size_t> asked) {
+void GridLights::light_up(int x, int y, std::span<const std::size_t> lights) {
     Spot& here = spot(x, y);
-    const auto lights = those_that(asked, [&](std::size_t i) { return !here[i].is_lit; });
-    if (lights.empty()) return;
+    ask_for(lights, [&](std::size_t i) { return !here[i].is_lit; });
+    if (asked_.empty()) return;
     std::vector<SeenLight> seen;
-    for (const std::size_t light : lights) seen.push_back(here[light].seen);
+    seen.reserve(asked_.size());
+    for (const std::size_t light : asked_) seen.push_back(here[light].seen);
     const std::vector<SpotLight> brought =
-        integrator_.light_on(*grid_.at(x, y), lights_of(lights), std::move(seen));
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        here[lights[i]].light = brought[i];
-        here[lights[i]].is_lit = true;
+        integrator_.light_on(*grid_.at(x, y), asked_lamps_, std::move(seen));
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+        here[asked_[i]].light = brought[i];
+        here[asked_[i]].is_lit = true;
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/render/integrator.h"
+#include "keiko/render/light_doubts.h"
 #include "keiko/render/spot_grid.h"
 
 #include <memory_resource>
@@ -51,16 +52,21 @@ private:
     };
     using Spot = std::pmr::vector<OfLight>; ///< by number; empty until it is asked for
     Spot& spot(int x, int y);
-    std::vector<RigLight> lights_of(std::span<const std::size_t> numbers) const;
-    void look(int x, int y, std::span<const std::size_t> lights);
-    /// Of those that are not lit yet, by what is seen of them.
-    void light_up(int x, int y, std::span<const std::size_t> asked);
+    /// Makes those of some lights that `keep` the ones that are asked for.
+    template <class Keep>
+    void ask_for(std::span<const std::size_t> lights, const Keep& keep);
+    /// At the lights that are asked for.
+    void look(int x, int y);
+    /// Those of some that are not lit yet, by what is seen of them.
+    void light_up(int x, int y, std::span<const std::size_t> lights);
 
     const Integrator& integrator_;
     const SpotGrid& grid_;
     std::vector<std::size_t> numbers_;
     std::pmr::monotonic_buffer_resource memory_; ///< of the spots
     std::pmr::vector<Spot> spots_;
+    Lights asked_;                      ///< for
+    std::vector<RigLight> asked_lamps_; ///< the same
 };
 
 } // namespace keiko

@@ -40,6 +40,7 @@ private:
     template <class OfSource>
     std::vector<Rgb> by_light(const OfSource& of_source) const {
         std::vector<Rgb> all;
+        all.reserve(lights_.size());
         each_source(
             lights_, [&](std::size_t source, std::span<const int> lamps, std::size_t first) {
                 for (const Rgb& value : of_source(rig_.sources[source], lamps,

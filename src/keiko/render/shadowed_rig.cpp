@@ -4,6 +4,7 @@
 #include "keiko/render/source_region.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace keiko {
 
@@ -16,11 +17,13 @@ std::vector<SeenLight> ShadowedRig::seen_from(const Vec3& point, const Vec3& nor
         const LightSource& source = rig_.sources[i];
         const SeenPast visible(
             occluders_, tracer_, Apex::at(point, root),
-            occluders_ ? source_region(source, lamps, point) : std::vector<Vec3>(),
-            occluders_ ? source_segments(source, lamps) : std::vector<Segment>(), normal);
-        for (SeenLight& seen : seen_lights(source, lamps, point, normal, visible, model,
-                                           axes || rig_.medium.has_value()))
-            all.push_back(std::move(seen));
+            occluders_ ? source_region(source, lamps, point) : std::vector<Vec3>(), {}, normal);
+        std::vector<SeenLight> seen = seen_lights(source, lamps, point, normal, visible, model,
+                                                  axes || rig_.medium.has_value());
+        if (seen.size() == lights.size())
+            all = std::move(seen);
+        else
+            std::move(seen.begin(), seen.end(), std::back_inserter(all));
     });
     return all;
 }

@@ -15,6 +15,7 @@ struct Corners {
     std::vector<Vec3> operator()(const CPlane& plane) const {
         const CPlaneFrame frame(plane);
         std::vector<Vec3> corners;
+        corners.reserve(8);
         const double r = frame.radius() * std::numbers::sqrt2; // of boxes however turned
         for (const double along : {-r, frame.length + r})
             for (const double across :
@@ -35,18 +36,6 @@ struct Corners {
 std::vector<Vec3> source_region(const LightSource& source, std::span<const int> lamps,
                                 const Vec3& point) {
     return std::visit(Corners{lamps, point}, source);
-}
-
-std::vector<Segment> source_segments(const LightSource& source, std::span<const int> lamps) {
-    const auto* plane = std::get_if<CPlane>(&source);
-    if (!plane) return {};
-    const CPlaneFrame frame(*plane);
-    std::vector<Segment> segments;
-    for (const int i : lamps) {
-        const TubeLamp lamp = lamp_of(frame, i, plane->luminance);
-        segments.push_back({lamp.a, lamp.b});
-    }
-    return segments;
 }
 
 } // namespace keiko

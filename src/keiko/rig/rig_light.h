@@ -27,6 +27,7 @@ void each_source(std::span<const RigLight> lights, const Visit& visit) {
     for (std::size_t i = 0; i < lights.size();) {
         const std::size_t first = i, source = lights[i].source;
         std::vector<int> lamps;
+        lamps.reserve(lights.size() - i);
         for (; i < lights.size() && lights[i].source == source; ++i)
             lamps.push_back(lights[i].lamp);
         visit(source, lamps, first);

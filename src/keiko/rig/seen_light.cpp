@@ -31,6 +31,7 @@ public:
         std::vector<SeenLight> seen(asked_.size(), SeenLight{{}, 0, 0});
         std::vector<std::size_t> above;
         std::vector<TubeLamp> lamps;
+        above.reserve(asked_.size()), lamps.reserve(asked_.size());
         for (std::size_t i = 0; i < asked_.size(); ++i) {
             lamps.push_back(lamp_of(frame, asked_[i], plane.luminance));
             if (below_horizon(lamps.back(), point_, normal_))
@@ -63,8 +64,10 @@ private:
     }
     std::vector<SeenLight> along_axes(std::span<const TubeLamp> lamps) const {
         std::vector<Segment> axes;
+        axes.reserve(lamps.size());
         for (const TubeLamp& lamp : lamps) axes.push_back({lamp.a, lamp.b});
         std::vector<SeenLight> seen;
+        seen.reserve(lamps.size());
         for (IntervalSet& axis : visible_.intervals(axes)) {
             const double share = axis.empty() ? 0 : 1;
             seen.push_back({std::move(axis), share});

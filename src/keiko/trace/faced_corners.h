@@ -12,6 +12,7 @@ namespace keiko {
 inline std::vector<Vec3> faced_corners(const Apex& apex, const Vec3& facing,
                                        std::span<const Vec3> corners) {
     std::vector<Vec3> part;
+    part.reserve(2 * corners.size());
     for (const Vec3& p : corners) {
         const double at_p = facing.dot(apex.way_to(p));
         if (at_p >= 0) part.push_back(p);

@@ -17,19 +17,18 @@ auto between(const Lines& lines, double low, double high) {
     return std::span(first, last);
 }
 
-/// What is left of a range between boxes.
-std::vector<ParameterInterval> free_between(std::vector<ParameterInterval> blocked, double low,
-                                            double high) {
+/// What is left of a range between boxes, which are sorted.
+void find_free(std::vector<ParameterInterval>& blocked, double low, double high,
+               std::vector<ParameterInterval>& free) {
+    free.clear();
     std::sort(blocked.begin(), blocked.end(),
               [](const auto& a, const auto& b) { return a.begin < b.begin; });
-    std::vector<ParameterInterval> free;
     for (const ParameterInterval& b : blocked) {
         if (b.begin > low) free.push_back({low, std::min(b.begin, high)});
         low = std::max(low, b.end);
-        if (low >= high) return free;
+        if (low >= high) return;
     }
     free.push_back({low, high});
-    return free;
 }
 
 } // namespace
@@ -52,6 +51,7 @@ std::optional<std::vector<ApexView::Candidates::ScanLine>> ApexView::Candidates:
     const ApexScreen& screen, std::span<const SegmentEnds> row) const {
     if (!screen.regular()) return std::nullopt;
     std::vector<ScanLine> lines;
+    lines.reserve(row.size());
     for (const SegmentEnds& ends : row) {
         if (!screen.is_along(ends[1] - ends[0])) return std::nullopt;
         const ScreenPlace a = screen.place(ends[0]), b = screen.place(ends[1]);
@@ -97,9 +97,10 @@ void ApexView::Candidates::join_neighbours(const Screen& screen,
             visit(g, l.begin + step * gap.begin, l.begin + step * gap.end);
         }
     };
+    std::vector<ParameterInterval> blocked, free;
     for (std::size_t i = 0; i + 1 < scan_lines.size(); ++i) {
         const ScanLine &a = scan_lines[i], &b = scan_lines[i + 1];
-        std::vector<ParameterInterval> blocked;
+        blocked.clear();
         for (const auto* boxes : {&screen.pieces, &screen.borders})
             for (const ScreenBox& box : *boxes)
                 if (box.across_low <= b.across && box.across_high >= a.across && !box.empty())
@@ -107,11 +108,12 @@ void ApexView::Candidates::join_neighbours(const Screen& screen,
         const double low = std::max(a.begin, b.begin), high = std::min(a.end, b.end);
         if (!(low < high)) continue;
         const double least = 1e-9 * (high - low);
-        for (const ParameterInterval& free : free_between(std::move(blocked), low, high))
+        find_free(blocked, low, high, free);
+        for (const ParameterInterval& way : free)
             gaps_of(a, [&](std::size_t ga, double a0, double a1) {
                 gaps_of(b, [&](std::size_t gb, double b0, double b1) {
-                    const double from = std::max({a0, b0, free.begin});
-                    if (std::min({a1, b1, free.end}) - from > least) groups.join(ga, gb);
+                    const double from = std::max({a0, b0, way.begin});
+                    if (std::min({a1, b1, way.end}) - from > least) groups.join(ga, gb);
                 });
             });
     }
@@ -124,6 +126,7 @@ std::optional<std::vector<SeenParts>> ApexView::Candidates::intervals_of_row(
     const auto scan_lines = this->scan_lines(screen.screen, row);
     if (!scan_lines) return std::nullopt;
     std::vector<Line> lines;
+    lines.reserve(row.size());
     for (const SegmentEnds& ends : row) {
         auto line = line_through(ends);
         if (!line) return std::nullopt;
@@ -133,6 +136,7 @@ std::optional<std::vector<SeenParts>> ApexView::Candidates::intervals_of_row(
 
     GapGroups groups;
     std::vector<std::size_t> first_gap;
+    first_gap.reserve(row.size() + 1);
     bool joinable = !region_touched_ && !has_horizon_;
     for (Line& line : lines) {
         add_own_events(line);
@@ -143,6 +147,7 @@ std::optional<std::vector<SeenParts>> ApexView::Candidates::intervals_of_row(
     if (joinable) join_neighbours(screen, *scan_lines, first_gap, groups);
     groups.classify(*tracer_);
     std::vector<SeenParts> parts;
+    parts.reserve(row.size());
     for (std::size_t i = 0; i < lines.size(); ++i)
         parts.push_back(
             {groups.seen(first_gap[i], first_gap[i + 1] - first_gap[i]), lines[i].certain});
