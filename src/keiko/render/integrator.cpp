@@ -24,9 +24,17 @@ const Hit* found(const std::optional<Hit>& hit) {
     return hit ? &*hit : nullptr;
 }
 
-void sort_by_sample(std::span<LitSpot> spots) {
-    std::sort(spots.begin(), spots.end(),
-              [](const LitSpot& a, const LitSpot& b) { return a.sample < b.sample; });
+/// Spots at most one of which is of each sample, of which there are so many.
+void sort_by_sample(std::span<LitSpot> spots, std::size_t samples) {
+    const auto by_sample = [](const LitSpot& a, const LitSpot& b) { return a.sample < b.sample; };
+    if (std::is_sorted(spots.begin(), spots.end(), by_sample)) return;
+    std::vector<const LitSpot*> of_sample(samples);
+    for (const LitSpot& spot : spots) of_sample[spot.sample] = &spot;
+    std::vector<LitSpot> sorted;
+    sorted.reserve(spots.size());
+    for (const LitSpot* spot : of_sample)
+        if (spot) sorted.push_back(*spot);
+    std::copy(sorted.begin(), sorted.end(), spots.begin());
 }
 
 } // namespace
@@ -127,7 +135,7 @@ void Integrator::follow(Wave wave, MirroredGrid* grid, EyeView& view) const {
             mirroring.add(met.ray, *met.hit, (ends ? beside : mirrored).add(path));
         }
         mirroring.finish();
-        sort_by_sample(std::span(view.spots).subspan(spots));
+        sort_by_sample(std::span(view.spots).subspan(spots), view.samples.size());
         if (depth == 0) view.hits = std::move(hits);
         wave = std::move(mirrored);
     }
