@@ -113,8 +113,10 @@ TEST(RectangleTrial, MeetsShadowsOfHalfASquareWhereverTheyLie) {
         EXPECT_TRUE((Trial{under_bar(first, 8), 1e-3}.tells_none())) << first;
 }
 
-// As the documentation of light between pixels has it.
-TEST(RectangleTrial, MayStepOverNarrowerShadows) {
-    EXPECT_EQ((Trial{under_bar(3.5, 2), 1e-3}.told.lines), the_light);
-    EXPECT_TRUE((Trial{under_bar(2.5, 2), 1e-3}.tells_none())); // an odd place lies in it
+// The plate is flat: what no place meets may still come between.
+TEST(RectangleTrial, StepsOverNoNarrowerShadows) {
+    for (const double width : {2.0, 0.2, 1e-3})
+        for (double first = 0.5; first < 15; ++first)
+            EXPECT_TRUE((Trial{under_bar(first, width), 1e-3}.tells_none())) << first;
+    EXPECT_EQ((Trial{under_bar(16.5, 2), 1e-3}.told.lines), the_light);
 }
