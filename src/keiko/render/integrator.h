@@ -45,7 +45,7 @@ public:
     /// See ShadowedRig::may_come_between().
     bool may_come_between(std::span<const Vec3> places, const RigLight& light,
                           const std::optional<Vec3>& facing) const {
-        return lights_.may_come_between(places, light, facing);
+        return lights_.may_come_between(places, light, facing, tubes_);
     }
     /// What each of them brings if that is `seen`.
     std::vector<SpotLight> light_on(const LitSpot& spot, std::span<const RigLight> lights,

@@ -1,6 +1,7 @@
 #include "keiko/render/interpolated_light.h"
 
 #include "keiko/render/rectangle_trial.h"
+#include "keiko/render/threatened_lights.h"
 
 #include <utility>
 
@@ -20,7 +21,8 @@ class Interpolation {
 public:
     Interpolation(const Integrator& integrator, const SpotGrid& grid,
                   const std::vector<bool>& skipped, double error, std::span<const Rgb> seen)
-        : grid_(grid),
+        : integrator_(integrator),
+          grid_(grid),
           skipped_(skipped),
           error_(error),
           lights_(integrator, grid),
@@ -48,16 +50,23 @@ private:
             open.seen = without(open.seen, *lights);
         }
         open.seen = without(open.seen, told.seen);
-        add(told.parabolas, LightFit::parabolas, r, known);
-        if (open.lit.empty() && told.lines.empty()) return fill(r, known, open);
-        for (const Rectangle& quarter : r.quarters()) {
-            LightPolynomial of_quarter = known;
-            add(told.lines, LightFit::lines, quarter, of_quarter);
-            OpenLights left_open = open;
-            for (const std::size_t light : told.seen)
-                left_open.linearly_seen.push_back({light, quarter});
-            light(quarter, of_quarter, left_open, left);
-        }
+        add(without(told.parabolas, told.threatened), LightFit::parabolas, r, known);
+        if (open.lit.empty() && told.lines.empty() && told.threatened.empty())
+            return fill(r, known, open);
+        for (const Rectangle& quarter : r.quarters()) light(r, quarter, told, known, open, left);
+    }
+    /// Lights a quarter of a rectangle over which those were told.
+    void light(const Rectangle& r, const Rectangle& quarter, const RectangleTrial::Told& told,
+               LightPolynomial known, OpenLights open, double left) {
+        const Lights hidden = threatened_lights(integrator_, grid_, quarter, told.threatened);
+        const Lights clear = without(told.threatened, hidden);
+        add(common(told.parabolas, clear), LightFit::parabolas, r, known);
+        add(without(told.lines, hidden), LightFit::lines, quarter, known);
+        for (const std::size_t light : without(told.seen, hidden))
+            open.linearly_seen.push_back({light, quarter});
+        open.lit = united(open.lit, common(hidden, united(told.parabolas, told.lines)));
+        open.seen = united(open.seen, hidden);
+        light(quarter, known, open, left);
     }
     RectangleTrial::Told tell(const Rectangle& r, const LightPolynomial& known,
                               const OpenLights& open, double& left) {
@@ -98,6 +107,7 @@ private:
             }
     }
 
+    const Integrator& integrator_;
     const SpotGrid& grid_;
     const std::vector<bool>& skipped_;
     double error_;

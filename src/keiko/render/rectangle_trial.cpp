@@ -40,11 +40,9 @@ Lights lessen(std::vector<Doubt>& doubts, const std::vector<Doubt>& others) {
 /// Lights that the middles rule out, for which the quarters ask as well, are not asked for at odd
 /// places.
 RectangleTrial::Told RectangleTrial::tell(const Rectangle& r, const LightPolynomial& known,
-                                          const OpenLights& all, double& left) {
+                                          const OpenLights& open, double& left) {
     const LightFit lines = LightFit::lines(grid_, r);
-    const std::vector<Test> middles = middles_of(r, known, all);
-    const Lights hidden = threatened_lights(integrator_, grid_, lights_, r, all.seen);
-    const OpenLights open{without(all.lit, hidden), without(all.seen, hidden), all.linearly_seen};
+    const std::vector<Test> middles = middles_of(r, known, open);
     const bool may_bend = !grid_.odd_places(r).empty();
     const double most = may_bend ? bending_on(r).most * left : left;
     std::vector<Doubt> lit = doubts_in(open.lit);
@@ -52,7 +50,7 @@ RectangleTrial::Told RectangleTrial::tell(const Rectangle& r, const LightPolynom
     const Lights smooth = within(lit, most);
     std::vector<Doubt> seen = doubts_in(without(open.seen, smooth));
     test_seen(r, middles, left, seen);
-    const std::vector<Test> odd = odd_places_of(r, known, all, united(smooth, within(seen, left)));
+    const std::vector<Test> odd = odd_places_of(r, known, open, united(smooth, within(seen, left)));
     test(lines, odd, left, lit);
     Told told;
     if (may_bend) told.parabolas = lessen(lit, doubts_in_parabolas(r, middles, odd, smooth, left));
@@ -64,6 +62,9 @@ RectangleTrial::Told RectangleTrial::tell(const Rectangle& r, const LightPolynom
     test_seen(r, odd, left, seen);
     told.seen = least_doubtful(std::move(seen), left);
     told.lines = without(told.lines, told.parabolas);
+    const Lights all = united(told.seen, united(told.lines, told.parabolas));
+    told.threatened =
+        threatened_lights(integrator_, grid_, r, seen_as_whole(lights_, r, common(open.seen, all)));
     return told;
 }
 

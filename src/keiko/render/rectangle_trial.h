@@ -20,6 +20,9 @@ public:
         Lights parabolas; ///< of degree two: LightFit::parabolas of the rectangle
         Lights lines;     ///< linear, which in each quarter is LightFit::lines
         Lights seen;      ///< what is seen of these is linear in each quarter
+        /// Those of all these of which that only holds in quarters in which no shadow is: all
+        /// places that were asked see them, but something may come between.
+        Lights threatened;
     };
     /// Of lights that are open over a rectangle, of which `known` is what the others bring to it.
     /// `left` of the error is still allowed, which those that are told lessen.

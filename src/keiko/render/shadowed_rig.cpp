@@ -29,14 +29,14 @@ std::vector<SeenLight> ShadowedRig::seen_from(const Vec3& point, const Vec3& nor
 }
 
 bool ShadowedRig::may_come_between(std::span<const Vec3> places, const RigLight& light,
-                                   const std::optional<Vec3>& facing) const {
+                                   const std::optional<Vec3>& facing, TubeModel model) const {
     if (!occluders_) return false;
+    const LightSource& source = rig_.sources[light.source];
     std::vector<Vec3> region;
-    for (const Vec3& place : places)
-        for (const Vec3& corner :
-             source_region(rig_.sources[light.source], {&light.lamp, 1}, place))
-            if (std::find(region.begin(), region.end(), corner) == region.end())
-                region.push_back(corner);
+    // Only the sun stands elsewhere from place to place.
+    for (const Vec3& place : std::holds_alternative<Sun>(source) ? places : places.first(1))
+        for (const Vec3& corner : lamp_corners(source, light.lamp, place, model))
+            region.push_back(corner);
     return occluders_->may_come_between(places, region, facing);
 }
 

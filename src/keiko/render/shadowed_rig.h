@@ -30,7 +30,7 @@ public:
     /// False where it is proved that all of the hull of `places` sees all of a light or nothing of
     /// it; see Occluders::may_come_between().
     bool may_come_between(std::span<const Vec3> places, const RigLight& light,
-                          const std::optional<Vec3>& facing) const;
+                          const std::optional<Vec3>& facing, TubeModel model) const;
 
 private:
     const LightRig& rig_;

@@ -12,4 +12,9 @@ namespace keiko {
 std::vector<Vec3> source_region(const LightSource& source, std::span<const int> lamps,
                                 const Vec3& point);
 
+/// Corners of a convex body around all that a point asks for of one lamp of a source: of a tube its
+/// axis, or where shadows are weighed over its width all of it.
+std::vector<Vec3> lamp_corners(const LightSource& source, int lamp, const Vec3& point,
+                               TubeModel model);
+
 } // namespace keiko

@@ -21,23 +21,46 @@ std::optional<Vec3> plane_of(std::span<const Vec3> places, const Vec3& normal) {
     return normal;
 }
 
+/// Of spots whose hull holds those of the rectangle, if they lie in a plane; else nearly.
+struct Outline {
+    std::vector<Vec3> places;
+    std::optional<Vec3> facing;
+
+    Outline(const SpotGrid& grid, const Rectangle& r) {
+        const auto add = [&](const Pixel& p) {
+            places.push_back(grid.at(p.x, p.y)->place.position);
+        };
+        places.reserve(9);
+        for (const Pixel& p : r.corners()) add(p);
+        for (const Pixel& p : r.middles()) add(p);
+        facing = plane_of(places, grid.at(r.x0, r.y0)->place.normal);
+        if (facing) places.resize(r.corners().size());
+    }
+};
+
 } // namespace
 
-Lights threatened_lights(const Integrator& integrator, const SpotGrid& grid,
-                         const GridLights& found, const Rectangle& r, const Lights& lights) {
-    std::vector<Pixel> pixels;
-    for (const Pixel& p : r.corners()) pixels.push_back(p);
-    for (const Pixel& p : r.middles()) pixels.push_back(p);
-    std::vector<Vec3> places;
-    for (const Pixel& p : pixels) places.push_back(grid.at(p.x, p.y)->place.position);
-    const auto facing = plane_of(places, grid.at(r.x0, r.y0)->place.normal);
-    Lights threatened;
+Lights seen_as_whole(const GridLights& found, const Rectangle& r, const Lights& lights) {
+    const auto corners = r.corners();
+    const auto middles = r.middles();
+    Lights whole;
     for (const std::size_t light : lights) {
-        const auto whole = [&](const Pixel& p) { return is_whole(found.seen(p.x, p.y, light)); };
-        if (std::all_of(pixels.begin(), pixels.end(), whole) &&
-            integrator.may_come_between(places, integrator.lights()[light], facing))
-            threatened.push_back(light);
+        const auto sees = [&](const Pixel& p) { return is_whole(found.seen(p.x, p.y, light)); };
+        if (std::all_of(corners.begin(), corners.end(), sees) &&
+            std::all_of(middles.begin(), middles.end(), sees))
+            whole.push_back(light);
     }
+    return whole;
+}
+
+Lights threatened_lights(const Integrator& integrator, const SpotGrid& grid, const Rectangle& r,
+                         const Lights& lights) {
+    if (lights.empty()) return {};
+    const Outline outline(grid, r);
+    Lights threatened;
+    for (const std::size_t light : lights)
+        if (integrator.may_come_between(outline.places, integrator.lights()[light], outline.facing))
+            threatened.push_back(light);
     return threatened;
 }
 

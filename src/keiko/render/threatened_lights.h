@@ -6,9 +6,13 @@
 
 namespace keiko {
 
-/// Lights, of some that have been found there, that all corners and middles of a rectangle of a
-/// grid see as a whole though something may come between them and some other place of it.
-Lights threatened_lights(const Integrator& integrator, const SpotGrid& grid,
-                         const GridLights& found, const Rectangle& r, const Lights& lights);
+/// Lights, of some that have been found there, that corners and middles of a rectangle of a grid
+/// all see as a whole.
+Lights seen_as_whole(const GridLights& found, const Rectangle& r, const Lights& lights);
+
+/// Lights, of some, of which it is not proved that all places of a rectangle see the same: all of
+/// them or nothing.
+Lights threatened_lights(const Integrator& integrator, const SpotGrid& grid, const Rectangle& r,
+                         const Lights& lights);
 
 } // namespace keiko
