@@ -58,8 +58,8 @@ bool RootCheck::meets_excluded_only(double nearest, double farthest) const {
 
 bool RootCheck::clear_of_excluded(double nearest, double farthest) const {
     const std::optional<Root>& root = ray_.ray->excluded;
-    if (!root || root->instance != placed_.instance) return true;
-    if (root->patch == leaf_.patch) return false;
+    if (!root) return true;
+    if (root->instance == placed_.instance && root->patch == leaf_.patch) return false;
     const double reach = model_.faces[model_.patches[leaf_.patch].face].reach;
     const double room = 2 * (near_end * leaf_.radius + farthest_behind_seam * reach) *
                         model_.placements[placed_.instance].magnification;
@@ -78,18 +78,41 @@ double RootCheck::distance_to_end(const Crossing& c, const PartRay& part) const 
 
 bool RootCheck::is_excluded(const Crossing& c) const {
     const std::optional<Root>& root = ray_.ray->excluded;
-    if (!root || root->instance != placed_.instance) return false;
-    if (root->patch == leaf_.patch && root->uv.contains(leaf_.patch_parameters(c.uv))) return true;
+    if (!root) return false;
     const PartRay part = part_ray();
+    if (root->instance != placed_.instance) return is_on_start(c, part);
+    if (root->patch == leaf_.patch && root->uv.contains(leaf_.patch_parameters(c.uv))) return true;
     const double distance = distance_to_end(c, part);
     return is_at_end(c, part, distance) || is_behind_own_seam(c, part, distance);
 }
 
 bool RootCheck::is_at_end(const Crossing& c, const PartRay& part, double distance) const {
     if (!(distance <= near_end * leaf_.radius)) return false;
-    const double rounding =
-        64 * epsilon * (part.origin.length() + leaf_.center.length() + leaf_.radius) +
-        4 * part.error;
+    return is_within(own_rounding(part), c, distance, part);
+}
+
+/// Of another body that touches the one that the ray starts on: bodies stand on each other, and
+/// faces of one are often bodies of their own.
+bool RootCheck::is_on_start(const Crossing& c, const PartRay& part) const {
+    const double distance = std::abs(c.t) * part.speed;
+    if (!(distance <= near_end * leaf_.radius)) return false;
+    const Root& root = *ray_.ray->excluded;
+    const Leaf* start = leaf_of(model_, root);
+    if (!start) return false;
+    const double scale = model_.placements[root.instance].magnification *
+                         model_.placements[placed_.instance].reduction;
+    const double start_rounding = 64 * epsilon * scale * (start->center.length() + start->radius);
+    return is_within(own_rounding(part) + start_rounding, c, distance, part);
+}
+
+/// mm, in the part.
+double RootCheck::own_rounding(const PartRay& part) const {
+    return 64 * epsilon * (part.origin.length() + leaf_.center.length() + leaf_.radius) +
+           4 * part.error;
+}
+
+bool RootCheck::is_within(double rounding, const Crossing& c, double distance,
+                          const PartRay& part) const {
     if (distance <= rounding) return true; // at whatever angle
     const auto normal = steady_normal(evaluate(model_.leaves.view(leaf_), c.uv, 2), c.uv);
     const double sine = normal ? std::abs(normal->dot(part.direction)) : 1;

@@ -36,9 +36,14 @@ private:
     double end() const { return (ray_.ray->t_max - ray_.t_start) * ray_.speed; }
     PartRay part_ray() const;
     Vec3 point(const Vec2& in_face) const;
+    double own_rounding(const PartRay& part) const;
     double distance_to_end(const Crossing& crossing, const PartRay& part) const;
     bool is_excluded(const Crossing& crossing) const;
     bool is_at_end(const Crossing& crossing, const PartRay& part, double distance) const;
+    bool is_on_start(const Crossing& crossing, const PartRay& part) const;
+    /// Whether a crossing so far from an end of the ray is at it to within `rounding` mm.
+    bool is_within(double rounding, const Crossing& crossing, double distance,
+                   const PartRay& part) const;
     bool is_behind_own_seam(const Crossing& crossing, const PartRay& part, double distance) const;
     struct NearPlace {
         Vec3 position{0};

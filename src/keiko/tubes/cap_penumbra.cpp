@@ -17,9 +17,12 @@ public:
     static std::optional<FacingCap> of(const TubeLamp& lamp, const Vec3& point,
                                        const Vec3& normal) {
         const Vec3 along = (lamp.b - lamp.a).normalized();
-        const double x = along.dot(point - lamp.a);
-        if (x < 0) return FacingCap(lamp.a, along, lamp.diameter / 2, point, normal);
-        if (along.dot(point - lamp.b) > 0)
+        const Vec3 from_a = point - lamp.a, from_b = point - lamp.b;
+        // Seen edge-on a disc brings nothing, and what its chords bring is rounding.
+        constexpr double edge_on = 1e-9; // rad
+        if (along.dot(from_a) < -edge_on * from_a.length())
+            return FacingCap(lamp.a, along, lamp.diameter / 2, point, normal);
+        if (along.dot(from_b) > edge_on * from_b.length())
             return FacingCap(lamp.b, along, lamp.diameter / 2, point, normal);
         return std::nullopt;
     }
@@ -125,7 +128,8 @@ double share(const FacingCap& cap, const Visible& visible, double tolerance) {
         for (std::size_t i = 0; i < open.size(); ++i) {
             Gap& gap = open[i];
             gap.middle = middles[i];
-            if (gap.doubt() <= allowed || halvings == most_halvings)
+            // What is no number is not told better by more chords.
+            if (!(gap.doubt() > allowed) || halvings == most_halvings)
                 all += gap.all(), lit += gap.lit();
             else
                 halves.push_back({gap.begin, gap.middle}), halves.push_back({gap.middle, gap.end});
