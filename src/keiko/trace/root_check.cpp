@@ -71,9 +71,25 @@ PartRay RootCheck::part_ray() const {
                           ray_.error);
 }
 
+/// Of a crossing: a step of Newton's method nearer than it was found, which in wide scenes is far
+/// from what coordinates tell near the ray's ends.
+double RootCheck::polished_t(const Crossing& c, const PartRay& part) const {
+    const SurfaceDerivatives s = evaluate(model_.leaves.view(leaf_), c.uv, 1);
+    const Vec3 place = part.origin + part.direction * ((c.t - ray_.t_start) * part.speed);
+    const Vec3 normal = s.du().cross(s.dv());
+    const double step = normal.dot(s.position() - (place - leaf_.center)) /
+                        (normal.dot(part.direction) * part.speed);
+    return std::abs(step) * part.speed <= near_end * leaf_.radius ? c.t + step : c.t;
+}
+
 /// mm, in the part, to the nearer end of the ray.
 double RootCheck::distance_to_end(const Crossing& c, const PartRay& part) const {
-    return std::min(std::abs(c.t), std::abs(ray_.ray->t_max - c.t)) * part.speed;
+    const auto to_end = [&](double t) {
+        return std::min(std::abs(t), std::abs(ray_.ray->t_max - t)) * part.speed;
+    };
+    const double distance = to_end(c.t);
+    if (!(distance <= near_end * leaf_.radius)) return distance;
+    return std::min(distance, to_end(polished_t(c, part)));
 }
 
 bool RootCheck::is_excluded(const Crossing& c) const {
@@ -94,8 +110,9 @@ bool RootCheck::is_at_end(const Crossing& c, const PartRay& part, double distanc
 /// Of another body that touches the one that the ray starts on: bodies stand on each other, and
 /// faces of one are often bodies of their own.
 bool RootCheck::is_on_start(const Crossing& c, const PartRay& part) const {
-    const double distance = std::abs(c.t) * part.speed;
+    double distance = std::abs(c.t) * part.speed;
     if (!(distance <= near_end * leaf_.radius)) return false;
+    distance = std::min(distance, std::abs(polished_t(c, part)) * part.speed);
     const Root& root = *ray_.ray->excluded;
     const Leaf* start = leaf_of(model_, root);
     if (!start) return false;

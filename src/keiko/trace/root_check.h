@@ -37,6 +37,7 @@ private:
     PartRay part_ray() const;
     Vec3 point(const Vec2& in_face) const;
     double own_rounding(const PartRay& part) const;
+    double polished_t(const Crossing& crossing, const PartRay& part) const;
     double distance_to_end(const Crossing& crossing, const PartRay& part) const;
     bool is_excluded(const Crossing& crossing) const;
     bool is_at_end(const Crossing& crossing, const PartRay& part, double distance) const;

@@ -113,3 +113,15 @@ TEST(CapPenumbra, DoesNotAskForACapThatFacesAway) {
     const HalfHidden nothing(Vec3(50, 0, 80), Vec3(0, 0, 1));
     EXPECT_EQ(seen_share_of_cap(lamp, Vec3(50, 0, 80), Vec3(0, 0, -1), nothing, 1e-5), 1);
 }
+
+// A disc that is cut by the horizon right through a point in its plane.
+TEST(CapPenumbra, OfADiscSeenEdgeOnIsNotLookedAt) {
+    const Vec3 normal(0, 0, 1);
+    for (const double off : {0.0, 1e-13, -1e-13, 1e-9}) {
+        const TubeLamp lamp{{-4000, -1000 + off, 5000}, {-4000, 6000, 5000}, 250, Rgb(1), true};
+        const Vec3 point(1000, -1000, 5000);
+        const double share =
+            seen_share_of_cap(lamp, point, normal, HalfHidden(point, {0.1, 0.2, 0.3}), 1e-4);
+        EXPECT_TRUE(share >= 0 && share <= 1) << off;
+    }
+}
