@@ -19,22 +19,25 @@ public:
         block_ = block;
         nearest_.fill(nowhere);
     }
-    void visit(std::uint32_t leaf, LaneMask lanes) override {
+    LaneMask visit(std::uint32_t leaf, LaneMask lanes) override {
         RayBlock& rays = to_.blocks[block_];
         const HotLeaf& hot = model_.hot[leaf];
         kernels_.look(rays, lanes, hot, look_);
         const std::size_t here = to_.visits.size();
         to_.visits.push_back({block_, leaf, lanes});
-        if (!hot.material) return;
+        if (!hot.material) return 0;
+        LaneMask lowered = 0;
         for (LaneMask left = look_.certain; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             if (!(look_.farthest[lane] < rays.high[lane])) continue;
             rays.high[lane] = look_.farthest[lane];
+            lowered |= LaneMask{1} << lane;
             if (nearest_[lane] != nowhere)
                 to_.visits[nearest_[lane]].solved &= ~(LaneMask{1} << lane);
             to_.visits[here].solved |= LaneMask{1} << lane;
             nearest_[lane] = here;
         }
+        return lowered;
     }
 
 private:

@@ -74,14 +74,15 @@ void BlockSearch::run(const SearchScene& scene, Goal goal, std::span<const Ray> 
     settle(block_.active, always);
 }
 
-void BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
+LaneMask BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
+    lowered_ = 0;
     const HotLeaf& hot = scene_->model.hot[box];
     if (!has_lanes(lanes, 2))
         scene_->kernels.look_single(block_, first_lane(lanes), hot, look_);
     else
         scene_->kernels.look(block_, lanes, hot, look_);
     const LaneMask left = look_.certain | look_.single | look_.undecided;
-    if (left == 0) return;
+    if (left == 0) return 0;
     LaneMask in_front = 0;
     for_lanes(left & pending_.doubtful(), [&](std::size_t lane) {
         if (pending_.doubtful_until(lane) < look_.nearest[lane]) in_front |= bit(lane);
@@ -90,6 +91,7 @@ void BlockSearch::visit(std::uint32_t box, LaneMask lanes) {
     bool kept = false;
     for_lanes(left, [&](std::size_t lane) { kept = consider(lane, box) || kept; });
     if (kept) fetch_polynomial(hot);
+    return lowered_;
 }
 
 /// Has the coefficients in the cache by the time the search is over.
@@ -131,8 +133,7 @@ bool BlockSearch::consider(std::size_t lane, std::uint32_t box) {
         end(lane);
         return false;
     }
-    if (certain && goal_ == Goal::nearest)
-        block_.high[lane] = std::min(block_.high[lane], farthest);
+    if (certain && goal_ == Goal::nearest) lower(lane, farthest);
     pending_.add(lane, {box, single, !certain && goal_ != Goal::all, nearest, farthest});
     return true;
 }
@@ -240,14 +241,18 @@ void BlockSearch::accept(std::size_t lane, Crossing crossing) {
     if (goal_ == Goal::any) return end(lane);
     if (goal_ == Goal::all) return all_[lane].push_back(crossing);
     nearest_[lane] = crossing;
-    block_.high[lane] =
-        std::min(block_.high[lane],
-                 (crossing.t - block_.t_start[lane]) * block_.speed[lane] + block_.slack[lane]);
+    lower(lane, (crossing.t - block_.t_start[lane]) * block_.speed[lane] + block_.slack[lane]);
+}
+
+void BlockSearch::lower(std::size_t lane, double high) {
+    if (!(high < block_.high[lane])) return;
+    block_.high[lane] = high;
+    lowered_ |= bit(lane);
 }
 
 void BlockSearch::end(std::size_t lane) {
     met_ |= bit(lane);
-    block_.high[lane] = -infinity;
+    lower(lane, -infinity);
     pending_.clear(lane);
 }
 

@@ -35,7 +35,7 @@ private:
     enum class Goal { nearest, any, all };
 
     void run(const SearchScene& scene, Goal goal, std::span<const Ray> rays);
-    void visit(std::uint32_t box, LaneMask lanes) override;
+    LaneMask visit(std::uint32_t box, LaneMask lanes) override;
     void fetch_polynomial(const HotLeaf& hot) const;
     /// Between which distances a leaf without bounds can be met.
     struct Reach {
@@ -54,12 +54,14 @@ private:
     void clip(std::uint32_t box, std::size_t lane);
     bool counts(std::size_t lane, Crossing& crossing) const;
     void accept(std::size_t lane, Crossing crossing);
+    void lower(std::size_t lane, double high);
     void end(std::size_t lane);
 
     const SearchScene* scene_ = nullptr;
     Goal goal_ = Goal::nearest;
     RayBlock block_;
     LaneMask excluding_ = 0, met_ = 0; ///< rays that exclude a root, and that any() has ended
+    LaneMask lowered_ = 0;             ///< rays that have become shorter at the last visit
     LeafLook look_;
     LeafRoots roots_;
     PendingLeaves pending_;

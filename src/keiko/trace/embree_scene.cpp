@@ -46,11 +46,12 @@ double begin_of(const RayBlock& rays, std::size_t lane) {
     return rays.low[lane] < 0 ? rays.low[lane] : 0;
 }
 
-void visit(Search& search, unsigned box, LaneMask lanes) {
+LaneMask visit(Search& search, unsigned box, LaneMask lanes) {
     try {
-        search.visitor->visit(box, lanes);
+        return search.visitor->visit(box, lanes);
     } catch (...) {
         search.failure = std::current_exception();
+        return 0;
     }
 }
 
@@ -71,11 +72,13 @@ void on_intersect(const RTCIntersectFunctionNArguments* arguments) {
     RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, count);
     LaneMask lanes = 0;
     for (unsigned i = 0; i < count; ++i)
-        if (arguments->valid[i] != 0) lanes |= LaneMask{1} << RTCRayN_id(rays, count, i);
-    if (!search.failure) visit(search, arguments->primID, lanes);
+        lanes |= LaneMask{arguments->valid[i] != 0} << RTCRayN_id(rays, count, i);
+    const LaneMask lowered = search.failure ? 0 : visit(search, arguments->primID, lanes);
+    const LaneMask changed = search.failure ? lanes : lowered;
+    if (changed == 0) return;
     for (unsigned i = 0; i < count; ++i) {
-        if (arguments->valid[i] == 0) continue;
         const std::size_t lane = RTCRayN_id(rays, count, i);
+        if (arguments->valid[i] == 0 || (changed >> lane & 1) == 0) continue;
         RTCRayN_tfar(rays, count, i) =
             search.failure ? -std::numeric_limits<float>::infinity()
                            : far_end(search.rays->high[lane] - begin_of(*search.rays, lane));

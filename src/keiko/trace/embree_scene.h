@@ -17,8 +17,9 @@ public:
     class Visitor {
     public:
         virtual ~Visitor() = default;
-        /// May lower RayBlock::high of the lanes; -infinity ends a lane's search.
-        virtual void visit(std::uint32_t box, LaneMask lanes) = 0;
+        /// May lower RayBlock::high of the lanes, and returns those whose it did; -infinity ends a
+        /// lane's search.
+        virtual LaneMask visit(std::uint32_t box, LaneMask lanes) = 0;
     };
 
     /// Throws Error when Embree cannot build, or the scene is too large for it. `threads` as in

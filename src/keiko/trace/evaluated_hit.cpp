@@ -60,7 +60,9 @@ Box2 root_box(const Vec2& uv, const Vec2& error) {
 
 } // namespace
 
-void HitEvaluation::announce(const Crossing& crossing) const {
+void HitEvaluation::announce(const Crossing& crossing) {
+    if (crossing.leaf == announced_) return;
+    announced_ = crossing.leaf;
     const LeafSet& leaves = model_.leaves;
     const HotLeaf& hot = model_.hot[crossing.leaf];
     prefetch(std::span(&leaves.leaves[model_.placed[crossing.leaf].leaf], 1));
@@ -154,13 +156,15 @@ void HitEvaluation::write_surface(std::size_t lane, const PartPlacement& placeme
 
 double HitEvaluation::position_bound(std::size_t lane, const Leaf& leaf,
                                      const PartPlacement& placement, const Vec3& position) const {
-    const Vec2 error = Vec2(block_.error_u[lane], block_.error_v[lane]) / leaf.domain.extent();
+    const Vec2 error(block_.error_u[lane], block_.error_v[lane]), extent = leaf.domain.extent();
+    const Vec2 widest = extent * widest_for_derivatives;
     double reach = block_.reach[lane];
-    if (std::max(error.x, error.y) > widest_for_derivatives)
-        reach = reach_in_box(block_.leaf[lane], {block_.u[lane], block_.v[lane]}, error,
+    if (error.x > widest.x || error.y > widest.y)
+        reach = reach_in_box(block_.leaf[lane], {block_.u[lane], block_.v[lane]}, error / extent,
                              placement.to_world);
     const double steps = 8 + 4.0 * (leaf.degree_u + leaf.degree_v);
-    const double away = position.length() + placement.to_world.translation.length();
+    const double moved = placement.identity ? 0 : placement.to_world.translation.length();
+    const double away = position.length() + moved;
     const double rounding = epsilon * (8 * away + steps * leaf.radius * placement.magnification);
     return reach + leaf.coefficient_error * placement.magnification + rounding;
 }

@@ -15,7 +15,7 @@ public:
         : model_(model), kernels_(kernels), second_derivatives_(second_derivatives) {}
 
     /// Fetches what add() will read of a crossing that soon follows.
-    void announce(const Crossing& crossing) const;
+    void announce(const Crossing& crossing);
     /// `hit` is written at the latest by finish(); both must stay where they are until then.
     void add(const Crossing& crossing, Hit& hit);
     void finish();
@@ -48,6 +48,7 @@ private:
     const TracedModel& model_;
     const LeafKernels& kernels_;
     bool second_derivatives_;
+    std::uint32_t announced_ = no_index; ///< the last leaf that was
     HitBlock block_;
     std::array<Group, 8> by_leaf_; ///< each of one leaf; by the last digits of its number
     Group mixed_;
