@@ -72,7 +72,7 @@ void on_intersect(const RTCIntersectFunctionNArguments* arguments) {
     RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, count);
     LaneMask lanes = 0;
     for (unsigned i = 0; i < count; ++i)
-        lanes |= LaneMask{arguments->valid[i] != 0} << RTCRayN_id(rays, count, i);
+        if (arguments->valid[i] != 0) lanes |= LaneMask{1} << RTCRayN_id(rays, count, i);
     const LaneMask lowered = search.failure ? 0 : visit(search, arguments->primID, lanes);
     const LaneMask changed = search.failure ? lanes : lowered;
     if (changed == 0) return;
