@@ -62,15 +62,17 @@ RectangleTrial::Told RectangleTrial::tell(const Rectangle& r, const LightPolynom
     test_seen(r, odd, left, seen);
     told.seen = least_doubtful(std::move(seen), left);
     told.lines = without(told.lines, told.parabolas);
-    const Lights all = united(told.seen, united(told.lines, told.parabolas));
-    told.threatened =
-        threatened_lights(integrator_, grid_, r, seen_as_whole(lights_, r, common(open.seen, all)));
+    told.threatened = threatened(r, common(open.seen, told.all()));
     return told;
 }
 
 RectangleTrial::Test RectangleTrial::test_at(const Pixel& p, const SpotLight& total) const {
     return {p, AllowedError(integrator_, *grid_.at(p.x, p.y), seen_[grid_.index(p.x, p.y)], total,
                             error_)};
+}
+
+Lights RectangleTrial::threatened(const Rectangle& r, const Lights& lights) const {
+    return threatened_lights(integrator_, grid_, r, seen_as_whole(lights_, r, lights));
 }
 
 std::vector<RectangleTrial::Test> RectangleTrial::middles_of(const Rectangle& r,

@@ -23,6 +23,8 @@ public:
         /// Those of all these of which that only holds in quarters in which no shadow is: all
         /// places that were asked see them, but something may come between.
         Lights threatened;
+
+        Lights all() const { return united(seen, united(lines, parabolas)); }
     };
     /// Of lights that are open over a rectangle, of which `known` is what the others bring to it.
     /// `left` of the error is still allowed, which those that are told lessen.
@@ -41,6 +43,7 @@ private:
         return [this, lights](const Pixel& p) { return lights_.sum(p.x, p.y, lights); };
     }
 
+    Lights threatened(const Rectangle& r, const Lights& lights) const;
     std::vector<Test> middles_of(const Rectangle& r, const LightPolynomial& known,
                                  const OpenLights& open);
     std::vector<Test> odd_places_of(const Rectangle& r, const LightPolynomial& known,

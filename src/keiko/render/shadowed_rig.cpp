@@ -32,9 +32,11 @@ bool ShadowedRig::may_come_between(std::span<const Vec3> places, const RigLight&
                                    const std::optional<Vec3>& facing, TubeModel model) const {
     if (!occluders_) return false;
     const LightSource& source = rig_.sources[light.source];
+    const auto* sun = std::get_if<Sun>(&source);
+    if (sun && !sun->windows.empty()) return true; // their frames stand in its way, too
     std::vector<Vec3> region;
     // Only the sun stands elsewhere from place to place.
-    for (const Vec3& place : std::holds_alternative<Sun>(source) ? places : places.first(1))
+    for (const Vec3& place : sun ? places : places.first(1))
         for (const Vec3& corner : lamp_corners(source, light.lamp, place, model))
             region.push_back(corner);
     return occluders_->may_come_between(places, region, facing);

@@ -28,7 +28,7 @@ public:
                                      bool axes = true) const;
 
     /// False where it is proved that all of the hull of `places` sees all of a light or nothing of
-    /// it; see Occluders::may_come_between().
+    /// it; see Occluders::may_come_between(). Windows are not looked into.
     bool may_come_between(std::span<const Vec3> places, const RigLight& light,
                           const std::optional<Vec3>& facing, TubeModel model) const;
 

@@ -21,7 +21,8 @@ std::optional<Vec3> plane_of(std::span<const Vec3> places, const Vec3& normal) {
     return normal;
 }
 
-/// Of spots whose hull holds those of the rectangle, if they lie in a plane; else nearly.
+/// Of spots whose hull holds those of the rectangle, if they lie in a plane and are seen without
+/// curved mirrors; else nearly.
 struct Outline {
     std::vector<Vec3> places;
     std::optional<Vec3> facing;

@@ -19,15 +19,16 @@ constexpr double near_end = 1e-3;
 /// At angles still lower it is some other place.
 constexpr double farthest_behind_seam = 2 * seam_depth;
 
-/// The leaf of the instance that a root is on.
+/// The leaf of the instance that a root is on; they stand by rising patch.
 const Leaf* leaf_of(const TracedModel& model, const Root& root) {
     const PartPlacement& placement = model.placements[root.instance];
     const auto leaves =
         std::span(model.leaves.leaves).subspan(placement.first_leaf, placement.leaf_count);
-    const auto found = std::find_if(leaves.begin(), leaves.end(), [&](const Leaf& leaf) {
-        return leaf.patch == root.patch && leaf.domain.contains(root.uv.center());
-    });
-    return found == leaves.end() ? nullptr : &*found;
+    auto found = std::partition_point(leaves.begin(), leaves.end(),
+                                      [&](const Leaf& leaf) { return leaf.patch < root.patch; });
+    for (; found != leaves.end() && found->patch == root.patch; ++found)
+        if (found->domain.contains(root.uv.center())) return &*found;
+    return nullptr;
 }
 
 /// Whether a ray leaves the face at a place of a leaf, as the file turns it.
@@ -95,9 +96,9 @@ double RootCheck::distance_to_end(const Crossing& c, const PartRay& part) const 
 bool RootCheck::is_excluded(const Crossing& c) const {
     const std::optional<Root>& root = ray_.ray->excluded;
     if (!root) return false;
-    const PartRay part = part_ray();
-    if (root->instance != placed_.instance) return is_on_start(c, part);
+    if (root->instance != placed_.instance) return is_on_start(c);
     if (root->patch == leaf_.patch && root->uv.contains(leaf_.patch_parameters(c.uv))) return true;
+    const PartRay part = part_ray();
     const double distance = distance_to_end(c, part);
     return is_at_end(c, part, distance) || is_behind_own_seam(c, part, distance);
 }
@@ -109,10 +110,11 @@ bool RootCheck::is_at_end(const Crossing& c, const PartRay& part, double distanc
 
 /// Of another body that touches the one that the ray starts on: bodies stand on each other, and
 /// faces of one are often bodies of their own.
-bool RootCheck::is_on_start(const Crossing& c, const PartRay& part) const {
-    double distance = std::abs(c.t) * part.speed;
-    if (!(distance <= near_end * leaf_.radius)) return false;
-    distance = std::min(distance, std::abs(polished_t(c, part)) * part.speed);
+bool RootCheck::is_on_start(const Crossing& c) const {
+    const double magnification = model_.placements[placed_.instance].magnification;
+    if (!(std::abs(c.t) * ray_.speed <= near_end * leaf_.radius * magnification)) return false;
+    const PartRay part = part_ray();
+    const double distance = std::min(std::abs(c.t), std::abs(polished_t(c, part))) * part.speed;
     const Root& root = *ray_.ray->excluded;
     const Leaf* start = leaf_of(model_, root);
     if (!start) return false;

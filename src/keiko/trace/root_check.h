@@ -41,7 +41,7 @@ private:
     double distance_to_end(const Crossing& crossing, const PartRay& part) const;
     bool is_excluded(const Crossing& crossing) const;
     bool is_at_end(const Crossing& crossing, const PartRay& part, double distance) const;
-    bool is_on_start(const Crossing& crossing, const PartRay& part) const;
+    bool is_on_start(const Crossing& crossing) const;
     /// Whether a crossing so far from an end of the ray is at it to within `rounding` mm.
     bool is_within(double rounding, const Crossing& crossing, double distance,
                    const PartRay& part) const;

@@ -85,11 +85,15 @@ ViewVolume::ViewVolume(const Apex& apex, std::span<const Vec3> region,
 ViewVolume::ViewVolume(std::span<const Vec3> places, std::span<const Vec3> region,
                        const std::optional<Vec3>& facing) {
     for (const Vec3& corner : region) region_.extend(corner);
+    Box3 around;
+    for (const Vec3& place : places) around.extend(place);
     hull_ = region_;
-    for (const Vec3& place : places) hull_.extend(place);
+    hull_.extend(around.lower), hull_.extend(around.upper);
     const double reach = hull_.size();
-    constexpr double margin = 1e-9, above = 1e-6;
-    if (facing) add(*facing, farthest(places, *facing) + above * reach);
+    constexpr double margin = 1e-9;
+    // What lies in the surface is told from what stands on it by the places' own rounding.
+    const double above = margin * (around.size() + around.center().length());
+    if (facing) add(*facing, farthest(places, *facing) + above);
     const auto add_behind = [&](const Vec3& outward) {
         const double most = std::max(farthest(places, outward), farthest(region, outward));
         add(-outward, -most - margin * reach);

@@ -108,6 +108,7 @@ TEST(InterpolatedLight, FindsNarrowShadowsOnFlatSurfaces) {
         const double size = 1 + 0.6 * i, x = -350 + 61.3 * i;
         builder.plane({x, -120.7, 40}, {size, 0, 0}, {0, size, 0});
         builder.plane({x, 17.3, 40}, {30, 0, 0}, {0, size, 0});
+        builder.plane({x, 97.3, 2.0 / (1 + i * i)}, {30, 0, 0}, {0, size, 0});
     }
     Stage stage(builder.build(), 1);
     stage.camera.projection = Projection::orthographic, stage.camera.orthographic_height = 400;

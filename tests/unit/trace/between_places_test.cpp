@@ -98,3 +98,24 @@ TEST(BetweenPlaces, AFlatSurfaceIsLitFromItsSideAlone) {
     EXPECT_TRUE(comes_between({120, 40, 0}, {20, 20, 60}));
     EXPECT_TRUE(comes_between({61, 45, 50}, {0.01, 10, 0.1}));
 }
+
+// However far the light is, as the sun is taken to be.
+TEST(BetweenPlaces, WhatHardlyRisesOverAFlatSurfaceComesBetween) {
+    const std::array<Vec3, 4> places{Vec3(40, 40, 0), Vec3(60, 40, 0), Vec3(40, 60, 0),
+                                     Vec3(60, 60, 0)};
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, {100, 0, 0}, {0, 100, 0});
+    for (const double height : {1.0, 1e-2, 1e-4, 1e-6}) {
+        ModelBuilder with_bar = builder;
+        with_bar.plane({50, 45, height}, {0.8, 0, 0}, {0, 10, 0});
+        for (const double away : {1e2, 1e4, 1e7}) {
+            const std::array<Vec3, 1> light{Vec3(0.1, 0.2, 1) * away};
+            const auto comes_between = [&](const SurfaceModel& model) {
+                const Tracer tracer(model);
+                return Occluders(model, tracer).may_come_between(places, light, Vec3(0, 0, 1));
+            };
+            EXPECT_TRUE(comes_between(with_bar.build())) << height << ' ' << away;
+            EXPECT_FALSE(comes_between(builder.build())) << away;
+        }
+    }
+}
