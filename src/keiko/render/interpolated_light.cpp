@@ -9,7 +9,8 @@ namespace keiko {
 namespace {
 
 /// Pixels a side of the largest squares that are lit from a few places: shadows narrower than
-/// half of it may be missed on curved surfaces and where the light is hidden in part anyway.
+/// half of it may be missed on curved surfaces and where the light is hidden in part anyway,
+/// those of less than two pixels anywhere.
 constexpr int largest_square = 16;
 /// Pixels a side of squares whose corners and middles are all that they have.
 constexpr int all_asked = 2;

@@ -72,6 +72,8 @@ RectangleTrial::Test RectangleTrial::test_at(const Pixel& p, const SpotLight& to
 }
 
 Lights RectangleTrial::threatened(const Rectangle& r, const Lights& lights) const {
+    constexpr int two_apart = 4; // no place of such a square is farther from the next
+    if (r.longest() <= two_apart) return {};
     return threatened_lights(integrator_, grid_, r, seen_as_whole(lights_, r, lights));
 }
 

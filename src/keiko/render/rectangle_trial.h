@@ -21,7 +21,8 @@ public:
         Lights lines;     ///< linear, which in each quarter is LightFit::lines
         Lights seen;      ///< what is seen of these is linear in each quarter
         /// Those of all these of which that only holds in quarters in which no shadow is: all
-        /// places that were asked see them, but something may come between.
+        /// places that were asked see them, but something may come between. Of small squares none:
+        /// what is narrower than two pixels is not searched for there.
         Lights threatened;
 
         Lights all() const { return united(seen, united(lines, parabolas)); }

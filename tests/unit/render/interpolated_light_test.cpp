@@ -99,13 +99,13 @@ TEST(InterpolatedLight, OfLobesIsHardlyOffByMoreThanAllowed) {
     expect_hardly_off(glossy, TubeModel::picture, 1, 0.02);
 }
 
-// Plates and wires, narrower than any square of places, over a plate under points of light, a sun
+// Plates and wires from two pixels on, narrower than any large square of places, over a plate under points of light, a sun
 // and tubes along the wires.
 TEST(InterpolatedLight, FindsNarrowShadowsOnFlatSurfaces) {
     test::ModelBuilder builder;
     builder.plane({-400, -200, 0}, {800, 0, 0}, {0, 400, 0});
     for (int i = 0; i < 12; ++i) {
-        const double size = 1 + 0.6 * i, x = -350 + 61.3 * i;
+        const double size = 2.6 + 0.5 * i, x = -350 + 61.3 * i;
         builder.plane({x, -120.7, 40}, {size, 0, 0}, {0, size, 0});
         builder.plane({x, 17.3, 40}, {30, 0, 0}, {0, size, 0});
         builder.plane({x, 97.3, 2.0 / (1 + i * i)}, {30, 0, 0}, {0, size, 0});
