@@ -99,8 +99,8 @@ TEST(InterpolatedLight, OfLobesIsHardlyOffByMoreThanAllowed) {
     expect_hardly_off(glossy, TubeModel::picture, 1, 0.02);
 }
 
-// Plates and wires from two pixels on, narrower than any large square of places, over a plate under points of light, a sun
-// and tubes along the wires.
+// Plates and wires from two pixels on, narrower than any large square of places, over a plate under
+// points of light, a sun and tubes along the wires.
 TEST(InterpolatedLight, FindsNarrowShadowsOnFlatSurfaces) {
     test::ModelBuilder builder;
     builder.plane({-400, -200, 0}, {800, 0, 0}, {0, 400, 0});
