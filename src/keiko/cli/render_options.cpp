@@ -198,10 +198,9 @@ void RenderArguments::add_light(CLI::App& command) {
             .add_option(
                 "--light-error", light_error,
                 "share of what is seen by which the lamps' light on bases may be off for being "
-                "found a few pixels apart; shadows narrower than two pixels may have holes, and up "
-                "to "
-                "eight on curved surfaces and in penumbrae of others, as narrow light amid shadows "
-                "may anywhere, however small it is; 0: found in each pixel, slower")
+                "found a few pixels apart; shadows narrower than two pixels may have holes, and "
+                "up to eight on curved surfaces and in penumbrae of others, as narrow light amid "
+                "shadows may anywhere, however small it is; 0: found in each pixel, slower")
             ->check(number_between(0, 0.1))
             ->capture_default_str());
     command.add_option("--view", view, "view by name, auto, or scene")->check(not_empty());

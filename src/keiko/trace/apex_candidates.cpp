@@ -3,6 +3,7 @@
 #include "keiko/trace/border_events.h"
 #include "keiko/trace/chord_elevation.h"
 #include "keiko/trace/faced_corners.h"
+#include "keiko/trace/middle_of.h"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +34,7 @@ ApexView::Candidates::Candidates(const Occluders::Scene& scene, const Tracer& tr
         all_seen_ = false;
         return;
     }
-    for (const Vec3& corner : region) middle_ += corner / static_cast<double>(region.size());
+    middle_ = middle_of(region);
     collect(region);
     if (nothing_happens_in(region)) all_seen_ = sees(middle_);
 }

@@ -1,5 +1,6 @@
 #include "keiko/trace/apex_candidates.h"
 #include "keiko/trace/faced_corners.h"
+#include "keiko/trace/middle_of.h"
 
 #include <algorithm>
 #include <array>
@@ -11,12 +12,6 @@ std::vector<Vec3> corners_of(const PrismEdges& prism) {
     std::vector<Vec3> corners;
     for (const SegmentEnds& edge : prism) corners.insert(corners.end(), edge.begin(), edge.end());
     return corners;
-}
-
-Vec3 middle_of(std::span<const Vec3> corners) {
-    Vec3 middle(0);
-    for (const Vec3& corner : corners) middle += corner / static_cast<double>(corners.size());
-    return middle;
 }
 
 /// Whether a border may hide or show any of `volume` in some part of it, by some of its sides.

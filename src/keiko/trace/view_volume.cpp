@@ -1,6 +1,7 @@
 #include "keiko/trace/view_volume.h"
 
 #include "keiko/math/perpendicular.h"
+#include "keiko/trace/middle_of.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +17,6 @@ Vec3 longest_way(std::span<const Vec3> corners) {
         for (const Vec3& b : corners)
             if ((b - a).length2() > longest.length2()) longest = b - a;
     return longest;
-}
-
-Vec3 middle_of(std::span<const Vec3> points) {
-    Vec3 middle(0);
-    for (const Vec3& point : points) middle += point / static_cast<double>(points.size());
-    return middle;
 }
 
 double farthest(std::span<const Vec3> points, const Vec3& way) {
@@ -42,11 +37,8 @@ std::array<Vec3, 2> across(const Vec3& axis, const Vec3& along) {
 
 ViewVolume::ViewVolume(const Apex& apex, std::span<const Vec3> region,
                        const std::optional<Vec3>& facing) {
-    Vec3 middle(0);
-    for (const Vec3& corner : region) {
-        region_.extend(corner);
-        middle += corner / static_cast<double>(region.size());
-    }
+    for (const Vec3& corner : region) region_.extend(corner);
+    const Vec3 middle = middle_of(region);
     const Vec3 axis = apex.way_to(middle).normalized();
     const std::array<Vec3, 2> beside = across(axis, longest_way(region));
     // Far beyond what rounding in the tests could move.
