@@ -148,7 +148,11 @@ void BlockSearch::settle(LaneMask lanes, const RayBlock::Lanes<double>& until) {
             (leaf->single ? single : other) |= bit(lane);
         });
         lanes = single | other;
-        for_lanes(other, [&](std::size_t lane) { clip(boxes_[lane], lane); });
+        while (other != 0) {
+            const LaneMask next = on_leaf_of_first(other);
+            narrow(next);
+            other &= ~next;
+        }
         while (single != 0) {
             const LaneMask next = together(single);
             solve(next);
@@ -157,17 +161,22 @@ void BlockSearch::settle(LaneMask lanes, const RayBlock::Lanes<double>& until) {
     }
 }
 
+LaneMask BlockSearch::on_leaf_of_first(LaneMask lanes) const {
+    const std::uint32_t box = boxes_[first_lane(lanes)];
+    LaneMask same = 0;
+    for_lanes(lanes, [&](std::size_t lane) {
+        if (boxes_[lane] == box) same |= bit(lane);
+    });
+    return same;
+}
+
 LaneMask BlockSearch::together(LaneMask lanes) const {
     // So many gain more by sharing a leaf's coefficients than by having all others beside them; and
     // fewer than these do not fill a vector.
     constexpr int enough_on_a_leaf = 3, enough_apart = 4;
     LaneMask first = 0, alone = 0;
     for (LaneMask left = lanes; left != 0;) {
-        const std::uint32_t box = boxes_[first_lane(left)];
-        LaneMask same = 0;
-        for_lanes(left, [&](std::size_t lane) {
-            if (boxes_[lane] == box) same |= bit(lane);
-        });
+        const LaneMask same = on_leaf_of_first(left);
         if (has_lanes(same, enough_on_a_leaf)) return same;
         if (first == 0) first = same;
         alone |= same;
@@ -198,6 +207,19 @@ void BlockSearch::find_single_roots(LaneMask lanes) {
 
 void BlockSearch::solve(LaneMask lanes) {
     find_single_roots(lanes);
+    accept_roots();
+}
+
+void BlockSearch::narrow(LaneMask lanes) {
+    const std::uint32_t box = boxes_[first_lane(lanes)];
+    const TracedModel& model = scene_->model;
+    const HotLeaf& hot = model.hot[box];
+    if (!hot.regular) return for_lanes(lanes, [&](std::size_t lane) { clip(box, lane); });
+    scene_->kernels.narrow(block_, lanes, hot, &model.leaves.polynomials[hot.polynomial], roots_);
+    accept_roots();
+}
+
+void BlockSearch::accept_roots() {
     const LaneMask failed = roots_.failed;
     for_lanes(roots_.found, [&](std::size_t lane) {
         accept(lane, {.t = block_.t_at(lane, roots_.s[lane]),
@@ -210,9 +232,8 @@ void BlockSearch::solve(LaneMask lanes) {
 
 void BlockSearch::clip(std::uint32_t box, std::size_t lane) {
     clipped_.clear();
-    const bool proved =
-        scene_->model.hot[box].regular &&
-        narrowed_roots(scene_->model, scene_->kernels, box, block_.ray(lane), clipped_);
+    const bool proved = scene_->model.hot[box].regular &&
+                        narrowed_roots(scene_->model, scene_->kernels, box, block_, lane, clipped_);
     if (!proved)
         clipped_roots(scene_->model, box, block_.ray(lane), scene_->clipping_only, clipped_);
     for (const Crossing& c : clipped_) accept(lane, c);

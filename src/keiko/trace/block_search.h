@@ -48,9 +48,14 @@ private:
     void settle(LaneMask lanes, const RayBlock::Lanes<double>& until);
     /// Lanes that are best solved together: several on one leaf, else all that are left.
     LaneMask together(LaneMask lanes) const;
+    LaneMask on_leaf_of_first(LaneMask lanes) const;
     /// Each lane's single root on the leaf in boxes_.
     void solve(LaneMask lanes);
     void find_single_roots(LaneMask lanes);
+    /// Each lane's roots on the leaf in boxes_, the same for all, of which the look says nothing.
+    void narrow(LaneMask lanes);
+    /// What roots_ has of each lane; lanes that failed are clipped.
+    void accept_roots();
     void clip(std::uint32_t box, std::size_t lane);
     bool counts(std::size_t lane, Crossing& crossing) const;
     void accept(std::size_t lane, Crossing crossing);

@@ -8,10 +8,11 @@
 #include <hwy/foreach_target.h>
 
 // Then what is made for the one in hand.
+#include "keiko/trace/box_search-inl.h"
 #include "keiko/trace/hit_jets-inl.h"
-#include "keiko/trace/krawczyk-inl.h"
 #include "keiko/trace/newton-inl.h"
 #include "keiko/trace/patch_jet-inl.h"
+#include "keiko/trace/ray_boxes-inl.h"
 #include "keiko/trace/ray_entry-inl.h"
 
 // Every multiply-add of the kernels is MulAdd, fused on some targets only: the bounds hold both
@@ -74,6 +75,7 @@ LeafKernels kernels() {
             solve,
             solve_single,
             solve_apart,
+            narrow,
             find_roots,
             evaluate,
             evaluate_hits};

@@ -20,21 +20,13 @@ struct LeafLook {
 /// The roots of rays that have at most one on a leaf.
 struct LeafRoots {
     LaneMask found = 0;
-    LaneMask failed = 0; ///< rounding was in the way
+    LaneMask failed = 0; ///< nothing is known, as where rounding was in the way
     /// By lane of `found`: place in the frame's square [-1, 1]^2, bound of the distance to the
     /// exact root in the larger of the two coordinates, distance along the ray.
     alignas(64) RayBlock::Lanes<double> x, y, error, s;
 };
 
 using Component4 = std::array<double, 4>;
-
-/// Two planes through a ray, as two functions of a leaf's homogeneous components: the ray meets
-/// the leaf where both vanish.
-struct PlanePair {
-    std::array<Component4, 2> weights{};
-    std::array<double, 2> bend{};  ///< bounds of |xx| + 2 |xy| + |yy| over the leaf
-    std::array<double, 2> noise{}; ///< bounds of the functions' errors
-};
 
 /// Roots of a ray on a leaf: places of its [-1, 1]^2 with bounds of their errors, as small as
 /// rounding lets them be. Each was the only one in a box; the same root may stand in two of them,
@@ -44,6 +36,7 @@ struct RootBoxes {
 
     std::size_t count = 0;
     alignas(64) std::array<double, capacity> x, y, half_x, half_y;
+    std::array<double, capacity> s; ///< mm along the ray
 };
 
 /// A homogeneous surface and its derivatives by its parameters.
@@ -69,9 +62,12 @@ struct LeafKernels {
     /// The same with a leaf for each lane, all of one array, and all leaves' coefficients.
     void (*solve_apart)(const RayBlock&, LaneMask, const RayBlock::Lanes<const HotLeaf*>&,
                         const Component4*, LeafRoots&);
-    /// All roots in a part of the leaf by Krawczyk's method in boxes, many side by side. False when
-    /// boxes stay undecided down to where only clipping helps, as near a tangency.
-    bool (*find_roots)(const PlanePair&, const HotLeaf&, const Component4*, const Box2& where,
+    /// Krawczyk's method in one box a lane, for rays that `look` leaves undecided on a leaf with
+    /// bounds: it fails where they may have several roots, or are next to a tangency.
+    void (*narrow)(const RayBlock&, LaneMask, const HotLeaf&, const Component4*, LeafRoots&);
+    /// All roots of a single lane by the same method in boxes, many side by side. False when boxes
+    /// stay undecided down to where only clipping helps, as near a tangency.
+    bool (*find_roots)(const RayBlock&, std::size_t lane, const HotLeaf&, const Component4*,
                        RootBoxes&);
     /// Of control points, to second order. Requires degrees of at least 1.
     HomogeneousJet (*evaluate)(const BezierPatchView&, const Vec2&);

@@ -1,26 +1,11 @@
 #include "keiko/trace/narrowed_roots.h"
 
-#include "keiko/trace/plane_pair.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 namespace keiko {
 namespace {
-
-/// The components at a place, by Horner's scheme.
-Component4 evaluate(const HotLeaf& leaf, const Component4* polynomial, double x, double y) {
-    Component4 total{};
-    const std::size_t columns = leaf.degree_v + 1u;
-    for (std::size_t i = leaf.degree_u + 1u; i-- > 0;)
-        for (std::size_t c = 0; c < 4; ++c) {
-            double row = 0;
-            for (std::size_t j = columns; j-- > 0;) row = row * y + polynomial[i * columns + j][c];
-            total[c] = total[c] * x + row;
-        }
-    return total;
-}
 
 enum class Likeness { apart, same, unclear };
 
@@ -57,23 +42,18 @@ std::optional<std::vector<std::size_t>> distinct(const RootBoxes& roots) {
 } // namespace
 
 bool narrowed_roots(const TracedModel& model, const LeafKernels& kernels, std::uint32_t placed,
-                    const TracedRay& ray, std::vector<Crossing>& found) {
+                    const RayBlock& rays, std::size_t lane, std::vector<Crossing>& found) {
     const HotLeaf& leaf = model.hot[placed];
     const Component4* polynomial = &model.leaves.polynomials[leaf.polynomial];
-    const FrameRay seen = frame_ray(ray, leaf);
-    const Box2 where = reachable(seen, leaf);
-    if (where.empty()) return true;
     RootBoxes roots;
-    if (!kernels.find_roots(seen.planes, leaf, polynomial, where, roots)) return false;
+    if (!kernels.find_roots(rays, lane, leaf, polynomial, roots)) return false;
     const auto kept = distinct(roots);
     if (!kept) return false;
-    for (const std::size_t i : *kept) {
-        const Component4 c = evaluate(leaf, polynomial, roots.x[i], roots.y[i]);
-        found.push_back({.t = ray.t_at(seen.s_at(Vec3(c[0], c[1], c[2]) / c[3])),
+    for (const std::size_t i : *kept)
+        found.push_back({.t = rays.t_at(lane, roots.s[i]),
                          .leaf = placed,
                          .uv = Vec2(roots.x[i] + 1, roots.y[i] + 1) * 0.5,
                          .error = Vec2(roots.half_x[i], roots.half_y[i]) * 0.5});
-    }
     return true;
 }
 
