@@ -30,7 +30,7 @@ bool CombIrradiance::overlap(const Wedge& a, const Wedge& b) {
     return std::abs(a.angle - b.angle) < a.half + b.half;
 }
 
-/// A point within an endless tube sees that lamp, if at all, in all directions.
+/// A point within an endless tube, beyond an end, has that lamp in all directions.
 CombIrradiance::Wedge CombIrradiance::wedge_of(int lamp) const {
     const double across = frame_.axis(lamp) - at_.y, distance = std::hypot(across, at_.z);
     const double half =
@@ -47,15 +47,14 @@ bool CombIrradiance::surely_apart() const {
     return std::abs(at_.z) * std::sqrt(1 - cosine * cosine) > frame_.radius() + aside * cosine;
 }
 
-/// Tubes whose wedges overlap that of the lamp. A tube that the point is within the extension of
-/// hides nothing: it ends before the point.
+/// Tubes whose wedges overlap that of the lamp.
 std::vector<HidingTube> CombIrradiance::hiding_tubes(int lamp) const {
     std::vector<HidingTube> hiding;
     if (!overlapping()) return hiding;
     const double sense = at_.z > 0 ? -1 : 1; // of `sideways` seen from either side of the plane
     const Wedge& own = wedges_[static_cast<std::size_t>(lamp)];
     for (const Wedge& other : wedges_)
-        if (&other != &own && other.distance > frame_.radius() && overlap(own, other))
+        if (&other != &own && overlap(own, other))
             hiding.push_back({other.distance, sense * (other.angle - own.angle)});
     return hiding;
 }

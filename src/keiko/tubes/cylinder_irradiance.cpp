@@ -62,10 +62,11 @@ void split_at_cut(Pieces& pieces, const TubeView& view, double x) {
     pieces.split_at(-height, view.n_sideways * view.distance);
 }
 
-/// At the half-planes that touch another tube.
+/// At the half-planes that touch another tube, if any do.
 void split_at_tangents(Pieces& pieces, const TubeView& view, const HidingTube& tube) {
-    const double half = std::asin(view.radius / tube.distance);
-    for (const double angle : {tube.angle - half, tube.angle + half})
+    const std::optional<double> half = tube.half_wedge(view.radius);
+    if (!half) return;
+    for (const double angle : {tube.angle - *half, tube.angle + *half})
         pieces.split_at(std::sin(angle), std::cos(angle));
 }
 

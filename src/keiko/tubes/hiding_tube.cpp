@@ -5,6 +5,11 @@
 
 namespace keiko {
 
+std::optional<double> HidingTube::half_wedge(double radius) const {
+    if (!(distance > radius)) return std::nullopt;
+    return std::asin(radius / distance);
+}
+
 std::vector<ParameterInterval> hidden_elevations(const TubeView& view,
                                                  std::span<const HidingTube> hiding, double psi,
                                                  double near) {
@@ -12,10 +17,10 @@ std::vector<ParameterInterval> hidden_elevations(const TubeView& view,
     for (const HidingTube& tube : hiding) {
         const double across = tube.distance * std::sin(psi - tube.angle);
         const double middle = tube.distance * std::cos(psi - tube.angle);
-        if (!(std::abs(across) < view.radius) || !(middle > 0)) continue;
+        if (!(std::abs(across) < view.radius)) continue;
         const double half = std::sqrt((view.radius - across) * (view.radius + across));
-        const double front = middle - half, back = middle + half;
-        if (!(front < near)) continue;
+        const double front = std::max(middle - half, 0.0), back = middle + half;
+        if (!(back > 0) || !(front < near)) continue;
         const double begin = view.x_a, end = view.x_a + view.length;
         hidden.push_back({std::min(std::atan2(begin, front), std::atan2(begin, back)),
                           std::max(std::atan2(end, front), std::atan2(end, back))});

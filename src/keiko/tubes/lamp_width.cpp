@@ -51,8 +51,9 @@ double LampWidth::lit(const SubAxis& axis, double begin, double end) const {
 std::vector<double> LampWidth::cuts() const {
     std::vector<double> cuts{-1, 1};
     for (const HidingTube& tube : hiding_) {
-        const double half = std::asin(view_.radius / tube.distance);
-        for (const double psi : {tube.angle - half, tube.angle + half})
+        const std::optional<double> half = tube.half_wedge(view_.radius);
+        if (!half) continue;
+        for (const double psi : {tube.angle - *half, tube.angle + *half})
             if (const double place = place_of(psi); std::abs(place) < 1) cuts.push_back(place);
     }
     std::sort(cuts.begin(), cuts.end());

@@ -95,6 +95,21 @@ TEST(CombIrradiance, IsWhatRaysMeetFromEitherSideAndBeyondTheEnds) {
     }
 }
 
+TEST(CombIrradiance, ALampHidesItsRowFromPointsBeforeItsEnd) {
+    const CPlaneFrame frame(close_row);
+    // The third lamp's axis ends 400 mm off the middle of the plane, at y = -75.
+    for (const Vec3& point : {Vec3(-405, -75, 300), Vec3(-420, -90, 320), Vec3(460, -60, 270)}) {
+        const Vec3 normal = Vec3(-point.x, 350, -40).normalized();
+        double alone = 0;
+        for (const TubeLamp& lamp : lamps_of(close_row))
+            alone += projected_solid_angle(lamp, point, normal);
+        const double by_rays = solid_angle_by_rays(frame, point, normal);
+        const double found = sum_of_row(frame, point, normal, TubeModel::cylinder);
+        EXPECT_NEAR(found, by_rays, 2e-3 * by_rays + 1e-5);
+        EXPECT_LT(found, 0.8 * alone);
+    }
+}
+
 TEST(CombIrradiance, LampsThatStandClearAddUp) {
     const CPlaneFrame frame(close_row);
     const Vec3 point(30, 100, -600), normal(0, 0, 1);
