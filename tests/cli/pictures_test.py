@@ -40,6 +40,20 @@ class Pictures(KeikoTest):
         for other in others:
             self.assertNotEqual(first, self.written("b.png", *other), other)
 
+    def test_penumbrae_of_all_three_kinds_differ(self):
+        self.write("scene.toml", 'format = "keiko-scene/1"\n'
+                                 f'[[model]]\nfile = "{HOOD}"\n'
+                                 '[ground]\nz = -300\n'
+                                 '[[c_plane]]\norigin = [0, -1500, 1500]\nu = [1200, 0, 0]\n'
+                                 'v = [0, 3000, 0]\nlamps = 3\ndiameter = 200\n'
+                                 '[camera]\neye = [-2000, -2500, 1500]\ntarget = [700, 0, 0]\n'
+                                 'size = [64, 36]\n')
+        kinds = "axis", "width", "exact"
+        for kind in kinds:
+            self.succeed("render", "scene.toml", "--shadows", "--penumbrae", kind, "--light-error",
+                         "0", "-o", f"{kind}.exr", "-q")
+        self.assertEqual(len({(self.folder / f"{kind}.exr").read_bytes() for kind in kinds}), 3)
+
     def test_a_view_may_stand_in_a_file(self):
         eye = 'format = "keiko-view/1"\neye = [-900, 0, 1200]\ntarget = [700, 0, 700]\n'
         (self.folder / "other").mkdir()

@@ -32,8 +32,8 @@ struct PictureOptions {
     double light_error = 2e-3;
     int max_depth = 3;        ///< mirror reflections followed along one ray
     double min_weight = 1e-3; ///< reflections that count less than this end the path
-    /// How tubes light bases past occluders: picture, or preview, whose shadows know no width of
-    /// lamps.
+    /// How tubes light bases past occluders: picture; automatic, as numbers have it; or preview,
+    /// whose shadows know no width of lamps.
     TubeModel tubes = TubeModel::picture;
 };
 

@@ -1,5 +1,7 @@
 #include "keiko/render/interpolated_light.h"
 
+#include "keiko/render/lit_point.h"
+#include "keiko/render/shadowed_rig.h"
 #include "keiko/render/shared_light.h"
 
 #include "tests/unit/render/stage.h"
@@ -85,6 +87,41 @@ TEST(InterpolatedLight, OfAxesIsHardlyOffByMoreThanAllowed) {
 // Each stair is a ramp of some pixels with a kink at either end.
 TEST(InterpolatedLight, OfTubesIsHardlyOffByMoreThanAllowed) {
     expect_hardly_off(Shaded(), TubeModel::picture, 0.3, 0.01);
+}
+
+// Thick tubes, whose penumbrae pictures weigh to 3e-3 of a lamp.
+TEST(InterpolatedLight, OfExactTubesIsWhatNumbersTell) {
+    Shaded shaded;
+    auto& row = std::get<CPlane>(shaded.stage.rig.sources[0]);
+    row.lamps = 2, row.diameter = 300;
+    const auto lux = [&](TubeModel tubes) {
+        return shaded
+            .render(
+                {.aovs = {Aov::illuminance}, .edge_samples = 1, .light_error = 0, .tubes = tubes})
+            .aovs.at(Aov::illuminance);
+    };
+    shaded.stage.camera.width = 96, shaded.stage.camera.height = 54;
+    const Image exact = lux(TubeModel::automatic), quick = lux(TubeModel::picture);
+    const ShadowedRig lights(shaded.stage.rig, &shaded.occluders, shaded.stage.tracer);
+    double farthest = 0;
+    for (int y = 20; y < 40; ++y)
+        for (int x = 30; x < 66; ++x) {
+            const Ray ray = shaded.stage.camera.ray(x + 0.5, y + 0.5);
+            const auto hit = shaded.stage.tracer.nearest(ray);
+            ASSERT_TRUE(hit);
+            const Vec3 side = hit->normal.dot(ray.direction) > 0 ? -hit->normal : hit->normal;
+            constexpr TubeModel asked = TubeModel::automatic;
+            const LitPoint lit(
+                shaded.stage.rig, hit->position, side, asked, lights.lights(),
+                lights.seen_from(hit->position, side, hit->root, lights.lights(), asked));
+            double told = 0;
+            for (const Rgb& light : lit.illuminance_by_light()) told += light.g;
+            EXPECT_NEAR(double{exact.pixel(x, y)[0]}, told, 1e-6 * told + 1e-9);
+            if (told > 0)
+                farthest = std::max(farthest, std::abs(double{quick.pixel(x, y)[0]} / told - 1));
+        }
+    EXPECT_GT(farthest, 5e-4);
+    EXPECT_LT(farthest, 0.05);
 }
 
 // Lobes are not linear over some pixels where what is seen of the lamps is: it is that which is
