@@ -1,6 +1,36 @@
 #include "keiko/spec/prepared_camera.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace keiko {
+namespace {
+
+template <std::size_t n>
+using Lanes = std::array<double, n>;
+/// The coordinates of vectors side by side.
+template <std::size_t n>
+using Vectors = std::array<Lanes<n>, 3>;
+
+template <std::size_t n>
+Vec3 at(const Vectors<n>& vectors, std::size_t i) {
+    return {vectors[0][i], vectors[1][i], vectors[2][i]};
+}
+
+/// How unit directions of vectors so long change where these change by d.
+template <std::size_t n>
+Vectors<n> changes(const Vectors<n>& direction, const Lanes<n>& length, const Vec3& d) {
+    Vectors<n> change;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double along = direction[0][i] * d.x + direction[1][i] * d.y + direction[2][i] * d.z;
+        for (unsigned k = 0; k < 3; ++k)
+            change[k][i] = (d[k] - direction[k][i] * along) / length[i];
+    }
+    return change;
+}
+
+} // namespace
 
 PreparedCamera::PreparedCamera(const Camera& camera)
     : projection_(camera.projection),
@@ -34,6 +64,39 @@ Ray PreparedCamera::ray_from_eye(const Vec3& offset) const {
             .differentials =
                 RayDifferentials{.direction_dx = of_unit(dx_), .direction_dy = of_unit(dy_)},
             .excluded = {}};
+}
+
+std::vector<Ray> PreparedCamera::rays(std::span<const Vec2> points) const {
+    std::vector<Ray> rays(points.size());
+    if (projection_ == Projection::orthographic) {
+        for (std::size_t i = 0; i < points.size(); ++i) rays[i] = ray(points[i].x, points[i].y);
+        return rays;
+    }
+    for (std::size_t first = 0; first < points.size(); first += side_by_side) {
+        const std::size_t count = std::min(side_by_side, points.size() - first);
+        put_rays_from_eye(points.subspan(first, count), std::span(rays).subspan(first, count));
+    }
+    return rays;
+}
+
+void PreparedCamera::put_rays_from_eye(std::span<const Vec2> points, std::span<Ray> rays) const {
+    Lanes<side_by_side> x{}, y{}, length;
+    for (std::size_t i = 0; i < points.size(); ++i) x[i] = points[i].x, y[i] = points[i].y;
+    Vectors<side_by_side> direction;
+    for (std::size_t i = 0; i < side_by_side; ++i) {
+        const double right = (x[i] - middle_.x) * pixel_size_;
+        const double up = (middle_.y - y[i]) * pixel_size_;
+        const Vec3 through = axes_.forward + (axes_.right * right + axes_.up * up);
+        length[i] = std::sqrt(through.length2()); // at least 1
+        for (unsigned k = 0; k < 3; ++k) direction[k][i] = through[k] / length[i];
+    }
+    const auto dx = changes(direction, length, dx_), dy = changes(direction, length, dy_);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        rays[i].origin = eye_;
+        rays[i].direction = at(direction, i);
+        RayDifferentials& d = rays[i].differentials.emplace();
+        d.direction_dx = at(dx, i), d.direction_dy = at(dy, i);
+    }
 }
 
 std::optional<Vec2> PreparedCamera::project(const Vec3& point) const {

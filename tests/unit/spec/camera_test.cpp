@@ -1,4 +1,4 @@
-#include "keiko/spec/camera.h"
+#include "keiko/spec/prepared_camera.h"
 
 #include <gtest/gtest.h>
 
@@ -47,6 +47,31 @@ TEST(Camera, FieldOfViewSpansThePictureHeight) {
     const Camera camera = perspective_camera();
     const double angle = angle_between(camera.ray(24, 0).direction, camera.ray(24, 30).direction);
     EXPECT_NEAR(angle * 180 / std::numbers::pi, 35, 1e-12);
+}
+
+TEST(Camera, RaysSideBySideHaveTheBitsOfEach) {
+    for (const Camera& camera : {perspective_camera(), orthographic_camera()}) {
+        const PreparedCamera prepared(camera);
+        for (std::size_t count = 0; count < 20; ++count) {
+            std::vector<Vec2> points;
+            for (std::size_t i = 0; i < count; ++i)
+                points.emplace_back(-3.5 + 2.7 * static_cast<double>(i),
+                                    31.5 - 1.9 * static_cast<double>(i));
+            const std::vector<Ray> rays = prepared.rays(points);
+            ASSERT_EQ(rays.size(), count);
+            for (std::size_t i = 0; i < count; ++i) {
+                const Ray ray = prepared.ray(points[i].x, points[i].y);
+                const RayDifferentials &a = *rays[i].differentials, &b = *ray.differentials;
+                EXPECT_EQ(rays[i].origin, ray.origin);
+                EXPECT_EQ(rays[i].direction, ray.direction);
+                EXPECT_EQ(rays[i].t_max, ray.t_max);
+                EXPECT_EQ(a.origin_dx, b.origin_dx);
+                EXPECT_EQ(a.origin_dy, b.origin_dy);
+                EXPECT_EQ(a.direction_dx, b.direction_dx);
+                EXPECT_EQ(a.direction_dy, b.direction_dy);
+            }
+        }
+    }
 }
 
 TEST(Camera, OrthographicRaysAreParallelAndSpanTheHeight) {
