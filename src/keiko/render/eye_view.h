@@ -1,11 +1,14 @@
 #pragma once
 
 #include "keiko/math/rgb.h"
+#include "keiko/render/hilbert_order.h"
 #include "keiko/render/lit_spot.h"
 #include "keiko/trace/hit.h"
 #include "keiko/trace/path_counts.h"
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace keiko {
@@ -13,7 +16,7 @@ namespace keiko {
 /// What one eye ray brings back.
 struct EyeSample {
     Rgb luminance;            ///< cd/m2
-    const Hit* hit = nullptr; ///< the first surface, of EyeView::hits; null: none
+    const Hit* hit = nullptr; ///< the first surface, of EyeView::hits; null: none, or not kept
     double cosine = 0;        ///< of the angle at which it is seen, 0 to 1
     double illuminance = 0;   ///< lx of direct light on it, where an AOV asks for it
     /// Where the first mirrored ray meets the nearest C-plane, mm; nothing where the body is in the
@@ -24,6 +27,7 @@ struct EyeSample {
     std::optional<std::uint32_t> mirrored_face;
     /// The image of the pixel that the first mirrored ray stands for is not smooth.
     bool torn = false;
+    bool covered = false;    ///< there is a first surface
     bool lit = false;        ///< it has spots, whose light comes later
     std::uint32_t paint = 0; ///< faces of one paint share this number
     PathCounts paths;        ///< of its hits, the mirrored rays' too
@@ -37,8 +41,10 @@ inline SurfacePlace place_of(const EyeSample& sample) {
 /// Eye rays through places of a grid, which are numbered row by row.
 struct EyeGrid {
     int width = 0, height = 0;
-    std::vector<Ray> rays;
-    std::vector<std::size_t> places; ///< of the rays; through others none meets the model
+    /// Those with rays, neighbours together; through others none meets the model.
+    std::vector<GridPlace> places;
+    /// The rays through some of them, in order.
+    std::function<std::vector<Ray>(std::span<const GridPlace> places)> rays;
 };
 
 /// What eye rays bring back without the light of lamps on bases and lobes, and where that falls.
@@ -47,9 +53,9 @@ struct EyeView {
     EyeView(EyeView&&) = default; // samples point into `hits`, which stay where they are
     EyeView& operator=(EyeView&&) = default;
 
-    std::vector<EyeSample> samples;       ///< one a ray or place, in order
-    std::vector<LitSpot> spots;           ///< that take such light; by depth, then by sample
-    std::vector<std::optional<Hit>> hits; ///< of the rays with the first surface
+    std::vector<EyeSample> samples;     ///< one a ray or place, in order
+    std::vector<LitSpot> spots;         ///< that take such light; by depth, then by sample
+    std::vector<std::vector<Hit>> hits; ///< first surfaces
 };
 
 /// The inner part of the view of a grid, `width` in a row, one place off on all sides.

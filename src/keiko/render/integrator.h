@@ -8,7 +8,6 @@
 #include "keiko/render/shaft_shadows.h"
 #include "keiko/trace/mirror_kernel.h"
 
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <vector>
@@ -32,8 +31,9 @@ public:
     EyeView view(std::vector<Ray> eye_rays) const;
     /// The same of the pixels of a grid: those with a ray see lamps by bent images of the pixel
     /// where neighbours tell how it is bent, the others see the background. In a medium all have
-    /// rays. Where nothing is refined, pixels at the grid's border show no reflections.
-    EyeView view(EyeGrid grid) const;
+    /// rays. Where nothing is refined, pixels at the grid's border show no reflections; where no
+    /// AOVs are asked for either, the view has no hits.
+    EyeView view(const EyeGrid& grid) const;
     /// What an eye ray brings back that meets nothing where there is no medium.
     EyeSample unseen() const;
     /// What all lamps and other lights bring to a spot.
@@ -91,22 +91,49 @@ private:
         const Incidence& incidence;
     };
 
+    /// The first mirrored rays of a grid's pixels, and what they meet.
+    struct Mirrors {
+        struct Way {
+            bool goes_on = false;
+            const Hit* hit = nullptr;
+            Rgb weight; ///< of its path
+        };
+
+        Mirrors(int width, int height) : grid(width, height), ways(grid.size()) {}
+
+        MirroredGrid grid;
+        std::vector<Way> ways;              ///< by place
+        std::vector<std::vector<Hit>> hits; ///< of the ways
+    };
+
+    Incidence incidence(const Ray& ray, const Hit& hit, int depth) const;
     /// Of rays of one depth, one after the other with nothing in between: each waits for roots and
     /// divisions, which overlap so.
-    std::vector<Incidence> incidences(std::span<const Ray> rays,
-                                      std::span<const std::optional<Hit>> hits, int depth) const;
+    std::vector<Incidence> incidences(std::span<const Ray> rays, const FirstHits& hits,
+                                      int depth) const;
 
-    /// What the lights see of the ways of the paths to what they meet; `depth`: reflections yet.
-    ShaftShadows shaft_shadows(std::span<const Ray> rays, std::span<const std::optional<Hit>> hits,
-                               int depth) const;
-    /// Follows rays of samples of a view; `grid`: whose places the samples are.
-    void follow(Wave wave, MirroredGrid* grid, EyeView& view) const;
-    /// Sets the mirrored rays of the samples of a grid.
-    static void fill(MirroredGrid& grid, std::initializer_list<const Wave*> waves,
-                     std::span<const EyeSample> samples);
-    /// The lamps that mirrored rays see; `grid`: of which they are.
-    std::vector<PixelMirror> mirrors_of(const Wave& wave, std::span<const std::optional<Hit>> hits,
-                                        const MirroredGrid* grid) const;
+    /// A ray's way to what it meets.
+    static Segment leg_of(const Ray& ray, const Hit* hit);
+    /// Whether what stands between lights and a medium is to be found.
+    bool casts_shafts() const { return scene_.rig.medium && scene_.occluders; }
+    /// The ways of rays to what they meet, where they cast shafts.
+    std::vector<Segment> legs_of(std::span<const Ray> rays, const FirstHits& hits) const;
+    std::vector<Segment> legs_of(const Mirrors& mirrors) const;
+    /// What the lights see of ways; `depth`: reflections yet.
+    ShaftShadows shaft_shadows(std::span<const Segment> legs, int depth) const;
+
+    /// What eye rays meet first through some places of a grid, and their mirrored ones.
+    void look(std::span<const GridPlace> places, std::span<const Ray> rays, Mirrors& mirrors,
+              EyeView& view) const;
+    static void set_rays(const Wave& wave, MirroredGrid& grid);
+    void find_ways(const Wave& mirrored, Mirrors& mirrors) const;
+    /// Adds what the first mirrored rays of a grid meet, row by row, as neighbours see lamps side
+    /// by side; what is left to follow.
+    Wave meet(const Mirrors& mirrors, EyeView& view) const;
+    Wave mirrored_again(std::span<const Path> paths, const Mirrors& mirrors) const;
+    /// Follows rays of samples of a view that were mirrored so often.
+    void follow(Wave wave, int depth, EyeView& view) const;
+    Wave meet(const Wave& wave, const FirstHits& hits, int depth, EyeView& view) const;
     /// Adds what a ray meets to the view; false where its mirror reflection does not count, else
     /// the path is that one's.
     bool advance(Path& path, const Met& met, int depth, const VisibleFrom& shafts,
@@ -127,7 +154,7 @@ private:
     MirrorKernel mirror_kernel_ = mirror_kernel();
     ShadowedRig lights_;
     TubeModel tubes_;
-    bool tells_illuminance_, refines_;
+    bool tells_illuminance_, refines_, keeps_hits_;
     std::vector<Paint> paints_;
     std::vector<std::uint32_t> paint_of_face_;
     std::vector<std::optional<ShadowPencil>> pencils_; ///< of rays from the eye

@@ -5,37 +5,45 @@ namespace keiko {
 MirroredGrid::MirroredGrid(int width, int height)
     : width_(static_cast<std::size_t>(width)),
       height_(static_cast<std::size_t>(height)),
-      rays_(width_ * height_),
-      numbers_(rays_.size()),
-      begins_(rays_.size()) {}
+      known_(width_ * height_),
+      numbers_(known_.size()),
+      begins_(known_.size()) {}
 
-void MirroredGrid::set(std::size_t place, const Ray& mirrored, const SurfacePlace& begin) {
-    rays_[place] = &mirrored;
-    if (mirrored.differentials) numbers_.set(place, mirrored);
-    begins_[place] = begin;
+void MirroredGrid::set(std::size_t place, const Ray& mirrored) {
+    known_[place] = mirrored.differentials ? Known::differentials : Known::line;
+    numbers_.set(place, mirrored);
 }
 
 void MirroredGrid::join() {
-    std::vector<const SurfacePlace*> places(rays_.size());
-    for (std::size_t i = 0; i < rays_.size(); ++i)
-        if (rays_[i] && rays_[i]->differentials) places[i] = &begins_[i];
+    std::vector<const SurfacePlace*> places(size());
+    for (std::size_t i = 0; i < size(); ++i)
+        if (known_[i] == Known::differentials) places[i] = &begins_[i];
     joins_ = SmoothJoins(static_cast<int>(width_), places);
 }
 
-bool MirroredGrid::at_border(std::size_t place) const {
-    const std::size_t x = place % width_, y = place / width_;
-    return x == 0 || y == 0 || x + 1 == width_ || y + 1 == height_;
+bool MirroredGrid::at_border(const GridPlace& place) const {
+    return place.x == 0 || place.y == 0 || place.x + 1 == static_cast<int>(width_) ||
+           place.y + 1 == static_cast<int>(height_);
 }
 
 bool MirroredGrid::is_amid(std::size_t place) const {
-    return !at_border(place) && joins_.right(place) && joins_.down(place) &&
-           joins_.right(place - 1) && joins_.down(place - width_);
+    // The last of a row has no neighbour on its right, nor that of the last row below.
+    return place > width_ && joins_.right(place) && joins_.down(place) && joins_.right(place - 1) &&
+           joins_.down(place - width_);
+}
+
+Ray MirroredGrid::ray(std::size_t place) const {
+    Ray ray;
+    ray.origin = numbers_.vector(MirroredRays::origin, place);
+    ray.direction = numbers_.vector(MirroredRays::direction, place);
+    if (known_[place] == Known::differentials) ray.differentials = numbers_.differentials(place);
+    return ray;
 }
 
 std::optional<PixelRays> MirroredGrid::around(std::size_t place) const {
     if (!is_amid(place)) return {};
-    return PixelRays{*rays_[place], *rays_[place - 1], *rays_[place + 1], *rays_[place - width_],
-                     *rays_[place + width_]};
+    return PixelRays{ray(place), ray(place - 1), ray(place + 1), ray(place - width_),
+                     ray(place + width_)};
 }
 
 } // namespace keiko

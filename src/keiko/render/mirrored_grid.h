@@ -1,40 +1,46 @@
 #pragma once
 
+#include "keiko/render/hilbert_order.h"
 #include "keiko/render/mirrored_pixel.h"
 #include "keiko/render/mirrored_rays.h"
 #include "keiko/render/smooth_joins.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace keiko {
 
-/// The mirrored rays of a grid of eye rays and where they begin. All are set before any is asked
-/// for.
+/// The mirrored rays of a grid of eye rays, which go on for ever, and where they begin. All are set
+/// before any is asked for.
 class MirroredGrid {
 public:
     /// In pixels.
     MirroredGrid(int width, int height);
 
-    std::size_t size() const { return rays_.size(); }
-    /// Keeps the mirrored ray of a place, which is only looked at, and where it begins.
-    void set(std::size_t place, const Ray& mirrored, const SurfacePlace& begin);
+    std::size_t size() const { return known_.size(); }
+    /// Where the mirrored ray of a place begins.
+    void set_begin(std::size_t place, const SurfacePlace& begin) { begins_[place] = begin; }
+    /// The mirrored ray of a place.
+    void set(std::size_t place, const Ray& mirrored);
     /// Finds out which neighbours show one surface.
     void join();
+    /// As it was set, without its `excluded`.
+    Ray ray(std::size_t place) const;
     /// Nothing beside the grid's border and where the neighbours show something else.
     std::optional<PixelRays> around(std::size_t place) const;
     /// Whether there are such.
     bool is_amid(std::size_t place) const;
-    bool at_border(std::size_t place) const;
-    /// At least as many as places at the border.
-    std::size_t most_at_border() const { return 2 * (width_ + height_); }
+    bool at_border(const GridPlace& place) const;
     std::size_t width() const { return width_; }
-    /// The rays with differentials.
     const MirroredRays& rays() const { return numbers_; }
 
 private:
+    /// What is known of a place's ray.
+    enum class Known : std::uint8_t { nothing, line, differentials };
+
     std::size_t width_, height_;
-    std::vector<const Ray*> rays_;
+    std::vector<Known> known_;
     MirroredRays numbers_;
     std::vector<SurfacePlace> begins_;
     SmoothJoins joins_;

@@ -9,10 +9,9 @@
 namespace keiko {
 
 /// The mirrored rays of a pixel's centre and of its neighbours', all with differentials and on one
-/// smooth surface; only looked at.
+/// smooth surface.
 struct PixelRays {
-    const Ray& centre;
-    const Ray &left, &right, &above, &below;
+    Ray centre, left, right, above, below;
 };
 
 /// The mirrored ray of a part of a pixel.

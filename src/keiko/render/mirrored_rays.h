@@ -8,8 +8,8 @@
 
 namespace keiko {
 
-/// Rays with differentials as arrays of their numbers, so that neighbouring ones are read side by
-/// side: origin, direction, and how they change with the picture's x and y.
+/// Rays as arrays of their numbers, so that neighbouring ones are read side by side: origin,
+/// direction, and how they change with the picture's x and y.
 class MirroredRays {
 public:
     static constexpr std::size_t numbers = 18;
@@ -21,16 +21,25 @@ public:
     explicit MirroredRays(std::size_t count)
         : stride_(count + margin), values_(numbers * stride_) {}
 
-    /// `ray`: has differentials.
     void set(std::size_t place, const Ray& ray) {
-        const RayDifferentials& d = *ray.differentials;
         put(place, origin, ray.origin), put(place, direction, ray.direction);
+        if (!ray.differentials) return;
+        const RayDifferentials& d = *ray.differentials;
         put(place, origin_dx, d.origin_dx), put(place, origin_dy, d.origin_dy);
         put(place, direction_dx, d.direction_dx), put(place, direction_dy, d.direction_dy);
     }
     /// One of the numbers, for the rays from a place on; a vector may be read past the last.
     const double* at(std::size_t number, std::size_t place) const {
         return values_.data() + number * stride_ + place;
+    }
+    /// Three numbers from one on.
+    Vec3 vector(std::size_t number, std::size_t place) const {
+        return {*at(number, place), *at(number + 1, place), *at(number + 2, place)};
+    }
+    /// Of a ray that was set with differentials.
+    RayDifferentials differentials(std::size_t place) const {
+        return {vector(origin_dx, place), vector(origin_dy, place), vector(direction_dx, place),
+                vector(direction_dy, place)};
     }
 
 private:

@@ -23,14 +23,13 @@ MirroredStripes::MirroredStripes(const RigPlanes& planes, const MirroredGrid& gr
       first_(std::numeric_limits<std::size_t>::max()),
       looks_(planes.planes().size()) {}
 
-void MirroredStripes::find(std::size_t place, const Ray& centre, double t_max,
-                           PixelMirror& mirror) {
+void MirroredStripes::find(std::size_t place, double t_max, PixelMirror& mirror) {
     if (is_plain_ || !grid_.is_amid(place)) {
-        mirror = plainly({place, 0, centre, t_max});
+        mirror = plainly({place, 0, t_max});
         return;
     }
     if (place < first_ || place - first_ >= StripeLooks::capacity) look(place);
-    const Pixel pixel{place, place - first_, centre, t_max};
+    const Pixel pixel{place, place - first_, t_max};
     const std::size_t number = nearest(pixel.lane);
     if (number == looks_.size()) return;
     set_hit(number, pixel, mirror.plane.emplace());
@@ -38,9 +37,9 @@ void MirroredStripes::find(std::size_t place, const Ray& centre, double t_max,
     if (dark && !tells_torn_) return;
     const StripeLooks& seen = looks_[number];
     const bool bounded = has_lane(seen.bounded, pixel.lane);
-    mirror.torn =
-        tells_torn_ && (!bounded || // the plane's horizon
-                        is_torn(seen.misfit[pixel.lane], *mirror.plane, *centre.differentials));
+    mirror.torn = tells_torn_ && (!bounded || // the plane's horizon
+                                  is_torn(seen.misfit[pixel.lane], *mirror.plane,
+                                          grid_.rays().differentials(place)));
     if (dark) return;
     const bool bent = bounded && !(seen.bend[pixel.lane] <= straight_image);
     const int parts = bent ? parts_of_bend(seen.bend[pixel.lane]) : 1;
@@ -48,7 +47,8 @@ void MirroredStripes::find(std::size_t place, const Ray& centre, double t_max,
 }
 
 PixelMirror MirroredStripes::plainly(const Pixel& pixel) const {
-    return mirror_of(planes_, pixel.centre, grid_.around(pixel.place), pixel.t_max, tells_torn_);
+    return mirror_of(planes_, grid_.ray(pixel.place), grid_.around(pixel.place), pixel.t_max,
+                     tells_torn_);
 }
 
 void MirroredStripes::look(std::size_t place) {
@@ -85,7 +85,8 @@ void MirroredStripes::set_hit(std::size_t number, const Pixel& pixel, RigPlaneHi
     hit.frame = &plane.frame;
     hit.at.t = looks.t[pixel.lane];
     hit.at.u = looks.u[pixel.lane], hit.at.v = looks.v[pixel.lane];
-    hit.at.direction = plane.frame.vector(pixel.centre.direction);
+    hit.at.direction =
+        plane.frame.vector(grid_.rays().vector(MirroredRays::direction, pixel.place));
 }
 
 bool MirroredStripes::find_lamps(const Pixel& pixel, int parts, MirroredLight& light) const {

@@ -16,14 +16,13 @@ public:
     MirroredStripes(const RigPlanes& planes, const MirroredGrid& grid, const StripeKernels& kernels,
                     bool tells_torn);
 
-    /// Of the place with the mirrored ray `centre`; put into `mirror`, which is blank.
-    void find(std::size_t place, const Ray& centre, double t_max, PixelMirror& mirror);
+    /// Of the place's mirrored ray up to `t_max`; put into `mirror`, which is blank.
+    void find(std::size_t place, double t_max, PixelMirror& mirror);
 
 private:
     /// One pixel among those looked at.
     struct Pixel {
         std::size_t place, lane;
-        const Ray& centre;
         double t_max;
     };
     PixelMirror plainly(const Pixel& pixel) const;

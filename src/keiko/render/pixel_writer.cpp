@@ -42,6 +42,7 @@ struct ShownLight {
 void write_light(Film& film, int x, int y, const ShownLight& seen) {
     put(film.color, x, y, {seen.color.r, seen.color.g, seen.color.b});
     put(film.alpha, x, y, {seen.covered});
+    if (film.aovs.empty()) return;
     if (const auto layer = film.aovs.find(Aov::luminance); layer != film.aovs.end())
         put(layer->second, x, y, {luminance(seen.color)});
     if (const auto layer = film.aovs.find(Aov::illuminance); layer != film.aovs.end())
@@ -96,7 +97,7 @@ Film blank_film(int width, int height, std::span<const Aov> aovs) {
 }
 
 void write_pixel(Film& film, int x, int y, const EyeSample& sample) {
-    write_light(film, x, y, {sample.luminance, sample.hit ? 1.0 : 0.0, sample.illuminance});
+    write_light(film, x, y, {sample.luminance, sample.covered ? 1.0 : 0.0, sample.illuminance});
     if (!sample.hit) return;
     for (auto& [aov, image] : film.aovs) write_aov(aov, image, x, y, sample);
 }
@@ -108,7 +109,7 @@ void write_mean(Film& film, int x, int y, std::span<const EyeSample> samples,
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const double share = shares[i];
         sum.color += samples[i].luminance * share;
-        sum.covered += samples[i].hit ? share : 0;
+        sum.covered += samples[i].covered ? share : 0;
         sum.illuminance += samples[i].illuminance * share;
         all += share;
     }

@@ -56,30 +56,41 @@ PictureRays rays_of(const PictureScene& scene, const Camera& camera) {
 EyeGrid grid_of(const PictureRays& eye, const Tile& tile) {
     const Tile bordered{tile.x0 - 1, tile.y0 - 1, tile.x1 + 1, tile.y1 + 1};
     EyeGrid grid{bordered.x1 - bordered.x0, bordered.y1 - bordered.y0, {}, {}};
-    const auto size = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
-    grid.rays.reserve(size), grid.places.reserve(size);
-    for (const GridPlace& place : hilbert_order(grid.width, grid.height)) {
-        const int x = bordered.x0 + place.x, y = bordered.y0 + place.y;
-        if (!eye.may_meet(x, y)) continue;
-        grid.rays.push_back(eye.camera.ray(x + 0.5, y + 0.5));
-        grid.places.push_back(place.number);
-    }
+    const auto& order = hilbert_order(grid.width, grid.height);
+    grid.places.reserve(order.size());
+    for (const GridPlace& place : order)
+        if (eye.may_meet(bordered.x0 + place.x, bordered.y0 + place.y))
+            grid.places.push_back(place);
+    grid.rays = [&eye, bordered](std::span<const GridPlace> places) {
+        std::vector<Vec2> points;
+        points.reserve(places.size());
+        for (const GridPlace& place : places)
+            points.emplace_back(bordered.x0 + place.x + 0.5, bordered.y0 + place.y + 0.5);
+        return eye.camera.rays(points);
+    };
     return grid;
 }
 
-PathCounts paths_of(std::span<const EyeSample> samples) {
-    PathCounts counts;
-    for (const EyeSample& sample : samples) counts += sample.paths;
-    return counts;
-}
-
-/// One ray a pixel, those of pixels `in_parts` without the light of spots.
+/// One ray a pixel, those of pixels `in_parts` without the light of spots. The view is one pixel
+/// wider.
 PathCounts render_centres(const Integrator& integrator, const Tile& tile, double light_error,
                           const std::vector<bool>& in_parts, EyeView view, Film& film) {
-    add_interpolated_light(integrator, tile.x1 - tile.x0, in_parts, light_error, view);
-    auto sample = view.samples.begin();
-    for_each_pixel(tile, [&](int x, int y) { write_pixel(film, x, y, *sample++); });
-    return paths_of(view.samples);
+    const int width = tile.x1 - tile.x0;
+    int border = 1;
+    if (!view.spots.empty()) {
+        view = without_border(std::move(view), width + 2);
+        border = 0;
+        add_interpolated_light(integrator, width, in_parts, light_error, view);
+    }
+    PathCounts paths;
+    for_each_pixel(tile, [&](int x, int y) {
+        const int row = y - tile.y0 + border, column = x - tile.x0 + border;
+        const EyeSample& sample =
+            view.samples[static_cast<std::size_t>(row * (width + 2 * border) + column)];
+        paths += sample.paths;
+        write_pixel(film, x, y, sample);
+    });
+    return paths;
 }
 
 /// The pixels of a tile that may hold outlines, with what their centres show unless they are torn.
@@ -127,21 +138,21 @@ RefinedPixels refine_outlines(const Integrator& integrator, const PictureRays& e
 /// Neighbours beyond the tile tell where outlines are and how the images of pixels are bent.
 PathCounts render_tile(const Integrator& integrator, const PictureRays& eye, const Tile& tile,
                        const PictureOptions& options, Film& film) {
-    EyeGrid grid = grid_of(eye, tile);
-    if (grid.rays.empty()) {
+    const EyeGrid grid = grid_of(eye, tile);
+    if (grid.places.empty()) {
         for_each_pixel(tile, [&, unseen = integrator.unseen()](int x, int y) {
             write_pixel(film, x, y, unseen);
         });
         return {};
     }
-    EyeView view = integrator.view(std::move(grid));
+    EyeView view = integrator.view(grid);
     RefinedPixels refined = refine_outlines(integrator, eye, tile, options.edge_samples, view);
     add_shared_light(integrator, tile.x1 - tile.x0, options.light_error, refined);
     const int width = tile.x1 - tile.x0;
     std::vector<bool> in_parts(static_cast<std::size_t>(width * (tile.y1 - tile.y0)));
     for (const PixelPart& part : refined.parts) in_parts[part.pixel] = true;
-    PathCounts paths = render_centres(integrator, tile, options.light_error, in_parts,
-                                      without_border(std::move(view), width + 2), film);
+    PathCounts paths =
+        render_centres(integrator, tile, options.light_error, in_parts, std::move(view), film);
     write_parts(refined, tile, film);
     paths += refined.paths;
     return paths;

@@ -132,9 +132,9 @@ Hit Tracer::evaluate(const Crossing& crossing) const {
     return scene_->evaluate(crossing);
 }
 
-std::vector<std::optional<Hit>> Tracer::nearest(std::span<const Ray> rays) const {
-    const std::vector<Crossing> crossings = nearest_crossings(rays);
-    std::vector<std::optional<Hit>> hits(rays.size());
+template <class Slot, class Replace>
+void Tracer::evaluate(std::span<const Ray> rays, std::span<const Crossing> crossings,
+                      const Slot& slot, const Replace& replace) const {
     std::vector<Ray> in_seams;
     HitEvaluation evaluation = scene_->evaluation();
     constexpr std::size_t ahead = HitBlock::capacity;
@@ -144,14 +144,40 @@ std::vector<std::optional<Hit>> Tracer::nearest(std::span<const Ray> rays) const
         if (has(crossings[i].flags, HitFlags::seam))
             in_seams.push_back(rays[i]);
         else if (crossings[i])
-            evaluation.add(crossings[i], hits[i].emplace());
+            evaluation.add(crossings[i], slot(i));
     }
     evaluation.finish();
     std::vector<std::vector<Hit>> all_there = all(in_seams);
     auto next = all_there.begin();
     for (std::size_t i = 0; i < rays.size() && next != all_there.end(); ++i)
-        if (has(crossings[i].flags, HitFlags::seam)) hits[i] = first_of(std::move(*next++));
+        if (has(crossings[i].flags, HitFlags::seam)) replace(i, first_of(std::move(*next++)));
+}
+
+std::vector<std::optional<Hit>> Tracer::nearest(std::span<const Ray> rays) const {
+    std::vector<std::optional<Hit>> hits(rays.size());
+    evaluate(
+        rays, nearest_crossings(rays), [&](std::size_t i) -> Hit& { return hits[i].emplace(); },
+        [&](std::size_t i, std::optional<Hit> hit) { hits[i] = std::move(hit); });
     return hits;
+}
+
+FirstHits Tracer::first_hits(std::span<const Ray> rays) const {
+    const std::vector<Crossing> crossings = nearest_crossings(rays);
+    FirstHits found;
+    found.of_ray.reserve(rays.size());
+    std::uint32_t count = 0;
+    for (const Crossing& crossing : crossings)
+        found.of_ray.push_back(crossing ? count++ : no_index);
+    found.hits.resize(count);
+    evaluate(
+        rays, crossings, [&](std::size_t i) -> Hit& { return found.hits[found.of_ray[i]]; },
+        [&](std::size_t i, const std::optional<Hit>& hit) {
+            if (hit)
+                found.hits[found.of_ray[i]] = *hit;
+            else
+                found.of_ray[i] = no_index;
+        });
+    return found;
 }
 
 std::vector<bool> Tracer::any(std::span<const Ray> rays) const {

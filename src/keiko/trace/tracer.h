@@ -34,6 +34,17 @@ struct TracerStatistics {
     const char* instruction_set = ""; ///< that the kernels were chosen for
 };
 
+/// The first hits of many rays.
+struct FirstHits {
+    std::vector<Hit> hits;
+    std::vector<std::uint32_t> of_ray; ///< which of them each ray has; no_index: none
+
+    /// Null where a ray has none.
+    const Hit* operator[](std::size_t ray) const {
+        return of_ray[ray] == no_index ? nullptr : &hits[of_ray[ray]];
+    }
+};
+
 /// Finds where rays meet the trimmed surfaces of a model: sub-patches under Embree, on which roots
 /// are proved and found by Newton's method or, where that fails, by Bezier clipping (Nishita,
 /// Sederberg, Kakimoto 1990); trimmed by the exact p-curves. Immutable after construction; every
@@ -62,6 +73,7 @@ public:
 
     /// The same for many rays, one answer a ray, in order. Coherent rays should stand together.
     std::vector<std::optional<Hit>> nearest(std::span<const Ray> rays) const;
+    FirstHits first_hits(std::span<const Ray> rays) const; ///< nearest(), with less memory
     std::vector<bool> any(std::span<const Ray> rays) const;
     std::vector<std::vector<Hit>> all(std::span<const Ray> rays) const;
 
@@ -83,6 +95,12 @@ public:
 private:
     /// The hit at a ray's nearest crossing; within the band of a seam, the one that all() keeps.
     std::optional<Hit> hit_of(const Ray& ray, const Crossing& crossing) const;
+
+    /// The hits at the nearest crossings of rays: each written to `slot(ray)`, but where they are
+    /// within the band of a seam `replace(ray, hit)` gets the one that all() keeps, if it does.
+    template <class Slot, class Replace>
+    void evaluate(std::span<const Ray> rays, std::span<const Crossing> crossings, const Slot& slot,
+                  const Replace& replace) const;
 
     struct Scene;
     std::unique_ptr<Scene> scene_;

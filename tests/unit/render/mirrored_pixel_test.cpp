@@ -194,7 +194,10 @@ TEST(MirroredGrid, HasPixelsWhereFourNeighboursShowTheSame) {
     }
     const auto middle = [&] {
         MirroredGrid grid(3, 3);
-        for (std::size_t i = 0; i < 9; ++i) grid.set(i, rays[i], places[i]);
+        for (std::size_t i = 0; i < 9; ++i) {
+            grid.set_begin(i, places[i]);
+            grid.set(i, rays[i]);
+        }
         grid.join();
         EXPECT_FALSE(grid.around(0));
         EXPECT_FALSE(grid.around(8));
@@ -205,4 +208,24 @@ TEST(MirroredGrid, HasPixelsWhereFourNeighboursShowTheSame) {
     EXPECT_TRUE(middle());
     rays[1].differentials.reset();
     EXPECT_FALSE(middle());
+}
+
+TEST(MirroredGrid, KeepsRaysToTheBit) {
+    const Stage stage(dome());
+    MirroredGrid grid(2, 1);
+    const Ray ray = mirrored(stage, 47, 26, 1);
+    Ray line = ray;
+    line.differentials.reset();
+    grid.set(0, ray), grid.set(1, line);
+    for (const std::size_t place : {0, 1}) {
+        EXPECT_EQ(grid.ray(place).origin, ray.origin);
+        EXPECT_EQ(grid.ray(place).direction, ray.direction);
+    }
+    EXPECT_FALSE(grid.ray(1).differentials);
+    const RayDifferentials is = grid.ray(0).differentials.value();
+    const RayDifferentials& was = *ray.differentials;
+    EXPECT_EQ(is.origin_dx, was.origin_dx);
+    EXPECT_EQ(is.origin_dy, was.origin_dy);
+    EXPECT_EQ(is.direction_dx, was.direction_dx);
+    EXPECT_EQ(is.direction_dy, was.direction_dy);
 }

@@ -35,7 +35,8 @@ public:
             const auto hit = stage.tracer.nearest(eye);
             if (!hit) continue;
             rays[i] = mirror_ray(eye, *hit);
-            grid.set(i, *rays[i], {hit->position, hit->normal, 0});
+            grid.set_begin(i, {hit->position, hit->normal, 0});
+            grid.set(i, *rays[i]);
         }
         grid.join();
     }
@@ -120,7 +121,7 @@ void compare(const RigPlanes& planes, const PictureGrid& picture, bool tells_tor
         const Ray& ray = *picture.rays[i];
         const PixelMirror plain = mirror_of(planes, ray, picture.grid.around(i), t_max, tells_torn);
         PixelMirror is;
-        stripes.find(i, ray, t_max, is);
+        stripes.find(i, t_max, is);
         ASSERT_NO_FATAL_FAILURE(expect_same(is, plain)) << "place " << i;
         kinds.count(plain, picture.grid.is_amid(i));
     }
@@ -192,11 +193,10 @@ TEST(MirroredStripes, HaveTheSameBitsInAnyCompany) {
     MirroredStripes in_order(planes, picture.grid, kernels, true);
     for (std::size_t i = 0; i < picture.rays.size(); ++i) {
         if (!picture.rays[i]) continue;
-        const Ray& ray = *picture.rays[i];
         MirroredStripes alone(planes, picture.grid, kernels, true);
         PixelMirror a, b;
-        in_order.find(i, ray, ray.t_max, a);
-        alone.find(i, ray, ray.t_max, b);
+        in_order.find(i, infinity, a);
+        alone.find(i, infinity, b);
         EXPECT_EQ(a.lamps.coverage, b.lamps.coverage) << i;
         EXPECT_EQ(a.torn, b.torn) << i;
         ASSERT_EQ(a.plane.has_value(), b.plane.has_value()) << i;

@@ -5,6 +5,7 @@
 #include "tests/support/model_builder.h"
 
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -48,16 +49,18 @@ private:
         return std::vector<Material>(count, material);
     }
     static EyeGrid from_above() {
-        EyeGrid grid{side, side, {}, {}};
+        EyeGrid grid{side, side, {}, rays_through};
         for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x) {
-                Ray ray;
-                ray.origin = {x * step, y * step, 1};
-                ray.direction = {0, 0, -1};
-                grid.places.push_back(grid.rays.size());
-                grid.rays.push_back(ray);
-            }
+            for (int x = 0; x < side; ++x) grid.places.push_back({x, y, grid.places.size()});
         return grid;
+    }
+    static std::vector<Ray> rays_through(std::span<const GridPlace> places) {
+        std::vector<Ray> rays(places.size());
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            rays[i].origin = {places[i].x * step, places[i].y * step, 1};
+            rays[i].direction = {0, 0, -1};
+        }
+        return rays;
     }
 
     SurfaceModel model_;

@@ -94,6 +94,20 @@ TEST_F(SameHits, OfASpanAndOfSingleRays) {
     EXPECT_GT(hits, rays_.size());
 }
 
+TEST_F(SameHits, WithNoRoomForRaysThatHaveNone) {
+    const FirstHits first = tracer_.first_hits(rays_);
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        ASSERT_EQ(first[i] != nullptr, nearest_[i].has_value()) << i;
+        if (!first[i]) continue;
+        ASSERT_TRUE(same_bits(*first[i], *nearest_[i])) << i;
+        ++hits;
+    }
+    EXPECT_EQ(first.hits.size(), hits);
+    EXPECT_GT(hits, rays_.size() / 4);
+    EXPECT_LT(hits, rays_.size());
+}
+
 TEST_F(SameHits, InAnyOrderOfTheRays) {
     std::vector<std::size_t> order(rays_.size());
     std::iota(order.begin(), order.end(), 0u);
