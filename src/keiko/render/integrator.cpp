@@ -84,6 +84,12 @@ void Integrator::note(Path& path, const Met& met, int depth, const VisibleFrom& 
     add_lamps(path, met, shafts, sample);
 }
 
+bool Integrator::only_mirrors() const {
+    return !refines_ && !tells_illuminance_ && !scene_.rig.medium &&
+           std::none_of(paints_.begin(), paints_.end(),
+                        [](const Paint& paint) { return paint.takes_light(); });
+}
+
 /// Whether light on a paint, beside what it mirrors, is seen or asked for.
 bool Integrator::takes_light(std::uint32_t paint, int depth) const {
     return paints_[paint].takes_light() || (depth == 0 && tells_illuminance_);

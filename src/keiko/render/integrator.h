@@ -34,6 +34,9 @@ public:
     /// rays. Where nothing is refined, pixels at the grid's border show no reflections; where no
     /// AOVs are asked for either, the view has no hits.
     EyeView view(const EyeGrid& grid) const;
+    /// Whether each pixel of a picture shows lamps in sharp mirrors and nothing else that takes
+    /// long to find, and no pixel is refined.
+    bool only_mirrors() const;
     /// What an eye ray brings back that meets nothing where there is no medium.
     EyeSample unseen() const;
     /// What all lamps and other lights bring to a spot.

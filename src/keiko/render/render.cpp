@@ -15,19 +15,21 @@
 namespace keiko {
 namespace {
 
-constexpr int tile_size = 32;
+/// Pixels a side of a tile. What is found around it is found for its neighbours again, so that
+/// larger ones cost less where nothing but that is to be done.
+constexpr int tile_size = 32, mirror_tile_size = 64;
 
 /// A square piece of the picture, rendered by one thread.
 struct Tile {
     int x0, y0, x1, y1;
 };
 
-std::vector<Tile> tiles_of(const Camera& camera) {
+std::vector<Tile> tiles_of(const Camera& camera, int size) {
     std::vector<Tile> tiles;
-    for (int y = 0; y < camera.height; y += tile_size)
-        for (int x = 0; x < camera.width; x += tile_size)
-            tiles.push_back({x, y, std::min(x + tile_size, camera.width),
-                             std::min(y + tile_size, camera.height)});
+    for (int y = 0; y < camera.height; y += size)
+        for (int x = 0; x < camera.width; x += size)
+            tiles.push_back(
+                {x, y, std::min(x + size, camera.width), std::min(y + size, camera.height)});
     return tiles;
 }
 
@@ -167,7 +169,8 @@ Film render(const PictureScene& scene, const Camera& camera, const PictureOption
     const Integrator integrator(scene, options, from_eye ? std::optional(camera.eye) : std::nullopt,
                                 job);
     const PictureRays eye = rays_of(scene, camera);
-    const std::vector<Tile> tiles = tiles_of(camera);
+    const std::vector<Tile> tiles =
+        tiles_of(camera, integrator.only_mirrors() ? mirror_tile_size : tile_size);
     std::vector<PathCounts> paths(tiles.size());
     parallel_for(tiles.size(), job, "render", [&](std::size_t i) {
         paths[i] = render_tile(integrator, eye, tiles[i], options, film);

@@ -100,6 +100,24 @@ TEST(Render, SameBytesForAnyThreadCount) {
     EXPECT_EQ(one.aovs.at(Aov::c_plane_uv).values, two.aovs.at(Aov::c_plane_uv).values);
 }
 
+// Tiles are larger where there is nothing but mirrors: where illuminance is asked for, they are
+// not.
+TEST(Render, MirrorsAloneShowTheSameInTilesOfAnySize) {
+    Stage stage(dome());
+    for (Material& material : stage.materials) material.diffuse = Rgb(0);
+    stage.camera.width = 201, stage.camera.height = 117;
+    for (const int max_depth : {0, 1, 3}) {
+        const PictureOptions alone{.aovs = {}, .edge_samples = 1, .max_depth = max_depth};
+        const PictureOptions lit{
+            .aovs = {Aov::illuminance}, .edge_samples = 1, .max_depth = max_depth};
+        const Film a = stage.render(alone), b = stage.render(lit);
+        EXPECT_EQ(a.color.values, b.color.values) << max_depth;
+        EXPECT_EQ(a.alpha.values, b.alpha.values) << max_depth;
+        EXPECT_GT(b.aovs.at(Aov::illuminance).pixel(100, 58)[0], 0);
+        EXPECT_EQ(mean_luminance(a, 60, 40, 140, 90) > 10, max_depth > 0);
+    }
+}
+
 TEST(Render, AovsTellOfTheFirstHit) {
     const Stage stage(flat_plate());
     const Film film =
