@@ -1,12 +1,24 @@
 #pragma once
 
+#include <sys/mman.h>
+
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <type_traits>
 #include <utility>
 
 namespace keiko {
+
+/// Has the kernel back what will be touched of a large piece of memory by few large pages, where it
+/// can: thousands of small ones each stop the thread that touches them first.
+inline void ask_for_large_pages(void* memory, std::size_t bytes) {
+    constexpr std::size_t page = std::size_t{2} << 20;
+    const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
+    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
+    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+}
 
 /// Memory of zeros, on pages that a large picture's threads touch first, each its own: clearing
 /// them in one thread takes longer than some pictures need. What is made without a value there is
@@ -23,8 +35,10 @@ struct ZeroedAllocator {
     explicit ZeroedAllocator(const ZeroedAllocator<U>&) {}
 
     T* allocate(std::size_t count) {
-        if (void* const memory = std::calloc(count, sizeof(T))) return static_cast<T*>(memory);
-        throw std::bad_alloc();
+        void* const memory = std::calloc(count, sizeof(T));
+        if (!memory) throw std::bad_alloc();
+        ask_for_large_pages(memory, count * sizeof(T));
+        return static_cast<T*>(memory);
     }
     void deallocate(T* memory, std::size_t) { std::free(memory); }
 
