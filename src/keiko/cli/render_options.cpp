@@ -189,9 +189,10 @@ void RenderArguments::add_light(CLI::App& command) {
         command
             .add_option(
                 "--penumbrae", penumbrae_,
-                "of tubes: width, weighed over all of each to 3e-3 of its light; exact, to 1e-4 as "
-                "keiko illuminance has it, some five times slower; or axis, cut along the axis "
-                "alone, sooner and off by up to some percent")
+                "of tubes: width, weighed over all of each, off by up to 2 % of its light behind "
+                "bars and boards; exact, as keiko illuminance has it with --light-error 0, up to "
+                "six times slower; or axis, cut along the axis alone, sooner and off by up to some "
+                "percent")
             ->check(CLI::IsMember({"axis", "width", "exact"}))
             ->needs("--shadows")
             ->capture_default_str());

@@ -43,7 +43,8 @@ public:
         foot_s_ = product(to_center, along);
         foot_ = in_frame(leaf, difference(scaled(along, foot_s_), to_center));
         direction_ = in_frame(leaf, along);
-        // The rounding of the foot point is that of the way there, and of the rows' turning it.
+        // The rounding of the foot point is that of the way there, and of the rows' turning it; for
+        // the way from there to a root, no longer than the leaf, its own blur has room.
         const V way = hn::Add(hn::Abs(foot_s_), hn::Sqrt(square(to_center)));
         blur_ = hn::Add(hn::Add(hn::Load(d_, rays.error.data() + lane), number(leaf.blur)),
                         hn::Mul(number(2 * ray_rounding), way));

@@ -12,7 +12,7 @@ struct LeafLook {
     LaneMask certain = 0;   ///< exactly one root on the leaf, and that on its patch
     LaneMask material = 0;  ///< of `certain`: the root is material
     LaneMask single = 0;    ///< at most one
-    LaneMask undecided = 0; ///< nothing: only clipping can tell
+    LaneMask undecided = 0; ///< nothing: boxes or clipping can tell
     /// Where the root is if there is one, for lanes of `certain` and `single`.
     alignas(64) RayBlock::Lanes<double> nearest, farthest;
 };

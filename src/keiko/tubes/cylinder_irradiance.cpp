@@ -62,12 +62,19 @@ void split_at_cut(Pieces& pieces, const TubeView& view, double x) {
     pieces.split_at(-height, view.n_sideways * view.distance);
 }
 
-/// At the half-planes that touch another tube, if any do.
-void split_at_tangents(Pieces& pieces, const TubeView& view, const HidingTube& tube) {
-    const std::optional<double> half = tube.half_wedge(view.radius);
-    if (!half) return;
-    for (const double angle : {tube.angle - *half, tube.angle + *half})
-        pieces.split_at(std::sin(angle), std::cos(angle));
+/// At the kinks of another tube, and ever closer to them where the point is so near to the endless
+/// tube's surface that its bends on either side are as sharp.
+void split_at_kinks(Pieces& pieces, const TubeView& view, const HidingTube& tube) {
+    constexpr double sharp = 0.25, farthest = 1;
+    const double share = view.radius / tube.distance;
+    const double bend = std::sqrt(std::abs(1 - share * share)); // radians, how wide it is
+    for (const double kink : tube.kinks(view.radius)) {
+        const auto split = [&](double psi) { pieces.split_at(std::sin(psi), std::cos(psi)); };
+        split(kink);
+        if (!(bend < sharp)) continue;
+        for (double off = std::max(bend, 1e-6); off < farthest; off *= 4)
+            split(kink - off), split(kink + off);
+    }
 }
 
 Pieces pieces_of(const TubeView& view, const VisiblePart& part,
@@ -76,7 +83,7 @@ Pieces pieces_of(const TubeView& view, const VisiblePart& part,
     pieces.split_at(-view.n_lamp, view.n_sideways);
     part.begins ? split_at_rim(pieces, view, part.begin) : split_at_cut(pieces, view, part.begin);
     part.ends ? split_at_rim(pieces, view, part.end) : split_at_cut(pieces, view, part.end);
-    for (const HidingTube& tube : hiding) split_at_tangents(pieces, view, tube);
+    for (const HidingTube& tube : hiding) split_at_kinks(pieces, view, tube);
     return pieces;
 }
 

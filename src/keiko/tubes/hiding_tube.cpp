@@ -5,9 +5,9 @@
 
 namespace keiko {
 
-std::optional<double> HidingTube::half_wedge(double radius) const {
-    if (!(distance > radius)) return std::nullopt;
-    return std::asin(radius / distance);
+std::array<double, 2> HidingTube::kinks(double radius) const {
+    const double half = std::asin(std::min(radius / distance, 1.0));
+    return {angle - half, angle + half};
 }
 
 std::vector<ParameterInterval> hidden_elevations(const TubeView& view,

@@ -2,7 +2,7 @@
 
 #include "keiko/tubes/tube_view.h"
 
-#include <optional>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -14,9 +14,10 @@ struct HidingTube {
     double distance = 0; ///< mm, of its axis from the point; within the radius beyond an end alone
     double angle = 0;    ///< radians, from the direction of the lamp's axis towards `sideways`
 
-    /// Half of the wedge that the endless tube of this radius takes, radians; nothing where the
-    /// point is within that: it takes all directions.
-    std::optional<double> half_wedge(double radius) const;
+    /// Wedge angles, radians, beside which what the tube hides bends most sharply: those of the
+    /// half-planes that touch it or, where the point is within its extension, of those across the
+    /// way to its axis.
+    std::array<double, 2> kinks(double radius) const;
 };
 
 /// Elevations towards the lamp's end b, radians, that tubes nearer than `near` mm take in the

@@ -50,12 +50,9 @@ double LampWidth::lit(const SubAxis& axis, double begin, double end) const {
 
 std::vector<double> LampWidth::cuts() const {
     std::vector<double> cuts{-1, 1};
-    for (const HidingTube& tube : hiding_) {
-        const std::optional<double> half = tube.half_wedge(view_.radius);
-        if (!half) continue;
-        for (const double psi : {tube.angle - *half, tube.angle + *half})
+    for (const HidingTube& tube : hiding_)
+        for (const double psi : tube.kinks(view_.radius))
             if (const double place = place_of(psi); std::abs(place) < 1) cuts.push_back(place);
-    }
     std::sort(cuts.begin(), cuts.end());
     return cuts;
 }

@@ -110,6 +110,24 @@ TEST(CombIrradiance, ALampHidesItsRowFromPointsBeforeItsEnd) {
     }
 }
 
+// From there on what the lamp hides bends as sharply as the point is close to its surface's
+// extension, on either side.
+TEST(CombIrradiance, ALampHidesItsRowFromPointsOnItsSurfacesExtension) {
+    CPlane plane = close_row;
+    plane.pitch = 105;
+    const CPlaneFrame frame(plane);
+    const Vec3 normal(0.2, 0.6, -0.77);
+    const auto from = [&](double distance) {
+        const Vec3 point(-410, frame.axis(2), plane.origin.z + distance);
+        return sum_of_row(frame, point, normal.normalized(), TubeModel::cylinder);
+    };
+    const Vec3 at(-410, frame.axis(2), plane.origin.z + 49.99);
+    const double by_rays = solid_angle_by_rays(frame, at, normal.normalized());
+    EXPECT_NEAR(from(49.99), by_rays, 2e-3 * by_rays);
+    for (const double off : {1e-1, 1e-2, 1e-3, 1e-5})
+        EXPECT_NEAR(from(50 - off), from(50 + off), 0.03 * std::sqrt(off) * from(50 + off)) << off;
+}
+
 TEST(CombIrradiance, LampsThatStandClearAddUp) {
     const CPlaneFrame frame(close_row);
     const Vec3 point(30, 100, -600), normal(0, 0, 1);
