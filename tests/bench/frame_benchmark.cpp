@@ -31,13 +31,27 @@ std::vector<Material> coats_alone(std::size_t faces) {
     return std::vector<Material>(faces, coat);
 }
 
-void add(Table& table, const std::string& what, const PictureScene& scene, const Camera& camera,
-         const PictureOptions& options, std::optional<double> wanted) {
-    tell("concept-car", what);
+struct Seconds {
+    double wall = 0, processor = 0;
+};
+
+Seconds seconds_of(const PictureScene& scene, const Camera& camera, const PictureOptions& options) {
     const double begin = seconds_on(CLOCK_MONOTONIC);
     const double processor = process_seconds([&] { render(scene, camera, options); });
-    const double wall = seconds_on(CLOCK_MONOTONIC) - begin;
-    table.rows.push_back({what, digits(wall), digits(processor), wanted ? digits(*wanted) : ""});
+    return {seconds_on(CLOCK_MONOTONIC) - begin, processor};
+}
+
+/// Of a picture that takes less than a second the soonest of several.
+void add(Table& table, const std::string& what, const PictureScene& scene, const Camera& camera,
+         const PictureOptions& options, std::optional<double> wanted) {
+    constexpr int times = 5;
+    tell("concept-car", what);
+    Seconds least = seconds_of(scene, camera, options);
+    for (int i = 1; i < times && least.wall < 1; ++i)
+        if (const Seconds next = seconds_of(scene, camera, options); next.wall < least.wall)
+            least = next;
+    table.rows.push_back(
+        {what, digits(least.wall), digits(least.processor), wanted ? digits(*wanted) : ""});
 }
 
 } // namespace
