@@ -2,6 +2,7 @@
 
 #include "tests/support/ray_class.h"
 #include "tests/unit/trace/random_surfaces.h"
+#include "tests/unit/trace/squares.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -106,6 +107,30 @@ TEST_F(SameHits, WithNoRoomForRaysThatHaveNone) {
     EXPECT_EQ(first.hits.size(), hits);
     EXPECT_GT(hits, rays_.size() / 4);
     EXPECT_LT(hits, rays_.size());
+}
+
+// There all hits of a ray tell which of them is the first.
+TEST(FirstHits, OfRaysThroughSeamsAreTheNearest) {
+    Random random(113);
+    constexpr double gap = 1e-2;
+    const Tracer tracer(squares(gap, 2 * gap, 0.2), {.second_derivatives = true});
+    std::vector<Ray> rays;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 target((i % 3 == 0 ? 500 : 1) * uniform(random, -2, 2) * gap,
+                          uniform(random, -11, 11), 0);
+        const Vec3 in(uniform(random, -5, 5), uniform(random, -1, 1), i % 2 == 0 ? -1 : 1);
+        rays.push_back(ray_through(target - in * 20, in));
+    }
+    const FirstHits first = tracer.first_hits(rays);
+    const std::vector<std::optional<Hit>> nearest = tracer.nearest(std::span<const Ray>(rays));
+    int in_seams = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        ASSERT_EQ(first[i] != nullptr, nearest[i].has_value()) << i;
+        if (!first[i]) continue;
+        ASSERT_TRUE(same_bits(*first[i], *nearest[i])) << i;
+        in_seams += has(first[i]->flags, HitFlags::seam) ? 1 : 0;
+    }
+    EXPECT_GT(in_seams, 100);
 }
 
 TEST_F(SameHits, InAnyOrderOfTheRays) {
