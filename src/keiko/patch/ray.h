@@ -1,11 +1,13 @@
 #pragma once
 
+#include "keiko/base/blank_allocator.h"
 #include "keiko/math/bounds.h"
 #include "keiko/math/ray_differentials.h"
 
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace keiko {
 
@@ -27,5 +29,8 @@ struct Ray {
 
     Vec3 at(double t) const { return origin + direction * t; }
 };
+
+/// Many of them.
+using Rays = std::vector<Ray, BlankAllocator<Ray>>;
 
 } // namespace keiko

@@ -11,7 +11,7 @@ std::size_t EyeProbes::PlaceHash::operator()(const Vec2& place) const {
 }
 
 std::vector<const EyeSample*> EyeProbes::at(std::span<const Vec2> places) {
-    std::vector<Ray> rays;
+    Rays rays;
     rays.reserve(places.size());
     for (const Vec2& place : places) {
         rays.push_back(camera_.ray(place.x, place.y));

@@ -44,7 +44,7 @@ struct EyeGrid {
     /// Those with rays, neighbours together; through others none meets the model.
     std::vector<GridPlace> places;
     /// The rays through some of them, in order.
-    std::function<std::vector<Ray>(std::span<const GridPlace> places)> rays;
+    std::function<Rays(std::span<const GridPlace> places)> rays;
 };
 
 /// What eye rays bring back without the light of lamps on bases and lobes, and where that falls.
@@ -53,9 +53,9 @@ struct EyeView {
     EyeView(EyeView&&) = default; // samples point into `hits`, which stay where they are
     EyeView& operator=(EyeView&&) = default;
 
-    std::vector<EyeSample> samples;     ///< one a ray or place, in order
-    std::vector<LitSpot> spots;         ///< that take such light; by depth, then by sample
-    std::vector<std::vector<Hit>> hits; ///< first surfaces
+    std::vector<EyeSample> samples; ///< one a ray or place, in order
+    std::vector<LitSpot> spots;     ///< that take such light; by depth, then by sample
+    std::vector<Hits> hits;         ///< first surfaces
 };
 
 /// The inner part of the view of a grid, `width` in a row, one place off on all sides.

@@ -12,6 +12,8 @@ namespace {
 /// Eye rays of a grid that are followed together up to what their mirrored ones meet: few enough
 /// for all that is known of them to stay near the processor, enough to fill its vectors.
 constexpr std::size_t rays_at_once = 256;
+/// What is written of places is fetched before, for they are strewn over more memory than that.
+constexpr std::size_t places_ahead = 8;
 
 /// Spots at most one of which is of each sample, of which there are so many.
 void sort_by_sample(std::span<LitSpot> spots, std::size_t samples) {
@@ -28,7 +30,7 @@ void sort_by_sample(std::span<LitSpot> spots, std::size_t samples) {
 
 } // namespace
 
-EyeView Integrator::view(std::vector<Ray> eye_rays) const {
+EyeView Integrator::view(Rays eye_rays) const {
     EyeView view;
     view.samples.resize(eye_rays.size());
     Wave wave;
@@ -62,6 +64,12 @@ EyeView Integrator::view(const EyeGrid& grid) const {
     return view;
 }
 
+void Integrator::announce(std::size_t place, const Mirrors& mirrors, const EyeView& view) {
+    prefetch(std::span(view.samples).subspan(place, 1));
+    prefetch(std::span(mirrors.ways).subspan(place, 1));
+    mirrors.grid.announce(place);
+}
+
 void Integrator::look(std::span<const GridPlace> places, std::span<const Ray> rays,
                       Mirrors& mirrors, EyeView& view) const {
     FirstHits hits = scene_.tracer.first_hits(rays);
@@ -73,15 +81,21 @@ void Integrator::look(std::span<const GridPlace> places, std::span<const Ray> ra
     mirrored.reserve(rays.size()), beside.reserve(rays.size());
     Mirroring mirroring(mirror_kernel_);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        Path path{places[i].number, Rgb(1)};
-        EyeSample& sample = view.samples[path.sample];
+        if (i + places_ahead < places.size())
+            announce(places[i + places_ahead].number, mirrors, view);
+        EyeSample& sample = view.samples[places[i].number];
         const Hit* hit = hits[i];
         sample.luminance = Rgb();
         if (keeps_hits_) sample.hit = hit;
-        if (!advance(path, {rays[i], hit, no_mirror, incidences[i]}, 0, shafts, view)) continue;
-        mirrors.grid.set_begin(path.sample, {hit->position, hit->normal, sample.paint});
         const bool ends = !refines_ && mirrors.grid.at_border(places[i]);
-        mirroring.add(rays[i], *hit, (ends ? beside : mirrored).add(path));
+        Wave& wave = ends ? beside : mirrored;
+        Path& path = wave.paths.emplace_back(Path{places[i].number, Rgb(1)});
+        if (!advance(path, {rays[i], hit, no_mirror, incidences[i]}, 0, shafts, view)) {
+            wave.paths.pop_back();
+            continue;
+        }
+        mirrors.grid.set_begin(path.sample, {hit->position, hit->normal, sample.paint});
+        mirroring.add(rays[i], *hit, wave.rays.emplace_back());
     }
     mirroring.finish();
     if (keeps_hits_) view.hits.push_back(std::move(hits.hits));
@@ -125,7 +139,7 @@ Integrator::Wave Integrator::mirrored_again(std::span<const Path> paths,
                                             const Mirrors& mirrors) const {
     Wave mirrored;
     mirrored.reserve(paths.size());
-    std::vector<Ray> incoming;
+    Rays incoming;
     incoming.reserve(paths.size());
     Mirroring mirroring(mirror_kernel_);
     for (const Path& path : paths)

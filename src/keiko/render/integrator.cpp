@@ -42,7 +42,7 @@ Segment Integrator::leg_of(const Ray& ray, const Hit* hit) {
 }
 
 EyeView Integrator::follow(std::span<const Ray> eye_rays) const {
-    EyeView view = this->view(std::vector<Ray>(eye_rays.begin(), eye_rays.end()));
+    EyeView view = this->view(Rays(eye_rays.begin(), eye_rays.end()));
     for (const LitSpot& spot : view.spots)
         add_light(spot, light_on(spot), view.samples[spot.sample]);
     return view;
@@ -79,7 +79,7 @@ void Integrator::note(Path& path, const Met& met, int depth, const VisibleFrom& 
         sample.paint = met.hit ? paint_of_face_[met.hit->face] : 0;
         return;
     }
-    if (depth == 1) note_mirrored(met, sample);
+    if (depth == 1 && keeps_hits_) note_mirrored(met, sample);
     sample.torn = sample.torn || met.mirror.torn;
     add_lamps(path, met, shafts, sample);
 }

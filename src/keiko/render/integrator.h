@@ -28,11 +28,11 @@ public:
     /// One sample a ray, in order, with all its light. Neighbouring rays should stand together.
     EyeView follow(std::span<const Ray> eye_rays) const;
     /// The same, but for the light of the spots.
-    EyeView view(std::vector<Ray> eye_rays) const;
+    EyeView view(Rays eye_rays) const;
     /// The same of the pixels of a grid: those with a ray see lamps by bent images of the pixel
     /// where neighbours tell how it is bent, the others see the background. In a medium all have
     /// rays. Where nothing is refined, pixels at the grid's border show no reflections; where no
-    /// AOVs are asked for either, the view has no hits.
+    /// AOVs are asked for either, the view has no hits, nor places that mirrored rays meet.
     EyeView view(const EyeGrid& grid) const;
     /// Whether each pixel of a picture shows lamps in sharp mirrors and nothing else that takes
     /// long to find, and no pixel is refined.
@@ -69,7 +69,7 @@ private:
 
     /// Rays under way, of the same depth, each with its path.
     struct Wave {
-        std::vector<Ray> rays;
+        Rays rays;
         std::vector<Path> paths;
 
         void reserve(std::size_t count) { rays.reserve(count), paths.reserve(count); }
@@ -105,8 +105,8 @@ private:
         Mirrors(int width, int height) : grid(width, height), ways(grid.size()) {}
 
         MirroredGrid grid;
-        std::vector<Way> ways;              ///< by place
-        std::vector<std::vector<Hit>> hits; ///< of the ways
+        std::vector<Way> ways;  ///< by place
+        std::vector<Hits> hits; ///< of the ways
     };
 
     Incidence incidence(const Ray& ray, const Hit& hit, int depth) const;
@@ -125,6 +125,8 @@ private:
     /// What the lights see of ways; `depth`: reflections yet.
     ShaftShadows shaft_shadows(std::span<const Segment> legs, int depth) const;
 
+    /// Fetches what look() soon writes of a place.
+    static void announce(std::size_t place, const Mirrors& mirrors, const EyeView& view);
     /// What eye rays meet first through some places of a grid, and their mirrored ones.
     void look(std::span<const GridPlace> places, std::span<const Ray> rays, Mirrors& mirrors,
               EyeView& view) const;

@@ -4,6 +4,7 @@
 #include "keiko/render/mirrored_pixel.h"
 #include "keiko/render/mirrored_rays.h"
 #include "keiko/render/smooth_joins.h"
+#include "keiko/trace/prefetch.h"
 
 #include <cstdint>
 #include <optional>
@@ -19,6 +20,8 @@ public:
     MirroredGrid(int width, int height);
 
     std::size_t size() const { return known_.size(); }
+    /// Fetches what set_begin() writes of a place.
+    void announce(std::size_t place) const { prefetch(std::span(begins_).subspan(place, 1)); }
     /// Where the mirrored ray of a place begins.
     void set_begin(std::size_t place, const SurfacePlace& begin) { begins_[place] = begin; }
     /// The mirrored ray of a place.

@@ -130,7 +130,7 @@ private:
 
     /// Sends the rays that the parts are seen by, and keeps the parts that show what they should.
     void shade(std::span<const SeenCell> whole, std::span<const CutCell> cuts) {
-        std::vector<Ray> rays;
+        Rays rays;
         rays.reserve(whole.size() + 2 * cuts.size());
         for (const SeenCell& seen : whole)
             if (!seen.cell.centre)
@@ -192,7 +192,7 @@ private:
     }
 
     void shade_strips() {
-        std::vector<Ray> rays;
+        Rays rays;
         rays.reserve(strips_.size());
         for (const Strip& strip : strips_) rays.push_back(ray_of(camera_, strip.part));
         parts_.open(integrator_.view(std::move(rays)));

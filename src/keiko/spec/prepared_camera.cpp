@@ -18,14 +18,15 @@ Vec3 at(const Vectors<n>& vectors, std::size_t i) {
     return {vectors[0][i], vectors[1][i], vectors[2][i]};
 }
 
-/// How unit directions of vectors so long change where these change by d.
+/// How unit directions change where the vectors of which they are, 1 / `per_length` long, change by
+/// d.
 template <std::size_t n>
-Vectors<n> changes(const Vectors<n>& direction, const Lanes<n>& length, const Vec3& d) {
+Vectors<n> changes(const Vectors<n>& direction, const Lanes<n>& per_length, const Vec3& d) {
     Vectors<n> change;
     for (std::size_t i = 0; i < n; ++i) {
         const double along = direction[0][i] * d.x + direction[1][i] * d.y + direction[2][i] * d.z;
         for (unsigned k = 0; k < 3; ++k)
-            change[k][i] = (d[k] - direction[k][i] * along) / length[i];
+            change[k][i] = (d[k] - direction[k][i] * along) * per_length[i];
     }
     return change;
 }
@@ -56,9 +57,11 @@ Ray PreparedCamera::parallel_ray(const Vec3& offset) const {
 
 Ray PreparedCamera::ray_from_eye(const Vec3& offset) const {
     const Vec3 through = axes_.forward + offset;
-    const double length = through.length();
-    const Vec3 direction = through / length;
-    const auto of_unit = [&](const Vec3& d) { return (d - direction * direction.dot(d)) / length; };
+    const double per_length = 1 / through.length(); // of at least 1
+    const Vec3 direction = through * per_length;
+    const auto of_unit = [&](const Vec3& d) {
+        return (d - direction * direction.dot(d)) * per_length;
+    };
     return {.origin = eye_,
             .direction = direction,
             .differentials =
@@ -66,8 +69,8 @@ Ray PreparedCamera::ray_from_eye(const Vec3& offset) const {
             .excluded = {}};
 }
 
-std::vector<Ray> PreparedCamera::rays(std::span<const Vec2> points) const {
-    std::vector<Ray> rays(points.size());
+Rays PreparedCamera::rays(std::span<const Vec2> points) const {
+    Rays rays(points.size());
     if (projection_ == Projection::orthographic) {
         for (std::size_t i = 0; i < points.size(); ++i) rays[i] = ray(points[i].x, points[i].y);
         return rays;
@@ -80,17 +83,17 @@ std::vector<Ray> PreparedCamera::rays(std::span<const Vec2> points) const {
 }
 
 void PreparedCamera::put_rays_from_eye(std::span<const Vec2> points, std::span<Ray> rays) const {
-    Lanes<side_by_side> x{}, y{}, length;
+    Lanes<side_by_side> x{}, y{}, per_length;
     for (std::size_t i = 0; i < points.size(); ++i) x[i] = points[i].x, y[i] = points[i].y;
     Vectors<side_by_side> direction;
     for (std::size_t i = 0; i < side_by_side; ++i) {
         const double right = (x[i] - middle_.x) * pixel_size_;
         const double up = (middle_.y - y[i]) * pixel_size_;
         const Vec3 through = axes_.forward + (axes_.right * right + axes_.up * up);
-        length[i] = std::sqrt(through.length2()); // at least 1
-        for (unsigned k = 0; k < 3; ++k) direction[k][i] = through[k] / length[i];
+        per_length[i] = 1 / std::sqrt(through.length2());
+        for (unsigned k = 0; k < 3; ++k) direction[k][i] = through[k] * per_length[i];
     }
-    const auto dx = changes(direction, length, dx_), dy = changes(direction, length, dy_);
+    const auto dx = changes(direction, per_length, dx_), dy = changes(direction, per_length, dy_);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         rays[i].origin = eye_;
         rays[i].direction = at(direction, i);

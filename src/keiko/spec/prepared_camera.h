@@ -15,7 +15,7 @@ public:
     /// Camera::ray.
     Ray ray(double x, double y) const;
     /// The same of many points, several side by side.
-    std::vector<Ray> rays(std::span<const Vec2> points) const;
+    Rays rays(std::span<const Vec2> points) const;
     /// project() of the camera.
     std::optional<Vec2> project(const Vec3& point) const;
 

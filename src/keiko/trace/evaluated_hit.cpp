@@ -105,9 +105,10 @@ void HitEvaluation::ask(const Crossing& c, std::size_t lane) {
     const PartPlacement& placement = model_.placements[placed.instance];
     const Vec2 extent = leaf.domain.extent();
     const Vec2 beyond = leaf.patch_parameters(c.uv);
-    const Vec2 uv = unit_square.nearest(beyond), local = (uv - leaf.domain.lower) / extent;
+    const Vec2 per = Vec2(1) / extent;
+    const Vec2 uv = unit_square.nearest(beyond), local = (uv - leaf.domain.lower) * per;
     const Vec2 off(std::abs(beyond.x - uv.x), std::abs(beyond.y - uv.y));
-    const Vec2 error = c.error * extent + off, per = Vec2(1) / extent;
+    const Vec2 error = c.error * extent + off;
     BezierPatchView& view = block_.leaf[lane];
     view.degree_u = leaf.degree_u, view.degree_v = leaf.degree_v;
     view.points = std::span(model_.leaves.points)
@@ -134,7 +135,7 @@ void HitEvaluation::write(const Crossing& c, std::size_t lane, Hit& hit) const {
     hit.root = {hit.instance, hit.patch,
                 root_box(hit.uv, Vec2(block_.error_u[lane], block_.error_v[lane]))};
     write_surface(lane, placement, hit);
-    hit.position_bound = position_bound(lane, leaf, placement, hit.position);
+    hit.position_bound = position_bound(lane, leaf, placement);
 }
 
 void HitEvaluation::write_surface(std::size_t lane, const PartPlacement& placement,
@@ -155,7 +156,7 @@ void HitEvaluation::write_surface(std::size_t lane, const PartPlacement& placeme
 }
 
 double HitEvaluation::position_bound(std::size_t lane, const Leaf& leaf,
-                                     const PartPlacement& placement, const Vec3& position) const {
+                                     const PartPlacement& placement) const {
     const Vec2 error(block_.error_u[lane], block_.error_v[lane]), extent = leaf.domain.extent();
     const Vec2 widest = extent * widest_for_derivatives;
     double reach = block_.reach[lane];
@@ -164,7 +165,7 @@ double HitEvaluation::position_bound(std::size_t lane, const Leaf& leaf,
                              placement.to_world);
     const double steps = 8 + 4.0 * (leaf.degree_u + leaf.degree_v);
     const double moved = placement.identity ? 0 : placement.to_world.translation.length();
-    const double away = position.length() + moved;
+    const double away = block_.away[lane] + moved;
     const double rounding = epsilon * (8 * away + steps * leaf.radius * placement.magnification);
     return reach + leaf.coefficient_error * placement.magnification + rounding;
 }

@@ -42,8 +42,7 @@ private:
     /// What depends on the derivatives, but for the bound.
     void write_surface(std::size_t lane, const PartPlacement& placement, Hit& hit) const;
     /// mm, of the world.
-    double position_bound(std::size_t lane, const Leaf& leaf, const PartPlacement& placement,
-                          const Vec3& position) const;
+    double position_bound(std::size_t lane, const Leaf& leaf, const PartPlacement& placement) const;
 
     const TracedModel& model_;
     const LeafKernels& kernels_;

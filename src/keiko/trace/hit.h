@@ -1,11 +1,13 @@
 #pragma once
 
+#include "keiko/base/blank_allocator.h"
 #include "keiko/patch/bezier_patch.h"
 #include "keiko/patch/ray.h"
 
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace keiko {
 
@@ -43,6 +45,9 @@ struct Hit {
 
     Root root; ///< certified box of this root, to exclude it from secondary rays
 };
+
+/// Many of them.
+using Hits = std::vector<Hit, BlankAllocator<Hit>>;
 
 /// Position and derivatives by patch parameters. Requires `second`.
 inline SurfaceDerivatives derivatives_of(const Hit& hit) {

@@ -28,6 +28,7 @@ struct alignas(64) HitBlock {
     Vectors position, du, dv, duu, duv, dvv;
     Vectors normal;          ///< unit, for lanes of `plain`
     Lanes<double> reach;     ///< mm: how far the errors of the parameters may move the position
+    Lanes<double> away;      ///< mm: of the position from the origin
     std::uint32_t plain = 0; ///< a bit a lane: far from any pole, so that tangents give the normal
     // What is asked, after what is read a vector at a time.
     std::size_t count = 0; ///< lanes from here on hold numbers of earlier hits

@@ -205,6 +205,8 @@ void finish(HitBlock& hits, std::size_t lane) {
     reach = hn::Add(reach, hn::Mul(hn::Mul(twist, step_u), step_v));
     reach = hn::Add(reach, hn::Mul(hn::Mul(dvv, step_v), step_v));
     hn::Store(reach, d, hits.reach.data() + lane);
+    const V away = hn::Sqrt(square(load(d, hits.position, lane)));
+    hn::Store(away, d, hits.away.data() + lane);
 }
 
 void evaluate_hits(HitBlock& hits) {

@@ -36,7 +36,7 @@ struct TracerStatistics {
 
 /// The first hits of many rays.
 struct FirstHits {
-    std::vector<Hit> hits;
+    Hits hits;
     std::vector<std::uint32_t> of_ray; ///< which of them each ray has; no_index: none
 
     /// Null where a ray has none.

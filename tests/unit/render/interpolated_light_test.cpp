@@ -203,7 +203,7 @@ TEST(SharedLight, LightsEachSurfaceOfAPixelOnce) {
                              &shaded.occluders};
     const Integrator integrator(scene, options);
     const Vec2 rim = *project(camera, {0, 600, 100});
-    std::vector<Ray> rays;
+    Rays rays;
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 4; ++i)
             rays.push_back(camera.ray(rim.x + i / 4.0 - 0.4, rim.y + j / 4.0 - 0.4));

@@ -210,7 +210,7 @@ TEST(OutlineRefinement, LeavesPixelsOutThatTheirCentresTell) {
     const PictureScene scene{stage.tracer, stage.materials, stage.rig, Rgb(7)};
     const PictureOptions options;
     const Integrator integrator(scene, options);
-    std::vector<Ray> rays{stage.camera.ray(2.5, 2.5)};
+    Rays rays{stage.camera.ray(2.5, 2.5)};
     const EyeView centre = integrator.view(rays);
     OutlineCell cell;
     cell.corner = Vec2(2, 2);
@@ -242,7 +242,7 @@ TEST(PicturePart, IsCutIntoStripsThatAreThePolygonTogether) {
 TEST(MostBending, RunsAcrossAGroove) {
     const Stage stage(grooved_plate());
     const std::array corners{Vec2(47, 26), Vec2(48, 26), Vec2(48, 27), Vec2(47, 27)};
-    std::vector<Ray> rays{stage.camera.ray(47.5, 26.5)};
+    Rays rays{stage.camera.ray(47.5, 26.5)};
     for (const Vec2& corner : corners) rays.push_back(stage.camera.ray(corner.x, corner.y));
     const PictureScene scene{stage.tracer, stage.materials, stage.rig, Rgb(7)};
     const PictureOptions options;

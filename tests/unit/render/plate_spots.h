@@ -54,8 +54,8 @@ private:
             for (int x = 0; x < side; ++x) grid.places.push_back({x, y, grid.places.size()});
         return grid;
     }
-    static std::vector<Ray> rays_through(std::span<const GridPlace> places) {
-        std::vector<Ray> rays(places.size());
+    static Rays rays_through(std::span<const GridPlace> places) {
+        Rays rays(places.size());
         for (std::size_t i = 0; i < rays.size(); ++i) {
             rays[i].origin = {places[i].x * step, places[i].y * step, 1};
             rays[i].direction = {0, 0, -1};

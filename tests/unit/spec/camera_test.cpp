@@ -57,7 +57,7 @@ TEST(Camera, RaysSideBySideHaveTheBitsOfEach) {
             for (std::size_t i = 0; i < count; ++i)
                 points.emplace_back(-3.5 + 2.7 * static_cast<double>(i),
                                     31.5 - 1.9 * static_cast<double>(i));
-            const std::vector<Ray> rays = prepared.rays(points);
+            const Rays rays = prepared.rays(points);
             ASSERT_EQ(rays.size(), count);
             for (std::size_t i = 0; i < count; ++i) {
                 const Ray ray = prepared.ray(points[i].x, points[i].y);
