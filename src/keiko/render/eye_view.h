@@ -19,6 +19,7 @@ struct EyeSample {
     const Hit* hit = nullptr; ///< the first surface, of EyeView::hits; null: none, or not kept
     double cosine = 0;        ///< of the angle at which it is seen, 0 to 1
     double illuminance = 0;   ///< lx of direct light on it, where an AOV asks for it
+    // The next three where outlines or AOVs ask for them, else as of no mirrored ray.
     /// Where the first mirrored ray meets the nearest C-plane, mm; nothing where the body is in the
     /// way.
     std::optional<Vec2> c_plane;

@@ -125,7 +125,7 @@ private:
     /// What the lights see of ways; `depth`: reflections yet.
     ShaftShadows shaft_shadows(std::span<const Segment> legs, int depth) const;
 
-    /// Fetches what look() soon writes of a place.
+    /// Asks for what look() soon writes of a place.
     static void announce(std::size_t place, const Mirrors& mirrors, const EyeView& view);
     /// What eye rays meet first through some places of a grid, and their mirrored ones.
     void look(std::span<const GridPlace> places, std::span<const Ray> rays, Mirrors& mirrors,

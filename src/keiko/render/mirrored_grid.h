@@ -20,7 +20,7 @@ public:
     MirroredGrid(int width, int height);
 
     std::size_t size() const { return known_.size(); }
-    /// Fetches what set_begin() writes of a place.
+    /// Asks for what set_begin() soon writes of a place.
     void announce(std::size_t place) const { prefetch(std::span(begins_).subspan(place, 1)); }
     /// Where the mirrored ray of a place begins.
     void set_begin(std::size_t place, const SurfacePlace& begin) { begins_[place] = begin; }
