@@ -189,8 +189,8 @@ void RenderArguments::add_light(CLI::App& command) {
         command
             .add_option(
                 "--penumbrae", penumbrae_,
-                "of tubes: width, weighed over all of each, off by up to 2 % of its light behind "
-                "bars and boards; exact, as keiko illuminance has it with --light-error 0, up to "
+                "of tubes: width, weighed over all of each, but for thin bars and slits along it, "
+                "which it may miss; exact, as keiko illuminance has it with --light-error 0, up to "
                 "six times slower; or axis, cut along the axis alone, sooner and off by up to some "
                 "percent")
             ->check(CLI::IsMember({"axis", "width", "exact"}))

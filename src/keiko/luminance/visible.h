@@ -21,6 +21,22 @@ struct Segment {
 /// The parallel edges of a prism.
 using Prism = std::array<Segment, 4>;
 
+/// Which turns of outlines across a prism matter to lines that are looked at along it.
+struct TurnRule {
+    double gap = 1;    ///< between the lines, of the prism's width
+    double missed = 0; ///< what all that are left out may hide between lines, of the whole prism
+};
+
+/// A place across a prism where what is seen of its lines may jump or bend: where the outline of
+/// something before it begins, ends or turns back, runs along it, or leaves it by its ends.
+struct PrismTurn {
+    Vec3 way{0};       ///< from the apex, at right angles to the prism
+    double missed = 0; ///< what lines a gap apart may miss of the prism if they know nothing of it
+    /// The side of it that is dark, by rising angle about the prism's direction: 1 or -1, or 0
+    /// where that is not known.
+    int dark = 0;
+};
+
 /// What can be seen of a segment from one apex. The one question of visibility that lamps
 /// (apex: surface point, segment: lamp axis) and light shafts (apex: light, segment: view ray)
 /// both ask; the core knows neither surfaces nor ray tracing.
@@ -41,6 +57,8 @@ public:
     virtual std::vector<std::optional<bool>> seen_as_whole(std::span<const Prism> prisms) const {
         return std::vector<std::optional<bool>>(prisms.size());
     }
+    /// Where what is seen of the lines along a prism may change at once, as far as it is known.
+    virtual std::vector<PrismTurn> turns(const Prism&, const TurnRule&) const { return {}; }
 };
 
 /// Nothing stands in the way.

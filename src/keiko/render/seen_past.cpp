@@ -66,4 +66,12 @@ std::vector<std::optional<bool>> SeenPast::seen_as_whole(std::span<const Prism> 
     return view().seen_as_whole(edges);
 }
 
+std::vector<PrismTurn> SeenPast::turns(const Prism& prism, const TurnRule& rule) const {
+    std::vector<PrismTurn> turns;
+    if (!occluders_) return turns;
+    for (const SeenTurn& turn : view().turns(ends_of(prism), rule.gap, rule.missed))
+        turns.push_back({turn.way, turn.missed, turn.dark});
+    return turns;
+}
+
 } // namespace keiko

@@ -34,6 +34,7 @@ public:
     IntervalSet intervals(const Segment& segment) const override;
     std::vector<IntervalSet> intervals(std::span<const Segment> segments) const override;
     std::vector<std::optional<bool>> seen_as_whole(std::span<const Prism> prisms) const override;
+    std::vector<PrismTurn> turns(const Prism& prism, const TurnRule& rule) const override;
 
 private:
     const ApexView& view() const;

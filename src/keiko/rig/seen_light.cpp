@@ -86,7 +86,8 @@ private:
         return seen_tubes(lamps, point_, normal_, visible_,
                           {.tolerance = number ? width_tolerance : width_tolerance_in_pictures,
                            .axes = axes_,
-                           .widest_gap = number ? widest_gap : widest_gap_in_pictures},
+                           .widest_gap = number ? widest_gap : widest_gap_in_pictures,
+                           .between_lines = number},
                           hiding);
     }
 

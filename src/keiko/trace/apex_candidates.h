@@ -2,6 +2,7 @@
 
 #include "keiko/trace/apex_screen.h"
 #include "keiko/trace/occluder_scene.h"
+#include "keiko/trace/outline_turns.h"
 #include "keiko/trace/plane_tree.h"
 #include "keiko/trace/segment_gaps.h"
 
@@ -18,6 +19,7 @@ public:
     std::optional<std::vector<SeenParts>> intervals_of_row(std::span<const SegmentEnds> row) const;
 
     std::vector<std::optional<bool>> seen_as_whole(std::span<const PrismEdges> prisms) const;
+    std::vector<SeenTurn> turns(const PrismEdges& prism, double gap, double missed) const;
 
 private:
     /// A segment under way.
@@ -48,6 +50,11 @@ private:
     bool nothing_crosses(const PrismEdges& prism, std::span<const Vec3> corners) const;
     /// Whether the apex's own surroundings may hide any of the part of a prism in `volume`.
     bool own_may_cross(const ViewVolume& volume, std::span<const Vec3> corners) const;
+    /// Whether the lines along which a silhouette candidate is seen edge-on are proved to run
+    /// across segments all along, at no more than a slope along by across.
+    bool runs_across(std::size_t piece, double most_slope) const;
+    void add_folds(std::size_t piece, OutlineTurns& turns) const;
+    void add_outlines(const ScreenBox& prism, OutlineTurns& turns) const;
     /// The part of a segment on the side that the apex faces.
     ParameterInterval asked_of(const SegmentEnds& ends) const;
     std::optional<Line> line_through(const SegmentEnds& ends) const;

@@ -41,6 +41,10 @@ public:
     /// Whether a segment of this direction is a scan line.
     bool is_along(const Vec3& direction) const;
     ScreenPlace place(const Vec3& x) const;
+    const Vec3& along() const { return x_; }
+    const Vec3& across() const { return y_; }
+    /// From the apex, at right angles to the segments.
+    Vec3 way_at(double across) const { return z_ + y_ * across; }
     /// A box around places; nothing where one is not before the screen.
     std::optional<ScreenBox> hull(std::span<const Vec3> places) const;
     /// Where a piece may be seen edge-on; empty where it is not. `edge_on`: zero where it is.

@@ -74,4 +74,8 @@ std::vector<std::optional<bool>> ApexView::seen_as_whole(std::span<const PrismEd
     return candidates_->seen_as_whole(prisms);
 }
 
+std::vector<SeenTurn> ApexView::turns(const PrismEdges& prism, double gap, double missed) const {
+    return candidates_->turns(prism, gap, missed);
+}
+
 } // namespace keiko

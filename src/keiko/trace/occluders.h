@@ -26,6 +26,16 @@ struct SeenParts {
     bool certain = true;
 };
 
+/// A place across a prism where what is seen of its lines may jump or bend: where the outline of
+/// something before it begins, ends or turns back, runs along it, or leaves it by its ends.
+struct SeenTurn {
+    Vec3 way{0};       ///< from the apex, at right angles to the prism
+    double missed = 0; ///< what lines a gap apart may miss of the prism if they know nothing of it
+    /// The side of it that is dark, by rising angle about the prism's direction: 1 or -1, or 0
+    /// where that is not known.
+    int dark = 0;
+};
+
 class ApexView;
 
 /// All that may hide something in a model, made ready to be asked from many apexes which parts of
@@ -86,6 +96,10 @@ public:
     /// nothing of it is, in both cases but for what of it lies on the side that is not faced;
     /// nothing where neither is proved.
     std::vector<std::optional<bool>> seen_as_whole(std::span<const PrismEdges> prisms) const;
+    /// Turns of a prism in the region. `gap`: between the lines that are looked at, of its width.
+    /// Some are left out that together make those miss no more than `missed` of the prism, and
+    /// those of the apex's own patch.
+    std::vector<SeenTurn> turns(const PrismEdges& prism, double gap, double missed) const;
 
 private:
     class Candidates;

@@ -1,5 +1,7 @@
 #include "keiko/trace/apex_candidates.h"
 #include "keiko/trace/faced_corners.h"
+#include "keiko/trace/fold_line.h"
+#include "keiko/trace/linear_pair.h"
 #include "keiko/trace/middle_of.h"
 
 #include <algorithm>
@@ -12,6 +14,16 @@ std::vector<Vec3> corners_of(const PrismEdges& prism) {
     std::vector<Vec3> corners;
     for (const SegmentEnds& edge : prism) corners.insert(corners.end(), edge.begin(), edge.end());
     return corners;
+}
+
+/// Along the screen, in the mean of the edges.
+ParameterInterval ends_of(const PrismEdges& prism, const ApexScreen& screen) {
+    ParameterInterval ends;
+    for (const SegmentEnds& edge : prism) {
+        ends.begin += screen.place(edge[0]).along / static_cast<double>(prism.size());
+        ends.end += screen.place(edge[1]).along / static_cast<double>(prism.size());
+    }
+    return ends;
 }
 
 /// Whether a border may hide or show any of `volume` in some part of it, by some of its sides.
@@ -64,6 +76,64 @@ bool ApexView::Candidates::nothing_crosses(const PrismEdges& prism,
             scene_->solver.may_be_in(inside(), silhouettes_.pieces[i], apex_))
             return false;
     return silhouettes_.own.empty() || !own_may_cross(inside(), corners);
+}
+
+/// A fold's tangent plane holds its line and the way to it. On the screen that has the slope
+/// -n_across / n_along of its normal n, which is at most `most_slope` where both mixtures of the
+/// two have one sign.
+bool ApexView::Candidates::runs_across(std::size_t i, double most_slope) const {
+    const SilhouetteCandidate& candidate = silhouettes_.pieces[i];
+    const SilhouettePiece& piece = scene_->silhouettes.pieces[candidate.piece];
+    const AffineBounds::Weighed& g = candidate.edge_on;
+    const Vec2 steepest(g.along_x, g.along_y);
+    const Vec2 on_fold = steepest * (-g.value / steepest.length2());
+    double sign = 1;
+    for (const double side : {-1.0, 1.0}) {
+        const Vec3 mixed = screen_->screen.along() * most_slope + screen_->screen.across() * side;
+        const AffineBounds::Weighed f =
+            piece.planes.weighed(piece.frame.local(Vec4(mixed.x, mixed.y, mixed.z, 0)));
+        if (!f.vanishes_nowhere() && !LinearPair(f, g).root_is_outside()) return false;
+        sign *= f.value + f.along_x * on_fold.x + f.along_y * on_fold.y;
+    }
+    return sign > 0;
+}
+
+void ApexView::Candidates::add_folds(std::size_t i, OutlineTurns& turns) const {
+    const auto lines = fold_line(scene_->silhouettes, scene_->kernels, silhouettes_.pieces[i],
+                                 apex_, screen_->screen.along());
+    if (!lines) return turns.add_unclear(screen_->pieces[i]);
+    for (const BorderPiece& line : *lines) turns.add_fold(line);
+}
+
+std::vector<SeenTurn> ApexView::Candidates::turns(const PrismEdges& prism, double gap,
+                                                  double missed) const {
+    if (all_seen_ || apex_.infinite()) return {};
+    std::vector<Vec3> corners = corners_of(prism);
+    if (facing_) corners = faced_corners(apex_, *facing_, corners);
+    if (corners.empty()) return {};
+    const Screen& screen = screen_of((prism[0][1] - prism[0][0]).normalized());
+    const auto hull = screen.screen.regular() ? screen.screen.hull(corners) : std::nullopt;
+    if (!hull) return {};
+    const ViewVolume volume(apex_, corners, facing_);
+    OutlineTurns turns(apex_, screen.screen, *hull, volume, ends_of(prism, screen.screen), gap,
+                       missed);
+    add_outlines(*hull, turns);
+    std::vector<SeenTurn> found;
+    for (const OutlineTurns::Turn& turn : turns.found())
+        found.push_back({screen.screen.way_at(turn.across), turn.missed, turn.dark});
+    return found;
+}
+
+/// Those on the last screen that was asked for.
+void ApexView::Candidates::add_outlines(const ScreenBox& prism, OutlineTurns& turns) const {
+    for (std::size_t i = 0; i < screen_->borders.size(); ++i)
+        if (screen_->borders[i].overlaps(prism) && !turns.leaves_out(screen_->borders[i]))
+            turns.add_border(scene_->borders[borders_[i]]);
+    const double most_slope = turns.most_slope();
+    for (std::size_t i = 0; i < screen_->pieces.size(); ++i)
+        if (screen_->pieces[i].overlaps(prism) && !runs_across(i, most_slope) &&
+            !turns.leaves_out(screen_->pieces[i]))
+            add_folds(i, turns);
 }
 
 std::vector<std::optional<bool>> ApexView::Candidates::seen_as_whole(

@@ -48,6 +48,10 @@ double LampWidth::lit(const SubAxis& axis, double begin, double end) const {
     return sum;
 }
 
+double LampWidth::place_in(const Vec3& way) const {
+    return place_of(std::atan2(way.dot(view_.sideways), -way.dot(view_.towards)));
+}
+
 std::vector<double> LampWidth::cuts() const {
     std::vector<double> cuts{-1, 1};
     for (const HidingTube& tube : hiding_)

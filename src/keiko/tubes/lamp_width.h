@@ -43,6 +43,8 @@ public:
     double lit(const SubAxis& axis, double begin, double end) const;
     /// From -1 to 1, with the places at which another tube begins or ends to hide some.
     std::vector<double> cuts() const;
+    /// In a way from the point, at right angles to the lamp; beyond [-1, 1] beside it.
+    double place_in(const Vec3& way) const;
 
 private:
     double place_of(double psi) const;

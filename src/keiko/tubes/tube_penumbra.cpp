@@ -3,6 +3,7 @@
 #include "keiko/math/perpendicular.h"
 #include "keiko/tubes/cap_penumbra.h"
 #include "keiko/tubes/width_slices.h"
+#include "keiko/tubes/width_turns.h"
 
 #include <algorithm>
 #include <optional>
@@ -42,48 +43,78 @@ SeenLight seen_end_on(const TubeLamp& lamp, const Visible& visible) {
 /// A lamp of which some may be hidden, with the nodes that are asked for first.
 class PartlySeen {
 public:
-    PartlySeen(const TubeLamp& lamp, const LampWidth& width, bool axis)
+    PartlySeen(const TubeLamp& lamp, const LampWidth& width, const PenumbraOptions& options)
         : axis_{lamp.a, lamp.b},
           width_(width),
+          options_(options),
           parts_(parts_of(width)),
-          asks_axis_(axis),
           middle_tells_(parts_.size() == 1 && parts_[0].at[Slices::middle].all > 0 &&
                         width.middle_tells_axis()) {}
 
     void add_lines(std::vector<Segment>& lines) const {
-        if (asks_axis_ && !middle_tells_) lines.push_back(axis_);
-        for (const Slices& part : parts_)
-            keiko::add_lines(width_, Slices::ends_and_middle, part, lines);
+        if (options_.axes && !middle_tells_) lines.push_back(axis_);
+        add_lines_of_parts(lines);
     }
     /// By what is seen of those lines, from `next` on.
-    SeenLight seen(const Visible& visible, const PenumbraOptions& options,
-                   std::vector<IntervalSet>::const_iterator& next) {
+    SeenLight seen(const Visible& visible, std::vector<IntervalSet>::const_iterator& next) {
         SeenLight seen;
-        if (asks_axis_) seen.axis = middle_tells_ ? width_.of_axis(next[before_middle()]) : *next++;
-        double brightest = 0;
-        for (Slices& part : parts_) {
-            hide_slices(width_, Slices::ends_and_middle, part, next);
-            brightest = std::max(brightest, part.brightest());
-        }
+        if (options_.axes)
+            seen.axis = middle_tells_ ? width_.of_axis(next[before_middle()]) : *next++;
+        hide_parts(next);
+        if (options_.between_lines) look_between(visible);
         SolidAngle sums;
-        for (const Slices& part : parts_) {
-            constexpr int most_halvings = 14;
-            const double error = options.tolerance * 2 * brightest * part.half;
-            sums += integrate(width_, visible, part, {error, options.widest_gap, most_halvings});
-        }
+        for (const Slices& part : parts_) sums += integrate(width_, visible, part, rule_of(part));
         seen.share = sums.visible_share();
         return seen;
     }
 
 private:
+    void add_lines_of_parts(std::vector<Segment>& lines) const {
+        for (const Slices& part : parts_)
+            keiko::add_lines(width_, Slices::ends_and_middle, part, lines);
+    }
+    void hide_parts(std::vector<IntervalSet>::const_iterator& next) {
+        brightest_ = 0;
+        for (Slices& part : parts_) {
+            hide_ends_and_middle(width_, options_.between_lines, part, next);
+            brightest_ = std::max(brightest_, part.brightest());
+        }
+    }
     /// Lines of the first part before the middle one.
     int before_middle() const { return parts_[0].at[Slices::first].all > 0 ? 1 : 0; }
+    SliceRule rule_of(const Slices& part) const {
+        constexpr int most_halvings = 14;
+        const double error = options_.tolerance * 2 * brightest_ * part.half;
+        return {error, options_.widest_gap, options_.between_lines, most_halvings};
+    }
+    bool agree() const {
+        return parts_.size() == 1 && ends_and_middle_agree(parts_[0], rule_of(parts_[0]));
+    }
+    /// Cuts the width at turns of outlines, as many as it takes that no more than the tolerance may
+    /// be missed between lines.
+    void look_between(const Visible& visible) {
+        const double gap = options_.widest_gap / 2, allowed = options_.tolerance;
+        const auto line = [&](double place) { return width_.line_of(width_.sub_axis(place)); };
+        const Prism lines{line(-1), line(0), line(0), line(1)};
+        const std::vector<PrismTurn> found = visible.turns(lines, {gap, allowed / 2});
+        if (found.empty()) return;
+        const WidthTurns turns(width_, found, gap);
+        const std::vector<double> cuts = turns.cuts(allowed, agree());
+        if (cuts.empty()) return;
+        parts_ = parts_of(width_, cuts);
+        std::vector<Segment> of_parts;
+        add_lines_of_parts(of_parts);
+        const std::vector<IntervalSet> seen = visible.intervals(of_parts);
+        auto next = seen.begin();
+        hide_parts(next);
+    }
 
     Segment axis_;
     LampWidth width_;
+    PenumbraOptions options_;
     std::vector<Slices> parts_;
-    bool asks_axis_;
     bool middle_tells_; ///< what is seen of the axis
+    double brightest_ = 0;
 };
 
 } // namespace
@@ -109,14 +140,13 @@ std::vector<SeenLight> seen_tubes(std::span<const TubeLamp> row, const Vec3& poi
         const std::span<const HidingTube> others =
             hiding.empty() ? std::span<const HidingTube>() : hiding[i];
         lamp_of.push_back(i);
-        parts.emplace_back(row[i], LampWidth(*view, point, options.shape, others), options.axes);
+        parts.emplace_back(row[i], LampWidth(*view, point, options.shape, others), options);
     }
     std::vector<Segment> lines;
     for (const PartlySeen& part : parts) part.add_lines(lines);
     const std::vector<IntervalSet> of_lines = visible.intervals(lines);
     auto next = of_lines.begin();
-    for (std::size_t k = 0; k < parts.size(); ++k)
-        seen[lamp_of[k]] = parts[k].seen(visible, options, next);
+    for (std::size_t k = 0; k < parts.size(); ++k) seen[lamp_of[k]] = parts[k].seen(visible, next);
     for (std::size_t i = 0; i < row.size(); ++i)
         if (!wholes[i] && row[i].luminous_caps)
             seen[i].cap = seen_share_of_cap(row[i], point, normal, visible, options.tolerance);

@@ -16,8 +16,11 @@ struct PenumbraOptions {
     TubeShape shape = TubeShape::cylinder;
     bool axes = false; ///< what is seen of axes is asked for as well
     /// Of half the width, by the angle around a cylinder: lines that all see the same are no
-    /// farther apart than this. What hides less may be missed between them.
+    /// farther apart than this. What hides less may be missed between them unless it is looked for.
     double widest_gap = 1;
+    /// The width is cut where outlines turn that hide more than the tolerance between lines, and
+    /// lines agree only if they do of each part that is seen.
+    bool between_lines = false;
 };
 
 /// What `point` with unit `normal` sees of a row's lamps: shares, 0 to 1, of their projected solid

@@ -70,13 +70,40 @@ double missed_at(const Slices& slices, std::size_t end, std::size_t node, std::s
     return std::abs(off) * std::abs(nodes[end] - nodes[node]) / 2;
 }
 
-/// By how much the middle's hidden share is off the line through those of the ends, and what may
-/// be missed where it is on the line by chance, as in the middle of a ramp between two kinks.
+/// By how much the middle's hidden share is off the line through those of the ends, or the ends of
+/// its seen parts are, and what may be missed where it is on the line by chance, as in the middle
+/// of a ramp between two kinks.
 double missed_by_middle(const Slices& slices) {
     const double begin = slices.at[0].share(), end = slices.at[8].share();
     constexpr double by_chance = 0.1;
-    return std::max(std::abs(slices.at[4].share() - (begin + end) / 2),
-                    by_chance * std::abs(end - begin));
+    return std::max({std::abs(slices.at[4].share() - (begin + end) / 2),
+                     by_chance * std::abs(end - begin), slices.parts_off});
+}
+
+/// Where parts that are seen of a slice begin and end, in turn: shares of its light on one side.
+std::vector<double> seen_ends(const LampWidth& width, const SubAxis& axis, double all,
+                              const IntervalSet& seen) {
+    std::vector<double> ends;
+    for (const ParameterInterval& part : seen)
+        for (const double end : {part.begin, part.end})
+            ends.push_back(width.lit(axis, 0, end) / all);
+    return ends;
+}
+
+/// By how much the ends of the middle's seen parts are off the lines through those of the ends, of
+/// three sets; all of it where these do not see as many parts.
+double parts_off(const LampWidth& width, const Slices& slices,
+                 std::vector<IntervalSet>::const_iterator seen) {
+    std::array<std::vector<double>, 3> ends;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+        const std::size_t node = Slices::ends_and_middle[k];
+        ends[k] = seen_ends(width, slices.axes[node], slices.at[node].all, *seen++);
+        if (ends[k].size() != ends[0].size()) return 1;
+    }
+    double off = 0;
+    for (std::size_t i = 0; i < ends[0].size(); ++i)
+        off += std::abs(ends[1][i] - (ends[0][i] + ends[2][i]) / 2);
+    return off;
 }
 
 double missed_by_gauss(const Slices& slices) {
@@ -87,22 +114,36 @@ double missed_by_kronrod(const Slices& slices) {
     return missed_at(slices, 0, 1, 2) + missed_at(slices, 8, 7, 6);
 }
 
+/// Whether nodes that a `gap` is between on [-1, 1] are no farther apart than the widest.
+bool near_enough(const Slices& slices, double gap, double widest) {
+    return gap * slices.half <= widest;
+}
+
+/// Whether all slices light anything.
+bool all_above(const Slices& slices) {
+    return std::all_of(of_gauss.begin(), of_gauss.end(),
+                       [&](std::size_t i) { return slices.at[i].all > 0; });
+}
+
 /// Over parts of a width, by the first of three rules that is enough, else by halves.
 class WidthIntegral {
 public:
-    WidthIntegral(const LampWidth& width, const Visible& visible, double widest_gap)
-        : width_(width), visible_(visible), widest_gap_(widest_gap) {}
+    WidthIntegral(const LampWidth& width, const Visible& visible, const SliceRule& until)
+        : width_(width),
+          visible_(visible),
+          widest_gap_(until.widest_gap),
+          part_by_part_(until.part_by_part) {}
 
     SolidAngle over(Slices slices, double error, int most_halvings) const {
-        if (!near_enough(slices, kronrod_gap)) return in_halves(slices, error, most_halvings);
-        const bool above = std::all_of(of_gauss.begin(), of_gauss.end(),
-                                       [&](std::size_t i) { return slices.at[i].all > 0; });
-        const double all = weighed(slices, gauss).all;
-        if (above && near_enough(slices, 1) && missed_by_middle(slices) * all <= error)
+        if (!near_enough(slices, kronrod_gap, widest_gap_))
+            return in_halves(slices, error, most_halvings);
+        if (ends_and_middle_agree(slices, {error, widest_gap_, part_by_part_})) {
+            const double all = weighed(slices, gauss).all;
             return {all, all * slices.at[Slices::middle].share()};
+        }
         find(of_gauss_alone, slices);
         const SolidAngle three = weighed(slices, gauss);
-        if (above && near_enough(slices, gauss_gap) &&
+        if (all_above(slices) && near_enough(slices, gauss_gap, widest_gap_) &&
             difference(weighed(slices, middle_alone), three) <= error &&
             missed_by_gauss(slices) * three.all <= error)
             return three;
@@ -115,21 +156,27 @@ public:
     }
 
 private:
-    bool near_enough(const Slices& slices, double gap) const {
-        return gap * slices.half <= widest_gap_;
-    }
-    void find(std::span<const std::size_t> nodes_of, Slices& slices) const {
+    std::vector<IntervalSet> seen_at(std::span<const std::size_t> nodes_of,
+                                     const Slices& slices) const {
         std::vector<Segment> lines;
         add_lines(width_, nodes_of, slices, lines);
-        const std::vector<IntervalSet> seen = visible_.intervals(lines);
+        return visible_.intervals(lines);
+    }
+    void find(std::span<const std::size_t> nodes_of, Slices& slices) const {
+        const std::vector<IntervalSet> seen = seen_at(nodes_of, slices);
         auto next = seen.begin();
         hide_slices(width_, nodes_of, slices, next);
+    }
+    void find_ends_and_middle(Slices& slices) const {
+        const std::vector<IntervalSet> seen = seen_at(Slices::ends_and_middle, slices);
+        auto next = seen.begin();
+        hide_ends_and_middle(width_, part_by_part_, slices, next);
     }
     SolidAngle in_halves(const Slices& slices, double error, int most_halvings) const {
         SolidAngle both;
         for (const double side : {-0.5, 0.5}) {
             Slices part = part_of(width_, slices.center + side * slices.half, slices.half / 2);
-            find(Slices::ends_and_middle, part);
+            find_ends_and_middle(part);
             both += over(std::move(part), error / 2, most_halvings - 1);
         }
         return both;
@@ -138,6 +185,7 @@ private:
     const LampWidth& width_;
     const Visible& visible_;
     double widest_gap_;
+    bool part_by_part_;
 };
 
 } // namespace
@@ -148,13 +196,18 @@ double Slices::brightest() const {
     return most;
 }
 
-std::vector<Slices> parts_of(const LampWidth& width) {
-    const std::vector<double> cuts = width.cuts();
+std::vector<Slices> parts_of(const LampWidth& width, std::span<const double> turns) {
+    constexpr double aside = 2e-6;
+    const double beside = turns.empty() ? 0 : aside;
+    std::vector<double> cuts = width.cuts();
+    cuts.insert(cuts.end(), turns.begin(), turns.end());
+    std::sort(cuts.begin(), cuts.end());
     std::vector<Slices> parts;
-    for (std::size_t i = 1; i < cuts.size(); ++i)
-        if (cuts[i - 1] < cuts[i])
-            parts.push_back(
-                part_of(width, (cuts[i] + cuts[i - 1]) / 2, (cuts[i] - cuts[i - 1]) / 2));
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+        const double begin = cuts[i - 1] + (i > 1 ? beside : 0);
+        const double end = cuts[i] - (i + 1 < cuts.size() ? beside : 0);
+        if (begin < end) parts.push_back(part_of(width, (end + begin) / 2, (end - begin) / 2));
+    }
     return parts;
 }
 
@@ -175,9 +228,22 @@ void hide_slices(const LampWidth& width, std::span<const std::size_t> nodes, Sli
         if (slices.at[i].all > 0) hide_slice(width, i, *next++, slices);
 }
 
+void hide_ends_and_middle(const LampWidth& width, bool part_by_part, Slices& slices,
+                          std::vector<IntervalSet>::const_iterator& next) {
+    const auto seen = next;
+    hide_slices(width, Slices::ends_and_middle, slices, next);
+    const auto count = static_cast<std::ptrdiff_t>(Slices::ends_and_middle.size());
+    if (part_by_part && next - seen == count) slices.parts_off = parts_off(width, slices, seen);
+}
+
+bool ends_and_middle_agree(const Slices& slices, const SliceRule& until) {
+    return all_above(slices) && near_enough(slices, 1, until.widest_gap) &&
+           missed_by_middle(slices) * weighed(slices, gauss).all <= until.error;
+}
+
 SolidAngle integrate(const LampWidth& width, const Visible& visible, Slices slices,
                      const SliceRule& until) {
-    return WidthIntegral(width, visible, until.widest_gap)
+    return WidthIntegral(width, visible, until)
         .over(std::move(slices), until.error, until.most_halvings);
 }
 

@@ -29,13 +29,16 @@ struct Slices {
     double center = 0, half = 1; ///< of the width, -1 to 1
     std::array<SubAxis, count> axes{};
     std::array<Slice, count> at{};
+    /// Of the light: by how much the middle's seen parts are known to be off lines from end to end.
+    double parts_off = 0;
 
     /// The most light of any.
     double brightest() const;
 };
 
-/// The parts of a width between its cuts, of which nothing is asked yet.
-std::vector<Slices> parts_of(const LampWidth& width);
+/// The parts of a width between its cuts and turns of outlines, of which nothing is asked yet.
+/// Where there are turns just beside them and the cuts: what is seen on them is not told.
+std::vector<Slices> parts_of(const LampWidth& width, std::span<const double> turns = {});
 
 /// Appends the lines to be asked for at some nodes: of slices that light anything.
 void add_lines(const LampWidth& width, std::span<const std::size_t> nodes, const Slices& slices,
@@ -45,6 +48,11 @@ void hide_slice(const LampWidth& width, std::size_t node, const IntervalSet& see
 /// With what is seen of the lines of add_lines(), from `next` on.
 void hide_slices(const LampWidth& width, std::span<const std::size_t> nodes, Slices& slices,
                  std::vector<IntervalSet>::const_iterator& next);
+
+/// With what is seen of the lines of the ends and the middle, of each part that is seen by itself
+/// if `part_by_part`.
+void hide_ends_and_middle(const LampWidth& width, bool part_by_part, Slices& slices,
+                          std::vector<IntervalSet>::const_iterator& next);
 
 /// Solid angle of a lamp, or of a part of it.
 struct SolidAngle {
@@ -59,10 +67,15 @@ struct SolidAngle {
 
 /// When to be content.
 struct SliceRule {
-    double error = 0;      ///< of what is hidden, absolute
-    double widest_gap = 1; ///< between nodes, of half the width
+    double error = 0;          ///< of what is hidden, absolute
+    double widest_gap = 1;     ///< between nodes, of half the width
+    bool part_by_part = false; ///< seen parts are each to change evenly
     int most_halvings = 0;
 };
+
+/// Whether the ends and the middle of a part are enough to tell what is hidden of it, as far as
+/// they know.
+bool ends_and_middle_agree(const Slices& slices, const SliceRule& until);
 
 /// Over the part that `slices` stand for, of which the ends and the middle are known: by more
 /// nodes, then by halves, until nodes are near enough and two rules agree on what is hidden, and
