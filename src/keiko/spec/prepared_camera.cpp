@@ -18,8 +18,8 @@ Vec3 at(const Vectors<n>& vectors, std::size_t i) {
     return {vectors[0][i], vectors[1][i], vectors[2][i]};
 }
 
-/// How unit directions change where the vectors they are of change by d; `per_length`: one over those
-/// vectors' lengths.
+/// How unit directions change where the vectors they are of change by d; `per_length`: one over
+/// those vectors' lengths.
 template <std::size_t n>
 Vectors<n> changes(const Vectors<n>& direction, const Lanes<n>& per_length, const Vec3& d) {
     Vectors<n> change;
