@@ -78,17 +78,8 @@ private:
                                         : j.duv.cross(j.dv) + j.du.cross(j.dvv);
         return -j.du.cross(j.dv).dot(way) / (change.dot(way) * piece_.uv.extent()[bound_] * 0.5);
     }
-    /// Unit normal to the side to which the surface bends along the way from the apex.
     std::optional<Vec3> dark_side(const SurfaceJet& j) const {
-        const Vec3 way = apex_.way_to(patch_.center + j.position), n = j.du.cross(j.dv);
-        const double e = j.du.dot(j.du), f = j.du.dot(j.dv), g = j.dv.dot(j.dv);
-        const double u = j.du.dot(way), v = j.dv.dot(way), d = e * g - f * f;
-        const double a = (g * u - f * v) / d, b = (e * v - f * u) / d;
-        const Vec3 second = j.duu * (a * a) + j.duv * (2 * a * b) + j.dvv * (b * b);
-        constexpr double sure = 1e-5;
-        const double bend = n.dot(second) / n.length();
-        if (!(std::abs(bend) > sure * second.length())) return std::nullopt;
-        return n * ((bend > 0 ? 1 : -1) / n.length());
+        return bending_side(j, apex_.way_to(patch_.center + j.position));
     }
 
     const SilhouettePiece& piece_;

@@ -178,18 +178,9 @@ private:
         return true;
     }
 
-    /// Unit normal to the side on which the apex sees the surface: the one that it bends to along
-    /// the way from the apex. Nothing next to where that changes, a cusp.
+    /// On which the apex sees the surface.
     std::optional<Vec3> side(const SurfaceJet& j) const {
-        const Vec3 way = apex_.way_to(patch_.center + j.position), n = j.du.cross(j.dv);
-        const double e = j.du.dot(j.du), f = j.du.dot(j.dv), g = j.dv.dot(j.dv);
-        const double u = j.du.dot(way), v = j.dv.dot(way), d = e * g - f * f;
-        const double a = (g * u - f * v) / d, b = (e * v - f * u) / d;
-        const Vec3 second = j.duu * (a * a) + j.duv * (2 * a * b) + j.dvv * (b * b);
-        constexpr double sure = 1e-5;
-        const double bend = n.dot(second) / n.length();
-        if (!(std::abs(bend) > sure * second.length())) return std::nullopt;
-        return n * ((bend > 0 ? 1 : -1) / n.length());
+        return bending_side(j, apex_.way_to(patch_.center + j.position));
     }
 
     static void set_inward(const std::array<std::optional<Vec3>, 5>& inward, BorderPiece& line) {

@@ -1,5 +1,7 @@
 #include "keiko/trace/surface_jet.h"
 
+#include <cmath>
+
 namespace keiko {
 namespace {
 
@@ -32,6 +34,18 @@ SurfaceJet projected(const HomogeneousJet& jet, bool rational) {
     s.dvv -= s.dv * (2 * wv) + s.position * (jet.dvv[3] * scale);
     s.duv -= s.dv * wu + s.du * wv + s.position * (jet.duv[3] * scale);
     return s;
+}
+
+std::optional<Vec3> bending_side(const SurfaceJet& j, const Vec3& way) {
+    const Vec3 n = j.du.cross(j.dv);
+    const double e = j.du.dot(j.du), f = j.du.dot(j.dv), g = j.dv.dot(j.dv);
+    const double u = j.du.dot(way), v = j.dv.dot(way), d = e * g - f * f;
+    const double a = (g * u - f * v) / d, b = (e * v - f * u) / d;
+    const Vec3 second = j.duu * (a * a) + j.duv * (2 * a * b) + j.dvv * (b * b);
+    constexpr double sure = 1e-5;
+    const double bend = n.dot(second) / n.length();
+    if (!(std::abs(bend) > sure * second.length())) return std::nullopt;
+    return n * ((bend > 0 ? 1 : -1) / n.length());
 }
 
 } // namespace keiko
