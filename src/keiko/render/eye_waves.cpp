@@ -108,7 +108,7 @@ void Integrator::set_rays(const Wave& wave, MirroredGrid& grid) {
 }
 
 void Integrator::find_ways(const Wave& mirrored, Mirrors& mirrors) const {
-    FirstHits hits = scene_.tracer.first_hits(mirrored.rays);
+    FirstHits hits = scene_.tracer.first_hits(mirrored.rays, mirrored_detail());
     for (std::size_t i = 0; i < mirrored.paths.size(); ++i) {
         const Path& path = mirrored.paths[i];
         mirrors.ways[path.sample] = {true, hits[i], path.weight};
@@ -206,6 +206,7 @@ ShaftShadows Integrator::shaft_shadows(std::span<const Segment> legs, int depth)
 }
 
 Integrator::Incidence Integrator::incidence(const Ray& ray, const Hit& hit, int depth) const {
+    if (depth > 0 && depth >= options_.max_depth) return {};
     const double cosine = std::abs(hit.normal.dot(ray.direction)) / ray.direction.length();
     Incidence incidence{cosine, {}};
     if (depth < options_.max_depth)

@@ -33,6 +33,7 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
         if (found != known.end()) continue;
         known.push_back(material);
         paints_.emplace_back(material);
+        mirrors_alone_ = mirrors_alone_ && !paints_.back().takes_light();
     }
     if (eye) pencils_ = shaft_pencils(scene.rig, scene.occluders, scene.tracer, *eye, job);
 }
@@ -85,9 +86,12 @@ void Integrator::note(Path& path, const Met& met, int depth, const VisibleFrom& 
 }
 
 bool Integrator::only_mirrors() const {
-    return !refines_ && !tells_illuminance_ && !scene_.rig.medium &&
-           std::none_of(paints_.begin(), paints_.end(),
-                        [](const Paint& paint) { return paint.takes_light(); });
+    return !refines_ && !tells_illuminance_ && !scene_.rig.medium && mirrors_alone_;
+}
+
+HitDetail Integrator::mirrored_detail() const {
+    const bool ends = options_.max_depth <= 1 && !scene_.rig.medium && mirrors_alone_;
+    return ends ? HitDetail::face : HitDetail::all;
 }
 
 /// Whether light on a paint, beside what it mirrors, is seen or asked for.

@@ -131,6 +131,9 @@ private:
     void look(std::span<const GridPlace> places, std::span<const Ray> rays, Mirrors& mirrors,
               EyeView& view) const;
     static void set_rays(const Wave& wave, MirroredGrid& grid);
+    /// What is asked of the hits of rays mirrored once: no surface where no light on it is seen and
+    /// no ray goes on from there.
+    HitDetail mirrored_detail() const;
     void find_ways(const Wave& mirrored, Mirrors& mirrors) const;
     /// Adds what the first mirrored rays of a grid meet, row by row, as neighbours see lamps side
     /// by side; what is left to follow.
@@ -160,6 +163,7 @@ private:
     ShadowedRig lights_;
     TubeModel tubes_;
     bool tells_illuminance_, refines_, keeps_hits_;
+    bool mirrors_alone_ = true; ///< no paint takes light
     std::vector<Paint> paints_;
     std::vector<std::uint32_t> paint_of_face_;
     std::vector<std::optional<ShadowPencil>> pencils_; ///< of rays from the eye

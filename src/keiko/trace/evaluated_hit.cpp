@@ -113,7 +113,7 @@ void HitEvaluation::ask(const Crossing& c, std::size_t lane) {
     view.degree_u = leaf.degree_u, view.degree_v = leaf.degree_v;
     view.points = std::span(model_.leaves.points)
                       .subspan(leaf.first_point, model_.hot[c.leaf].coefficients());
-    block_.rational[lane] = model_.hot[c.leaf].rational;
+    block_.weight[lane] = model_.hot[c.leaf].rational ? 0 : view.points.front().w;
     block_.u[lane] = local.x, block_.v[lane] = local.y;
     block_.per_u[lane] = per.x, block_.per_v[lane] = per.y;
     for (unsigned k = 0; k < 3; ++k) block_.center[k][lane] = leaf.center[k];
@@ -121,16 +121,21 @@ void HitEvaluation::ask(const Crossing& c, std::size_t lane) {
     block_.error_u[lane] = error.x, block_.error_v[lane] = error.y;
 }
 
-void HitEvaluation::write(const Crossing& c, std::size_t lane, Hit& hit) const {
+void HitEvaluation::write_face(const Crossing& c, Hit& hit) const {
     const PlacedLeaf& placed = model_.placed[c.leaf];
-    const Leaf& leaf = model_.leaves.leaves[placed.leaf];
-    const PartPlacement& placement = model_.placements[placed.instance];
     hit.t = c.t;
     hit.flags = c.flags;
     if (c.seam != no_index) hit.seam = c.seam;
     hit.instance = placed.instance;
-    hit.patch = leaf.patch;
-    hit.face = model_.patches[leaf.patch].face;
+    hit.patch = model_.leaves.leaves[placed.leaf].patch;
+    hit.face = model_.patches[hit.patch].face;
+}
+
+void HitEvaluation::write(const Crossing& c, std::size_t lane, Hit& hit) const {
+    const PlacedLeaf& placed = model_.placed[c.leaf];
+    const Leaf& leaf = model_.leaves.leaves[placed.leaf];
+    const PartPlacement& placement = model_.placements[placed.instance];
+    write_face(c, hit);
     hit.uv = unit_square.nearest(leaf.patch_parameters(c.uv));
     hit.root = {hit.instance, hit.patch,
                 root_box(hit.uv, Vec2(block_.error_u[lane], block_.error_v[lane]))};

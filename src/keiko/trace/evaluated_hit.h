@@ -19,6 +19,8 @@ public:
     /// `hit` is written at the latest by finish(); both must stay where they are until then.
     void add(const Crossing& crossing, Hit& hit);
     void finish();
+    /// Writes what HitDetail::face names, and nothing else.
+    void write_face(const Crossing& crossing, Hit& hit) const;
 
 private:
     /// Crossings that wait for others beside them.

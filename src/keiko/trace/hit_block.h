@@ -23,6 +23,7 @@ struct alignas(64) HitBlock {
     Lanes<double> u{}, v{};             ///< on the leaf, [0, 1]
     Lanes<double> per_u{}, per_v{};     ///< how fast they run with the patch's own parameters
     Lanes<double> error_u{}, error_v{}; ///< in patch parameters
+    Lanes<double> weight{};             ///< of all control points; 0: they differ
     Vectors center{};                   ///< of the leaf, in its part
     // What is there: in the world, by patch parameters.
     Vectors position, du, dv, duu, duv, dvv;
@@ -33,7 +34,6 @@ struct alignas(64) HitBlock {
     // What is asked, after what is read a vector at a time.
     std::size_t count = 0; ///< lanes from here on hold numbers of earlier hits
     Lanes<BezierPatchView> leaf{};
-    Lanes<bool> rational{};
     Lanes<const Affine*> to_world{}; ///< null: the part's coordinates are the world's
 };
 

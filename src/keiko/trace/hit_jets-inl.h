@@ -29,43 +29,55 @@ struct HomogeneousJets {
     }
 };
 
-/// The sums of jet_at() of hits on one leaf, side by side; two components at a time fill the
-/// registers. In its order of products and sums, since a hit has the same bits in any company.
+/// The sums of jet_at() of hits on one leaf, side by side, for so many components from the first
+/// named on. In its order of products and sums, since a hit has the same bits in any company.
+template <std::size_t first, std::size_t count>
 void find_jets_on_leaf(const BezierPatchView& leaf, const BasisJet<Wide>& u,
                        const BasisJet<Wide>& v, HomogeneousJets& jets) {
     const Wide d;
     using V = hn::Vec<Wide>;
-    using Pair = std::array<V, 2>;
+    using Some = std::array<V, count>;
     const auto rows = static_cast<std::size_t>(leaf.degree_u);
     const auto columns = static_cast<std::size_t>(leaf.degree_v);
     const auto at = [&](const BasisJet<Wide>::Row& basis, std::size_t i) {
         return hn::Load(d, basis[i].data());
     };
-    const auto add = [](const Pair& a, V factor, Pair& to) {
-        for (std::size_t c = 0; c < 2; ++c) to[c] = hn::MulAdd(a[c], factor, to[c]);
+    const auto add = [](const Some& a, V factor, Some& to) {
+        for (std::size_t c = 0; c < count; ++c) to[c] = hn::MulAdd(a[c], factor, to[c]);
     };
-    const Pair zero{hn::Zero(d), hn::Zero(d)};
-    for (std::size_t first = 0; first < 4; first += 2) {
-        std::array<Pair, 6> sums{zero, zero, zero, zero, zero, zero};
-        const Vec4* point = leaf.points.data();
-        for (std::size_t i = 0; i <= rows; ++i) {
-            Pair row = zero, slope = zero, bend = zero;
-            for (std::size_t j = 0; j <= columns; ++j, ++point) {
-                const double* coordinate = &point->x + first;
-                const Pair p{hn::Set(d, coordinate[0]), hn::Set(d, coordinate[1])};
-                add(p, at(v.value, j), row);
-                add(p, at(v.first, j), slope);
-                add(p, at(v.second, j), bend);
-            }
-            const V b = at(u.value, i), b1 = at(u.first, i);
-            add(row, b, sums[0]), add(row, b1, sums[1]);
-            add(slope, b, sums[2]), add(row, at(u.second, i), sums[3]);
-            add(slope, b1, sums[4]), add(bend, b, sums[5]);
+    Some zero;
+    zero.fill(hn::Zero(d));
+    Some value = zero, du = zero, dv = zero, duu = zero, duv = zero, dvv = zero;
+    const Vec4* point = leaf.points.data();
+    for (std::size_t i = 0; i <= rows; ++i) {
+        Some row = zero, slope = zero, bend = zero;
+        for (std::size_t j = 0; j <= columns; ++j, ++point) {
+            Some p;
+            for (std::size_t c = 0; c < count; ++c) p[c] = hn::Set(d, (&point->x)[first + c]);
+            add(p, at(v.value, j), row);
+            add(p, at(v.first, j), slope);
+            add(p, at(v.second, j), bend);
         }
-        for (std::size_t k = 0; k < sums.size(); ++k)
-            for (std::size_t c = 0; c < 2; ++c)
-                hn::Store(sums[k][c], d, jets.at[k][first + c].data());
+        const V b = at(u.value, i), b1 = at(u.first, i);
+        add(row, b, value), add(row, b1, du), add(row, at(u.second, i), duu);
+        add(slope, b, dv), add(slope, b1, duv);
+        add(bend, b, dvv);
     }
+    // Sums in an array would be kept in memory.
+    const auto store = [&](const Some& sum, std::size_t k) {
+        for (std::size_t c = 0; c < count; ++c) hn::Store(sum[c], d, jets.at[k][first + c].data());
+    };
+    store(value, 0), store(du, 1), store(dv, 2);
+    store(duu, 3), store(duv, 4), store(dvv, 5);
+}
+
+/// Of a leaf whose weights are all the same, theirs are left out.
+void find_jets_on_leaf(const BezierPatchView& leaf, bool rational, const BasisJet<Wide>& u,
+                       const BasisJet<Wide>& v, HomogeneousJets& jets) {
+    if (!rational) return find_jets_on_leaf<0, 3>(leaf, u, v, jets);
+    // Half of the components at a time fill the registers.
+    find_jets_on_leaf<0, 2>(leaf, u, v, jets);
+    find_jets_on_leaf<2, 2>(leaf, u, v, jets);
 }
 
 /// Whether so many hits are on one leaf that all lanes of a vector are filled by its points.
@@ -95,7 +107,7 @@ HomogeneousJets homogeneous_jets(const HitBlock& hits, std::size_t lane, LaneMas
         const BasisJet<Wide> v(static_cast<std::size_t>(shape.degree_v),
                                hn::Load(d, hits.v.data() + lane));
         if (one_leaf) {
-            find_jets_on_leaf(shape, u, v, jets);
+            find_jets_on_leaf(shape, hits.weight[lane] == 0, u, v, jets);
             return jets;
         }
         for (LaneMask left = wanted; left != 0; left &= left - 1) {
@@ -114,14 +126,16 @@ struct SpaceJet {
     Space<V> position, du, dv, duu, duv, dvv;
 };
 
-/// As `projected` in surface_jet.h: by the quotient rule, for lanes of `rational`.
+/// As `projected` in surface_jet.h: by the quotient rule where weights differ, for which `weight`
+/// is 0.
 template <class D>
-SpaceJet<hn::Vec<D>> projected(D d, const HomogeneousJets& jets, hn::Mask<D> rational) {
+SpaceJet<hn::Vec<D>> projected(D d, const HomogeneousJets& jets, hn::Vec<D> weight) {
     using V = hn::Vec<D>;
     const auto get = [&](std::size_t k, std::size_t c) {
         return hn::Load(d, jets.at[k][c].data());
     };
-    const V scale = hn::Div(hn::Set(d, 1), get(0, 3));
+    const auto rational = hn::Eq(weight, hn::Zero(d));
+    const V scale = hn::Div(hn::Set(d, 1), hn::IfThenElse(rational, get(0, 3), weight));
     const auto over_weight = [&](std::size_t k) {
         return Space<V>{hn::Mul(get(k, 0), scale), hn::Mul(get(k, 1), scale),
                         hn::Mul(get(k, 2), scale)};
@@ -133,13 +147,13 @@ SpaceJet<hn::Vec<D>> projected(D d, const HomogeneousJets& jets, hn::Mask<D> rat
         const Space<V> less = difference(a, by);
         for (std::size_t k = 0; k < 3; ++k) a[k] = hn::IfThenElse(rational, less[k], a[k]);
     };
-    const auto weight = [&](std::size_t k) { return hn::Mul(get(k, 3), scale); };
-    const V wu = weight(1), wv = weight(2), two = hn::Set(d, 2);
+    const auto weights = [&](std::size_t k) { return hn::Mul(get(k, 3), scale); };
+    const V wu = weights(1), wv = weights(2), two = hn::Set(d, 2);
     lower(s.du, scaled(s.position, wu));
     lower(s.dv, scaled(s.position, wv));
-    lower(s.duu, sum(scaled(s.du, hn::Mul(two, wu)), scaled(s.position, weight(3))));
-    lower(s.dvv, sum(scaled(s.dv, hn::Mul(two, wv)), scaled(s.position, weight(5))));
-    lower(s.duv, sum(sum(scaled(s.dv, wu), scaled(s.du, wv)), scaled(s.position, weight(4))));
+    lower(s.duu, sum(scaled(s.du, hn::Mul(two, wu)), scaled(s.position, weights(3))));
+    lower(s.dvv, sum(scaled(s.dv, hn::Mul(two, wv)), scaled(s.position, weights(5))));
+    lower(s.duv, sum(sum(scaled(s.dv, wu), scaled(s.du, wv)), scaled(s.position, weights(4))));
     return s;
 }
 
@@ -163,11 +177,9 @@ void evaluate_in_part(HitBlock& hits, std::size_t lane) {
     using V = hn::Vec<Wide>;
     const std::size_t count = std::min(hits.count - lane, hn::Lanes(d));
     const HomogeneousJets jets = homogeneous_jets(hits, lane, (LaneMask{1} << count) - 1);
-    std::uint8_t rational[8] = {};
-    for (std::size_t i = 0; i < count; ++i)
-        rational[0] =
-            static_cast<std::uint8_t>(rational[0] | (hits.rational[lane + i] ? 1 << i : 0));
-    const SpaceJet<V> s = projected(d, jets, hn::LoadMaskBits(d, rational));
+    const V weight =
+        hn::IfThenElse(hn::FirstN(d, count), hn::Load(d, hits.weight.data() + lane), hn::Set(d, 1));
+    const SpaceJet<V> s = projected(d, jets, weight);
     const V per_u = hn::Load(d, hits.per_u.data() + lane);
     const V per_v = hn::Load(d, hits.per_v.data() + lane);
     store(d, sum(load(d, hits.center, lane), s.position), hits.position, lane);

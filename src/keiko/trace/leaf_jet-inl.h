@@ -53,14 +53,17 @@ Jet<hn::Vec<D>> jet(D d, const SameLeaf& leaves, hn::Vec<D> x, hn::Vec<D> y) {
     Jet<V> jet;
     for (std::size_t i = last + 1; i-- > 0;) {
         std::array<V, used> value, slope;
+        const auto at = [&](std::size_t j, std::size_t c) {
+            return leaves.coefficient(d, i * columns + j, c);
+        };
         for (std::size_t c = 0; c < used; ++c) {
-            value[c] = leaves.coefficient(d, i * columns + columns - 1, c);
-            slope[c] = hn::Zero(d);
+            slope[c] = at(columns - 1, c);
+            value[c] = hn::MulAdd(slope[c], y, at(columns - 2, c));
         }
-        for (std::size_t j = columns - 1; j-- > 0;)
+        for (std::size_t j = columns - 2; j-- > 0;)
             for (std::size_t c = 0; c < used; ++c) {
                 slope[c] = hn::MulAdd(slope[c], y, value[c]);
-                value[c] = hn::MulAdd(value[c], y, leaves.coefficient(d, i * columns + j, c));
+                value[c] = hn::MulAdd(value[c], y, at(j, c));
             }
         for (std::size_t c = 0; c < used; ++c) {
             if (i == last) {
@@ -101,8 +104,9 @@ private:
             auto total = hn::Zero(d), total_x = hn::Zero(d), total_y = hn::Zero(d);
             for (std::size_t i = leaf.degree_u + 1u; i-- > 0;) {
                 const Component4* row = polynomial + i * columns;
-                auto here = hn::LoadU(d, row[columns - 1].data() + c), slope = hn::Zero(d);
-                for (std::size_t j = columns - 1; j-- > 0;) {
+                auto slope = hn::LoadU(d, row[columns - 1].data() + c);
+                auto here = hn::MulAdd(slope, y, hn::LoadU(d, row[columns - 2].data() + c));
+                for (std::size_t j = columns - 2; j-- > 0;) {
                     slope = hn::MulAdd(slope, y, here);
                     here = hn::MulAdd(here, y, hn::LoadU(d, row[j].data() + c));
                 }

@@ -134,17 +134,19 @@ Hit Tracer::evaluate(const Crossing& crossing) const {
 
 template <class Slot, class Replace>
 void Tracer::evaluate(std::span<const Ray> rays, std::span<const Crossing> crossings,
-                      const Slot& slot, const Replace& replace) const {
+                      HitDetail detail, const Slot& slot, const Replace& replace) const {
     std::vector<Ray> in_seams;
     HitEvaluation evaluation = scene_->evaluation();
     constexpr std::size_t ahead = HitBlock::capacity;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (i + ahead < rays.size() && crossings[i + ahead])
+        if (detail == HitDetail::all && i + ahead < rays.size() && crossings[i + ahead])
             evaluation.announce(crossings[i + ahead]);
         if (has(crossings[i].flags, HitFlags::seam))
             in_seams.push_back(rays[i]);
-        else if (crossings[i])
+        else if (crossings[i] && detail == HitDetail::all)
             evaluation.add(crossings[i], slot(i));
+        else if (crossings[i])
+            evaluation.write_face(crossings[i], slot(i));
     }
     evaluation.finish();
     std::vector<std::vector<Hit>> all_there = all(in_seams);
@@ -156,12 +158,13 @@ void Tracer::evaluate(std::span<const Ray> rays, std::span<const Crossing> cross
 std::vector<std::optional<Hit>> Tracer::nearest(std::span<const Ray> rays) const {
     std::vector<std::optional<Hit>> hits(rays.size());
     evaluate(
-        rays, nearest_crossings(rays), [&](std::size_t i) -> Hit& { return hits[i].emplace(); },
+        rays, nearest_crossings(rays), HitDetail::all,
+        [&](std::size_t i) -> Hit& { return hits[i].emplace(); },
         [&](std::size_t i, std::optional<Hit> hit) { hits[i] = std::move(hit); });
     return hits;
 }
 
-FirstHits Tracer::first_hits(std::span<const Ray> rays) const {
+FirstHits Tracer::first_hits(std::span<const Ray> rays, HitDetail detail) const {
     const std::vector<Crossing> crossings = nearest_crossings(rays);
     FirstHits found;
     found.of_ray.reserve(rays.size());
@@ -170,7 +173,7 @@ FirstHits Tracer::first_hits(std::span<const Ray> rays) const {
         found.of_ray.push_back(crossing ? count++ : no_index);
     found.hits.resize(count);
     evaluate(
-        rays, crossings, [&](std::size_t i) -> Hit& { return found.hits[found.of_ray[i]]; },
+        rays, crossings, detail, [&](std::size_t i) -> Hit& { return found.hits[found.of_ray[i]]; },
         [&](std::size_t i, const std::optional<Hit>& hit) {
             if (hit)
                 found.hits[found.of_ray[i]] = *hit;

@@ -34,6 +34,12 @@ struct TracerStatistics {
     const char* instruction_set = ""; ///< that the kernels were chosen for
 };
 
+/// How much is told of hits.
+enum class HitDetail {
+    face, ///< t, flags, seam, instance, face and patch; the rest as in a Hit that says nothing
+    all
+};
+
 /// The first hits of many rays.
 struct FirstHits {
     Hits hits;
@@ -73,7 +79,8 @@ public:
 
     /// The same for many rays, one answer a ray, in order. Coherent rays should stand together.
     std::vector<std::optional<Hit>> nearest(std::span<const Ray> rays) const;
-    FirstHits first_hits(std::span<const Ray> rays) const; ///< nearest(), with less memory
+    /// nearest(), with less memory, and less work where less is asked for.
+    FirstHits first_hits(std::span<const Ray> rays, HitDetail detail = HitDetail::all) const;
     std::vector<bool> any(std::span<const Ray> rays) const;
     std::vector<std::vector<Hit>> all(std::span<const Ray> rays) const;
 
@@ -99,8 +106,8 @@ private:
     /// The hits at the nearest crossings of rays: each written to `slot(ray)`, but where they are
     /// within the band of a seam `replace(ray, hit)` gets the one that all() keeps, if it does.
     template <class Slot, class Replace>
-    void evaluate(std::span<const Ray> rays, std::span<const Crossing> crossings, const Slot& slot,
-                  const Replace& replace) const;
+    void evaluate(std::span<const Ray> rays, std::span<const Crossing> crossings, HitDetail detail,
+                  const Slot& slot, const Replace& replace) const;
 
     struct Scene;
     std::unique_ptr<Scene> scene_;

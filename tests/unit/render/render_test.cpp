@@ -118,6 +118,28 @@ TEST(Render, MirrorsAloneShowTheSameInTilesOfAnySize) {
     }
 }
 
+// Surfaces that mirrored rays meet are left out where they show nothing: against paint that takes
+// light, but too little for a picture to show.
+TEST(Render, MirroredBodiesHideLampsWithoutTheirSurface) {
+    test::ModelBuilder builder;
+    builder.plane({-1000, -1000, 0}, {2000, 0, 0}, {0, 2000, 0});
+    const SurfaceModel plate = builder.build();
+    builder.plane({-300, 800, 0}, {600, 0, 0}, {0, 0, 500});
+    Stage stage(builder.build()), open(plate);
+    const PictureOptions options{.aovs = {}, .edge_samples = 1, .max_depth = 1};
+    const auto painted = [&](Stage& some, double diffuse) {
+        for (Material& material : some.materials) material.diffuse = Rgb(diffuse);
+        return some.render(options);
+    };
+    const Film alone = painted(stage, 0), lit = painted(stage, 1e-60), free = painted(open, 0);
+    EXPECT_EQ(alone.color.values, lit.color.values);
+    std::size_t hidden = 0;
+    for (int x = 0; x < stage.camera.width; ++x)
+        for (int y = 0; y < stage.camera.height; ++y)
+            hidden += alone.color.pixel(x, y)[0] == 0 && free.color.pixel(x, y)[0] > 10;
+    EXPECT_GT(hidden, 100u);
+}
+
 TEST(Render, AovsTellOfTheFirstHit) {
     const Stage stage(flat_plate());
     const Film film =

@@ -25,6 +25,14 @@ bool same_bits(const Hit& a, const Hit& b) {
            a.flags == b.flags && a.seam == b.seam && a.root.uv == b.root.uv;
 }
 
+/// Of HitDetail::face.
+Hit face_of(const Hit& hit) {
+    Hit face;
+    face.t = hit.t, face.flags = hit.flags, face.seam = hit.seam;
+    face.instance = hit.instance, face.face = hit.face, face.patch = hit.patch;
+    return face;
+}
+
 bool same_bits(const std::vector<Hit>& a, const std::vector<Hit>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const Hit& x, const Hit& y) { return same_bits(x, y); });
@@ -109,6 +117,15 @@ TEST_F(SameHits, WithNoRoomForRaysThatHaveNone) {
     EXPECT_LT(hits, rays_.size());
 }
 
+TEST_F(SameHits, WithTheirFacesAloneWhereNoMoreIsAskedFor) {
+    const FirstHits faces = tracer_.first_hits(rays_, HitDetail::face);
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        ASSERT_EQ(faces[i] != nullptr, nearest_[i].has_value()) << i;
+        if (!faces[i]) continue;
+        ASSERT_TRUE(same_bits(*faces[i], face_of(*nearest_[i]))) << i;
+    }
+}
+
 // There all hits of a ray tell which of them is the first.
 TEST(FirstHits, OfRaysThroughSeamsAreTheNearest) {
     Random random(113);
@@ -122,12 +139,14 @@ TEST(FirstHits, OfRaysThroughSeamsAreTheNearest) {
         rays.push_back(ray_through(target - in * 20, in));
     }
     const FirstHits first = tracer.first_hits(rays);
+    const FirstHits faces = tracer.first_hits(rays, HitDetail::face);
     const std::vector<std::optional<Hit>> nearest = tracer.nearest(std::span<const Ray>(rays));
     int in_seams = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         ASSERT_EQ(first[i] != nullptr, nearest[i].has_value()) << i;
         if (!first[i]) continue;
         ASSERT_TRUE(same_bits(*first[i], *nearest[i])) << i;
+        ASSERT_TRUE(same_bits(face_of(*faces[i]), face_of(*nearest[i]))) << i;
         in_seams += has(first[i]->flags, HitFlags::seam) ? 1 : 0;
     }
     EXPECT_GT(in_seams, 100);
