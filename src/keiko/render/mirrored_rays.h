@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/blank_allocator.h"
 #include "keiko/patch/ray.h"
 
 #include <array>
@@ -50,7 +51,7 @@ private:
     }
 
     std::size_t stride_ = 0;
-    std::vector<double> values_;
+    std::vector<double, BlankAllocator<double>> values_; ///< of places without a ray, anything
 };
 
 } // namespace keiko
