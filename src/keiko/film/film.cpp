@@ -58,7 +58,7 @@ Aov aov_by_name(std::string_view name) {
         if (known.name == name) return known.aov;
         list += (list.empty() ? "" : ", ") + std::string(known.name);
     }
-    throw Error("", "aov", "no AOV is called \"" + std::string(name) + "\"; there are " + list);
+    throw Error("", "aov", "no AOV is called " + in_quotes(name) + "; there are " + list);
 }
 
 } // namespace keiko

@@ -61,6 +61,26 @@ std::vector<std::uint8_t> quantised(const Image& display) {
     return bytes;
 }
 
+/// A header may tell of any size; the product of some is that of a small picture, modulo 2^64.
+void require_size(const OIIO::ImageSpec& spec, const std::string& file) {
+    constexpr int longest = 65536, most_channels = 1024;
+    if (spec.width > longest || spec.height > longest || spec.nchannels > most_channels)
+        throw Error(file, "",
+                    "is a picture of " + std::to_string(spec.width) + " x " +
+                        std::to_string(spec.height) + " pixels with " +
+                        std::to_string(spec.nchannels) + " channels: too large");
+    if (spec.depth > 1 || spec.deep) throw Error(file, "", "has several values a pixel");
+}
+
+NamedImage picture_of(OIIO::ImageInput& input, const std::string& file) {
+    const OIIO::ImageSpec& spec = input.spec();
+    require_size(spec, file);
+    NamedImage picture{Image(spec.width, spec.height, spec.nchannels), spec.channelnames};
+    if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, picture.image.values.data()))
+        throw Error(file, "", "cannot read the picture: " + input.geterror());
+    return picture;
+}
+
 } // namespace
 
 void require_image_extension(const fs::path& path) {
@@ -104,11 +124,7 @@ NamedImage decode_exr(std::string_view bytes, const std::string& file) {
     OIIO::Filesystem::IOMemReader source(const_cast<char*>(bytes.data()), bytes.size());
     const auto input = OIIO::ImageInput::open("picture.exr", nullptr, &source);
     if (!input) throw Error(file, "", "cannot read the picture: " + OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
-    NamedImage result{Image(spec.width, spec.height, spec.nchannels), spec.channelnames};
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, result.image.values.data()))
-        throw Error(file, "", "cannot read the picture: " + input->geterror());
-    return result;
+    return picture_of(*input, file);
 }
 
 NamedImage read_image(const fs::path& path) {
@@ -117,11 +133,7 @@ NamedImage read_image(const fs::path& path) {
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
     const auto input = OIIO::ImageInput::open(path.string(), &as_stored);
     if (!input) throw Error(path.string(), "", "cannot read the picture: " + OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
-    NamedImage result{Image(spec.width, spec.height, spec.nchannels), spec.channelnames};
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, result.image.values.data()))
-        throw Error(path.string(), "", "cannot read the picture: " + input->geterror());
-    return result;
+    return picture_of(*input, path.string());
 }
 
 Film read_film(const fs::path& path) {

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 using namespace keiko;
@@ -133,6 +134,30 @@ TEST_F(ImageFile, UnknownExtensionNamesTheKnownOnes) {
     EXPECT_NE(reason.find(".png"), std::string::npos);
     EXPECT_THROW(require_image_extension("picture"), Error);
     EXPECT_NO_THROW(require_image_extension("picture.EXR"));
+}
+
+/// Of a header, what tells the last column and row.
+std::string with_data_window(std::string bytes, std::int32_t last_column, std::int32_t last_row) {
+    const std::string key("dataWindow\0box2i\0", 17);
+    const std::size_t at = bytes.find(key) + key.size() + 3 * sizeof(std::int32_t);
+    std::memcpy(&bytes[at], &last_column, sizeof last_column);
+    std::memcpy(&bytes[at + sizeof last_column], &last_row, sizeof last_row);
+    return bytes;
+}
+
+TEST_F(ImageFile, SizesThatNoPictureHasAreRefused) {
+    const std::string bytes = encode_exr(Film{Image(4, 3, 3), {}, {}});
+    EXPECT_EQ(decode_exr(with_data_window(bytes, 3, 2), "a.exr").image.width, 4);
+    for (const auto& [column, row] :
+         {std::pair{69999, 2}, {3, 69999}, {(1 << 30) - 2, (1 << 30) - 2}})
+        EXPECT_NE(reason_of([&, c = column, r = row] {
+                      decode_exr(with_data_window(bytes, c, r), "a.exr");
+                  }).find("a.exr: "),
+                  std::string::npos);
+    EXPECT_NE(reason_of([&] {
+                  decode_exr(with_data_window(bytes, 69999, 2), "a.exr");
+              }).find("too large"),
+              std::string::npos);
 }
 
 TEST_F(ImageFile, ErrorsNameTheFile) {
