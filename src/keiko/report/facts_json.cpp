@@ -88,10 +88,6 @@ Json degree_json(const std::pair<const std::array<int, 2>, std::size_t>& degree)
 
 } // namespace
 
-std::string text_of(const Json& json) {
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 Json model_json(const ModelFacts& facts) {
     const RemarkCounts& remarks = facts.remarks;
     Json json = {

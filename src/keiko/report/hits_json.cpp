@@ -54,8 +54,6 @@ auto part(const char* where, const Read& read) {
         return read();
     } catch (const Json::exception&) {
         throw Error("", where, "a member is missing or not of the right kind");
-    } catch (const std::logic_error&) { // of stod
-        throw Error("", where, "a number is none");
     }
 }
 
@@ -66,7 +64,8 @@ bool finite(const Vec3& v) {
 void require_camera(const NamedView& view) {
     const Camera& c = view.camera;
     const auto require = [&](bool holds, const char* reason) {
-        if (!holds) throw Error("", "views", "the camera of '" + view.name + "': " + reason);
+        if (!holds)
+            throw Error("", "views", "the camera of '" + shortened(view.name) + "': " + reason);
     };
     require(c.width >= 1 && c.height >= 1, "width and height must be 1 or more");
     require(finite(c.eye) && finite(c.target) && finite(c.up), "a coordinate is not finite");
@@ -107,10 +106,10 @@ ViewSample hit_from(const Json& json, const RegisteredHits& hits) {
                     "one has " + std::to_string(json.size()) + " numbers instead of " +
                         std::to_string(columns().size()));
     ViewSample s;
-    s.view = json[0];
-    s.instance = json[1];
-    s.face = json[2];
-    s.edge = json[3];
+    s.view = count_from<std::uint32_t>(json[0]);
+    s.instance = count_from<std::uint32_t>(json[1]);
+    s.face = count_from<std::uint32_t>(json[2]);
+    s.edge = count_from<int>(json[3]);
     s.blocked = json[4];
     if (s.view >= hits.views.size() || s.face >= hits.faces || s.instance >= hits.instances)
         throw Error("", "hits", "one is of a view or face that is not there");
@@ -131,8 +130,8 @@ RegisteredHits parsed(const Json& json) {
     RegisteredHits hits;
     part("body", [&] {
         const Json& body = json.at("body");
-        hits.faces = body.at("faces");
-        hits.instances = body.at("instances");
+        hits.faces = count_from<std::size_t>(body.at("faces"));
+        hits.instances = count_from<std::size_t>(body.at("instances"));
         hits.body = {point_from(body.at("lower")), point_from(body.at("upper"))};
     });
     part("views", [&] {

@@ -2,8 +2,13 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace keiko {
+
+std::string text_of(const Json& json) {
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 Json real_json(double value) {
     if (std::isfinite(value)) return value;
@@ -20,7 +25,15 @@ Vec3 point_from(const Json& json) {
 }
 
 double real_from(const Json& json) {
-    return json.is_string() ? std::stod(json.get<std::string>()) : json.get<double>();
+    if (!json.is_string()) return json.get<double>();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (const double value : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()})
+        if (json == real_json(value)) return value;
+    throw Error("", in_quotes(json.get<std::string>()), "is no number");
+}
+
+Error not_a_count(const Json& json) {
+    return {"", in_quotes(text_of(json)), "is no count"};
 }
 
 } // namespace keiko

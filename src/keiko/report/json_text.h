@@ -1,8 +1,12 @@
 #pragma once
 
+#include "keiko/base/error.h"
 #include "keiko/inspect/model_facts.h"
 
 #include <nlohmann/json.hpp>
+
+#include <concepts>
+#include <utility>
 
 namespace keiko {
 
@@ -12,6 +16,9 @@ using Json = nlohmann::ordered_json;
 /// Names come from CAD files in any encoding: what is no UTF-8 is replaced, never thrown at.
 std::string text_of(const Json& json);
 
+/// Says what stands where a count should.
+Error not_a_count(const Json& json);
+
 /// [x, y, z]
 Json point(const Vec3& p);
 /// What point made. Throws Json::exception.
@@ -19,8 +26,17 @@ Vec3 point_from(const Json& json);
 
 /// A number, or a word for what JSON has no number: "inf", "-inf", "nan".
 Json real_json(double value);
-/// What real_json made. Throws Json::exception, and std::exception for another word.
+/// What real_json made. Throws Json::exception, and Error for another word.
 double real_from(const Json& json);
+
+/// A whole number from 0 to the largest Count. Throws Error for all else: the library itself would
+/// cut 1.5, wrap -1, and leave 1e300 undefined.
+template <std::integral Count>
+Count count_from(const Json& json) {
+    const auto* count = json.get_ptr<const Json::number_unsigned_t*>();
+    if (!count || !std::in_range<Count>(*count)) throw not_a_count(json);
+    return static_cast<Count>(*count);
+}
 
 /// The keys of facts_json but for `format` and `face_list`.
 Json model_json(const ModelFacts& facts);

@@ -97,7 +97,7 @@ std::string manifest_text(const KeptRecord& kept, const FolderContent& files) {
 
 const std::string& content_of(const FolderContent& files, const std::string& name) {
     const auto found = files.find(name);
-    if (found == files.end()) throw Error("", name, "is missing");
+    if (found == files.end()) throw Error("", shortened(name), "is missing");
     return found->second;
 }
 
@@ -163,8 +163,8 @@ KeptRecord record_of(const FolderContent& files, const std::string& folder) {
         return parsed_record(files);
     } catch (const Error& error) {
         throw Error(folder, error.where(), error.reason());
-    } catch (const std::exception& error) { // of the JSON library, and of stod
-        throw Error(folder, "", std::string("cannot be read: ") + error.what());
+    } catch (const std::exception& error) { // of the JSON library
+        throw Error(folder, "", "cannot be read: " + shortened(error.what()));
     }
 }
 

@@ -2,6 +2,8 @@
 #include "keiko/report/picture_outcome_json.h"
 #include "keiko/report/regression.h"
 
+#include <algorithm>
+
 namespace keiko {
 namespace {
 
@@ -66,11 +68,24 @@ FixtureOutcome fixture_from(const Json& json) {
     fixture.state = state_from(json.at("state"));
     fixture.error = json.at("error");
     fixture.checks = json.at("checks").get<std::vector<std::string>>();
-    fixture.metrics_compared = json.at("metrics_compared");
+    fixture.metrics_compared = count_from<std::size_t>(json.at("metrics_compared"));
     for (const Json& metric : json.at("metrics")) fixture.metrics.push_back(metric_from(metric));
     for (const Json& picture : json.at("pictures"))
         fixture.pictures.push_back(picture_outcome_from(picture));
     return fixture;
+}
+
+/// Names of fixtures are names of folders, into which whoever merges shards writes.
+void require_sound(const Regression& regression) {
+    if (regression.shard < 1 || regression.shard > regression.shards)
+        throw Error("", "shard", "is none of those there are");
+    for (const std::string& name : regression.suite)
+        if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
+            throw Error("", in_quotes(name), "is no name of a fixture");
+    for (const FixtureOutcome& fixture : regression.fixtures)
+        if (std::find(regression.suite.begin(), regression.suite.end(), fixture.name) ==
+            regression.suite.end())
+            throw Error("", in_quotes(fixture.name), "is no fixture of the suite");
 }
 
 Regression regression_from(const Json& json) {
@@ -81,9 +96,11 @@ Regression regression_from(const Json& json) {
     regression.suite = json.at("suite").get<std::vector<std::string>>();
     regression.suite_key = json.at("suite_key");
     regression.stale_baselines = json.at("stale_baselines").get<std::vector<std::string>>();
-    regression.shard = json.at("shard"), regression.shards = json.at("shards");
+    regression.shard = count_from<int>(json.at("shard"));
+    regression.shards = count_from<int>(json.at("shards"));
     for (const Json& fixture : json.at("fixtures"))
         regression.fixtures.push_back(fixture_from(fixture));
+    require_sound(regression);
     return regression;
 }
 
@@ -109,8 +126,8 @@ Regression parse_regression(const std::string& text, const std::string& file) {
         return regression_from(Json::parse(text));
     } catch (const Error& error) {
         throw Error(file, error.where(), error.reason());
-    } catch (const std::exception& error) { // of the JSON library, and of stod
-        throw Error(file, "", std::string("cannot be read: ") + error.what());
+    } catch (const std::exception& error) { // of the JSON library
+        throw Error(file, "", "cannot be read: " + shortened(error.what()));
     }
 }
 

@@ -98,6 +98,52 @@ TEST(Regression, JsonThatIsNoneIsRefusedWithTheFile) {
         }
 }
 
+/// What replaces `from` in the text of a sound regression.
+std::string changed_json(const std::string& from, const std::string& to) {
+    std::string json = regression_json(small_regression());
+    const std::size_t at = json.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return json.replace(at, from.size(), to);
+}
+
+void expect_refused(const std::string& json, const std::string& reason) {
+    try {
+        parse_regression(json, "r.json");
+        FAIL() << reason;
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+        EXPECT_LE(std::string(error.what()).size(), 1000u);
+    }
+}
+
+TEST(Regression, CountsThatAreNoneAreRefused) {
+    for (const char* count : {"1e300", "2.5", "-1", "3000000000", "\"1\"", "18446744073709551616"})
+        expect_refused(changed_json("\"shards\": 3", std::string("\"shards\": ") + count),
+                       "is no count");
+    expect_refused(changed_json("\"shards\": 3", "\"shards\": 1"), "is none of those there are");
+}
+
+TEST(Regression, WordsForNumbersAreThoseThatItWrites) {
+    for (const char* word : {"\"infinity\"", "\"0x10\"", "\"\"", "\"1\""})
+        expect_refused(changed_json("\"inf\"", word), "is no number");
+}
+
+TEST(Regression, NamesThatWouldLeaveTheFolderAreRefused) {
+    for (const char* name : {"/tmp/x", "../x", "..", ".", ""}) {
+        Regression regression = small_regression();
+        regression.suite[1] = regression.fixtures[0].name = name;
+        expect_refused(regression_json(regression), "is no name of a fixture");
+    }
+    expect_refused(changed_json("\"name\": \"b\"", "\"name\": \"other\""),
+                   "is no fixture of the suite");
+}
+
+TEST(Regression, RefusalsAreShort) {
+    const std::string far(5000, 'x');
+    expect_refused("{\"format\": " + far, "cannot be read");
+    expect_refused(changed_json("\"inf\"", '"' + far + '"'), "is no number");
+}
+
 TEST(Regression, JunitHasACaseForEachCheckViewAndLayer) {
     const std::string xml = regression_junit(small_regression());
     EXPECT_NE(xml.find("<testsuites name=\"keiko\" tests=\"7\" failures=\"2\" errors=\"1\">"),
