@@ -26,6 +26,11 @@ std::string_view without_blanks(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
+/// Of several '\r' only the last is the line's end; the others are no fields either.
+bool is_blank(std::string_view line) {
+    return line.find_first_not_of(" \t\r") == std::string_view::npos;
+}
+
 std::optional<std::string> read_number(std::string_view text, double& number) {
     if (text.empty()) return "is empty";
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -70,9 +75,9 @@ std::optional<Refusal> refusal_of(const Ray& ray, std::string_view header) {
 }
 
 Refusal wrong_count(std::string_view line, std::size_t count, std::string_view header) {
-    const std::string got = without_blanks(line).empty() ? "an empty line"
-                            : count == 1                 ? "1 field"
-                                                         : std::to_string(count) + " fields";
+    const std::string got = is_blank(line) ? "an empty line"
+                            : count == 1   ? "1 field"
+                                           : std::to_string(count) + " fields";
     return {"", "expected " + std::string(header) + ", got " + got};
 }
 
@@ -111,7 +116,7 @@ std::size_t end_of_rays(std::string_view text) {
         std::string_view line = text;
         if (line.ends_with('\n')) line.remove_suffix(1);
         line.remove_prefix(line.rfind('\n') + 1);
-        if (line.size() > longest_ray_line || line.find_first_not_of(" \t\r") != line.npos) break;
+        if (line.size() > longest_ray_line || !is_blank(line)) break;
         text = text.substr(0, static_cast<std::size_t>(line.data() - text.data()));
     }
     return text.size();

@@ -44,6 +44,7 @@ TEST(RaysOf, NamesLineAndFieldOfWhatIsNoRay) {
     EXPECT_EQ(refusal_of("1;2;3;4;5;6"), at + "expected ox,oy,oz,dx,dy,dz, got 1 field");
     EXPECT_EQ(refusal_of("1,2,3,4,5,6,"), at + "expected ox,oy,oz,dx,dy,dz, got 7 fields");
     EXPECT_EQ(refusal_of("\n"), at + "expected ox,oy,oz,dx,dy,dz, got an empty line");
+    EXPECT_EQ(refusal_of(" \r\r\n"), at + "expected ox,oy,oz,dx,dy,dz, got an empty line");
     EXPECT_EQ(refusal_of(std::string(2000, '1')), at + "longer than 1024 characters");
 }
 
