@@ -50,6 +50,13 @@ void copy_rigs(const fs::path& seeds) {
         copy_to(seeds / "preset", entry.path());
 }
 
+void copy_suite(const fs::path& seeds) {
+    for (const char* name : {"hood.toml", "lights.toml", "seams.toml", "seam-g0-gap.toml"})
+        copy_to(seeds / "fixture", sources / "surfaces" / name);
+    for (const char* name : {"metrics.json", "manifest.json"})
+        copy_to(seeds / "record", sources / "surfaces/baselines/seam-g0-gap" / name);
+}
+
 void copy_luminaires(const fs::path& seeds) {
     for (const auto& entry :
          fs::directory_iterator(sources / "tests/data/oracle/photometric_files"))
@@ -89,6 +96,7 @@ int main(int argc, char** argv) {
                  fs::copy_options::recursive | fs::copy_options::overwrite_existing);
         copy_surfaces(argv[1]);
         copy_rigs(argv[1]);
+        copy_suite(argv[1]);
         copy_luminaires(argv[1]);
         write_model(argv[1], full_model());
     } catch (const std::exception& error) {
