@@ -87,11 +87,14 @@ NamedView view_from(const Json& json) {
     return view;
 }
 
-void require_sample(const ViewSample& s) {
+void require_sample(const ViewSample& s, const Camera& camera) {
     const auto require = [](bool holds, const char* reason) {
         if (!holds) throw Error("", "hits", reason);
     };
     require(s.edge >= 1, "one stands for no pixel");
+    require(
+        s.pixel.x >= 0 && s.pixel.x <= camera.width && s.pixel.y >= 0 && s.pixel.y <= camera.height,
+        "one is beside its picture");
     require(s.weight > 0 && std::isfinite(s.weight), "one has no solid_angle above 0");
     require(finite(s.mirror.origin), "a place is not finite");
     constexpr double rounding = 1e-6;
@@ -119,8 +122,9 @@ ViewSample hit_from(const Json& json, const RegisteredHits& hits) {
         number = real_from(json[next++]);
         if (!std::isfinite(number)) throw Error("", "hits", "a number is not finite");
     });
-    require_sample(s);
-    s.eye = hits.views[s.view].camera.ray(s.pixel.x, s.pixel.y).origin;
+    const Camera& camera = hits.views[s.view].camera;
+    require_sample(s, camera);
+    s.eye = camera.ray(s.pixel.x, s.pixel.y).origin;
     return s;
 }
 

@@ -65,6 +65,14 @@ TEST(HitsJson, WordsForNumbersAreRefusedInAShortLine) {
     EXPECT_LE(refusal_of(changed("0.001", '"' + std::string(5000, 'x') + '"')).size(), 200u);
 }
 
+TEST(HitsJson, PlacesBesideThePictureAreRefused) {
+    for (const Vec2& pixel : {Vec2(1e300, 1), Vec2(5, 1), Vec2(-1, 1), Vec2(1, 3.5)}) {
+        RegisteredHits hits = one_hit();
+        hits.samples[0].pixel = pixel;
+        EXPECT_EQ(refusal_of(hits_json(hits, "1")), "hits.json:hits: one is beside its picture");
+    }
+}
+
 TEST(HitsJson, TheNameOfAViewIsToldInAShortLine) {
     RegisteredHits hits = one_hit();
     hits.views[0].name.assign(5000, 'x');
