@@ -5,8 +5,9 @@
 #include <numbers>
 
 /// Compiled for wide vectors too, and chosen when the program starts. Without contraction both give
-/// the same bits.
-#if defined(__x86_64__) && defined(__ELF__)
+/// the same bits. gcc has the thread sanitizer watch the function that chooses too, which runs
+/// before the sanitizer is there: no program would start.
+#if defined(__x86_64__) && defined(__ELF__) && !defined(__SANITIZE_THREAD__)
 #define KEIKO_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define KEIKO_WIDE
