@@ -52,7 +52,9 @@ public:
     template <class... Arguments>
     auto operator()(Arguments&&... arguments) const {
         order_.after();
-        return callable_(std::forward<Arguments>(arguments)...);
+        const Callable own = callable_;
+        order_.before(); // the library may make another copy in this one's memory
+        return own(std::forward<Arguments>(arguments)...);
     }
 
 private:
