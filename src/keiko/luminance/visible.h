@@ -35,6 +35,7 @@ struct PrismTurn {
     /// The side of it that is dark, by rising angle about the prism's direction: 1 or -1, or 0
     /// where that is not known.
     int dark = 0;
+    bool jump = true; ///< what is hidden may change at once there; else only how fast it does
 };
 
 /// What can be seen of a segment from one apex. The one question of visibility that lamps

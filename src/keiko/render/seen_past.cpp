@@ -70,7 +70,7 @@ std::vector<PrismTurn> SeenPast::turns(const Prism& prism, const TurnRule& rule)
     std::vector<PrismTurn> turns;
     if (!occluders_) return turns;
     for (const SeenTurn& turn : view().turns(ends_of(prism), rule.gap, rule.missed))
-        turns.push_back({turn.way, turn.missed, turn.dark});
+        turns.push_back({turn.way, turn.missed, turn.dark, turn.jump});
     return turns;
 }
 

@@ -43,7 +43,7 @@ public:
     /// On the exact surface, at the same free coordinate.
     std::optional<SurfaceJet> place(Vec2 xy) const {
         constexpr int most_steps = 6;
-        constexpr double astray = 1, settled = 1e-6; // the next step is about its square
+        constexpr double astray = 1, settled = 1e-4; // the next step is about its square
         for (int i = 0; i < most_steps; ++i) {
             const SurfaceJet jet =
                 jet_on(kernels_, patch_, piece_.uv.center() + piece_.uv.extent() * 0.5 * xy);

@@ -34,6 +34,7 @@ struct SeenTurn {
     /// The side of it that is dark, by rising angle about the prism's direction: 1 or -1, or 0
     /// where that is not known.
     int dark = 0;
+    bool jump = true; ///< what is hidden may change at once there; else only how fast it does
 };
 
 class ApexView;

@@ -2,16 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace keiko {
 namespace {
 
 constexpr int most_halvings = 7;
-/// Of a prism's width and of its length: what is one place.
-constexpr double one_place = 1e-5, one_place_along = 1e-4;
 /// Of what may be left out: what lines that are too short to be followed take.
 constexpr double of_short = 0.25;
+
+/// Over [0, t] and [t, 1].
+std::array<BorderPiece::Curve, 2> cut_at(const BorderPiece::Curve& curve, double t) {
+    std::array<BorderPiece::Curve, 2> parts{curve, curve};
+    auto& [low, high] = parts;
+    constexpr std::size_t last = BorderPiece::points - 1;
+    for (std::size_t level = 1; level <= last; ++level) {
+        for (std::size_t i = 0; i + level <= last; ++i)
+            high[i] = high[i] * (1 - t) + high[i + 1] * t;
+        low[level] = high[0];
+    }
+    return parts;
+}
 
 } // namespace
 
@@ -39,7 +49,7 @@ void OutlineTurns::add_fold(const BorderPiece& line) {
 void OutlineTurns::add_unclear(const ScreenBox& box) {
     const double run = std::min((box.along_high - box.along_low) / length_, 1.0);
     for (const double across : {box.across_low, box.across_high})
-        add((across - prism_.across_low) / width_, run * gap_ / 2, 0);
+        add((across - prism_.across_low) / width_, run * gap_ / 2, 0, true);
 }
 
 bool OutlineTurns::leaves_out(const ScreenBox& box) {
@@ -54,8 +64,13 @@ double OutlineTurns::most_slope() const {
     return missed_ / few / kink(1) * length_ / width_;
 }
 
-void OutlineTurns::add(double across, double weight, int dark) {
-    if (across > 0 && across < 1) turns_.push_back({across, weight, dark});
+bool OutlineTurns::Run::steep() const {
+    constexpr double most = 10; // over the steps that lines are placed by it changes by 1e-5
+    return !(std::abs(b - a) > one_place) || std::abs(slope()) > most;
+}
+
+void OutlineTurns::add(double across, double weight, int dark, bool jump) {
+    if (across > 0 && across < 1) turns_.push_back({across, weight, dark, jump});
 }
 
 /// Across and along in widths and lengths of the prism.
@@ -93,43 +108,90 @@ OutlineTurns::Shown OutlineTurns::shown(const BorderPiece& line,
     }
     const ScreenPlace &a = places.front(), &b = places.back();
     const double up = b.across >= a.across ? 1 : -1, on = b.along >= a.along ? 1 : -1;
-    constexpr double rounding = one_place;
-    for (std::size_t i = 1; i < places.size(); ++i)
-        shown.monotone = shown.monotone &&
-                         (places[i].across - places[i - 1].across) * up >= -rounding &&
-                         (places[i].along - places[i - 1].along) * on >= -rounding;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        shown.back_across += std::max((places[i - 1].across - places[i].across) * up, 0.0);
+        shown.back_along += std::max((places[i - 1].along - places[i].along) * on, 0.0);
+    }
     shown.run = {a.across, b.across, a.along, b.along};
-    shown.run.dark = dark_side(line, curve);
     return shown;
 }
 
+bool OutlineTurns::is_even(const Shown& seen) const {
+    return seen.before && seen.back_across <= one_place &&
+           (seen.within_ends() || seen.back_along <= one_place);
+}
+
+/// What a line runs back by hides no more than the box of that.
+bool OutlineTurns::is_nearly_even(const Shown& seen) {
+    if (!seen.before) return false;
+    const auto inside = [](double low, double high) {
+        return std::max(std::min(high, 1.0) - std::max(low, 0.0), 0.0);
+    };
+    double missed = seen.back_across * inside(seen.box.along_low, seen.box.along_high);
+    if (!seen.within_ends())
+        missed += seen.back_along * inside(seen.box.across_low, seen.box.across_high);
+    if (!(left_out_ + missed <= of_short * missed_)) return false;
+    left_out_ += missed;
+    return true;
+}
+
+/// Where a line turns back, by the parabola through its ends and its middle.
+double OutlineTurns::turn_of(const BorderPiece& line, const BorderPiece::Curve& curve,
+                             const Shown& seen) const {
+    constexpr double middle = 0.5, nearest_to_end = 1e-3;
+    if (!seen.before) return middle;
+    const ScreenPlace half = place(line.center + point_on(curve, middle));
+    const bool across = seen.back_across > one_place;
+    const double a = across ? seen.run.a : seen.run.from, c = across ? seen.run.b : seen.run.to;
+    const double b = across ? half.across : half.along;
+    const double turn = (3 * a - 4 * b + c) / (4 * (a - 2 * b + c));
+    return turn > nearest_to_end && turn < 1 - nearest_to_end ? turn : middle;
+}
+
 void OutlineTurns::follow(const BorderPiece& line, const Part& part, bool fold, int halvings) {
-    const Shown seen = shown(line, part.curve);
+    Shown seen = shown(line, part.curve);
     static constexpr ScreenBox whole{-0.1, 1.1, 0, 1}; // its ends are not quite straight
     if (seen.before && !seen.box.overlaps(whole)) return;
+    const bool even = is_even(seen);
+    if (even && seen.within_ends() && !seen.run.ends_inside()) return;
     ViewVolume::Sides sides = volume_.all_sides();
     if (!volume_.may_hold(part.curve, line.center, line.error, sides)) return;
     if (!fold && !line.may_be_edge_on(apex_, part.curve)) return;
-    if (seen.before && (seen.monotone || halvings == 0))
+    if (even || is_nearly_even(seen) || (seen.before && halvings == 0)) {
+        seen.run.dark = dark_side(line, part.curve);
         return add_run(clipped(line, part.curve, seen.run), part);
+    }
     if (halvings == 0) return;
-    const auto [low, high] = halved(part.curve);
+    const auto [low, high] = cut_at(part.curve, turn_of(line, part.curve, seen));
     follow(line, {low, part.begins, false}, fold, halvings - 1);
     follow(line, {high, false, part.ends}, fold, halvings - 1);
 }
 
-/// Across, where a line that runs past the place `along` once does so.
+/// Across, where a line that runs past the place `along` once does so: false position, after
+/// Illinois.
 double OutlineTurns::where(const BorderPiece& line, const BorderPiece::Curve& curve,
                            double along) const {
     const auto at = [&](double t) { return place(line.center + point_on(curve, t)); };
     double low = 0, high = 1;
-    const bool rises = at(1).along > at(0).along;
-    constexpr int halvings = 30;
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = (low + high) / 2;
-        ((at(middle).along > along) == rises ? high : low) = middle;
+    double off_low = at(low).along - along, off_high = at(high).along - along;
+    constexpr int most_steps = 40;
+    constexpr double settled = 1e-9;
+    double across = at(0.5).across;
+    int last = 0;
+    for (int i = 0; i < most_steps && off_low != off_high; ++i) {
+        const double t = low + (high - low) * std::clamp(off_low / (off_low - off_high), 0.0, 1.0);
+        const ScreenPlace next = at(t);
+        across = next.across;
+        const double off = next.along - along;
+        if (!(std::abs(off) > settled)) break;
+        const bool is_low = (off < 0) == (off_low < 0);
+        (is_low ? low : high) = t;
+        (is_low ? off_low : off_high) = off;
+        const int side = is_low ? -1 : 1;
+        if (side == last) (is_low ? off_high : off_low) /= 2;
+        last = side;
     }
-    return at((low + high) / 2).across;
+    return across;
 }
 
 /// What of a run lies between the ends of the prism, at which it turns.
@@ -161,66 +223,16 @@ void OutlineTurns::add_run(const Run& run, const Part& part) {
     // Beside the ends of the prism.
     if (std::max(run.from, run.to) <= 0 || std::min(run.from, run.to) >= 1) return;
     const double weight = this->weight(run);
-    if (!(std::abs(run.b - run.a) > one_place)) return add(run.a, weight, run.dark);
+    if (!(std::abs(run.b - run.a) > one_place)) return add(run.a, weight, run.dark, true);
     const int rise = run.b > run.a ? 1 : -1;
     const auto add_end = [&](double across, double along, int sign, bool within, bool whole) {
-        if (!within) return add(across, weight, run.dark);
+        if (!within) return add(across, weight, run.dark, run.steep());
         if (across > 0 && across < 1)
-            ends_.push_back({across, along, sign, run.slope(), weight, whole, run.dark});
+            ends_.push_back(
+                {across, along, sign, run.slope(), weight, whole, run.dark, run.steep()});
     };
     add_end(run.a, run.from, rise, run.begins, part.begins);
     add_end(run.b, run.to, -rise, run.ends, part.ends);
-}
-
-/// A line runs on where one part goes up from a place and one down, but for how it bends there.
-std::vector<OutlineTurns::Turn> OutlineTurns::turning_ends() const {
-    std::vector<Turn> turns;
-    std::vector<End> ends = ends_;
-    std::sort(ends.begin(), ends.end(),
-              [](const End& a, const End& b) { return a.across < b.across; });
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        if (std::isnan(ends[i].along)) continue;
-        int rise = 0;
-        double bend = 0, weight = 0;
-        bool whole = false;
-        int dark = ends[i].dark;
-        for (std::size_t k = i; k < ends.size() && ends[k].across <= ends[i].across + one_place;
-             ++k) {
-            if (!(std::abs(ends[k].along - ends[i].along) <= one_place_along)) continue;
-            rise += ends[k].rise, bend += ends[k].rise * ends[k].slope;
-            weight += ends[k].weight, whole = whole || ends[k].whole;
-            if (ends[k].dark != dark) dark = 0;
-            if (k > i) ends[k].along = std::nan("");
-        }
-        if (rise == 0) weight = std::min(weight, kink(std::abs(bend)));
-        if (whole || std::abs(rise) != 1) turns.push_back({ends[i].across, weight, dark});
-    }
-    return turns;
-}
-
-/// Two faces of one edge have it twice.
-std::vector<OutlineTurns::Turn> OutlineTurns::all_turns() const {
-    std::vector<Turn> turns = turning_ends();
-    turns.insert(turns.end(), turns_.begin(), turns_.end());
-    std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
-        return std::pair(a.across, a.missed) < std::pair(b.across, b.missed);
-    });
-    const auto is_same = [](const Turn& a, const Turn& b) {
-        return b.across - a.across <= one_place && std::abs(a.missed - b.missed) <= 1e-3 * a.missed;
-    };
-    turns.erase(std::unique(turns.begin(), turns.end(), is_same), turns.end());
-    return turns;
-}
-
-std::vector<OutlineTurns::Turn> OutlineTurns::found() const {
-    std::vector<Turn> turns = all_turns();
-    std::sort(turns.begin(), turns.end(),
-              [](const Turn& a, const Turn& b) { return a.missed < b.missed; });
-    double missed = left_out_;
-    const auto matters = [&](const Turn& turn) { return (missed += turn.missed) > missed_; };
-    turns.erase(turns.begin(), std::find_if(turns.begin(), turns.end(), matters));
-    for (Turn& turn : turns) turn.across = prism_.across_low + turn.across * width_;
-    return turns;
 }
 
 } // namespace keiko

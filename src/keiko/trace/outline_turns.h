@@ -37,11 +37,15 @@ public:
         double across; ///< the screen
         double missed; ///< as SeenTurn
         int dark;      ///< likewise
+        bool jump;     ///< likewise
     };
     /// Those that matter.
     std::vector<Turn> found() const;
 
 private:
+    /// Of the prism's width and of its length: what is one place.
+    static constexpr double one_place = 1e-5, one_place_along = 1e-4;
+
     struct Part {
         BorderPiece::Curve curve;
         bool begins, ends; ///< where the whole piece does
@@ -54,6 +58,10 @@ private:
         int dark = 0;                    ///< side across
 
         double slope() const { return (to - from) / (b - a); }
+        /// Whether lines next to each other see it apart.
+        bool steep() const;
+        /// Whether one of them lies between the prism's sides.
+        bool ends_inside() const { return (a > 0 && a < 1) || (b > 0 && b < 1); }
     };
     struct End {
         double across, along;
@@ -61,24 +69,35 @@ private:
         double slope, weight;
         bool whole; ///< of a piece, not of a part
         int dark;
+        bool jump;
     };
     /// What the screen shows of a part, by its control points.
     struct Shown {
         ScreenBox box;
         Run run;
-        bool before = true;   ///< all before the apex
-        bool monotone = true; ///< across, and along
+        bool before = true; ///< all before the apex
+        /// By how much it may run back between its ends.
+        double back_across = 0, back_along = 0;
+
+        bool within_ends() const { return box.along_low > 0 && box.along_high < 1; }
     };
 
     void follow(const BorderPiece& line, const Part& part, bool fold, int most_halvings);
     Shown shown(const BorderPiece& line, const BorderPiece::Curve& curve) const;
+    /// Whether a part runs on all along, as far as its ends matter.
+    bool is_even(const Shown& seen) const;
+    /// Whether what it may run back by matters less than the rule asks for, together with all that
+    /// is left out so far.
+    bool is_nearly_even(const Shown& seen);
+    double turn_of(const BorderPiece& line, const BorderPiece::Curve& curve,
+                   const Shown& seen) const;
     ScreenPlace place(const Vec3& x) const;
     Run clipped(const BorderPiece& line, const BorderPiece::Curve& curve, Run run);
     void add_run(const Run& run, const Part& part);
     double where(const BorderPiece& line, const BorderPiece::Curve& curve, double along) const;
     double weight(const Run& run) const;
     double kink(double slope) const { return slope * gap_ * gap_ / 8; }
-    void add(double across, double weight, int dark);
+    void add(double across, double weight, int dark, bool jump);
     int dark_side(const BorderPiece& line, const BorderPiece::Curve& curve) const;
     std::vector<Turn> turning_ends() const;
     std::vector<Turn> all_turns() const;

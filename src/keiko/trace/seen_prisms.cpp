@@ -120,7 +120,7 @@ std::vector<SeenTurn> ApexView::Candidates::turns(const PrismEdges& prism, doubl
     add_outlines(*hull, turns);
     std::vector<SeenTurn> found;
     for (const OutlineTurns::Turn& turn : turns.found())
-        found.push_back({screen.screen.way_at(turn.across), turn.missed, turn.dark});
+        found.push_back({screen.screen.way_at(turn.across), turn.missed, turn.dark, turn.jump});
     return found;
 }
 

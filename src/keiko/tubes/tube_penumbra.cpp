@@ -2,7 +2,7 @@
 
 #include "keiko/math/perpendicular.h"
 #include "keiko/tubes/cap_penumbra.h"
-#include "keiko/tubes/width_slices.h"
+#include "keiko/tubes/ends_and_middles.h"
 #include "keiko/tubes/width_turns.h"
 
 #include <algorithm>
@@ -53,14 +53,14 @@ public:
 
     void add_lines(std::vector<Segment>& lines) const {
         if (options_.axes && !middle_tells_) lines.push_back(axis_);
-        add_lines_of_parts(lines);
+        add_ends_and_middles(width_, parts_, lines);
     }
     /// By what is seen of those lines, from `next` on.
     SeenLight seen(const Visible& visible, std::vector<IntervalSet>::const_iterator& next) {
         SeenLight seen;
-        if (options_.axes)
-            seen.axis = middle_tells_ ? width_.of_axis(next[before_middle()]) : *next++;
+        if (options_.axes && !middle_tells_) seen.axis = *next++;
         hide_parts(next);
+        if (options_.axes && middle_tells_) seen.axis = width_.of_axis(*parts_[0].seen[1]);
         if (options_.between_lines) look_between(visible);
         SolidAngle sums;
         for (const Slices& part : parts_) sums += integrate(width_, visible, part, rule_of(part));
@@ -69,19 +69,11 @@ public:
     }
 
 private:
-    void add_lines_of_parts(std::vector<Segment>& lines) const {
-        for (const Slices& part : parts_)
-            keiko::add_lines(width_, Slices::ends_and_middle, part, lines);
-    }
     void hide_parts(std::vector<IntervalSet>::const_iterator& next) {
+        hide_ends_and_middles(width_, options_.between_lines, parts_, next);
         brightest_ = 0;
-        for (Slices& part : parts_) {
-            hide_ends_and_middle(width_, options_.between_lines, part, next);
-            brightest_ = std::max(brightest_, part.brightest());
-        }
+        for (const Slices& part : parts_) brightest_ = std::max(brightest_, part.brightest());
     }
-    /// Lines of the first part before the middle one.
-    int before_middle() const { return parts_[0].at[Slices::first].all > 0 ? 1 : 0; }
     SliceRule rule_of(const Slices& part) const {
         constexpr int most_halvings = 14;
         const double error = options_.tolerance * 2 * brightest_ * part.half;
@@ -98,13 +90,18 @@ private:
         const Prism lines{line(-1), line(0), line(0), line(1)};
         const std::vector<PrismTurn> found = visible.turns(lines, {gap, allowed / 2});
         if (found.empty()) return;
-        const WidthTurns turns(width_, found, gap);
-        const std::vector<double> cuts = turns.cuts(allowed, agree());
-        if (cuts.empty()) return;
-        parts_ = parts_of(width_, cuts);
-        std::vector<Segment> of_parts;
-        add_lines_of_parts(of_parts);
-        const std::vector<IntervalSet> seen = visible.intervals(of_parts);
+        const std::vector<WidthCut> cuts = WidthTurns(width_, found, gap).cuts(allowed, agree());
+        if (!cuts.empty()) cut_at(cuts, visible);
+    }
+    /// What is seen of both ends is known.
+    void cut_at(std::span<const WidthCut> cuts, const Visible& visible) {
+        std::vector<Slices> parts = parts_of(width_, cuts);
+        if (parts.front().begin() == -1) parts.front().seen.front() = parts_.front().seen.front();
+        if (parts.back().end() == 1) parts.back().seen.back() = parts_.back().seen.back();
+        parts_ = std::move(parts);
+        std::vector<Segment> lines;
+        add_ends_and_middles(width_, parts_, lines);
+        const std::vector<IntervalSet> seen = visible.intervals(lines);
         auto next = seen.begin();
         hide_parts(next);
     }

@@ -1,5 +1,7 @@
 #include "keiko/tubes/width_slices.h"
 
+#include "keiko/tubes/ends_and_middles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -80,32 +82,6 @@ double missed_by_middle(const Slices& slices) {
                      by_chance * std::abs(end - begin), slices.parts_off});
 }
 
-/// Where parts that are seen of a slice begin and end, in turn: shares of its light on one side.
-std::vector<double> seen_ends(const LampWidth& width, const SubAxis& axis, double all,
-                              const IntervalSet& seen) {
-    std::vector<double> ends;
-    for (const ParameterInterval& part : seen)
-        for (const double end : {part.begin, part.end})
-            ends.push_back(width.lit(axis, 0, end) / all);
-    return ends;
-}
-
-/// By how much the ends of the middle's seen parts are off the lines through those of the ends, of
-/// three sets; all of it where these do not see as many parts.
-double parts_off(const LampWidth& width, const Slices& slices,
-                 std::vector<IntervalSet>::const_iterator seen) {
-    std::array<std::vector<double>, 3> ends;
-    for (std::size_t k = 0; k < ends.size(); ++k) {
-        const std::size_t node = Slices::ends_and_middle[k];
-        ends[k] = seen_ends(width, slices.axes[node], slices.at[node].all, *seen++);
-        if (ends[k].size() != ends[0].size()) return 1;
-    }
-    double off = 0;
-    for (std::size_t i = 0; i < ends[0].size(); ++i)
-        off += std::abs(ends[1][i] - (ends[0][i] + ends[2][i]) / 2);
-    return off;
-}
-
 double missed_by_gauss(const Slices& slices) {
     return missed_at(slices, 0, 2, 4) + missed_at(slices, 8, 6, 4);
 }
@@ -156,29 +132,33 @@ public:
     }
 
 private:
-    std::vector<IntervalSet> seen_at(std::span<const std::size_t> nodes_of,
-                                     const Slices& slices) const {
-        std::vector<Segment> lines;
-        add_lines(width_, nodes_of, slices, lines);
-        return visible_.intervals(lines);
-    }
     void find(std::span<const std::size_t> nodes_of, Slices& slices) const {
-        const std::vector<IntervalSet> seen = seen_at(nodes_of, slices);
+        std::vector<Segment> lines;
+        for (const std::size_t i : nodes_of)
+            if (slices.at[i].all > 0) lines.push_back(width_.line_of(slices.axes[i]));
+        const std::vector<IntervalSet> seen = visible_.intervals(lines);
         auto next = seen.begin();
-        hide_slices(width_, nodes_of, slices, next);
+        for (const std::size_t i : nodes_of)
+            if (slices.at[i].all > 0) hide_slice(width_, i, *next++, slices);
     }
-    void find_ends_and_middle(Slices& slices) const {
-        const std::vector<IntervalSet> seen = seen_at(Slices::ends_and_middle, slices);
-        auto next = seen.begin();
-        hide_ends_and_middle(width_, part_by_part_, slices, next);
+    /// Of which the ends are known by the whole.
+    std::array<Slices, 2> halves_of(const Slices& whole) const {
+        const double half = whole.half / 2;
+        std::array halves{part_of(width_, whole.center - half, half),
+                          part_of(width_, whole.center + half, half)};
+        halves[0].seen = {whole.seen[0], {}, whole.seen[1]};
+        halves[1].seen = {whole.seen[1], {}, whole.seen[2]};
+        return halves;
     }
     SolidAngle in_halves(const Slices& slices, double error, int most_halvings) const {
+        std::array<Slices, 2> halves = halves_of(slices);
+        std::vector<Segment> lines;
+        add_ends_and_middles(width_, halves, lines);
+        const std::vector<IntervalSet> seen = visible_.intervals(lines);
+        auto next = seen.begin();
+        hide_ends_and_middles(width_, part_by_part_, halves, next);
         SolidAngle both;
-        for (const double side : {-0.5, 0.5}) {
-            Slices part = part_of(width_, slices.center + side * slices.half, slices.half / 2);
-            find_ends_and_middle(part);
-            both += over(std::move(part), error / 2, most_halvings - 1);
-        }
+        for (Slices& half : halves) both += over(std::move(half), error / 2, most_halvings - 1);
         return both;
     }
 
@@ -196,44 +176,34 @@ double Slices::brightest() const {
     return most;
 }
 
-std::vector<Slices> parts_of(const LampWidth& width, std::span<const double> turns) {
-    constexpr double aside = 2e-6;
-    const double beside = turns.empty() ? 0 : aside;
-    std::vector<double> cuts = width.cuts();
-    cuts.insert(cuts.end(), turns.begin(), turns.end());
-    std::sort(cuts.begin(), cuts.end());
+std::vector<Slices> parts_of(const LampWidth& width, std::span<const WidthCut> cuts) {
+    constexpr double beside = 2e-6;
+    struct Border {
+        double end, begin; ///< of the parts on both sides
+    };
+    std::vector<Border> borders;
+    for (const double place : width.cuts()) borders.push_back({place, place});
+    for (const WidthCut& cut : cuts)
+        borders.push_back({cut.begin - beside, cut.jump ? cut.end + beside : cut.begin - beside});
+    std::sort(borders.begin(), borders.end(),
+              [](const Border& a, const Border& b) { return a.end < b.end; });
     std::vector<Slices> parts;
-    for (std::size_t i = 1; i < cuts.size(); ++i) {
-        const double begin = cuts[i - 1] + (i > 1 ? beside : 0);
-        const double end = cuts[i] - (i + 1 < cuts.size() ? beside : 0);
-        if (begin < end) parts.push_back(part_of(width, (end + begin) / 2, (end - begin) / 2));
+    double begin = -1, last_end = -1;
+    for (const Border& border : borders) {
+        const double end = std::min(border.end, 1.0);
+        if (begin < end) {
+            parts.push_back(part_of(width, (end + begin) / 2, (end - begin) / 2));
+            parts.back().begins_where_last_ends = parts.size() > 1 && begin == last_end;
+            last_end = end;
+        }
+        begin = std::max(begin, border.begin);
     }
     return parts;
-}
-
-void add_lines(const LampWidth& width, std::span<const std::size_t> nodes, const Slices& slices,
-               std::vector<Segment>& lines) {
-    for (const std::size_t i : nodes)
-        if (slices.at[i].all > 0) lines.push_back(width.line_of(slices.axes[i]));
 }
 
 void hide_slice(const LampWidth& width, std::size_t node, const IntervalSet& seen, Slices& slices) {
     for (const ParameterInterval& dark : seen.complement())
         slices.at[node].hidden += width.lit(slices.axes[node], dark.begin, dark.end);
-}
-
-void hide_slices(const LampWidth& width, std::span<const std::size_t> nodes, Slices& slices,
-                 std::vector<IntervalSet>::const_iterator& next) {
-    for (const std::size_t i : nodes)
-        if (slices.at[i].all > 0) hide_slice(width, i, *next++, slices);
-}
-
-void hide_ends_and_middle(const LampWidth& width, bool part_by_part, Slices& slices,
-                          std::vector<IntervalSet>::const_iterator& next) {
-    const auto seen = next;
-    hide_slices(width, Slices::ends_and_middle, slices, next);
-    const auto count = static_cast<std::ptrdiff_t>(Slices::ends_and_middle.size());
-    if (part_by_part && next - seen == count) slices.parts_off = parts_off(width, slices, seen);
 }
 
 bool ends_and_middle_agree(const Slices& slices, const SliceRule& until) {

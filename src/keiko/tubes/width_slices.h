@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,30 +30,30 @@ struct Slices {
     double center = 0, half = 1; ///< of the width, -1 to 1
     std::array<SubAxis, count> axes{};
     std::array<Slice, count> at{};
+    /// What is seen of the lines of the ends and the middle, where it is known.
+    std::array<std::optional<IntervalSet>, 3> seen{};
+    bool begins_where_last_ends = false; ///< of several parts
     /// Of the light: by how much the middle's seen parts are known to be off lines from end to end.
     double parts_off = 0;
 
+    double begin() const { return center - half; }
+    double end() const { return center + half; }
     /// The most light of any.
     double brightest() const;
 };
 
-/// The parts of a width between its cuts and turns of outlines, of which nothing is asked yet.
-/// Where there are turns just beside them and the cuts: what is seen on them is not told.
-std::vector<Slices> parts_of(const LampWidth& width, std::span<const double> turns = {});
+/// A place across a width, or a narrow part of it that is left out, where what is seen turns.
+struct WidthCut {
+    double begin, end;
+    bool jump; ///< what is seen may change at once there: lines are to see it from both sides
+};
 
-/// Appends the lines to be asked for at some nodes: of slices that light anything.
-void add_lines(const LampWidth& width, std::span<const std::size_t> nodes, const Slices& slices,
-               std::vector<Segment>& lines);
-/// With what is seen of a slice.
+/// The parts of a width between its own cuts and others, of which nothing is asked yet. They end
+/// and begin just beside these others, as what is seen on them is not told.
+std::vector<Slices> parts_of(const LampWidth& width, std::span<const WidthCut> cuts = {});
+
+/// With what is seen of the line at a node.
 void hide_slice(const LampWidth& width, std::size_t node, const IntervalSet& seen, Slices& slices);
-/// With what is seen of the lines of add_lines(), from `next` on.
-void hide_slices(const LampWidth& width, std::span<const std::size_t> nodes, Slices& slices,
-                 std::vector<IntervalSet>::const_iterator& next);
-
-/// With what is seen of the lines of the ends and the middle, of each part that is seen by itself
-/// if `part_by_part`.
-void hide_ends_and_middle(const LampWidth& width, bool part_by_part, Slices& slices,
-                          std::vector<IntervalSet>::const_iterator& next);
 
 /// Solid angle of a lamp, or of a part of it.
 struct SolidAngle {

@@ -32,7 +32,7 @@ WidthTurns::WidthTurns(const LampWidth& width, std::span<const PrismTurn> turns,
     : gap_(gap) {
     for (const PrismTurn& turn : turns)
         if (const double place = width.place_in(turn.way); std::abs(place) < 1)
-            turns_.push_back({place, turn.missed * 2 / gap, turn.dark});
+            turns_.push_back({place, turn.missed * 2 / gap, turn.dark, turn.jump});
     std::sort(turns_.begin(), turns_.end(),
               [](const Turn& a, const Turn& b) { return a.place < b.place; });
 }
@@ -64,7 +64,7 @@ double WidthTurns::missed(std::span<const double> cuts) const {
     return missed;
 }
 
-std::vector<double> WidthTurns::cuts(double allowed, bool agree) const {
+std::vector<double> WidthTurns::places(double allowed, bool agree) const {
     std::vector<double> cuts;
     if (agree && missed(cuts) <= allowed) return cuts;
     constexpr double for_sure = 4; // less is left to the choice below, which takes fewer cuts
@@ -83,6 +83,25 @@ std::vector<double> WidthTurns::cuts(double allowed, bool agree) const {
                 return a.jump < b.jump;
             })->place;
         cuts.insert(std::lower_bound(cuts.begin(), cuts.end(), place), place);
+    }
+    return cuts;
+}
+
+bool WidthTurns::jumps_at(double place) const {
+    return std::any_of(turns_.begin(), turns_.end(),
+                       [&](const Turn& turn) { return turn.place == place && turn.at_once; });
+}
+
+/// Cuts so near to each other that all between them matters little are one.
+std::vector<WidthCut> WidthTurns::cuts(double allowed, bool agree) const {
+    std::vector<WidthCut> cuts;
+    double left = allowed / 2; // of half the width, to be left out
+    for (const double place : places(allowed, agree)) {
+        const double gap = cuts.empty() ? left : place - cuts.back().end;
+        if (gap < left)
+            cuts.back() = {cuts.back().begin, place, true}, left -= gap;
+        else
+            cuts.push_back({place, place, jumps_at(place)});
     }
     return cuts;
 }

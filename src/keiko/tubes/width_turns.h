@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/luminance/visible.h"
-#include "keiko/tubes/lamp_width.h"
+#include "keiko/tubes/width_slices.h"
 
 #include <span>
 #include <vector>
@@ -19,12 +19,13 @@ public:
     /// miss no more than `allowed` of the lamp together. Every jump of more than that is among
     /// them, or of four times as much where both ends and the middle of the whole `agree`, for
     /// which none may be enough.
-    std::vector<double> cuts(double allowed, bool agree) const;
+    std::vector<WidthCut> cuts(double allowed, bool agree) const;
 
 private:
     struct Turn {
         double place, jump;
         int dark;
+        bool at_once; ///< else only how fast changes
     };
     /// Turns between two neighbouring lines.
     struct Cell {
@@ -33,6 +34,8 @@ private:
     };
     double missed(std::span<const double> cuts) const;
     std::vector<Cell> cells(std::span<const double> cuts) const;
+    std::vector<double> places(double allowed, bool agree) const;
+    bool jumps_at(double place) const;
 
     std::vector<Turn> turns_;
     double gap_;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace keiko {
 namespace {
@@ -26,6 +27,7 @@ const PrismEdges prism{SegmentEnds{Vec3(-500, -500, 1000), Vec3(500, -500, 1000)
 struct Found {
     double slope, missed;
     int dark;
+    bool jump;
 };
 
 /// By rising slope, seen from the origin.
@@ -38,7 +40,7 @@ std::vector<Found> turns_of(const SurfaceModel& model, double missed = 0) {
     std::vector<Found> found;
     for (const SeenTurn& turn : view.turns(prism, gap, missed)) {
         EXPECT_NEAR(turn.way.x, 0, 1e-12);
-        found.push_back({turn.way.y / turn.way.z, turn.missed, turn.dark});
+        found.push_back({turn.way.y / turn.way.z, turn.missed, turn.dark, turn.jump});
     }
     std::sort(found.begin(), found.end(),
               [](const Found& a, const Found& b) { return a.slope < b.slope; });
@@ -65,7 +67,10 @@ TEST(OutlineTurns, AreWhereAnEdgeRunsAlong) {
     ASSERT_EQ(found.size(), 2u);
     EXPECT_NEAR(found[0].slope, 0.1, one_place);
     EXPECT_NEAR(found[1].slope, 0.275, one_place);
-    for (const Found& turn : found) EXPECT_NEAR(turn.missed, 0.3 * gap / 2, 1e-12);
+    for (const Found& turn : found) {
+        EXPECT_NEAR(turn.missed, 0.3 * gap / 2, 1e-12);
+        EXPECT_TRUE(turn.jump);
+    }
     EXPECT_EQ(found[0].dark, -1);
     EXPECT_EQ(found[1].dark, 1);
 }
@@ -78,6 +83,7 @@ TEST(OutlineTurns, AreAtTheCornersOfAParallelogram) {
     EXPECT_NEAR(found[1].slope, 0.15, one_place);
     EXPECT_NEAR(found[2].slope, 0.16, one_place);
     EXPECT_NEAR(found[3].slope, 0.26, one_place);
+    for (const Found& turn : found) EXPECT_FALSE(turn.jump);
 }
 
 /// Only what lies before the prism counts, and an edge beyond both of its ends hides all alike.
@@ -94,6 +100,29 @@ TEST(OutlineTurns, LeavesOutAsMuchAsIsAllowed) {
     EXPECT_EQ(turns_of(model, 0.45 * of_both).size(), 2u);
     EXPECT_EQ(turns_of(model, 0.55 * of_both).size(), 1u);
     EXPECT_TRUE(turns_of(model, 1.01 * of_both).empty());
+}
+
+/// Arcs turn back where they run along, near their middle or far from it.
+TEST(OutlineTurns, AreWhereACurvedBorderTurnsBack) {
+    constexpr double radius = 60, y = 20, z = 400, eighth = std::numbers::pi / 4;
+    for (const double turned : {0.0, 0.11, -0.4, 0.6}) {
+        std::vector<Vec4> points;
+        for (const double at : {eighth, 2 * eighth, 3 * eighth})
+            for (const double r : {radius / 2, radius}) {
+                const double w = at == 2 * eighth ? std::cos(eighth) : 1, from_middle = r / w;
+                const Vec3 x(from_middle * std::cos(at + turned),
+                             y + from_middle * std::sin(at + turned), z);
+                points.emplace_back(x.x * w, x.y * w, x.z * w, w);
+            }
+        ModelBuilder builder;
+        builder.rational_patch(2, 1, points);
+        const std::vector<Found> found = turns_of(builder.build());
+        for (const double r : {radius / 2, radius})
+            EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Found& turn) {
+                return std::abs(turn.slope - (y + r) / z) < 2 * one_place && turn.missed > 0;
+            })) << turned;
+        EXPECT_NEAR(found.back().slope, (y + radius) / z, 2 * one_place);
+    }
 }
 
 /// A ball's outline turns back where a plane along the prism touches it, wherever its patches meet.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 using namespace keiko;
 
@@ -114,6 +115,29 @@ TEST(TubePenumbra, TellsWhatIsSeenOfTheAxis) {
                     EXPECT_NEAR(seen.axis[k].end, axis[k].end, 1e-12);
                 }
             }
+}
+
+/// However often the width is halved.
+TEST(TubePenumbra, AsksNoLineTwice) {
+    struct Recorder final : Visible {
+        explicit Recorder(const Vec3& hidden_side) : edge(hidden_side) {}
+        using Visible::intervals;
+        IntervalSet intervals(const Segment& segment) const override {
+            for (const Segment& other : asked)
+                twice += (other.a - segment.a).length() + (other.b - segment.b).length() < 1e-9;
+            asked.push_back(segment);
+            return edge.intervals(segment);
+        }
+        PastEdge edge;
+        mutable std::vector<Segment> asked;
+        mutable int twice = 0;
+    };
+    for (const double slant : {0.0, 0.002}) {
+        const Recorder visible(hidden_beyond(0.3, slant));
+        share(visible, 1e-4);
+        EXPECT_GT(visible.asked.size(), 20u);
+        EXPECT_EQ(visible.twice, 0);
+    }
 }
 
 TEST(TubePenumbra, AsksFewLinesWhereAnEdgeCrossesTheLamp) {
