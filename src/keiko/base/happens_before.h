@@ -39,7 +39,8 @@ private:
 };
 
 /// A callable that a library copies from thread to thread: whoever calls it knows what was written
-/// before it was copied, what it has captured among it.
+/// before it was copied, what it has captured among it. Copied for each call: for callables that
+/// only refer to what they work on.
 template <class Callable>
 class HandedOver {
 public:

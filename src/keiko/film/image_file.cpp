@@ -64,7 +64,10 @@ std::vector<std::uint8_t> quantised(const Image& display) {
 /// A header may tell of any size; the product of some is that of a small picture, modulo 2^64.
 void require_size(const OIIO::ImageSpec& spec, const std::string& file) {
     constexpr int longest = 65536, most_channels = 1024;
-    if (spec.width > longest || spec.height > longest || spec.nchannels > most_channels)
+    constexpr double most_numbers = 2147483648.0; // 8 GB
+    const double numbers = static_cast<double>(spec.width) * spec.height * spec.nchannels;
+    if (spec.width > longest || spec.height > longest || spec.nchannels > most_channels ||
+        numbers > most_numbers)
         throw Error(file, "",
                     "is a picture of " + std::to_string(spec.width) + " x " +
                         std::to_string(spec.height) + " pixels with " +

@@ -206,6 +206,7 @@ ShaftShadows Integrator::shaft_shadows(std::span<const Segment> legs, int depth)
 }
 
 Integrator::Incidence Integrator::incidence(const Ray& ray, const Hit& hit, int depth) const {
+    // Asked for by no one there, and the hit may have no normal.
     if (depth > 0 && depth >= options_.max_depth) return {};
     const double cosine = std::abs(hit.normal.dot(ray.direction)) / ray.direction.length();
     Incidence incidence{cosine, {}};

@@ -54,6 +54,8 @@ auto part(const char* where, const Read& read) {
         return read();
     } catch (const Json::exception&) {
         throw Error("", where, "a member is missing or not of the right kind");
+    } catch (const Error& error) {
+        throw Error("", where, error.reason());
     }
 }
 

@@ -29,11 +29,12 @@ double real_from(const Json& json) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (const double value : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()})
         if (json == real_json(value)) return value;
-    throw Error("", in_quotes(json.get<std::string>()), "is no number");
+    throw Error("", "", in_quotes(json.get<std::string>()) + " is no number");
 }
 
-Error not_a_count(const Json& json) {
-    return {"", in_quotes(text_of(json)), "is no count"};
+Error not_whole(const Json& json, const char* kind) {
+    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return {"", "", in_quotes(text) + " is no " + kind};
 }
 
 } // namespace keiko

@@ -16,8 +16,8 @@ using Json = nlohmann::ordered_json;
 /// Names come from CAD files in any encoding: what is no UTF-8 is replaced, never thrown at.
 std::string text_of(const Json& json);
 
-/// Says what stands where a count should.
-Error not_a_count(const Json& json);
+/// Says what stands where a whole number of some kind should.
+Error not_whole(const Json& json, const char* kind);
 
 /// [x, y, z]
 Json point(const Vec3& p);
@@ -34,8 +34,14 @@ double real_from(const Json& json);
 template <std::integral Count>
 Count count_from(const Json& json) {
     const auto* count = json.get_ptr<const Json::number_unsigned_t*>();
-    if (!count || !std::in_range<Count>(*count)) throw not_a_count(json);
+    if (!count || !std::in_range<Count>(*count)) throw not_whole(json, "count");
     return static_cast<Count>(*count);
+}
+/// The same of one that may be negative.
+inline int int_from(const Json& json) {
+    const auto* number = json.get_ptr<const Json::number_integer_t*>(); // of unsigned ones, too
+    if (!number || !std::in_range<int>(*number)) throw not_whole(json, "whole number");
+    return static_cast<int>(*number);
 }
 
 /// The keys of facts_json but for `format` and `face_list`.

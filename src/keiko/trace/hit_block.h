@@ -23,7 +23,7 @@ struct alignas(64) HitBlock {
     Lanes<double> u{}, v{};             ///< on the leaf, [0, 1]
     Lanes<double> per_u{}, per_v{};     ///< how fast they run with the patch's own parameters
     Lanes<double> error_u{}, error_v{}; ///< in patch parameters
-    Lanes<double> weight{};             ///< of all control points; 0: they differ
+    Lanes<double> weight{};             ///< of all control points, above 0; 0: they differ
     Vectors center{};                   ///< of the leaf, in its part
     // What is there: in the world, by patch parameters.
     Vectors position, du, dv, duu, duv, dvv;

@@ -135,14 +135,16 @@ SpaceJet<hn::Vec<D>> projected(D d, const HomogeneousJets& jets, hn::Vec<D> weig
         return hn::Load(d, jets.at[k][c].data());
     };
     const auto rational = hn::Eq(weight, hn::Zero(d));
-    const V scale = hn::Div(hn::Set(d, 1), hn::IfThenElse(rational, get(0, 3), weight));
+    const bool none_rational = hn::AllFalse(d, rational);
+    const V at_place = none_rational ? weight : hn::IfThenElse(rational, get(0, 3), weight);
+    const V scale = hn::Div(hn::Set(d, 1), at_place);
     const auto over_weight = [&](std::size_t k) {
         return Space<V>{hn::Mul(get(k, 0), scale), hn::Mul(get(k, 1), scale),
                         hn::Mul(get(k, 2), scale)};
     };
     SpaceJet<V> s{over_weight(0), over_weight(1), over_weight(2),
                   over_weight(3), over_weight(4), over_weight(5)};
-    if (hn::AllFalse(d, rational)) return s;
+    if (none_rational) return s;
     const auto lower = [&](Space<V>& a, const Space<V>& by) {
         const Space<V> less = difference(a, by);
         for (std::size_t k = 0; k < 3; ++k) a[k] = hn::IfThenElse(rational, less[k], a[k]);

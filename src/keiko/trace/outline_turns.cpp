@@ -65,7 +65,7 @@ double OutlineTurns::most_slope() const {
 }
 
 bool OutlineTurns::Run::steep() const {
-    constexpr double most = 10; // over the steps that lines are placed by it changes by 1e-5
+    constexpr double most = 10; // from one side of a cut to the other it changes by 1e-5
     return !(std::abs(b - a) > one_place) || std::abs(slope()) > most;
 }
 
@@ -117,19 +117,17 @@ OutlineTurns::Shown OutlineTurns::shown(const BorderPiece& line,
 }
 
 bool OutlineTurns::is_even(const Shown& seen) const {
-    return seen.before && seen.back_across <= one_place &&
-           (seen.within_ends() || seen.back_along <= one_place);
+    return seen.before && seen.back_across <= one_place && seen.back_along <= one_place;
 }
 
-/// What a line runs back by hides no more than the box of that.
+/// What a line runs back by hides no more than the boxes of that.
 bool OutlineTurns::is_nearly_even(const Shown& seen) {
     if (!seen.before) return false;
     const auto inside = [](double low, double high) {
         return std::max(std::min(high, 1.0) - std::max(low, 0.0), 0.0);
     };
-    double missed = seen.back_across * inside(seen.box.along_low, seen.box.along_high);
-    if (!seen.within_ends())
-        missed += seen.back_along * inside(seen.box.across_low, seen.box.across_high);
+    const double missed = seen.back_across * inside(seen.box.along_low, seen.box.along_high) +
+                          seen.back_along * inside(seen.box.across_low, seen.box.across_high);
     if (!(left_out_ + missed <= of_short * missed_)) return false;
     left_out_ += missed;
     return true;

@@ -58,7 +58,7 @@ private:
         int dark = 0;                    ///< side across
 
         double slope() const { return (to - from) / (b - a); }
-        /// Whether lines next to each other see it apart.
+        /// Whether lines next to each other see it apart, as far as the way from end to end tells.
         bool steep() const;
         /// Whether one of them lies between the prism's sides.
         bool ends_inside() const { return (a > 0 && a < 1) || (b > 0 && b < 1); }
@@ -84,7 +84,7 @@ private:
 
     void follow(const BorderPiece& line, const Part& part, bool fold, int most_halvings);
     Shown shown(const BorderPiece& line, const BorderPiece::Curve& curve) const;
-    /// Whether a part runs on all along, as far as its ends matter.
+    /// Whether a part runs on all along, across and along.
     bool is_even(const Shown& seen) const;
     /// Whether what it may run back by matters less than the rule asks for, together with all that
     /// is left out so far.

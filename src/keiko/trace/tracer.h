@@ -36,7 +36,7 @@ struct TracerStatistics {
 
 /// How much is told of hits.
 enum class HitDetail {
-    face, ///< t, flags, seam, instance, face and patch; the rest as in a Hit that says nothing
+    face, ///< t, flags, seam, instance, face and patch; nothing else is to be read
     all
 };
 

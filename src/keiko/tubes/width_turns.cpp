@@ -88,8 +88,10 @@ std::vector<double> WidthTurns::places(double allowed, bool agree) const {
 }
 
 bool WidthTurns::jumps_at(double place) const {
-    return std::any_of(turns_.begin(), turns_.end(),
-                       [&](const Turn& turn) { return turn.place == place && turn.at_once; });
+    constexpr double one_place = 2e-5; // what turns are found to, of half the width
+    return std::any_of(turns_.begin(), turns_.end(), [&](const Turn& turn) {
+        return std::abs(turn.place - place) <= one_place && turn.at_once;
+    });
 }
 
 /// Cuts so near to each other that all between them matters little are one.

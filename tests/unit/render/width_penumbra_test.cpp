@@ -72,9 +72,10 @@ std::vector<Bar> bars(int count, double pitch, double slant, double height,
 /// What points of the ground see of the row past some model.
 struct Under {
     SurfaceModel model;
+    CPlane plane = row;
     Tracer tracer{model};
     Occluders occluders{model, tracer};
-    LightSource source{row};
+    LightSource source{plane};
     std::vector<int> lamps{0, 1};
 
     SeenPast past(const Vec3& point) const {
@@ -82,7 +83,7 @@ struct Under {
     }
     /// The middles of many strips along a lamp.
     double share_by_lines(const Vec3& point, int lamp, int lines) const {
-        const TubeLamp tube = lamp_of(CPlaneFrame(row), lamp, row.luminance);
+        const TubeLamp tube = lamp_of(CPlaneFrame(plane), lamp, plane.luminance);
         const LampWidth width(*view_of(tube, point, up), point, TubeShape::cylinder, {});
         std::vector<SubAxis> axes;
         std::vector<Segment> segments;
@@ -144,6 +145,30 @@ TEST(WidthPenumbra, FindsSlitsBetweenBoards) {
         std::vector<Vec3> points;
         for (int i = 0; i < 6; ++i) points.emplace_back(120.0 * i - 350, 74.0 * i - 210, 0);
         EXPECT_GE(Under{builder.build()}.expect_as_by_lines(points, many_lines), 6) << slant;
+    }
+}
+
+// Across a short lamp, of which lines that pass on both sides of the bulge know nothing.
+TEST(WidthPenumbra, FindsABulgeOfABorder) {
+    CPlane above = row;
+    above.origin = {-100, -500, 800}, above.u = {200, 0, 0};
+    constexpr double height = 400, width = 6, bulge = 0.9, end = 20;
+    for (int i = 0; i < 22; ++i) {
+        const double begin = -170 + 2.7 * i;
+        ModelBuilder builder;
+        const auto add_strip = [&](double from, double to, double further) {
+            std::vector<Vec3> points;
+            for (const double y : {from, (from + to) / 2, to}) {
+                points.emplace_back(-2000, y, height);
+                points.emplace_back(y > from && y < to ? end + further : end, y, height);
+            }
+            builder.patch(2, 1, points);
+        };
+        add_strip(-1000, begin, 0);
+        add_strip(begin, begin + width, bulge);
+        add_strip(begin + width, 1000, 0);
+        const Under under{builder.build(), above};
+        EXPECT_GE(under.expect_as_by_lines({Vec3(0)}, many_lines), 1);
     }
 }
 

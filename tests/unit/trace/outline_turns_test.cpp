@@ -125,6 +125,22 @@ TEST(OutlineTurns, AreWhereACurvedBorderTurnsBack) {
     }
 }
 
+/// A border that runs on across, and along a little there and back.
+TEST(OutlineTurns, AreWhereABorderBulges) {
+    for (const double bulge : {0.2, 1.0, 20.0}) {
+        std::vector<Vec3> points;
+        for (const double y : {20.0, 40.0, 60.0})
+            for (const double x : {0.0, y == 40 ? 10 + bulge : 10.0})
+                points.emplace_back(x, y, 400);
+        ModelBuilder builder;
+        builder.patch(2, 1, points);
+        const std::vector<Found> found = turns_of(builder.build());
+        EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Found& turn) {
+            return std::abs(turn.slope - 0.1) < 2 * one_place && turn.missed > 0;
+        })) << bulge;
+    }
+}
+
 /// A ball's outline turns back where a plane along the prism touches it, wherever its patches meet.
 TEST(OutlineTurns, AreWhereABallsOutlineTurnsBack) {
     for (const Vec3& axis : {Vec3(0, 0, 1), Vec3(0.3, 0.5, 0.8), Vec3(-0.7, 0.4, 0.2)})
