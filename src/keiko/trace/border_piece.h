@@ -51,8 +51,8 @@ struct BorderPiece {
 
 /// Of a curve of degree 5 at t.
 Vec3 point_on(const BorderPiece::Curve& curve, double t);
-/// Over the two halves of [0, 1].
-std::array<BorderPiece::Curve, 2> halved(const BorderPiece::Curve& curve);
+/// Over [0, t] and [t, 1].
+std::array<BorderPiece::Curve, 2> cut_at(const BorderPiece::Curve& curve, double t);
 
 /// The borders of every placed face, trimmed or natural, and the knot lines along which the normal
 /// jumps. Left out: the sides of a closed face that join smoothly, and sides collapsed into a

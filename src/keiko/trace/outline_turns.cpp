@@ -10,19 +10,6 @@ constexpr int most_halvings = 7;
 /// Of what may be left out: what lines that are too short to be followed take.
 constexpr double of_short = 0.25;
 
-/// Over [0, t] and [t, 1].
-std::array<BorderPiece::Curve, 2> cut_at(const BorderPiece::Curve& curve, double t) {
-    std::array<BorderPiece::Curve, 2> parts{curve, curve};
-    auto& [low, high] = parts;
-    constexpr std::size_t last = BorderPiece::points - 1;
-    for (std::size_t level = 1; level <= last; ++level) {
-        for (std::size_t i = 0; i + level <= last; ++i)
-            high[i] = high[i] * (1 - t) + high[i + 1] * t;
-        low[level] = high[0];
-    }
-    return parts;
-}
-
 } // namespace
 
 OutlineTurns::OutlineTurns(const Apex& apex, const ApexScreen& screen, const ScreenBox& prism,
@@ -66,7 +53,7 @@ double OutlineTurns::most_slope() const {
 
 bool OutlineTurns::Run::steep() const {
     constexpr double most = 10; // from one side of a cut to the other it changes by 1e-5
-    return !(std::abs(b - a) > one_place) || std::abs(slope()) > most;
+    return std::abs(slope()) > most;
 }
 
 void OutlineTurns::add(double across, double weight, int dark, bool jump) {

@@ -33,7 +33,7 @@ bool may_cross(const BorderPiece& border, const BorderPiece::Curve& part, const 
         !border.may_be_edge_on(apex, part))
         return false;
     if (most_halvings == 0) return true;
-    const std::array halves = halved(part);
+    const std::array halves = cut_at(part, 0.5);
     return std::any_of(halves.begin(), halves.end(), [&](const BorderPiece::Curve& half) {
         return may_cross(border, half, apex, volume, sides, most_halvings - 1);
     });

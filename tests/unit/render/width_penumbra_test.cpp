@@ -119,23 +119,23 @@ struct Under {
 
 constexpr int many_lines = 40000; // each edge along a lamp is within 1.3e-5 of its place
 
-} // namespace
-
-// Of a twentieth of a lamp's width, so that lines a ninth of it apart pass on both sides of one.
-TEST(WidthPenumbra, FindsThinBarsAlongALamp) {
+/// Of a twentieth of a lamp's width, so that lines a ninth of it apart pass on both sides of one.
+void expect_thin_bars_found(void (Bar::*add)(ModelBuilder&) const) {
     ModelBuilder builder;
-    for (const Bar& bar : bars(9, 213, 0, 1400, {4.5, 4.5})) bar.add_flat(builder);
+    for (const Bar& bar : bars(9, 213, 0, 1400, {4.5, 4.5})) (bar.*add)(builder);
     const std::vector<Vec3> points{{172, -26.5, 0}, {-333, -134, 0},  {-303, -54, 0},
                                    {402, 44, 0},    {-392, 337.5, 0}, {51, -11.5, 0}};
     EXPECT_GE(Under{builder.build()}.expect_as_by_lines(points, many_lines), 8);
 }
 
+} // namespace
+
+TEST(WidthPenumbra, FindsThinBarsAlongALamp) {
+    expect_thin_bars_found(&Bar::add_flat);
+}
+
 TEST(WidthPenumbra, FindsThinRoundBarsAlongALamp) {
-    ModelBuilder builder;
-    for (const Bar& bar : bars(9, 213, 0, 1400, {4.5, 4.5})) bar.add_round(builder);
-    const std::vector<Vec3> points{{172, -26.5, 0}, {-333, -134, 0},  {-303, -54, 0},
-                                   {402, 44, 0},    {-392, 337.5, 0}, {51, -11.5, 0}};
-    EXPECT_GE(Under{builder.build()}.expect_as_by_lines(points, many_lines), 8);
+    expect_thin_bars_found(&Bar::add_round);
 }
 
 TEST(WidthPenumbra, FindsSlitsBetweenBoards) {
