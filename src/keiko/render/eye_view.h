@@ -42,10 +42,19 @@ inline SurfacePlace place_of(const EyeSample& sample) {
 /// Eye rays through places of a grid, which are numbered row by row.
 struct EyeGrid {
     int width = 0, height = 0;
-    /// Those with rays, neighbours together; through others none meets the model.
+    /// Those with rays, neighbours together; through others none meets the model, or it was
+    /// followed before: the first two rows of a grid that continues another are that one's last
+    /// two.
     std::vector<GridPlace> places;
     /// The rays through some of them, in order.
     std::function<Rays(std::span<const GridPlace> places)> rays;
+    bool continues_above = false, continues_below = false;
+
+    /// Whether it is at the border of this grid and of those it continues.
+    bool at_border(const GridPlace& place) const {
+        return place.x == 0 || place.x + 1 == width || (place.y == 0 && !continues_above) ||
+               (place.y + 1 == height && !continues_below);
+    }
 };
 
 /// What eye rays bring back without the light of lamps on bases and lobes, and where that falls.

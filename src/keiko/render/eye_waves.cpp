@@ -48,30 +48,27 @@ EyeSample Integrator::unseen() const {
 }
 
 EyeView Integrator::view(const EyeGrid& grid) const {
-    EyeView view;
-    Mirrors mirrors(grid.width, grid.height);
-    view.samples.assign(mirrors.grid.size(), unseen());
+    EyeBand band(grid.width, grid.height);
+    look_down(grid, band);
+    return std::move(band.view);
+}
+
+void Integrator::look_down(const EyeGrid& grid, EyeBand& band) const {
+    band.begin(grid, unseen());
     const std::span<const GridPlace> places = grid.places;
     // What lights see of the ways of rays is found for all of them together.
     const std::size_t most = scene_.rig.medium ? places.size() : rays_at_once;
-    for (std::size_t first = 0; first < places.size(); first += most) {
-        const auto some = places.subspan(first, std::min(most, places.size() - first));
-        look(some, grid.rays(some), mirrors, view);
-    }
-    sort_by_sample(view.spots, view.samples.size());
-    mirrors.grid.join();
-    follow(meet(mirrors, view), 2, view);
-    return view;
+    for (std::size_t first = 0; first < places.size(); first += most)
+        look(grid, places.subspan(first, std::min(most, places.size() - first)), band);
+    sort_by_sample(band.view.spots, band.view.samples.size());
+    band.mirrors.grid.join();
+    follow(meet(grid, band.mirrors, band.view), 2, band.view);
 }
 
-void Integrator::announce(std::size_t place, const Mirrors& mirrors, const EyeView& view) {
-    prefetch(std::span(view.samples).subspan(place, 1));
-    prefetch(std::span(mirrors.ways).subspan(place, 1));
-    mirrors.grid.announce(place);
-}
-
-void Integrator::look(std::span<const GridPlace> places, std::span<const Ray> rays,
-                      Mirrors& mirrors, EyeView& view) const {
+void Integrator::look(const EyeGrid& grid, std::span<const GridPlace> places, EyeBand& band) const {
+    EyeView& view = band.view;
+    MirroredGrid& mirrors = band.mirrors.grid;
+    const Rays rays = grid.rays(places);
     FirstHits hits = scene_.tracer.first_hits(rays);
     const ShaftShadows shadows = shaft_shadows(legs_of(rays, hits), 0);
     const VisibleFrom shafts = shadows.visible();
@@ -81,33 +78,32 @@ void Integrator::look(std::span<const GridPlace> places, std::span<const Ray> ra
     mirrored.reserve(rays.size()), beside.reserve(rays.size());
     Mirroring mirroring(mirror_kernel_);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (i + places_ahead < places.size())
-            announce(places[i + places_ahead].number, mirrors, view);
+        if (i + places_ahead < places.size()) band.announce(places[i + places_ahead].number);
         EyeSample& sample = view.samples[places[i].number];
         const Hit* hit = hits[i];
         sample.luminance = Rgb();
         if (keeps_hits_) sample.hit = hit;
-        const bool ends = !refines_ && mirrors.grid.at_border(places[i]);
+        const bool ends = !refines_ && grid.at_border(places[i]);
         Wave& wave = ends ? beside : mirrored;
         Path& path = wave.paths.emplace_back(Path{places[i].number, Rgb(1)});
         if (!advance(path, {rays[i], hit, no_mirror, incidences[i]}, 0, shafts, view)) {
             wave.paths.pop_back();
             continue;
         }
-        mirrors.grid.set_begin(path.sample, {hit->position, hit->normal, sample.paint});
+        mirrors.set_begin(path.sample, {hit->position, hit->normal, sample.paint});
         mirroring.add(rays[i], *hit, wave.rays.emplace_back());
     }
     mirroring.finish();
     if (keeps_hits_) view.hits.push_back(std::move(hits.hits));
-    set_rays(beside, mirrors.grid), set_rays(mirrored, mirrors.grid);
-    find_ways(mirrored, mirrors);
+    set_rays(beside, mirrors), set_rays(mirrored, mirrors);
+    find_ways(mirrored, band.mirrors);
 }
 
 void Integrator::set_rays(const Wave& wave, MirroredGrid& grid) {
     for (std::size_t i = 0; i < wave.rays.size(); ++i) grid.set(wave.paths[i].sample, wave.rays[i]);
 }
 
-void Integrator::find_ways(const Wave& mirrored, Mirrors& mirrors) const {
+void Integrator::find_ways(const Wave& mirrored, FirstMirrors& mirrors) const {
     FirstHits hits = scene_.tracer.first_hits(mirrored.rays, mirrored_detail());
     for (std::size_t i = 0; i < mirrored.paths.size(); ++i) {
         const Path& path = mirrored.paths[i];
@@ -116,13 +112,16 @@ void Integrator::find_ways(const Wave& mirrored, Mirrors& mirrors) const {
     mirrors.hits.push_back(std::move(hits.hits));
 }
 
-Integrator::Wave Integrator::meet(const Mirrors& mirrors, EyeView& view) const {
+Integrator::Wave Integrator::meet(const EyeGrid& grid, const FirstMirrors& mirrors,
+                                  EyeView& view) const {
     const ShaftShadows shadows = shaft_shadows(legs_of(mirrors), 1);
     const VisibleFrom shafts = shadows.visible();
     MirroredStripes stripes(planes_, mirrors.grid, stripe_kernels_, refines_);
     std::vector<Path> further;
     Ray ray;
-    for (std::size_t place = 0; place < mirrors.ways.size(); ++place) {
+    const auto row = static_cast<std::size_t>(grid.width);
+    const std::size_t end = mirrors.ways.size() - (grid.continues_below ? row : 0);
+    for (std::size_t place = grid.continues_above ? row : 0; place < end; ++place) {
         const auto& [goes_on, hit, weight] = mirrors.ways[place];
         if (!goes_on) continue;
         PixelMirror mirror;
@@ -136,7 +135,7 @@ Integrator::Wave Integrator::meet(const Mirrors& mirrors, EyeView& view) const {
 }
 
 Integrator::Wave Integrator::mirrored_again(std::span<const Path> paths,
-                                            const Mirrors& mirrors) const {
+                                            const FirstMirrors& mirrors) const {
     Wave mirrored;
     mirrored.reserve(paths.size());
     Rays incoming;
@@ -190,7 +189,7 @@ std::vector<Segment> Integrator::legs_of(std::span<const Ray> rays, const FirstH
     return legs;
 }
 
-std::vector<Segment> Integrator::legs_of(const Mirrors& mirrors) const {
+std::vector<Segment> Integrator::legs_of(const FirstMirrors& mirrors) const {
     std::vector<Segment> legs;
     if (!casts_shafts()) return legs;
     for (std::size_t place = 0; place < mirrors.ways.size(); ++place)

@@ -23,15 +23,18 @@ GridPlace place_along(int number, int side) {
 
 std::vector<GridPlace> order_of(int width, int height) {
     int side = 1;
-    while (side < std::max(width, height)) side *= 2;
+    while (side < std::min(width, height)) side *= 2;
     std::vector<GridPlace> order;
-    for (int number = 0; number < side * side; ++number) {
-        GridPlace at = place_along(number, side);
-        if (at.x >= width || at.y >= height) continue;
-        at.number = static_cast<std::size_t>(at.y) * static_cast<std::size_t>(width) +
-                    static_cast<std::size_t>(at.x);
-        order.push_back(at);
-    }
+    for (int y = 0; y < height; y += side)
+        for (int x = 0; x < width; x += side)
+            for (int number = 0; number < side * side; ++number) {
+                GridPlace at = place_along(number, side);
+                at.x += x, at.y += y;
+                if (at.x >= width || at.y >= height) continue;
+                at.number = static_cast<std::size_t>(at.y) * static_cast<std::size_t>(width) +
+                            static_cast<std::size_t>(at.x);
+                order.push_back(at);
+            }
     return order;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/render/eye_view.h"
+#include "keiko/render/eye_band.h"
 #include "keiko/render/mirrored_stripes.h"
 #include "keiko/render/paint.h"
 #include "keiko/render/picture.h"
@@ -34,6 +34,10 @@ public:
     /// rays. Where nothing is refined, pixels at the grid's border show no reflections; where no
     /// AOVs are asked for either, the view has no hits, nor places that mirrored rays meet.
     EyeView view(const EyeGrid& grid) const;
+    /// The same of grids one below the other, where only_mirrors(): `band.view` is that of this
+    /// one, of which rows at its border or shared with others show nothing that can be relied on,
+    /// but for the second and the last but one.
+    void look_down(const EyeGrid& grid, EyeBand& band) const;
     /// Whether each pixel of a picture shows lamps in sharp mirrors and nothing else that takes
     /// long to find, and no pixel is refined.
     bool only_mirrors() const;
@@ -94,21 +98,6 @@ private:
         const Incidence& incidence;
     };
 
-    /// The first mirrored rays of a grid's pixels, and what they meet.
-    struct Mirrors {
-        struct Way {
-            bool goes_on = false;
-            const Hit* hit = nullptr;
-            Rgb weight; ///< of its path
-        };
-
-        Mirrors(int width, int height) : grid(width, height), ways(grid.size()) {}
-
-        MirroredGrid grid;
-        std::vector<Way> ways;  ///< by place
-        std::vector<Hits> hits; ///< of the ways
-    };
-
     Incidence incidence(const Ray& ray, const Hit& hit, int depth) const;
     /// Of rays of one depth, one after the other with nothing in between: each waits for roots and
     /// divisions, which overlap so.
@@ -121,24 +110,21 @@ private:
     bool casts_shafts() const { return scene_.rig.medium && scene_.occluders; }
     /// The ways of rays to what they meet, where they cast shafts.
     std::vector<Segment> legs_of(std::span<const Ray> rays, const FirstHits& hits) const;
-    std::vector<Segment> legs_of(const Mirrors& mirrors) const;
+    std::vector<Segment> legs_of(const FirstMirrors& mirrors) const;
     /// What the lights see of ways; `depth`: reflections yet.
     ShaftShadows shaft_shadows(std::span<const Segment> legs, int depth) const;
 
-    /// Asks for what look() soon writes of a place.
-    static void announce(std::size_t place, const Mirrors& mirrors, const EyeView& view);
     /// What eye rays meet first through some places of a grid, and their mirrored ones.
-    void look(std::span<const GridPlace> places, std::span<const Ray> rays, Mirrors& mirrors,
-              EyeView& view) const;
+    void look(const EyeGrid& grid, std::span<const GridPlace> places, EyeBand& band) const;
     static void set_rays(const Wave& wave, MirroredGrid& grid);
     /// What is asked of the hits of rays mirrored once: no surface where no light on it is seen and
     /// no ray goes on from there.
     HitDetail mirrored_detail() const;
-    void find_ways(const Wave& mirrored, Mirrors& mirrors) const;
+    void find_ways(const Wave& mirrored, FirstMirrors& mirrors) const;
     /// Adds what the first mirrored rays of a grid meet, row by row, as neighbours see lamps side
-    /// by side; what is left to follow.
-    Wave meet(const Mirrors& mirrors, EyeView& view) const;
-    Wave mirrored_again(std::span<const Path> paths, const Mirrors& mirrors) const;
+    /// by side, but for rows whose neighbours are in another grid; what is left to follow.
+    Wave meet(const EyeGrid& grid, const FirstMirrors& mirrors, EyeView& view) const;
+    Wave mirrored_again(std::span<const Path> paths, const FirstMirrors& mirrors) const;
     /// Follows rays of samples of a view that were mirrored so often.
     void follow(Wave wave, int depth, EyeView& view) const;
     Wave meet(const Wave& wave, const FirstHits& hits, int depth, EyeView& view) const;

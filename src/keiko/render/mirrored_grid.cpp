@@ -1,11 +1,12 @@
 #include "keiko/render/mirrored_grid.h"
 
+#include <algorithm>
+
 namespace keiko {
 
 MirroredGrid::MirroredGrid(int width, int height)
     : width_(static_cast<std::size_t>(width)),
-      height_(static_cast<std::size_t>(height)),
-      known_(width_ * height_),
+      known_(width_ * static_cast<std::size_t>(height)),
       numbers_(known_.size()),
       begins_(known_.size()) {}
 
@@ -14,16 +15,22 @@ void MirroredGrid::set(std::size_t place, const Ray& mirrored) {
     numbers_.set(place, mirrored);
 }
 
+void MirroredGrid::take_over_rows(int height) {
+    const std::size_t taken = 2 * width_, first = size() - taken;
+    const auto from_first = [&](auto& places) {
+        std::copy_n(places.begin() + static_cast<std::ptrdiff_t>(first), taken, places.begin());
+    };
+    numbers_.take_over(first, taken);
+    from_first(begins_), from_first(known_);
+    known_.resize(taken);
+    known_.resize(width_ * static_cast<std::size_t>(height));
+}
+
 void MirroredGrid::join() {
     std::vector<const SurfacePlace*> places(size());
     for (std::size_t i = 0; i < size(); ++i)
         if (known_[i] == Known::differentials) places[i] = &begins_[i];
     joins_ = SmoothJoins(static_cast<int>(width_), places);
-}
-
-bool MirroredGrid::at_border(const GridPlace& place) const {
-    return place.x == 0 || place.y == 0 || place.x + 1 == static_cast<int>(width_) ||
-           place.y + 1 == static_cast<int>(height_);
 }
 
 bool MirroredGrid::is_amid(std::size_t place) const {

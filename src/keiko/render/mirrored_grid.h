@@ -1,6 +1,5 @@
 #pragma once
 
-#include "keiko/render/hilbert_order.h"
 #include "keiko/render/mirrored_pixel.h"
 #include "keiko/render/mirrored_rays.h"
 #include "keiko/render/smooth_joins.h"
@@ -26,6 +25,9 @@ public:
     void set_begin(std::size_t place, const SurfacePlace& begin) { begins_[place] = begin; }
     /// The mirrored ray of a place.
     void set(std::size_t place, const Ray& mirrored);
+    /// Makes the last two rows the first ones of a grid that is no higher; all others are to be
+    /// set.
+    void take_over_rows(int height);
     /// Finds out which neighbours show one surface.
     void join();
     /// As it was set, without its `excluded`.
@@ -34,7 +36,6 @@ public:
     std::optional<PixelRays> around(std::size_t place) const;
     /// Whether there are such.
     bool is_amid(std::size_t place) const;
-    bool at_border(const GridPlace& place) const;
     std::size_t width() const { return width_; }
     const MirroredRays& rays() const { return numbers_; }
 
@@ -42,7 +43,7 @@ private:
     /// What is known of a place's ray.
     enum class Known : std::uint8_t { nothing, line, differentials };
 
-    std::size_t width_, height_;
+    std::size_t width_;
     std::vector<Known> known_;
     MirroredRays numbers_;
     std::vector<SurfacePlace> begins_;

@@ -3,6 +3,7 @@
 #include "keiko/base/blank_allocator.h"
 #include "keiko/patch/ray.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -28,6 +29,11 @@ public:
         const RayDifferentials& d = *ray.differentials;
         put(place, origin_dx, d.origin_dx), put(place, origin_dy, d.origin_dy);
         put(place, direction_dx, d.direction_dx), put(place, direction_dy, d.direction_dy);
+    }
+    /// Gives the first `count` places what those from `place` on have, behind them.
+    void take_over(std::size_t place, std::size_t count) {
+        for (std::size_t number = 0; number < numbers; ++number)
+            std::copy_n(at(number, place), count, values_.data() + number * stride_);
     }
     /// One of the numbers, for the rays from a place on; a vector may be read past the last.
     const double* at(std::size_t number, std::size_t place) const {

@@ -32,21 +32,12 @@ float blank_value(Aov aov) {
     return 0;
 }
 
-/// What a pixel shows of light, of one sample or in the mean.
-struct ShownLight {
-    Rgb color;
-    double covered = 0;     ///< share of the pixel that shows the model
-    double illuminance = 0; ///< lx, of that share
-};
-
-void write_light(Film& film, int x, int y, const ShownLight& seen) {
-    put(film.color, x, y, {seen.color.r, seen.color.g, seen.color.b});
-    put(film.alpha, x, y, {seen.covered});
-    if (film.aovs.empty()) return;
+/// `color`: cd/m2; `illuminance`: lx, both in the mean over the pixel or of one sample.
+void write_light_aovs(Film& film, int x, int y, const Rgb& color, double illuminance) {
     if (const auto layer = film.aovs.find(Aov::luminance); layer != film.aovs.end())
-        put(layer->second, x, y, {luminance(seen.color)});
+        put(layer->second, x, y, {luminance(color)});
     if (const auto layer = film.aovs.find(Aov::illuminance); layer != film.aovs.end())
-        put(layer->second, x, y, {seen.illuminance});
+        put(layer->second, x, y, {illuminance});
 }
 
 void write_curvature(Image& image, int x, int y, const Hit& hit) {
@@ -86,6 +77,12 @@ void write_aov(Aov aov, Image& image, int x, int y, const EyeSample& sample) {
     }
 }
 
+void write_aovs(Film& film, int x, int y, const EyeSample& sample) {
+    write_light_aovs(film, x, y, sample.luminance, sample.illuminance);
+    if (!sample.hit) return;
+    for (auto& [aov, image] : film.aovs) write_aov(aov, image, x, y, sample);
+}
+
 } // namespace
 
 Film blank_film(int width, int height, std::span<const Aov> aovs) {
@@ -96,25 +93,32 @@ Film blank_film(int width, int height, std::span<const Aov> aovs) {
     return film;
 }
 
-void write_pixel(Film& film, int x, int y, const EyeSample& sample) {
-    write_light(film, x, y, {sample.luminance, sample.covered ? 1.0 : 0.0, sample.illuminance});
-    if (!sample.hit) return;
-    for (auto& [aov, image] : film.aovs) write_aov(aov, image, x, y, sample);
+void write_row(Film& film, int x, int y, std::span<const EyeSample> samples) {
+    float *color = film.color.pixel(x, y), *alpha = film.alpha.pixel(x, y);
+    for (const EyeSample& sample : samples) {
+        for (const double value : {sample.luminance.r, sample.luminance.g, sample.luminance.b})
+            *color++ = static_cast<float>(value);
+        *alpha++ = sample.covered ? 1 : 0;
+    }
+    if (film.aovs.empty()) return;
+    for (const EyeSample& sample : samples) write_aovs(film, x++, y, sample);
 }
 
 void write_mean(Film& film, int x, int y, std::span<const EyeSample> samples,
                 std::span<const double> shares) {
-    ShownLight sum;
-    double all = 0;
+    Rgb color;
+    double all = 0, covered = 0, illuminance = 0; // illuminance: of the covered share
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const double share = shares[i];
-        sum.color += samples[i].luminance * share;
-        sum.covered += samples[i].covered ? share : 0;
-        sum.illuminance += samples[i].illuminance * share;
+        color += samples[i].luminance * share;
+        covered += samples[i].covered ? share : 0;
+        illuminance += samples[i].illuminance * share;
         all += share;
     }
-    const double lit = sum.covered > 0 ? sum.illuminance / sum.covered : 0;
-    write_light(film, x, y, {sum.color / all, sum.covered / all, lit});
+    color = color / all;
+    put(film.color, x, y, {color.r, color.g, color.b});
+    put(film.alpha, x, y, {covered / all});
+    write_light_aovs(film, x, y, color, covered > 0 ? illuminance / covered : 0);
 }
 
 } // namespace keiko

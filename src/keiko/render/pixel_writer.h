@@ -10,8 +10,8 @@ namespace keiko {
 /// A film without hits: black, ids -1, depth infinite.
 Film blank_film(int width, int height, std::span<const Aov> aovs);
 
-/// Writes one sample into every layer of the film.
-void write_pixel(Film& film, int x, int y, const EyeSample& sample);
+/// Writes one sample a pixel into every layer of the film, for pixels of a row from (x, y) on.
+void write_row(Film& film, int x, int y, std::span<const EyeSample> samples);
 
 /// Replaces colour, coverage, luminance and illuminance of a pixel by the mean over samples,
 /// `shares` of the pixel; the other layers keep what its centre shows.

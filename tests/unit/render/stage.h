@@ -49,8 +49,7 @@ inline SurfaceModel flat_plate() {
 }
 
 /// A gently domed plate: bicubic, 150 mm high.
-inline SurfaceModel dome() {
-    ModelBuilder builder;
+inline void add_dome(ModelBuilder& builder) {
     std::vector<Vec3> points;
     for (int i = 0; i <= 3; ++i)
         for (int j = 0; j <= 3; ++j) {
@@ -58,6 +57,11 @@ inline SurfaceModel dome() {
             points.emplace_back(-900 + 600 * i, -900 + 600 * j, middle ? 300 : 0);
         }
     builder.patch(3, 3, points);
+}
+
+inline SurfaceModel dome() {
+    ModelBuilder builder;
+    add_dome(builder);
     return builder.build();
 }
 

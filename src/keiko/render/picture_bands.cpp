@@ -1,0 +1,44 @@
+#include "keiko/render/picture_bands.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace keiko {
+namespace {
+
+/// Rows of a band that are looked at together, so few that all that is known of them stays near the
+/// processor; with those around them as many as a Hilbert curve's square has.
+constexpr int rows_at_once = 14;
+
+/// A grid below one that was looked at.
+void leave_out_seen_rows(EyeGrid& grid) {
+    std::erase_if(grid.places, [](const GridPlace& place) { return place.y < 2; });
+    grid.continues_above = true;
+}
+
+} // namespace
+
+PathCounts render_band(const Integrator& integrator, const PictureRays& eye,
+                       const PictureTile& band, Film& film) {
+    std::optional<EyeBand> seen;
+    PathCounts paths;
+    for (int y = band.y0; y < band.y1; y += rows_at_once) {
+        const PictureTile rows{band.x0, y, band.x1, std::min(y + rows_at_once, band.y1)};
+        EyeGrid grid = grid_of(eye, rows);
+        if (grid.places.empty()) {
+            write_unseen(integrator, rows, film);
+            seen.reset();
+            continue;
+        }
+        grid.continues_below = rows.y1 < band.y1;
+        if (seen)
+            leave_out_seen_rows(grid);
+        else
+            seen.emplace(grid.width, grid.height);
+        integrator.look_down(grid, *seen);
+        paths += write_samples(seen->view.samples, 1, rows, film);
+    }
+    return paths;
+}
+
+} // namespace keiko
