@@ -35,7 +35,8 @@ class Pictures(KeikoTest):
     def test_the_view_the_paint_and_the_exposure_count(self):
         base = ("--view", "front", "--ev", "8")
         others = (("--view", "top", "--ev", "8"), (*base[:3], "9"), (*base, "--material", "white"),
-                  (*base[:2], "--false-color"), (*base, "--tone", "log"), (*base, "--tone", "reinhard"))
+                  (*base[:2], "--false-color"), (*base, "--tone", "log"), (*base, "--tone", "reinhard"),
+                  (*base, "--edge-samples", "1"))
         first = self.written("a.png", *base)
         for other in others:
             self.assertNotEqual(first, self.written("b.png", *other), other)

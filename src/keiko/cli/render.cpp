@@ -50,7 +50,7 @@ void render_lamps(const RenderArguments& arguments, const Scene& scene, const Ca
     const LightRig rig = rig_of(scene, arguments, camera, job);
     warn_of_thick_fog(scene, rig, camera.eye);
     PictureOptions options{.aovs = arguments.aovs(), .tubes = arguments.tubes()};
-    options.light_error = arguments.light_error;
+    options.light_error = arguments.light_error, options.edge_samples = arguments.edge_samples;
     const ShownQuantity quantity = arguments.quantity();
     if (quantity == ShownQuantity::illuminance) options.aovs.push_back(Aov::illuminance);
     const Film film = render_view(scene, rig, camera, options, job);

@@ -29,6 +29,7 @@ public:
     std::string view, rig = "auto";
     bool false_color = false, iso_lines = false, resume = false;
     double light_error = PictureOptions().light_error;
+    int edge_samples = PictureOptions().edge_samples;
 
     void add_to(CLI::App& command);
 

@@ -1,0 +1,163 @@
+// What the options of RenderArguments ask for, out of their texts.
+#include "keiko/base/lower_case.h"
+#include "keiko/base/output_file.h"
+#include "keiko/cli/output_place.h"
+#include "keiko/cli/render_options.h"
+#include "keiko/input_key.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <iomanip>
+#include <sstream>
+
+namespace keiko::cli {
+namespace {
+
+constexpr int most_frames = 1000000;
+
+bool is_png(const std::filesystem::path& path) {
+    return lower_case(path.extension().string()) == ".png";
+}
+
+std::vector<std::string> look_names() {
+    std::vector<std::string> names{"lamps"};
+    for (const Look look : every_look()) names.emplace_back(name_of(look));
+    return names;
+}
+
+/// Of "curvature:gauss=1e-4" the name.
+Look look_by_name(const std::string& name) {
+    for (const Look look : every_look())
+        if (name_of(look) == name) return look;
+    const std::vector<std::string> names = look_names();
+    throw Error("", "--look",
+                "no look is called '" + name + "'; there are " + comma_list(names) +
+                    did_you_mean(name, names));
+}
+
+double full_curvature(Look look, const std::string& text) {
+    double full = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, fault] = std::from_chars(text.data(), end, full);
+    if (!is_curvature(look) || fault != std::errc() || rest != end || !(full > 0) ||
+        !std::isfinite(full))
+        throw Error("", "--look",
+                    "'" + std::string(name_of(look)) + "=" + text +
+                        "' is not curvature:KIND=C with the curvature C > 0 of full colour");
+    return full;
+}
+
+} // namespace
+
+std::vector<Aov> RenderArguments::aovs() const {
+    if (aovs_.empty()) return {};
+    std::vector<Aov> aovs;
+    for (std::size_t begin = 0; begin <= aovs_.size();) {
+        const std::size_t end = std::min(aovs_.find(',', begin), aovs_.size());
+        const std::string name = aovs_.substr(begin, end - begin);
+        const Aov aov = aov_by_name(name);
+        if (std::find(aovs.begin(), aovs.end(), aov) != aovs.end())
+            throw Error("", "aov", "\"" + name + "\" is asked for twice");
+        aovs.push_back(aov);
+        begin = end + 1;
+    }
+    return aovs;
+}
+
+/// "MIN:MAX"
+FalseColorScale RenderArguments::scale() const {
+    FalseColorScale scale;
+    if (scale_.empty()) return scale;
+    int end = 0;
+    if (std::sscanf(scale_.c_str(), "%lf:%lf%n", &scale.minimum, &scale.maximum, &end) != 2 ||
+        static_cast<std::size_t>(end) != scale_.size() || !(scale.minimum > 0) ||
+        !(scale.minimum < scale.maximum) || !std::isfinite(scale.maximum))
+        throw Error("", "--scale", "'" + scale_ + "' is not MIN:MAX with 0 < MIN < MAX");
+    return scale;
+}
+
+ShownQuantity RenderArguments::quantity() const {
+    return quantity_ == "illuminance" ? ShownQuantity::illuminance : ShownQuantity::luminance;
+}
+
+ToneMapping RenderArguments::mapping() const {
+    using Curve = ToneMapping::Curve;
+    ToneMapping mapping;
+    mapping.ev = ev_;
+    mapping.curve = tone_ == "log"        ? Curve::logarithmic
+                    : tone_ == "reinhard" ? Curve::reinhard
+                                          : Curve::linear;
+    return mapping;
+}
+
+TubeModel RenderArguments::tubes() const {
+    if (penumbrae_ == "axis") return TubeModel::preview;
+    return penumbrae_ == "exact" ? TubeModel::automatic : PictureOptions().tubes;
+}
+
+std::optional<ChosenLook> RenderArguments::look() const {
+    if (look_ == "lamps") return std::nullopt;
+    const std::size_t sign = std::min(look_.find('='), look_.size());
+    ChosenLook chosen{look_by_name(look_.substr(0, sign))};
+    if (sign < look_.size()) chosen.full = full_curvature(chosen.look, look_.substr(sign + 1));
+    return chosen;
+}
+
+/// "A:B"
+std::optional<Frames> RenderArguments::frames() const {
+    if (frames_.empty()) return std::nullopt;
+    Frames frames;
+    int end = 0;
+    if (std::sscanf(frames_.c_str(), "%d:%d%n", &frames.first, &frames.last, &end) != 2 ||
+        static_cast<std::size_t>(end) != frames_.size() || frames.first < 0 ||
+        frames.last < frames.first || frames.last >= most_frames)
+        throw Error("", "--frames", "'" + frames_ + "' is not A:B with 0 <= A <= B < 1000000");
+    return frames;
+}
+
+/// An .exr holds luminance as it is, and layers; a .png neither.
+void RenderArguments::require() const {
+    require_image_extension(output);
+    const std::string file = output.string();
+    const bool png = is_png(output);
+    if (false_color && !png) throw Error(file, "", "--false-color makes a .png");
+    if (ev_ && !png) throw Error(file, "", "--ev is for a .png");
+    if (tone_ != "linear" && !png) throw Error(file, "", "--tone is for a .png");
+    if (!aovs_.empty() && png) throw Error(file, "", "--aov is for an .exr");
+    if (const auto chosen = look()) require_look(*chosen);
+    aovs(), scale(), frames();
+    require_place_for_file(output);
+    if (!hits.empty()) require_place_for_file(hits);
+}
+
+/// It shows the surface, whatever the light is; only highlight lines are of a rig's lamps.
+void RenderArguments::require_look(const ChosenLook& look) const {
+    const std::string option = "--look " + std::string(name_of(look.look));
+    if (!is_png(output)) throw Error(output.string(), "", option + " makes a .png");
+    const auto refuse = [&](const CLI::Option* other) {
+        if (other && other->count() > 0)
+            throw Error("", option, "shows the surface by itself, without " + other->get_name());
+    };
+    for (const CLI::Option* other : of_lamps_) refuse(other);
+    if (look.look != Look::highlight) refuse(rig_);
+}
+
+std::string RenderArguments::key() const {
+    std::vector<std::filesystem::path> inputs = scene.inputs;
+    for (const std::string& name : {rig, view})
+        if (std::filesystem::path(name).extension() == ".toml") inputs.emplace_back(name);
+    const SceneOptions options = scene.scene_options();
+    std::ostringstream settings;
+    settings << std::setprecision(17) << options.material << '\n'
+             << options.clipping_only << options.shadows << false_color << iso_lines << '\n'
+             << light_error << ' ' << edge_samples << '\n';
+    for (const std::string& text :
+         {scene.size, view, rig, aovs_, scale_, quantity_, penumbrae_, tone_, look_})
+        settings << text << '\n';
+    if (ev_) settings << *ev_;
+    return input_key(inputs, "", options.load, settings.str());
+}
+
+} // namespace keiko::cli
