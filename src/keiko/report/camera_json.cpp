@@ -23,8 +23,8 @@ Camera camera_from(const Json& json) {
     camera.up = point_from(json.at("up"));
     camera.vertical_fov = json.at("vertical_fov");
     camera.orthographic_height = json.at("orthographic_height");
-    camera.width = int_from(json.at("width"));
-    camera.height = int_from(json.at("height"));
+    camera.width = int_at(json, "width");
+    camera.height = int_at(json, "height");
     return camera;
 }
 

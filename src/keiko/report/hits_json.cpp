@@ -49,13 +49,14 @@ Json hit_json(const ViewSample& s) {
 
 /// Calls `read` and tells of what is not there or of another kind as of `where`.
 template <class Read>
-auto part(const char* where, const Read& read) {
+auto part(const std::string& where, const Read& read) {
     try {
         return read();
     } catch (const Json::exception&) {
         throw Error("", where, "a member is missing or not of the right kind");
     } catch (const Error& error) {
-        throw Error("", where, error.reason());
+        const std::string& key = error.where();
+        throw Error("", key.empty() ? where : where + "." + key, error.reason());
     }
 }
 
@@ -66,8 +67,7 @@ bool finite(const Vec3& v) {
 void require_camera(const NamedView& view) {
     const Camera& c = view.camera;
     const auto require = [&](bool holds, const char* reason) {
-        if (!holds)
-            throw Error("", "views", "the camera of '" + shortened(view.name) + "': " + reason);
+        if (!holds) throw Error("", "", "the camera of '" + shortened(view.name) + "': " + reason);
     };
     require(c.width >= 1 && c.height >= 1, "width and height must be 1 or more");
     require(finite(c.eye) && finite(c.target) && finite(c.up), "a coordinate is not finite");
@@ -91,7 +91,7 @@ NamedView view_from(const Json& json) {
 
 void require_sample(const ViewSample& s, const Camera& camera) {
     const auto require = [](bool holds, const char* reason) {
-        if (!holds) throw Error("", "hits", reason);
+        if (!holds) throw Error("", "", reason);
     };
     require(s.edge >= 1, "one stands for no pixel");
     require(
@@ -117,12 +117,12 @@ ViewSample hit_from(const Json& json, const RegisteredHits& hits) {
     s.edge = count_from<int>(json[3]);
     s.blocked = json[4];
     if (s.view >= hits.views.size() || s.face >= hits.faces || s.instance >= hits.instances)
-        throw Error("", "hits", "one is of a view or face that is not there");
+        throw Error("", "", "one is of a view or face that is not there");
     std::size_t next = 5;
     RayDifferentials& d = s.mirror.differentials.emplace();
     for_numbers(s, d, [&](double& number) {
         number = real_from(json[next++]);
-        if (!std::isfinite(number)) throw Error("", "hits", "a number is not finite");
+        if (!std::isfinite(number)) throw Error("", "", "a number is not finite");
     });
     const Camera& camera = hits.views[s.view].camera;
     require_sample(s, camera);
@@ -136,8 +136,8 @@ RegisteredHits parsed(const Json& json) {
     RegisteredHits hits;
     part("body", [&] {
         const Json& body = json.at("body");
-        hits.faces = count_from<std::size_t>(body.at("faces"));
-        hits.instances = count_from<std::size_t>(body.at("instances"));
+        hits.faces = count_at<std::size_t>(body, "faces");
+        hits.instances = count_at<std::size_t>(body, "instances");
         hits.body = {point_from(body.at("lower")), point_from(body.at("upper"))};
     });
     part("views", [&] {

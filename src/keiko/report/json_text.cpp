@@ -32,9 +32,9 @@ double real_from(const Json& json) {
     throw Error("", "", in_quotes(json.get<std::string>()) + " is no number");
 }
 
-Error not_whole(const Json& json, const char* kind) {
+Error not_whole(const Json& json, const char* kind, const std::string& key) {
     const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return {"", "", in_quotes(text) + " is no " + kind};
+    return {"", key, in_quotes(text) + " is no " + kind};
 }
 
 } // namespace keiko

@@ -16,12 +16,12 @@ Json layer_json(const LayerDifference& layer) {
 
 LayerDifference layer_from(const Json& json) {
     return {.layer = json.at("layer"),
-            .beyond = count_from<std::size_t>(json.at("beyond")),
+            .beyond = count_at<std::size_t>(json, "beyond"),
             .largest = real_from(json.at("largest")),
             .excess = real_from(json.at("excess")),
             .root_mean_square = real_from(json.at("root_mean_square")),
-            .x = count_from<int>(json.at("x")),
-            .y = count_from<int>(json.at("y")),
+            .x = count_at<int>(json, "x"),
+            .y = count_at<int>(json, "y"),
             .within = json.at("within")};
 }
 
@@ -47,13 +47,13 @@ Json picture_outcome_json(const PictureOutcome& picture) {
 PictureOutcome picture_outcome_from(const Json& json) {
     PictureOutcome picture{.view = json.at("view"),
                            .problem = json.at("problem"),
-                           .pixels = count_from<std::size_t>(json.at("pixels")),
-                           .coverage_flips = count_from<std::size_t>(json.at("coverage_flips")),
-                           .face_flips = count_from<std::size_t>(json.at("face_flips")),
+                           .pixels = count_at<std::size_t>(json, "pixels"),
+                           .coverage_flips = count_at<std::size_t>(json, "coverage_flips"),
+                           .face_flips = count_at<std::size_t>(json, "face_flips"),
                            .flips_within = json.at("flips_within"),
                            .layers = {},
-                           .width = count_from<int>(json.at("width")),
-                           .height = count_from<int>(json.at("height")),
+                           .width = count_at<int>(json, "width"),
+                           .height = count_at<int>(json, "height"),
                            .before = json.at("before"),
                            .after = json.at("after"),
                            .difference = json.at("difference")};

@@ -68,7 +68,7 @@ FixtureOutcome fixture_from(const Json& json) {
     fixture.state = state_from(json.at("state"));
     fixture.error = json.at("error");
     fixture.checks = json.at("checks").get<std::vector<std::string>>();
-    fixture.metrics_compared = count_from<std::size_t>(json.at("metrics_compared"));
+    fixture.metrics_compared = count_at<std::size_t>(json, "metrics_compared");
     for (const Json& metric : json.at("metrics")) fixture.metrics.push_back(metric_from(metric));
     for (const Json& picture : json.at("pictures"))
         fixture.pictures.push_back(picture_outcome_from(picture));
@@ -96,8 +96,8 @@ Regression regression_from(const Json& json) {
     regression.suite = json.at("suite").get<std::vector<std::string>>();
     regression.suite_key = json.at("suite_key");
     regression.stale_baselines = json.at("stale_baselines").get<std::vector<std::string>>();
-    regression.shard = count_from<int>(json.at("shard"));
-    regression.shards = count_from<int>(json.at("shards"));
+    regression.shard = count_at<int>(json, "shard");
+    regression.shards = count_at<int>(json, "shards");
     for (const Json& fixture : json.at("fixtures"))
         regression.fixtures.push_back(fixture_from(fixture));
     require_sound(regression);

@@ -56,7 +56,7 @@ TEST(HitsJson, CountsThatAreNoneAreRefused) {
     EXPECT_EQ(refusal_of(changed("\n[0,0,1,5", "\n[0,0,1,1e300")),
               "hits.json:hits: \"1e+300\" is no count");
     EXPECT_EQ(refusal_of(changed("\"width\":4", "\"width\":4.5")),
-              "hits.json:views: \"4.5\" is no whole number");
+              "hits.json:views.width: \"4.5\" is no whole number");
 }
 
 TEST(HitsJson, WordsForNumbersAreRefusedInAShortLine) {

@@ -120,6 +120,8 @@ TEST(Regression, CountsThatAreNoneAreRefused) {
     for (const char* count : {"1e300", "2.5", "-1", "3000000000", "\"1\"", "18446744073709551616"})
         expect_refused(changed_json("\"shards\": 3", std::string("\"shards\": ") + count),
                        "is no count");
+    expect_refused(changed_json("\"shards\": 3", "\"shards\": 2.5"),
+                   "r.json:shards: \"2.5\" is no count");
     expect_refused(changed_json("\"shards\": 3", "\"shards\": 1"), "is none of those there are");
 }
 
