@@ -6,6 +6,8 @@
 #include "keiko/trace/plane_tree.h"
 #include "keiko/trace/segment_gaps.h"
 
+#include <map>
+
 namespace keiko {
 
 /// All that may hide some of a region from one apex: what ApexView asks.
@@ -40,6 +42,8 @@ private:
     struct Screen {
         ApexScreen screen;
         std::vector<ScreenBox> pieces, borders;
+        /// Of the pieces for which prisms asked, as fold_line() tells.
+        std::map<std::size_t, std::optional<std::vector<BorderPiece>>> folds{};
     };
 
     void collect(std::span<const Vec3> region);

@@ -88,6 +88,7 @@ OutlineTurns::Shown OutlineTurns::shown(const BorderPiece& line,
     for (std::size_t i = 0; i < places.size(); ++i) {
         places[i] = place(line.center + curve[i]);
         shown.before = shown.before && places[i].depth > 0;
+        shown.behind = shown.behind && places[i].depth < -line.error;
         shown.box.across_low = std::min(shown.box.across_low, places[i].across);
         shown.box.across_high = std::max(shown.box.across_high, places[i].across);
         shown.box.along_low = std::min(shown.box.along_low, places[i].along);
@@ -135,13 +136,15 @@ double OutlineTurns::turn_of(const BorderPiece& line, const BorderPiece::Curve& 
 
 void OutlineTurns::follow(const BorderPiece& line, const Part& part, bool fold, int halvings) {
     Shown seen = shown(line, part.curve);
+    if (seen.behind) return;
     static constexpr ScreenBox whole{-0.1, 1.1, 0, 1}; // its ends are not quite straight
     if (seen.before && !seen.box.overlaps(whole)) return;
     const bool even = is_even(seen);
     if (even && seen.within_ends() && !seen.run.ends_inside()) return;
     ViewVolume::Sides sides = volume_.all_sides();
     if (!volume_.may_hold(part.curve, line.center, line.error, sides)) return;
-    if (!fold && !line.may_be_edge_on(apex_, part.curve)) return;
+    const bool known_edge_on = fold || (part.begins && part.ends);
+    if (!known_edge_on && !line.may_be_edge_on(apex_, part.curve)) return;
     if (even || is_nearly_even(seen) || (seen.before && halvings == 0)) {
         seen.run.dark = dark_side(line, part.curve);
         return add_run(clipped(line, part.curve, seen.run), part);

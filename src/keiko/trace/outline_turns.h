@@ -20,7 +20,7 @@ public:
                  const ViewVolume& volume, const ParameterInterval& ends, double gap,
                  double missed);
 
-    /// A border or a crease, of which some may not be seen edge-on.
+    /// A border or a crease that may be seen edge-on, of which some may not.
     void add_border(const BorderPiece& border);
     /// A line along which a smooth surface is seen edge-on.
     void add_fold(const BorderPiece& line);
@@ -76,6 +76,7 @@ private:
         ScreenBox box;
         Run run;
         bool before = true; ///< all before the apex
+        bool behind = true; ///< nothing before it
         /// By how much it may run back between its ends.
         double back_across = 0, back_along = 0;
 

@@ -35,7 +35,7 @@ void find_free(std::vector<ParameterInterval>& blocked, double low, double high,
 
 const ApexView::Candidates::Screen& ApexView::Candidates::screen_of(const Vec3& along) const {
     if (screen_ && screen_->screen.is_along(along)) return *screen_;
-    screen_.emplace(Screen{ApexScreen(apex_, along, middle_), {}, {}});
+    screen_.emplace(Screen{ApexScreen(apex_, along, middle_), {}, {}, {}});
     if (!screen_->screen.regular()) return *screen_;
     screen_->pieces.reserve(silhouettes_.pieces.size());
     for (const SilhouetteCandidate& c : silhouettes_.pieces)

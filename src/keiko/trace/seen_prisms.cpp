@@ -99,8 +99,13 @@ bool ApexView::Candidates::runs_across(std::size_t i, double most_slope) const {
 }
 
 void ApexView::Candidates::add_folds(std::size_t i, OutlineTurns& turns) const {
-    const auto lines = fold_line(scene_->silhouettes, scene_->kernels, silhouettes_.pieces[i],
-                                 apex_, screen_->screen.along());
+    auto known = screen_->folds.find(i);
+    if (known == screen_->folds.end())
+        known = screen_->folds
+                    .emplace(i, fold_line(scene_->silhouettes, scene_->kernels,
+                                          silhouettes_.pieces[i], apex_, screen_->screen.along()))
+                    .first;
+    const auto& lines = known->second;
     if (!lines) return turns.add_unclear(screen_->pieces[i]);
     for (const BorderPiece& line : *lines) turns.add_fold(line);
 }

@@ -13,9 +13,12 @@ namespace {
 /// as they lie.
 Vec3 longest_way(std::span<const Vec3> corners) {
     Vec3 longest(0);
-    for (const Vec3& a : corners)
-        for (const Vec3& b : corners)
-            if ((b - a).length2() > longest.length2()) longest = b - a;
+    double most = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        for (std::size_t k = i + 1; k < corners.size(); ++k) {
+            const Vec3 way = corners[k] - corners[i];
+            if (const double length2 = way.length2(); length2 > most) longest = way, most = length2;
+        }
     return longest;
 }
 
