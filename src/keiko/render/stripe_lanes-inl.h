@@ -10,8 +10,6 @@
 #include "keiko/trace/lanes-inl.h"
 #include "keiko/tubes/c_plane_lookup.h"
 
-#include <numbers>
-
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
@@ -183,19 +181,18 @@ inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, 
     return hn::IfThenElse(fine, mean, sum);
 }
 
-/// The ends of the lamps as they look on the plane, and how wide strips are there.
+/// How far the ends of lamps may look moved along them, and how wide strips are.
 struct LookLanes {
-    Real begin, end, width;
+    Real room, width;
 
     LookLanes(const StripeRow& row, const Space& d) {
         const CPlaneFrame& frame = row.frame;
-        begin = real(0), end = real(frame.length), width = real(frame.diameter);
+        room = real(0), width = real(frame.diameter);
         if (row.look != TubeLook::tube) return;
+        const Real down = hn::Abs(d.z);
         const Real flat = hn::Sqrt(hn::MulAdd(d.z, d.z, hn::Mul(d.y, d.y)));
-        width = hn::Div(hn::Mul(width, flat), hn::Abs(d.z));
-        const Real shift = hn::Div(hn::Mul(real(std::numbers::pi / 4 * frame.radius()), d.x), flat);
-        begin = frame.luminous_caps ? hn::Neg(hn::Abs(shift)) : shift;
-        end = hn::Add(end, frame.luminous_caps ? hn::Abs(shift) : shift);
+        width = hn::Div(hn::Mul(width, flat), down);
+        room = hn::Div(hn::Mul(real(frame.radius()), hn::Abs(d.x)), down); // end_room()
     }
 };
 
@@ -221,6 +218,21 @@ inline Real coverage_one_by_one(const StripeRow& row, const ImageLanes& image, T
     return hn::LoadU(d, found.data());
 }
 
+/// Images that lie between lamps or beside them, however near to their ends, by rays none of which
+/// sees wider strips than `width` by how much nearer it is to the plane's horizon than the
+/// centre's.
+inline Truth is_in_gap(const CPlaneFrame& frame, const ImageLanes& image, Real width) {
+    const Real pitch = real(frame.pitch), first = real(frame.first), v = image.at.y;
+    const Real least = hn::Sub(real(1), half_sum(image.descent_x, image.descent_y));
+    const Real half = hn::Mul(real(0.5), width);
+    const Real reach = half_sum(image.v_dx, image.v_dy);
+    const Real nearest = hn::Floor(hn::Add(hn::Div(hn::Sub(v, first), pitch), real(0.5)));
+    const Real lamp = hn::Min(hn::Max(nearest, real(0)), real(frame.lamps - 1.0));
+    const Real off = hn::Mul(least, hn::Abs(hn::Sub(v, hn::MulAdd(lamp, pitch, first))));
+    const Truth between = hn::And(hn::Gt(least, real(0)), hn::Gt(off, hn::Add(half, reach)));
+    return hn::And(between, hn::Lt(reach, hn::Mul(real(0.5), hn::Mul(least, pitch))));
+}
+
 /// StripeLook::coverage, of images that are no points.
 inline Real coverage(const StripeRow& row, const ImageLanes& image) {
     const CPlaneFrame& frame = row.frame;
@@ -228,18 +240,22 @@ inline Real coverage(const StripeRow& row, const ImageLanes& image) {
     const LookLanes look(row, image.direction);
     const Real reach = image.reach_along();
     const Real low = hn::Sub(image.at.x, reach), high = hn::Add(image.at.x, reach);
-    const Truth beside = hn::Or(hn::Le(high, look.begin), hn::Ge(low, look.end));
+    const Real length = real(frame.length);
+    const Truth beside =
+        hn::Or(hn::Le(high, hn::Neg(look.room)), hn::Ge(low, hn::Add(length, look.room)));
     const Truth reached = hn::AndNot(beside, image.meets);
     if (hn::AllFalse(Wide(), reached)) return real(0);
     const Real layer = real(row.look == TubeLook::tube ? frame.radius() : 0);
     const Real height = hn::Abs(hn::Mul(image.t, image.direction.z));
     const Truth among = hn::And(reached, hn::Lt(height, layer)); // starts_among_tubes()
-    const Truth within = hn::And(hn::Ge(low, look.begin), hn::Le(high, look.end));
+    const Truth within = hn::And(hn::Ge(low, look.room), hn::Le(high, hn::Sub(length, look.room)));
     const Truth amid = hn::AndNot(among, hn::And(reached, within));
     const FilterLanes across(image.v_dx, image.v_dy);
     const Real of_strips =
         hn::IfThenElseZero(amid, across_coverage(frame, amid, look.width, image.at.y, across));
-    const Truth others = hn::AndNot(amid, reached); // at ends, and among tubes
+    Truth others = hn::AndNot(amid, reached); // at ends, and among tubes
+    if (hn::AllFalse(Wide(), others)) return of_strips;
+    others = hn::AndNot(is_in_gap(frame, image, look.width), others);
     if (hn::AllFalse(Wide(), others)) return of_strips;
     return hn::IfThenElse(amid, of_strips, coverage_one_by_one(row, image, others));
 }

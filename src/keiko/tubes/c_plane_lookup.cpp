@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace keiko {
 namespace {
@@ -27,10 +26,9 @@ Vec2 slide(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin_ra
     return {rate.x - d.x * t_rate, rate.y - d.y * t_rate};
 }
 
-/// How far along u the ray runs from a tube's surface to the level of its axis, mm: the mean over
-/// the tube's width, pi / 4 of that over its middle. `d`: its direction, in frame coordinates.
-double rim_shift(const CPlaneFrame& frame, const Vec3& d) {
-    return std::numbers::pi / 4 * frame.radius() * d.x / std::sqrt(d.y * d.y + d.z * d.z);
+/// apparent_diameter() for a direction in frame coordinates.
+double width_of_strips(const CPlaneFrame& frame, const Vec3& d) {
+    return frame.diameter * std::sqrt(d.y * d.y + d.z * d.z) / std::abs(d.z);
 }
 
 bool tube_shines(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction) {
@@ -42,15 +40,6 @@ bool point_shines(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& or
                   const Vec3& direction, TubeLook look) {
     if (look == TubeLook::flat) return strip_at(frame, hit.u, hit.v, frame.diameter).has_value();
     return tube_shines(frame, origin, direction);
-}
-
-/// The ends of the lamps as they look on the plane, mm along u: the near ends of dark-capped tubes
-/// hide behind their rims, luminous caps add to both.
-LampEnds ends_of(const CPlaneFrame& frame, const CPlaneHit& hit, bool round) {
-    if (!round) return {0, frame.length};
-    const double shift = rim_shift(frame, hit.direction);
-    if (frame.luminous_caps) return {-std::abs(shift), frame.length + std::abs(shift)};
-    return {shift, frame.length + shift};
 }
 
 /// The lamps that lie ahead of a ray that starts between the planes that touch all tubes: of those
@@ -65,6 +54,21 @@ CPlaneFrame ahead(CPlaneFrame frame, const CPlaneHit& hit) {
     if (d.y > 0) frame.first = frame.axis(std::min(behind, frame.lamps));
     frame.lamps = std::max(d.y > 0 ? frame.lamps - behind : std::min(behind, frame.lamps), 0);
     return frame;
+}
+
+/// The direction, in frame coordinates, from which a pixel sees the row's point next to where its
+/// centre's ray meets the plane: what nears the plane's horizon is seen at another slant.
+Vec3 direction_to_row(const CPlaneFrame& frame, const CPlaneHit& hit, const Footprint& footprint) {
+    const double v = std::clamp(hit.v, frame.first, frame.last());
+    const Vec2 way(std::clamp(hit.u, 0.0, frame.length) - hit.u, v - hit.v);
+    if (way == Vec2(0)) return hit.direction;
+    // Of (x dx + y dy) / (1 + x descent.x + y descent.y) = way, the denominator.
+    const Vec2 dx = footprint.dx - way * footprint.descent.x;
+    const Vec2 dy = footprint.dy - way * footprint.descent.y;
+    const double descent = footprint.dx.cross(footprint.dy) / dx.cross(dy);
+    const double off = (std::abs(footprint.descent.x) + std::abs(footprint.descent.y)) / 2;
+    const double seen = descent > 0 ? std::clamp(descent, 1 - off, 1 + off) : 1 + off;
+    return {hit.direction.x, hit.direction.y, hit.direction.z * seen};
 }
 
 /// The mean over a grid of parallel rays through the footprint.
@@ -87,13 +91,16 @@ StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& 
     const bool round = look == TubeLook::tube;
     const PixelFilter across(footprint.dx.y, footprint.dy.y);
     const bool resolved = across.width() <= resolvable_pitches * frame.pitch;
-    const LampEnds ends = ends_of(frame, hit, round);
-    const double reach = footprint.reach(0);
-    if (frame.lamps == 0 || hit.u + reach <= ends.begin || hit.u - reach >= ends.end)
+    const double room = round ? end_room(frame, hit.direction) : 0, reach = footprint.reach(0);
+    if (frame.lamps == 0 || hit.u + reach <= -room || hit.u - reach >= frame.length + room)
         return {0, resolved};
-    const double width = round ? apparent_diameter(frame, direction) : frame.diameter;
-    if (!(hit.u - reach >= ends.begin && hit.u + reach <= ends.end))
+    if (!(hit.u - reach >= room && hit.u + reach <= frame.length - room)) {
+        const Vec3 d = round ? direction_to_row(frame, hit, footprint) : hit.direction;
+        const LampEnds ends = round ? LampEnds::of_tubes(frame, d) : LampEnds::straight(frame);
+        const double width = round ? width_of_strips(frame, d) : frame.diameter;
         return {end_coverage(frame, width, resolved, ends, {hit.u, hit.v}, footprint), resolved};
+    }
+    const double width = round ? apparent_diameter(frame, direction) : frame.diameter;
     const auto coverage = resolved ? comb_coverage : mean_coverage;
     return {coverage(frame, width, hit.v, across), resolved};
 }

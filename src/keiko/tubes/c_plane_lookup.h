@@ -52,8 +52,8 @@ struct StripeLook {
 
 /// Looks the lamps up on the plane (physics 3.2 to 3.4); both sides of it are seen. A point is
 /// met exactly, end caps included; a footprint is integrated in closed form over strips of the
-/// tubes' apparent width, whose ends are shifted by the mean bulge of the rims, or (exact) is the
-/// mean over 256 parallel rays. What lies between the lamps and what stands before them is the
+/// tubes' apparent width up to the images of their rims, or (exact) is the mean over 256 parallel
+/// rays. What lies between the lamps and what stands before them is the
 /// caller's.
 StripeLook look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
                    const Footprint& footprint = {}, TubeLook look = TubeLook::tube);

@@ -1,126 +1,132 @@
 #include "keiko/tubes/end_coverage.h"
 
+#include "keiko/tubes/end_cutter.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 namespace keiko {
 namespace {
 
-/// Something linear in the place in the picture, off the pixel's centre.
-struct Linear {
-    double amid, by_x, by_y;
+constexpr double pi = std::numbers::pi;
 
-    double at(const Vec2& place) const { return amid + by_x * place.x + by_y * place.y; }
-};
-
-/// A convex part of a pixel, px off its centre.
-class PixelCut {
+/// The strips of a row in a pixel.
+class RowInPixel {
 public:
-    /// All of it.
-    PixelCut() : count_(4) {
-        corners_[0] = {-0.5, -0.5}, corners_[1] = {0.5, -0.5};
-        corners_[2] = {0.5, 0.5}, corners_[3] = {-0.5, 0.5};
-    }
+    RowInPixel(const CPlaneFrame& frame, double strip_width, const LampEnds& ends,
+               const Vec2& centre, const Footprint& footprint)
+        : frame_(frame),
+          half_(strip_width / 2),
+          ends_(ends),
+          image_(centre, footprint),
+          cutter_(half_, image_),
+          pixel_(image_.before_horizon()) {}
 
-    /// What of it lies where `side` is not negative.
-    PixelCut where(const Linear& side) const {
-        PixelCut cut;
-        cut.count_ = 0;
-        for (std::size_t i = 0; i < count_; ++i) {
-            const Vec2 &a = corners_[i], &b = corners_[i + 1 < count_ ? i + 1 : 0];
-            const double from = side.at(a), to = side.at(b);
-            if (from >= 0) cut.corners_[cut.count_++] = a;
-            if ((from >= 0) != (to >= 0))
-                cut.corners_[cut.count_++] = a + (b - a) * (from / (from - to));
+    /// Of strips narrower than the pitch.
+    double of_strips_apart() const {
+        double sum = 0;
+        for_each_lamp([&](double axis, const PixelCut& strip) {
+            const bool end_first = ends_.begins_with_cap();
+            const PixelCut part = end_first ? cutter_.cut(strip, axis, ends_.end, Side::before)
+                                            : cutter_.cut(strip, axis, ends_.begin, Side::past);
+            sum += end_first ? cutter_.area(part, axis, ends_.begin, Side::past)
+                             : cutter_.area(part, axis, ends_.end, Side::before);
+        });
+        return sum;
+    }
+    /// Of strips that overlap: to each end they go as far as the one of them that does so most,
+    /// and dark caps hide what is behind them.
+    double of_overlapping_strips() const {
+        double sum = -band(pixel_, half_);
+        for_each_lamp([&](double axis, const PixelCut& strip) {
+            const Range begin = seen_of(axis, ends_.begin.shear > 0);
+            const Range end = seen_of(axis, !(ends_.end.shear > 0));
+            sum += cutter_.area(image_.between(strip, begin.low, begin.high), axis, ends_.begin,
+                                Side::past);
+            sum += cutter_.area(image_.between(strip, end.low, end.high), axis, ends_.end,
+                                Side::before);
+            if (ends_.begins_with_cap()) sum -= cap(strip, axis, ends_.begin, begin);
+            if (ends_.ends_with_cap()) sum -= cap(strip, axis, ends_.end, end);
+        });
+        return std::max(sum, 0.0);
+    }
+    /// Of strips too fine to be told apart, in the mean over the places that they may have.
+    double of_grey_band() const {
+        const int count = ends_.begin.shear == 0 ? 1 : 8;
+        double sum = 0;
+        for (int i = 0; i < count; ++i) {
+            const double q = (i + 0.5) * 2 / count - 1;
+            const auto at = [&](const LampEnd& end) {
+                return end.at + end.shear * q + pi / 4 * end.bulge;
+            };
+            const PixelCut part = pixel_.where(image_.past({1, 0}, {at(ends_.begin), 0}, 0))
+                                      .where(image_.past({-1, 0}, {at(ends_.end), 0}, 0));
+            sum += band(part, frame_.pitch / 2);
         }
-        return cut;
-    }
-    double area() const {
-        double twice = 0;
-        for (std::size_t i = 2; i < count_; ++i)
-            twice += (corners_[i - 1] - corners_[0]).cross(corners_[i] - corners_[0]);
-        return std::abs(twice) / 2;
-    }
-    const Vec2* begin() const { return corners_.data(); }
-    const Vec2* end() const { return corners_.data() + count_; }
-
-private:
-    // A cut adds a corner, and however it is rounded half as many as there are: five leave 28.
-    std::array<Vec2, 32> corners_{Vec2(0)};
-    std::size_t count_;
-};
-
-/// Where the places of a pixel are on the plane: numerators and one denominator, which is positive
-/// where their rays meet it.
-class Projection {
-public:
-    Projection(const Vec2& centre, const Footprint& footprint)
-        : centre_(centre),
-          footprint_(footprint),
-          denominator_{1, footprint.descent.x, footprint.descent.y} {}
-
-    PixelCut before_horizon(const PixelCut& part) const { return part.where(denominator_); }
-    /// What of a part is between two values of a coordinate.
-    PixelCut between(const PixelCut& part, unsigned axis, double low, double high) const {
-        const Linear past_low = past(axis, low), past_high = past(axis, high);
-        return part.where(past_low).where({-past_high.amid, -past_high.by_x, -past_high.by_y});
-    }
-    /// No number on the horizon, to rounding.
-    double v(const Vec2& place) const {
-        const double before = denominator_.at(place);
-        const double rounding =
-            1e-12 * (1 + std::abs(denominator_.by_x) + std::abs(denominator_.by_y));
-        if (!(before > rounding)) return std::numeric_limits<double>::quiet_NaN();
-        return centre_.y + (footprint_.dx.y * place.x + footprint_.dy.y * place.y) / before;
+        return std::min(2 * half_ / frame_.pitch, 1.0) * sum / count;
     }
 
 private:
-    /// By how much a coordinate is more than a value, times the denominator.
-    Linear past(unsigned axis, double value) const {
-        const double off = centre_[axis] - value;
-        return {off, footprint_.dx[axis] + off * denominator_.by_x,
-                footprint_.dy[axis] + off * denominator_.by_y};
+    struct Range {
+        double low, high; ///< of v
+    };
+
+    double band(const PixelCut& part, double beyond) const {
+        return image_.between(part, frame_.first - beyond, frame_.last() + beyond).area();
+    }
+    /// What of a lamp's strip is seen where of strips that overlap the one is seen whose axis is of
+    /// greatest v, or else of least.
+    Range seen_of(double axis, bool greatest) const {
+        Range seen{axis - half_, axis + half_};
+        const double hidden = 2 * half_ - frame_.pitch;
+        if (!greatest && axis > frame_.first + frame_.pitch / 2) seen.low += hidden;
+        if (greatest && axis < frame_.last() - frame_.pitch / 2) seen.high -= hidden;
+        return seen;
+    }
+    /// Of a cap, what lies beside the range in which no tube is seen past it.
+    double cap(const PixelCut& strip, double axis, const LampEnd& end, const Range& alone) const {
+        const bool greater = alone.low == axis - half_;
+        const PixelCut part = greater ? image_.between(strip, alone.high, axis + half_)
+                                      : image_.between(strip, axis - half_, alone.low);
+        const LampEnd far{end.at, end.shear, std::abs(end.bulge)};
+        const LampEnd near{end.at, end.shear, -std::abs(end.bulge)};
+        return cutter_.cut(cutter_.cut(part, axis, far, Side::before), axis, near, Side::past)
+            .area();
+    }
+    /// `use`(axis, what of the pixel lies on the strip), of lamps in it.
+    template <class Use>
+    void for_each_lamp(const Use& use) const {
+        double low = frame_.last(), high = frame_.first;
+        for (const Vec2& corner : pixel_) {
+            const double v = image_.v(corner);
+            low = std::isfinite(v) ? std::min(low, v) : frame_.first;
+            high = std::isfinite(v) ? std::max(high, v) : frame_.last();
+        }
+        const double first = std::ceil((low - half_ - frame_.first) / frame_.pitch);
+        const double last = std::floor((high + half_ - frame_.first) / frame_.pitch);
+        for (double i = std::max(first, 0.0); i <= std::min(last, frame_.lamps - 1.0); ++i) {
+            const double axis = frame_.axis(static_cast<int>(i));
+            use(axis, image_.between(pixel_, axis - half_, axis + half_));
+        }
     }
 
-    Vec2 centre_;
-    Footprint footprint_;
-    Linear denominator_;
+    const CPlaneFrame& frame_;
+    double half_;
+    const LampEnds& ends_;
+    PixelImage image_;
+    EndCutter cutter_;
+    PixelCut pixel_;
 };
-
-/// Of the part that strips, narrower than the pitch, fill.
-double area_on_strips(const CPlaneFrame& frame, double half, const Projection& image,
-                      const PixelCut& part) {
-    double low = frame.last(), high = frame.first;
-    for (const Vec2& corner : part) {
-        const double v = image.v(corner);
-        low = std::isfinite(v) ? std::min(low, v) : frame.first;
-        high = std::isfinite(v) ? std::max(high, v) : frame.last();
-    }
-    const double first = std::ceil((low - half - frame.first) / frame.pitch);
-    const double last = std::floor((high + half - frame.first) / frame.pitch);
-    double sum = 0;
-    for (double i = std::max(first, 0.0); i <= std::min(last, frame.lamps - 1.0); ++i) {
-        const double axis = frame.axis(static_cast<int>(i));
-        sum += image.between(part, 1, axis - half, axis + half).area();
-    }
-    return sum;
-}
 
 } // namespace
 
 double end_coverage(const CPlaneFrame& frame, double strip_width, bool resolved,
                     const LampEnds& ends, const Vec2& centre, const Footprint& footprint) {
     if (frame.lamps == 0) return 0;
-    const Projection image(centre, footprint);
-    const PixelCut part = image.between(image.before_horizon(PixelCut()), 0, ends.begin, ends.end);
-    const auto band = [&](double beyond) {
-        return image.between(part, 1, frame.first - beyond, frame.last() + beyond).area();
-    };
-    if (!resolved) return std::min(strip_width / frame.pitch, 1.0) * band(frame.pitch / 2);
-    return strip_width < frame.pitch ? area_on_strips(frame, strip_width / 2, image, part)
-                                     : band(strip_width / 2);
+    const RowInPixel row(frame, strip_width, ends, centre, footprint);
+    if (!(strip_width < frame.pitch)) return row.of_overlapping_strips();
+    return resolved ? row.of_strips_apart() : row.of_grey_band();
 }
 
 } // namespace keiko

@@ -17,7 +17,7 @@ enum class TubeModel {
 
 /// How lamps look in a mirror (physics 3.3).
 enum class TubeLook {
-    tube, ///< strips of the apparent width of round tubes, their rims' mean bulge at the ends
+    tube, ///< round tubes in closed form: strips of their apparent width, rims at the ends
     flat, ///< the flat strips of the seed paper ([003])
     exact ///< the capped cylinders; a pixel as the mean over a grid of rays
 };

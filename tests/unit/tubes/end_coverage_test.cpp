@@ -25,6 +25,8 @@ CPlaneFrame row() {
     return CPlaneFrame(plane);
 }
 
+const LampEnds ends = LampEnds::straight(row());
+
 /// A pixel's rays, which change linearly over it.
 struct Rays {
     Vec3 origin, direction;
@@ -55,7 +57,7 @@ double sampled(const CPlaneFrame& frame, const Rays& rays, int side) {
 }
 
 double end_coverage_of(const CPlaneFrame& frame, const Rays& rays) {
-    return end_coverage(frame, diameter, true, {0, length}, rays.centre(frame), rays.image(frame));
+    return end_coverage(frame, diameter, true, ends, rays.centre(frame), rays.image(frame));
 }
 
 /// Rays from one place to one end of the lamps or the other, from near to so wide that the plane's
@@ -115,8 +117,7 @@ TEST(EndCoverage, IsNearForRaysFromMovingPlaces) {
         off = std::max(off, std::abs(end_coverage_of(frame, rays) - truth));
         Footprint image = rays.image(frame);
         image.descent = Vec2(0);
-        const double flat =
-            end_coverage(frame, diameter, true, {0, length}, rays.centre(frame), image);
+        const double flat = end_coverage(frame, diameter, true, ends, rays.centre(frame), image);
         of_parallelograms = std::max(of_parallelograms, std::abs(flat - truth));
     }
     EXPECT_LT(off, 0.004);
@@ -134,9 +135,9 @@ TEST(EndCoverage, IsTheProductForUprightImages) {
         const double share = along.share(-centre.x, length - centre.x);
         const Footprint box = Footprint::box(du, dv);
         for (const double width : {diameter, 1.5 * pitch})
-            EXPECT_NEAR(end_coverage(frame, width, true, {0, length}, centre, box),
+            EXPECT_NEAR(end_coverage(frame, width, true, ends, centre, box),
                         share * comb_coverage(frame, width, centre.y, across), 1e-12);
-        EXPECT_NEAR(end_coverage(frame, diameter, false, {0, length}, centre, box),
+        EXPECT_NEAR(end_coverage(frame, diameter, false, ends, centre, box),
                     share * mean_coverage(frame, diameter, centre.y, across), 1e-12);
     }
 }
@@ -145,17 +146,14 @@ TEST(EndCoverage, IsTheProductForUprightImages) {
 TEST(EndCoverage, OfALineIsTheShareOfItsLength) {
     const CPlaneFrame frame = row();
     const Footprint line{{200, 0}, {0, 0}};
-    EXPECT_NEAR(end_coverage(frame, diameter, true, {0, length}, {-20, frame.axis(2)}, line), 0.4,
-                1e-12);
-    EXPECT_EQ(
-        end_coverage(frame, diameter, true, {0, length}, {-20, frame.axis(2) + pitch / 2}, line),
-        0);
+    EXPECT_NEAR(end_coverage(frame, diameter, true, ends, {-20, frame.axis(2)}, line), 0.4, 1e-12);
+    EXPECT_EQ(end_coverage(frame, diameter, true, ends, {-20, frame.axis(2) + pitch / 2}, line), 0);
 }
 
 TEST(EndCoverage, OfNoNumbersIsDark) {
     const double none = std::numeric_limits<double>::quiet_NaN();
     const Footprint image{{none, 50}, {4, none}, {none, 0}};
-    EXPECT_EQ(end_coverage(row(), diameter, true, {0, length}, {0, 250}, image), 0);
+    EXPECT_EQ(end_coverage(row(), diameter, true, ends, {0, 250}, image), 0);
 }
 
 // What a pixel sees that looks beyond the ends is what its places see, also where its image is
@@ -218,10 +216,9 @@ TEST(EndCoverage, CountsResolvedStripsUpToTheHorizon) {
         double sum = 0;
         for (int i = 0; i < frame.lamps; ++i) {
             const Vec2 centre(hit->u, hit->v - frame.axis(i) + one.axis(0));
-            sum += end_coverage(one, diameter, true, {0, length}, centre, image);
+            sum += end_coverage(one, diameter, true, ends, centre, image);
         }
-        EXPECT_NEAR(end_coverage(frame, diameter, true, {0, length}, {hit->u, hit->v}, image), sum,
-                    1e-9);
+        EXPECT_NEAR(end_coverage(frame, diameter, true, ends, {hit->u, hit->v}, image), sum, 1e-9);
         lit += sum > 0.01 ? 1 : 0;
     }
     EXPECT_GT(lit, 500);
