@@ -6,7 +6,8 @@
 #define KEIKO_RENDER_PIXEL_LANES_INL_H
 #endif
 
-#include "keiko/render/stripe_lanes-inl.h"
+#include "keiko/render/image_lanes-inl.h"
+#include "keiko/render/stripe_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
@@ -208,8 +209,9 @@ struct BendLanes {
         }
         bend = hn::Div(bend, real(plane.pitch));
         const Real reach = image.reach_along();
-        const Truth begin = hn::Lt(hn::Abs(image.at.x), reach);
-        const Truth end = hn::Lt(hn::Abs(hn::Sub(real(plane.length), image.at.x)), reach);
+        const Real near_end = hn::Add(reach, end_room(plane, image.direction));
+        const Truth begin = hn::Lt(hn::Abs(image.at.x), near_end);
+        const Truth end = hn::Lt(hn::Abs(hn::Sub(real(plane.length), image.at.x)), near_end);
         const Truth at_ends = hn::And(bounded, hn::Or(begin, end));
         if (hn::AllFalse(Wide(), at_ends)) return;
         const Real along =
