@@ -138,6 +138,8 @@ class Pictures(KeikoTest):
         self.assertEqual(made("--resume"), ["a-0001.png"])
         self.assertEqual(made("--resume", "--ev", "5"), every)
         self.assertEqual(made("--resume", "--ev", "5"), [])
+        self.assertEqual(made("--resume", "--ev", "5", "--edge-samples", "1"), every)
+        self.assertEqual(made("--resume", "--ev", "5"), every)
         self.write("s.toml", scene.replace("[4, 30]", "[4, 31]"))
         self.assertEqual(made("--resume", "--ev", "5"), every)
         self.assertEqual(made("--ev", "5"), every)

@@ -55,8 +55,9 @@ void RenderArguments::add_light(CLI::App& command) {
     of_lamps_.push_back(
         command
             .add_option("--edge-samples", edge_samples,
-                        "into how many parts a side a pixel is cut where outlines meet in it; 1: "
-                        "one ray a pixel, sooner, with outlines in stairs")
+                        "into how many parts a side a pixel is cut at the most where outlines meet "
+                        "in it, halved until so small; 1: one ray a pixel, sooner, with outlines "
+                        "in stairs")
             ->check(CLI::Range(1, 16))
             ->capture_default_str());
     command.add_option("--view", view, "view by name, auto, or scene")->check(not_empty());

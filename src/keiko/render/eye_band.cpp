@@ -10,11 +10,13 @@
 namespace keiko {
 namespace {
 
-/// Makes the last row of a grid the second of one of `size` places.
+/// Makes the last row of a grid the second of one of `size` places; its first is of no use, as all
+/// is done there but to tell how the images below it are bent.
 template <class T>
 void take_over_row(std::vector<T>& places, std::size_t width, std::size_t size, const T& blank) {
     std::copy(places.end() - static_cast<std::ptrdiff_t>(width), places.end(),
               places.begin() + static_cast<std::ptrdiff_t>(width));
+    std::fill_n(places.begin(), width, blank);
     places.resize(2 * width);
     places.resize(size, blank);
 }
@@ -27,7 +29,6 @@ void EyeBand::begin(const EyeGrid& grid, const EyeSample& unseen) {
         return;
     }
     mirrors.grid.take_over_rows(grid.height);
-    // Of the first row all is done: it only tells how the images below it are bent.
     const auto width = static_cast<std::size_t>(grid.width);
     take_over_row(view.samples, width, mirrors.grid.size(), unseen);
     take_over_row(mirrors.ways, width, mirrors.grid.size(), {});

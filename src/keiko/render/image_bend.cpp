@@ -89,7 +89,7 @@ double bend_along(const CPlaneHit& hit, const Footprint& image, const std::array
 }
 
 bool may_hold_end(const RigPlaneHit& plane, const Footprint& image) {
-    const double reach = image.reach(0) + end_room(*plane.frame, plane.at.direction);
+    const double reach = image.reach(0) + image.widened(end_room(*plane.frame, plane.at.direction));
     const double begin = plane.at.u, end = plane.frame->length - begin;
     return std::abs(begin) < reach || std::abs(end) < reach;
 }

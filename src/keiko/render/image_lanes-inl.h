@@ -99,10 +99,11 @@ struct ImageLanes {
         u_dy = hn::NegMulAdd(slope_u, dy.z, dy.x), v_dy = hn::NegMulAdd(slope_v, dy.z, dy.y);
     }
     /// Footprint::reach() along the lamps.
-    Real reach_along() const {
+    Real reach_along() const { return widened(half_sum(u_dx, u_dy)); }
+    /// Footprint::widened().
+    Real widened(Real length) const {
         const Real least = hn::Sub(real(1), half_sum(descent_x, descent_y));
-        const Real reach = hn::Div(half_sum(u_dx, u_dy), least);
-        return hn::IfThenElse(hn::Gt(least, real(0)), reach, hn::Inf(Wide()));
+        return hn::IfThenElse(hn::Gt(least, real(0)), hn::Div(length, least), hn::Inf(Wide()));
     }
     Truth is_point() const {
         const auto none = [](Real a, Real b) {

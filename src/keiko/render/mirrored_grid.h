@@ -12,7 +12,7 @@
 namespace keiko {
 
 /// The mirrored rays of a grid of eye rays, which go on for ever, and where they begin. All are set
-/// before any is asked for.
+/// or taken over before any is asked for.
 class MirroredGrid {
 public:
     /// In pixels.

@@ -9,6 +9,9 @@ namespace {
 /// Rows of a band that are looked at together, so few that all that is known of them stays near the
 /// processor; with those around them as many as a Hilbert curve's square has.
 constexpr int rows_at_once = 14;
+constexpr int band_width = 126, most_rows = 10 * rows_at_once;
+/// Of a thread: what the last one to end is waited for is little of them all.
+constexpr std::size_t least_bands = 32;
 
 /// A grid below one that was looked at.
 void leave_out_seen_rows(EyeGrid& grid) {
@@ -17,6 +20,14 @@ void leave_out_seen_rows(EyeGrid& grid) {
 }
 
 } // namespace
+
+std::vector<PictureTile> picture_bands(const Camera& camera, std::size_t threads) {
+    for (int rows = most_rows; rows > rows_at_once; rows -= rows_at_once)
+        if (auto bands = picture_tiles(camera, band_width, rows);
+            bands.size() >= least_bands * threads)
+            return bands;
+    return picture_tiles(camera, band_width, rows_at_once);
+}
 
 PathCounts render_band(const Integrator& integrator, const PictureRays& eye,
                        const PictureTile& band, Film& film) {

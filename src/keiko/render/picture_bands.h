@@ -4,12 +4,14 @@
 #include "keiko/render/picture_tiles.h"
 #include "keiko/trace/path_counts.h"
 
+#include <vector>
+
 namespace keiko {
 
-/// Pixels of a band, which one thread renders from top to bottom, some rows at a time. What is
-/// found beyond its border is found for its neighbours again; high ones leave threads waiting at
-/// the end.
-constexpr int band_width = 126, band_height = 140;
+/// The picture in bands, each of which one thread renders from top to bottom, some rows at a time.
+/// What is found beyond the border of one is found for its neighbours again, so they are as high as
+/// leaves enough of them for that many threads.
+std::vector<PictureTile> picture_bands(const Camera& camera, std::size_t threads);
 
 /// Where Integrator::only_mirrors(): one ray a pixel, and those around the band. How many hits were
 /// found in which way for its own.

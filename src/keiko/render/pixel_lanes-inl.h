@@ -209,7 +209,7 @@ struct BendLanes {
         }
         bend = hn::Div(bend, real(plane.pitch));
         const Real reach = image.reach_along();
-        const Real near_end = hn::Add(reach, end_room(plane, image.direction));
+        const Real near_end = hn::Add(reach, image.widened(end_room(plane, image.direction)));
         const Truth begin = hn::Lt(hn::Abs(image.at.x), near_end);
         const Truth end = hn::Lt(hn::Abs(hn::Sub(real(plane.length), image.at.x)), near_end);
         const Truth at_ends = hn::And(bounded, hn::Or(begin, end));

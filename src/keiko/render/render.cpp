@@ -78,7 +78,7 @@ PathCounts render_tile(const Integrator& integrator, const PictureRays& eye,
     RefinedPixels refined = refine_outlines(integrator, eye, tile, options.edge_samples, view);
     add_shared_light(integrator, tile.width(), options.light_error, refined);
     const int width = tile.width();
-    std::vector<bool> in_parts(static_cast<std::size_t>(width * (tile.height())));
+    std::vector<bool> in_parts(static_cast<std::size_t>(width * tile.height()));
     for (const PixelPart& part : refined.parts) in_parts[part.pixel] = true;
     PathCounts paths =
         render_centres(integrator, tile, options.light_error, in_parts, std::move(view), film);
@@ -97,7 +97,7 @@ Film render(const PictureScene& scene, const Camera& camera, const PictureOption
                                 job);
     const PictureRays eye(scene, camera);
     const bool in_bands = integrator.only_mirrors();
-    const std::vector<PictureTile> tiles = in_bands ? picture_tiles(camera, band_width, band_height)
+    const std::vector<PictureTile> tiles = in_bands ? picture_bands(camera, thread_count(job))
                                                     : picture_tiles(camera, tile_size, tile_size);
     std::vector<PathCounts> paths(tiles.size());
     parallel_for(tiles.size(), job, "render", [&](std::size_t i) {

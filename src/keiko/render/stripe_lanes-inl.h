@@ -85,14 +85,15 @@ inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, 
 struct LookLanes {
     Real room, width;
 
-    LookLanes(const StripeRow& row, const Space& d) {
+    LookLanes(const StripeRow& row, const ImageLanes& image) {
         const CPlaneFrame& frame = row.frame;
+        const Space& d = image.direction;
         room = real(0), width = real(frame.diameter);
         if (row.look != TubeLook::tube) return;
         const Real down = hn::Abs(d.z);
         const Real flat = hn::Sqrt(hn::MulAdd(d.z, d.z, hn::Mul(d.y, d.y)));
         width = hn::Div(hn::Mul(width, flat), down);
-        room = end_room(frame, d);
+        room = image.widened(end_room(frame, d));
     }
 };
 
@@ -137,7 +138,7 @@ inline Truth is_in_gap(const CPlaneFrame& frame, const ImageLanes& image, Real w
 inline Real coverage(const StripeRow& row, const ImageLanes& image) {
     const CPlaneFrame& frame = row.frame;
     if (frame.lamps == 0) return real(0);
-    const LookLanes look(row, image.direction);
+    const LookLanes look(row, image);
     const Real reach = image.reach_along();
     const Real low = hn::Sub(image.at.x, reach), high = hn::Add(image.at.x, reach);
     const Real length = real(frame.length);

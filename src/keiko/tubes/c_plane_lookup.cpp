@@ -91,7 +91,8 @@ StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& 
     const bool round = look == TubeLook::tube;
     const PixelFilter across(footprint.dx.y, footprint.dy.y);
     const bool resolved = across.width() <= resolvable_pitches * frame.pitch;
-    const double room = round ? end_room(frame, hit.direction) : 0, reach = footprint.reach(0);
+    const double room = round ? footprint.widened(end_room(frame, hit.direction)) : 0;
+    const double reach = footprint.reach(0);
     if (frame.lamps == 0 || hit.u + reach <= -room || hit.u - reach >= frame.length + room)
         return {0, resolved};
     if (!(hit.u - reach >= room && hit.u + reach <= frame.length - room)) {
@@ -108,9 +109,12 @@ StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& 
 } // namespace
 
 double Footprint::reach(unsigned axis) const {
+    return widened((std::abs(dx[axis]) + std::abs(dy[axis])) / 2);
+}
+
+double Footprint::widened(double length) const {
     const double least = 1 - (std::abs(descent.x) + std::abs(descent.y)) / 2;
-    if (!(least > 0)) return std::numeric_limits<double>::infinity();
-    return (std::abs(dx[axis]) + std::abs(dy[axis])) / (2 * least);
+    return least > 0 ? length / least : std::numeric_limits<double>::infinity();
 }
 
 std::optional<CPlaneHit> c_plane_coordinates(const CPlaneFrame& frame, const Vec3& origin,

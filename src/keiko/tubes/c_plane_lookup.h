@@ -35,6 +35,8 @@ struct Footprint {
     /// Nothing of it is farther from its centre along an axis of the plane, mm; infinite where the
     /// plane's horizon runs through the pixel.
     double reach(unsigned axis) const;
+    /// What is so long where the centre's ray meets the plane, where most nears its horizon.
+    double widened(double length) const;
 };
 
 /// Whether the ray starts between the two planes that touch all tubes of the row.

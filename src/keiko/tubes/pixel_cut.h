@@ -70,7 +70,8 @@ public:
 private:
     struct Nothing {};
     explicit PixelCut(Nothing) : count_(0) {}
-    // A cut adds a corner; what rounding adds to a line of them is no area.
+    // A cut adds a corner to the square's four, and the horizon, sides and chords of both ends are
+    // some twenty; what rounding adds to a line of them is no area.
     void add(const Vec2& corner) {
         if (count_ < corners_.size()) corners_[count_++] = corner;
     }
