@@ -26,11 +26,6 @@ Vec2 slide(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin_ra
     return {rate.x - d.x * t_rate, rate.y - d.y * t_rate};
 }
 
-/// apparent_diameter() for a direction in frame coordinates.
-double width_of_strips(const CPlaneFrame& frame, const Vec3& d) {
-    return frame.diameter * std::sqrt(d.y * d.y + d.z * d.z) / std::abs(d.z);
-}
-
 bool tube_shines(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction) {
     const auto tube = nearest_tube(frame, origin, direction);
     return tube && (!tube->cap || frame.luminous_caps);
@@ -86,8 +81,8 @@ StripeLook sampled(const CPlaneFrame& frame, const Vec3& origin, const Vec3& dir
     return {lit / static_cast<double>(side * side), true};
 }
 
-StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& direction,
-                    const Footprint& footprint, TubeLook look) {
+StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Footprint& footprint,
+                    TubeLook look) {
     const bool round = look == TubeLook::tube;
     const PixelFilter across(footprint.dx.y, footprint.dy.y);
     const bool resolved = across.width() <= resolvable_pitches * frame.pitch;
@@ -98,10 +93,10 @@ StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& 
     if (!(hit.u - reach >= room && hit.u + reach <= frame.length - room)) {
         const Vec3 d = round ? direction_to_row(frame, hit, footprint) : hit.direction;
         const LampEnds ends = round ? LampEnds::of_tubes(frame, d) : LampEnds::straight(frame);
-        const double width = round ? width_of_strips(frame, d) : frame.diameter;
+        const double width = round ? apparent_diameter(frame, d) : frame.diameter;
         return {end_coverage(frame, width, resolved, ends, {hit.u, hit.v}, footprint), resolved};
     }
-    const double width = round ? apparent_diameter(frame, direction) : frame.diameter;
+    const double width = round ? apparent_diameter(frame, hit.direction) : frame.diameter;
     const auto coverage = resolved ? comb_coverage : mean_coverage;
     return {coverage(frame, width, hit.v, across), resolved};
 }
@@ -163,8 +158,8 @@ StripeLook look_up(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& o
         return {point_shines(frame, hit, origin, direction, look) ? 1.0 : 0.0, true};
     if (look == TubeLook::exact) return sampled(frame, origin, direction, footprint);
     if (look == TubeLook::tube && starts_among_tubes(frame, hit))
-        return filtered(ahead(frame, hit), hit, direction, footprint, look);
-    return filtered(frame, hit, direction, footprint, look);
+        return filtered(ahead(frame, hit), hit, footprint, look);
+    return filtered(frame, hit, footprint, look);
 }
 
 Rgb mirrored_luminance(const CPlane& plane, const Vec3& origin, const Vec3& direction,

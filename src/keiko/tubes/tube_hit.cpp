@@ -71,9 +71,8 @@ std::optional<TubeHit> nearest_tube(const CPlaneFrame& frame, const Vec3& origin
     return nearest;
 }
 
-double apparent_diameter(const CPlaneFrame& frame, const Vec3& direction) {
-    const double across = frame.v.dot(direction), down = frame.normal.dot(direction);
-    return frame.diameter * std::sqrt(across * across + down * down) / std::abs(down);
+double apparent_diameter(const CPlaneFrame& frame, const Vec3& d) {
+    return frame.diameter * std::sqrt(d.y * d.y + d.z * d.z) / std::abs(d.z);
 }
 
 } // namespace keiko

@@ -18,8 +18,9 @@ struct TubeHit {
 std::optional<TubeHit> nearest_tube(const CPlaneFrame& frame, const Vec3& origin,
                                     const Vec3& direction);
 
-/// Width in mm of the strip of the C-plane through which rays of `direction` meet an endless tube:
-/// eq. (3.1) of physics 3.3; infinite for a direction in the plane across the lamps.
-double apparent_diameter(const CPlaneFrame& frame, const Vec3& direction);
+/// Width in mm of the strip of the C-plane through which rays of direction `d`, in frame
+/// coordinates, meet an endless tube: eq. (3.1) of physics 3.3; infinite for a direction in the
+/// plane across the lamps.
+double apparent_diameter(const CPlaneFrame& frame, const Vec3& d);
 
 } // namespace keiko

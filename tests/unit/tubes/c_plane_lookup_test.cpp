@@ -166,7 +166,7 @@ TEST(CPlaneLookup, RowLooksClosedAtGrazingAngles) {
     const Vec3 direction(0, 1, 0.05), origin = Vec3(0, 0, 2000) - direction * 1000;
     EXPECT_EQ(look_up(frame, origin, direction).coverage, 1);
     EXPECT_EQ(look_up(frame, origin, direction, Footprint::box(5, 5)).coverage, 1);
-    EXPECT_GT(apparent_diameter(frame, direction), frame.pitch);
+    EXPECT_GT(apparent_diameter(frame, frame.vector(direction)), frame.pitch);
 }
 
 // A body that crosses the plane of the lamps: rays from there may leave the tubes behind, though

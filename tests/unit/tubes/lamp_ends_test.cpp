@@ -65,7 +65,8 @@ Pixel any_pixel(test::Random& random, const CPlaneFrame& frame, const Vec3& dire
     const double room = end_room(frame, direction) + mm / 2;
     const double end = test::pick(random, 2) ? length : 0;
     const double u = end + test::uniform(random, -1, 1) * room;
-    const double aside = test::uniform(random, -0.6, 0.6) * apparent_diameter(frame, direction);
+    const double aside =
+        test::uniform(random, -0.6, 0.6) * apparent_diameter(frame, frame.vector(direction));
     const double v = frame.axis(static_cast<int>(test::pick(random, 5))) + aside;
     return {frame.at(u, v) - direction * 2000,
             direction,

@@ -79,7 +79,7 @@ TEST(TubeHit, ApparentDiameterTellsWhatRaysMeet) {
         double nearest = 1e9;
         for (int lamp = 0; lamp < frame.lamps; ++lamp)
             nearest = std::min(nearest, std::abs(hit->v - frame.axis(lamp)));
-        const bool expected = nearest < apparent_diameter(frame, direction) / 2;
+        const bool expected = nearest < apparent_diameter(frame, frame.vector(direction)) / 2;
         EXPECT_EQ(nearest_tube(frame, origin, direction).has_value(), expected) << i;
         met += expected;
     }
