@@ -118,7 +118,9 @@ protected:
 
     Random random_{11};
     SurfaceModel model_ = load_model(repository("surfaces") / GetParam());
-    Tracer tracer_{model_};
+    // On leaves as small as they are by default nothing of the saddle is proved to be seen where
+    // the horizon cuts it.
+    Tracer tracer_{model_, {.leaf_contraction = 0.65}};
     Occluders occluders_{model_, tracer_};
     int partly_hidden_ = 0;
     int seen_ = 0, hidden_ = 0; ///< prisms

@@ -23,7 +23,7 @@ struct TracerOptions {
     /// Patches are halved until LeafFrame::contraction is no larger, at most a few times. Changes
     /// what a ray costs, not what it hits; but where two faces lie on each other, it is on the
     /// leaves whether they count as one there.
-    double leaf_contraction = 0.65;
+    double leaf_contraction = 0.4;
 };
 
 /// What a build cost, and what it made.
