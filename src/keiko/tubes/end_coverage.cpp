@@ -27,29 +27,19 @@ public:
     double of_strips_apart() const {
         double sum = 0;
         for_each_lamp([&](double axis, const PixelCut& strip) {
-            const bool end_first = ends_.begins_with_cap();
-            const PixelCut part = end_first ? cutter_.cut(strip, axis, ends_.end, Side::before)
-                                            : cutter_.cut(strip, axis, ends_.begin, Side::past);
-            sum += end_first ? cutter_.area(part, axis, ends_.begin, Side::past)
-                             : cutter_.area(part, axis, ends_.end, Side::before);
+            sum += seen_of(cut_convex(strip, axis), axis);
         });
         return sum;
     }
-    /// Of strips that overlap: to each end they go as far as the one of them that does so most,
-    /// and dark caps hide what is behind them.
+    /// Of strips that overlap: of each lamp what is seen past the tube, cap included, that rays
+    /// meet right before it. What tubes before that one hide is hidden by that one too.
     double of_overlapping_strips() const {
-        double sum = -band(pixel_, half_);
+        double sum = 0;
         for_each_lamp([&](double axis, const PixelCut& strip) {
-            const Range begin = seen_of(axis, ends_.begin.shear > 0);
-            const Range end = seen_of(axis, !(ends_.end.shear > 0));
-            sum += cutter_.area(image_.between(strip, begin.low, begin.high), axis, ends_.begin,
-                                Side::past);
-            sum += cutter_.area(image_.between(strip, end.low, end.high), axis, ends_.end,
-                                Side::before);
-            if (ends_.begins_with_cap()) sum -= cap(strip, axis, ends_.begin, begin);
-            if (ends_.ends_with_cap()) sum -= cap(strip, axis, ends_.end, end);
+            const PixelCut part = cut_convex(strip, axis);
+            sum += seen_of(part, axis) - hidden_of(part, axis);
         });
-        return std::max(sum, 0.0);
+        return std::clamp(sum, 0.0, 1.0);
     }
     /// Of strips too fine to be told apart, in the mean over the places that they may have.
     double of_grey_band() const {
@@ -68,31 +58,35 @@ public:
     }
 
 private:
-    struct Range {
-        double low, high; ///< of v
-    };
-
     double band(const PixelCut& part, double beyond) const {
         return image_.between(part, frame_.first - beyond, frame_.last() + beyond).area();
     }
-    /// What of a lamp's strip is seen where of strips that overlap the one is seen whose axis is of
-    /// greatest v, or else of least.
-    Range seen_of(double axis, bool greatest) const {
-        Range seen{axis - half_, axis + half_};
-        const double hidden = 2 * half_ - frame_.pitch;
-        if (!greatest && axis > frame_.first + frame_.pitch / 2) seen.low += hidden;
-        if (greatest && axis < frame_.last() - frame_.pitch / 2) seen.high -= hidden;
-        return seen;
+    /// What of a strip is on the lamp's side of its end without a dark cap, or of its begin: it is
+    /// convex.
+    PixelCut cut_convex(const PixelCut& strip, double axis) const {
+        return ends_.begins_with_cap() ? cutter_.cut(strip, axis, ends_.end, Side::before)
+                                       : cutter_.cut(strip, axis, ends_.begin, Side::past);
     }
-    /// Of a cap, what lies beside the range in which no tube is seen past it.
-    double cap(const PixelCut& strip, double axis, const LampEnd& end, const Range& alone) const {
-        const bool greater = alone.low == axis - half_;
-        const PixelCut part = greater ? image_.between(strip, alone.high, axis + half_)
-                                      : image_.between(strip, axis - half_, alone.low);
-        const LampEnd far{end.at, end.shear, std::abs(end.bulge)};
-        const LampEnd near{end.at, end.shear, -std::abs(end.bulge)};
-        return cutter_.cut(cutter_.cut(part, axis, far, Side::before), axis, near, Side::past)
-            .area();
+    /// Of what is cut so, the area that is on the lamp's side of its other end too.
+    double seen_of(const PixelCut& part, double axis) const {
+        return ends_.begins_with_cap() ? cutter_.area(part, axis, ends_.begin, Side::past)
+                                       : cutter_.area(part, axis, ends_.end, Side::before);
+    }
+    /// Of the same, the area behind the neighbour that rays meet before the lamp.
+    double hidden_of(const PixelCut& part, double axis) const {
+        const bool from_begin = ends_.begins_with_cap();
+        const bool is_lesser = from_begin == (ends_.begin.shear > 0);
+        const double before = is_lesser ? axis - frame_.pitch : axis + frame_.pitch;
+        const double room = frame_.pitch / 2;
+        if (before < frame_.first - room || before > frame_.last() + room) return 0;
+        const PixelCut both = is_lesser ? image_.between(part, axis - half_, before + half_)
+                                        : image_.between(part, before - half_, axis + half_);
+        if (from_begin) return cutter_.cut(both, before, rim(ends_.begin, -1), Side::past).area();
+        return cutter_.cut(both, before, rim(ends_.end, 1), Side::before).area();
+    }
+    /// The half of an end's rim that bulges to greater u, or to lesser.
+    static LampEnd rim(const LampEnd& end, double sign) {
+        return {end.at, end.shear, sign * std::abs(end.bulge)};
     }
     /// `use`(axis, what of the pixel lies on the strip), of lamps in it.
     template <class Use>

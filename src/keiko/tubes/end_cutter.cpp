@@ -75,9 +75,9 @@ std::array<Vec2, 2> EndCutter::arc_on(const PixelCut& part, double axis) const {
 
 int EndCutter::halvings_of(double& half_chord, double bulge) const {
     constexpr double allowed = 1e-3; // of the pixel
-    constexpr int most = 3;
+    constexpr int most = 4;
     // What is on one side of a chord at its mean level is up to 0.02 times its length cubed.
-    const double scale = 8 * 0.02 * half_ * bulge, enough = allowed * image_.area();
+    const double scale = 8 * 0.02 * half_ * bulge, enough = allowed * image_.least_area();
     int halvings = 0;
     while (halvings < most && scale * half_chord * half_chord * half_chord > enough) {
         half_chord = std::sqrt((1 - std::sqrt(1 - half_chord * half_chord)) / 2);

@@ -21,9 +21,8 @@ struct LampEnds {
     /// where they meet the rim above or below the plane, times their slope along the lamps. Dark
     /// caps hide the near half of the rim, luminous ones show both.
     static LampEnds of_tubes(const CPlaneFrame& frame, const Vec3& d);
-    /// Whether rays meet caps that are dark, at the begin or the end.
+    /// Whether rays meet caps that are dark at the begin.
     bool begins_with_cap() const { return begin.bulge > 0; }
-    bool ends_with_cap() const { return end.bulge < 0; }
 };
 
 /// How far an end of a round tube may look moved along u, mm: by rays of that direction, in frame

@@ -70,13 +70,13 @@ public:
 private:
     struct Nothing {};
     explicit PixelCut(Nothing) : count_(0) {}
-    // A cut adds a corner to the square's four, and the horizon, sides and chords of both ends are
-    // some twenty; what rounding adds to a line of them is no area.
+    // A cut adds a corner to the square's four, and the horizon, sides and chords of two curves are
+    // some forty; what rounding adds to a line of them is no area.
     void add(const Vec2& corner) {
         if (count_ < corners_.size()) corners_[count_++] = corner;
     }
 
-    std::array<Vec2, 32> corners_; // the first `count_` of them
+    std::array<Vec2, 48> corners_; // the first `count_` of them
     std::size_t count_;
 };
 
@@ -113,8 +113,11 @@ public:
         if (!(before > rounding)) return std::numeric_limits<double>::quiet_NaN();
         return centre_.y + (footprint_.dx.y * place.x + footprint_.dy.y * place.y) / before;
     }
-    /// mm2 per pixel, at the centre.
-    double area() const { return std::abs(footprint_.dx.cross(footprint_.dy)); }
+    /// mm2 per pixel, where it is least: where the rays meet the plane most steeply.
+    double least_area() const {
+        const double most = 1 + (std::abs(denominator_.by_x) + std::abs(denominator_.by_y)) / 2;
+        return std::abs(footprint_.dx.cross(footprint_.dy)) / (most * most * most);
+    }
 
 private:
     Vec2 centre_;

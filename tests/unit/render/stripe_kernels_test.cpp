@@ -4,13 +4,11 @@
 
 #include "keiko/render/image_bend.h"
 #include "keiko/render/mirrored_pixel.h"
-#include "keiko/tubes/tube_hit.h"
 
 #include "tests/support/random.h"
 #include "tests/unit/trace/instruction_sets.h"
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -69,49 +67,6 @@ struct Strip {
         return {rays[place], rays[place - 1], rays[place + 1], rays[place - width],
                 rays[place + width]};
     }
-};
-
-/// Three rows of pixels of 30 mm that look in one direction, around the ends of lamps.
-struct EndStrip {
-    CPlane plane;
-    Vec3 direction, dx{30, 4, 0}, dy{-5, 25, 0};
-    MirroredRays numbers{3 * width};
-
-    EndStrip(const Vec3& towards, double end, bool luminous_caps) : direction(towards) {
-        plane.origin = {0, 0, 2000};
-        plane.u = {1200, 0, 0}, plane.v = {0, 600, 0};
-        plane.lamps = 3, plane.diameter = 60;
-        plane.luminous_caps = luminous_caps;
-        const CPlaneFrame frame(plane);
-        middle_ = frame.at(end, frame.axis(1)) - direction * 2000;
-        for (std::size_t i = 0; i < 3 * width; ++i) {
-            Ray ray;
-            ray.origin = origin(i, 0, 0), ray.direction = direction;
-            ray.differentials = {dx, dy, Vec3(0), Vec3(0)};
-            numbers.set(i, ray);
-        }
-    }
-    /// Of a ray of a pixel.
-    Vec3 origin(std::size_t place, double x, double y) const {
-        return middle_ + dx * (static_cast<double>(place % width) - 4.5 + x) +
-               dy * (static_cast<double>(place / width) - 1.0 + y);
-    }
-    /// The share of a grid of a pixel's rays that enter a tube where it shines.
-    double truth(std::size_t place) const {
-        constexpr int side = 80;
-        const CPlaneFrame frame(plane);
-        int lit = 0;
-        for (int j = 0; j < side; ++j)
-            for (int i = 0; i < side; ++i) {
-                const Vec3 from = origin(place, (i + 0.5) / side - 0.5, (j + 0.5) / side - 0.5);
-                const auto tube = nearest_tube(frame, from, direction);
-                lit += tube && (!tube->cap || plane.luminous_caps) ? 1 : 0;
-            }
-        return lit / static_cast<double>(side * side);
-    }
-
-private:
-    Vec3 middle_;
 };
 
 CPlane any_row(Random& random) {
@@ -236,29 +191,4 @@ TEST(StripeKernels, SumUpPartsAsTheFormulasForOnePartDo) {
         }
         EXPECT_GT(partly, 500);
     }
-}
-
-// Along and across the lamps at once, so that the sides of a tube end in different places.
-TEST(StripeKernels, EndLampsWhereRaysSeeTheirRims) {
-    for (const Vec3& direction : {Vec3(1.5, 1, 1), Vec3(-2, 1.2, 1), Vec3(1, -4, 1)})
-        for (const double end : {0.0, 1200.0})
-            for (const bool luminous_caps : {false, true}) {
-                const EndStrip strip(direction, end, luminous_caps);
-                const CPlaneFrame frame(strip.plane);
-                std::array<double, StripeLooks::capacity> truth{};
-                for (std::size_t lane = 0; lane < truth.size(); ++lane)
-                    truth[lane] = strip.truth(first + lane);
-                EXPECT_TRUE(std::any_of(truth.begin(), truth.end(),
-                                        [](double t) { return t > 0.1 && t < 0.9; }));
-                for (const std::int64_t set : instruction_sets()) {
-                    const WithInstructionSet only(set);
-                    StripeLooks looks;
-                    stripe_kernels().look({frame, TubeLook::tube}, strip.numbers, first, width,
-                                          true, looks);
-                    for (std::size_t lane = 0; lane < truth.size(); ++lane)
-                        EXPECT_NEAR(has(looks.missed, lane) ? 0 : looks.coverage[lane], truth[lane],
-                                    0.01)
-                            << direction.x << ", " << end << ", " << luminous_caps << ", " << lane;
-                }
-            }
 }

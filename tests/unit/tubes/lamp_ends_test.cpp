@@ -14,10 +14,8 @@ using namespace keiko;
 
 namespace {
 
-constexpr double length = 1200;
-
 /// A row of five under which all begins at z = 0.
-CPlaneFrame row_of(double diameter, double pitch, bool luminous_caps) {
+CPlaneFrame row_of(double diameter, double pitch, bool luminous_caps, double length = 1200) {
     CPlane plane;
     plane.origin = {0, 0, 2000};
     plane.u = {length, 0, 0};
@@ -39,8 +37,7 @@ struct Pixel {
             .coverage;
     }
     /// The share of a grid of its rays that enter a tube where it shines.
-    double truth(const CPlaneFrame& frame) const {
-        constexpr int side = 100;
+    double truth(const CPlaneFrame& frame, int side = 100) const {
         int lit = 0;
         for (int j = 0; j < side; ++j)
             for (int i = 0; i < side; ++i) {
@@ -63,7 +60,7 @@ Pixel any_pixel(test::Random& random, const CPlaneFrame& frame, const Vec3& dire
                 double size) {
     const double mm = size * frame.diameter;
     const double room = end_room(frame, direction) + mm / 2;
-    const double end = test::pick(random, 2) ? length : 0;
+    const double end = test::pick(random, 2) ? frame.length : 0;
     const double u = end + test::uniform(random, -1, 1) * room;
     const double aside =
         test::uniform(random, -0.6, 0.6) * apparent_diameter(frame, frame.vector(direction));
@@ -113,6 +110,47 @@ TEST(LampEnds, AreSeenAsRaysMeetThemFromAnySlant) {
                                               << luminous_caps << ", overlap " << overlap;
                     EXPECT_GT(off.at_ends, 5);
                 }
+}
+
+// Lamps side by side, of which one may look to begin where its neighbour has ended, or to lie
+// behind the next one but for a part of a rim.
+TEST(LampEnds, OfClosedRowsAreSeenPastTheLampsBefore) {
+    for (const double diameter : {16, 60, 200})
+        for (const double length : {20, 30, 60, 200})
+            for (const bool luminous_caps : {false, true}) {
+                test::Random random(19);
+                Errors off;
+                for (int trial = 0; trial < 60; ++trial) {
+                    const double along = std::pow(10, test::uniform(random, -1, 0.8));
+                    const double sideways = std::pow(10, test::uniform(random, -0.5, 1));
+                    const double looks = std::hypot(sideways, 1); // wide, in diameters
+                    const double pitch = diameter * test::uniform(random, 1, looks);
+                    const CPlaneFrame frame = row_of(diameter, pitch, luminous_caps, length);
+                    const Vec3 direction(trial % 4 < 2 ? along : -along,
+                                         trial % 2 ? sideways : -sideways, 1);
+                    const Pixel pixel = any_pixel(random, frame, direction, 0.2 + trial % 4);
+                    off.add(pixel.seen(frame), pixel.truth(frame, 200));
+                }
+                EXPECT_LT(off.most, 0.005)
+                    << diameter << " mm, " << length << " mm long, caps " << luminous_caps;
+                EXPECT_GT(off.at_ends, 5);
+            }
+}
+
+// What chords leave of a rim is much of a pixel that lies along it and is thin.
+TEST(LampEnds, AreSeenInSliversAlongThem) {
+    CPlane plane;
+    plane.origin = {0, 0, 2000};
+    plane.u = {60, 0, 0}, plane.v = {0, 120, 0};
+    plane.lamps = 2, plane.diameter = 60;
+    const CPlaneFrame frame(plane);
+    const Vec3 direction(2.85, 0.4, 1);
+    for (const double aside : {-6, -3, 0, 3, 6}) {
+        const Pixel pixel{frame.at(127.5 + aside, 30.6) - direction * 2000,
+                          direction,
+                          {Vec3(-43.6, -45.7, 0), Vec3(49.7, 47.1, 0), Vec3(0), Vec3(0)}};
+        EXPECT_NEAR(pixel.seen(frame), pixel.truth(frame, 400), 0.004) << aside;
+    }
 }
 
 // The farthest places of an end are where the rim is a radius above or below the plane.
