@@ -51,11 +51,10 @@ CPlaneFrame ahead(CPlaneFrame frame, const CPlaneHit& hit) {
     return frame;
 }
 
-/// The direction, in frame coordinates, from which a pixel sees the row's point next to where its
-/// centre's ray meets the plane: what nears the plane's horizon is seen at another slant.
-Vec3 direction_to_row(const CPlaneFrame& frame, const CPlaneHit& hit, const Footprint& footprint) {
-    const double v = std::clamp(hit.v, frame.first, frame.last());
-    const Vec2 way(std::clamp(hit.u, 0.0, frame.length) - hit.u, v - hit.v);
+/// The direction, in frame coordinates, from which a pixel sees what is `way` off where its
+/// centre's ray meets the plane, or what of the pixel is nearest to that: what nears the plane's
+/// horizon is seen at another slant.
+Vec3 direction_to(const CPlaneHit& hit, const Footprint& footprint, const Vec2& way) {
     if (way == Vec2(0)) return hit.direction;
     // Of (x dx + y dy) / (1 + x descent.x + y descent.y) = way, the denominator.
     const Vec2 dx = footprint.dx - way * footprint.descent.x;
@@ -64,6 +63,29 @@ Vec3 direction_to_row(const CPlaneFrame& frame, const CPlaneHit& hit, const Foot
     const double off = (std::abs(footprint.descent.x) + std::abs(footprint.descent.y)) / 2;
     const double seen = descent > 0 ? std::clamp(descent, 1 - off, 1 + off) : 1 + off;
     return {hit.direction.x, hit.direction.y, hit.direction.z * seen};
+}
+
+/// To the row's point next to the hit.
+Vec2 way_to_row(const CPlaneFrame& frame, const CPlaneHit& hit) {
+    return {std::clamp(hit.u, 0.0, frame.length) - hit.u,
+            std::clamp(hit.v, frame.first, frame.last()) - hit.v};
+}
+
+/// The ends of the lamp next to the hit, each from the direction from which it is seen.
+LampEnds ends_of_tubes(const CPlaneFrame& frame, const CPlaneHit& hit, const Footprint& footprint,
+                       const Vec3& direction) {
+    const LampEnds guess = LampEnds::of_tubes(frame, direction);
+    const double lamp =
+        std::clamp(std::round((hit.v - frame.first) / frame.pitch), 0.0, frame.lamps - 1.0);
+    const double half = apparent_diameter(frame, direction) / 2;
+    const double axis = frame.first + lamp * frame.pitch;
+    const double q = std::clamp((hit.v - axis) / half, -1.0, 1.0);
+    const auto seen = [&](const LampEnd& end) {
+        const double u = end.at + end.shear * q + end.bulge * std::sqrt(1 - q * q);
+        const Vec2 way(u - hit.u, way_to_row(frame, hit).y);
+        return LampEnds::of_tubes(frame, direction_to(hit, footprint, way));
+    };
+    return {seen(guess.begin).begin, seen(guess.end).end};
 }
 
 /// The mean over a grid of parallel rays through the footprint.
@@ -91,8 +113,9 @@ StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Footpr
     if (frame.lamps == 0 || hit.u + reach <= -room || hit.u - reach >= frame.length + room)
         return {0, resolved};
     if (!(hit.u - reach >= room && hit.u + reach <= frame.length - room)) {
-        const Vec3 d = round ? direction_to_row(frame, hit, footprint) : hit.direction;
-        const LampEnds ends = round ? LampEnds::of_tubes(frame, d) : LampEnds::straight(frame);
+        const Vec3 d = round ? direction_to(hit, footprint, way_to_row(frame, hit)) : hit.direction;
+        const LampEnds ends =
+            round ? ends_of_tubes(frame, hit, footprint, d) : LampEnds::straight(frame);
         const double width = round ? apparent_diameter(frame, d) : frame.diameter;
         return {end_coverage(frame, width, resolved, ends, {hit.u, hit.v}, footprint), resolved};
     }

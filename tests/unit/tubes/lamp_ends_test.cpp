@@ -153,6 +153,22 @@ TEST(LampEnds, AreSeenInSliversAlongThem) {
     }
 }
 
+// Rays from one eye, low along thick tubes: over a pixel the place where a rim is seen moves by
+// several hundredths of the pixel, which holds it on any side of its centre.
+TEST(LampEnds, AreSeenByTheRaysOfAPixelThatMeetThem) {
+    const CPlaneFrame frame = row_of(200, 200, false, 900);
+    const double low = std::sin(0.17), far = std::cos(0.17), size = 0.0044;
+    for (const double sign : {-1, 1})
+        for (double u = -1600; u < 2500; u += 90) {
+            const Vec3 direction(sign * far, 0.03, low);
+            const Pixel pixel{
+                frame.at(u, frame.axis(2) + 37) - direction * 7000,
+                direction,
+                {Vec3(0), Vec3(0), Vec3(0, size, 0), Vec3(-sign * low, 0, far) * size}};
+            EXPECT_NEAR(pixel.seen(frame), pixel.truth(frame, 200), 0.01) << sign << ", " << u;
+        }
+}
+
 // The farthest places of an end are where the rim is a radius above or below the plane.
 TEST(LampEnds, StayInTheirRoom) {
     test::Random random(18);
