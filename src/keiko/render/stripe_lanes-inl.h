@@ -77,8 +77,8 @@ inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, 
     Real sum = strips_coverage(frame, hn::And(wanted, apart), half, center, filter);
     if (hn::AllFalse(Wide(), hn::AndNot(apart, wanted))) return sum;
     sum = hn::IfThenElse(apart, sum, row(half));
-    const Real mean = hn::Mul(hn::Min(hn::Div(width, pitch), real(1)), row(real(frame.pitch / 2)));
-    return hn::IfThenElse(fine, mean, sum);
+    const Real mean = hn::Mul(hn::Div(width, pitch), row(real(frame.pitch / 2)));
+    return hn::IfThenElse(hn::AndNot(hn::Ge(width, pitch), fine), mean, sum);
 }
 
 /// How far the ends of lamps may look moved along them, and how wide strips are.

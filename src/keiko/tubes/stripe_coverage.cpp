@@ -26,7 +26,7 @@ double comb_coverage(const CPlaneFrame& frame, double strip_width, double center
 double mean_coverage(const CPlaneFrame& frame, double strip_width, double center,
                      const PixelFilter& filter) {
     if (frame.lamps == 0) return 0;
-    const double half = frame.pitch / 2;
+    const double half = std::max(frame.pitch, strip_width) / 2;
     return std::min(strip_width / frame.pitch, 1.0) *
            filter.share(frame.first - half - center, frame.last() + half - center);
 }

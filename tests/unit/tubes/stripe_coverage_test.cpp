@@ -67,6 +67,14 @@ TEST(StripeCoverage, MeanIsDutyInsideTheComb) {
     EXPECT_NEAR(comb_coverage(frame, 20, 507, {307, 0}), 0.4, 0.05);
 }
 
+TEST(StripeCoverage, MeanOfAClosedRowEndsWhereItsStripsDo) {
+    const CPlaneFrame frame = comb(3, 50, 20);
+    for (const double width : {50.0, 80.0, 900.0})
+        for (const double center : {-430.0, -40.0, 70.0, 300.0})
+            EXPECT_DOUBLE_EQ(mean_coverage(frame, width, center, {250, 40}),
+                             comb_coverage(frame, width, center, {250, 40}));
+}
+
 TEST(StripeCoverage, AnEmptyRowCoversNothing) {
     const CPlaneFrame frame({.lamps = 0});
     EXPECT_EQ(comb_coverage(frame, 26, 0, {10, 10}), 0);
