@@ -6,9 +6,9 @@
 namespace keiko {
 namespace {
 
-/// Bound of LeafFrame::contraction. Not what rays gain from: where an alignment from afar begins
-/// changes with the pieces.
-constexpr double flat_enough = 0.65;
+/// Bound of LeafFrame::contraction. Kept apart from TracerOptions: where an alignment from afar
+/// begins changes with the pieces.
+constexpr double piece_contraction = 0.65;
 
 } // namespace
 
@@ -24,7 +24,7 @@ SurfaceFeet::Pieces::Pieces(PlacedModel placed, const Job& job) : body(std::move
     for (const Face& face : model.faces) trims.emplace_back(model, face);
     std::vector<LeafSet> sets(model.faces.size());
     parallel_for(sets.size(), job, "", [&](std::size_t f) {
-        sets[f] = make_leaves(model, model.faces[f], trims[f], 0, flat_enough);
+        sets[f] = make_leaves(model, model.faces[f], trims[f], 0, piece_contraction);
     });
     for (LeafSet& set : sets) append(leaves, std::move(set));
     std::vector<Box3> boxes;

@@ -78,7 +78,8 @@ inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, 
     if (hn::AllFalse(Wide(), hn::AndNot(apart, wanted))) return sum;
     sum = hn::IfThenElse(apart, sum, row(half));
     const Real mean = hn::Mul(hn::Div(width, pitch), row(real(frame.pitch / 2)));
-    return hn::IfThenElse(hn::AndNot(hn::Ge(width, pitch), fine), mean, sum);
+    const Truth grey = hn::And(fine, hn::Lt(width, pitch));
+    return hn::IfThenElse(grey, mean, sum);
 }
 
 /// How far the ends of lamps may look moved along them, and how wide strips are.

@@ -71,7 +71,8 @@ Vec2 way_to_row(const CPlaneFrame& frame, const CPlaneHit& hit) {
             std::clamp(hit.v, frame.first, frame.last()) - hit.v};
 }
 
-/// The ends of the lamp next to the hit, each from the direction from which it is seen.
+/// The ends of all lamps, each from one direction: that to the end of the lamp whose axis is
+/// nearest to the hit.
 LampEnds ends_of_tubes(const CPlaneFrame& frame, const CPlaneHit& hit, const Footprint& footprint,
                        const Vec3& direction) {
     const LampEnds guess = LampEnds::of_tubes(frame, direction);

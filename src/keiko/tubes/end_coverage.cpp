@@ -32,7 +32,8 @@ public:
         return sum;
     }
     /// Of strips that overlap: of each lamp what is seen past the tube, cap included, that rays
-    /// meet right before it. What tubes before that one hide is hidden by that one too.
+    /// meet right before it. What tubes before that one hide is hidden by that one too. (Tubes that
+    /// shine all over may be taken in either order.)
     double of_overlapping_strips() const {
         double sum = 0;
         for_each_lamp([&](double axis, const PixelCut& strip) {
@@ -54,7 +55,7 @@ public:
                                       .where(image_.past({-1, 0}, {at(ends_.end), 0}, 0));
             sum += band(part, frame_.pitch / 2);
         }
-        return std::min(2 * half_ / frame_.pitch, 1.0) * sum / count;
+        return 2 * half_ / frame_.pitch * sum / count;
     }
 
 private:
@@ -79,10 +80,11 @@ private:
         const double before = is_lesser ? axis - frame_.pitch : axis + frame_.pitch;
         const double room = frame_.pitch / 2;
         if (before < frame_.first - room || before > frame_.last() + room) return 0;
-        const PixelCut both = is_lesser ? image_.between(part, axis - half_, before + half_)
-                                        : image_.between(part, before - half_, axis + half_);
-        if (from_begin) return cutter_.cut(both, before, rim(ends_.begin, -1), Side::past).area();
-        return cutter_.cut(both, before, rim(ends_.end, 1), Side::before).area();
+        const PixelCut both = image_.between(part, before - half_, before + half_);
+        const PixelCut hidden = from_begin
+                                    ? cutter_.cut(both, before, rim(ends_.begin, -1), Side::past)
+                                    : cutter_.cut(both, before, rim(ends_.end, 1), Side::before);
+        return seen_of(hidden, axis);
     }
     /// The half of an end's rim that bulges to greater u, or to lesser.
     static LampEnd rim(const LampEnd& end, double sign) {

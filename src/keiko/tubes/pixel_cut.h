@@ -70,13 +70,13 @@ public:
 private:
     struct Nothing {};
     explicit PixelCut(Nothing) : count_(0) {}
-    // A cut adds a corner to the square's four, and the horizon, sides and chords of two curves are
-    // some forty; what rounding adds to a line of them is no area.
+    // A cut adds a corner to the square's four, and the horizon, sides and chords of three curves
+    // are some sixty; what rounding adds to a line of them is no area.
     void add(const Vec2& corner) {
         if (count_ < corners_.size()) corners_[count_++] = corner;
     }
 
-    std::array<Vec2, 48> corners_; // the first `count_` of them
+    std::array<Vec2, 64> corners_; // the first `count_` of them
     std::size_t count_;
 };
 

@@ -128,7 +128,7 @@ TEST(LampEnds, OfClosedRowsAreSeenPastTheLampsBefore) {
                     const CPlaneFrame frame = row_of(diameter, pitch, luminous_caps, length);
                     const Vec3 direction(trial % 4 < 2 ? along : -along,
                                          trial % 2 ? sideways : -sideways, 1);
-                    const Pixel pixel = any_pixel(random, frame, direction, 0.2 + trial % 4);
+                    const Pixel pixel = any_pixel(random, frame, direction, 0.2 + trial / 4 % 4);
                     off.add(pixel.seen(frame), pixel.truth(frame, 200));
                 }
                 EXPECT_LT(off.most, 0.005)
