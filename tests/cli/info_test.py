@@ -28,6 +28,13 @@ class Info(KeikoTest):
         self.assertRegex(text, rf"(?m)^faces\s+{facts['faces']}\b")
         self.assertRegex(text, rf"(?m)^patches\s+{facts['patches']}\b")
 
+    def test_info_and_check_count_the_same_seams(self):
+        for name in ("hood.step", "trimmed-hole.step", "seam-g1-angle.step", "concept-car.step"):
+            check = json.loads(self.run_keiko("check", surface(name), "--json", "-", "-q").stdout)
+            self.assertEqual(self.facts(name)["seams"], check["model"]["seams"], name)
+            self.assertEqual(max((s["line"] for s in check["seams"]), default=0),
+                             check["model"]["seams"], name)
+
     def test_the_json_lists_parts_and_faces(self):
         facts = self.facts("hood.step")
         self.assertEqual((facts["format"], facts["file_format"]), ("keiko-model-facts/1", "STEP"))

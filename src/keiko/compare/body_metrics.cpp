@@ -82,7 +82,9 @@ std::vector<Moments> border_moments(const SurfaceModel& model) {
 
 void add_seam(const std::string& name, const MeasuredSeam& seam, MetricList& list) {
     const std::string verdict(name_of(seam.verdict));
-    list.add_word(name + "verdict", seam.crease ? "crease, " + verdict : verdict);
+    const std::string kind = seam.scrap ? "scrap" : std::string(name_of(seam.kind));
+    const bool plain = seam.kind == SeamClass::smooth && !seam.scrap;
+    list.add_word(name + "verdict", plain ? verdict : kind + ", " + verdict);
     list.add(name + "length", Quantity::length, seam.length);
     list.add(name + "gap", Quantity::gap, seam.gap.value);
     if (seam.angle) list.add(name + "angle", Quantity::angle, seam.angle->value);
@@ -90,6 +92,7 @@ void add_seam(const std::string& name, const MeasuredSeam& seam, MetricList& lis
         list.add(name + "curvature", Quantity::curvature, seam.curvature->worst.value);
         list.add_word(name + "curvature verdict", name_of(seam.curvature->worst.verdict));
     }
+    if (seam.fading) list.add(name + "fading", Quantity::angle, seam.fading->value);
     if (seam.slope) list.add(name + "slope", Quantity::slope, seam.slope->worst.value);
 }
 

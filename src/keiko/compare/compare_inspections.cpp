@@ -18,7 +18,7 @@ void keep_larger(std::optional<T>& kept, const std::optional<T>& other) {
 /// 1 angle, 2 curvature, 3 its slope, 4 none. What comes after it is not judged.
 int first_failed(const MeasuredSeam& seam) {
     if (seam.gap.verdict != Verdict::pass) return 0;
-    if (seam.crease) return 4;
+    if (!seam.is_angle_judged()) return 4;
     if (seam.angle && seam.angle->verdict != Verdict::pass) return 1;
     if (seam.curvature && seam.curvature->worst.verdict != Verdict::pass) return 2;
     return seam.slope && seam.slope->worst.verdict != Verdict::pass ? 3 : 4;

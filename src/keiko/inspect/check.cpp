@@ -21,6 +21,8 @@ constexpr std::array criteria{
     // Neither SASIG nor ISO 10303-59 names a check of G3.
     Criterion{"KEIKO-G3", "", "curvature_slope",
               "Change of the slope of the normal curvature across a seam (G3)."},
+    Criterion{"KEIKO-RUN-OUT", "", "fading",
+              "Step of the slope of a crease's angle along the seam where the crease fades out."},
     Criterion{"G-SU-CR", "surface_with_small_curvature_radius", "radius",
               "Smallest radius of curvature of a face, over what its trims leave of it."},
     Criterion{"G-SU-WV", "", "waviness", "Depth of waves of a surface, off the form around them."},
@@ -82,25 +84,48 @@ Check not_judged(std::string_view code, const std::string& reason) {
     return check;
 }
 
+/// Why the angle of a stretch and what follows from it are not judged, or nullptr.
+const char* excuse_of(const MeasuredSeam& seam) {
+    if (seam.scrap) return "the stretch is shorter than what is negligible";
+    if (seam.kind == SeamClass::crease) return "the stretch is a crease";
+    if (seam.kind == SeamClass::run_out) return "a crease fades out there";
+    return nullptr;
+}
+
+Check gap_check(const MeasuredSeam& seam, double join) {
+    if (seam.scrap) return not_judged("G-SU-LG", excuse_of(seam));
+    Check check = judged("G-SU-LG", "mm", seam.gap, {"the gap", " mm"});
+    if (seam.parted)
+        check.message +=
+            "; the borders part by more than the join distance of " + short_number(join) + " mm";
+    return check;
+}
+
 Check angle_check(const MeasuredSeam& seam) {
+    if (const char* excuse = excuse_of(seam)) return not_judged("G-SU-NT", excuse);
     if (!seam.angle) return not_judged("G-SU-NT", "a side has no normal");
-    if (seam.crease) return not_judged("G-SU-NT", "the seam is a crease");
-    return judged("G-SU-NT", "deg", *seam.angle, {"the angle", " degrees"});
+    Check check = judged("G-SU-NT", "deg", *seam.angle, {"the angle", " degrees"});
+    if (seam.kind == SeamClass::fold) check.message += "; the sides lie on each other";
+    return check;
+}
+
+Check fading_check(const MeasuredSeam& seam) {
+    if (seam.scrap) return not_judged("KEIKO-RUN-OUT", excuse_of(seam));
+    return judged("KEIKO-RUN-OUT", "deg/mm", *seam.fading,
+                  {"the step of the slope at which the crease fades", " degrees/mm"});
 }
 
 Check curvature_check(const MeasuredSeam& seam) {
-    if (seam.crease) return not_judged("G-SU-NS", "the seam is a crease");
+    if (const char* excuse = excuse_of(seam)) return not_judged("G-SU-NS", excuse);
     if (!seam.curvature) return not_judged("G-SU-NS", "gap and angle do not both pass");
     const CurvatureStep& step = *seam.curvature;
-    Check check = step.flat
-                      ? judged("G-SU-NS", "1/mm", step.worst, {"the curvature change", " /mm"})
-                      : judged("G-SU-NS", "1", step.worst, {"the curvature mismatch", " %", 100});
-    check.formula = step.flat ? "|C1-C2|" : std::string(formula_text(step.formula));
+    Check check = judged("G-SU-NS", "1", step.worst, {"the curvature mismatch", " %", 100});
+    check.formula = formula_text(step.formula);
     return check;
 }
 
 Check slope_check(const MeasuredSeam& seam) {
-    if (seam.crease) return not_judged("KEIKO-G3", "the seam is a crease");
+    if (const char* excuse = excuse_of(seam)) return not_judged("KEIKO-G3", excuse);
     if (!seam.curvature || seam.curvature->worst.verdict != Verdict::pass)
         return not_judged("KEIKO-G3", "gap, angle and curvature do not all pass");
     if (!seam.slope) return not_judged("KEIKO-G3", "the seam is nearly flat");
@@ -189,12 +214,12 @@ const Criterion& criterion_of(std::string_view code) {
     return *found;
 }
 
-std::vector<Check> checks_of(const MeasuredSeam& seam, const CriteriaPreset& preset,
+std::vector<Check> checks_of(const MeasuredSeam& seam, const CriteriaPreset& preset, double join,
                              std::uint32_t index) {
-    std::vector<Check> checks{judged("G-SU-LG", "mm", seam.gap, {"the gap", " mm"}),
-                              angle_check(seam)};
+    std::vector<Check> checks{gap_check(seam, join), angle_check(seam)};
     if (preset.curvature) checks.push_back(curvature_check(seam));
     if (preset.curvature_slope) checks.push_back(slope_check(seam));
+    if (seam.fading) checks.push_back(fading_check(seam));
     for (Check& check : checks) {
         check.seam = index;
         check.faces = seam.faces;

@@ -27,7 +27,7 @@ struct Check {
     std::string code;              ///< as Criterion
     std::string rule;              ///< as Criterion
     std::string quantity;          ///< as Criterion
-    std::string unit;              ///< "mm", "deg", "1" (a share of 1) or "1/mm"
+    std::string unit;              ///< "mm", "deg", "deg/mm", "1" (a share of 1) or "1/mm"
     std::string formula;           ///< of a curvature mismatch, or empty
     Worst worst;                   ///< value, bound, limit, place, verdict; none where not judged
     bool judged = true;            ///< else `message` says why not
@@ -55,8 +55,8 @@ std::vector<Check> checks_of(const MeasuredFace& face, const SurfaceLimits& limi
                              std::uint32_t index);
 
 /// Every criterion of the preset held against one measured seam (number `index`), in the order gap,
-/// angle, curvature, its slope. What the preset has no limit for is left out.
-std::vector<Check> checks_of(const MeasuredSeam& seam, const CriteriaPreset& preset,
+/// angle, curvature, its slope, fading. What the preset has no limit for is left out. `join` in mm.
+std::vector<Check> checks_of(const MeasuredSeam& seam, const CriteriaPreset& preset, double join,
                              std::uint32_t index);
 
 } // namespace keiko

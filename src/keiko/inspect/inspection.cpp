@@ -10,6 +10,10 @@ namespace keiko {
 namespace {
 
 void count(const MeasuredSeam& seam, SeamCounts& counts) {
+    if (seam.scrap) {
+        ++counts.scraps;
+        return;
+    }
     switch (seam.verdict) {
         case Verdict::fail:
             ++counts.fail;
@@ -18,7 +22,7 @@ void count(const MeasuredSeam& seam, SeamCounts& counts) {
             ++counts.undecided;
             break;
         case Verdict::pass:
-            ++(seam.crease ? counts.creases : counts.pass);
+            ++(seam.is_passing_crease() ? counts.creases : counts.pass);
             break;
     }
 }
@@ -104,18 +108,17 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     Inspection result;
     result.preset = preset, result.join = join;
     if (!model.lost_faces.empty()) result.verdict = Verdict::undecided;
-    result.pieces = pair_seams(model, join, job);
-    result.seams = measure_seams(model, result.pieces, preset, join, job);
-    std::vector<MeasuredSeam> knots = measure_knot_lines(model, preset, job);
-    std::move(knots.begin(), knots.end(), std::back_inserter(result.seams));
+    const std::vector<Seam> paired = pair_seams(model, join, job);
+    MeasuredSeams measured = measure_all_seams(model, paired, preset, join, job);
+    result.pieces = std::move(measured.pieces), result.seams = std::move(measured.seams);
     mark_irregular(model, result.seams);
-    result.facts = model_facts(model, result.pieces, join, job);
-    result.facts.seams = result.seams.size();
+    result.facts = model_facts(model, paired, join, job);
+    result.facts.seams = line_count(result.seams);
     result.faces = measure_faces(model, preset.surface, job);
     add_flaws(model, result, job);
     for (std::uint32_t i = 0; i < result.seams.size(); ++i) {
         count(result.seams[i], result.counts);
-        take(result.seams[i].verdict, checks_of(result.seams[i], preset, i), result);
+        take(result.seams[i].verdict, checks_of(result.seams[i], preset, join, i), result);
     }
     for (std::uint32_t i = 0; i < result.faces.size(); ++i) {
         ++count_of(result.faces[i].verdict, result.face_counts);
@@ -145,7 +148,7 @@ std::vector<std::uint32_t> worst_seams(const Inspection& inspection, std::size_t
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < inspection.seams.size(); ++i) {
         const MeasuredSeam& seam = inspection.seams[i];
-        if (!(seam.crease && seam.verdict == Verdict::pass)) order.push_back(i);
+        if (!seam.scrap && !seam.is_passing_crease()) order.push_back(i);
     }
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         const MeasuredSeam &x = inspection.seams[a], &y = inspection.seams[b];
@@ -161,8 +164,9 @@ Vec3 worst_place(const MeasuredSeam& seam) {
     const auto take = [&](const Worst& worst) {
         if (share_of_limit(worst) > share_of_limit(*furthest)) furthest = &worst;
     };
-    if (seam.angle && !seam.crease) take(*seam.angle);
+    if (seam.angle && seam.is_angle_judged()) take(*seam.angle);
     if (seam.curvature) take(seam.curvature->worst);
+    if (seam.fading) take(*seam.fading);
     if (seam.slope && seam.slope->worst.verdict != Verdict::pass) take(seam.slope->worst);
     return furthest->place;
 }

@@ -8,9 +8,10 @@
 
 namespace keiko {
 
-/// Seams by verdict. A crease whose gap passes counts as a crease only.
+/// Stretches of seams by verdict. A crease that passes, and a run-out that does, count as creases
+/// only, and scraps as scraps.
 struct SeamCounts {
-    std::size_t fail = 0, undecided = 0, pass = 0, creases = 0;
+    std::size_t fail = 0, undecided = 0, pass = 0, creases = 0, scraps = 0;
 
     bool operator==(const SeamCounts&) const = default;
 };
@@ -27,7 +28,7 @@ struct Inspection {
     CriteriaPreset preset;
     double join = 0.5; ///< mm
     ModelFacts facts;
-    std::vector<Seam> pieces; ///< as paired; MeasuredSeam::pieces points here
+    std::vector<Seam> pieces; ///< as MeasuredSeams::pieces; MeasuredSeam::pieces points here
     std::vector<MeasuredSeam> seams;
     std::vector<MeasuredFace> faces; ///< each as it is placed
     std::vector<Check> checks;   ///< seam by seam, then face by face: all held against the preset
@@ -47,7 +48,7 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset = {},
 /// Adds a check that was made of a face apart from the inspection, as if it had been made with it.
 void add_check(Inspection& inspection, Check check);
 
-/// Indices of the `count` worst seams that are no passing crease, by falling severity.
+/// Indices of the `count` worst seams, by falling severity; neither scraps nor creases that pass.
 std::vector<std::uint32_t> worst_seams(const Inspection& inspection, std::size_t count);
 
 /// Where the judged quantity that is furthest over its limit is worst; world, mm.

@@ -3,7 +3,9 @@
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/face_names.h"
 #include "keiko/inspect/placed_derivatives.h"
+#include "keiko/inspect/run_out_places.h"
 #include "keiko/inspect/seam_chain.h"
+#include "keiko/inspect/seam_line.h"
 
 #include <algorithm>
 #include <array>
@@ -97,6 +99,7 @@ private:
     void chain();
     void follow(std::uint32_t first);
     void measure();
+    void excuse_run_outs();
     void add_inflections(JoinedLine& line, const LineShape& shape,
                          std::span<const CourseAt> courses, std::span<const std::uint32_t> pieces,
                          double along) const;
@@ -208,6 +211,21 @@ void LineJoiner::measure() {
             }
         }
     for (LineCrossing& crossing : result_.crossings) name(crossing);
+    excuse_run_outs();
+}
+
+/// Where a crease fades out lines jump, too: the seam's own verdict says whether it fades well.
+void LineJoiner::excuse_run_outs() {
+    RunOutPlaces run_outs(seams_.curves, seams_.seams, seams_.chains,
+                          stretch_limits(model_, preset_, seams_.join_distance));
+    for (LineCrossing& crossing : result_.crossings) {
+        const bool fades = crossing.border.seam != no_index && crossing.verdict &&
+                           *crossing.verdict != Verdict::pass && crossing.angle > preset_.angle;
+        constexpr double beside = 0.01; // mm: of a chord from its curve
+        if (!fades || !run_outs.hold(crossing.border.seam, crossing.place, crossing.gap + beside))
+            continue;
+        crossing.run_out = true, crossing.verdict.reset(), crossing.severity = 0;
+    }
 }
 
 void LineJoiner::name(LineCrossing& crossing) const {
@@ -267,7 +285,8 @@ void LineJoiner::shape() {
 LineSeams::LineSeams(const SurfaceModel& model, double join, const Job& job)
     : seams(pair_seams(model, join, job)),
       curves(model),
-      chains(seam_chains(curves, seams, join)) {}
+      chains(seam_chains(curves, seams, join)),
+      join_distance(join) {}
 
 JoinedLines join_lines(const SurfaceModel& model, const LineSeams& seams,
                        std::vector<SurfaceLine> pieces, std::span<const CPlane> planes,

@@ -33,6 +33,7 @@ struct LineSeams {
     std::vector<Seam> seams;
     BoundaryCurves curves;
     std::vector<std::vector<std::uint32_t>> chains; ///< as seam_chains has them
+    double join_distance = 0;                       ///< mm
 
     /// `join` in mm.
     LineSeams(const SurfaceModel& model, double join, const Job& job);

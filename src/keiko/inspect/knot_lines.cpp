@@ -45,11 +45,12 @@ bool has_irregular_patch(const SurfaceModel& model, std::uint32_t face) {
 
 bool breaks_at(const SeamPoint& p) {
     constexpr double gap = 1e-4, angle = 1e-4, share = 1e-3, change = 2e-7;
+    constexpr double unlimited_radius = HUGE_VAL; // mm: `change` tells apart what is flat
     if (p.gap > gap) return true;
     if (!p.angle) return false;
-    return *p.angle > angle ||
-           (std::abs(p.curvature_a - p.curvature_b) > change &&
-            curvature_mismatch(CurvatureFormula::catia, p.curvature_a, p.curvature_b) > share);
+    return *p.angle > angle || (std::abs(p.curvature_a - p.curvature_b) > change &&
+                                curvature_mismatch(CurvatureFormula::catia, p.curvature_a,
+                                                   p.curvature_b, unlimited_radius) > share);
 }
 
 class FaceKnots {
@@ -57,13 +58,14 @@ public:
     FaceKnots(const SurfaceModel& model, std::uint32_t face)
         : model_(model), index_(face), grid_(model, model.faces[face]) {}
 
-    std::vector<MeasuredSeam> measured(const CriteriaPreset& preset) const {
-        std::vector<MeasuredSeam> seams;
+    std::vector<std::vector<MeasuredSeam>> measured(const CriteriaPreset& preset,
+                                                    const StretchLimits& limits) const {
+        std::vector<std::vector<MeasuredSeam>> seams;
         const std::vector<std::vector<KnotPiece>> lines = chained(kept(broken()));
         for (std::uint32_t i = 0; !lines.empty() && i < model_.instances.size(); ++i) {
             const Part& part = model_.parts[model_.instances[i].part];
             if (index_ - part.first_face >= part.face_count) continue;
-            for (const auto& line : lines) seams.push_back(measure(i, line, preset));
+            for (const auto& line : lines) seams.push_back(measure(i, line, preset, limits));
         }
         return seams;
     }
@@ -80,8 +82,9 @@ private:
     std::vector<KnotPiece> broken() const;
     std::vector<KnotPiece> kept(const std::vector<KnotPiece>& pieces) const;
     static std::vector<std::vector<KnotPiece>> chained(std::vector<KnotPiece> pieces);
-    MeasuredSeam measure(std::uint32_t instance, const std::vector<KnotPiece>& line,
-                         const CriteriaPreset& preset) const;
+    std::vector<MeasuredSeam> measure(std::uint32_t instance, const std::vector<KnotPiece>& line,
+                                      const CriteriaPreset& preset,
+                                      const StretchLimits& limits) const;
 
     const SurfaceModel& model_;
     std::uint32_t index_;
@@ -153,8 +156,10 @@ std::vector<std::vector<KnotPiece>> FaceKnots::chained(std::vector<KnotPiece> pi
     return lines;
 }
 
-MeasuredSeam FaceKnots::measure(std::uint32_t instance, const std::vector<KnotPiece>& line,
-                                const CriteriaPreset& preset) const {
+std::vector<MeasuredSeam> FaceKnots::measure(std::uint32_t instance,
+                                             const std::vector<KnotPiece>& line,
+                                             const CriteriaPreset& preset,
+                                             const StretchLimits& limits) const {
     std::vector<std::array<Vec3, 2>> points;
     points.reserve(line.size());
     SeamLine seam{instance, index_, instance, index_, {}};
@@ -164,12 +169,15 @@ MeasuredSeam FaceKnots::measure(std::uint32_t instance, const std::vector<KnotPi
         seam.probes.push_back(
             probe(side(placed, points.back(), true), side(placed, points.back(), false)));
     }
-    MeasuredSeam measured = measure_line(model_, seam, preset);
     char knot[48];
     std::snprintf(knot, sizeof knot, "%c = %.6g", line.front().constant_u ? 'u' : 'v',
                   line.front().at);
-    measured.faces = placed_face_name(model_, instance, index_) + ", inside at " + knot;
-    measured.internal = true;
+    std::vector<MeasuredSeam> measured;
+    for (MeasuredStretch& stretch : measure_line(model_, seam, preset, limits)) {
+        stretch.seam.faces = placed_face_name(model_, instance, index_) + ", inside at " + knot;
+        stretch.seam.internal = true;
+        measured.push_back(std::move(stretch.seam));
+    }
     return measured;
 }
 
@@ -177,16 +185,23 @@ MeasuredSeam FaceKnots::measure(std::uint32_t instance, const std::vector<KnotPi
 
 std::vector<MeasuredSeam> measure_knot_lines(const SurfaceModel& model,
                                              const CriteriaPreset& preset, const Job& job) {
-    std::vector<std::vector<MeasuredSeam>> by_face(model.faces.size());
+    const StretchLimits limits = stretch_limits(model, preset, 0);
+    std::vector<std::vector<std::vector<MeasuredSeam>>> by_face(model.faces.size());
     parallel_for(model.faces.size(), job, "knots", [&](std::size_t f) {
         const Face& face = model.faces[f];
         const auto index = static_cast<std::uint32_t>(f);
         if (face.patch_count < 2 || face.approximated > 0 || has_irregular_patch(model, index))
             return;
-        by_face[f] = FaceKnots(model, index).measured(preset);
+        by_face[f] = FaceKnots(model, index).measured(preset, limits);
     });
     std::vector<MeasuredSeam> all;
-    for (auto& seams : by_face) std::move(seams.begin(), seams.end(), std::back_inserter(all));
+    std::uint32_t number = 0;
+    for (auto& lines : by_face)
+        for (auto& line : lines) {
+            for (MeasuredSeam& seam : line) seam.line = number;
+            ++number;
+            std::move(line.begin(), line.end(), std::back_inserter(all));
+        }
     return all;
 }
 

@@ -39,7 +39,10 @@ struct LineCrossing {
     LineValue turn; ///< degrees of a seam angle that moves the image as far as it jumps
     LineValue kink; ///< degrees, on the surface: a fold of it counts for nothing
     LineValue bend; ///< 1/mm, of geodesic curvature
-    /// Nothing where no piece goes on and the image's jump alone is within its limit.
+    /// At a run-out of a crease, whose fading is judged with the crease and not here.
+    bool run_out = false;
+    /// Nothing at a run-out, and where no piece goes on and the image's jump alone is within its
+    /// limit.
     std::optional<Verdict> verdict;
     double severity = 0; ///< how far the worst judged value is over its limit: 1 at the limit
 

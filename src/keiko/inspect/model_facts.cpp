@@ -149,7 +149,7 @@ ModelFacts model_facts(const SurfaceModel& model, std::span<const Seam> seams, d
     facts.part_list = part_list(model);
     for (const Face& face : model.faces) facts.face_list.push_back(face_facts(model, face));
     facts.bounds = bounds(model);
-    facts.seams = seams.size(), facts.join = join;
+    facts.join = join;
     const Lengths lengths = border_lengths(model, seams, job);
     facts.border_length = lengths.whole, facts.free_length = lengths.free;
     facts.lost_faces = model.lost_faces;

@@ -61,7 +61,7 @@ struct ModelFacts {
     Box3 bounds;                                       ///< world, mm, of the control points
     std::size_t edges = 0, degenerate_edges = 0; ///< as the file shares them; the latter are points
     double largest_edge_tolerance = 0;           ///< mm, as the file claims
-    std::size_t seams = 0;
+    std::size_t seams = 0;    ///< lines along which faces meet, or one breaks; 0 where not measured
     double join = 0;          ///< mm, within which two borders count as a seam
     double border_length = 0; ///< mm, of all borders of all placed faces
     double free_length = 0;   ///< mm, of borders that meet no other

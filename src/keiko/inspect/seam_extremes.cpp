@@ -7,7 +7,7 @@
 namespace keiko {
 namespace {
 
-constexpr std::size_t max_cells = 200;
+constexpr std::size_t most_halvings = 200;
 /// A peak flatter than this share of the tolerance is a plateau, not worth polishing.
 constexpr double polish_share = 1e-6;
 
@@ -25,14 +25,14 @@ SeamPoint halfway(const SeamProbe& probe, const SeamPoint& a, const SeamPoint& b
 
 std::vector<Cell> first_cells(const SeamProbe& probe, int count) {
     std::vector<Cell> cells;
-    SeamPoint before = probe.at(probe.begin());
-    for (int i = 1; i <= count; ++i) {
-        const double share = double(i) / count;
-        const SeamPoint after = probe.at(
-            i == count ? probe.end() : probe.begin() + share * (probe.end() - probe.begin()));
+    const std::vector<double> steps = probe.steps(count);
+    SeamPoint before = probe.at(steps.front());
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+        const SeamPoint after = probe.at(steps[i]);
         cells.push_back({before, halfway(probe, before, after), after});
         before = after;
     }
+    if (cells.empty()) cells.push_back({before, before, before});
     return cells;
 }
 
@@ -66,7 +66,8 @@ public:
 
     std::optional<SeamExtreme> run() {
         if (!std::isfinite(best_.best)) return std::nullopt;
-        while (cells_.size() < max_cells) {
+        const std::size_t most_cells = cells_.size() + most_halvings;
+        while (cells_.size() < most_cells) {
             const std::size_t most = most_promising();
             if (reaches_[most].upper <= best_.best + question_.tolerance) break;
             if (!split(most)) break;

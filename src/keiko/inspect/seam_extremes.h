@@ -26,8 +26,8 @@ struct SeamQuestion {
 /// Finds the largest value of each quantity along a seam: cells are halved, the most promising
 /// first, until no cell can hold more than `tolerance` above the best; then the peak is polished
 /// on the exact geometry. A cell can hold what its three points show plus how far they are from a
-/// straight line (four times what a parabola through them could hide): an estimate, which needs
-/// `cells` to begin with that show the quantity's ups and downs.
+/// straight line (four times what a parabola through them could hide): an estimate, which needs at
+/// least `cells` to begin with that show the quantity's ups and downs. Cells end where patches do.
 std::vector<std::optional<SeamExtreme>> seam_extremes(const SeamProbe& probe,
                                                       const std::vector<SeamQuestion>& questions,
                                                       int cells = 8);

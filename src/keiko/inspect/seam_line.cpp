@@ -19,25 +19,23 @@ constexpr double relative_rounding = 1e-14;
 constexpr double same_place = 1e-6;
 /// degrees; error of an angle between two evaluated normals.
 constexpr double angle_rounding = 1e-10;
+/// Share of 1; error of a mismatch of two evaluated curvatures.
+constexpr double mismatch_rounding = 1e-9;
 
-/// The share of its limit that a curvature step uses up.
+/// The mismatch of curvatures that a preset judges.
 struct CurvatureJudge {
     CurvatureLimit limit;
-    double flat_radius, flat_change;
+    double flat_radius;
 
     explicit CurvatureJudge(const CriteriaPreset& preset)
-        : limit(preset.curvature.value_or(CurvatureLimit{})),
-          flat_radius(preset.flat_radius),
-          flat_change(preset.flat_curvature_change) {}
+        : limit(preset.curvature.value_or(CurvatureLimit{})), flat_radius(preset.flat_radius) {}
 
     bool flat(const SeamPoint& p) const {
         return std::max(std::abs(p.curvature_a), std::abs(p.curvature_b)) * flat_radius < 1;
     }
-    double value(const SeamPoint& p) const {
-        return flat(p) ? std::abs(p.curvature_a - p.curvature_b)
-                       : curvature_mismatch(limit.formula, p.curvature_a, p.curvature_b);
+    double mismatch(CurvatureFormula formula, const SeamPoint& p) const {
+        return curvature_mismatch(formula, p.curvature_a, p.curvature_b, flat_radius);
     }
-    double allowed(const SeamPoint& p) const { return flat(p) ? flat_change : limit.limit; }
 };
 
 /// The larger of two extremes of one quantity; the bound must cover what either could hide.
@@ -55,9 +53,16 @@ void keep_worse(std::optional<SeamExtreme>& kept, const std::optional<SeamExtrem
 /// Where a preset does not judge G3 it is still measured, to this share of a degree.
 constexpr double unjudged_slope = 0.1;
 
-struct LineExtremes {
+/// The parts of a line's pieces that make up a stretch, as probes of their own.
+std::vector<SeamProbe> probes_of(const SeamLine& line, const SeamStretch& stretch) {
+    std::vector<SeamProbe> probes;
+    for (const SeamPart& part : stretch.parts)
+        probes.push_back(line.probes[part.piece].part(part.begin, part.end));
+    return probes;
+}
+
+struct StretchExtremes {
     std::optional<SeamExtreme> gap, angle, negated_angle, curvature, slope;
-    double length = 0;
 };
 
 std::vector<SeamQuestion> questions_of(const CriteriaPreset& preset,
@@ -71,9 +76,9 @@ std::vector<SeamQuestion> questions_of(const CriteriaPreset& preset,
              preset.angle},
             {[&](const SeamPoint& p) -> std::optional<double> {
                  if (!p.angle) return std::nullopt;
-                 return curvature.value(p) / curvature.allowed(p);
+                 return curvature.mismatch(curvature.limit.formula, p);
              },
-             relative_tolerance * 10},
+             relative_tolerance * 10 * curvature.limit.limit},
             {[&](const SeamPoint& p) -> std::optional<double> {
                  if (!p.angle || curvature.flat(p)) return std::nullopt;
                  return slope_angle(p.curvature_a, p.slope_a, p.curvature_b, p.slope_b);
@@ -81,44 +86,42 @@ std::vector<SeamQuestion> questions_of(const CriteriaPreset& preset,
              relative_tolerance * 10 * preset.curvature_slope.value_or(unjudged_slope)}};
 }
 
-LineExtremes extremes_of(const SeamLine& line, const CriteriaPreset& preset) {
+StretchExtremes extremes_of(const std::vector<SeamProbe>& probes, const CriteriaPreset& preset) {
     const CurvatureJudge curvature(preset);
     const std::vector<SeamQuestion> questions = questions_of(preset, curvature);
-    LineExtremes all;
-    const int least_cells = std::max(2, 8 / static_cast<int>(line.probes.size()));
-    for (const SeamProbe& probe : line.probes) {
-        const int cells = std::clamp(2 * probe.patch_count(), least_cells, 64);
+    StretchExtremes all;
+    const int cells = std::max(2, 8 / static_cast<int>(probes.size()));
+    for (const SeamProbe& probe : probes) {
         const auto found = seam_extremes(probe, questions, cells);
         keep_worse(all.gap, found[0]);
         keep_worse(all.angle, found[1]);
         keep_worse(all.negated_angle, found[2]);
         keep_worse(all.curvature, found[3]);
         keep_worse(all.slope, found[4]);
-        all.length += probe.length();
     }
     return all;
 }
 
 Worst worst(const SeamExtreme& extreme, double rounding, double limit) {
-    const double bound = extreme.bound + rounding;
-    return {extreme.value, bound, limit, extreme.point.place, judge(extreme.value, bound, limit)};
+    return {extreme.value, extreme.bound + rounding, limit, extreme.point.place,
+            judge_maximum(extreme.value, extreme.bound, rounding, limit)};
 }
 
 CurvatureStep curvature_step(const SeamExtreme& extreme, const CriteriaPreset& preset) {
-    const CurvatureJudge curvature(preset);
+    const CurvatureJudge judged(preset);
     const SeamPoint& p = extreme.point;
-    CurvatureStep step{
-        .curvature_a = p.curvature_a,
-        .curvature_b = p.curvature_b,
-        .formula = curvature.limit.formula,
-        .mismatch = curvature_mismatch(curvature.limit.formula, p.curvature_a, p.curvature_b),
-        .alias = curvature_mismatch(CurvatureFormula::alias, p.curvature_a, p.curvature_b),
-        .catia = curvature_mismatch(CurvatureFormula::catia, p.curvature_a, p.curvature_b),
-        .flat = curvature.flat(p),
-        .worst = {}};
-    const double allowed = curvature.allowed(p);
-    step.worst = {curvature.value(p), extreme.bound * allowed, allowed, p.place, Verdict::pass};
-    if (preset.curvature) step.worst.verdict = judge(step.worst.value, step.worst.bound, allowed);
+    const double limit = judged.limit.limit;
+    CurvatureStep step{.curvature_a = p.curvature_a,
+                       .curvature_b = p.curvature_b,
+                       .formula = judged.limit.formula,
+                       .mismatch = extreme.value,
+                       .alias = judged.mismatch(CurvatureFormula::alias, p),
+                       .catia = judged.mismatch(CurvatureFormula::catia, p),
+                       .flat = judged.flat(p),
+                       .worst = {extreme.value, extreme.bound, limit, p.place, Verdict::pass}};
+    if (preset.curvature)
+        step.worst.verdict =
+            judge_maximum(extreme.value, extreme.bound, mismatch_rounding, limit);
     return step;
 }
 
@@ -130,7 +133,8 @@ CurvatureSlopeStep slope_step(const SeamExtreme& extreme, const CriteriaPreset& 
                             .worst = {}};
     const double limit = preset.curvature_slope.value_or(unjudged_slope);
     step.worst = {extreme.value, extreme.bound, limit, p.place, Verdict::pass};
-    if (preset.curvature_slope) step.worst.verdict = judge(extreme.value, extreme.bound, limit);
+    if (preset.curvature_slope)
+        step.worst.verdict = judge_maximum(extreme.value, extreme.bound, 0, limit);
     return step;
 }
 
@@ -144,15 +148,7 @@ double position_error(const SurfaceModel& model, const SeamLine& line, const Vec
            model.faces[line.face_b].approximated;
 }
 
-void judge_beyond_gap(MeasuredSeam& seam, const LineExtremes& found, const CriteriaPreset& preset) {
-    seam.angle = worst(*found.angle, angle_rounding, preset.angle);
-    seam.smallest_angle = -found.negated_angle->value;
-    // Faces that lie on each other all along are folded back on the same material: no edge. Trims
-    // may have hooks of a few um.
-    constexpr double folded = 179, hook = 1; // degrees, mm
-    const bool doubled = seam.smallest_angle > folded && seam.length > hook;
-    seam.crease = seam.angle->value > preset.feature_angle && !doubled;
-    if (seam.crease) return;
+void judge_smooth(MeasuredSeam& seam, const StretchExtremes& found, const CriteriaPreset& preset) {
     take(seam, *seam.angle);
     if (seam.verdict != Verdict::pass || !found.curvature) return;
     seam.curvature = curvature_step(*found.curvature, preset);
@@ -162,10 +158,17 @@ void judge_beyond_gap(MeasuredSeam& seam, const LineExtremes& found, const Crite
     if (preset.curvature_slope) take(seam, seam.slope->worst);
 }
 
-/// Of an even number of pieces the middle is where the later half begins.
-Vec3 middle_of(const SeamLine& line) {
-    const SeamProbe& probe = line.probes[line.probes.size() / 2];
-    return line.probes.size() % 2 == 0 ? probe.at(probe.begin()).place : probe.middle();
+void judge_fading(MeasuredSeam& seam, const Worst& step, const CriteriaPreset& preset) {
+    seam.fading = step;
+    seam.fading->limit = preset.fading;
+    seam.fading->verdict = judge(step.value, step.bound, preset.fading);
+    take(seam, *seam.fading);
+}
+
+/// A point halfway along; of an even number of parts where the later half begins.
+Vec3 middle_of(const std::vector<SeamProbe>& probes) {
+    const SeamProbe& probe = probes[probes.size() / 2];
+    return probes.size() % 2 == 0 ? probe.at(probe.begin()).place : probe.middle();
 }
 
 std::vector<Vec3> course_of(const SeamProbe& probe) {
@@ -176,24 +179,72 @@ std::vector<Vec3> course_of(const SeamProbe& probe) {
     return course;
 }
 
-} // namespace
-
-MeasuredSeam measure_line(const SurfaceModel& model, const SeamLine& line,
-                          const CriteriaPreset& preset) {
-    const LineExtremes found = extremes_of(line, preset);
+MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
+                             const SeamStretch& stretch, const CriteriaPreset& preset) {
+    const std::vector<SeamProbe> probes = probes_of(line, stretch);
+    const StretchExtremes found = extremes_of(probes, preset);
     MeasuredSeam seam;
     seam.instance_a = line.instance_a, seam.face_a = line.face_a;
     seam.instance_b = line.instance_b, seam.face_b = line.face_b;
     seam.id_a = model.faces[line.face_a].id, seam.id_b = model.faces[line.face_b].id;
-    seam.middle = middle_of(line);
-    for (const SeamProbe& probe : line.probes) seam.course.push_back(course_of(probe));
-    seam.length = found.length;
+    seam.kind = stretch.kind, seam.length = stretch.length;
+    seam.middle = middle_of(probes);
+    for (const SeamProbe& probe : probes) seam.course.push_back(course_of(probe));
     const SeamPoint& widest = found.gap->point;
     seam.gap = worst(*found.gap, position_error(model, line, widest.place), preset.gap);
     seam.overlap = widest.overlap && seam.gap.value > same_place;
     take(seam, seam.gap);
-    if (found.angle) judge_beyond_gap(seam, found, preset);
+    if (!found.angle) return seam;
+    seam.angle = worst(*found.angle, angle_rounding, preset.angle);
+    seam.smallest_angle = -found.negated_angle->value;
+    if (stretch.kind == SeamClass::smooth) judge_smooth(seam, found, preset);
+    if (stretch.kind == SeamClass::fold) take(seam, *seam.angle);
+    if (stretch.fading) judge_fading(seam, *stretch.fading, preset);
     return seam;
+}
+
+/// Takes scraps out of the verdict, if they are negligible together as well.
+void excuse_scraps(std::vector<MeasuredStretch>& stretches, double negligible) {
+    double failing = 0;
+    for (const MeasuredStretch& stretch : stretches)
+        if (stretch.seam.scrap && stretch.seam.verdict != Verdict::pass)
+            failing += stretch.seam.length;
+    for (MeasuredStretch& stretch : stretches) {
+        MeasuredSeam& seam = stretch.seam;
+        if (!seam.scrap) continue;
+        if (failing > negligible && seam.verdict != Verdict::pass)
+            seam.scrap = false;
+        else
+            seam.verdict = Verdict::pass, seam.severity = 0;
+    }
+}
+
+} // namespace
+
+StretchLimits stretch_limits(const SurfaceModel& model, const CriteriaPreset& preset, double join) {
+    constexpr double share_of_body = 0.01;
+    // What a run-out leaves is judged as smooth: there no bound may straddle the limit.
+    constexpr double faded = 0.99;
+    return {
+        .feature_angle = preset.feature_angle,
+        .negligible = std::min(preset.negligible, share_of_body * bounds(model).extent().length()),
+        .join = join,
+        .angle = faded * preset.angle,
+        .longest_run_out = preset.longest_run_out};
+}
+
+std::vector<MeasuredStretch> measure_line(const SurfaceModel& model, const SeamLine& line,
+                                          const CriteriaPreset& preset,
+                                          const StretchLimits& limits) {
+    std::vector<MeasuredStretch> measured;
+    for (SeamStretch& stretch : seam_stretches(line.probes, limits)) {
+        MeasuredSeam seam = measure_stretch(model, line, stretch, preset);
+        seam.scrap = stretch.scrap;
+        seam.parted = limits.join > 0 && seam.gap.value > limits.join;
+        measured.push_back({std::move(seam), std::move(stretch.parts)});
+    }
+    excuse_scraps(measured, limits.negligible);
+    return measured;
 }
 
 } // namespace keiko

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/inspect/seam_measure.h"
-#include "keiko/inspect/seam_probe.h"
+#include "keiko/inspect/seam_stretch.h"
 
 #include <vector>
 
@@ -13,8 +13,21 @@ struct SeamLine {
     std::vector<SeamProbe> probes; ///< piece after piece, at least one
 };
 
-/// Measures a line on the exact geometry and judges it. `pieces` of the result is empty.
-MeasuredSeam measure_line(const SurfaceModel& model, const SeamLine& line,
-                          const CriteriaPreset& preset);
+/// A stretch of a line, and the parts of the line's probes that it consists of.
+struct MeasuredStretch {
+    MeasuredSeam seam; ///< without `faces`, `line` and `pieces`
+    std::vector<SeamPart> parts;
+};
+
+/// The lengths and angles by which a preset cuts lines into stretches. No length is negligible that
+/// is more than a hundredth of the body's diagonal.
+StretchLimits stretch_limits(const SurfaceModel& model, const CriteriaPreset& preset, double join);
+
+/// Cuts a line into stretches, measures each on the exact geometry and judges it by the rules of
+/// its class. Scraps are not judged, unless those of a line that do not pass are together longer
+/// than what is negligible.
+std::vector<MeasuredStretch> measure_line(const SurfaceModel& model, const SeamLine& line,
+                                          const CriteriaPreset& preset,
+                                          const StretchLimits& limits);
 
 } // namespace keiko

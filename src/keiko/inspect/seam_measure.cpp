@@ -2,8 +2,10 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/face_names.h"
+#include "keiko/inspect/knot_lines.h"
 #include "keiko/inspect/seam_chain.h"
 #include "keiko/inspect/seam_line.h"
+#include "keiko/inspect/seam_widening.h"
 
 namespace keiko {
 namespace {
@@ -16,21 +18,54 @@ SeamLine line_of(const BoundaryCurves& curves, std::span<const Seam> seams,
     return line;
 }
 
+/// The part of a paired seam that belongs to a stretch.
+Seam cut_seam(Seam seam, const SeamPart& part) {
+    seam.a.begin = part.begin.t, seam.a.end = part.end.t;
+    seam.b.begin = part.begin.s, seam.b.end = part.end.s;
+    return seam;
+}
+
 } // namespace
 
-std::vector<MeasuredSeam> measure_seams(const SurfaceModel& model, std::span<const Seam> seams,
-                                        const CriteriaPreset& preset, double join, const Job& job) {
+MeasuredSeams measure_seams(const SurfaceModel& model, std::span<const Seam> paired,
+                            const CriteriaPreset& preset, double join, const Job& job) {
     const BoundaryCurves curves(model);
-    std::vector<std::vector<std::uint32_t>> chains = seam_chains(curves, seams, join);
-    std::vector<MeasuredSeam> measured(chains.size());
+    const std::vector<Seam> seams = widened_seams(curves, paired, join);
+    const std::vector<std::vector<std::uint32_t>> chains = seam_chains(curves, seams, join);
+    const StretchLimits limits = stretch_limits(model, preset, join);
+    std::vector<std::vector<MeasuredStretch>> lines(chains.size());
     parallel_for(chains.size(), job, "measure", [&](std::size_t i) {
-        MeasuredSeam& seam = measured[i];
-        seam = measure_line(model, line_of(curves, seams, chains[i]), preset);
-        seam.faces = placed_face_name(model, seam.instance_a, seam.face_a) + " | " +
-                     placed_face_name(model, seam.instance_b, seam.face_b);
-        seam.pieces = std::move(chains[i]);
+        lines[i] = measure_line(model, line_of(curves, seams, chains[i]), preset, limits);
     });
-    return measured;
+    MeasuredSeams result;
+    for (std::uint32_t i = 0; i < lines.size(); ++i)
+        for (MeasuredStretch& stretch : lines[i]) {
+            MeasuredSeam& seam = stretch.seam;
+            seam.line = i;
+            seam.faces = placed_face_name(model, seam.instance_a, seam.face_a) + " | " +
+                         placed_face_name(model, seam.instance_b, seam.face_b);
+            for (const SeamPart& part : stretch.parts) {
+                seam.pieces.push_back(static_cast<std::uint32_t>(result.pieces.size()));
+                result.pieces.push_back(cut_seam(seams[chains[i][part.piece]], part));
+            }
+            result.seams.push_back(std::move(seam));
+        }
+    return result;
+}
+
+MeasuredSeams measure_all_seams(const SurfaceModel& model, std::span<const Seam> seams,
+                                const CriteriaPreset& preset, double join, const Job& job) {
+    MeasuredSeams all = measure_seams(model, seams, preset, join, job);
+    const auto lines = static_cast<std::uint32_t>(line_count(all.seams));
+    for (MeasuredSeam& seam : measure_knot_lines(model, preset, job)) {
+        seam.line += lines;
+        all.seams.push_back(std::move(seam));
+    }
+    return all;
+}
+
+std::size_t line_count(std::span<const MeasuredSeam> seams) {
+    return seams.empty() ? 0 : seams.back().line + 1;
 }
 
 } // namespace keiko

@@ -4,23 +4,24 @@
 #include "keiko/patch/boundary_curves.h"
 #include "keiko/patch/seam.h"
 
-#include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace keiko {
 
-/// What the two sides of a seam are to each other at one place; world coordinates.
+/// The relation of the two sides of a seam at one place; world coordinates.
 struct SeamPoint {
     double t = 0, s = 0;         ///< parameters of the curves of the sides a and b
     Vec3 place{0};               ///< on side a
     double gap = 0;              ///< mm, to the nearest point of side b
     std::optional<double> angle; ///< degrees, 0 smooth to 180 folded back; needs both normals
+    double signed_angle = 0;     ///< the angle, negative where the surface bends the other way
     double curvature_a = 0, curvature_b = 0; ///< 1/mm, across the seam, normals on one side
     double slope_a = 0, slope_b = 0;         ///< 1/mm2, of these curvatures on the way from a to b
     bool overlap = false; ///< one side lies on the other's material rather than apart from it
 };
 
-/// Looks at a seam on its exact geometry.
+/// Evaluates a seam on its exact geometry.
 class SeamProbe {
 public:
     SeamProbe(const BoundaryCurves& curves, const Seam& seam)
@@ -29,10 +30,18 @@ public:
     /// The curves of both sides and the parameters that face each other.
     SeamProbe(const SurfaceCurve& a, const ParameterInterval& on_a, const SurfaceCurve& b,
               const ParameterInterval& on_b)
-        : a_(a), b_(b), on_a_(on_a), on_b_(on_b) {}
+        : a_(a), b_(b), on_a_(on_a), on_b_(on_b), reach_b_(on_b), forward_(on_b.begin < on_b.end) {}
+
+    /// The part of the seam between two of its points. The nearest point of side b is still
+    /// searched along the whole seam.
+    SeamProbe part(const SeamPoint& from, const SeamPoint& to) const;
 
     double begin() const { return on_a_.begin; }
     double end() const { return on_a_.end; }
+    /// The parameters of side a, and those of side b that face them; the latter fall where b runs
+    /// the other way.
+    const ParameterInterval& on_a() const { return on_a_; }
+    const ParameterInterval& on_b() const { return on_b_; }
     /// The seam at parameter t of side a; `s_guess` is where side b is thought to face it.
     SeamPoint at(double t, double s_guess) const;
     /// The same with a guess in proportion.
@@ -44,12 +53,18 @@ public:
     /// A point halfway along, on side a; world, mm.
     Vec3 middle() const { return place((begin() + end()) / 2); }
 
-    /// The larger number of patches that either side runs through: where it may change its ways.
-    int patch_count() const { return std::max(a_.patch_count(), b_.patch_count()); }
+    /// Parameters of side a from begin to end in at least `least` steps, every patch change among
+    /// them: between two of them all quantities are smooth.
+    std::vector<double> steps(int least) const;
+    /// Parameters of side a at which either side passes from one patch to the next, in rising
+    /// order.
+    std::vector<double> patch_changes() const;
 
 private:
     SurfaceCurve a_, b_;
     ParameterInterval on_a_, on_b_; ///< that of b runs backwards where begin > end
+    ParameterInterval reach_b_;     ///< where the nearest point of side b is searched
+    bool forward_;                  ///< side b runs as side a does
 };
 
 } // namespace keiko

@@ -10,7 +10,7 @@ namespace {
 
 bool is_smooth(const MeasuredSeam& seam) {
     const auto passes = [](const Worst& worst) { return worst.verdict == Verdict::pass; };
-    return !seam.internal && !seam.crease && passes(seam.gap) && seam.angle &&
+    return !seam.internal && seam.is_angle_judged() && passes(seam.gap) && seam.angle &&
            passes(*seam.angle) && (!seam.curvature || passes(seam.curvature->worst));
 }
 

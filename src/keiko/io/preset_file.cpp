@@ -35,10 +35,12 @@ void read_seam(const TomlTable& table, CriteriaPreset& preset) {
         preset.curvature = curvature_from(*curvature);
     preset.curvature_slope = table.number("curvature_slope", angles);
     preset.feature_angle = table.number("feature_angle", angles).value_or(preset.feature_angle);
+    preset.fading = table.number("fading", TomlLimits::positive()).value_or(preset.angle / 70);
+    preset.longest_run_out =
+        table.number("longest_run_out", lengths).value_or(preset.longest_run_out);
+    preset.negligible = table.number("negligible", lengths).value_or(preset.negligible);
     preset.flat_radius =
         table.number("flat_radius", TomlLimits::positive()).value_or(preset.flat_radius);
-    preset.flat_curvature_change = table.number("flat_curvature_change", TomlLimits::positive())
-                                       .value_or(preset.flat_curvature_change);
     if (preset.feature_angle < preset.angle)
         throw table.error("feature_angle", "is below the limit of the angle: no seam could fail");
     table.finish();

@@ -53,6 +53,42 @@ std::uint32_t SurfaceCurve::patch_at(double t) const {
     return grid_->locate(p[0], Vec2(-p[1].y, p[1].x) * side_);
 }
 
+namespace {
+
+/// Where the patch changes between two parameters on different ones, in rising order: halves until
+/// only neighbouring numbers are left, so patches in between are found too.
+void add_changes(const SurfaceCurve& curve, double low, std::uint32_t at_low, double high,
+                 std::uint32_t at_high, std::vector<double>& changes) {
+    if (at_low == at_high) return;
+    const double middle = (low + high) / 2;
+    constexpr double fine = 1e-14;
+    if (!(high - low > fine)) {
+        changes.push_back(middle);
+        return;
+    }
+    const std::uint32_t between = curve.patch_at(middle);
+    add_changes(curve, low, at_low, middle, between, changes);
+    add_changes(curve, middle, between, high, at_high, changes);
+}
+
+} // namespace
+
+std::vector<double> SurfaceCurve::patch_changes(double begin, double end) const {
+    std::vector<double> changes;
+    const int patches = patch_count();
+    if (patches < 2) return changes;
+    const int steps = 2 * patches + 2;
+    double before = begin;
+    std::uint32_t patch_before = patch_at(before);
+    for (int i = 1; i <= steps; ++i) {
+        const double t = begin + (end - begin) * i / steps;
+        const std::uint32_t patch = patch_at(t);
+        add_changes(*this, before, patch_before, t, patch, changes);
+        before = t, patch_before = patch;
+    }
+    return changes;
+}
+
 SurfaceCurve::Point SurfaceCurve::at(double t) const {
     const Place p = place(t, 2);
     const SurfaceDerivatives& s = p.surface;

@@ -3,6 +3,7 @@
 #include "keiko/patch/patch_grid.h"
 
 #include <optional>
+#include <vector>
 
 namespace keiko {
 
@@ -45,6 +46,10 @@ public:
     std::uint32_t patch_at(double t) const;
     /// How many patches it may run through.
     int patch_count() const { return 1 + grid_->lines_through(hull_bounds(p_curve_)); }
+    /// Parameters between `begin` and `end`, begin < end, at which it passes from patch to patch,
+    /// in rising order and exact to a few roundings. A patch that it enters and leaves between two
+    /// of `2 patch_count() + 2` even steps is missed.
+    std::vector<double> patch_changes(double begin, double end) const;
 
 private:
     struct Place;

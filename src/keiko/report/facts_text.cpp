@@ -92,7 +92,7 @@ std::string facts_text(const ModelFacts& facts) {
     begin_line(out, "edges") << facts.edges << ", " << facts.degenerate_edges
                              << " degenerate, tolerances up to " << facts.largest_edge_tolerance
                              << " mm\n";
-    begin_line(out, "seams") << facts.seams << " pieces within " << facts.join << " mm\n";
+    begin_line(out, "seams") << facts.seams << " within " << facts.join << " mm\n";
     begin_line(out, "borders") << facts.border_length << " mm, " << facts.free_length
                                << " mm of them free\n";
     if (facts.tracing) write_tracing(out, *facts.tracing);

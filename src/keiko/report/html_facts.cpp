@@ -106,7 +106,7 @@ std::string html_facts(const Report& report) {
     html += fact("borders", fixed_number(facts.border_length, 1) + " mm, of which " +
                                 fixed_number(facts.free_length, 1) + " mm meet no other face");
     html += fact("seams", "within " + short_number(report.inspection.join) +
-                              " mm: " + std::to_string(report.inspection.seams.size()));
+                              " mm: " + std::to_string(report.inspection.facts.seams));
     if (facts.tracing) html += fact("ray tracing", tracing_text(*facts.tracing));
     if (!facts.lost_faces.empty()) html += fact("lost faces", lost_faces(facts));
     html += fact("repairs", repairs(facts));

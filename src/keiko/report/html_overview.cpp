@@ -50,7 +50,7 @@ std::string criteria_line(const Inspection& inspection) {
 std::string body_line(const Inspection& inspection) {
     const std::string unmet = unmet_borders(inspection.facts);
     return counted(inspection.facts.placed_faces, "face") + ", " +
-           counted(inspection.seams.size(), "seam") +
+           counted(inspection.facts.seams, "seam") +
            (unmet.empty() ? "" : " · " + html_escaped(unmet)) + " · " + criteria_line(inspection);
 }
 
@@ -82,6 +82,7 @@ std::string html_verdict(const Report& report) {
     html += "<div class=\"counts\">" + count("fail", counts.fail, "seam fails", "seams fail") +
             count("undecided", counts.undecided, "undecided") + count("pass", counts.pass, "pass") +
             count("crease", counts.creases, "crease", "creases");
+    if (counts.scraps > 0) html += count("crease", counts.scraps, "scrap", "scraps");
     if (report.lines)
         html += count("fail", count_crossings(*report.lines).fail, "line crossing fails",
                       "line crossings fail");

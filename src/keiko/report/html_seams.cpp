@@ -10,9 +10,9 @@
 namespace keiko {
 namespace {
 
-/// How a seam is shown: by its verdict, a passing crease apart.
+/// How a seam is shown: by its verdict, scraps and passing creases apart.
 std::string tone_of(const MeasuredSeam& seam) {
-    if (seam.crease && seam.verdict == Verdict::pass) return "crease";
+    if (seam.scrap || seam.is_passing_crease()) return "crease";
     return std::string(name_of(seam.verdict));
 }
 
@@ -45,7 +45,10 @@ std::string angle_measure(const MeasuredSeam& seam) {
     if (!seam.angle) return measure("angle", "crease", "–", "no normal on one side", 0);
     const Worst& angle = *seam.angle;
     const std::string value = fixed_number(angle.value, 3) + "°";
-    if (seam.crease) return measure("angle", "crease", value, "a crease, not judged", 1);
+    if (seam.kind == SeamClass::crease)
+        return measure("angle", "crease", value, "a crease, not judged", 1);
+    if (seam.kind == SeamClass::run_out)
+        return measure("angle", "crease", value, "fades out, judged with the crease", 1);
     return measure("angle", name_of(angle.verdict), value,
                    "limit " + short_number(angle.limit) + "°" + lamp_shift(angle.value),
                    share_of_limit(angle));
@@ -55,16 +58,21 @@ std::string curvature_measure(const MeasuredSeam& seam) {
     if (!seam.curvature)
         return measure("curvature", "crease", "–", "judged where gap and angle pass", 0);
     const CurvatureStep& step = *seam.curvature;
-    const double share = share_of_limit(step.worst);
-    if (step.flat)
-        return measure(
-            "curvature", name_of(step.worst.verdict), short_number(step.worst.value) + " /mm",
-            "|C1-C2|, limit " + short_number(step.worst.limit) + " /mm (nearly flat)", share);
     return measure("curvature", name_of(step.worst.verdict),
                    fixed_number(step.mismatch * 100, 1) + " %",
                    std::string(formula_text(step.formula)) + ", limit " +
-                       short_number(step.worst.limit * 100) + " %",
-                   share);
+                       short_number(step.worst.limit * 100) + " %" +
+                       (step.flat ? ", against the flat radius" : ""),
+                   share_of_limit(step.worst));
+}
+
+/// Nothing of a seam that is no crease, or of a crease that does not fade out.
+std::string fading_measure(const MeasuredSeam& seam) {
+    if (!seam.fading) return "";
+    const Worst& worst = *seam.fading;
+    return measure("run-out", name_of(worst.verdict), short_number(worst.value) + " °/mm",
+                   "step of the slope, limit " + short_number(worst.limit) + " °/mm",
+                   share_of_limit(worst));
 }
 
 /// Nothing where the preset does not judge it.
@@ -89,7 +97,11 @@ std::string irregular_note(const MeasuredSeam& seam) {
 /// What is not plain about the seam.
 std::string kind_note(const MeasuredSeam& seam) {
     std::string note = seam.internal ? " · a knot line inside the face" : "";
-    if (seam.overlap) note += " · one side lies on the other";
+    if (seam.kind == SeamClass::fold)
+        note += " · folded back";
+    else if (seam.overlap)
+        note += " · one side lies on the other";
+    if (seam.parted) note += " · wider than the join distance";
     return note;
 }
 
@@ -102,28 +114,31 @@ std::string seam_card(const Report& report, std::size_t rank, std::uint32_t inde
            fixed_number(seam.length, 1) + " mm long" + kind_note(seam) +
            "</div><div class=\"measures\">" + gap_measure(seam) + angle_measure(seam) +
            curvature_measure(seam) + slope_measure(seam, report.inspection.preset) +
-           "</div></div>" + html_close_up(report, CloseUp::Of::seam, index) + "</div>\n";
+           fading_measure(seam) + "</div></div>" + html_close_up(report, CloseUp::Of::seam, index) +
+           "</div>\n";
 }
 
 bool over(const Worst& worst) {
     return worst.verdict != Verdict::pass;
 }
 
-/// The percentage, or the change in 1/mm where that is judged; sorted by how far over its limit.
+/// Sorted by how far over its limit.
 std::string curvature_cell(const CurvatureStep& step) {
-    const std::string text = step.flat ? short_number(step.worst.value) + " /mm"
-                                       : fixed_number(step.mismatch * 100, 1) + " %";
-    return html_number_cell(share_of_limit(step.worst), text, over(step.worst));
+    return html_number_cell(share_of_limit(step.worst), fixed_number(step.mismatch * 100, 1) + " %",
+                            over(step.worst));
 }
 
 std::string kind_of(const MeasuredSeam& seam) {
-    return std::string(seam.internal ? "knot line" : "seam") + (seam.overlap ? ", overlap" : "");
+    std::string kind = seam.internal ? "knot line" : "seam";
+    if (seam.kind != SeamClass::smooth) kind += ", " + std::string(name_of(seam.kind));
+    return kind + (seam.overlap ? ", overlap" : "") + (seam.parted ? ", parted" : "");
 }
 
-/// Sorts from good to bad: creases, pass, undecided, fail, each by how far over the limit.
+/// Sorts from good to bad: scraps and creases, pass, undecided, fail, each by how far over the
+/// limit.
 std::string verdict_cell(const MeasuredSeam& seam) {
-    const std::string tone = tone_of(seam);
-    const bool crease = tone == "crease";
+    const std::string tone = seam.scrap ? "scrap" : tone_of(seam);
+    const bool crease = tone_of(seam) == "crease";
     const double rank = crease ? -1 : static_cast<double>(seam.verdict);
     const double within = 1 - 1 / (1 + seam.severity);
     return html_cell(short_number(rank + within, 9), "<span class=\"chip\">" + tone + "</span>");
@@ -138,9 +153,10 @@ std::string row(const Report& report, std::size_t index, bool with_slope) {
                        html_cell(std::to_string(number), std::to_string(number)) +
                        html_cell(html_escaped(seam.faces), html_escaped(seam.faces), "left") +
                        html_cell(kind_of(seam), kind_of(seam)) + verdict_cell(seam);
-    html += html_number_cell(seam.gap.value, fixed_number(seam.gap.value, 4), over(seam.gap));
+    html += html_number_cell(seam.gap.value, fixed_number(seam.gap.value, 4),
+                             !seam.scrap && over(seam.gap));
     html += seam.angle ? html_number_cell(seam.angle->value, fixed_number(seam.angle->value, 3),
-                                          !seam.crease && over(*seam.angle))
+                                          seam.is_angle_judged() && over(*seam.angle))
                        : none;
     html += seam.curvature ? curvature_cell(*seam.curvature) : none;
     if (with_slope)

@@ -1,5 +1,6 @@
 #include "keiko/report/inspection_text.h"
 
+#include "keiko/base/counted.h"
 #include "keiko/report/check_place.h"
 #include "keiko/report/unmet_borders.h"
 
@@ -24,6 +25,13 @@ std::string symmetry_text(const Inspection& inspection) {
     return text;
 }
 
+/// Nothing where each seam is of one class.
+std::string stretches_text(const Inspection& inspection) {
+    const std::size_t stretches = inspection.seams.size(), seams = inspection.facts.seams;
+    if (stretches == seams) return "";
+    return " (" + std::to_string(stretches) + " stretches of " + counted(seams, "seam") + ")";
+}
+
 } // namespace
 
 std::string seams_words(const Inspection& inspection) {
@@ -31,7 +39,9 @@ std::string seams_words(const Inspection& inspection) {
     const std::string unmet = unmet_borders(inspection.facts);
     return "seams " + std::to_string(counts.fail) + " fail, " + std::to_string(counts.undecided) +
            " undecided, " + std::to_string(counts.pass) + " pass, " +
-           std::to_string(counts.creases) + " creases" + (unmet.empty() ? "" : "; " + unmet);
+           std::to_string(counts.creases) + " creases" +
+           (counts.scraps > 0 ? ", " + counted(counts.scraps, "scrap") : "") +
+           stretches_text(inspection) + (unmet.empty() ? "" : "; " + unmet);
 }
 
 std::string inspection_text(const Inspection& inspection, std::size_t most) {

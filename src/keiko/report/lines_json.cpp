@@ -67,6 +67,7 @@ Json crossing_json(const LineCrossing& crossing, const std::string& view, std::s
                  {"lamp", crossing.lamp},
                  {"faces", crossing.faces},
                  {"inside_face", crossing.border.seam == no_index},
+                 {"run_out", crossing.run_out},
                  {"continued", crossing.continued()},
                  {"verdict", crossing.verdict ? Json(name_of(*crossing.verdict)) : Json()},
                  {"severity", crossing.severity},

@@ -20,9 +20,10 @@ std::string_view name_of(CurvatureFormula formula) {
 
 Json curvature(const CurvatureStep& step) {
     Json json = worst(step.worst);
-    json["unit"] = step.flat ? "1/mm" : "1";
+    json["unit"] = "1";
+    json["flat"] = step.flat;
     json["formula"] = name_of(step.formula);
-    json["formula_text"] = step.flat ? "|C1-C2|" : formula_text(step.formula);
+    json["formula_text"] = formula_text(step.formula);
     json["mismatch"] = step.mismatch;
     json["alias"] = step.alias;
     json["catia"] = step.catia;
@@ -44,28 +45,36 @@ Json without_verdict(Json json) {
     return json;
 }
 
-Json seam_json(const MeasuredSeam& seam, const CriteriaPreset& preset) {
-    Json json = {{"faces", seam.faces},
+Json seam_json(const MeasuredSeam& seam, std::size_t number, const CriteriaPreset& preset) {
+    Json json = {{"number", number},
+                 {"line", seam.line + 1},
+                 {"faces", seam.faces},
                  {"face_ids", {seam.id_a, seam.id_b}},
                  {"instances", {seam.instance_a, seam.instance_b}},
                  {"verdict", name_of(seam.verdict)},
-                 {"crease", seam.crease},
+                 {"kind", name_of(seam.kind)},
+                 {"scrap", seam.scrap},
                  {"irregular", seam.irregular},
                  {"internal", seam.internal},
                  {"overlap", seam.overlap},
+                 {"parted", seam.parted},
                  {"severity", seam.severity},
                  {"length", seam.length},
                  {"middle", point(seam.middle)},
-                 {"gap", worst(seam.gap)}};
+                 {"from", point(seam.course.front().front())},
+                 {"to", point(seam.course.back().back())},
+                 {"gap", Json()}};
     const auto judged = [](Json value, bool is_judged) {
         return is_judged || value.is_null() ? value : without_verdict(std::move(value));
     };
-    json["angle"] = judged(seam.angle ? worst(*seam.angle) : Json(), !seam.crease);
+    json["gap"] = judged(worst(seam.gap), !seam.scrap);
+    json["angle"] = judged(seam.angle ? worst(*seam.angle) : Json(), seam.is_angle_judged());
     if (seam.angle) json["angle"]["smallest"] = seam.smallest_angle;
-    json["curvature"] =
-        judged(seam.curvature ? curvature(*seam.curvature) : Json(), preset.curvature.has_value());
-    json["curvature_slope"] =
-        judged(seam.slope ? slope(*seam.slope) : Json(), preset.curvature_slope.has_value());
+    json["curvature"] = judged(seam.curvature ? curvature(*seam.curvature) : Json(),
+                               preset.curvature.has_value() && !seam.scrap);
+    json["curvature_slope"] = judged(seam.slope ? slope(*seam.slope) : Json(),
+                                     preset.curvature_slope.has_value() && !seam.scrap);
+    json["fading"] = judged(seam.fading ? worst(*seam.fading) : Json(), !seam.scrap);
     return json;
 }
 
@@ -104,8 +113,9 @@ Json inflection_json(const InflectionCurve& curve) {
             {"deviation", curve.deviation}, {"points", std::move(points)}};
 }
 
-Json face_json(const MeasuredFace& face, const SurfaceLimits& limits) {
-    Json json = {{"name", face.name},
+Json face_json(const MeasuredFace& face, std::size_t number, const SurfaceLimits& limits) {
+    Json json = {{"number", number},
+                 {"name", face.name},
                  {"face_id", face.id},
                  {"instance", face.instance},
                  {"verdict", name_of(face.verdict)},
@@ -126,8 +136,8 @@ Json face_json(const MeasuredFace& face, const SurfaceLimits& limits) {
 
 Json finding_json(const Check& finding) {
     Json json = {{"code", finding.code}, {"rule", finding.rule}};
-    if (finding.seam != no_index) json["seam"] = finding.seam;
-    if (finding.face != no_index) json["face"] = finding.face;
+    if (finding.seam != no_index) json["seam"] = finding.seam + 1;
+    if (finding.face != no_index) json["face"] = finding.face + 1;
     json["faces"] = finding.faces;
     json["quantity"] = finding.quantity;
     json["unit"] = finding.unit;
@@ -145,8 +155,10 @@ Json preset_json(const CriteriaPreset& preset) {
                  {"angle", preset.angle},
                  {"curvature", Json()},
                  {"feature_angle", preset.feature_angle},
-                 {"flat_radius", preset.flat_radius},
-                 {"flat_curvature_change", preset.flat_curvature_change}};
+                 {"fading", preset.fading},
+                 {"longest_run_out", preset.longest_run_out},
+                 {"negligible", preset.negligible},
+                 {"flat_radius", preset.flat_radius}};
     if (preset.curvature)
         json["curvature"] = {{"formula", name_of(preset.curvature->formula)},
                              {"formula_text", formula_text(preset.curvature->formula)},
@@ -162,6 +174,12 @@ Json preset_json(const CriteriaPreset& preset) {
     return json;
 }
 
+/// Seams are numbered from 1, in JSON as in tables.
+std::vector<std::uint32_t> numbers_of(std::vector<std::uint32_t> indices) {
+    for (std::uint32_t& index : indices) ++index;
+    return indices;
+}
+
 Json inspection_json_value(const Inspection& inspection) {
     const SeamCounts& counts = inspection.counts;
     const FaceCounts& faces = inspection.face_counts;
@@ -170,20 +188,21 @@ Json inspection_json_value(const Inspection& inspection) {
                   {{"fail", counts.fail},
                    {"undecided", counts.undecided},
                    {"pass", counts.pass},
-                   {"creases", counts.creases}}},
+                   {"creases", counts.creases},
+                   {"scraps", counts.scraps}}},
                  {"face_counts",
                   {{"fail", faces.fail}, {"undecided", faces.undecided}, {"pass", faces.pass}}},
                  {"preset", preset_json(inspection.preset)},
                  {"join", inspection.join},
                  {"model", model_json(inspection.facts)},
-                 {"worst_seams", worst_seams(inspection, worst_seam_count)},
+                 {"worst_seams", numbers_of(worst_seams(inspection, worst_seam_count))},
                  {"seams", Json::array()},
                  {"faces", Json::array()},
                  {"findings", Json::array()}};
-    for (const MeasuredSeam& seam : inspection.seams)
-        json["seams"].push_back(seam_json(seam, inspection.preset));
-    for (const MeasuredFace& face : inspection.faces)
-        json["faces"].push_back(face_json(face, inspection.preset.surface));
+    for (std::size_t i = 0; i < inspection.seams.size(); ++i)
+        json["seams"].push_back(seam_json(inspection.seams[i], i + 1, inspection.preset));
+    for (std::size_t i = 0; i < inspection.faces.size(); ++i)
+        json["faces"].push_back(face_json(inspection.faces[i], i + 1, inspection.preset.surface));
     for (const Check& finding : inspection.findings)
         json["findings"].push_back(finding_json(finding));
     for (const Check& check : inspection.checks)
@@ -232,7 +251,7 @@ std::string report_json(const Report& report) {
     json["close_ups"] = Json::array();
     for (const CloseUp& close_up : report.close_ups) {
         json["close_ups"].push_back(picture_json(close_up.picture));
-        json["close_ups"].back()[word_of(close_up.of)] = close_up.index;
+        json["close_ups"].back()[word_of(close_up.of)] = close_up.index + 1;
     }
     return text_of(json);
 }

@@ -68,10 +68,14 @@ struct CriteriaPreset {
     double gap = 0.01;                                          ///< mm, G0
     double angle = 0.1;                                         ///< degrees, G1
     std::optional<CurvatureLimit> curvature = CurvatureLimit{}; ///< G2; nothing: not judged
-    double feature_angle = 5;              ///< degrees; a seam with more is a crease, no finding
-    double flat_radius = 50000;            ///< mm; where both radii exceed it ...
-    double flat_curvature_change = 2e-6;   ///< 1/mm ... the curvatures may differ by this
-    std::string caveat;                    ///< what the limits are not, or empty
+    double feature_angle = 5; ///< degrees; places of a seam with more are a crease, no finding
+    /// Degrees/mm: how large a step the slope of a crease's angle may have where it fades out.
+    double fading = 0.0014;
+    double longest_run_out = 200; ///< mm; an angle that fades over more is no run-out of a crease
+    double negligible = 0.1;      ///< mm; a shorter stretch of a seam is a scrap, listed alone
+    double flat_radius =
+        100000;         ///< mm; larger radii of curvature are compared as if they were this
+    std::string caveat; ///< what the limits are not, or empty
     std::optional<double> curvature_slope; ///< degrees, G3; nothing: not judged
     LineLimits lines{std::nullopt, 0.1, 5.7, std::nullopt};
     SurfaceLimits surface{};

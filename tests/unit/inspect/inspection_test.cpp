@@ -107,7 +107,7 @@ TEST(WorstPlace, IsThatOfTheQuantityFurthestOverItsLimit) {
     EXPECT_EQ(worst_place(seam), Vec3(2, 0, 0));
     seam.gap.value = 0.04;
     EXPECT_EQ(worst_place(seam), Vec3(1, 0, 0));
-    seam.angle->value = 30, seam.crease = true;
+    seam.angle->value = 30, seam.kind = SeamClass::crease;
     EXPECT_EQ(worst_place(seam), Vec3(1, 0, 0));
 }
 

@@ -1,5 +1,6 @@
 #include "keiko/base/error.h"
 #include "keiko/base/units.h"
+#include "keiko/inspect/seam_measure.h"
 #include "keiko/io/load_model.h"
 #include "keiko/io/preset_file.h"
 #include "keiko/trace/mirror_ray.h"
@@ -297,6 +298,40 @@ TEST(JoinedLines, KinkAndJumpOnFixturesAsTracedRaysShowThem) {
         }
         EXPECT_GT(compared, 3) << name;
     }
+}
+
+/// A crease of 8.5 degrees at x = 0 that fades without a corner to nothing at x = 100.
+SurfaceModel fading_sheets() {
+    test::ModelBuilder builder;
+    test::flat_sheet(builder, {0, -100, 0});
+    std::vector<Vec3> points;
+    const double slopes[] = {0.15, 0.15, 0, 0};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double x = test::sheet_length * double(i) / 3;
+        points.push_back({x, 0, 0});
+        points.push_back({x, 100, -100 * slopes[i]});
+    }
+    builder.patch(3, 1, points);
+    return builder.build();
+}
+
+TEST(JoinedLines, NoCrossingFailsWhereACreaseFadesOut) {
+    const SurfaceModel model = fading_sheets();
+    const CriteriaPreset preset;
+    const auto seams = measure_seams(model, pair_seams(model, 0.5), preset, 0.5).seams;
+    for (const MeasuredSeam& seam : seams) EXPECT_EQ(seam.verdict, Verdict::pass);
+    const JoinedLines found =
+        joined(model, lamps_turned(0.9), test::parallel_camera({0.1, 0.2, -1}), preset);
+    int in_run_out = 0;
+    for (const LineCrossing& crossing : found.crossings) {
+        // Where the angle is within its limit lines may kink all the same: the seam's own curvature
+        // does not count how its angle changes along it.
+        if (crossing.angle <= preset.angle) continue;
+        EXPECT_NE(crossing.verdict, Verdict::fail) << crossing.place.x;
+        EXPECT_NE(crossing.verdict, Verdict::undecided) << crossing.place.x;
+        in_run_out += crossing.run_out;
+    }
+    EXPECT_GT(in_run_out, 3);
 }
 
 } // namespace

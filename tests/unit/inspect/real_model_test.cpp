@@ -14,7 +14,7 @@ Inspection inspected(const char* name) {
     double gap = 0, angle = 0;
     for (const MeasuredSeam& seam : result.seams) {
         gap = std::max(gap, seam.gap.value);
-        if (seam.angle && !seam.crease) angle = std::max(angle, seam.angle->value);
+        if (seam.angle && seam.is_angle_judged()) angle = std::max(angle, seam.angle->value);
     }
     std::cout << name << ": " << result.seams.size() << " seams, largest gap " << gap
               << " mm, largest angle below a crease " << angle << " degrees\n";

@@ -21,7 +21,7 @@ using test::sheet_length;
 constexpr double join = 0.5;
 
 std::vector<MeasuredSeam> measured(const SurfaceModel& model, const CriteriaPreset& preset = {}) {
-    return measure_seams(model, pair_seams(model, join), preset, join);
+    return measure_seams(model, pair_seams(model, join), preset, join).seams;
 }
 
 MeasuredSeam only_seam(const ModelBuilder& builder, const CriteriaPreset& preset = {}) {
@@ -66,7 +66,7 @@ TEST(MeasureSeams, TellsSheetsThatLieOnEachOtherFromASmoothContinuation) {
     ASSERT_EQ(seams.size(), 3u); // the fold, and its two ends where the sheets lie on each other
     EXPECT_NEAR(seams[0].length, sheet_length, 1e-10);
     EXPECT_NEAR(seams[0].angle->value, 180, 1e-9);
-    EXPECT_FALSE(seams[0].crease); // doubled material, no edge
+    EXPECT_EQ(seams[0].kind, SeamClass::fold); // doubled material, no edge
     EXPECT_EQ(seams[0].verdict, Verdict::fail);
 }
 
@@ -136,7 +136,7 @@ TEST(MeasureSeams, CountsAnInflectionAsAFullMismatch) {
     EXPECT_EQ(seam.verdict, Verdict::fail);
 }
 
-TEST(MeasureSeams, JudgesNearlyFlatSidesByTheChangeOfCurvature) {
+TEST(MeasureSeams, ComparesNearlyFlatSidesWithTheFlatRadius) {
     const auto against_plane = [](double radius) {
         ModelBuilder builder;
         builder.rational_patch(1, 2, arc_sheet(-radius, radius, pi / 2, pi / 2 + 100 / radius));
@@ -145,7 +145,7 @@ TEST(MeasureSeams, JudgesNearlyFlatSidesByTheChangeOfCurvature) {
     };
     const MeasuredSeam nearly_flat = against_plane(600e3);
     EXPECT_TRUE(nearly_flat.curvature->flat);
-    EXPECT_NEAR(nearly_flat.curvature->worst.value, 1 / 600e3, 1e-11);
+    EXPECT_NEAR(nearly_flat.curvature->worst.value, (1 / 600e3) / (2 / 100e3), 1e-6);
     EXPECT_EQ(nearly_flat.verdict, Verdict::pass);
     EXPECT_EQ(against_plane(400e3).verdict, Verdict::fail);
     EXPECT_FALSE(against_plane(40e3).curvature->flat);
@@ -171,22 +171,110 @@ TEST(MeasureSeams, FindsTheWidestPlaceOfACurvedGap) {
     EXPECT_LT(seam.gap.bound, 1e-5);
 }
 
-TEST(MeasureSeams, FindsTheSharpestPlaceOfAFadingCrease) {
+/// A flat sheet beside one that leaves its plane by `height` times the hump.
+SurfaceModel humped_crease(double height) {
     ModelBuilder builder;
     flat_sheet(builder, {0, 50, 0});
     std::vector<Vec3> points;
     for (std::size_t i = 0; i < 4; ++i) {
         const double x = sheet_length * double(i) / 3;
         points.push_back({x, 0, 0});
-        points.push_back({x, -50, -40 * hump[i]});
+        points.push_back({x, -50, -height * hump[i]});
     }
     builder.patch(3, 1, points);
-    const MeasuredSeam seam = only_seam(builder);
-    EXPECT_NEAR(seam.angle->value, radians_to_degrees(std::atan(40 * peak / 50)), 1e-9);
-    EXPECT_NEAR(seam.angle->place.x, sheet_length * 2 / 3, 1e-3);
-    EXPECT_TRUE(seam.crease);
-    EXPECT_NEAR(seam.smallest_angle, 0, 1e-9);
-    EXPECT_EQ(seam.verdict, Verdict::pass);
+    return builder.build();
+}
+
+TEST(MeasureSeams, CutsAFadingCreaseWhereItsClassChanges) {
+    const auto seams = measured(humped_crease(40));
+    const auto at = [](double x) { return 0.8 * x * x * (1 - x) / 1; }; // tangent, x in shares
+    const auto find = [&](SeamClass kind) {
+        return std::find_if(seams.begin(), seams.end(),
+                            [&](const MeasuredSeam& seam) { return seam.kind == kind; });
+    };
+    const auto crease = find(SeamClass::crease);
+    ASSERT_NE(crease, seams.end());
+    EXPECT_NEAR(crease->angle->value, radians_to_degrees(std::atan(40 * peak / 50)), 1e-9);
+    EXPECT_NEAR(crease->angle->place.x, sheet_length * 2 / 3, 1e-3);
+    for (const Vec3& end : {crease->course.front().front(), crease->course.front().back()})
+        EXPECT_NEAR(radians_to_degrees(std::atan(at(end.x / sheet_length))), 5, 1e-6);
+    double length = 0;
+    for (const MeasuredSeam& seam : seams) length += seam.length;
+    EXPECT_NEAR(length, sheet_length, 1e-5);
+}
+
+TEST(MeasureSeams, JudgesHowACreaseFades) {
+    // The angle fades as the square of the way at one end, and by a straight line to nothing at the
+    // other: its slope there is that of 0.8 x^2 (1 - x) at x = 1.
+    const auto seams = measured(humped_crease(40));
+    const auto crease = std::find_if(seams.begin(), seams.end(),
+                                     [](const MeasuredSeam& s) { return s.fading.has_value(); });
+    ASSERT_NE(crease, seams.end());
+    EXPECT_NEAR(crease->fading->value, radians_to_degrees(0.8) / sheet_length, 0.01);
+    EXPECT_NEAR(crease->fading->place.x, sheet_length, 0.2);
+    EXPECT_EQ(crease->verdict, Verdict::fail);
+}
+
+/// A sheet of 300 x 200 mm whose border overshoots by `spur` mm and folds back, beside one at 0.2
+/// degrees.
+SurfaceModel spurred(double spur) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, {300, 0, 0}, {0, 200, 0});
+    builder.polygon({{0, 0}, {1, 0}, {1 - spur / 300, 0}, {1 - spur / 300, 1}, {0, 1}});
+    builder.plane({0, 0, 0}, {300, 0, 0}, down(0.2, 200));
+    return builder.build();
+}
+
+TEST(MeasureSeams, ASpurAtACornerExcusesNothing) {
+    for (const double spur : {0.0002, 0.002, 0.012, 0.05, 0.09}) {
+        SCOPED_TRACE(spur);
+        const auto seams = measured(spurred(spur));
+        double judged = 0, scraps = 0;
+        for (const MeasuredSeam& seam : seams) {
+            (seam.scrap ? scraps : judged) += seam.length;
+            if (seam.scrap) continue;
+            EXPECT_EQ(seam.kind, SeamClass::smooth);
+            EXPECT_NEAR(seam.angle->value, 0.2, 1e-6);
+            EXPECT_EQ(seam.verdict, Verdict::fail);
+        }
+        EXPECT_NEAR(judged, 300, spur + 1e-6);
+        EXPECT_LE(scraps, spur + 1e-6);
+    }
+}
+
+TEST(MeasureSeams, AFoldThatIsNotNegligibleFails) {
+    Verdict verdict = Verdict::pass;
+    for (const MeasuredSeam& seam : measured(spurred(0.4)))
+        if (seam.kind == SeamClass::fold) verdict = std::max(verdict, seam.verdict);
+    EXPECT_EQ(verdict, Verdict::fail);
+}
+
+TEST(MeasureSeams, FollowsAGapBeyondTheJoinDistance) {
+    // A wedge that opens to `widest` mm, and a bulge in the middle.
+    for (const double widest : {0.785, 3.2}) {
+        ModelBuilder wedge;
+        flat_sheet(wedge, {0, 50, 0});
+        wedge.patch(1, 1,
+                    {{0, 0, 0}, {0, -50, 0}, {sheet_length, -widest, 0}, {sheet_length, -50, 0}});
+        const MeasuredSeam seam = only_seam(wedge);
+        EXPECT_NEAR(seam.gap.value, widest, 1e-3 * widest);
+        EXPECT_TRUE(seam.parted);
+        EXPECT_NEAR(seam.length, sheet_length, 1e-6);
+
+        ModelBuilder bulge;
+        flat_sheet(bulge, {0, 50, 0});
+        std::vector<Vec3> points;
+        for (const auto& [share, height] :
+             {std::pair(0.0, 0.0), std::pair(0.5, 2 * widest), std::pair(1.0, 0.0)}) {
+            points.push_back({sheet_length * share, -height, 0});
+            points.push_back({sheet_length * share, -50, 0});
+        }
+        bulge.patch(2, 1, points);
+        const MeasuredSeam bulged = only_seam(bulge);
+        EXPECT_NEAR(bulged.gap.value, widest, 1e-6);
+        EXPECT_TRUE(bulged.parted);
+        EXPECT_NEAR(bulged.length, sheet_length, 1e-6);
+    }
 }
 
 TEST(MeasureSeams, StillJudgesTheGapOfACrease) {
@@ -194,7 +282,7 @@ TEST(MeasureSeams, StillJudgesTheGapOfACrease) {
     flat_sheet(builder, {0, 50, 0}, {0, 0, 0.02});
     flat_sheet(builder, down(60));
     const MeasuredSeam seam = only_seam(builder);
-    EXPECT_TRUE(seam.crease);
+    EXPECT_EQ(seam.kind, SeamClass::crease);
     EXPECT_FALSE(seam.curvature.has_value());
     EXPECT_EQ(seam.verdict, Verdict::fail);
 }

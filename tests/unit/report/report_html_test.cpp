@@ -30,7 +30,7 @@ TEST(ReportHtml, RowsOfFindingsOpenTheirCloseUps) {
     EXPECT_GT(html.find("<img id=\"close-up-2\""), html.find("<div hidden>"));
     EXPECT_NE(html.find("<dialog id=\"viewer\">"), std::string::npos);
     const auto json = nlohmann::json::parse(report_json(with_faces));
-    EXPECT_EQ(json["close_ups"][1]["face"], 1);
+    EXPECT_EQ(json["close_ups"][1]["face"], 2);
 }
 
 TEST(ReportHtml, TellsOfInflectionCurvesAndCombs) {

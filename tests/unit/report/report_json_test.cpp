@@ -34,13 +34,13 @@ TEST(ReportJson, HoldsVerdictCountsAndMeasures) {
     EXPECT_NEAR(json["seams"][1]["angle"]["value"].get<double>(), 0.3, 1e-9);
     EXPECT_TRUE(json["seams"][1]["curvature"].is_null()); // its angle fails
     EXPECT_EQ(json["seams"][1]["face_ids"], nlohmann::json({2, 3}));
-    EXPECT_TRUE(json["seams"][2]["crease"]);
+    EXPECT_EQ(json["seams"][2]["kind"], "crease");
     EXPECT_EQ(json["findings"][0]["code"], "G-SU-LG");
     EXPECT_EQ(json["findings"][1]["quantity"], "angle");
-    EXPECT_EQ(json["worst_seams"], nlohmann::json({0, 1}));
+    EXPECT_EQ(json["worst_seams"], nlohmann::json({1, 2}));
     EXPECT_EQ(json["coverage"]["covered"], 0.875);
     EXPECT_EQ(json["pictures"][0]["markers"][0]["number"], 1);
-    EXPECT_EQ(json["close_ups"][0]["seam"], 0);
+    EXPECT_EQ(json["close_ups"][0]["seam"], 1);
     EXPECT_EQ(json["model"]["lost_faces"][0]["id"], 7);
     EXPECT_EQ(json["model"]["degrees"][0]["patches"], 4);
 }

@@ -1,0 +1,266 @@
+#include "keiko/inspect/run_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace keiko {
+namespace {
+
+/// In negligible lengths: the window over which mean slopes are taken, and the samples' distance.
+constexpr double window_width = 2, sample_step = 1;
+/// degrees; error of an angle between two evaluated normals.
+constexpr double angle_rounding = 1e-10;
+
+/// The angle at one place of the way out of a crease.
+struct FadeSample {
+    double along = 0; ///< mm, from where the crease ends; negative inside it
+    double angle = 0; ///< degrees, signed
+    Vec3 place{0};
+    bool joint = false; ///< a patch or a part ends here: the slope may have a step
+};
+
+const SeamPoint& end_of(const SeamPart& part, bool last) {
+    return last ? part.end : part.begin;
+}
+
+/// The mean slope over `width` mm after a sample less that before it, and the mean of both widths.
+struct SlopeChange {
+    double change = 0, width = 0;
+};
+
+SlopeChange slope_change(std::span<const FadeSample> samples, std::size_t i, double width) {
+    std::size_t low = i, high = i;
+    while (low > 0 && samples[i].along - samples[low].along < width) --low;
+    while (high + 1 < samples.size() && samples[high].along - samples[i].along < width) ++high;
+    const FadeSample &before = samples[low], &here = samples[i], &after = samples[high];
+    const double fall = (here.angle - before.angle) / (here.along - before.along);
+    const double rise = (after.angle - here.angle) / (after.along - here.along);
+    return {rise - fall, (after.along - before.along) / 2};
+}
+
+/// The step of the slope at a joint. Mean slopes over some width differ by the step and by what the
+/// angle bends over that width; two widths tell the two apart but for the third power of the angle.
+double slope_step(std::span<const FadeSample> samples, std::size_t i, double width) {
+    const SlopeChange wide = slope_change(samples, i, width);
+    const SlopeChange narrow = slope_change(samples, i, width / 2);
+    if (!(wide.width > narrow.width)) return narrow.change;
+    return (narrow.change * wide.width - wide.change * narrow.width) / (wide.width - narrow.width);
+}
+
+/// The parameters at which a part is sampled from one end to the other, and which are joints.
+struct SampleStep {
+    double t = 0;
+    bool joint = false;
+};
+
+std::vector<SampleStep> sample_steps(const SeamProbe& probe, const SeamPart& part, bool forward,
+                                     double step) {
+    std::vector<double> stops = probe.part(part.begin, part.end).patch_changes();
+    stops.push_back(part.end.t);
+    std::vector<SampleStep> steps;
+    const double span = part.end.t - part.begin.t;
+    double from = part.begin.t;
+    for (const double stop : stops) {
+        if (!(stop > from)) continue;
+        const int count = static_cast<int>(std::ceil(part.length * (stop - from) / span / step));
+        for (int i = 1; i < count; ++i) steps.push_back({from + (stop - from) * i / count, false});
+        steps.push_back({stop, true});
+        from = stop;
+    }
+    if (forward || steps.empty()) return steps;
+    steps.insert(steps.begin(), {part.begin.t, true});
+    steps.pop_back();
+    std::reverse(steps.begin(), steps.end());
+    return steps;
+}
+
+class FadeWalk {
+public:
+    FadeWalk(std::span<const SeamProbe> probes, std::span<const SeamPart> parts,
+             const StretchLimits& limits)
+        : probes_(probes), parts_(parts), limits_(limits), used_(parts.size()) {}
+
+    std::optional<RunOut> run(std::size_t crease, bool forward) {
+        used_[crease] = true;
+        const std::optional<Entry> first = neighbour(crease, forward);
+        if (!first || parts_[first->part].kind != SeamClass::smooth) return std::nullopt;
+        sample_crease(crease, forward);
+        std::optional<Entry> next = first;
+        while (next && parts_[next->part].kind == SeamClass::smooth) {
+            used_[next->part] = true;
+            if (!follow(*next)) return std::nullopt;
+            if (is_done()) break;
+            next = neighbour(next->part, next->forward);
+        }
+        if (!faded_) return std::nullopt;
+        if (!next) end_seam();
+        result_.step = largest_step();
+        return std::move(result_);
+    }
+
+private:
+    /// A part, and whether it is entered where side a begins.
+    struct Entry {
+        std::size_t part = 0;
+        bool forward = true;
+    };
+
+    /// What lies in the way for less than counts.
+    bool is_scrap(const SeamPart& part) const {
+        return part.kind != SeamClass::smooth && part.length < limits_.negligible;
+    }
+    double step() const { return sample_step * limits_.negligible; }
+    double window() const { return window_width * limits_.negligible; }
+    /// Sampled so far beyond where the angle stops falling that its slope's step there is known.
+    bool is_done() const { return faded_ && samples_.back().along > lowest_at_ + 4 * window(); }
+
+    std::optional<Entry> neighbour(std::size_t part, bool forward) const;
+    void sample_crease(std::size_t crease, bool forward);
+    bool follow(const Entry& entry);
+    bool note(const SeamPoint& from, const SeamPoint& to, bool joint);
+    void take(const Entry& entry, const SeamPoint& until);
+    SeamPoint faded_between(const Entry& entry, SeamPoint over, SeamPoint under) const;
+    void end_seam();
+    Worst largest_step() const;
+
+    std::span<const SeamProbe> probes_;
+    std::span<const SeamPart> parts_;
+    const StretchLimits& limits_;
+    std::vector<bool> used_;
+    std::vector<FadeSample> samples_;
+    bool faded_ = false;       ///< the angle is down to its limit
+    double lowest_ = HUGE_VAL; ///< degrees, the smallest angle so far
+    double lowest_at_ = 0;     ///< mm along
+    RunOut result_;
+};
+
+/// The part that goes on from the end of another: the next one of its piece, or the nearest end of
+/// another piece within the join distance.
+std::optional<FadeWalk::Entry> FadeWalk::neighbour(std::size_t part, bool forward) const {
+    std::size_t beside = part;
+    do {
+        beside = forward ? beside + 1 : beside - 1; // wraps around at the first
+    } while (beside < parts_.size() && is_scrap(parts_[beside]));
+    if (beside < parts_.size() && parts_[beside].piece == parts_[part].piece) {
+        if (used_[beside]) return std::nullopt;
+        return Entry{beside, forward};
+    }
+    const Vec3 exit = end_of(parts_[part], forward).place;
+    std::optional<Entry> nearest;
+    double least = std::max(limits_.join, limits_.negligible);
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        for (const bool from_begin : {true, false}) {
+            if (used_[i] || parts_[i].piece == parts_[part].piece || is_scrap(parts_[i])) continue;
+            const double apart = (end_of(parts_[i], !from_begin).place - exit).length();
+            if (apart < least) least = apart, nearest = Entry{i, from_begin};
+        }
+    return nearest;
+}
+
+/// The last window of the crease, in the order of the way out.
+void FadeWalk::sample_crease(std::size_t crease, bool forward) {
+    const SeamPart& part = parts_[crease];
+    const SeamProbe& probe = probes_[part.piece];
+    const SeamPoint& out = end_of(part, forward);
+    samples_.push_back({0, out.signed_angle, out.place, true});
+    double along = 0;
+    SeamPoint last = out;
+    for (const SampleStep& next : sample_steps(probe, part, !forward, step())) {
+        const SeamPoint point = probe.at(next.t, last.s);
+        along += (point.place - last.place).length();
+        if (point.angle) samples_.push_back({-along, point.signed_angle, point.place, next.joint});
+        if (along > 4 * window()) break;
+        last = point;
+    }
+    std::reverse(samples_.begin(), samples_.end());
+}
+
+/// Goes through one smooth part. Returns false where the angle does not fade.
+bool FadeWalk::follow(const Entry& entry) {
+    const SeamPart& part = parts_[entry.part];
+    const SeamProbe& probe = probes_[part.piece];
+    const SeamPoint &from = end_of(part, !entry.forward), &to = end_of(part, entry.forward);
+    SeamPoint last = from;
+    if (from.angle && *from.angle <= limits_.angle) faded_ = true;
+    for (const SampleStep& next : sample_steps(probe, part, entry.forward, step())) {
+        const SeamPoint point = probe.at(next.t, last.s);
+        const bool was_faded = faded_;
+        if (!note(last, point, next.joint)) return false;
+        if (!was_faded && faded_) take(entry, faded_between(entry, last, point));
+        if (is_done()) return true;
+        last = point;
+    }
+    if (!faded_) take(entry, to);
+    return true;
+}
+
+/// Adds a sample. Returns false where the angle rises again or takes too long to fade.
+bool FadeWalk::note(const SeamPoint& from, const SeamPoint& to, bool joint) {
+    const double along = samples_.back().along + (to.place - from.place).length();
+    if (!to.angle) return true;
+    if (along > samples_.back().along)
+        samples_.push_back({along, to.signed_angle, to.place, joint});
+    const bool falls = *to.angle < lowest_ - 16 * angle_rounding;
+    if (falls) lowest_ = *to.angle, lowest_at_ = along;
+    if (faded_) return true;
+    if (*to.angle > lowest_ + limits_.angle || along > limits_.longest_run_out) return false;
+    faded_ = *to.angle <= limits_.angle;
+    return true;
+}
+
+SeamPoint FadeWalk::faded_between(const Entry& entry, SeamPoint over, SeamPoint under) const {
+    const SeamProbe& probe = probes_[parts_[entry.part].piece];
+    while ((under.place - over.place).length() > class_change_bound) {
+        const double t = (over.t + under.t) / 2;
+        if (t == over.t || t == under.t) break;
+        const SeamPoint middle = probe.at(t, (over.s + under.s) / 2);
+        (middle.angle.value_or(0) <= limits_.angle ? under : over) = middle;
+    }
+    return under;
+}
+
+/// The run-out takes up a part from where it is entered to `until`.
+void FadeWalk::take(const Entry& entry, const SeamPoint& until) {
+    const SeamPart& part = parts_[entry.part];
+    SeamPart taken = part, left = part;
+    taken.kind = SeamClass::run_out;
+    (entry.forward ? taken.end : taken.begin) = until;
+    (entry.forward ? left.begin : left.end) = until;
+    for (SeamPart* each : {&taken, &left})
+        each->length = probes_[part.piece].part(each->begin, each->end).length();
+    RunOut::Piece piece{entry.part, taken, std::nullopt};
+    if (left.begin.t < left.end.t) piece.left = left;
+    result_.pieces.push_back(std::move(piece));
+}
+
+void FadeWalk::end_seam() {
+    const FadeSample last = samples_.back();
+    for (double beyond = step(); beyond <= 4 * window(); beyond += step())
+        samples_.push_back({last.along + beyond, 0, last.place, false});
+}
+
+Worst FadeWalk::largest_step() const {
+    Worst worst;
+    for (std::size_t i = 1; i + 1 < samples_.size(); ++i) {
+        const FadeSample& sample = samples_[i];
+        if (!sample.joint || sample.along < 0 || sample.along > lowest_at_ + 2 * window()) continue;
+        const double here = std::abs(slope_step(samples_, i, window()));
+        // Over twice the width the remainder is four times as large.
+        const double wider = std::abs(slope_step(samples_, i, 2 * window()));
+        const double bound = std::abs(wider - here) / 3 + 16 * angle_rounding / window();
+        if (here + bound > worst.value + worst.bound)
+            worst.value = here, worst.bound = bound, worst.place = sample.place;
+    }
+    return worst;
+}
+
+} // namespace
+
+std::optional<RunOut> follow_run_out(std::span<const SeamProbe> probes,
+                                     std::span<const SeamPart> parts, std::size_t crease,
+                                     bool forward, const StretchLimits& limits) {
+    return FadeWalk(probes, parts, limits).run(crease, forward);
+}
+
+} // namespace keiko
