@@ -1,9 +1,11 @@
 #include "keiko/input_key.h"
 
+#include "keiko/base/build_id.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/sha256.h"
 #include "keiko/io/import_worker.h"
 #include "keiko/io/named_files.h"
+#include "keiko/trace/leaf_kernels.h"
 
 namespace keiko {
 namespace {
@@ -14,6 +16,11 @@ std::string file_hash(const fs::path& file) {
     return sha256_hex(read_file(file));
 }
 
+/// What computes: this build of Keiko, and the instruction set that it found here.
+std::string program() {
+    return build_id() + " " + leaf_kernels().name;
+}
+
 std::vector<fs::path> files_of(const fs::path& input) {
     return input.extension() == ".toml" ? files_named_by(input) : std::vector<fs::path>{input};
 }
@@ -22,8 +29,7 @@ std::vector<fs::path> files_of(const fs::path& input) {
 
 std::string input_key(std::span<const fs::path> inputs, const fs::path& folder,
                       const LoadOptions& load, const std::string& settings) {
-    static const std::string program = file_hash("/proc/self/exe");
-    std::string text = program + "\n" + file_hash(worker_path(load)) + "\n" + load.unit + "\n" +
+    std::string text = program() + "\n" + file_hash(worker_path(load)) + "\n" + load.unit + "\n" +
                        load.axes + "\n" + settings;
     for (const fs::path& input : inputs)
         for (const fs::path& file : files_of(input))

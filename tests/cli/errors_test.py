@@ -1,5 +1,6 @@
 """Whatever the user gets wrong is told in one clear line, with exit code 2 and nothing written."""
 import os
+import socket
 import subprocess
 import unittest
 
@@ -148,6 +149,18 @@ class Errors(KeikoTest):
         self.fails("--lamps: ", "place", SADDLE, "-o", "a.toml", "--lamps", "65")
         self.fails("--ev: ", "render", SADDLE, "-o", "a.png", "--ev", "nan")
         self.fails("--import-timeout: ", "info", SADDLE, "--import-timeout", "1e300")
+        for limit in "0", "-1", "nan", "4G":
+            self.fails("--cache-limit: ", "info", SADDLE, "--cache", "kept", "--cache-limit", limit)
+
+    def test_a_cache_that_others_may_write(self):
+        (self.folder / "kept").mkdir()
+        (self.folder / "kept").chmod(0o777)
+        self.fails("kept: others may write in the folder", "info", surface("hood.step"), "--cache", "kept")
+
+    def test_outputs_that_are_no_files(self):
+        with socket.socket(socket.AF_UNIX) as server:
+            server.bind(str(self.folder / "a.png"))
+            self.fails("a.png: is a socket, not a file", "render", SADDLE, "-o", "a.png")
 
     def test_a_join_distance_that_would_find_no_seam(self):
         for join in "nan", "inf", "0", "-1":

@@ -1,9 +1,11 @@
 """`keiko info` of the fixtures, for people and for programs."""
 import json
+import shutil
+import subprocess
 import unittest
 from xml.etree import ElementTree
 
-from keiko_process import KeikoTest, luminaire, surface
+from keiko_process import BINARY, KeikoTest, luminaire, surface
 from step_text import StepText
 
 FACES = {"concept-car.step": 185, "dent.step": 1, "dome.bpt": 4, "hood.step": 3, "pole.step": 4,
@@ -98,6 +100,41 @@ class Info(KeikoTest):
         third = self.keiko("info", surface("hood.step"), "--json", "--cache", "kept/models")
         self.assertEqual(third.stdout, first.stdout)
         self.assertGreater(kept[0].stat().st_size, 100)
+
+    def test_processes_that_fill_the_cache_at_once_do_not_meet(self):
+        command = [BINARY, "info", surface("hood.step"), "--json", "-q", "--cache", "kept"]
+        expected = self.succeed("info", surface("hood.step"), "--json", "-q")
+        for _ in range(3):
+            together = [subprocess.Popen(command, cwd=self.folder, text=True, stdout=subprocess.PIPE,
+                                         stderr=subprocess.PIPE) for _ in range(2)]
+            for process in together:
+                self.assertEqual(process.communicate(timeout=self.patience), (expected, ""))
+                self.assertEqual(process.returncode, 0)
+            entry, = (self.folder / "kept").iterdir()
+            self.assertEqual(self.succeed(*command[1:]), expected)
+            entry.unlink()
+
+    def test_a_cache_entry_that_is_a_link_is_not_written_through(self):
+        self.succeed("info", surface("hood.step"), "-q", "--cache", "kept")
+        entry, = (self.folder / "kept").iterdir()
+        entry.unlink()
+        entry.symlink_to(self.folder / self.write("victim", "precious"))
+        self.succeed("info", surface("hood.step"), "-q", "--cache", "kept")
+        self.assertEqual((self.folder / "victim").read_text(), "precious")
+        self.assertFalse(entry.is_symlink())
+
+    def test_the_cache_holds_no_more_than_its_limit(self):
+        for name in "hood.step", "dent.step", "pole.step":
+            self.succeed("info", surface(name), "-q", "--cache", "kept")
+        sizes = [entry.stat().st_size for entry in (self.folder / "kept").iterdir()]
+        self.assertEqual(len(sizes), 3)
+        limit = 0.001 * 2**30
+        copies = [shutil.copy(surface("concept-car.step"), self.folder / f"car-{i}.step") for i in range(8)]
+        for copy in copies:
+            self.succeed("info", str(copy), "-q", "--cache", "kept", "--cache-limit", "0.001")
+        sizes = [entry.stat().st_size for entry in (self.folder / "kept").iterdir()]
+        self.assertLessEqual(sum(sizes), limit)
+        self.assertGreater(len(sizes), 0)
 
     def test_a_luminaire_is_told_and_drawn(self):
         file = luminaire("sym4.ldt")

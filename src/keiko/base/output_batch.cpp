@@ -1,7 +1,6 @@
 #include "keiko/base/output_batch.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/output_file.h"
 #include "keiko/base/pending_file.h"
 
 #include <deque>
@@ -51,10 +50,7 @@ void OutputBatch::write() const {
     MadeFolders made;
     for (const fs::path& folder : folders_) made.make(folder);
     std::deque<PendingFile> pending;
-    for (const auto& [path, bytes] : files_)
-        pending.emplace_back(path).fill([&path = path, &bytes = bytes](const fs::path& temporary) {
-            write_bytes(temporary, bytes, path);
-        });
+    for (const auto& [path, bytes] : files_) pending.emplace_back(path).fill(bytes);
     for (PendingFile& file : pending) file.put_in_place();
 }
 

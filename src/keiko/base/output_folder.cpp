@@ -3,17 +3,16 @@
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
+#include "keiko/base/temporary_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <system_error>
 #include <thread>
@@ -22,27 +21,6 @@
 namespace keiko {
 namespace fs = std::filesystem;
 namespace {
-
-/// Taken for granted of what is no number.
-bool is_running(const std::string& pid) {
-    const bool number = !pid.empty() && std::all_of(pid.begin(), pid.end(),
-                                                    [](char c) { return c >= '0' && c <= '9'; });
-    if (!number) return true;
-    return kill(static_cast<pid_t>(std::strtol(pid.c_str(), nullptr, 10)), 0) == 0 ||
-           errno == EPERM;
-}
-
-/// Whether it is named as write_atomically and write_folder_atomically name what is not finished,
-/// ".name.PID.tmp" and perhaps an ending, by a process that is gone.
-bool is_leftover(const fs::path& path) {
-    const std::string name = path.filename().string();
-    const std::size_t end = name.find(".tmp");
-    if (!name.starts_with(".") || end == std::string::npos || end == 0) return false;
-    const std::size_t dot = name.rfind('.', end - 1);
-    const bool whole = end + 4 == name.size() || name[end + 4] == '.';
-    if (!whole || dot == 0) return false;
-    return !is_running(name.substr(dot + 1, end - dot - 1));
-}
 
 /// ".name.before": the folder `name` while another takes its place.
 fs::path set_aside(const fs::path& target) {
@@ -66,12 +44,51 @@ void clear_after_killed_writers(const fs::path& folder) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
         paths.push_back(entry.path());
     for (const fs::path& path : paths) {
-        if (is_leftover(path)) fs::remove_all(path, ignored);
-        if (path.filename().string().starts_with(".") && path.extension() == ".before" &&
-            fs::is_directory(path, ignored))
+        const std::string name = path.filename().string();
+        if (is_abandoned(name)) fs::remove_all(path, ignored);
+        if (name.starts_with(".") && path.extension() == ".before" &&
+            fs::is_directory(fs::symlink_status(path, ignored)))
             restore(path);
     }
 }
+
+/// New folder beside the place that it is meant for. What stands at its path in the end, the new
+/// folder or the old one, is removed.
+class FreshFolder {
+public:
+    explicit FreshFolder(const fs::path& target)
+        : target_(target), path_(target.parent_path() / temporary_name()) {
+        std::error_code code;
+        fs::create_directories(target.parent_path(), code);
+        if (mkdir(path_.c_str(), 0777) != 0) throw_system_error(target, "cannot write");
+        folder_.reset(open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+        if (!folder_.open()) throw_system_error(target, "cannot write");
+    }
+    ~FreshFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    FreshFolder(const FreshFolder&) = delete;
+    FreshFolder& operator=(const FreshFolder&) = delete;
+
+    const fs::path& path() const { return path_; }
+    void write(const std::string& name, std::string_view bytes) const {
+        try {
+            TemporaryFile file(name, public_file, folder_.number());
+            file.write(bytes);
+            file.finish();
+            file.put_in_place();
+        } catch (const Error& error) {
+            throw Error((target_ / name).string(), error.where(), error.reason());
+        }
+    }
+    /// Waits until the names of its files are on the disk.
+    void finish() const { fsync(folder_.number()); }
+
+private:
+    fs::path target_, path_;
+    Descriptor folder_;
+};
 
 /// Puts `fresh` where `target` is. File systems that cannot exchange two names see no folder there
 /// for a moment; whoever locks next mends that.
@@ -137,23 +154,15 @@ FolderReadLock::~FolderReadLock() {
 }
 
 void write_folder_atomically(const fs::path& target, const FolderContent& content) {
-    const fs::path temporary = target.parent_path() / ("." + target.filename().string() + "." +
-                                                       std::to_string(getpid()) + ".tmp");
-    std::error_code ignored;
+    const FreshFolder fresh(target);
+    for (const auto& [name, bytes] : content) fresh.write(name, bytes);
+    fresh.finish();
     try {
-        fs::remove_all(temporary);
-        fs::create_directories(temporary);
-        for (const auto& [name, bytes] : content) write_text_file(temporary / name, bytes);
-        put_in_place(temporary, target);
-        sync_to_disk(target.parent_path());
+        put_in_place(fresh.path(), target);
     } catch (const fs::filesystem_error& error) {
-        fs::remove_all(temporary, ignored);
         throw Error(target.string(), "", "cannot write: " + error.code().message());
-    } catch (...) {
-        fs::remove_all(temporary, ignored);
-        throw;
     }
-    fs::remove_all(temporary, ignored);
+    sync_to_disk(target.parent_path());
 }
 
 FolderContent read_folder(const fs::path& folder) {

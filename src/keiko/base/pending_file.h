@@ -1,30 +1,31 @@
 #pragma once
 
+#include "keiko/base/output_target.h"
+#include "keiko/base/temporary_file.h"
+
 #include <filesystem>
-#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace keiko {
 
-/// A file that is written beside its place, with the same extension, and is gone again unless it is
-/// put there. A link stays one to the file that is written; into a device or a pipe the bytes are
-/// copied.
+/// Output that is written beside its place, and is gone again unless it is put there. A link stays
+/// one to the file that is written; into a pipe or a device the bytes are written in the end.
 class PendingFile {
 public:
-    /// Throws Error where the path is that of a directory.
+    /// Throws Error where output_target() refuses the path and where its folder takes no file.
     explicit PendingFile(const std::filesystem::path& path);
-    ~PendingFile();
-    PendingFile(const PendingFile&) = delete;
-    PendingFile& operator=(const PendingFile&) = delete;
 
-    /// Runs `write` on the temporary path and waits until the disk has it. Throws Error when it
-    /// cannot be written, and what `write` throws.
-    void fill(const std::function<void(const std::filesystem::path& temporary)>& write);
+    /// Writes the whole content and waits until the disk has it. Throws Error.
+    void fill(std::string_view bytes);
     /// Throws Error.
     void put_in_place();
 
 private:
-    std::filesystem::path path_, target_, temporary_;
-    bool stream_ = false; ///< a device or a pipe: nothing may take its place
+    OutputTarget target_;
+    std::optional<TemporaryFile> file_; ///< of a target that is no stream
+    std::string bytes_;                 ///< for a stream, which nothing may take the place of
 };
 
 } // namespace keiko

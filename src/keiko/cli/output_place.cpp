@@ -1,6 +1,7 @@
 #include "keiko/cli/output_place.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/output_target.h"
 
 #include <unistd.h>
 
@@ -28,18 +29,10 @@ fs::path real_path(const fs::path& path) {
     return code ? whole.lexically_normal() : real;
 }
 
-bool is_stream(const fs::path& path) {
-    std::error_code ignored;
-    return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) &&
-           !fs::is_directory(path, ignored);
-}
-
 } // namespace
 
 void require_place_for_file(const fs::path& path) {
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored))
-        throw Error(path.string(), "", "is a directory, not a file");
+    output_target(path);
     require_writable(path.has_parent_path() ? path.parent_path() : ".", path);
 }
 

@@ -20,6 +20,10 @@ PictureSize parse_size(const std::string& text) {
     return size;
 }
 
+std::uint64_t bytes_of(double gibibytes) {
+    return static_cast<std::uint64_t>(std::llround(gibibytes * 1073741824.0));
+}
+
 void tell_build(const Scene& scene) {
     const TracerStatistics& built = scene.tracer.statistics();
     log_detail(std::to_string(scene.model.patches.size()) + " patches in " +
@@ -50,13 +54,18 @@ void add_load_options(CLI::App& command, SceneArguments& arguments) {
         ->capture_default_str();
     command.add_option("--cache", arguments.options.load.cache,
                        "folder that keeps models as they were read, for the next time");
+    command
+        .add_option("--cache-limit", arguments.cache_limit,
+                    "GiB of models in that folder; the least recently used are removed beyond it")
+        ->check(number_between(0.001, 1e6))
+        ->capture_default_str();
 }
 
 LoadOptions load_options(const SceneArguments& arguments) {
     LoadOptions options = arguments.options.load;
     options.timeout = std::chrono::milliseconds(std::llround(arguments.import_timeout * 1e3));
-    options.memory_limit =
-        static_cast<std::uint64_t>(std::llround(arguments.import_memory * 1073741824.0));
+    options.memory_limit = bytes_of(arguments.import_memory);
+    options.cache_limit = bytes_of(arguments.cache_limit);
     return options;
 }
 

@@ -22,6 +22,7 @@ struct SceneArguments {
     std::string size, intersector = "proving";
     double import_timeout = 120; ///< s
     double import_memory = 16;   ///< GiB
+    double cache_limit = 4;      ///< GiB
 
     /// Adds the inputs (as `what`) and options to a command.
     void add_to(CLI::App& command, const std::string& what);

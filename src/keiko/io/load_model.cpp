@@ -11,16 +11,26 @@
 namespace keiko {
 namespace {
 
+/// Keeps a model unless its file was touched while it was read. Throws Error when the file changed:
+/// the model may be of neither content.
+void keep_unless_touched(const std::filesystem::path& path, const ModelKey& key,
+                         const ModelCache& cache, SurfaceModel& model) {
+    const FileState now = file_state(path);
+    if (now.sha256 != key.file.sha256)
+        throw Error(path.string(), "", "the file changed while it was read");
+    if (now.stamp == key.file.stamp) cache.keep(key, model);
+}
+
 /// From the cache, or else from the worker.
 SurfaceModel import_cached(const std::filesystem::path& path, ModelFormat format,
                            const LoadOptions& options, const Job& job) {
     if (options.cache.empty()) return import_in_worker(path, format, options, job);
-    const ModelCache cache(options.cache);
+    const ModelCache cache(options.cache, options.cache_limit);
     const auto key = ModelCache::key(path, format, worker_path(options));
     if (!key) return import_in_worker(path, format, options, job);
     if (auto known = cache.find(*key)) return std::move(*known);
     SurfaceModel model = import_in_worker(path, format, options, job);
-    cache.keep(*key, model);
+    keep_unless_touched(path, *key, cache, model);
     return model;
 }
 

@@ -26,14 +26,17 @@ struct LoadOptions {
     /// Folder in which models are kept as the worker made them, for the next time; made where it
     /// is missing. Empty: none.
     std::filesystem::path cache;
+    /// Size of all models in that folder, bytes: those not used for the longest time are removed
+    /// beyond it. 0: no limit.
+    std::uint64_t cache_limit = 4ull << 30;
 };
 
 /// Reads a model file, its kind told by its content: STEP, IGES, BREP and the cages of OBJ files
 /// through a worker process, because OpenCASCADE aborts on some files; .bpt and the teapot text
 /// directly. Lengths come back in mm. Reports progress as "import". Throws Error, one line naming
-/// the file and the reason, when it cannot be read, holds no faces, or the worker crashes, hangs or
-/// needs too much memory; Cancelled when the job is stopped. Faces that could not be converted are
-/// in lost_faces.
+/// the file and the reason, when it cannot be read, holds no faces, changed while it was read into
+/// the cache, or the worker crashes, hangs or needs too much memory; Cancelled when the job is
+/// stopped. Faces that could not be converted are in lost_faces.
 SurfaceModel load_model(const std::filesystem::path& path, const LoadOptions& options = {},
                         const Job& job = {});
 

@@ -2,17 +2,14 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
-#include "keiko/base/output_file.h"
 #include "keiko/base/sha256.h"
 #include "keiko/io/model_serialization.h"
-
-#include <unistd.h>
-
-#include <fstream>
 
 namespace keiko {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr const char* ending = ".keiko-model";
 
 /// Tells one build of the reader from another.
 std::string stamp(const fs::path& worker) {
@@ -22,52 +19,49 @@ std::string stamp(const fs::path& worker) {
     return std::to_string(size) + " " + std::to_string(time);
 }
 
-} // namespace
-
-ModelCache::ModelCache(fs::path folder) : folder_(std::move(folder)) {
-    std::error_code code;
-    fs::create_directories(folder_, code);
-    if (code) throw Error(folder_.string(), "", "cannot make the folder: " + code.message());
-    if (access(folder_.c_str(), W_OK | X_OK) != 0)
-        throw Error(folder_.string(), "", "no permission to write in the folder");
+/// First line of an entry, which binds it to its key.
+std::string header(const ModelKey& key) {
+    return "KEIKO-MC 1 " + key.text + "\n";
 }
 
-std::optional<std::string> ModelCache::key(const fs::path& file, ModelFormat format,
-                                           const fs::path& worker) {
+} // namespace
+
+ModelCache::ModelCache(fs::path folder, std::uint64_t limit)
+    : folder_(std::move(folder), ending, limit) {}
+
+std::optional<ModelKey> ModelCache::key(const fs::path& file, ModelFormat format,
+                                        const fs::path& worker) {
+    ModelKey key{"", {file_stamp(file), ""}};
     const std::string bytes = read_file(file);
     if (format == ModelFormat::step && bytes.find("DOCUMENT_FILE") != std::string::npos)
         return std::nullopt;
+    key.file.sha256 = sha256_hex(bytes);
     std::string text;
     // The name of the file becomes that of a part without a name of its own.
     for (const std::string& part :
-         {sha256_hex(bytes), std::string(name_of(format)), file.stem().string(),
+         {key.file.sha256, std::string(name_of(format)), file.stem().string(),
           std::string(KEIKO_READERS), std::to_string(model_serialization_version), stamp(worker)})
         text += part + "\n";
-    return sha256_hex(text);
+    key.text = sha256_hex(text);
+    return key;
 }
 
-fs::path ModelCache::entry(const std::string& key) const {
-    return folder_ / (key + ".keiko-model");
-}
-
-std::optional<SurfaceModel> ModelCache::find(const std::string& key) const {
-    const fs::path path = entry(key);
+std::optional<SurfaceModel> ModelCache::find(const ModelKey& key) const {
+    const std::optional<std::string> entry = folder_.read(key.text + ending);
+    const std::string first_line = header(key);
+    if (!entry || !entry->starts_with(first_line)) return std::nullopt;
     try {
-        return deserialize(read_file(path), path.string());
+        return deserialize(std::string_view(*entry).substr(first_line.size()), key.text);
     } catch (const Error&) {
         return std::nullopt;
     }
 }
 
-void ModelCache::keep(const std::string& key, SurfaceModel& model) const {
+void ModelCache::keep(const ModelKey& key, SurfaceModel& model) const {
     try {
-        write_atomically(entry(key), [&](const fs::path& temporary) {
-            std::ofstream file(temporary, std::ios::binary);
-            serialize(model, [&](std::string_view piece) {
-                file.write(piece.data(), static_cast<std::streamsize>(piece.size()));
-            });
-            file.close();
-            if (!file) throw Error(temporary.string(), "", "cannot write");
+        folder_.write(key.text + ending, [&](const TakeBytes& sink) {
+            sink(header(key));
+            serialize(model, sink);
         });
     } catch (const Error& e) {
         model.diagnostics.push_back(

@@ -1,37 +1,44 @@
 #pragma once
 
+#include "keiko/io/cache_folder.h"
+#include "keiko/io/file_state.h"
 #include "keiko/io/model_format.h"
 #include "keiko/patch/surface_model.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 namespace keiko {
 
+/// Key of a file's model, and the file as it was when the key was made.
+struct ModelKey {
+    std::string text; ///< 64 hexadecimal digits
+    FileState file;
+};
+
 /// Models as the reader made them, kept in a folder under a hash of everything that the result
 /// depends on: the file's bytes, its name, its kind, and the versions of Keiko, its serialisation,
-/// its libraries and its reader. An entry never grows stale; nothing is ever removed.
+/// its libraries and its reader. An entry never grows stale, and is of no use under another key.
 class ModelCache {
 public:
-    /// Makes the folder where it is missing. Throws Error when that fails or nothing may be written
-    /// there.
-    explicit ModelCache(std::filesystem::path folder);
+    /// Folder of the models and their size in all, bytes, 0: no limit, as in CacheFolder. Throws
+    /// Error.
+    ModelCache(std::filesystem::path folder, std::uint64_t limit);
 
-    /// What the model of a file is kept under, read by `worker`; nothing for a STEP file that names
-    /// other files for its parts, which may change without it. Throws Error when the file cannot be
-    /// read.
-    static std::optional<std::string> key(const std::filesystem::path& file, ModelFormat format,
-                                          const std::filesystem::path& worker);
-    /// The model kept under a key; nothing where there is none, or a damaged one.
-    std::optional<SurfaceModel> find(const std::string& key) const;
-    /// Keeps a model, atomically. One that cannot be kept gets a warning and stays usable.
-    void keep(const std::string& key, SurfaceModel& model) const;
+    /// Key of a file's model, read by `worker`; nullopt for a STEP file that names other files for
+    /// its parts, which may change without it. Throws Error when the file cannot be read.
+    static std::optional<ModelKey> key(const std::filesystem::path& file, ModelFormat format,
+                                       const std::filesystem::path& worker);
+    /// Model kept under a key; nullopt where there is none, or one that is damaged or was kept
+    /// under another key.
+    std::optional<SurfaceModel> find(const ModelKey& key) const;
+    /// Keeps a model. One that cannot be kept gets a warning and stays usable.
+    void keep(const ModelKey& key, SurfaceModel& model) const;
 
 private:
-    std::filesystem::path entry(const std::string& key) const;
-
-    std::filesystem::path folder_;
+    CacheFolder folder_;
 };
 
 } // namespace keiko

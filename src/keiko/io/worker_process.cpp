@@ -1,5 +1,6 @@
 #include "keiko/io/worker_process.h"
 
+#include "keiko/base/descriptor.h"
 #include "keiko/base/error.h"
 
 #include <fcntl.h>
@@ -20,26 +21,6 @@ namespace keiko {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Closes a file descriptor at the end of its scope.
-class Descriptor {
-public:
-    explicit Descriptor(int number = -1) : number_(number) {}
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    int number() const { return number_; }
-    bool open() const { return number_ >= 0; }
-    void reset(int number) { close(), number_ = number; }
-    void close() {
-        if (open()) ::close(number_);
-        number_ = -1;
-    }
-
-private:
-    int number_;
-};
 
 [[noreturn]] void no_pipe() {
     throw Error("", "", std::string("cannot open a pipe: ") + std::strerror(errno));

@@ -1,14 +1,17 @@
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
+#include "keiko/base/pending_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
+#include <future>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace fs = std::filesystem;
 using namespace keiko;
@@ -57,14 +60,29 @@ TEST_F(Files, WritingRoundTripsAndLeavesNothingElse) {
     EXPECT_EQ(entries(), 1u);
 }
 
-TEST_F(Files, AFailedWriteKeepsTheOldFileAndNoTemporary) {
+TEST_F(Files, AnOutputThatIsNotPutInPlaceLeavesTheOldFileAndNothingElse) {
     write_text_file(folder_ / "x.txt", "old");
-    const auto fail = [](const fs::path& temporary) {
-        std::ofstream(temporary) << "half";
-        throw Cancelled();
-    };
-    EXPECT_THROW(write_atomically(folder_ / "x.txt", fail), Cancelled);
+    PendingFile(folder_ / "x.txt").fill("half");
     EXPECT_EQ(read_file(folder_ / "x.txt"), "old");
+    EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(Files, ANameAsLongAsTheFileSystemTakesIsWritten) {
+    const fs::path longest = folder_ / std::string(255, 'a');
+    write_text_file(longest, "text");
+    EXPECT_EQ(read_file(longest), "text");
+}
+
+TEST_F(Files, WritersOfOneFileDoNotMeet) {
+    const auto write = [&](char letter) {
+        for (int i = 0; i < 20; ++i) write_text_file(folder_ / "x", std::string(100'000, letter));
+    };
+    std::vector<std::future<void>> writers;
+    for (const char letter : {'a', 'b', 'c', 'd'})
+        writers.push_back(std::async(std::launch::async, write, letter));
+    for (std::future<void>& writer : writers) EXPECT_NO_THROW(writer.get());
+    const std::string text = read_file(folder_ / "x");
+    EXPECT_EQ(text, std::string(100'000, text.front()));
     EXPECT_EQ(entries(), 1u);
 }
 

@@ -1,10 +1,10 @@
 #include "keiko/base/output_folder.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/new_file.h"
 
 #include "tests/unit/io/temporary_folder.h"
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace keiko {
 namespace {
@@ -33,6 +33,17 @@ TEST(OutputFolder, OneThatIsNotThereHasNoFiles) {
     EXPECT_TRUE(read_folder(folder.path() / "nowhere").empty());
 }
 
+TEST(OutputFolder, NamesTheFileThatCannotBeWritten) {
+    const test::TemporaryFolder folder;
+    try {
+        write_folder_atomically(folder.path() / "kept", {{"no/a", "1"}});
+        FAIL() << "nothing thrown";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.file(), (folder.path() / "kept/no/a").string());
+        EXPECT_EQ(error.reason(), "cannot write: No such file or directory");
+    }
+}
+
 TEST(FolderLock, LetsNobodyElseIn) {
     const test::TemporaryFolder folder;
     const FolderLock lock(folder.path());
@@ -41,8 +52,8 @@ TEST(FolderLock, LetsNobodyElseIn) {
 
 TEST(FolderLock, ClearsAwayWhatKilledWritersLeft) {
     const test::TemporaryFolder folder;
-    fs::create_directory(folder.path() / ".kept.999999999.tmp");
-    folder.file(".junit.999999999.tmp.xml", "half");
+    fs::create_directory(folder.path() / ".keiko-999999999-1f.tmp");
+    folder.file(".keiko-999999999-2f.tmp", "half");
     fs::create_directory(folder.path() / ".lost.before"); // set aside, its new one never came
     fs::create_directory(folder.path() / ".kept.before"); // set aside, its new one came
     fs::create_directory(folder.path() / "kept");
@@ -59,9 +70,11 @@ TEST(FolderLock, LeavesWhatIsNotKeikos) {
     fs::create_directory(folder.path() / ".tmp");
     fs::create_directory(folder.path() / ".cache.tmpl");
     folder.file(".notes.before", "mine");
-    folder.file(".x." + std::to_string(getpid()) + ".tmp.png", "being written");
+    folder.file(".x.999999999.tmp", "another program's");
+    folder.file(".keiko-cache.tmp", "mine");
+    folder.file(temporary_name(), "being written");
     const FolderLock lock(folder.path());
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 4);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 6);
 }
 
 } // namespace

@@ -1,0 +1,72 @@
+#include "keiko/base/new_file.h"
+
+#include "keiko/base/error.h"
+
+#include <sys/random.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+
+namespace keiko {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view prefix = ".keiko-", suffix = ".tmp";
+
+std::uint64_t random_number() {
+    std::uint64_t number = 0;
+    while (getrandom(&number, sizeof number, 0) != sizeof number)
+        if (errno != EINTR) throw_system_error("", "no random numbers");
+    return number;
+}
+
+std::string hexadecimal(std::uint64_t number) {
+    std::array<char, 16> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number, 16).ptr;
+    return {digits.data(), end};
+}
+
+bool is_running(pid_t pid) {
+    return kill(pid, 0) == 0 || errno == EPERM;
+}
+
+} // namespace
+
+void throw_system_error(const fs::path& path, const std::string& what) {
+    throw Error(path.string(), "", what + ": " + std::strerror(errno));
+}
+
+Descriptor create_file(const fs::path& path, mode_t mode, int folder) {
+    constexpr int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    Descriptor file(openat(folder, path.c_str(), flags, mode));
+    if (!file.open()) throw_system_error(path, "cannot write");
+    return file;
+}
+
+void write_all(const Descriptor& file, std::string_view bytes, const fs::path& path) {
+    while (!bytes.empty()) {
+        const ssize_t written = write(file.number(), bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) throw_system_error(path, "cannot write");
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+std::string temporary_name() {
+    return std::string(prefix) + std::to_string(getpid()) + "-" + hexadecimal(random_number()) +
+           std::string(suffix);
+}
+
+bool is_abandoned(const std::string& name) {
+    if (!name.starts_with(prefix) || !name.ends_with(suffix)) return false;
+    pid_t pid = 0;
+    const char* const end = name.data() + name.size();
+    const auto [rest, code] = std::from_chars(name.data() + prefix.size(), end, pid);
+    return code == std::errc() && *rest == '-' && pid > 0 && !is_running(pid);
+}
+
+} // namespace keiko

@@ -1,0 +1,97 @@
+#include "keiko/base/output_target.h"
+
+#include "keiko/base/error.h"
+#include "keiko/base/new_file.h"
+
+#include <sys/stat.h>
+
+#include <csignal>
+#include <ctime>
+#include <string>
+
+namespace keiko {
+namespace fs = std::filesystem;
+namespace {
+
+/// Whether somebody else may have put it there: the rule of the kernel's fs.protected_symlinks and
+/// fs.protected_fifos, which systems may switch off and which reading a link goes past.
+bool may_be_planted(const fs::path& path) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    struct stat entry {
+    }, around{};
+    if (lstat(path.c_str(), &entry) != 0 || stat(folder.c_str(), &around) != 0) return false;
+    constexpr mode_t everybody = S_ISVTX | S_IWOTH;
+    const bool shared = (around.st_mode & everybody) == everybody;
+    return shared && entry.st_uid != geteuid() && entry.st_uid != around.st_uid;
+}
+
+void refuse_planted(const fs::path& path, const std::string& what) {
+    if (may_be_planted(path))
+        throw Error(path.string(), "",
+                    "is a " + what + " of another user in a folder where everybody may write");
+}
+
+/// Broken pipes are errors of the call while it lives, not signals that end the process.
+class NoPipeSignal {
+public:
+    NoPipeSignal() {
+        sigemptyset(&pipe_);
+        sigaddset(&pipe_, SIGPIPE);
+        pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+    }
+    ~NoPipeSignal() {
+        constexpr timespec now{};
+        if (sigismember(&before_, SIGPIPE) == 0) sigtimedwait(&pipe_, nullptr, &now);
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+    NoPipeSignal(const NoPipeSignal&) = delete;
+    NoPipeSignal& operator=(const NoPipeSignal&) = delete;
+
+private:
+    sigset_t pipe_, before_;
+};
+
+} // namespace
+
+fs::path behind_links(const fs::path& path) {
+    constexpr int most_links = 40; // as many as the kernel follows
+    fs::path behind = path;
+    std::error_code ignored; // whatever is wrong with the file shows when it is written
+    for (int links = 0; fs::is_symlink(behind, ignored); ++links) {
+        if (links == most_links) throw Error(path.string(), "", "is a link that leads nowhere");
+        refuse_planted(behind, "link");
+        behind = behind.parent_path() / fs::read_symlink(behind, ignored);
+    }
+    return behind;
+}
+
+bool is_stream(const fs::path& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+OutputTarget output_target(const fs::path& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::is_directory(status)) throw Error(path.string(), "", "is a directory, not a file");
+    if (fs::is_block_file(status)) throw Error(path.string(), "", "is a block device, not a file");
+    if (fs::is_socket(status)) throw Error(path.string(), "", "is a socket, not a file");
+    fs::path file = behind_links(path);
+    if (!is_stream(path)) return {std::move(file)};
+    refuse_planted(file, "pipe");
+    return {path, true};
+}
+
+void write_to_stream(const fs::path& path, std::string_view bytes) {
+    const Descriptor stream(open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
+    if (!stream.open()) throw_system_error(path, "cannot write");
+    struct stat status {};
+    if (fstat(stream.number(), &status) != 0 ||
+        !(S_ISFIFO(status.st_mode) || S_ISCHR(status.st_mode)))
+        throw Error(path.string(), "", "is no longer a pipe or a device");
+    const NoPipeSignal errors_alone;
+    write_all(stream, bytes, path);
+}
+
+} // namespace keiko
