@@ -1,6 +1,8 @@
 """`keiko lines`: the curves of lamps on a body and their crossings with seams, as JSON, CSV, PNG."""
 import csv
 import json
+import os
+import subprocess
 import unittest
 
 from keiko_process import ASLANT, SOURCE, KeikoTest, surface
@@ -19,6 +21,18 @@ class Lines(KeikoTest):
     def lines(self, *arguments: str) -> dict:
         self.succeed("lines", HOLE, "--rig", TUNNEL, "-o", "lines.json", "-q", *arguments)
         return json.loads((self.folder / "lines.json").read_text())
+
+    def test_a_pipe_is_written_into_where_its_folder_takes_no_file(self):
+        (self.folder / "locked").mkdir()
+        pipe = self.folder / "locked" / "pipe.csv"
+        os.mkfifo(pipe)
+        pipe.parent.chmod(0o500)
+        reader = subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(reader.communicate)
+        self.addCleanup(reader.kill)  # first, or it waits for ever where nothing is written
+        self.lines("--view", "high-front", "--csv", str(pipe))
+        self.assertTrue(reader.stdout.read().startswith("view,line,"))
+        self.assertTrue(pipe.is_fifo())
 
     def test_looks_are_asked_for_by_name(self):
         for look in "foo", "1":

@@ -2,10 +2,12 @@
 import fcntl
 import json
 import os
+import shutil
 import signal
 import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 from keiko_process import BINARY
 from regress_suite import RegressTest, move_point_of_dome
@@ -241,6 +243,19 @@ class Runs(RegressTest):
         self.assertEqual(self.candidate("saddle"), first[1])
         self.regress("--fresh")
         self.assertNotEqual(self.candidate("saddle"), first[1])
+
+    def test_what_one_build_has_finished_is_finished_wherever_its_program_lies(self):
+        self.add_fixture("dome")
+        self.regress()
+        first = self.candidate("dome")
+        moved = self.folder / "moved"
+        shutil.copy(BINARY, moved)
+        with moved.open("ab") as program:
+            program.write(b"signed")  # behind all that is ever loaded
+        worker = os.environ.get("KEIKO_IMPORT", str(Path(BINARY).parent / "keiko-import"))
+        subprocess.run([moved, "regress", "-q", "suite", "-o", "out"], cwd=self.folder, capture_output=True,
+                       env={**os.environ, "KEIKO_IMPORT": worker}, timeout=self.patience)
+        self.assertEqual(self.candidate("dome"), first)
 
     def test_a_damaged_candidate_is_made_again(self):
         self.add_fixture("dome")

@@ -10,7 +10,7 @@ namespace keiko {
 namespace fs = std::filesystem;
 namespace {
 
-/// The same error, of the file that the user knows.
+/// New file at `path`; errors name the target, which the user knows.
 Descriptor create_for(const fs::path& target, const fs::path& path, mode_t mode, int folder) {
     try {
         return create_file(path, mode, folder);

@@ -32,7 +32,7 @@ fs::path real_path(const fs::path& path) {
 } // namespace
 
 void require_place_for_file(const fs::path& path) {
-    output_target(path);
+    if (output_target(path).stream) return;
     require_writable(path.has_parent_path() ? path.parent_path() : ".", path);
 }
 

@@ -92,7 +92,7 @@ CacheFolder::CacheFolder(fs::path folder, std::string ending, std::uint64_t limi
     if (!folder_.open() || fstat(folder_.number(), &status) != 0)
         throw_system_error(path_, "cannot make the folder");
     if (status.st_uid != geteuid()) fail("the folder belongs to another user");
-    if (!is_own(status)) fail("others may write in the folder");
+    if (!is_own(status)) fail("others may write in the folder; chmod go-w ends that");
     if (faccessat(folder_.number(), ".", W_OK | X_OK, AT_EACCESS) != 0)
         fail("no permission to write in the folder");
 }

@@ -6,7 +6,7 @@
 
 namespace keiko {
 
-/// Where a file's content lies and when it was last touched, as the file system has it.
+/// Identity of a file and its last change, from the file system.
 struct FileStamp {
     std::uint64_t device = 0, inode = 0, size = 0;
     std::int64_t changed = 0; ///< ns since 1970, of content or status: no program can set it

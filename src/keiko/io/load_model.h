@@ -31,12 +31,14 @@ struct LoadOptions {
     std::uint64_t cache_limit = 4ull << 30;
 };
 
-/// Reads a model file, its kind told by its content: STEP, IGES, BREP and the cages of OBJ files
+/// Reads a model file, its kind found from its content: STEP, IGES, BREP and the cages of OBJ files
 /// through a worker process, because OpenCASCADE aborts on some files; .bpt and the teapot text
-/// directly. Lengths come back in mm. Reports progress as "import". Throws Error, one line naming
-/// the file and the reason, when it cannot be read, holds no faces, changed while it was read into
-/// the cache, or the worker crashes, hangs or needs too much memory; Cancelled when the job is
-/// stopped. Faces that could not be converted are in lost_faces.
+/// directly. Lengths come back in mm. Reports progress as "import". Faces that could not be
+/// converted are in lost_faces.
+///
+/// Throws Error, one line naming the file and the reason, when the file cannot be read, holds no
+/// faces, or changed while it was read into the cache. The same holds when the worker crashes,
+/// hangs or needs too much memory. Throws Cancelled when the job is stopped.
 SurfaceModel load_model(const std::filesystem::path& path, const LoadOptions& options = {},
                         const Job& job = {});
 

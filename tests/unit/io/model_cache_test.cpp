@@ -29,7 +29,7 @@ struct Cache : testing::Test {
         options.worker = worker("worker");
         options.cache = folder.path() / "kept" / "models";
     }
-    /// What the worker answers with from now on.
+    /// Changes the answer of the worker.
     void answer_with(int planes) const {
         test::ModelBuilder builder;
         for (int i = 0; i < planes; ++i)
@@ -264,7 +264,7 @@ TEST_F(Cache, AFolderThatOthersMayWriteIsAnError) {
     const auto path = folder.file("part.step", step_text);
     load_model(path, options);
     ASSERT_EQ(chmod(options.cache.c_str(), 0777), 0);
-    EXPECT_EQ(reason_of_loading(path), "others may write in the folder");
+    EXPECT_EQ(reason_of_loading(path), "others may write in the folder; chmod go-w ends that");
     if (geteuid() != 0) return; // only root may give a folder away
     ASSERT_EQ(chmod(options.cache.c_str(), 0700), 0);
     ASSERT_EQ(chown(options.cache.c_str(), somebody_else, somebody_else), 0);
