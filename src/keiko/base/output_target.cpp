@@ -13,15 +13,15 @@ namespace keiko {
 namespace fs = std::filesystem;
 namespace {
 
-/// Whether somebody else may have put it there: the rule of the kernel's fs.protected_symlinks and
-/// fs.protected_fifos, which systems may switch off and which reading a link goes past.
+/// Whether somebody else may have put it there. The kernel's fs.protected_symlinks and
+/// fs.protected_fifos have this rule for folders such as /tmp, but systems may switch it off and
+/// reading a link goes past it.
 bool may_be_planted(const fs::path& path) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
     struct stat entry {
     }, around{};
     if (lstat(path.c_str(), &entry) != 0 || stat(folder.c_str(), &around) != 0) return false;
-    constexpr mode_t everybody = S_ISVTX | S_IWOTH;
-    const bool shared = (around.st_mode & everybody) == everybody;
+    const bool shared = (around.st_mode & S_IWOTH) != 0;
     return shared && entry.st_uid != geteuid() && entry.st_uid != around.st_uid;
 }
 

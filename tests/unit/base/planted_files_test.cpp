@@ -74,8 +74,11 @@ TEST_F(Planted, ALinkOfAnotherUserInASharedFolderIsRefused) {
     const fs::path link = shared_folder() / "x.txt";
     fs::create_symlink(victim, link);
     ASSERT_EQ(lchown(link.c_str(), somebody_else, somebody_else), 0);
-    EXPECT_EQ(reason_of_writing(link),
-              "is a link of another user in a folder where everybody may write");
+    for (const mode_t mode : {01777, 0777}) {
+        ASSERT_EQ(chmod(link.parent_path().c_str(), mode), 0);
+        EXPECT_EQ(reason_of_writing(link),
+                  "is a link of another user in a folder where everybody may write");
+    }
     EXPECT_EQ(read_file(victim), "precious");
 }
 
