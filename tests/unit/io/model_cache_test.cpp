@@ -56,7 +56,7 @@ struct Cache : testing::Test {
             if (std::find(before.begin(), before.end(), entry) == before.end()) return entry;
         return {};
     }
-    /// Reads a model anew and returns its entry, last used so many hours ago.
+    /// Entry of a model that is read now, made to look last used `hours_ago`.
     std::filesystem::path entry_used(int hours_ago, const std::filesystem::path& file) const {
         const auto before =
             std::filesystem::exists(options.cache) ? entries() : decltype(entries()){};
