@@ -32,7 +32,8 @@ class Info(KeikoTest):
 
     def test_info_and_check_count_the_same_seams(self):
         for name in ("hood.step", "trimmed-hole.step", "seam-g1-angle.step", "concept-car.step"):
-            check = json.loads(self.run_keiko("check", surface(name), "--json", "-", "-q").stdout)
+            self.keiko("check", surface(name), "--json", "c.json", "-q")
+            check = json.loads((self.folder / "c.json").read_text())
             self.assertEqual(self.facts(name)["seams"], check["model"]["seams"], name)
             self.assertEqual(max((s["line"] for s in check["seams"]), default=0),
                              check["model"]["seams"], name)

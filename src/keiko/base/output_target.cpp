@@ -5,6 +5,7 @@
 
 #include <sys/stat.h>
 
+#include <cerrno>
 #include <csignal>
 #include <ctime>
 #include <string>
@@ -51,9 +52,17 @@ private:
     sigset_t pipe_, before_;
 };
 
+/// A name that no file can have must be refused before other outputs are put in place.
+void refuse_long_name(const fs::path& path) {
+    struct stat entry {};
+    if (lstat(path.c_str(), &entry) != 0 && errno == ENAMETOOLONG)
+        throw_system_error(path, "cannot write");
+}
+
 } // namespace
 
 fs::path behind_links(const fs::path& path) {
+    refuse_long_name(path);
     constexpr int most_links = 40; // as many as the kernel follows
     fs::path behind = path;
     std::error_code ignored; // whatever is wrong with the file shows when it is written
