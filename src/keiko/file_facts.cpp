@@ -4,7 +4,9 @@ namespace keiko {
 
 ModelFacts file_facts(const std::filesystem::path& file, const FactsOptions& options,
                       const Job& job) {
-    const SurfaceModel model = load_model(file, options.load, job);
+    SurfaceModel model = load_model(file, options.load, job);
+    if (options.load.axes.empty())
+        if (auto remark = axes_remark(bounds(model))) model.diagnostics.push_back(*remark);
     const std::vector<Seam> seams = pair_seams(model, options.join, job);
     ModelFacts facts = model_facts(model, seams, options.join, job);
     facts.seams = line_count(measure_all_seams(model, seams, {}, options.join, job).seams);

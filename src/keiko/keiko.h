@@ -27,6 +27,8 @@
 #include "keiko/report/report_json.h"
 #include "keiko/report/sarif.h"
 #include "keiko/report/unmet_borders.h"
+#include "keiko/rig/luminaire_remarks.h"
+#include "keiko/spec/axes_remark.h"
 #include "keiko/spec/criteria_preset.h"
 #include "keiko/spec/suggestion.h"
 

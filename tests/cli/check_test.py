@@ -4,10 +4,10 @@ import json
 import shutil
 import unittest
 import xml.etree.ElementTree as ElementTree
-from urllib.parse import unquote, urlsplit
+from pathlib import Path
 
 from keiko_process import SMALL, KeikoTest, surface
-from sarif_rules import faults_of_log
+from sarif_rules import faults_of_log, path_of
 
 GAP = surface("seam-g0-gap.step")
 
@@ -137,7 +137,9 @@ class Check(KeikoTest):
         location, = result["locations"]
         artifact = location["physicalLocation"]["artifactLocation"]
         self.assertEqual(run["artifacts"][artifact["index"]]["location"]["uri"], artifact["uri"])
-        self.assertEqual(unquote(urlsplit(artifact["uri"]).path), GAP)
+        self.assertEqual(path_of(run, artifact), GAP)
+        line = location["physicalLocation"]["region"]["startLine"]
+        self.assertRegex(Path(GAP).read_text().splitlines()[line - 1], r"\A#\d+ ?= ?ADVANCED_FACE")
         self.assertRegex(location["logicalLocations"][0]["name"], r"\Aface 1 .* \| face 2 ")
         self.assertAlmostEqual(result["properties"]["value"], 0.05, delta=1e-9)
         self.assertEqual(len(result["properties"]["place"]), 3)
@@ -155,8 +157,20 @@ class Check(KeikoTest):
                 log = json.loads((self.folder / "a.sarif").read_text())
                 self.assertEqual(faults_of_log(log), [])
                 run, = log["runs"]
-                self.assertEqual([unquote(urlsplit(artifact["location"]["uri"]).path) for artifact in run["artifacts"]], models)
+                self.assertEqual([path_of(run, artifact["location"]) for artifact in run["artifacts"]], models)
                 self.assertEqual(bool(run["results"]), code == 1)
+
+    def test_sarif_has_both_files_of_a_seam_between_two(self):
+        one = self.write("upper.bpt", "1\n1 1\n0 0.05 0\n0 50 0\n100 0.05 0\n100 50 0\n")
+        other = self.write("lower.bpt", "1\n1 1\n0 -50 0\n0 0 0\n100 -50 0\n100 0 0\n")
+        self.check(one, other, "--sarif", "a.sarif")
+        log = json.loads((self.folder / "a.sarif").read_text())
+        self.assertEqual(faults_of_log(log), [])
+        run, = log["runs"]
+        result, = run["results"]
+        first, related = result["locations"][0], result["relatedLocations"][0]
+        self.assertEqual(first["physicalLocation"]["artifactLocation"]["uri"], one)
+        self.assertEqual(related["physicalLocation"]["artifactLocation"]["uri"], other)
 
     def test_a_csv_row_holds_every_measure(self):
         self.check(GAP, "--preset", "class-a-strict", "--csv", "a.csv")

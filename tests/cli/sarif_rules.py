@@ -4,7 +4,7 @@ sarif-schema-2.1.0.json, errata 01) lets it have and those it must, and what the
 A property that Keiko does not write is not listed: one that comes new is a fault until it stands here.
 """
 import re
-from urllib.parse import urlsplit
+from urllib.parse import unquote, urlsplit
 
 # RFC 3986: characters that a URI may hold as they are, or a byte by two hexadecimal digits.
 URI = re.compile(r"(?:[A-Za-z0-9\-._~:/?#\[\]@!$&'()*+,;=]|%[0-9A-F]{2})+\Z")
@@ -16,9 +16,22 @@ def is_uri(value):
 
 
 def is_reference(value):
-    """A URI, or one relative to where the file is; a path from the root needs its scheme to be one."""
+    """Relative to where the file is, or to a base: GitHub refuses or misplaces all else."""
     return isinstance(value, str) and bool(URI.match(value)) and not value.startswith("/") \
-        and (not urlsplit(value).scheme or value.startswith("file:///"))
+        and not urlsplit(value).scheme
+
+
+def is_base(value):
+    """Absolute, and of a folder (3.14.14)."""
+    return is_uri(value) and value.endswith("/")
+
+
+def is_line(value):
+    return is_index(value) and value >= 1
+
+
+def is_fingerprint(value):
+    return isinstance(value, str) and bool(re.match(r"[0-9a-f]{16}:[1-9][0-9]*\Z", value))
 
 
 def is_index(value):
@@ -47,21 +60,28 @@ def is_bag(value):
 # array of those, a list of two for one whose elements are unlike each other.
 OBJECTS = {
     "log": ({"$schema": is_uri, "version": {"2.1.0"}, "runs": ["run"]}, {"version", "runs"}),
-    "run": ({"tool": "tool", "invocations": ["invocation"], "artifacts": ["artifact", "unlike"], "results": ["result"],
-             "properties": is_bag}, {"tool"}),
+    "run": ({"tool": "tool", "invocations": ["invocation"], "originalUriBaseIds": "bases", "artifacts": ["artifact", "unlike"],
+             "results": ["result"], "properties": is_bag}, {"tool"}),
+    "bases": ({"ROOT": "base"}, set()),
+    "base": ({"uri": is_base}, {"uri"}),
     "tool": ({"driver": "driver"}, {"driver"}),
     "driver": ({"name": is_text, "version": is_text, "rules": ["rule", "unlike"]}, {"name"}),
-    "rule": ({"id": is_text, "name": is_text, "shortDescription": "message", "defaultConfiguration": "configuration"}, {"id"}),
+    "rule": ({"id": is_text, "name": is_text, "shortDescription": "message", "fullDescription": "message",
+              "help": "message", "defaultConfiguration": "configuration"}, {"id", "shortDescription", "fullDescription", "help"}),
     "configuration": ({"level": LEVELS}, set()),
     "invocation": ({"executionSuccessful": is_flag, "toolExecutionNotifications": ["notification"]}, {"executionSuccessful"}),
     "notification": ({"level": LEVELS, "message": "message"}, {"message"}),
     "artifact": ({"location": "place", "roles": [{"analysisTarget"}, "unlike"]}, set()),
-    "place": ({"uri": is_reference, "index": is_index}, set()),
+    "place": ({"uri": is_reference, "uriBaseId": {"ROOT"}, "index": is_index}, {"uri", "index"}),
     "message": ({"text": is_words}, {"text"}),
     "result": ({"ruleId": is_text, "ruleIndex": is_index, "level": LEVELS - {"none"}, "message": "message",
-                "locations": ["location"], "properties": is_bag}, {"message"}),
-    "location": ({"physicalLocation": "physical", "logicalLocations": ["logical", "unlike"]}, set()),
-    "physical": ({"artifactLocation": "place"}, {"artifactLocation"}),
+                "locations": ["location"], "relatedLocations": ["related", "unlike"], "partialFingerprints": "fingerprints",
+                "properties": is_bag}, {"ruleId", "level", "message", "locations", "partialFingerprints"}),
+    "fingerprints": ({"primaryLocationLineHash": is_fingerprint}, {"primaryLocationLineHash"}),
+    "location": ({"physicalLocation": "physical", "logicalLocations": ["logical", "unlike"]}, {"physicalLocation"}),
+    "related": ({"id": is_index, "physicalLocation": "physical", "message": "message"}, {"id", "physicalLocation", "message"}),
+    "physical": ({"artifactLocation": "place", "region": "region"}, {"artifactLocation", "region"}),
+    "region": ({"startLine": is_line}, {"startLine"}),
     "logical": ({"name": is_text, "fullyQualifiedName": is_text, "kind": {"seam", "face"}}, set()),
 }
 
@@ -87,6 +107,25 @@ def faults_of(value, rule, path):
     return faults
 
 
+# Of one run: what GitHub code scanning takes, and of each result the locations that it shows.
+MOST_RESULTS, MOST_LOCATIONS = 25_000, 100
+
+
+def path_of(run, place):
+    """The path that an artifactLocation stands for."""
+    base = run["originalUriBaseIds"][place["uriBaseId"]]["uri"] if "uriBaseId" in place else ""
+    return unquote(urlsplit(base + place["uri"]).path)
+
+
+def limit_faults(run):
+    faults = [f"has {len(run['results'])} results"] * (len(run["results"]) > MOST_RESULTS)
+    for i, result in enumerate(run["results"]):
+        if not 1 <= len(result["locations"]) <= MOST_LOCATIONS:
+            faults.append(f"result {i}: has {len(result['locations'])} locations")
+    hashes = [result["partialFingerprints"]["primaryLocationLineHash"] for result in run["results"]]
+    return faults + ["two results have one fingerprint"] * (len(set(hashes)) < len(hashes))
+
+
 def reference_faults(run):
     """Where a result points to another rule or file than it names (3.27.6, 3.4.5)."""
     rules, artifacts = run["tool"]["driver"]["rules"], run["artifacts"]
@@ -96,13 +135,14 @@ def reference_faults(run):
         rule = result["ruleIndex"]
         if rule >= len(rules) or rules[rule]["id"] != result["ruleId"]:
             faults.append(f"result {i}: rule {rule} is not {result['ruleId']}")
-        for location in result["locations"]:
-            place = location.get("physicalLocation", {}).get("artifactLocation")
-            if place and (place["index"] >= len(artifacts) or artifacts[place["index"]]["location"]["uri"] != place["uri"]):
+        for location in result["locations"] + result.get("relatedLocations", []):
+            place = location["physicalLocation"]["artifactLocation"]
+            if place["index"] >= len(artifacts) or artifacts[place["index"]]["location"] != place:
                 faults.append(f"result {i}: file {place['index']} is not {place['uri']}")
     return faults
 
 
 def faults_of_log(log):
     """All that a log breaks, a line each."""
-    return faults_of(log, "log", "log") or [fault for run in log["runs"] for fault in reference_faults(run)]
+    return faults_of(log, "log", "log") or [fault for run in log["runs"]
+                                            for fault in reference_faults(run) + limit_faults(run)]

@@ -36,7 +36,7 @@ int check(CheckArguments arguments, const Job& job) {
     if (const std::string warning = nothing_judged(inspection); !warning.empty())
         log_warning(warning);
     OutputBatch outputs;
-    arguments.files.add_to(outputs, inspection, arguments.models.inputs);
+    arguments.files.add_to(outputs, inspection);
     if (result.combs) arguments.combs.add_to(outputs, *result.combs);
     outputs.write();
     if (result.combs) log_warnings(result.combs->remarks);

@@ -73,7 +73,7 @@ CompareBodiesOptions options_of(const CompareArguments& arguments) {
     options.views->width = size.width, options.views->height = size.height;
     if (arguments.rig == "auto") return options;
     options.views->rig = arguments.rig;
-    read_rig(arguments.rig); // a misspelt key is told before the long work
+    read_rig_aloud(arguments.rig); // a misspelt key is told before the long work
     return options;
 }
 

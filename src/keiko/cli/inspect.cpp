@@ -40,7 +40,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     arguments.symmetry.apply_to(options.preset);
     if (arguments.rig != "auto") {
         options.rig = arguments.rig;
-        read_rig(*options.rig); // a misspelt key is told before the long work
+        read_rig_aloud(*options.rig); // a misspelt key is told before the long work
     }
     require_place_for_folder(arguments.output);
     if (!arguments.hits.empty()) require_place_for_file(arguments.hits);
@@ -48,6 +48,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     require_view_names(options.views);
     options.combs = arguments.combs.options(options.join);
     const Scene scene = arguments.scene.open(job);
+    arguments.scene.warn_of_axes(scene, options.views);
     options.picture.aovs = every_aov();
     options.register_hits = !arguments.hits.empty();
     const InspectResult result = inspect_scene(scene, options, job);
@@ -56,8 +57,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     if (result.hits) outputs.add(arguments.hits, hits_text(*result.hits));
     const Report& report = result.report;
     arguments.files.add_to(
-        outputs, report.lines ? with_lines(report.inspection, *report.lines) : report.inspection,
-        arguments.scene.inputs);
+        outputs, report.lines ? with_lines(report.inspection, *report.lines) : report.inspection);
     outputs.write();
     if (const std::string warning = nothing_judged(result.report.inspection); !warning.empty())
         log_warning(warning);

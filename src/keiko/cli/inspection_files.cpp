@@ -4,6 +4,13 @@
 
 namespace keiko::cli {
 namespace fs = std::filesystem;
+namespace {
+
+std::vector<fs::path> model_files(const Inspection& inspection) {
+    return {inspection.facts.files.begin(), inspection.facts.files.end()};
+}
+
+} // namespace
 
 void InspectionFiles::add_to(CLI::App& command) {
     const auto add = [&](const char* name, std::vector<fs::path>& files, const char* text) {
@@ -57,8 +64,7 @@ void InspectionFiles::require_places(std::span<const fs::path> inputs) const {
     require_distinct(paths, inputs);
 }
 
-void InspectionFiles::add_to(OutputBatch& batch, const Inspection& inspection,
-                             std::span<const fs::path> inputs) const {
+void InspectionFiles::add_to(OutputBatch& batch, const Inspection& inspection) const {
     for (const auto& [path, format] : files()) switch (format) {
             case Format::json:
                 batch.add(path, inspection_json(inspection, version()));
@@ -67,7 +73,7 @@ void InspectionFiles::add_to(OutputBatch& batch, const Inspection& inspection,
                 batch.add(path, junit_xml(inspection));
                 break;
             case Format::sarif:
-                batch.add(path, sarif_json(inspection, version(), inputs));
+                batch.add(path, sarif_json(inspection, version(), model_files(inspection)));
                 break;
             case Format::csv:
                 batch.add(path, checks_csv(inspection));

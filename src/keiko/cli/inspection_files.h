@@ -24,8 +24,7 @@ public:
     /// for twice or is one of the model files, `inputs`.
     void require_places(std::span<const std::filesystem::path> inputs) const;
     /// Adds every file that was asked for.
-    void add_to(OutputBatch& batch, const Inspection& inspection,
-                std::span<const std::filesystem::path> inputs) const;
+    void add_to(OutputBatch& batch, const Inspection& inspection) const;
 
 private:
     enum class Format { json, junit, sarif, csv };

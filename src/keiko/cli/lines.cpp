@@ -79,9 +79,10 @@ int lines(LinesArguments arguments, const Job& job) {
     require_view_names(options.views);
     if (!arguments.rig.empty()) {
         options.rig = arguments.rig;
-        read_rig(arguments.rig); // a misspelt key is told before the long work
+        read_rig_aloud(arguments.rig); // a misspelt key is told before the long work
     }
     const Scene scene = arguments.scene.open(job);
+    arguments.scene.warn_of_axes(scene, options.views);
     const LineList list = find_lines(scene, options, job);
     write(arguments, scene, list, job);
     print_summary(list, arguments);

@@ -69,7 +69,7 @@ PlaceOptions placing(const PlaceArguments& arguments) {
     if (arguments.direction == "along") placement.direction = LampDirection::along;
     if (arguments.direction == "across") placement.direction = LampDirection::across;
     if (arguments.pixels) placement.sampling.weight = SampleWeight::pixels;
-    if (!arguments.rated.empty()) options.rated = read_rig(arguments.rated);
+    if (!arguments.rated.empty()) options.rated = read_rig_aloud(arguments.rated);
     if (!arguments.hits.empty()) options.hits = read_hits(arguments.hits);
     return options;
 }
@@ -125,6 +125,7 @@ int place(const PlaceArguments& arguments, const Job& job) {
     require_view_names(arguments.options.views);
     PlaceOptions options = placing(arguments);
     const Scene scene = arguments.scene.open(job);
+    arguments.scene.warn_of_axes(scene, options.views);
     if (!arguments.each) {
         place_one(arguments, scene, options, arguments.output, arguments.report, job);
         return exit_pass;

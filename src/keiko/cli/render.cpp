@@ -62,11 +62,12 @@ void render_lamps(const RenderArguments& arguments, const Scene& scene, const Ca
 }
 
 void render_picture(const RenderArguments& arguments, const Job& job) {
-    if (arguments.rig != "auto") read_rig(arguments.rig);
+    if (arguments.rig != "auto") read_rig_aloud(arguments.rig);
     std::vector<std::string> names;
     if (!arguments.view.empty()) names.push_back(arguments.view);
     require_view_names(names);
     const Scene scene = arguments.scene.open(job);
+    arguments.scene.warn_of_axes(scene, names);
     const NamedView view = choose_views(scene, names, 1, job).front();
     if (const auto look = arguments.look())
         render_look(arguments, *look, scene, view.camera, job);

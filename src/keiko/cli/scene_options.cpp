@@ -1,9 +1,11 @@
 #include "keiko/cli/scene_options.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/error_text.h"
 #include "keiko/base/log.h"
 #include "keiko/cli/number_check.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace keiko::cli {
@@ -69,6 +71,17 @@ LoadOptions load_options(const SceneArguments& arguments) {
     return options;
 }
 
+void log_remarks(const Diagnostics& remarks) {
+    for (const Diagnostic& remark : remarks)
+        log_warning(one_line(remark.entity + ": " + remark.message));
+}
+
+LightRig read_rig_aloud(const std::filesystem::path& file) {
+    LightRig rig = read_rig(file);
+    log_remarks(luminaire_remarks(rig));
+    return rig;
+}
+
 void SceneArguments::add_to(CLI::App& command, const std::string& what) {
     command.add_option(what, inputs, "model files of one body, or one scene file (.toml)")
         ->required();
@@ -112,8 +125,19 @@ Scene SceneArguments::open(const Job& job) const {
     tell_build(scene);
     for (const LostFace& face : scene.model.lost_faces)
         log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
+    if (scene.rig) log_remarks(luminaire_remarks(*scene.rig));
     if (wanted.width > 0) scene.set_picture_size(wanted.width, wanted.height);
     return scene;
+}
+
+void SceneArguments::warn_of_axes(const Scene& scene, std::span<const std::string> views) const {
+    const auto by_name = [](const std::string& view) {
+        return std::find(view_names().begin(), view_names().end(), view) != view_names().end();
+    };
+    const bool turned = !options.load.axes.empty() || inputs.front().extension() == ".toml";
+    if (turned || std::none_of(views.begin(), views.end(), by_name)) return;
+    if (const auto remark = axes_remark(scene.tracer.bounds()))
+        log_warning("--" + remark->entity + ": " + remark->message);
 }
 
 } // namespace keiko::cli

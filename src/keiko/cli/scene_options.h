@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,16 @@ struct SceneArguments {
     PictureSize picture_size() const;
     /// Opens the scene, and warns of every face that could not be read.
     Scene open(const Job& job) const;
+    /// Warns where views by name are asked of models that plainly do not lie in the vehicle frame,
+    /// if --axes is not given.
+    void warn_of_axes(const Scene& scene, std::span<const std::string> views) const;
 };
+
+/// Warns of every remark, by its subject.
+void log_remarks(const Diagnostics& remarks);
+
+/// Reads a rig file, and warns of what its luminaires contradict themselves in.
+LightRig read_rig_aloud(const std::filesystem::path& file);
 
 /// Adds only how model files are read.
 void add_load_options(CLI::App& command, SceneArguments& arguments);

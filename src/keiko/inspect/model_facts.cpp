@@ -81,7 +81,9 @@ FaceFacts face_facts(const SurfaceModel& model, const Face& face) {
                     .color = face.color,
                     .patches = face.patch_count,
                     .loops = face.loop_count,
-                    .approximated = face.approximated};
+                    .approximated = face.approximated,
+                    .line = face.line,
+                    .file = face.file};
     for (std::uint32_t i = 0; i < face.patch_count; ++i) {
         const BezierPatchView patch = model.patch(face.first_patch + i);
         facts.degree = {std::max(facts.degree[0], patch.degree_u),
@@ -140,6 +142,7 @@ RemarkCounts count_remarks(const SurfaceModel& model) {
 ModelFacts model_facts(const SurfaceModel& model, std::span<const Seam> seams, double join,
                        const Job& job) {
     ModelFacts facts;
+    facts.files = files_of(model);
     facts.source = model.source, facts.format = model.format, facts.unit = model.unit;
     facts.millimetres_per_unit = model.unit.empty() ? 1 : millimetres_per(model.unit);
     facts.parts = model.parts.size(), facts.instances = model.instances.size();

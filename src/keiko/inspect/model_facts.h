@@ -31,6 +31,8 @@ struct FaceFacts {
     std::array<int, 2> degree{}; ///< the largest of its patches, u and v
     bool rational = false;       ///< one of its patches, at least
     double approximated = 0;     ///< as Face::approximated
+    std::uint32_t line = 0;      ///< as Face::line
+    std::uint32_t file = 0;      ///< into ModelFacts::files
 };
 
 /// How many remarks of each severity the import made; a lost face is an error.
@@ -47,7 +49,8 @@ struct RepairTotal {
 /// What is in a model file.
 struct ModelFacts {
     std::string source, format;
-    std::string unit; ///< of the file; empty: it names none and is read as mm
+    std::vector<std::string> files; ///< as files_of
+    std::string unit;               ///< of the file; empty: it names none and is read as mm
     std::optional<double> millimetres_per_unit; ///< nothing for a unit that Keiko does not know
     std::size_t parts = 0, instances = 0, faces = 0, placed_faces = 0;
     std::vector<PartFacts> part_list; ///< in the order of the model

@@ -34,10 +34,10 @@ public:
         for (int i = 0; i < lines; ++i) text(wanted);
     }
     /// With a decimal point or comma.
-    double number(const char* wanted) {
-        std::string field(text(wanted));
-        std::replace(field.begin(), field.end(), ',', '.');
-        return place().number(field, wanted);
+    double number(const char* wanted) { return place().number(with_point(wanted), wanted); }
+    /// The same of a line that may hold anything else.
+    std::optional<double> number_if_any(const char* wanted) {
+        return photometric_number(with_point(wanted));
     }
     double not_negative(const char* wanted) {
         const double value = number(wanted);
@@ -67,6 +67,12 @@ public:
 private:
     static constexpr std::string_view blanks = " \t\r\x1a";
 
+    std::string with_point(const char* wanted) {
+        std::string field(text(wanted));
+        std::replace(field.begin(), field.end(), ',', '.');
+        return field;
+    }
+
     std::string_view text_;
     const std::filesystem::path& source_;
     std::size_t line_ = 0;
@@ -80,6 +86,17 @@ Vec3 opening_of(EulumdatLines& in) {
     for (int side = 0; side < 4; ++side)
         height = std::max(height, in.not_negative("the luminous area's height"));
     return {width > 0 ? width : length, length, height};
+}
+
+/// The downward flux fraction and the light output ratio, both in percent. A ratio of 0 states
+/// neither; what is no number states nothing.
+StatedFlux stated_flux_of(EulumdatLines& in) {
+    const std::optional<double> downward = in.number_if_any("the downward flux fraction");
+    const std::optional<double> ratio = in.number_if_any("the light output ratio");
+    if (!ratio || !(*ratio > 0)) return {};
+    StatedFlux stated{.output_ratio = *ratio / 100};
+    if (downward && *downward >= 0) stated.downward_share = *downward / 100;
+    return stated;
 }
 
 /// Of the first set of lamps.
@@ -167,7 +184,7 @@ PhotometricWeb parse_eulumdat(std::string_view text, const std::filesystem::path
     std::string name = one_line(in.text("the luminaire's name"));
     in.skip(6, "the luminaire's size");
     const Vec3 opening = opening_of(in);
-    in.skip(2, "the downward flux and the light output ratio");
+    StatedFlux stated = stated_flux_of(in);
     const double factor = in.number("the conversion factor");
     if (!(factor > 0)) in.place().fail("the conversion factor must be above 0");
     in.text("the tilt");
@@ -179,8 +196,13 @@ PhotometricWeb parse_eulumdat(std::string_view text, const std::filesystem::path
     IntensityTable table =
         table_of(in, stored, std::move(gamma), factor * lamps.flux / lumens_of_unit);
     in.expect_end();
-    return {PhotometricType::c, std::move(table), std::move(name), lamps.absolute ? 0 : lamps.flux,
-            opening};
+    stated.reference = lamps.flux;
+    return {.type = PhotometricType::c,
+            .candela = std::move(table),
+            .name = std::move(name),
+            .lamp_flux = lamps.absolute ? 0 : lamps.flux,
+            .opening = opening,
+            .stated = stated};
 }
 
 } // namespace keiko

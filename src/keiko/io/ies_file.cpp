@@ -191,7 +191,11 @@ PhotometricWeb parse_ies(std::string_view text, const std::filesystem::path& sou
     IntensityTable table =
         table_of(in, type, verticals, horizontals, multiplier * ballast * lamp_factor * tilt);
     in.expect_end();
-    return {type, std::move(table), name, lumens > 0 ? lamps * lumens : 0, opening};
+    return {.type = type,
+            .candela = std::move(table),
+            .name = name,
+            .lamp_flux = lumens > 0 ? lamps * lumens : 0,
+            .opening = opening};
 }
 
 } // namespace keiko

@@ -10,7 +10,7 @@
 namespace keiko {
 
 /// Rises with every change of what is written.
-constexpr std::uint32_t model_serialization_version = 2;
+constexpr std::uint32_t model_serialization_version = 3;
 
 /// Hands a model on as bytes, the same bytes for the same model: docs/model-serialization.md. A
 /// large one never lies in memory as bytes.

@@ -24,18 +24,24 @@ bool go_round(const std::vector<double>& degrees) {
 
 } // namespace
 
-void PhotometricPlace::fail(const std::string& reason) const {
-    throw Error(source.string(), std::to_string(line), reason);
-}
-
-double PhotometricPlace::number(std::string_view word, const char* wanted) const {
+std::optional<double> photometric_number(std::string_view word) {
     const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
     double value = 0;
     const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (code != std::errc() || end != digits.data() + digits.size() ||
         !(std::abs(value) <= largest_number))
-        fail(std::string("expected ") + wanted + ", found " + in_quotes(word));
+        return std::nullopt;
     return value;
+}
+
+void PhotometricPlace::fail(const std::string& reason) const {
+    throw Error(source.string(), std::to_string(line), reason);
+}
+
+double PhotometricPlace::number(std::string_view word, const char* wanted) const {
+    const std::optional<double> value = photometric_number(word);
+    if (!value) fail(std::string("expected ") + wanted + ", found " + in_quotes(word));
+    return *value;
 }
 
 void require_ascending(const PhotometricPlace& place, const std::vector<double>& degrees,

@@ -11,6 +11,9 @@
 
 namespace keiko {
 
+/// The finite number that a word is, from -1e15 to 1e15; nullopt for any other word.
+std::optional<double> photometric_number(std::string_view word);
+
 /// A place in a luminaire file, for messages.
 struct PhotometricPlace {
     const std::filesystem::path& source;
@@ -18,8 +21,7 @@ struct PhotometricPlace {
 
     /// Throws Error with file, line and reason.
     [[noreturn]] void fail(const std::string& reason) const;
-    /// The finite number that a word is, from -1e15 to 1e15; throws Error naming what it should
-    /// have been.
+    /// The photometric_number of a word; throws Error naming what it should have been.
     double number(std::string_view word, const char* wanted) const;
 };
 

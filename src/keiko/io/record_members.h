@@ -42,7 +42,7 @@ auto members(Is<TrimLoop> auto& l) {
 }
 auto members(Is<Face> auto& f) {
     return std::tie(f.id, f.name, f.layer, f.color, f.surface_kind, f.part, f.first_patch,
-                    f.patch_count, f.first_loop, f.loop_count, f.reversed, f.approximated);
+                    f.patch_count, f.first_loop, f.loop_count, f.reversed, f.approximated, f.line);
 }
 auto members(Is<Edge> auto& e) {
     return std::tie(e.tolerance, e.use_count, e.degenerate);

@@ -50,6 +50,10 @@ Box3 bounds(const SurfaceModel& model) {
     return box;
 }
 
+std::vector<std::string> files_of(const SurfaceModel& model) {
+    return model.files.empty() ? std::vector{model.source} : model.files;
+}
+
 namespace {
 
 template <class T>
@@ -67,6 +71,7 @@ void append(SurfaceModel& to, const SurfaceModel& from) {
     const std::uint32_t curves = append(to.trim_curves, from.trim_curves);
     const std::uint32_t loops = append(to.trim_loops, from.trim_loops);
     const std::uint32_t faces = append(to.faces, from.faces);
+    const std::uint32_t files = append(to.files, files_of(from));
     const std::uint32_t edges = append(to.edges, from.edges);
     const std::uint32_t parts = append(to.parts, from.parts);
     const std::uint32_t instances = append(to.instances, from.instances);
@@ -82,7 +87,8 @@ void append(SurfaceModel& to, const SurfaceModel& from) {
     }
     for (auto& l : std::span(to.trim_loops).subspan(loops)) l.first_curve += curves;
     for (auto& f : std::span(to.faces).subspan(faces))
-        f.id += id_offset, f.part += parts, f.first_patch += patches, f.first_loop += loops;
+        f.id += id_offset, f.part += parts, f.first_patch += patches, f.first_loop += loops,
+            f.file += files;
     for (auto& p : std::span(to.parts).subspan(parts)) p.first_face += faces;
     for (auto& i : std::span(to.instances).subspan(instances)) i.part += parts;
     for (auto& l : std::span(to.lost_faces).subspan(lost)) l.id += id_offset;
@@ -95,6 +101,7 @@ void append(SurfaceModel& to, const SurfaceModel& from) {
 SurfaceModel merge(std::span<const SurfaceModel> models) {
     if (models.empty()) return {};
     SurfaceModel all = models.front();
+    all.files = files_of(all);
     for (const SurfaceModel& next : models.subspan(1)) {
         append(all, next);
         all.source += ", " + next.source;

@@ -51,6 +51,8 @@ struct Face {
     std::uint32_t first_loop = 0, loop_count = 0;
     bool reversed = false;   ///< the file's outward normal is -(du x dv)
     double approximated = 0; ///< mm, tolerance of an approximation; 0 where the patches are exact
+    std::uint32_t line = 0;  ///< of its entity in a STEP file, from 1; 0 where it is not known
+    std::uint32_t file = 0;  ///< into files_of(model)
 };
 
 /// An edge as the file shares it between faces.
@@ -108,6 +110,7 @@ struct SurfaceModel {
     std::vector<IrregularPatch> irregular_patches; ///< by face
     std::vector<Repair> repairs;                   ///< by face, in the order of the faces
     Diagnostics diagnostics;                       ///< other remarks of the import
+    std::vector<std::string> files; ///< of a merged model: the sources of its models in order
 
     BezierPatchView patch(std::uint32_t index) const;
     BezierCurveView trim_curve(std::uint32_t index) const;
@@ -122,6 +125,10 @@ struct SurfaceModel {
 
 /// Box of all placed patches (of their control points), world, mm.
 Box3 bounds(const SurfaceModel& model);
+
+/// Paths of the files that a model was read from, in the order of Face::file: `files`, or `source`
+/// of a model that is not merged.
+std::vector<std::string> files_of(const SurfaceModel& model);
 
 /// One body of several models; faces keep their order, ids are made unique by renumbering.
 SurfaceModel merge(std::span<const SurfaceModel> models);

@@ -88,6 +88,10 @@ Json degree_json(const std::pair<const std::array<int, 2>, std::size_t>& degree)
 
 } // namespace
 
+Json diagnostics_json(const Diagnostics& diagnostics) {
+    return array_of(diagnostics, remark_json);
+}
+
 Json model_json(const ModelFacts& facts) {
     const RemarkCounts& remarks = facts.remarks;
     Json json = {
@@ -120,7 +124,7 @@ Json model_json(const ModelFacts& facts) {
         {"repairs", array_of(facts.repairs, repair_json)},
         {"remarks",
          {{"notes", remarks.notes}, {"warnings", remarks.warnings}, {"errors", remarks.errors}}},
-        {"diagnostics", array_of(facts.diagnostics, remark_json)}};
+        {"diagnostics", diagnostics_json(facts.diagnostics)}};
     json["tracing"] = facts.tracing ? tracing_json(*facts.tracing) : Json();
     return json;
 }

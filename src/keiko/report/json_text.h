@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/diagnostics.h"
 #include "keiko/base/error.h"
 #include "keiko/inspect/model_facts.h"
 
@@ -49,6 +50,9 @@ inline int int_at(const Json& object, const std::string& key) {
     if (!number || !std::in_range<int>(*number)) throw not_whole(json, "whole number", key);
     return static_cast<int>(*number);
 }
+
+/// [{severity, entity, message}]
+Json diagnostics_json(const Diagnostics& diagnostics);
 
 /// The keys of facts_json but for `format` and `face_list`.
 Json model_json(const ModelFacts& facts);

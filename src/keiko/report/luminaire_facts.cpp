@@ -1,7 +1,10 @@
 #include "keiko/report/luminaire_facts.h"
 
+#include "keiko/report/folded_remarks.h"
 #include "keiko/report/json_text.h"
+#include "keiko/report/spread_text.h"
 #include "keiko/spotlight/luminous_flux.h"
+#include "keiko/spotlight/stated_flux.h"
 
 #include <sstream>
 #include <string_view>
@@ -57,20 +60,15 @@ Json angles_json(const std::vector<double>& degrees) {
     return {{"count", degrees.size()}, {"first", degrees.front()}, {"last", degrees.back()}};
 }
 
-Json planes_json(const double (&angle)[2]) {
-    return {{"plane_0", angle[0]}, {"plane_90", angle[1]}};
-}
-
 } // namespace
 
 LuminaireFacts luminaire_facts(const std::string& source, PhotometricWeb web) {
     LuminaireFacts facts{.source = source, .web = std::move(web)};
     facts.flux = luminous_flux(facts.web);
     facts.largest_intensity = facts.web.candela.largest();
-    for (int i = 0; i < 2; ++i) {
-        facts.beam_angle[i] = spread_angle(facts.web, half, 90 * i);
-        facts.field_angle[i] = spread_angle(facts.web, tenth, 90 * i);
-    }
+    facts.beam = principal_spreads(facts.web, half);
+    facts.field = principal_spreads(facts.web, tenth);
+    facts.diagnostics = flux_contradictions(source, facts.web);
     return facts;
 }
 
@@ -96,10 +94,13 @@ std::string luminaire_text(const LuminaireFacts& facts) {
     out << "\n";
     line("intensity") << "at most " << facts.largest_intensity << " cd, under " << v
                       << " degrees in plane " << h << "\n";
-    line("beam angle") << facts.beam_angle[0] << " and " << facts.beam_angle[1]
-                       << " degrees in planes 0 and 90\n";
-    line("field angle") << facts.field_angle[0] << " and " << facts.field_angle[1]
-                        << " degrees in planes 0 and 90\n";
+    const PhotometricType type = facts.web.type;
+    line("beam angle") << spread_text(type, 0, facts.beam.plane_0) << "\n";
+    line("") << spread_text(type, 90, facts.beam.plane_90) << "\n";
+    line("field angle") << spread_text(type, 0, facts.field.plane_0) << "\n";
+    line("") << spread_text(type, 90, facts.field.plane_90) << "\n";
+    for (const FoldedRemark& remark : folded_remarks(facts.diagnostics))
+        line(name_of(remark.severity)) << remark.text << "\n";
     return out.str();
 }
 
@@ -119,9 +120,12 @@ std::string luminaire_json(const LuminaireFacts& facts) {
                        {"light_output_ratio", relative ? Json(facts.flux / web.lamp_flux) : Json()},
                        {"largest_intensity",
                         {{"candela", facts.largest_intensity}, {"vertical", v}, {"plane", h}}},
-                       {"beam_angle", planes_json(facts.beam_angle)},
-                       {"field_angle", planes_json(facts.field_angle)},
-                       {"opening", point(web.opening)}};
+                       {"beam_angle", full_angles_json(facts.beam)},
+                       {"beam_edges", edges_json(facts.beam)},
+                       {"field_angle", full_angles_json(facts.field)},
+                       {"field_edges", edges_json(facts.field)},
+                       {"opening", point(web.opening)},
+                       {"diagnostics", diagnostics_json(facts.diagnostics)}};
     return text_of(json);
 }
 

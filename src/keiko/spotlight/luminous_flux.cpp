@@ -5,6 +5,7 @@
 #include "keiko/spotlight/beam_intensity.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -45,15 +46,14 @@ Breaks in_radians(const std::vector<double>& degrees) {
     return breaks;
 }
 
-/// Kinks of the intensity over theta and over phi, the latter without spin.
+/// Kinks of the intensity over theta and over phi.
 struct Kinks {
-    Breaks theta{pi / 2}, phi{pi / 2, pi, 3 * pi / 2};
+    Breaks theta{pi / 2}, phi;
 
-    void add(const Spotlight& light) {
+    explicit Kinks(const Spotlight& light) {
         if (const auto* table = std::get_if<TableProfile>(&light.profile)) {
             for (const double x : in_radians((*table)->vertical())) theta.push_back(x);
-            for (const double x : in_radians((*table)->horizontal()))
-                for (const double folded : {x, pi - x, pi + x, 2 * pi - x}) phi.push_back(folded);
+            for (const double x : in_radians((*table)->horizontal())) add_mirrored(x);
         }
         if (const auto* petals = std::get_if<Petals>(&light.pattern))
             add_wave(phi, 2 * pi / petals->count, petals->q, 2 * pi);
@@ -63,6 +63,37 @@ struct Kinks {
         }
         if (light.hue)
             for (int i = 1; i < 6; ++i) phi.push_back(i * pi / 3);
+        turn_back(degrees_to_radians(light.spin));
+        add_mirrored(0), add_mirrored(pi / 2);
+        if (light.half_angle_across)
+            add_rim(std::tan(degrees_to_radians(light.half_angle)),
+                    std::tan(degrees_to_radians(*light.half_angle_across)));
+    }
+
+private:
+    void add_mirrored(double x) {
+        for (const double folded : {x, pi - x, pi + x, 2 * pi - x}) phi.push_back(folded);
+    }
+
+    void turn_back(double spin) {
+        for (double& x : phi) x = std::fmod(x - spin, 2 * pi) + (x < spin ? 2 * pi : 0);
+    }
+
+    /// Of a rim of cot^2 theta = cos^2 phi / a^2 + sin^2 phi / b^2: where it crosses a kink over
+    /// theta, and panels that grow by twos away from where a slim one is bent most. The rim is
+    /// singular at tan phi = +-i b / a, and a panel no longer than its distance from there has all
+    /// digits.
+    void add_rim(double a, double b) {
+        const double ratio = b / a;
+        for (double t = std::min(1.0, ratio); t < std::max(1.0, ratio); t *= 2)
+            add_mirrored(std::atan(t));
+        add_mirrored(std::atan(ratio));
+        for (const double x : theta) {
+            const double cotangent = 1 / std::tan(x);
+            const double sine2 =
+                (cotangent * cotangent - 1 / (a * a)) / (1 / (b * b) - 1 / (a * a));
+            if (sine2 > 0 && sine2 < 1) add_mirrored(std::asin(std::sqrt(sine2)));
+        }
     }
 };
 
@@ -77,11 +108,10 @@ auto over_cells(const F& f, const Breaks& breaks) {
 } // namespace
 
 Rgb luminous_flux(const Spotlight& light) {
-    Spotlight still = light; // spin does not change it
-    still.spin = 0;
+    Spotlight still = light;
+    if (!light.half_angle_across) still.spin = 0; // turns a round beam, and changes nothing
     const BeamIntensity intensity(still);
-    Kinks kinks;
-    kinks.add(still);
+    const Kinks kinks(still);
     const auto of_meridian = [&](double phi) {
         const double rim = intensity.rim(phi), end = 2 * std::asin(std::sqrt(rim / 2));
         const auto ring = [&](double theta) {
@@ -100,8 +130,8 @@ namespace {
 /// lm of the table of a web over its angles: `area` tells what a cell of both angles, in radians,
 /// is of the sphere.
 template <class Area>
-double flux_over(const IntensityTable& table, const Breaks& horizontal, const Area& area) {
-    const Breaks vertical = in_radians(table.vertical());
+double flux_over(const IntensityTable& table, const Breaks& vertical, const Breaks& horizontal,
+                 const Area& area) {
     const auto of_plane = [&](double h) {
         return over_cells(
             [&](double v) {
@@ -112,18 +142,24 @@ double flux_over(const IntensityTable& table, const Breaks& horizontal, const Ar
     return over_cells(of_plane, horizontal);
 }
 
+/// lm of a web of type C up to a vertical angle in radians.
+double flux_of_type_c(const IntensityTable& table, double last) {
+    Breaks planes;
+    for (const double h : in_radians(table.horizontal()))
+        for (const double x : {h, pi - h, pi + h, 2 * pi - h}) planes.push_back(x);
+    const Breaks all = in_radians(table.vertical());
+    if (!(all.front() < last)) return 0;
+    const Breaks vertical = between(all, all.front(), std::min(all.back(), last));
+    return flux_over(table, vertical, between(std::move(planes), 0, 2 * pi),
+                     [](double v, double) { return std::sin(v); });
+}
+
 } // namespace
 
 double luminous_flux(const PhotometricWeb& web) {
     const IntensityTable& table = web.candela;
-    const Breaks planes = in_radians(table.horizontal());
-    if (web.type == PhotometricType::c) {
-        Breaks folded;
-        for (const double h : planes)
-            for (const double x : {h, pi - h, pi + h, 2 * pi - h}) folded.push_back(x);
-        return flux_over(table, between(folded, 0, 2 * pi),
-                         [](double v, double) { return std::sin(v); });
-    }
+    if (web.type == PhotometricType::c) return flux_of_type_c(table, pi);
+    const Breaks planes = in_radians(table.horizontal()), vertical = in_radians(table.vertical());
     Breaks both = planes;
     double first = planes.front();
     if (table.symmetry() == PlaneSymmetry::lateral) {
@@ -132,8 +168,13 @@ double luminous_flux(const PhotometricWeb& web) {
     }
     both = between(std::move(both), first, planes.back());
     if (web.type == PhotometricType::a)
-        return flux_over(table, both, [](double v, double) { return std::cos(v); });
-    return flux_over(table, both, [](double, double h) { return std::cos(h); });
+        return flux_over(table, vertical, both, [](double v, double) { return std::cos(v); });
+    return flux_over(table, vertical, both, [](double, double h) { return std::cos(h); });
+}
+
+double downward_flux(const PhotometricWeb& web) {
+    assert(web.type == PhotometricType::c);
+    return flux_of_type_c(web.candela, pi / 2);
 }
 
 } // namespace keiko

@@ -2,7 +2,6 @@
 
 #include "keiko/base/units.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -57,36 +56,6 @@ Vec3 off_axis(PhotometricType type, double degrees, double plane) {
                       : type == PhotometricType::a ? Vec3(0, -c, s)
                                                    : Vec3(s, -c, 0);
     return web_axis(type) * std::cos(angle) + side * std::sin(angle);
-}
-
-namespace {
-
-/// Degrees from the axis, to the side of `sign`, to where the intensity first falls to `limit`.
-double falls_at(const PhotometricWeb& web, double plane, double sign, double limit) {
-    const auto at = [&](double degrees) {
-        return intensity(web, off_axis(web.type, sign * degrees, plane));
-    };
-    constexpr double step = 0.25;
-    double low = 0;
-    while (low < 180 && at(low) < limit) low += step; // a beam that begins off its axis
-    while (low < 180 && at(low) >= limit) low += step;
-    if (low >= 180) return 180;
-    double below = std::max(low - step, 0.0);
-    for (int i = 0; i < 40; ++i) {
-        const double middle = (below + low) / 2;
-        (at(middle) >= limit ? below : low) = middle;
-    }
-    return low;
-}
-
-} // namespace
-
-double spread_angle(const PhotometricWeb& web, double share, double plane) {
-    double largest = 0;
-    for (double degrees = -180; degrees <= 180; degrees += 0.25)
-        largest = std::max(largest, intensity(web, off_axis(web.type, degrees, plane)));
-    if (!(largest > 0)) return 0;
-    return falls_at(web, plane, 1, share * largest) + falls_at(web, plane, -1, share * largest);
 }
 
 } // namespace keiko

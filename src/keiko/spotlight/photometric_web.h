@@ -3,6 +3,7 @@
 #include "keiko/math/vec.h"
 #include "keiko/spotlight/intensity_table.h"
 
+#include <optional>
 #include <string>
 
 namespace keiko {
@@ -15,6 +16,13 @@ enum class PhotometricType {
     c  ///< V: from straight down, H: about the vertical, the C angle; most luminaires
 };
 
+/// Figures of the flux in the header of a luminaire file. The table alone is computed with.
+struct StatedFlux {
+    std::optional<double> output_ratio{};   ///< flux of the luminaire over `reference`
+    double reference = 0;                   ///< lm that the ratio refers to
+    std::optional<double> downward_share{}; ///< of the luminaire's flux, below the horizontal
+};
+
 /// What a luminaire file tells of a luminaire's light.
 struct PhotometricWeb {
     PhotometricType type = PhotometricType::c;
@@ -22,6 +30,7 @@ struct PhotometricWeb {
     std::string name{};     ///< of the luminaire, as the file has it
     double lamp_flux = 0;   ///< lm of its lamps; 0: not told, absolute photometry
     Vec3 opening{0};        ///< mm: along x, along y, height; 0: a point
+    StatedFlux stated{};    ///< what the header says of the flux
 };
 
 /// cd into a unit direction of the luminaire's own frame.
@@ -36,10 +45,5 @@ Vec3 web_axis(PhotometricType type);
 /// The unit direction that many degrees off the axis: in the plane of H = `plane` of type C; of
 /// types A and B in the plane of the axis that holds the horizontal (0) or the vertical (90).
 Vec3 off_axis(PhotometricType type, double degrees, double plane);
-
-/// Full angle in degrees between the directions, to both sides of the axis in a plane as above,
-/// where the intensity first falls to `share` of its largest there: 0.5 gives the beam angle of
-/// the trade, 0.1 the field angle. 360 where it never does, 0 where all is dark.
-double spread_angle(const PhotometricWeb& web, double share, double plane);
 
 } // namespace keiko

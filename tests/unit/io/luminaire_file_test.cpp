@@ -1,7 +1,9 @@
 #include "keiko/io/luminaire_file.h"
 
 #include "keiko/base/error.h"
+#include "keiko/spotlight/beam_spread.h"
 #include "keiko/spotlight/luminous_flux.h"
+#include "keiko/spotlight/stated_flux.h"
 
 #include "tests/support/oracle.h"
 #include "tests/unit/io/temporary_folder.h"
@@ -209,6 +211,47 @@ TEST(LuminaireFile, FluxOfRealFilesIsTheOneTheirMakersTell) {
     EXPECT_NEAR(flux("light-fluorescent-lamp.ldt"), 8100 * 0.403, 0.02 * 8100);
     EXPECT_NEAR(flux("light-bega-24-planes-to-345.ies"), 1221, 0.02 * 1221);
     EXPECT_NEAR(flux("light-bega-garden-axial.ies"), 321, 0.02 * 321);
+}
+
+TEST(LuminaireFile, ReadsWhatAnEulumdatHeaderStatesOfTheFlux) {
+    const StatedFlux stated = parse_eulumdat(eulumdat("1", "100\n50,5\n"), "x.ldt").stated;
+    EXPECT_EQ(stated.output_ratio, 0.8);
+    EXPECT_EQ(stated.downward_share, 1.0);
+    EXPECT_EQ(stated.reference, 2000);
+    for (const char* none : {"0", "", "n/a"}) {
+        const std::string text = replaced(eulumdat("1", "100\n50,5\n"), "100\n80\n1,0",
+                                          std::string("100\n") + none + "\n1,0");
+        EXPECT_FALSE(parse_eulumdat(text, "x.ldt").stated.output_ratio) << none;
+    }
+}
+
+TEST(LuminaireFile, BeamsOfRealFilesAreNoWiderThanTheirFields) {
+    KEIKO_NEEDS_SHARED_MODEL("light-road.ldt");
+    for (const auto& entry : std::filesystem::directory_iterator(test::shared_model(""))) {
+        if (!is_luminaire_file(entry.path())) continue;
+        const PhotometricWeb web = read_luminaire(entry.path());
+        for (const double plane : {0.0, 90.0}) {
+            const auto beam = beam_spread(web, 0.5, plane), field = beam_spread(web, 0.1, plane);
+            ASSERT_TRUE(beam && field) << entry.path();
+            EXPECT_LE(beam->positive.angle, field->positive.angle) << entry.path();
+            EXPECT_LE(beam->negative.angle, field->negative.angle) << entry.path();
+            EXPECT_LE(field->positive.angle, web.candela.vertical().back()) << entry.path();
+            EXPECT_TRUE(!beam->full_angle() || *beam->full_angle() < 180) << entry.path();
+        }
+    }
+    const auto field = beam_spread(
+        read_luminaire(test::shared_model("light-symmetry-to-c0c90c180c270.ldt")), 0.1, 90);
+    EXPECT_EQ(field->positive, (SpreadEdge{90, false}));
+    EXPECT_EQ(field->negative, (SpreadEdge{90, false}));
+}
+
+TEST(LuminaireFile, RealHeadersThatTheirTablesContradictAreRemarked) {
+    KEIKO_NEEDS_SHARED_MODEL("light-road.ldt");
+    const auto remarks = [](const char* name) {
+        return flux_contradictions(name, read_luminaire(test::shared_model(name))).size();
+    };
+    EXPECT_EQ(remarks("light-road.ldt"), 0u);
+    EXPECT_EQ(remarks("light-relative-photometry-with-multiplier.ies"), 1u);
 }
 
 } // namespace keiko

@@ -63,4 +63,9 @@ TEST(SurfaceModel, MergedModelsKeepTheirGeometryAndGetUniqueIds) {
     EXPECT_EQ(all.instances[2].part, 1u);
     EXPECT_EQ(bounds(all), (Box3{{0, 0, -3}, {2, 11, 5}}));
     EXPECT_EQ(all.source, "z5, z-3");
+    EXPECT_EQ(files_of(all), (std::vector<std::string>{"z5", "z-3"}));
+    for (std::uint32_t f = 0; f < 4; ++f) EXPECT_EQ(all.faces[f].file, f / 2);
+    const std::vector<SurfaceModel> more{two_faces(1), all};
+    EXPECT_EQ(merge(more).faces[5].file, 2u);
+    EXPECT_EQ(files_of(merge(more)).size(), 3u);
 }

@@ -75,12 +75,84 @@ TEST(SarifJson, EscapesThePathOfItsOnlyFile) {
     EXPECT_EQ(run["invocations"][0]["toolExecutionNotifications"].size(), 1u);
 }
 
-TEST(SarifJson, NamesNoFileWhereItCannotTellWhich) {
-    const auto log =
-        nlohmann::json::parse(sarif_json(inspection(), "1", Paths{"a.step", "b.step"}));
-    const auto& run = log["runs"][0];
+/// Two files of one face each, which meet with a gap of 0.05 mm.
+Inspection of_two_files() {
+    test::ModelBuilder upper, lower;
+    upper.plane({0, 0.05, 0}, {100, 0, 0}, {0, 50, 0});
+    lower.plane({0, 0, 0}, {100, 0, 0}, {0, -50, 0});
+    SurfaceModel models[] = {upper.build(), lower.build()};
+    models[0].source = "a.step", models[1].source = "b.step";
+    models[0].faces[0].line = 12, models[1].faces[0].name = "sill";
+    return inspect(merge(models));
+}
+
+nlohmann::json run_of(const Inspection& inspection) {
+    const Paths files(inspection.facts.files.begin(), inspection.facts.files.end());
+    return nlohmann::json::parse(sarif_json(inspection, "1", files))["runs"][0];
+}
+
+TEST(SarifJson, PutsASeamOfTwoFilesIntoTheFirstAndRelatesTheOther) {
+    const auto run = run_of(of_two_files());
     EXPECT_EQ(run["artifacts"].size(), 2u);
-    EXPECT_FALSE(run["results"][0]["locations"][0].contains("physicalLocation"));
+    const auto& result = run["results"][0];
+    const auto& first = result["locations"][0]["physicalLocation"];
+    EXPECT_EQ(first["artifactLocation"]["uri"], "a.step");
+    EXPECT_EQ(first["region"]["startLine"], 12);
+    ASSERT_EQ(result["relatedLocations"].size(), 1u);
+    const auto& related = result["relatedLocations"][0];
+    EXPECT_EQ(related["physicalLocation"]["artifactLocation"]["uri"], "b.step");
+    EXPECT_EQ(related["physicalLocation"]["artifactLocation"]["index"], 1);
+    EXPECT_EQ(related["physicalLocation"]["region"]["startLine"], 1);
+    EXPECT_EQ(related["message"]["text"], "sill");
+}
+
+TEST(SarifJson, GivesAbsolutePathsRelativeToTheRoot) {
+    const auto run =
+        nlohmann::json::parse(sarif_json(inspection(), "1", Paths{"/parts/a b.step"}))["runs"][0];
+    const auto& artifact = run["artifacts"][0]["location"];
+    EXPECT_EQ(artifact["uri"], "parts/a%20b.step");
+    EXPECT_EQ(artifact["uriBaseId"], "ROOT");
+    EXPECT_EQ(run["originalUriBaseIds"]["ROOT"]["uri"], "file:///");
+    EXPECT_TRUE(run_of(of_two_files())["originalUriBaseIds"].empty());
+}
+
+TEST(SarifJson, HasFingerprintsOfCodeAndFacesNotOfNumbers) {
+    const auto hash = [](const Inspection& found, std::size_t i) {
+        return run_of(found)["results"][i]["partialFingerprints"]["primaryLocationLineHash"]
+            .get<std::string>();
+    };
+    const Inspection plain = of_two_files();
+    Inspection moved = plain;
+    moved.findings[0].worst.value *= 2, moved.findings[0].message = "grown";
+    EXPECT_EQ(hash(moved, 0), hash(plain, 0));
+    Inspection renamed = plain;
+    renamed.facts.face_list[0].name = "fender";
+    EXPECT_NE(hash(renamed, 0), hash(plain, 0));
+    Inspection twice = plain;
+    twice.findings.push_back(twice.findings[0]);
+    EXPECT_EQ(hash(twice, 0), hash(plain, 0));
+    EXPECT_NE(hash(twice, 1), hash(twice, 0));
+}
+
+TEST(SarifJson, KeepsTheWorstOfMoreResultsThanGitHubTakes) {
+    Inspection many = of_two_files();
+    Check undecided = many.findings[0];
+    undecided.worst.verdict = Verdict::undecided;
+    many.findings.assign(most_sarif_results + 2, undecided);
+    many.findings.back().worst.verdict = Verdict::fail;
+    const auto run = run_of(many);
+    ASSERT_EQ(run["results"].size(), most_sarif_results);
+    EXPECT_EQ(run["results"][0]["level"], "error");
+    const auto& notes = run["invocations"][0]["toolExecutionNotifications"];
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_EQ(notes[0]["message"]["text"],
+              "2 of 25002 findings are left out: a run has at most 25000 results");
+}
+
+TEST(SarifJson, ExplainsEveryRule) {
+    for (const auto& rule : run_of(of_two_files())["tool"]["driver"]["rules"])
+        for (const char* key : {"shortDescription", "fullDescription", "help"})
+            EXPECT_FALSE(rule[key]["text"].get<std::string>().empty()) << rule["id"];
 }
 
 /// In messages braces stand for arguments, and brackets before parentheses for links.

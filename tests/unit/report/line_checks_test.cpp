@@ -85,6 +85,7 @@ TEST(LineChecks, StandInJUnitAndSarifBesideThoseOfTheGeometry) {
     const auto& place = run["results"][0]["locations"][0]["logicalLocations"][0];
     EXPECT_EQ(place["kind"], "seam");
     EXPECT_EQ(place["fullyQualifiedName"], "lines over face 1 | face 2 in view front");
+    EXPECT_EQ(run["results"][0]["locations"][0]["physicalLocation"]["region"]["startLine"], 1);
 }
 
 } // namespace

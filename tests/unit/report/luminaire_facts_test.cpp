@@ -40,7 +40,46 @@ TEST(LuminaireFacts, TellFluxAndSpread) {
     EXPECT_EQ(json["symmetry"], "axial");
     const std::string text = luminaire_text(facts);
     EXPECT_NE(text.find("type        C, symmetry axial\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("beam angle  120 and 120 degrees"), std::string::npos) << text;
+    EXPECT_NE(text.find("beam angle  C0-C180: 120 degrees\n            C90-C270: 120 degrees\n"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(json["diagnostics"], nlohmann::json::array());
+}
+
+/// Towards C0 the table ends above the limit; C90 and C270 are lit on one side alone.
+TEST(LuminaireFacts, HaveTwoHalfAnglesWhereThereIsNoFullOne) {
+    const PhotometricWeb web{.type = PhotometricType::c,
+                             .candela = {{0, 30, 60, 90},
+                                         {0, 90, 180, 270},
+                                         {0, 4, 8, 8, 0, 8, 0, 0, 0, 4, 0, 0, 0, 0, 0, 0},
+                                         PlaneSymmetry::none}};
+    const LuminaireFacts facts = luminaire_facts("wall.ldt", web);
+    const std::string text = luminaire_text(facts);
+    EXPECT_NE(text.find("beam angle  C0-C180: not reached within 90 degrees towards C0, 30 degrees "
+                        "towards C180\n            C90-C270: 30 degrees: from 15 to 45 degrees "
+                        "towards C90\n"),
+              std::string::npos)
+        << text;
+    const auto json = nlohmann::json::parse(luminaire_json(facts));
+    EXPECT_TRUE(json["beam_angle"]["plane_0"].is_null());
+    EXPECT_EQ(json["beam_edges"]["plane_0"]["positive"],
+              (nlohmann::json{{"degrees", 90}, {"reached", false}}));
+    EXPECT_EQ(json["beam_edges"]["plane_90"]["negative"]["degrees"], -15);
+    EXPECT_EQ(json["beam_angle"]["plane_90"], 30);
+}
+
+TEST(LuminaireFacts, RemarkOnAHeaderThatItsTableContradicts) {
+    PhotometricWeb web = lambert();
+    web.stated = {.output_ratio = 0.9, .reference = 500};
+    const LuminaireFacts facts = luminaire_facts("lambert.ldt", web);
+    ASSERT_EQ(facts.diagnostics.size(), 1u);
+    EXPECT_NE(luminaire_text(facts).find("\nwarning     lambert.ldt: the header states a light "
+                                         "output ratio of 90 %"),
+              std::string::npos)
+        << luminaire_text(facts);
+    const auto json = nlohmann::json::parse(luminaire_json(facts));
+    EXPECT_EQ(json["diagnostics"][0]["severity"], "warning");
+    EXPECT_EQ(json["diagnostics"][0]["entity"], "lambert.ldt");
 }
 
 TEST(LuminaireFacts, AbsolutePhotometryHasNoOutputRatio) {

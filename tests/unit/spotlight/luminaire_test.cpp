@@ -72,18 +72,3 @@ TEST(Luminaire, LightsASurfaceByInverseSquareAndCosine) {
     EXPECT_NEAR(lx.g, cd * cosine / 12.5, 1e-9);
     EXPECT_EQ(lx.b, 0);
 }
-
-TEST(PhotometricWeb, SpreadAnglesOfALambertLampAre120And169) {
-    std::vector<double> angles, values;
-    for (int v = 0; v <= 90; ++v) {
-        angles.push_back(v);
-        values.push_back(std::cos(v * std::atan(1) / 45));
-    }
-    const PhotometricWeb web{.type = PhotometricType::c,
-                             .candela = {angles, {0}, values, PlaneSymmetry::axial}};
-    EXPECT_NEAR(spread_angle(web, 0.5, 0), 120, 1e-3);
-    EXPECT_NEAR(spread_angle(web, 0.1, 33), 2 * std::acos(0.1) * 45 / std::atan(1), 1e-2);
-    const PhotometricWeb even{.type = PhotometricType::c,
-                              .candela = {{0, 180}, {0}, {1, 1}, PlaneSymmetry::axial}};
-    EXPECT_EQ(spread_angle(even, 0.5, 0), 360);
-}

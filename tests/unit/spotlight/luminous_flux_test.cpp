@@ -1,6 +1,7 @@
 #include "keiko/spotlight/luminous_flux.h"
 
 #include "keiko/base/units.h"
+#include "keiko/spotlight/beam_intensity.h"
 
 #include "spotlight_rows.h"
 #include <gtest/gtest.h>
@@ -25,15 +26,77 @@ double summed(const PhotometricWeb& web) {
     return sum * (pi / rings) * (2 * pi / sectors);
 }
 
+/// lm of an elliptic beam by the midpoint rule over the ellipse in the plane 1 from the lamp.
+double summed(const Spotlight& light, int rings) {
+    const int sectors = 3 * rings;
+    const BeamIntensity intensity(light);
+    const double a = std::tan(degrees_to_radians(light.half_angle)),
+                 b = std::tan(degrees_to_radians(*light.half_angle_across));
+    double sum = 0;
+    for (int i = 0; i < rings; ++i)
+        for (int j = 0; j < sectors; ++j) {
+            const double rho = (i + 0.5) / rings, turn = (j + 0.5) * 2 * pi / sectors;
+            const Vec3 way(rho * a * std::cos(turn), rho * b * std::sin(turn), 1);
+            const double cosine = 1 / way.length();
+            const BeamDirection direction{1 - cosine, way.x * cosine, way.y * cosine};
+            sum += intensity.towards(direction).r * rho * cosine * cosine * cosine;
+        }
+    return sum * a * b / rings * 2 * pi / sectors;
+}
+
+/// Five angles, of which the rims of the beams below cross three, and three planes.
+TableProfile coarse_table(TableInterpolation interpolation) {
+    return std::make_shared<const IntensityTable>(
+        std::vector<double>{0, 10, 25, 45, 90}, std::vector<double>{0, 100, 230},
+        std::vector<double>{9, 8, 2, 5, 1, 9, 3, 6, 1, 2, 9, 5, 7, 0, 4}, PlaneSymmetry::none,
+        interpolation);
+}
+
 } // namespace
+
+TEST(LuminousFlux, OfEllipticBeamsOfTablesIsTheSumOverTheirDirections) {
+    using enum TableInterpolation;
+    for (const auto interpolation : {linear, cosine})
+        for (const double across : {12.0, 33.0, 70.0})
+            for (const double spin : {0.0, 50.0}) {
+                const Spotlight light{.half_angle = 40,
+                                      .profile = coarse_table(interpolation),
+                                      .spin = spin,
+                                      .half_angle_across = across};
+                // The error falls with the square of the number of rings.
+                const double expected = (4 * summed(light, 400) - summed(light, 200)) / 3;
+                EXPECT_NEAR(luminous_flux(light).r, expected, 2e-6 * expected)
+                    << across << " " << spin;
+            }
+}
+
+/// Solid angle of an elliptic cone, whose boundary is integrated along the ellipse by Green's
+/// theorem.
+TEST(LuminousFlux, OfSlimEllipticBeamsIsTheirSolidAngle) {
+    for (const double across : {0.5, 3.0, 40.0, 88.0}) {
+        const Spotlight light{.half_angle = 80,
+                              .profile = EdgeProfile{BeamEdge::sharp},
+                              .intensity = Rgb(1),
+                              .half_angle_across = across};
+        const double a = std::tan(degrees_to_radians(80)), b = std::tan(degrees_to_radians(across));
+        const auto part = [&](double t) {
+            const double x = a * std::cos(t), y = b * std::sin(t), square = x * x + y * y;
+            return (1 - 1 / std::sqrt(1 + square)) * a * b / square;
+        };
+        constexpr int steps = 400'000; // the trapezoid rule of a periodic function
+        double expected = 0;
+        for (int i = 0; i < steps; ++i) expected += part(2 * pi * i / steps) * 2 * pi / steps;
+        EXPECT_NEAR(luminous_flux(light).r, expected, 1e-12 * expected) << across;
+    }
+}
 
 TEST(LuminousFlux, AgreesWithOracle) {
     const test::OracleTable table("spot_flux");
     test::WorstError worst("flux");
     for (const auto& row : table) {
         const Spotlight light = test::spotlight_in(row, DotReading::centred);
-        // The table's quadrature runs across the edges of dots that do not fill their cells; the
-        // next test holds those to their closed form.
+        // The table's quadrature runs across the edges of dots that do not fill their cells, and
+        // is 1.27e-6 too small in row 8: the next test holds those to their closed form.
         const auto* dots = std::get_if<Dots>(&light.pattern);
         const bool kinks = dots && dots->q_theta < 0;
         worst.compare(row, luminous_flux(light).r, row.number("out.flux"), kinks ? 2e-6 : 1e-11);

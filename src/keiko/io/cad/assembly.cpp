@@ -22,11 +22,16 @@
 namespace keiko::cad {
 namespace {
 
+void label_face(FaceAttributes& face, FaceLabel label) {
+    face.name = std::move(label.name);
+    face.line = label.line;
+}
+
 class AssemblyReader {
 public:
-    AssemblyReader(const TDF_Label& main, FaceNames face_names, MappedItems& mapped,
+    AssemblyReader(const TDF_Label& main, FaceLabels face_labels, MappedItems& mapped,
                    CadDocument& document)
-        : face_names_(std::move(face_names)),
+        : face_labels_(std::move(face_labels)),
           mapped_(mapped),
           shapes_(XCAFDoc_DocumentTool::ShapeTool(main)),
           attributes_(main),
@@ -56,7 +61,8 @@ private:
             const TopoDS_Shape face = XCAFDoc_ShapeTool::GetShape(label);
             builder.Add(compound, face);
             FaceAttributes own = attributes_.own(label);
-            own.name = face_names_ ? face_names_(face) : name_of(label);
+            own.name = name_of(label);
+            if (face_labels_) label_face(own, face_labels_(face));
             attributes->emplace(face, std::move(own));
         }
         document_.instances.push_back({document_.parts.size(), "", {}});
@@ -149,17 +155,17 @@ private:
         auto known = std::make_shared<AttributeMap>(attributes_.of_faces(label));
         const FaceAttributes fallback = merged(attributes_.own(label), inherited);
         document_.parts.push_back(
-            {shape, name, [known, fallback, names = face_names_](const TopoDS_Shape& face) {
+            {shape, name, [known, fallback, labels = face_labels_](const TopoDS_Shape& face) {
                  const auto found = known->find(face);
                  FaceAttributes result;
                  if (found != known->end()) result = found->second;
-                 if (names) result.name = names(face);
+                 if (labels) label_face(result, labels(face));
                  return merged(std::move(result), fallback);
              }});
         return document_.parts.size() - 1;
     }
 
-    FaceNames face_names_;
+    FaceLabels face_labels_;
     MappedItems& mapped_;
     opencascade::handle<XCAFDoc_ShapeTool> shapes_;
     ShapeAttributes attributes_;
@@ -177,9 +183,9 @@ opencascade::handle<TDocStd_Document> new_document() {
     return document;
 }
 
-void read_assembly(const opencascade::handle<TDocStd_Document>& source, const FaceNames& face_names,
-                   MappedItems& mapped, CadDocument& document) {
-    AssemblyReader(source->Main(), face_names, mapped, document).read();
+void read_assembly(const opencascade::handle<TDocStd_Document>& source,
+                   const FaceLabels& face_labels, MappedItems& mapped, CadDocument& document) {
+    AssemblyReader(source->Main(), face_labels, mapped, document).read();
 }
 
 } // namespace keiko::cad

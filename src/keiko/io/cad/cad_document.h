@@ -7,6 +7,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ namespace keiko::cad {
 struct FaceAttributes {
     std::string name, layer;
     std::optional<Rgb> color;
+    std::uint32_t line = 0; ///< as Face::line
 };
 
 /// A shape that is stored once in the file.

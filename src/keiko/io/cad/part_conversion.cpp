@@ -73,6 +73,7 @@ private:
             face.name = std::move(attributes.name);
             face.layer = std::move(attributes.layer);
             face.color = attributes.color;
+            face.line = attributes.line;
         }
         return face;
     }

@@ -1,13 +1,16 @@
 #include "keiko/base/error.h"
+#include "keiko/base/input_file.h"
 #include "keiko/io/cad/assembly.h"
 #include "keiko/io/cad/cad_files.h"
 #include "keiko/io/cad/mapped_items.h"
 #include "keiko/io/cad/reader_remarks.h"
+#include "keiko/io/step_lines.h"
 
 #include <IFSelect_ReturnStatus.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <STEPCAFControl_ExternFile.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
@@ -33,13 +36,15 @@ std::string file_unit(STEPCAFControl_Reader& reader) {
     return unit.ToCString();
 }
 
-/// Face entities of the file: the names of those that were translated, the others told.
+/// Face entities of the file: names and lines of those that were translated, the others told.
 /// OpenCASCADE's own switch for face names crashes on some files.
-FaceNames face_names(STEPCAFControl_Reader& reader, Diagnostics& diagnostics) {
+FaceLabels face_labels(STEPCAFControl_Reader& reader, const std::filesystem::path& path,
+                       Diagnostics& diagnostics) {
     const auto session = reader.Reader().WS();
     const auto process = session->TransferReader()->TransientProcess();
-    const auto model = session->Model();
-    auto names = std::make_shared<std::unordered_map<const TopoDS_TShape*, std::string>>();
+    const auto model = Handle(StepData_StepModel)::DownCast(session->Model());
+    const auto lines = step_entity_lines(read_file(path));
+    auto labels = std::make_shared<std::unordered_map<const TopoDS_TShape*, FaceLabel>>();
     int missing = 0;
     std::string numbers;
     for (int i = 1; i <= model->NbEntities(); ++i) {
@@ -49,17 +54,20 @@ FaceNames face_names(STEPCAFControl_Reader& reader, Diagnostics& diagnostics) {
         if (shape.IsNull()) {
             if (++missing <= 10)
                 numbers += " " + std::string(model->StringLabel(face)->ToCString());
-        } else if (!face->Name().IsNull() && shape.ShapeType() == TopAbs_FACE) {
-            names->emplace(shape.TShape().get(), face->Name()->ToCString());
+        } else if (shape.ShapeType() == TopAbs_FACE) {
+            const auto line = lines.find(static_cast<std::uint64_t>(model->IdentLabel(face)));
+            labels->emplace(shape.TShape().get(),
+                            FaceLabel{face->Name().IsNull() ? "" : face->Name()->ToCString(),
+                                      line == lines.end() ? 0 : line->second});
         }
     }
     if (missing > 0)
         diagnostics.push_back(
             {Severity::warning, "",
              std::to_string(missing) + " face entities of the file gave no face:" + numbers});
-    return [names](const TopoDS_Shape& face) {
-        const auto found = names->find(face.TShape().get());
-        return found == names->end() ? "" : found->second;
+    return [labels](const TopoDS_Shape& face) {
+        const auto found = labels->find(face.TShape().get());
+        return found == labels->end() ? FaceLabel{} : found->second;
     };
 }
 
@@ -89,7 +97,7 @@ CadDocument read_step_file(const std::filesystem::path& path) {
     document.unit = file_unit(reader);
     document.missing_files = missing_files(reader);
     MappedItems mapped(reader.Reader().WS());
-    read_assembly(source, face_names(reader, document.diagnostics), mapped, document);
+    read_assembly(source, face_labels(reader, path, document.diagnostics), mapped, document);
     mapped.remark_unmet(document.diagnostics);
     const auto remarks = reader_remarks(reader.Reader().WS(), document.diagnostics);
     for (CadPart& part : document.parts) part.remarks_on = remarks;
