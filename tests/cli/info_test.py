@@ -3,9 +3,10 @@ import json
 import shutil
 import subprocess
 import unittest
+from pathlib import Path
 from xml.etree import ElementTree
 
-from keiko_process import BINARY, KeikoTest, luminaire, surface
+from keiko_process import ASLANT, BINARY, SMALL, SOURCE, KeikoTest, luminaire, surface
 from step_text import StepText
 
 FACES = {"concept-car.step": 185, "dent.step": 1, "dome.bpt": 4, "hood.step": 3, "pole.step": 4,
@@ -145,6 +146,41 @@ class Info(KeikoTest):
         self.assertEqual(self.content(), ["polar.svg"])
         drawing = ElementTree.parse(self.folder / "polar.svg").getroot()
         self.assertEqual(drawing.tag, "{http://www.w3.org/2000/svg}svg")
+
+    def test_json_of_luminaires_keeps_to_its_schema(self):
+        try:
+            import jsonschema
+        except ImportError:
+            self.skipTest("no python3-jsonschema")
+        schema = json.loads((SOURCE / "docs" / "schema" / "keiko-luminaire-facts.schema.json").read_text())
+        files = sorted(Path(luminaire("sym4.ldt")).parent.glob("*.*"))
+        self.assertGreater(len(files), 10)
+        for file in files:
+            with self.subTest(file=file.name):
+                jsonschema.validate(json.loads(self.succeed("info", str(file), "--json", "-q")), schema)
+
+    def test_a_header_that_its_table_contradicts_is_remarked(self):
+        text = Path(luminaire("sym4.ldt")).read_text(encoding="latin-1").splitlines()
+        flux = json.loads(self.succeed("info", luminaire("sym4.ldt"), "--json", "-q"))["light_output_ratio"]
+        for share, remarks in ((1.0, 0), (1.02, 1)):
+            text[21], text[22] = "", f"{100 * share * flux:.6f}"
+            name = self.write("lamp.ldt", "\n".join(text) + "\n")
+            facts = json.loads(self.succeed("info", name, "--json", "-q"))
+            ratios = [remark for remark in facts["diagnostics"] if "light output ratio" in remark["message"]]
+            self.assertEqual(len(ratios), remarks)
+        rig = self.write("rig.toml", 'format = "keiko-rig/1"\n[[luminaire]]\nfile = "lamp.ldt"\nposition = [0, 0, 3000]\n')
+        run = self.keiko("render", surface("dome.bpt"), "--rig", rig, "-o", "a.png", *SMALL, "-q")
+        self.assertEqual(run.returncode, 0)
+        self.assertIn("warning: lamp.ldt: the header states a light output ratio of", run.stderr)
+
+    def test_axes_that_are_no_vehicles_are_remarked(self):
+        # A table, y up and z across.
+        upright = self.write("table.bpt", "1\n1 1\n-300 500 -200\n-300 500 200\n900 520 -200\n900 520 200\n")
+        self.assertRegex(self.succeed("info", upright, "-q"), r"(?m)^note +axes: the body lies evenly about z = 0")
+        view = ("render", upright, "--rig", self.write("rig.toml", ASLANT), "-o", "a.png", *SMALL, "-q", "--view")
+        self.assertIn("warning: --axes: the body lies evenly about z = 0", self.keiko(*view, "left").stderr)
+        self.assertEqual(self.keiko(*view, "auto").stderr, "")
+        self.assertEqual(self.keiko(*view, "left", "--axes", "x,-z,y").stderr, "")
 
     def test_a_bad_luminaire_costs_one_line_and_draws_nothing(self):
         bad = self.write("bad.ies", "IESNA91\nTILT=NONE\n1 -1 1 2 1 7\n")

@@ -34,8 +34,11 @@ public:
         for (int i = 0; i < lines; ++i) text(wanted);
     }
     /// With a decimal point or comma.
-    double number(const char* wanted) { return place().number(with_point(wanted), wanted); }
-    /// The same of a line that may hold anything else.
+    double number(const char* wanted) {
+        const std::string field = with_point(wanted);
+        return place().number(field, wanted);
+    }
+    /// Number on a line that may hold anything else.
     std::optional<double> number_if_any(const char* wanted) {
         return photometric_number(with_point(wanted));
     }

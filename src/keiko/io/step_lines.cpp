@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
-/// Goes through the statements of a STEP file, each of which ends in a semicolon.
+/// Goes through the statements of a STEP file. Each ends in a semicolon.
 class StepStatements {
 public:
     explicit StepStatements(std::string_view text) : text_(text) {}
@@ -61,7 +61,7 @@ private:
         return next != std::string_view::npos && text_[next] == '=' ? number : 0;
     }
 
-    /// Of the place reached. Lines end in LF, CR LF or CR.
+    /// Line of the place reached. Lines end in LF, CR LF or CR.
     std::uint32_t line() {
         for (; counted_ < at_; ++counted_) {
             const bool lone_return =

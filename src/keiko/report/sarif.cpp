@@ -143,7 +143,7 @@ Json notification(const char* level, const std::string& message) {
     return {{"level", level}, {"message", text(message)}};
 }
 
-/// What kept the run from seeing the whole model, or from stating all that it found.
+/// Invocation, with notifications of all that the results leave out.
 Json invocation(const Inspection& inspection) {
     Json json = {{"executionSuccessful", true}};
     Json& notifications = json["toolExecutionNotifications"] = Json::array();

@@ -13,7 +13,7 @@ namespace keiko {
 /// The files of a SARIF run, in the order of FaceFacts::file.
 using SarifFiles = std::span<const std::filesystem::path>;
 
-/// Where a face stands: a line, from 1, of one of the files.
+/// Place of a face in one of the files, by line from 1.
 struct SarifPlace {
     std::string face; ///< its name, or else "face 12"
     std::uint32_t file = 0, line = 1;

@@ -29,7 +29,7 @@ std::string degrees(double angle) {
     return short_number(angle, digits) + " degrees";
 }
 
-/// Directions of both edges, of which the far one is `far` degrees towards `side`.
+/// Directions of both edges: the far one is `far` degrees towards `side`.
 std::string on_one_side(double near, double far, std::string_view side) {
     return "from " + short_number(near, digits) + " to " + degrees(far) + " towards " +
            std::string(side);

@@ -94,8 +94,8 @@ double largest(const Profile& profile, bool ahead) {
     return candela;
 }
 
-/// Where the intensity falls to `limit` for the last time, towards rising angles. Requires a point
-/// ahead that has it.
+/// Last fall of the intensity to `limit`, towards rising angles. Requires a point ahead that has
+/// it.
 SpreadEdge last_fall(const Profile& profile, double limit) {
     std::size_t inside = profile.size() - 1;
     while (!(is_ahead(profile[inside]) && profile[inside].candela >= limit)) --inside;

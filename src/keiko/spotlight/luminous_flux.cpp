@@ -79,10 +79,9 @@ private:
         for (double& x : phi) x = std::fmod(x - spin, 2 * pi) + (x < spin ? 2 * pi : 0);
     }
 
-    /// Of a rim of cot^2 theta = cos^2 phi / a^2 + sin^2 phi / b^2: where it crosses a kink over
-    /// theta, and panels that grow by twos away from where a slim one is bent most. The rim is
-    /// singular at tan phi = +-i b / a, and a panel no longer than its distance from there has all
-    /// digits.
+    /// Breaks of the rim cot^2 theta = cos^2 phi / a^2 + sin^2 phi / b^2, where it crosses a kink
+    /// over theta. A slim rim is singular close by, at tan phi = +-i b / a: panels that double away
+    /// from there are no longer than their distance, and keep all digits.
     void add_rim(double a, double b) {
         const double ratio = b / a;
         for (double t = std::min(1.0, ratio); t < std::max(1.0, ratio); t *= 2)

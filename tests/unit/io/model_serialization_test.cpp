@@ -21,6 +21,7 @@ SurfaceModel full_model() {
     model.faces[0].name = "T\xc3\xbcr";
     model.faces[0].color = Rgb(0.1, 0.2, 0.3);
     model.faces[0].reversed = true;
+    model.faces[0].line = 1234;
     model.edges.push_back({1e-3, 2, true});
     model.trim_curves[0].edge = 0;
     model.patches[0].map_u = {ParameterMap::Kind::circular, 0.5, 1.5};
@@ -53,6 +54,7 @@ TEST(ModelSerialization, RoundTripIsByteExact) {
     EXPECT_EQ(serialize(back), bytes);
     EXPECT_EQ(back.faces[0].name, "T\xc3\xbcr");
     EXPECT_EQ(back.faces[0].color, Rgb(0.1, 0.2, 0.3));
+    EXPECT_EQ(back.faces[0].line, 1234u);
     EXPECT_EQ(back.patches[0].map_u, (ParameterMap{ParameterMap::Kind::circular, 0.5, 1.5}));
     EXPECT_EQ(back.instances[0].transform, full_model().instances[0].transform);
     EXPECT_TRUE(back.edges[0].degenerate);
@@ -109,7 +111,7 @@ TEST(ModelSerialization, ErrorsNameFileAndReasonInOneLine) {
               "model.bin: not a sound serialised model: it does not begin as one");
     std::string bytes = serialize({});
     bytes[8] = 9;
-    EXPECT_NE(reason_for(bytes).find("its version is 9, not 2"), std::string::npos);
+    EXPECT_NE(reason_for(bytes).find("its version is 9, not 3"), std::string::npos);
 }
 
 TEST(ModelSerialization, NumbersThatAreNotFiniteAreRefused) {

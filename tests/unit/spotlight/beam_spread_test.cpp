@@ -24,7 +24,7 @@ std::vector<double> angles_to(double last, double step = 1) {
     return angles;
 }
 
-/// Of type C, tabulated up to `last`, in the planes 0, 90, 180 and 270.
+/// Web of type C, tabulated up to `last`, in the planes 0, 90, 180 and 270.
 PhotometricWeb web_of(const Intensity& intensity, double last) {
     const std::vector<double> vertical = angles_to(last), planes{0, 90, 180, 270};
     std::vector<double> values;
@@ -37,8 +37,8 @@ double cosine(double degrees) {
     return std::max(0.0, std::cos(degrees_to_radians(degrees)));
 }
 
-/// A spread found by the definition: directions sampled finely in the plane, of which the outermost
-/// within 90 degrees of the axis, followed as long as the intensity stays.
+/// A spread found by the definition: the outermost of many directions within 90 degrees of the
+/// axis, followed as long as the intensity stays.
 std::pair<double, double> sampled_edges(const PhotometricWeb& web, double share, double plane,
                                         bool opposite) {
     constexpr int steps_per_degree = 100, half_turn = 180 * steps_per_degree,

@@ -44,7 +44,7 @@ double summed(const Spotlight& light, int rings) {
     return sum * a * b / rings * 2 * pi / sectors;
 }
 
-/// Five angles, of which the rims of the beams below cross three, and three planes.
+/// Five angles, three of them within the rims of the beams below, and three planes.
 TableProfile coarse_table(TableInterpolation interpolation) {
     return std::make_shared<const IntensityTable>(
         std::vector<double>{0, 10, 25, 45, 90}, std::vector<double>{0, 100, 230},

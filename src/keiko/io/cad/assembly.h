@@ -10,7 +10,7 @@ namespace keiko::cad {
 /// An empty document for a reader to fill.
 opencascade::handle<TDocStd_Document> new_document();
 
-/// What a file itself says of a face.
+/// Name and line that a file itself gives a face.
 struct FaceLabel {
     std::string name;       ///< or empty
     std::uint32_t line = 0; ///< as Face::line

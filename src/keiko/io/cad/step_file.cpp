@@ -36,8 +36,8 @@ std::string file_unit(STEPCAFControl_Reader& reader) {
     return unit.ToCString();
 }
 
-/// Face entities of the file: names and lines of those that were translated, the others told.
-/// OpenCASCADE's own switch for face names crashes on some files.
+/// Face entities of the file: names and lines of those that were translated, a remark on the
+/// others. OpenCASCADE's own switch for face names crashes on some files.
 FaceLabels face_labels(STEPCAFControl_Reader& reader, const std::filesystem::path& path,
                        Diagnostics& diagnostics) {
     const auto session = reader.Reader().WS();
