@@ -50,7 +50,7 @@ std::vector<SarifPlace> places_of(const Check& check, const Inspection& inspecti
         std::find_if(inspection.seams.begin(), inspection.seams.end(),
                      [&](const MeasuredSeam& seam) { return seam.faces == check.faces; });
     if (crossed != inspection.seams.end()) return sides_of(*crossed, inspection);
-    return {{check.faces}};
+    return {SarifPlace{.face = check.faces}};
 }
 
 Json artifact_location(const std::filesystem::path& file, std::size_t index) {

@@ -29,10 +29,11 @@ std::string degrees(double angle) {
     return short_number(angle, digits) + " degrees";
 }
 
-/// Directions of both edges: the far one is `far` degrees towards `side`.
-std::string on_one_side(double near, double far, std::string_view side) {
-    return "from " + short_number(near, digits) + " to " + degrees(far) + " towards " +
-           std::string(side);
+/// Edges of a beam that lies on one side alone, `near` with a negative angle.
+std::string one_sided_text(const SpreadEdge& near, const SpreadEdge& far, std::string_view side) {
+    return (near.reached ? "from " : "from at most ") + short_number(-near.angle, digits) +
+           (far.reached ? " to " : " degrees, not reached within ") + degrees(far.angle) +
+           " towards " + std::string(side);
 }
 
 std::string edge_text(const SpreadEdge& edge, std::string_view side) {
@@ -42,10 +43,8 @@ std::string edge_text(const SpreadEdge& edge, std::string_view side) {
 
 std::string edges_text(const BeamSpread& spread, const PlaneNames& names) {
     const auto& [positive, negative, opposite] = spread;
-    if (positive.reached && negative.angle < 0 && negative.reached)
-        return on_one_side(-negative.angle, positive.angle, names.positive);
-    if (negative.reached && positive.angle < 0 && positive.reached)
-        return on_one_side(-positive.angle, negative.angle, names.negative);
+    if (negative.angle < 0) return one_sided_text(negative, positive, names.positive);
+    if (positive.angle < 0) return one_sided_text(positive, negative, names.negative);
     return edge_text(positive, names.positive) + ", " + edge_text(negative, names.negative);
 }
 

@@ -1,6 +1,7 @@
 #include "keiko/report/luminaire_facts.h"
 
 #include "keiko/report/polar_curve.h"
+#include "keiko/report/spread_text.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -66,6 +67,18 @@ TEST(LuminaireFacts, HaveTwoHalfAnglesWhereThereIsNoFullOne) {
               (nlohmann::json{{"degrees", 90}, {"reached", false}}));
     EXPECT_EQ(json["beam_edges"]["plane_90"]["negative"]["degrees"], -15);
     EXPECT_EQ(json["beam_angle"]["plane_90"], 30);
+}
+
+TEST(LuminaireFacts, NameTheSideOfABeamThatEndsNowhere) {
+    const BeamSpread one_sided{.positive = {90, false}, .negative = {-30, true}};
+    EXPECT_EQ(spread_text(PhotometricType::c, 0, one_sided),
+              "C0-C180: from 30 degrees, not reached within 90 degrees towards C0");
+    const BeamSpread from_below{.positive = {-20, false}, .negative = {70, true}};
+    EXPECT_EQ(spread_text(PhotometricType::a, 90, from_below),
+              "vertical: from at most 20 to 70 degrees towards V < 0");
+    const BeamSpread up{.positive = {60, true}, .negative = {60, true}, .opposite = true};
+    EXPECT_EQ(spread_text(PhotometricType::c, 90, up), "C90-C270: 120 degrees, about the zenith");
+    EXPECT_EQ(spread_text(PhotometricType::b, 0, {}), "horizontal: dark");
 }
 
 TEST(LuminaireFacts, RemarkOnAHeaderThatItsTableContradicts) {
