@@ -7,7 +7,7 @@ namespace {
 
 /// The teapot of 1975, x from handle to spout, standing on z = 0.
 const Box3 teapot{{-3, -2, 0}, {3.525, 2, 3.15}};
-/// That teapot with y up, as most OBJ files have it.
+/// A teapot with y up, as most OBJ files have it.
 const Box3 upright{{-3, 0, -2}, {3.525, 3.15, 2}};
 
 } // namespace
