@@ -2,6 +2,7 @@
 
 #include "keiko/compare_views.h"
 #include "keiko/inspect/face_names.h"
+#include "keiko/patch/material_bounds.h"
 
 #include <array>
 
@@ -45,8 +46,9 @@ void compare_geometry(const SurfaceFeet& before, const SurfaceFeet& after,
                       const CompareBodiesOptions& options, Comparison& comparison, const Job& job) {
     DeviationOptions deviation = options.deviation;
     constexpr double fiftieth = 0.02;
-    deviation.reach =
-        options.reach > 0 ? options.reach : fiftieth * bounds(before.body().model).size();
+    deviation.reach = options.reach > 0
+                          ? options.reach
+                          : fiftieth * material_bounds(before.body().model, job).size();
     comparison.deviation = measure_deviation(after, before, deviation, job);
     comparison.missing = measure_deviation(before, after, deviation, job);
 }

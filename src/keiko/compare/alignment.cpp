@@ -4,6 +4,7 @@
 #include "keiko/base/units.h"
 #include "keiko/compare/coarse_alignment.h"
 #include "keiko/compare/rigid_step.h"
+#include "keiko/patch/material_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,7 +127,7 @@ Alignment align_bodies(const SurfaceFeet& body, const SurfaceFeet& other,
     constexpr std::size_t most_borders = 1000, few = 400;
     const SampleCloud cloud = cloud_of(body, options.samples);
     const std::vector<Held> held = held_places(body, cloud, most_borders);
-    const double size = bounds(other.body().model).size(), reach = size / 10;
+    const double size = material_bounds(other.body().model, job).size(), reach = size / 10;
     const Vec3 centre = centre_of(cloud);
     Alignment found;
     found.motion =

@@ -1,6 +1,7 @@
 #include "keiko/compare/symmetry.h"
 
 #include "keiko/compare/deviation.h"
+#include "keiko/patch/material_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ void check_symmetry(const SurfaceModel& model, Inspection& inspection, const Job
     const SurfaceFeet image(placed_model(model, limit->plane.motion()), job);
     DeviationOptions options;
     constexpr double fiftieth = 0.02; // of the size: what is farther has no image at all
-    options.reach = fiftieth * bounds(body.body().model).size();
+    options.reach = fiftieth * material_bounds(body.body().model, job).size();
     const Deviation found = measure_deviation(body, image, options, job);
     Worst worst;
     worst.value = std::min(std::abs(found.worst.value), options.reach);

@@ -5,6 +5,7 @@
 #include "keiko/inspect/doubled_pieces.h"
 #include "keiko/inspect/face_combs.h"
 #include "keiko/inspect/face_names.h"
+#include "keiko/patch/material_bounds.h"
 
 #include <algorithm>
 #include <array>
@@ -94,7 +95,7 @@ std::vector<CombCurve> iso_curves(const FaceCombs& face, const std::string& name
 
 std::vector<FoundOnFace> search(const SurfaceModel& model, const std::vector<CombFace>& placed,
                                 const CombOptions& options, const Job& job) {
-    const double size = bounds(model).size();
+    const double size = material_bounds(model, job).size();
     std::vector<FoundOnFace> found(placed.size());
     parallel_for(placed.size(), job, "combs", [&](std::size_t i) {
         const FaceCombs face(model, placed[i], options, size);

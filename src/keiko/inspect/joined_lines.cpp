@@ -6,6 +6,7 @@
 #include "keiko/inspect/run_out_places.h"
 #include "keiko/inspect/seam_chain.h"
 #include "keiko/inspect/seam_line.h"
+#include "keiko/patch/material_bounds.h"
 
 #include <algorithm>
 #include <array>
@@ -75,7 +76,7 @@ public:
     LineJoiner(const SurfaceModel& model, const LineSeams& seams, std::span<const CPlane> planes,
                const Camera& camera, LineLook look, const CriteriaPreset& preset, const Job& job)
         : model_(model), seams_(seams), preset_(preset), job_(job) {
-        const Vec3 body = bounds(model).center();
+        const Vec3 body = material_bounds(model, job).center();
         for (const CPlane& plane : planes)
             lamps_.push_back(lamp_levels(look, LineEye(camera), plane, body));
     }

@@ -4,6 +4,7 @@
 #include "keiko/base/units.h"
 #include "keiko/math/interval_set.h"
 #include "keiko/patch/boundary_curves.h"
+#include "keiko/patch/material_bounds.h"
 
 #include <tuple>
 
@@ -151,7 +152,7 @@ ModelFacts model_facts(const SurfaceModel& model, std::span<const Seam> seams, d
     count_edges(model, facts);
     facts.part_list = part_list(model);
     for (const Face& face : model.faces) facts.face_list.push_back(face_facts(model, face));
-    facts.bounds = bounds(model);
+    facts.bounds = material_bounds(model, job);
     facts.join = join;
     const Lengths lengths = border_lengths(model, seams, job);
     facts.border_length = lengths.whole, facts.free_length = lengths.free;

@@ -5,6 +5,7 @@
 #include "keiko/inspect/level_function.h"
 #include "keiko/inspect/line_sight.h"
 #include "keiko/inspect/visible_pieces.h"
+#include "keiko/patch/material_bounds.h"
 #include "keiko/patch/trim_region.h"
 #include "keiko/trace/steady_normal.h"
 
@@ -37,9 +38,9 @@ std::vector<PlacedPatch> placed_patches(const SurfaceModel& model) {
 class LineFinder {
 public:
     LineFinder(const SurfaceModel& model, const Tracer& seen, std::span<const CPlane> planes,
-               const Camera& camera, const SurfaceLineOptions& options)
+               const Camera& camera, const SurfaceLineOptions& options, const Job& job)
         : model_(model), seen_(seen), options_(options) {
-        const Box3 body = bounds(model);
+        const Box3 body = material_bounds(model, job);
         step_ = options.test_step * body.size();
         for (const CPlane& plane : planes)
             fields_.push_back(lamp_levels(options.look, LineEye(camera), plane, body.center()));
@@ -100,7 +101,7 @@ std::vector<SurfaceLine> surface_lines(const SurfaceModel& model, const Tracer& 
                                        std::span<const CPlane> planes, const Camera& camera,
                                        const SurfaceLineOptions& options, const Job& job) {
     const std::vector<PlacedPatch> placed = placed_patches(model);
-    const LineFinder finder(model, seen, planes, camera, options);
+    const LineFinder finder(model, seen, planes, camera, options, job);
     std::vector<std::vector<SurfaceLine>> found(placed.size());
     parallel_for(placed.size(), job, "lines",
                  [&](std::size_t i) { found[i] = finder.on(placed[i]); });

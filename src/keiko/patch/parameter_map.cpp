@@ -1,5 +1,7 @@
 #include "keiko/patch/parameter_map.h"
 
+#include "keiko/patch/parameter_ranges.h"
+
 #include <cmath>
 
 namespace keiko {
@@ -14,6 +16,39 @@ double middle(const ParameterMap& m) {
 }
 double quarter(const ParameterMap& m) {
     return (m.end - m.begin) / 4;
+}
+
+/// T of the map; 0 of an affine one.
+double tangent(const ParameterMap& m) {
+    if (m.kind == ParameterMap::Kind::circular) return std::tan(quarter(m));
+    return m.kind == ParameterMap::Kind::hyperbolic ? std::tanh(quarter(m)) : 0;
+}
+
+double squared(double x) {
+    return x * x;
+}
+Interval squared(const Interval& x) {
+    return square(x);
+}
+
+/// 1 + (s T)^2 on a circle, 1 - (s T)^2 on a hyperbola, s = 2t - 1.
+template <class T>
+T divisor(const ParameterMap& m, const T& t) {
+    const T reach = squared((t * 2.0 - 1.0) * tangent(m));
+    return m.kind == ParameterMap::Kind::hyperbolic ? T(1.0) - reach : reach + 1.0;
+}
+
+template <class T>
+T first_of(const ParameterMap& m, const T& t) {
+    if (m.kind == ParameterMap::Kind::affine) return m.end - m.begin;
+    return T(4 * tangent(m)) / divisor(m, t);
+}
+
+template <class T>
+T second_of(const ParameterMap& m, const T& t) {
+    if (m.kind == ParameterMap::Kind::affine) return 0.0;
+    const double k = tangent(m), sign = m.kind == ParameterMap::Kind::circular ? -1 : 1;
+    return (t * 2.0 - 1.0) * (sign * 16 * k * k * k) / squared(divisor(m, t));
 }
 
 } // namespace
@@ -32,29 +67,15 @@ double ParameterMap::to_face(double t) const {
 }
 
 double ParameterMap::derivative(double t) const {
-    const double s = 2 * t - 1;
-    if (kind == Kind::circular) {
-        const double k = std::tan(quarter(*this));
-        return 4 * k / (1 + s * s * k * k);
-    }
-    if (kind == Kind::hyperbolic) {
-        const double k = std::tanh(quarter(*this));
-        return 4 * k / (1 - s * s * k * k);
-    }
-    return end - begin;
+    return first_of(*this, t);
 }
 
 double ParameterMap::second_derivative(double t) const {
-    const double s = 2 * t - 1;
-    if (kind == Kind::circular) {
-        const double k = std::tan(quarter(*this)), d = 1 + s * s * k * k;
-        return -16 * k * k * k * s / (d * d);
-    }
-    if (kind == Kind::hyperbolic) {
-        const double k = std::tanh(quarter(*this)), d = 1 - s * s * k * k;
-        return 16 * k * k * k * s / (d * d);
-    }
-    return 0;
+    return second_of(*this, t);
+}
+
+ParameterRanges parameter_ranges(const ParameterMap& map, const Interval& t) {
+    return {first_of(map, t), second_of(map, t)};
 }
 
 double ParameterMap::to_patch(double face_parameter) const {

@@ -1,6 +1,7 @@
 #include "keiko/trace/tracer.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/patch/material_bounds.h"
 #include "keiko/trace/block_search.h"
 #include "keiko/trace/evaluated_hit.h"
 #include "keiko/trace/merge_hits.h"
@@ -36,6 +37,7 @@ struct Tracer::Scene {
     TracedModel model;
     std::vector<Box3> leaf_boxes;
     EmbreeScene boxes;
+    Box3 material;
     LeafKernels kernels = leaf_kernels();
     TracerStatistics statistics;
 
@@ -43,7 +45,8 @@ struct Tracer::Scene {
         : options(chosen),
           model(traced_model(source, chosen.join, chosen.leaf_contraction, job)),
           leaf_boxes(boxes_of(model, job)),
-          boxes(leaf_boxes, job.threads) {
+          boxes(leaf_boxes, job.threads),
+          material(material_bounds(source, job)) {
         if (!options.clipping_only) return;
         for (HotLeaf& leaf : model.hot) leaf.set_unbounded();
     }
@@ -229,7 +232,7 @@ const TracerStatistics& Tracer::statistics() const {
     return scene_->statistics;
 }
 const Box3& Tracer::bounds() const {
-    return scene_->boxes.bounds();
+    return scene_->material;
 }
 
 double Tracer::seam_width(std::uint32_t trim_curve) const {
