@@ -131,19 +131,8 @@ private:
         for (const Box2& line : {Box2{{0, 0}, {0, 1}}, Box2{{1, 0}, {1, 1}}, Box2{{0, 0}, {1, 0}},
                                  Box2{{0, 1}, {1, 1}}})
             add_surface({patch, whole.over(line), inside});
-        if (!inside) add_curves(patch, trims.border);
-    }
-
-    void add_curves(const std::shared_ptr<const PatchMaterial>& patch,
-                    std::span<const CurveStretch> border) {
-        for (const CurveStretch& stretch : border) {
-            if (!patch->overlap(stretch)) continue;
-            // Material need not lie straight beside the ends, which are corners.
-            constexpr double near_end = 1e-6;
-            try_place(*patch, stretch, stretch.first(), near_end);
-            try_place(*patch, stretch, stretch.last(), 1 - near_end);
-            add_curve(patch, stretch);
-        }
+        if (inside) return;
+        for (const CurveStretch& stretch : trims.border) add_curve(patch, stretch);
     }
 
     void add_surface(SurfacePart part) {
@@ -174,6 +163,26 @@ private:
             add_surface({part.patch, std::move(half), part.inside});
     }
 
+    void add_curve(const std::shared_ptr<const PatchMaterial>& patch, CurveStretch stretch) {
+        const auto overlap = patch->overlap(stretch);
+        if (!overlap || !is_higher(patch->whole().over(overlap->uv).upper())) return;
+        // Of the curve: cut down to the patch by halves not much shorter, so that places on the
+        // patch are known before what touches the curve is searched.
+        constexpr double shortest_cut = 1e-4;
+        if (!overlap->whole && stretch.share() > shortest_cut) {
+            for (CurveStretch& half : stretch.halves()) add_curve(patch, std::move(half));
+            return;
+        }
+        // Material need not lie straight beside the ends, which may be corners.
+        constexpr double near_end = 1e-6;
+        try_place(*patch, stretch, stretch.first(), near_end);
+        try_place(*patch, stretch, stretch.at(0.5)[0], 0.5);
+        try_place(*patch, stretch, stretch.last(), 1 - near_end);
+        const PatchMaterial::CurveBound bound = patch->bound(stretch, *overlap);
+        add(bound.upper, CurvePart{patch, std::move(stretch), bound.monotone});
+    }
+
+    /// `beside`: the parameter of the stretch at which material must lie beside it.
     void try_place(const PatchMaterial& patch, const CurveStretch& stretch, const Vec2& place,
                    double beside) {
         const std::optional<double> height = patch.height_at(place);
@@ -181,25 +190,13 @@ private:
             best_ = *height;
     }
 
-    void add_curve(const std::shared_ptr<const PatchMaterial>& patch, CurveStretch stretch) {
-        const auto overlap = patch->overlap(stretch);
-        if (!overlap || !is_higher(patch->whole().over(overlap->uv).upper())) return;
-        const PatchMaterial::CurveBound bound = patch->bound(stretch, *overlap);
-        add(bound.upper, CurvePart{patch, std::move(stretch), bound.monotone});
-    }
-
     void split(const CurvePart& part) {
-        if (part.monotone) return;
-        // Of a piece: a curve without material beside it is not searched finer than that.
+        // Of a curve: without material beside it, it is not searched finer than that.
         constexpr double finest = 1e-3, narrowest = 1e-12;
         const double share = part.stretch.share();
-        const bool beside = beside_material(part.patch->trims(), part.stretch, 0.5);
-        if (!beside && share < finest) return;
-        if (share < narrowest) return;
-        auto [first, last] = part.stretch.halves();
-        if (beside) try_place(*part.patch, part.stretch, first.last(), 0.5);
-        add_curve(part.patch, std::move(first));
-        add_curve(part.patch, std::move(last));
+        if (part.monotone || share < narrowest) return;
+        if (share < finest && !beside_material(part.patch->trims(), part.stretch, 0.5)) return;
+        for (CurveStretch& half : part.stretch.halves()) add_curve(part.patch, std::move(half));
     }
 
     const FaceTrims& trims_of(std::uint32_t face) {
