@@ -20,7 +20,7 @@ Series operator/(const Series& a, const Series& b) {
             (a.second - first * b.first * Interval(2.0) - value * b.second) / b.value};
 }
 
-/// Of a polynomial, from the hulls of its Bernstein coefficients and of their differences.
+/// Ranges of a polynomial, from the hulls of its Bernstein coefficients and of their differences.
 Series series_of(const BernsteinField& field) {
     const BernsteinField slope = field.derivative(true);
     return {field.range(), slope.range(), slope.derivative(true).range()};

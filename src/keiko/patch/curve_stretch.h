@@ -14,15 +14,15 @@ public:
     /// The whole of a curve.
     explicit CurveStretch(const BezierCurveView& curve)
         : CurveStretch({curve.points.begin(), curve.points.end()}, 1) {}
-    /// A straight one.
+    /// A straight stretch.
     CurveStretch(const Vec2& first, const Vec2& last)
         : CurveStretch({Vec3(first.x, first.y, 1), Vec3(last.x, last.y, 1)}, 1) {}
 
     const Vec2& first() const { return first_; }
     const Vec2& last() const { return last_; }
-    /// Of face parameters; holds the stretch.
+    /// A box of face parameters that holds the stretch.
     Box2 box() const { return hull_bounds(BezierCurveView{points_}); }
-    /// Of the whole curve that it is.
+    /// How much of its curve it is, 0 to 1.
     double share() const { return share_; }
     std::array<CurveStretch, 2> halves() const;
     /// Place and its first derivative by s, in face parameters.

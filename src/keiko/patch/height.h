@@ -10,7 +10,7 @@ struct Height {
     double offset = 0;
 
     double of(const Vec3& place) const { return slope.dot(place) + offset; }
-    /// The most that any place of the box has; -infinity of an empty one.
+    /// The largest height in the box; -infinity for an empty one.
     double most(const Box3& box) const {
         if (box.empty()) return -Box3::infinity;
         double sum = offset;

@@ -31,7 +31,7 @@ struct FaceTrims {
     std::vector<CurveStretch> border;
 };
 
-/// A box of a patch, or of one of its sides.
+/// A box of a patch or a stretch of one of its sides.
 struct SurfacePart {
     std::shared_ptr<const PatchMaterial> patch;
     PatchHeight height;
@@ -45,7 +45,7 @@ struct CurvePart {
     bool monotone = false; ///< its highest place is one of its ends
 };
 
-/// What may hold the highest place.
+/// A part of the model that may hold the highest place.
 struct Candidate {
     double upper = 0; ///< mm: none of its places is higher
     std::variant<PlacedPart, PlacedFace, PlacedPatch, SurfacePart, CurvePart> part;
@@ -81,7 +81,7 @@ public:
             if (count % between_checks == 0) job.check();
             const double upper = open_.front().upper;
             if (!is_higher(upper)) break;
-            if (upper - best_ <= limits_.accuracy || count >= limits_.most_parts) return upper;
+            if (upper - best_ <= limits_.accuracy || cuts_ >= limits_.most_cuts) return upper;
             const Candidate next = taken();
             std::visit([&](const auto& part) { split(part); }, next.part);
         }
@@ -153,12 +153,13 @@ private:
     }
 
     void split(const SurfacePart& part) {
-        // Of a patch: parts so narrow are not split; trim curves hold what they may touch.
+        // A box so narrow, in patch parameters, is not cut: what trims it is searched by itself.
         constexpr double narrowest = 1e-12;
         if (!part.height.may_be_level()) return;
         const bool by_u = part.height.varies_by_u();
         const Vec2 extent = part.height.uv().extent();
         if (!(extent[by_u ? 0 : 1] > narrowest)) return;
+        ++cuts_;
         for (PatchHeight& half : part.height.halves(by_u))
             add_surface({part.patch, std::move(half), part.inside});
     }
@@ -166,8 +167,8 @@ private:
     void add_curve(const std::shared_ptr<const PatchMaterial>& patch, CurveStretch stretch) {
         const auto overlap = patch->overlap(stretch);
         if (!overlap || !is_higher(patch->whole().over(overlap->uv).upper())) return;
-        // Of the curve: cut down to the patch by halves not much shorter, so that places on the
-        // patch are known before what touches the curve is searched.
+        // A curve that leaves the patch is cut at once, until its parts are so short a share of
+        // it: places on the patch must be known before boxes that the curve touches are cut.
         constexpr double shortest_cut = 1e-4;
         if (!overlap->whole && stretch.share() > shortest_cut) {
             for (CurveStretch& half : stretch.halves()) add_curve(patch, std::move(half));
@@ -191,11 +192,12 @@ private:
     }
 
     void split(const CurvePart& part) {
-        // Of a curve: without material beside it, it is not searched finer than that.
+        // A stretch so short, as a share of its curve, is dropped where no material lies beside it.
         constexpr double finest = 1e-3, narrowest = 1e-12;
         const double share = part.stretch.share();
         if (part.monotone || share < narrowest) return;
         if (share < finest && !beside_material(part.patch->trims(), part.stretch, 0.5)) return;
+        ++cuts_;
         for (CurveStretch& half : part.stretch.halves()) add_curve(part.patch, std::move(half));
     }
 
@@ -212,7 +214,8 @@ private:
     std::vector<Height> heights_;              ///< by instance, part coordinates
     std::map<std::uint32_t, FaceTrims> trims_; ///< of faces met so far
     std::vector<Candidate> open_;              ///< a heap
-    double best_ = -Box3::infinity;            ///< of places of the material
+    double best_ = -Box3::infinity;            ///< height of a place of the material
+    std::size_t cuts_ = 0;
 };
 
 } // namespace

@@ -12,20 +12,20 @@ struct HullBoxes {
     std::vector<Box3> faces, parts;
 };
 
-/// How well a search for the highest place is done.
+/// When a search for the highest place ends.
 struct SearchLimits {
-    double accuracy = 0; ///< mm: it ends when what is left is no higher than that above the best
-    /// Parts that are split before it ends anyway, with a bound that is less tight.
-    std::size_t most_parts = 1000000;
+    double accuracy = 0; ///< mm: nothing is higher than the best place by more
+    /// So many parts of patches and curves were cut. The bound is then less tight, and still holds.
+    std::size_t most_cuts = 200000;
 };
 
-/// The height along the unit `direction`, mm, that the material of all placed faces does not
-/// exceed but for rounding, and comes within the accuracy of; -infinity where there is none.
-/// Branch and bound over parts of the model, the one of the largest bound first. The highest place
-/// of a face is inside a patch where the gradient of the height vanishes, on a side of a patch
-/// where the slope along it does, at a corner, or on a trim curve. So a part of a patch or of a
-/// side is left out when its gradient vanishes nowhere, and a stretch of a curve when the height
-/// rises or falls all along it. Throws Cancelled.
+/// The height along the unit `direction`, mm, that no place of the material exceeds, to within
+/// rounding. A place comes as near to it as the accuracy. It is -infinity where there is no
+/// material. This is branch and bound: what has the largest bound is cut first. The highest place
+/// of a face is either inside a patch where the gradient of the height vanishes, or on a side of a
+/// patch where the slope along it vanishes, or at a corner of a patch, or on a trim curve. A box
+/// of a patch where no gradient vanishes is dropped, and so is a stretch of a trim curve along
+/// which the height only rises or only falls. Throws Cancelled.
 double highest_place(const SurfaceModel& model, const HullBoxes& hulls, const Vec3& direction,
                      const SearchLimits& limits, const Job& job);
 

@@ -7,12 +7,13 @@ namespace keiko {
 
 struct SurfaceModel;
 
-/// The box of the material: of all placed faces, as far as their trim loops leave them; world, mm.
-/// Empty where there is none. It holds every place of the material, to within rounding (1e-14 of
-/// the coordinates), and each of its sides is within 1e-8 of its size of one of them. Both are
-/// proved by branch and bound, where a million parts suffice for a side; else only the former.
-/// A trim curve counts where material lies beside it, tested at less than a thousandth of a piece
-/// of it. Throws Cancelled. The same bits for any thread count.
+/// The box of the material, world, mm: of all placed faces, as far as their trim loops leave them.
+/// It is empty where there is no material. Two facts are proved by branch and bound. No place of
+/// the material lies outside, beyond rounding (1e-14 of the coordinates). Each side of the box is
+/// within 1e-8 of the box's size of a place of the material; this one is not proved for a side
+/// that takes more than 200000 cuts. A trim curve counts as material where material lies beside
+/// it; that is tested at places closer than a thousandth of the curve. The bits are the same for
+/// any thread count. Throws Cancelled.
 Box3 material_bounds(const SurfaceModel& model, const Job& job = {});
 
 } // namespace keiko

@@ -11,22 +11,23 @@ namespace keiko {
 /// box. Weights must be positive.
 class PatchHeight {
 public:
-    /// Of the whole patch.
+    /// The height over the whole patch.
     PatchHeight(const BezierPatchView& patch, const Height& height);
 
     const Box2& uv() const { return uv_; }
-    /// Nowhere in the box is it higher, to within rounding: the largest of the coefficients, and no
-    /// more than that of a larger box that it was cut from.
+    /// An upper bound, to within rounding: the largest coefficient, and no more than the bound of
+    /// the larger box that this one was cut from.
     double upper() const { return upper_; }
     /// The heights of the four corners of the box: (0, 0), (1, 0), (0, 1), (1, 1).
     std::array<double, 4> corners() const;
-    /// Whether its gradient may vanish anywhere in the box; along a line, its slope along it.
+    /// Whether the gradient may vanish anywhere in the box. Of a line, only the slope along it
+    /// counts.
     bool may_be_level() const;
     /// Whether its coefficients vary more along u than along v, or as much.
     bool varies_by_u() const;
     /// Either half; `by_u`: cut across u.
     std::array<PatchHeight, 2> halves(bool by_u) const;
-    /// Of a box of the patch within its own.
+    /// The height over a box within this one.
     PatchHeight over(const Box2& part) const;
 
     /// Ranges over the box of the derivatives by x and y.

@@ -11,22 +11,22 @@ namespace keiko {
 /// A patch of a trimmed face, with the height of its places. Looks into the model and the trims.
 class PatchMaterial {
 public:
-    /// `height` of places in part coordinates.
+    /// `height`: of a place in part coordinates.
     PatchMaterial(const SurfaceModel& model, std::uint32_t patch, const TrimRegion& trims,
                   const Height& height);
 
-    /// Over all of the patch, whatever the trims.
+    /// The height over all of the patch, whatever the trims.
     const PatchHeight& whole() const { return whole_; }
     const TrimRegion& trims() const { return trims_; }
     TrimSide classify(const Box2& uv) const { return trims_.classify(face_box(uv)); }
     bool contains(const Vec2& uv) const;
 
-    /// Where a stretch of a trim curve is on the patch.
+    /// The part of a stretch of a trim curve that is on the patch.
     struct Overlap {
-        Box2 uv;            ///< holds it
+        Box2 uv;            ///< holds that part
         bool whole = false; ///< all of the stretch is on the patch
     };
-    /// Nothing where it is beside the patch.
+    /// Returns nothing for a stretch beside the patch.
     std::optional<Overlap> overlap(const CurveStretch& stretch) const;
     /// Bounds of the height along a stretch that is on the patch.
     struct CurveBound {
@@ -34,7 +34,7 @@ public:
         bool monotone = false; ///< it rises or falls all along
     };
     CurveBound bound(const CurveStretch& stretch, const Overlap& overlap) const;
-    /// Of the place of face parameters; nothing where that is beside the patch.
+    /// The height at a place in face parameters; nothing where that is beside the patch.
     std::optional<double> height_at(const Vec2& face_parameters) const;
 
 private:
