@@ -44,8 +44,8 @@ BernsteinField weights(const std::vector<Vec3>& points) {
     return {static_cast<int>(points.size()) - 1, 0, std::move(coefficients), 0};
 }
 
-/// Of the local parameter of a box of a patch, from the series of the face's parameter. `patch`:
-/// the range of the patch's own parameter over the box.
+/// Rates of the local parameter of a box of a patch, from the series of the face's parameter.
+/// `patch`: the range of the patch's own parameter over the box.
 CurveStretch::Rates through(const ParameterMap& map, const Series& face, const Interval& patch) {
     const ParameterRanges by_patch = parameter_ranges(map, patch);
     const Interval first = face.first / by_patch.first;

@@ -10,7 +10,7 @@ namespace {
 
 using RangeJet = Jet<Jet<Interval>>;
 
-/// Of a sum of four products.
+/// The relative rounding of a sum of four products.
 constexpr double product_rounding = 1e-15;
 
 BernsteinField height_field(const BezierPatchView& patch, const Height& height, bool rational) {

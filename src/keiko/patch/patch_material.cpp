@@ -6,7 +6,7 @@
 namespace keiko {
 namespace {
 
-/// Of a patch: a trim curve this close to its side is taken to run along it.
+/// A trim curve this close to a side of a patch, as a share of the patch, is taken to run along it.
 constexpr double side_width = 1e-10;
 
 /// The box, with no side much shorter than the other, within the patch.

@@ -67,8 +67,8 @@ TEST(CadBounds, OfABallCutByAPlaneEndAtTheCut) {
 }
 
 TEST(CadBounds, OfABallCutByATiltedPlaneFollowTheRim) {
-    // The cap beyond a plane at distance d whose normal n is tilted in x and z: a direction e has
-    // its highest place on the ball where e is in the cap, else on the rim.
+    // The cap of the ball beyond a plane at distance d with normal n. A direction e has its highest
+    // place on the ball where e points into the cap, else on the rim.
     const double radius = 10, d = 6, tilt = 0.5;
     const TopoDS_Shape half =
         BRepBuilderAPI_Transform(
