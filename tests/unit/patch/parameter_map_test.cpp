@@ -1,6 +1,7 @@
 #include "keiko/patch/parameter_map.h"
 
 #include "keiko/patch/bezier_curve.h"
+#include "keiko/patch/parameter_ranges.h"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,23 @@ TEST(ParameterMap, DerivativesMatchDifferences) {
                         1e-8);
             EXPECT_NEAR(map.second_derivative(t),
                         (map.derivative(t + h) - map.derivative(t - h)) / (2 * h), 1e-7);
+        }
+}
+
+TEST(ParameterMap, RangesHoldTheDerivativesAndLittleMore) {
+    for (const ParameterMap& map : maps)
+        for (double begin = 0; begin < 1; begin += 0.0625) {
+            const double width = 1.0 / 64;
+            const ParameterRanges ranges = parameter_ranges(map, {begin, begin + width});
+            for (int k = 0; k <= 8; ++k) {
+                const double t = begin + width * k / 8;
+                EXPECT_LE(ranges.first.low, map.derivative(t));
+                EXPECT_GE(ranges.first.high, map.derivative(t));
+                EXPECT_LE(ranges.second.low, map.second_derivative(t));
+                EXPECT_GE(ranges.second.high, map.second_derivative(t));
+            }
+            EXPECT_LT(ranges.first.high - ranges.first.low, 8 * width);
+            EXPECT_LT(ranges.second.high - ranges.second.low, 32 * width);
         }
 }
 
