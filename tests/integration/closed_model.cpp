@@ -74,7 +74,7 @@ std::string ClosureCounts::text() const {
 }
 
 ClosedModel::ClosedModel(SurfaceModel model)
-    : model_(std::move(model)), tracer_(model_), size_(bounds(model_).size()) {
+    : model_(std::move(model)), tracer_(model_), size_(hull_bounds(model_).size()) {
     for (std::uint32_t i = 0; i < model_.instances.size(); ++i) {
         const Part& part = model_.parts[model_.instances[i].part];
         for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f)

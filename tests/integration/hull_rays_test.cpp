@@ -18,7 +18,10 @@ using namespace test;
 class Hull {
 public:
     explicit Hull(const std::filesystem::path& file)
-        : model_(load_model(file)), tracer_(model_), edges_(model_), size_(bounds(model_).size()) {}
+        : model_(load_model(file)),
+          tracer_(model_),
+          edges_(model_),
+          size_(hull_bounds(model_).size()) {}
 
     double size() const { return size_; }
     const Tracer& tracer() const { return tracer_; }

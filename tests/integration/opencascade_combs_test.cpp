@@ -88,7 +88,7 @@ TEST_P(CombsAgainstOpenCascade, HaveTheSameCurvatureAndLength) {
     ASSERT_EQ(surfaces.size(), model.faces.size());
     CombOptions options;
     options.planes = {section_plane(given.plane)};
-    const double size = bounds(model).size();
+    const double size = hull_bounds(model).size();
     double length = 0, worst = 0;
     int compared = 0;
     for (const CombCurve& curve : comb_curves(model, options).curves) {

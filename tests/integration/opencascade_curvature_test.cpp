@@ -99,7 +99,7 @@ void expect_same(const PrincipalCurvatures& ours, BRepLProp_SLProps& theirs, dou
 
 void expect_agreement(const std::filesystem::path& file) {
     const SurfaceModel model = load_model(file);
-    const double size = bounds(model).size();
+    const double size = hull_bounds(model).size();
     Peer peer(file, model);
     test::Random random(20261121);
     int compared = 0, regular = 0;
@@ -155,7 +155,7 @@ SurfaceModel revolved(int degree, const std::vector<double>& knots,
 /// `exact` tells the principal curvatures at a place, of either sign.
 template <class Exact>
 void expect_closed_form(const SurfaceModel& model, const Exact& exact) {
-    const double size = bounds(model).size();
+    const double size = hull_bounds(model).size();
     test::Random random(5);
     for (int i = 0; i < place_count; ++i) {
         const Place place = random_place(model, random);

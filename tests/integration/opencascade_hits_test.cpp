@@ -53,7 +53,7 @@ struct Agreement {
 class Comparison {
 public:
     Comparison(const std::filesystem::path& file, const SurfaceModel& model)
-        : peer_(file), tracer_(model), size_(bounds(model).size()) {}
+        : peer_(file), tracer_(model), size_(hull_bounds(model).size()) {}
 
     void compare(const Ray& ray) {
         const std::vector<Hit> ours = tracer_.all(ray);
@@ -132,7 +132,7 @@ private:
 void expect_agreement(const std::filesystem::path& file) {
     const SurfaceModel model = load_model(file, {}, {});
     Comparison comparison(file, model);
-    for (const Ray& ray : random_rays(bounds(model), ray_count)) comparison.compare(ray);
+    for (const Ray& ray : random_rays(hull_bounds(model), ray_count)) comparison.compare(ray);
     const Agreement& a = comparison.agreement();
     std::cout << file.filename().string() << ": " << a.common << " common hits, OpenCASCADE lost "
               << a.lost_by_peer << ", at borders " << a.at_border << ", OpenCASCADE inexact "

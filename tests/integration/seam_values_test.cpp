@@ -87,7 +87,7 @@ private:
                       rounding(*frame, std::max(patch.degree_u, patch.degree_v))};
         const gp_Pnt there = side.position();
         const Vec3 off = Vec3(there.X(), there.Y(), there.Z()) - frame->position;
-        const bool same = off.length() < 1e-9 * bounds(model_).size();
+        const bool same = off.length() < 1e-9 * hull_bounds(model_).size();
         return same ? std::optional(side) : std::nullopt;
     }
 
@@ -107,7 +107,7 @@ private:
                                              degrees_to_radians(89), 1, 1);
         if (!peer.IsDone()) return;
         ++compared_;
-        const double size = bounds(model_).size();
+        const double size = hull_bounds(model_).size();
         const double gap = std::abs(peer.C0Value() - ours.gap);
         const double angle = std::abs(peer.G1Angle() / degrees_to_radians(1) - *ours.angle);
         EXPECT_LE(gap, 1e-9 * size);

@@ -38,7 +38,7 @@ bool at_rim(const ExactRoot& root) {
 } // namespace
 
 RayScene::RayScene(SurfaceModel model, const TracerOptions& options)
-    : model_(std::move(model)), tracer_(model_, options), size_(bounds(model_).size()) {
+    : model_(std::move(model)), tracer_(model_, options), size_(hull_bounds(model_).size()) {
     for (const Face& face : model_.faces) regions_.emplace_back(model_, face);
     for (std::uint32_t i = 0; i < model_.instances.size(); ++i) {
         const Instance& instance = model_.instances[i];

@@ -61,7 +61,7 @@ struct ModelFacts {
     double largest_approximation = 0;                  ///< mm
     std::map<std::string, std::size_t> kinds;          ///< faces of each surface kind
     std::map<std::array<int, 2>, std::size_t> degrees; ///< patches of each degree u x v
-    Box3 bounds;                                       ///< world, mm, of the control points
+    Box3 bounds;                                       ///< world, mm, of the material
     std::size_t edges = 0, degenerate_edges = 0; ///< as the file shares them; the latter are points
     double largest_edge_tolerance = 0;           ///< mm, as the file claims
     std::size_t seams = 0;    ///< lines along which faces meet, or one breaks; 0 where not measured

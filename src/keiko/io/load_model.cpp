@@ -74,7 +74,7 @@ SurfaceModel load_model(const std::filesystem::path& path, const LoadOptions& op
     const ModelFormat format = detect_model_format(path);
     SurfaceModel model = read_model(path, format, options, job);
     model.source = path.string();
-    if (!model.faces.empty() && bounds(model).size() == 0)
+    if (!model.faces.empty() && hull_bounds(model).size() == 0)
         throw Error(path.string(), "", "all its points are in one place: it is no surface");
     if (!options.unit.empty()) override_unit(model, options.unit);
     if (!options.axes.empty()) turn_axes(model, options.axes);

@@ -36,7 +36,7 @@ Vec2 SurfaceModel::face_parameters(std::uint32_t index, const Vec2& uv) const {
     return {p.map_u.to_face(uv.x), p.map_v.to_face(uv.y)};
 }
 
-Box3 bounds(const SurfaceModel& model) {
+Box3 hull_bounds(const SurfaceModel& model) {
     Box3 box;
     for (const Instance& instance : model.instances) {
         const Part& part = model.parts[instance.part];

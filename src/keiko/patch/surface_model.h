@@ -123,8 +123,9 @@ struct SurfaceModel {
     Vec2 face_parameters(std::uint32_t patch, const Vec2& uv) const;
 };
 
-/// Box of all placed patches (of their control points), world, mm.
-Box3 bounds(const SurfaceModel& model);
+/// Box of the control points of all placed patches, world, mm. It holds the material and may be
+/// much larger: sizes are those of material_bounds().
+Box3 hull_bounds(const SurfaceModel& model);
 
 /// Paths of the files that a model was read from, in the order of Face::file: `files`, or `source`
 /// of a model that is not merged.

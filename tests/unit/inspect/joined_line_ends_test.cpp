@@ -1,4 +1,5 @@
 #include "keiko/io/load_model.h"
+#include "keiko/patch/material_bounds.h"
 #include "keiko/spec/view.h"
 
 #include "tests/support/paths.h"
@@ -15,7 +16,7 @@ using test::parallel_camera;
 
 TEST(JoinedLines, OfTheHoodRunOverItsPatchesAndSmoothSeamsUnbroken) {
     const SurfaceModel model = load_model(test::repository("surfaces/hood.step"));
-    const Box3 body = bounds(model);
+    const Box3 body = material_bounds(model);
     const Camera camera = frame_view("high-front", body);
     CPlane plane = lamps_turned(0, 12);
     plane.origin += body.center();
@@ -43,7 +44,7 @@ TEST(JoinedLines, OfTheHoodRunOverItsPatchesAndSmoothSeamsUnbroken) {
 
 TEST(JoinedLines, AreTheSameForOneAndTwoThreads) {
     const SurfaceModel model = load_model(test::repository("surfaces/seam-g1-angle.step"));
-    const Camera camera = frame_view("high-front", bounds(model));
+    const Camera camera = frame_view("high-front", material_bounds(model));
     const auto one = joined(model, lamps_turned(0.6, 300), camera, {}, {.threads = 1});
     const auto two = joined(model, lamps_turned(0.6, 300), camera, {}, {.threads = 2});
     ASSERT_FALSE(one.crossings.empty());

@@ -2,6 +2,7 @@
 #include "keiko/base/input_file.h"
 #include "keiko/base/units.h"
 #include "keiko/io/load_model.h"
+#include "keiko/patch/material_bounds.h"
 
 #include "tests/unit/io/temporary_folder.h"
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -116,7 +117,7 @@ TEST_P(CadAssembly, KeepsNestedPlacementsNamesColoursAndLayers) {
     ASSERT_EQ(model.instances.size(), 4u);
     for (const double x : {1000.0, -1000.0})
         for (const double y : {100.0, -100.0}) EXPECT_EQ(near(origins(model), {x, y, 0}), 1u);
-    EXPECT_NEAR(bounds(model).lower.x, -1030, 1e-6) << "the turned wheels";
+    EXPECT_NEAR(material_bounds(model).lower.x, -1030, 1e-6) << "the turned wheels";
     std::size_t red = 0, tread = 0;
     for (const Face& face : model.faces) {
         red += face.color && face.color->r > 0.99 && face.color->g < 0.01;
@@ -230,7 +231,8 @@ struct CadUnits : testing::TestWithParam<Unit> {
 
     void expect_box(const std::filesystem::path& path, double scale) {
         const SurfaceModel model = load_model(path);
-        EXPECT_LT((bounds(model).extent() - Vec3(10, 20, 30) * scale).length(), 1e-7 * scale);
+        EXPECT_LT((material_bounds(model).extent() - Vec3(10, 20, 30) * scale).length(),
+                  1e-7 * scale);
         EXPECT_EQ(model.faces.size(), 6u);
         EXPECT_EQ(millimetres_per(model.unit), GetParam().millimetres) << model.unit;
     }

@@ -2,6 +2,7 @@
 #include "keiko/base/input_file.h"
 #include "keiko/io/load_model.h"
 #include "keiko/patch/boundary_curves.h"
+#include "keiko/patch/material_bounds.h"
 #include "keiko/patch/seam.h"
 
 #include "tests/unit/io/converted_shape.h"
@@ -55,7 +56,7 @@ void expect_faithful(const TopoDS_Shape& shape) {
     EXPECT_TRUE(model.lost_faces.empty());
     EXPECT_TRUE(model.diagnostics.empty()) << model.diagnostics.front().message;
     EXPECT_TRUE(model.repairs.empty()) << text_of(model.repairs.front().kind);
-    const double size = bounds(model).size();
+    const double size = material_bounds(model).size();
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const Face& face = model.faces[f];
         const BRepAdaptor_Surface surface(faces[f], false);
@@ -176,7 +177,7 @@ TEST(CadFiles, AStepFileComesBackThroughTheWorkerAndFailsWhenCut) {
     const SurfaceModel model = load_model(path);
     EXPECT_EQ(model.faces.size(), 6u);
     EXPECT_EQ(model.format, "STEP");
-    EXPECT_LT((bounds(model).upper - Vec3(10, 20, 30)).length(), 1e-9);
+    EXPECT_LT((material_bounds(model).upper - Vec3(10, 20, 30)).length(), 1e-9);
     const std::string whole = read_file(path);
     for (const std::size_t share : {10, 50, 90})
         EXPECT_THROW(

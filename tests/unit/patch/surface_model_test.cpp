@@ -43,7 +43,7 @@ TEST(SurfaceModel, ViewsFindTheirPoints) {
 }
 
 TEST(SurfaceModel, BoundsCoverEveryInstance) {
-    EXPECT_EQ(bounds(two_faces(5)), (Box3{{0, 0, 5}, {2, 11, 5}}));
+    EXPECT_EQ(hull_bounds(two_faces(5)), (Box3{{0, 0, 5}, {2, 11, 5}}));
 }
 
 TEST(SurfaceModel, MergedModelsKeepTheirGeometryAndGetUniqueIds) {
@@ -61,7 +61,7 @@ TEST(SurfaceModel, MergedModelsKeepTheirGeometryAndGetUniqueIds) {
     EXPECT_EQ(all.trim_curves[3].edge, 1u);
     EXPECT_EQ(all.trim_curves[4].edge, no_index);
     EXPECT_EQ(all.instances[2].part, 1u);
-    EXPECT_EQ(bounds(all), (Box3{{0, 0, -3}, {2, 11, 5}}));
+    EXPECT_EQ(hull_bounds(all), (Box3{{0, 0, -3}, {2, 11, 5}}));
     EXPECT_EQ(all.source, "z5, z-3");
     EXPECT_EQ(files_of(all), (std::vector<std::string>{"z5", "z-3"}));
     for (std::uint32_t f = 0; f < 4; ++f) EXPECT_EQ(all.faces[f].file, f / 2);

@@ -1,6 +1,7 @@
 #include "keiko/placement/place_lamps.h"
 
 #include "keiko/base/error.h"
+#include "keiko/patch/material_bounds.h"
 #include "keiko/placement/mirrored_ray.h"
 #include "keiko/placement/oriented_box.h"
 #include "keiko/spec/view.h"
@@ -32,7 +33,9 @@ Affine cylinder_along_y(double radius, double length) {
 struct Scene {
     explicit Scene(SurfaceModel body, std::string_view view = "three-quarter-front",
                    const Framing& framing = small_picture)
-        : model(std::move(body)), tracer(model), camera(frame_view(view, bounds(model), framing)) {}
+        : model(std::move(body)),
+          tracer(model),
+          camera(frame_view(view, material_bounds(model), framing)) {}
 
     Placement place(const PlacementOptions& options = {}, const Job& job = {}) const {
         return place_lamps(tracer, model, camera, options, job);
@@ -268,8 +271,9 @@ TEST(PlaceLamps, ServesTheChosenFacesAlone) {
 
 TEST(PlaceLamps, OneRigCanServeSeveralViews) {
     const Scene scene(test::bonnet_model(1100, 1400, 60));
-    const std::vector<Camera> views{frame_view("high-front", bounds(scene.model), small_picture),
-                                    frame_view("high-rear", bounds(scene.model), small_picture)};
+    const std::vector<Camera> views{
+        frame_view("high-front", material_bounds(scene.model), small_picture),
+        frame_view("high-rear", material_bounds(scene.model), small_picture)};
     // What one view mirrors hangs behind the other's eye, or would hide the body from it.
     const Placement placed = place_lamps(scene.tracer, scene.model, views);
     EXPECT_GT(placed.coverage, 0.7);
