@@ -3,6 +3,7 @@
 #include "keiko/inspect/curvature_match.h"
 #include "keiko/inspect/seam_extremes.h"
 #include "keiko/inspect/slope_match.h"
+#include "keiko/patch/material_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,8 +121,7 @@ CurvatureStep curvature_step(const SeamExtreme& extreme, const CriteriaPreset& p
                        .flat = judged.flat(p),
                        .worst = {extreme.value, extreme.bound, limit, p.place, Verdict::pass}};
     if (preset.curvature)
-        step.worst.verdict =
-            judge_maximum(extreme.value, extreme.bound, mismatch_rounding, limit);
+        step.worst.verdict = judge_maximum(extreme.value, extreme.bound, mismatch_rounding, limit);
     return step;
 }
 
@@ -225,12 +225,12 @@ StretchLimits stretch_limits(const SurfaceModel& model, const CriteriaPreset& pr
     constexpr double share_of_body = 0.01;
     // What a run-out leaves is judged as smooth: there no bound may straddle the limit.
     constexpr double faded = 0.99;
-    return {
-        .feature_angle = preset.feature_angle,
-        .negligible = std::min(preset.negligible, share_of_body * bounds(model).extent().length()),
-        .join = join,
-        .angle = faded * preset.angle,
-        .longest_run_out = preset.longest_run_out};
+    return {.feature_angle = preset.feature_angle,
+            .negligible = std::min(preset.negligible,
+                                   share_of_body * material_bounds(model).extent().length()),
+            .join = join,
+            .angle = faded * preset.angle,
+            .longest_run_out = preset.longest_run_out};
 }
 
 std::vector<MeasuredStretch> measure_line(const SurfaceModel& model, const SeamLine& line,
