@@ -1,35 +1,82 @@
 #include "keiko/base/input_file.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/stop_scope.h"
 
-#include <fstream>
-#include <iterator>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <string_view>
 
 namespace keiko {
 namespace fs = std::filesystem;
+namespace {
+
+/// A regular file open for reading. Opening it never waits, whatever it has become meanwhile.
+class OpenFile {
+public:
+    /// Throws Error for what is no regular file with content.
+    explicit OpenFile(const fs::path& path)
+        : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+        if (descriptor_ < 0) throw missing_or_unreadable(errno);
+        struct stat status {};
+        const int failure = fstat(descriptor_, &status) == 0 ? 0 : errno;
+        if (const std::string reason = failure ? std::strerror(failure) : fault_of(status);
+            !reason.empty()) {
+            close(descriptor_);
+            throw Error(path.string(), "", reason);
+        }
+    }
+    ~OpenFile() { close(descriptor_); }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+
+    std::string content() const {
+        std::string text;
+        std::array<char, 1 << 16> buffer;
+        for (;;) {
+            check_stop();
+            const ssize_t count = read(descriptor_, buffer.data(), buffer.size());
+            if (count == 0) return text;
+            if (count > 0)
+                text.append(buffer.data(), static_cast<std::size_t>(count));
+            else if (errno != EINTR)
+                throw Error(path_.string(), "", std::string("cannot read: ") + std::strerror(errno));
+        }
+    }
+
+private:
+    Error missing_or_unreadable(int code) const {
+        if (code == ENOENT) return {path_.string(), "", "no such file"};
+        if (code == EACCES) return {path_.string(), "", "cannot read: permission denied"};
+        if (code == ENXIO) return {path_.string(), "", "is a device, not a file"};
+        return {path_.string(), "", std::string("cannot read: ") + std::strerror(code)};
+    }
+
+    /// Pipes and some devices never end, and a file is read more than once.
+    static std::string fault_of(const struct stat& status) {
+        if (S_ISDIR(status.st_mode)) return "is a directory, not a file";
+        if (S_ISFIFO(status.st_mode)) return "is a pipe, not a file: save what comes out of it";
+        if (!S_ISREG(status.st_mode)) return "is a device, not a file";
+        return status.st_size == 0 ? "the file is empty" : "";
+    }
+
+    fs::path path_;
+    int descriptor_;
+};
+
+} // namespace
 
 void require_readable_file(const fs::path& path) {
-    std::error_code code;
-    const fs::file_status status = fs::status(path, code);
-    if (status.type() == fs::file_type::not_found) throw Error(path.string(), "", "no such file");
-    if (code) throw Error(path.string(), "", "cannot read: " + code.message());
-    if (fs::is_directory(status)) throw Error(path.string(), "", "is a directory, not a file");
-    // Some devices never end.
-    if (!fs::is_regular_file(status) && !fs::is_fifo(status))
-        throw Error(path.string(), "", "is a device, not a file");
-    const std::ifstream in(path, std::ios::binary);
-    if (!in) throw Error(path.string(), "", "cannot read: permission denied");
-    if (fs::is_regular_file(status) && fs::file_size(path, code) == 0)
-        throw Error(path.string(), "", "the file is empty");
+    const OpenFile file(path);
 }
 
 std::string read_file(const fs::path& path) {
-    require_readable_file(path);
-    std::ifstream in(path, std::ios::binary);
-    std::string content{std::istreambuf_iterator<char>(in), {}};
-    if (in.bad()) throw Error(path.string(), "", "cannot read");
-    return content;
+    return OpenFile(path).content();
 }
 
 std::string without_byte_order_mark(std::string text, const fs::path& path) {

@@ -1,6 +1,7 @@
 #include "keiko/base/parallel.h"
 
 #include "keiko/base/happens_before.h"
+#include "keiko/base/stop_scope.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
@@ -44,14 +45,16 @@ int arena_size(int threads) {
 void parallel_for(std::size_t count, const Job& job, std::string_view stage,
                   const std::function<void(std::size_t)>& body) {
     StageProgress progress(job, stage, count);
+    const StopScope scope(job);
     HappensBefore end;
     tbb::task_arena arena(arena_size(job.threads));
     arena.execute([&] {
         // simple_partitioner: one task an index, so that a stop request is seen soon.
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1),
                           HandedOver([&](const tbb::blocked_range<std::size_t>& range) {
+                              const StopScope::Shared shared(&scope);
                               for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                                  job.check();
+                                  check_stop();
                                   body(i);
                                   progress.one_done();
                               }
@@ -63,27 +66,31 @@ void parallel_for(std::size_t count, const Job& job, std::string_view stage,
 }
 
 void parallel_stream(std::size_t slots, const Job& job, const StreamStages& stages) {
+    const StopScope scope(job);
     std::size_t begun = 0;
     std::atomic<bool> enough = false;
     HappensBefore reads, writes;
     std::vector<HappensBefore> stages_of(slots);
     // At most `slots` are under way and they are written in order: the next one is free again.
     const HandedOver read([&](tbb::flow_control& control) -> std::size_t {
+        const StopScope::Shared shared(&scope);
         const Turn turn(reads);
-        job.check();
+        check_stop();
         const std::size_t slot = begun++ % slots;
         const Turn stage(stages_of[slot]);
         if (enough || !stages.read(slot)) control.stop();
         return slot;
     });
     const HandedOver work([&](std::size_t slot) {
+        const StopScope::Shared shared(&scope);
         const Turn stage(stages_of[slot]);
         if (!enough) stages.work(slot);
         return slot;
     });
     const HandedOver write([&](std::size_t slot) {
+        const StopScope::Shared shared(&scope);
         const Turn turn(writes), stage(stages_of[slot]);
-        job.check();
+        check_stop();
         if (!enough && !stages.write(slot)) enough = true;
     });
     reads.before();

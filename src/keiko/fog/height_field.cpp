@@ -1,5 +1,6 @@
 #include "keiko/fog/height_field.h"
 
+#include "keiko/base/stop_scope.h"
 #include "keiko/fog/height_along.h"
 #include "keiko/math/turn_sines.h"
 
@@ -63,16 +64,28 @@ ParameterInterval between_crests(const HeightField& field, const Segment& segmen
     return {std::clamp(std::min(a, b), 0.0, 1.0), std::clamp(std::max(a, b), 0.0, 1.0)};
 }
 
+/// Lengths of the shortest waves that lie along the whole segment.
+double waves_along(const HeightField& field, const Segment& segment) {
+    const Vec3 way = segment.b - segment.a;
+    double most = 0;
+    for (const Wave& wave : field.waves)
+        most = std::max(most, std::abs(way.x / wave.wavelength.x) +
+                                  std::abs(way.y / wave.wavelength.y));
+    return most;
+}
+
 /// Walks along a segment from crossing to crossing, past what height and slope at a place and the
 /// bound of the bend prove free of crossings, or to hold a single one.
 class CrossingWalk {
 public:
-    CrossingWalk(const HeightField& field, const Segment& segment) : over_(field, segment) {}
+    CrossingWalk(const HeightField& field, const Segment& segment)
+        : over_(field, segment), waves_along_(waves_along(field, segment)) {}
 
     std::vector<double> through(const ParameterInterval& part) && {
         Place here = at(part.begin);
-        // A segment that lies in the surface is not searched for ever.
+        const double most_places = some_places + places_per_wave * waves_along_ * part.length();
         for (int i = 0; i < most_places && here.t < part.end; ++i) {
+            if (i % places_between_checks == 0) check_stop();
             const Place next = at(std::min(here.t + stride(here), part.end));
             if (next.below() != here.below()) found_.push_back(root(here, next));
             here = next;
@@ -82,7 +95,10 @@ public:
 
 private:
     static constexpr double least = 1e-9; ///< mm
-    static constexpr int most_places = 100000;
+    /// A walk takes about ten places a wave. Only along a segment that lies in the surface would it
+    /// take more than these, and is given up.
+    static constexpr double some_places = 10000, places_per_wave = 64;
+    static constexpr int places_between_checks = 1024;
 
     struct Place {
         double t, height, slope;
@@ -123,6 +139,7 @@ private:
     }
 
     HeightAlong over_;
+    double waves_along_;
     std::vector<double> found_;
 };
 

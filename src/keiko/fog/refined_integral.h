@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/stop_scope.h"
 #include "keiko/math/quadrature.h"
 #include "keiko/math/rgb.h"
 
@@ -56,6 +57,7 @@ private:
     }
 
     void add(double a, double b, int halvings) {
+        check_stop();
         const Rgb fine = integrate(f_, a, b, 2 * order_), gap = fine - integrate(f_, a, b, order_);
         // What cannot be halved any more counts as found.
         const bool last = halvings == most_halvings;

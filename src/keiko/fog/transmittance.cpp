@@ -1,5 +1,7 @@
 #include "keiko/fog/transmittance.h"
 
+#include "keiko/base/stop_scope.h"
+
 #include <cmath>
 
 namespace keiko {
@@ -47,6 +49,7 @@ struct Mean {
         return layers.extinction_above * above + medium.extinction * (1 - above);
     }
     Rgb operator()(const GridDensity& grid) const {
+        check_stop();
         return medium.extinction * grid.grid->mean_along(segment);
     }
 };

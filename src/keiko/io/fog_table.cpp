@@ -5,6 +5,7 @@
 #include "keiko/io/toml_reader.h"
 #include "keiko/io/toml_text.h"
 
+#include <algorithm>
 #include <array>
 
 namespace keiko {
@@ -14,11 +15,19 @@ constexpr double most_k = 1e6, most_g = 0.999;
 /// 1/m; of the largest a micrometre is thick.
 constexpr TomlLimits extinctions{.low = 0, .high = 1e6};
 constexpr std::size_t most_waves = 64;
-/// Shorter waves than mm are no fog.
-constexpr double shortest_wave = 1;
+/// mm: a ray that meets nothing ends after 1e6 mm, on which it meets every wave.
+constexpr double shortest_wave = 20;
+/// mm: the shortest of its waves are a fourteenth as long.
+constexpr double shortest_noise = 300;
 constexpr double longest_wave = TomlLimits::length().high;
 /// mm: higher ones are no height of a layer, and their slopes leave double precision.
 constexpr double highest_wave = 1e6;
+/// Of the wavelength: through higher waves every ray has too many crossings.
+constexpr double most_steepness = 0.5;
+
+double highest_of(double wavelength) {
+    return std::min(highest_wave, most_steepness * wavelength);
+}
 
 PhaseFunction phase_from(const TomlTable& table) {
     const std::size_t kind =
@@ -38,28 +47,32 @@ Vec2 pair_from(const std::vector<double>& numbers) {
 
 Wave wave_from(const TomlTable& table) {
     Wave wave;
-    wave.amplitude = table.required(
-        "amplitude", table.number("amplitude", {.low = -highest_wave, .high = highest_wave}));
     wave.wavelength = pair_from(table.required(
         "wavelength",
         table.numbers("wavelength", 2, {.low = shortest_wave, .high = longest_wave})));
+    const double highest = highest_of(std::min(wave.wavelength.x, wave.wavelength.y));
+    wave.amplitude =
+        table.required("amplitude", table.number("amplitude", {.low = -highest, .high = highest}));
     if (const auto phase = table.numbers("phase", 2, {.low = -1e6, .high = 1e6}))
         wave.phase = pair_from(*phase);
     table.finish();
     return wave;
 }
 
+std::vector<Wave> noise_from(const TomlTable& table) {
+    const double wavelength = table.required(
+        "wavelength", table.number("wavelength", {.low = shortest_noise, .high = longest_wave}));
+    return noise_waves(
+        table.required("amplitude",
+                       table.number("amplitude", {.low = 0, .high = highest_of(wavelength)})),
+        wavelength);
+}
+
 std::vector<Wave> waves_from(const TomlTable& table) {
     const auto bump = table.choice("bump", {"none", "noise", "waves"}).value_or(0);
-    if (bump != 1)
-        for (const std::string_view key : {"amplitude", "wavelength"})
-            if (table.has(key)) throw table.error(key, "belongs to bump = \"noise\" alone");
-    if (bump == 1)
-        return noise_waves(
-            table.required("amplitude",
-                           table.number("amplitude", {.low = 0, .high = highest_wave})),
-            table.required("wavelength", table.number("wavelength", {.low = 20 * shortest_wave,
-                                                                     .high = longest_wave})));
+    if (bump == 1) return noise_from(table);
+    for (const std::string_view key : {"amplitude", "wavelength"})
+        if (table.has(key)) throw table.error(key, "belongs to bump = \"noise\" alone");
     std::vector<Wave> waves;
     for (const TomlTable& wave : table.tables("waves")) waves.push_back(wave_from(wave));
     if (bump == 0 && !waves.empty()) throw table.error("waves", "belong to bump = \"waves\"");

@@ -53,6 +53,24 @@ TEST(HeightField, NoCrossingIsLost) {
     EXPECT_GT(most, 5u);
 }
 
+TEST(HeightField, NoCrossingOfALongRayThroughShortWavesIsLost) {
+    // As far as a ray goes through the steepest and shortest waves that a file may have.
+    const HeightField field{.height = 500, .waves = noise_waves(150, 300)};
+    const Segment ray{{0, 0, 503}, {1e6, 2e5, 497}};
+    const std::vector<double> found = crossings(field, ray);
+    std::size_t changes = 0;
+    constexpr int places = 1000000;
+    bool below = field.above(ray.a) < 0;
+    for (int k = 1; k <= places; ++k) {
+        const bool now = field.above(ray.at(static_cast<double>(k) / places)) < 0;
+        if (now != below) ++changes;
+        below = now;
+    }
+    EXPECT_GE(found.size(), changes);
+    EXPECT_LE(static_cast<double>(found.size()), 1.01 * static_cast<double>(changes));
+    EXPECT_GT(found.back(), 0.99);
+}
+
 TEST(HeightField, AFlatOneIsCrossedOnce) {
     const HeightField flat{.height = 100};
     EXPECT_EQ(crossings(flat, {{0, 0, 0}, {0, 0, 400}}), std::vector<double>{0.25});

@@ -248,7 +248,7 @@ TEST(SpotlightFile, EveryKindReadsBackBitForBit) {
                       "fidelity = \"seed\"\nlight_leg = \"clear\"\n"
                       "phase = { kind = \"henyey-greenstein\", g = -0.3 }\n"
                       "layer = { height = 0.1, extinction_above = 0.2, bump = \"noise\", "
-                      "amplitude = 10, wavelength = 70 }\n");
+                      "amplitude = 100, wavelength = 700 }\n");
 }
 
 } // namespace keiko
