@@ -62,11 +62,11 @@ Regression merge_regressions(std::span<const fs::path> folders, const fs::path& 
     for (const fs::path& folder : folders)
         if (fs::exists(output) && fs::equivalent(folder, output))
             throw Error(output.string(), "--output", "is a shard itself");
+    withdraw_reports(output);
     std::map<int, Regression> shards = read_shards(folders);
     require_every_shard(shards);
     const Regression merged = joined(std::move(shards));
     const FolderLock lock(output);
-    remove_reports(output);
     write_reports(output, merged);
     return merged;
 }

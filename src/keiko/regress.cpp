@@ -28,18 +28,13 @@ FixtureOutcome run_one(const FixtureFile& fixture, const RegressOptions& options
     }
 }
 
-/// Those of an earlier run must not pass for this one's, whatever becomes of it.
-void withdraw_reports(const std::filesystem::path& output) {
-    if (!std::filesystem::is_directory(output)) return;
-    const FolderLock lock(output);
-    remove_reports(output);
-}
-
 } // namespace
 
 Regression run_regression(const RegressOptions& options, const Job& job) {
+    require_apart(options, {});
     withdraw_reports(options.output);
     const std::vector<FixtureFile> all = fixture_files(options.suite);
+    require_apart(options, all);
     const std::vector<FixtureFile> suite = options.only.empty() ? all : chosen(all, options.only);
     const std::vector<FixtureFile> share = share_of(suite, options.shard);
     const FolderLock lock(options.output);

@@ -2,6 +2,7 @@
 
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
+#include "keiko/base/real_path.h"
 #include "keiko/base/sha256.h"
 #include "keiko/io/fixture_file.h"
 #include "keiko/run_fixture.h"
@@ -144,7 +145,24 @@ Job job_of_fixture(const Job& job, std::size_t index, std::size_t count, const s
     return inner;
 }
 
-void remove_reports(const fs::path& output) {
+void require_apart(const RegressOptions& options, std::span<const FixtureFile> fixtures) {
+    const fs::path baselines = baseline_folder(options);
+    const fs::path& output = options.output;
+    if (lies_within(output, baselines))
+        throw Error(output.string(), "",
+                    "is in the folder of the baselines, " + baselines.string() +
+                        ", which a run only reads; name another folder for its reports");
+    for (const FixtureFile& fixture : fixtures)
+        if (lies_within(baselines, output / fixture.name))
+            throw Error(output.string(), "",
+                        "would hold the reports of fixture '" + shortened(fixture.name) +
+                            "' where the baselines are, " + baselines.string() +
+                            "; name another folder");
+}
+
+void withdraw_reports(const fs::path& output) {
+    if (!fs::is_directory(output)) return;
+    const FolderLock lock(output);
     std::error_code ignored; // what cannot be removed shows when it is written
     for (const char* name : report_names) fs::remove(output / name, ignored);
 }

@@ -35,8 +35,14 @@ std::vector<std::string> stale_baselines(std::span<const FixtureFile> suite,
 /// Tells which fixture of how many a stage belongs to: "2/7 hood: render".
 Job job_of_fixture(const Job& job, std::size_t index, std::size_t count, const std::string& name);
 
-/// Takes away the reports of an earlier run.
-void remove_reports(const std::filesystem::path& output);
+/// Removes the reports of an earlier run: they must not pass for this one's, whatever becomes of
+/// it. Throws Error while another process writes to the folder.
+void withdraw_reports(const std::filesystem::path& output);
+
+/// Throws Error where the output folder lies in that of the baselines, or has a fixture's folder
+/// there: a run would write into what it compares with, and wait for its own lock.
+void require_apart(const RegressOptions& options, std::span<const FixtureFile> fixtures);
+
 /// Writes pictures, junit.xml, index.html and, last, regression.json.
 void write_reports(const std::filesystem::path& output, const Regression& regression);
 /// What write_reports left in a folder. Throws Error.

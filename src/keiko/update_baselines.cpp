@@ -72,8 +72,10 @@ std::vector<AcceptedBaseline> update_baselines(const RegressOptions& options,
                                                std::span<const std::string> names,
                                                const std::string& by, const std::string& reason,
                                                const Job& job) {
+    const std::vector<FixtureFile> suite = fixture_files(options.suite);
+    require_apart(options, suite);
     std::vector<FixtureSpec> fixtures;
-    for (const FixtureFile& fixture : chosen(fixture_files(options.suite), names))
+    for (const FixtureFile& fixture : chosen(suite, names))
         fixtures.push_back(read_fixture(fixture.file));
     const FolderLock output_lock(options.output);
     std::vector<FixtureRecord> candidates;

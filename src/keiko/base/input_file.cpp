@@ -45,7 +45,8 @@ public:
             if (count > 0)
                 text.append(buffer.data(), static_cast<std::size_t>(count));
             else if (errno != EINTR)
-                throw Error(path_.string(), "", std::string("cannot read: ") + std::strerror(errno));
+                throw Error(path_.string(), "",
+                            std::string("cannot read: ") + std::strerror(errno));
         }
     }
 

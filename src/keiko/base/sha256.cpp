@@ -1,5 +1,7 @@
 #include "keiko/base/sha256.h"
 
+#include "keiko/base/stop_scope.h"
+
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -63,9 +65,11 @@ std::string sha256_hex(std::string_view bytes) {
     State state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
     const std::uint64_t bits = 8 * std::uint64_t{bytes.size()};
-    constexpr std::size_t block_size = 64;
-    for (; bytes.size() >= block_size; bytes.remove_prefix(block_size))
+    constexpr std::size_t block_size = 64, bytes_between_checks = 1 << 20;
+    for (; bytes.size() >= block_size; bytes.remove_prefix(block_size)) {
+        if (bytes.size() % bytes_between_checks < block_size) check_stop();
         take_block(state, reinterpret_cast<const unsigned char*>(bytes.data()));
+    }
     take_rest(state, bytes, bits);
     constexpr std::string_view digits = "0123456789abcdef";
     std::string hex;

@@ -5,6 +5,7 @@
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/symmetry_option.h"
+#include "keiko/earlier_results.h"
 
 #include <iostream>
 #include <memory>
@@ -21,14 +22,24 @@ struct CheckArguments {
     SymmetryOption symmetry;
 };
 
+void withdraw_earlier(const CheckArguments& arguments) {
+    arguments.files.require_places(arguments.models.inputs);
+    arguments.combs.require_places();
+    ResultPlaces places{.files = arguments.files.paths(), .folders = {}};
+    const auto& combs = arguments.combs.files();
+    places.files.insert(places.files.end(), combs.begin(), combs.end());
+    std::vector<std::filesystem::path> inputs = arguments.models.inputs;
+    inputs.emplace_back(arguments.preset);
+    withdraw_results(places, inputs);
+}
+
 int check(CheckArguments arguments, const Job& job) {
+    withdraw_earlier(arguments);
     CheckOptions& options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     arguments.symmetry.apply_to(options.preset);
     options.load = load_options(arguments.models);
     options.combs = arguments.combs.options(options.join);
-    arguments.files.require_places(arguments.models.inputs);
-    arguments.combs.require_places();
     const CheckResult result = check_models(arguments.models.inputs, options, job);
     const Inspection& inspection = result.inspection;
     for (const LostFace& face : inspection.facts.lost_faces)

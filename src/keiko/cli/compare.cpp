@@ -6,6 +6,7 @@
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/compare_bodies.h"
+#include "keiko/earlier_results.h"
 
 #include <array>
 #include <iostream>
@@ -55,7 +56,8 @@ void write_outputs(const CompareArguments& arguments, const CompareResult& resul
     if (is_page(arguments.output))
         batch.add(arguments.output, comparison_html(comparison));
     else if (!arguments.output.empty())
-        batch.add_folder(arguments.output, comparison_files(arguments.output, result));
+        batch.add_folder(arguments.output,
+                         with_manifest(comparison_files(arguments.output, result)));
     if (!arguments.json.empty()) batch.add(arguments.json, comparison_json(comparison));
     if (!arguments.junit.empty()) batch.add(arguments.junit, comparison_junit(comparison));
     batch.write();
@@ -77,6 +79,15 @@ CompareBodiesOptions options_of(const CompareArguments& arguments) {
     return options;
 }
 
+void withdraw_earlier(const CompareArguments& arguments) {
+    ResultPlaces places{.files = {arguments.json, arguments.junit}, .folders = {}};
+    (is_page(arguments.output) ? places.files : places.folders).push_back(arguments.output);
+    std::vector<fs::path> inputs{arguments.before, arguments.after, arguments.rig,
+                                 arguments.preset};
+    inputs.insert(inputs.end(), arguments.views.views.begin(), arguments.views.views.end());
+    withdraw_results(places, inputs);
+}
+
 void warn_of_lost_faces(const Comparison& comparison) {
     for (const Inspection* inspection :
          {&comparison.inspection_before, &comparison.inspection_after})
@@ -90,6 +101,7 @@ int compare(CompareArguments arguments, const Job& job) {
         throw Error("", "AFTER", "is missing: name the revision, or a plane to --mirror at");
     if (arguments.after.empty()) arguments.after = arguments.before;
     require_outputs(arguments);
+    withdraw_earlier(arguments);
     const CompareBodiesOptions options = options_of(arguments);
     const CompareResult result = compare_bodies(arguments.before, arguments.after, options, job);
     const Comparison& comparison = result.comparison;

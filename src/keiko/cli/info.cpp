@@ -2,6 +2,7 @@
 #include "keiko/cli/commands.h"
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/earlier_results.h"
 
 #include <iostream>
 #include <memory>
@@ -17,6 +18,7 @@ struct InfoArguments {
 
 int luminaire_info(const InfoArguments& arguments, const std::filesystem::path& file) {
     if (!arguments.svg.empty()) require_place_for_file(arguments.svg);
+    withdraw_results({.files = {arguments.svg}, .folders = {}}, {&file, 1});
     const LuminaireFacts facts = luminaire_facts(file.string(), read_luminaire(file));
     if (!arguments.svg.empty()) write_text_file(arguments.svg, polar_curve_svg(facts));
     std::cout << (arguments.json ? luminaire_json(facts) : luminaire_text(facts));

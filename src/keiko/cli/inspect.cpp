@@ -6,6 +6,7 @@
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/symmetry_option.h"
+#include "keiko/earlier_results.h"
 
 #include <iostream>
 #include <memory>
@@ -34,7 +35,21 @@ void print_summary(const Report& report, const std::filesystem::path& folder) {
     std::cout << "see " << (folder / "report.html").string() << "\n";
 }
 
+void withdraw_earlier(const InspectArguments& arguments) {
+    require_place_for_folder(arguments.output);
+    if (!arguments.hits.empty()) require_place_for_file(arguments.hits);
+    arguments.files.require_places(arguments.scene.inputs);
+    ResultPlaces places{.files = arguments.files.paths(), .folders = {arguments.output}};
+    places.files.push_back(arguments.hits);
+    std::vector<std::filesystem::path> inputs = arguments.scene.inputs;
+    inputs.insert(inputs.end(), arguments.options.views.begin(), arguments.options.views.end());
+    inputs.emplace_back(arguments.rig);
+    inputs.emplace_back(arguments.preset);
+    withdraw_results(places, inputs);
+}
+
 int inspect(InspectArguments arguments, const Job& job) {
+    withdraw_earlier(arguments);
     InspectOptions& options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     arguments.symmetry.apply_to(options.preset);
@@ -42,9 +57,6 @@ int inspect(InspectArguments arguments, const Job& job) {
         options.rig = arguments.rig;
         read_rig_aloud(*options.rig); // a misspelt key is told before the long work
     }
-    require_place_for_folder(arguments.output);
-    if (!arguments.hits.empty()) require_place_for_file(arguments.hits);
-    arguments.files.require_places(arguments.scene.inputs);
     require_view_names(options.views);
     options.combs = arguments.combs.options(options.join);
     const Scene scene = arguments.scene.open(job);
@@ -53,7 +65,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     options.register_hits = !arguments.hits.empty();
     const InspectResult result = inspect_scene(scene, options, job);
     OutputBatch outputs;
-    outputs.add_folder(arguments.output, result_files(arguments.output, result));
+    outputs.add_folder(arguments.output, with_manifest(result_files(arguments.output, result)));
     if (result.hits) outputs.add(arguments.hits, hits_text(*result.hits));
     const Report& report = result.report;
     arguments.files.add_to(

@@ -56,12 +56,15 @@ std::vector<InspectionFiles::File> InspectionFiles::files() const {
 }
 
 void InspectionFiles::require_places(std::span<const fs::path> inputs) const {
+    const std::vector<fs::path> asked = paths();
+    for (const fs::path& path : asked) require_place_for_file(path);
+    require_distinct(asked, inputs);
+}
+
+std::vector<fs::path> InspectionFiles::paths() const {
     std::vector<fs::path> paths;
-    for (const File& file : files()) {
-        require_place_for_file(file.path);
-        paths.push_back(file.path);
-    }
-    require_distinct(paths, inputs);
+    for (const File& file : files()) paths.push_back(file.path);
+    return paths;
 }
 
 void InspectionFiles::add_to(OutputBatch& batch, const Inspection& inspection) const {

@@ -3,6 +3,7 @@
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/earlier_results.h"
 
 #include <cmath>
 #include <iostream>
@@ -72,8 +73,20 @@ void write(const LinesArguments& arguments, const Scene& scene, const LineList& 
         write_text_file(arguments.inflections, line_inflections_csv(list));
 }
 
+void withdraw_earlier(const LinesArguments& arguments) {
+    std::vector<std::filesystem::path> inputs = arguments.scene.inputs;
+    inputs.insert(inputs.end(), arguments.options.views.begin(), arguments.options.views.end());
+    inputs.push_back(arguments.rig);
+    inputs.emplace_back(arguments.preset);
+    withdraw_results({.files = {arguments.output, arguments.csv, arguments.crossings,
+                                arguments.inflections, arguments.picture},
+                      .folders = {}},
+                     inputs);
+}
+
 int lines(LinesArguments arguments, const Job& job) {
     require_outputs(arguments);
+    withdraw_earlier(arguments);
     LinesOptions& options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     require_view_names(options.views);

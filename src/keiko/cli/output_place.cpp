@@ -2,6 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/output_target.h"
+#include "keiko/base/real_path.h"
 
 #include <unistd.h>
 
@@ -19,14 +20,6 @@ void require_writable(const fs::path& folder, const fs::path& wanted) {
         throw Error(wanted.string(), "", folder.string() + " is a file, not a folder");
     if (access(folder.c_str(), W_OK | X_OK) != 0)
         throw Error(wanted.string(), "", "no permission to write in " + folder.string());
-}
-
-/// Without links, also of what is not there yet.
-fs::path real_path(const fs::path& path) {
-    std::error_code code;
-    const fs::path whole = fs::absolute(path, code);
-    const fs::path real = fs::weakly_canonical(whole, code);
-    return code ? whole.lexically_normal() : real;
 }
 
 } // namespace

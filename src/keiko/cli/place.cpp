@@ -2,6 +2,7 @@
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/earlier_results.h"
 
 #include <array>
 #include <cstdio>
@@ -120,8 +121,23 @@ void require_output(const PlaceArguments& arguments) {
     if (!arguments.report.empty()) require_place_for_folder(arguments.report);
 }
 
+void withdraw_earlier(const PlaceArguments& arguments) {
+    const std::vector<std::string>& views = arguments.options.views;
+    ResultPlaces places;
+    if (!arguments.each) places.files.push_back(arguments.output);
+    for (const std::string& view : views)
+        if (arguments.each) places.files.push_back(of_view(arguments.output, view));
+    std::vector<std::filesystem::path> inputs = arguments.scene.inputs;
+    inputs.insert(inputs.end(), views.begin(), views.end());
+    inputs.insert(inputs.end(), arguments.planes.begin(), arguments.planes.end());
+    inputs.push_back(arguments.hits);
+    inputs.push_back(arguments.rated);
+    withdraw_results(places, inputs);
+}
+
 int place(const PlaceArguments& arguments, const Job& job) {
     require_output(arguments);
+    withdraw_earlier(arguments);
     require_view_names(arguments.options.views);
     PlaceOptions options = placing(arguments);
     const Scene scene = arguments.scene.open(job);

@@ -3,6 +3,7 @@
 #include "keiko/cli/commands.h"
 #include "keiko/cli/frame_log.h"
 #include "keiko/cli/render_options.h"
+#include "keiko/earlier_results.h"
 #include "keiko/thick_fog.h"
 
 #include <iomanip>
@@ -61,7 +62,15 @@ void render_lamps(const RenderArguments& arguments, const Scene& scene, const Ca
         write_film(arguments.output, film, arguments.mapping());
 }
 
+void withdraw_earlier(const RenderArguments& arguments) {
+    std::vector<std::filesystem::path> inputs = arguments.scene.inputs;
+    inputs.emplace_back(arguments.rig);
+    inputs.emplace_back(arguments.view);
+    withdraw_results({.files = {arguments.output, arguments.hits}, .folders = {}}, inputs);
+}
+
 void render_picture(const RenderArguments& arguments, const Job& job) {
+    withdraw_earlier(arguments);
     if (arguments.rig != "auto") read_rig_aloud(arguments.rig);
     std::vector<std::string> names;
     if (!arguments.view.empty()) names.push_back(arguments.view);

@@ -1,5 +1,6 @@
 #include "keiko/inspect/face_curvature.h"
 
+#include "keiko/base/stop_scope.h"
 #include "keiko/inspect/curvature_range.h"
 #include "keiko/inspect/patch_box.h"
 #include "keiko/inspect/placed_patch.h"
@@ -233,6 +234,7 @@ private:
     }
 
     void split(std::size_t index) {
+        check_stop();
         const Cell whole = std::move(cells_[index]);
         cells_[index] = std::move(cells_.back());
         cells_.pop_back();

@@ -1,5 +1,7 @@
 #include "keiko/inspect/face_grid.h"
 
+#include "keiko/base/stop_scope.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,9 +43,11 @@ FaceSample sampled(const FaceSurface& face, const Vec2& place) {
 FaceGrid::FaceGrid(const FaceSurface& face, double spacing)
     : u_(spread(face.span_lengths_u(), spacing)), v_(spread(face.span_lengths_v(), spacing)) {
     samples_.reserve(u_.size() * v_.size());
-    for (std::size_t row = 0; row < v_.size(); ++row)
+    for (std::size_t row = 0; row < v_.size(); ++row) {
+        check_stop();
         for (std::size_t column = 0; column < u_.size(); ++column)
             samples_.push_back(sampled(face, place(column, row)));
+    }
 }
 
 } // namespace keiko

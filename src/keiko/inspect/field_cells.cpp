@@ -1,5 +1,7 @@
 #include "keiko/inspect/field_cells.h"
 
+#include "keiko/base/stop_scope.h"
+
 #include <deque>
 
 namespace keiko {
@@ -42,6 +44,7 @@ FieldCells field_cells(const BernsteinField& field, const LineCellOptions& optio
     FieldCells found;
     std::deque<Piece> open{{field, unit_square}};
     for (std::size_t looked = 0; !open.empty(); ++looked) {
+        check_stop();
         const Piece piece = std::move(open.front());
         open.pop_front();
         const BernsteinField& f = piece.field;

@@ -1,5 +1,6 @@
 #include "keiko/inspect/line_cells.h"
 
+#include "keiko/base/stop_scope.h"
 #include "keiko/inspect/patch_box.h"
 
 #include <algorithm>
@@ -80,6 +81,7 @@ public:
         std::iota(every.begin(), every.end(), 0u);
         if (!every.empty()) open_.push_back({PatchBox(patch), std::move(every)});
         for (std::size_t looked = 0; !open_.empty(); ++looked) {
+            check_stop();
             const Task task = std::move(open_.front());
             open_.pop_front();
             look_at(task, looked >= options_.most_boxes);

@@ -1,5 +1,6 @@
 #include "keiko/inspect/patch_lines.h"
 
+#include "keiko/base/stop_scope.h"
 #include "keiko/inspect/level_function.h"
 
 #include <algorithm>
@@ -94,6 +95,7 @@ bool same(const LinePoint& a, const LinePoint& b) {
 
 /// Takes the arc that goes on from `end` out of `arcs`, turned to begin there.
 std::optional<Arc> next_arc(std::vector<Arc>& arcs, const LinePoint& end) {
+    check_stop();
     for (std::size_t i = 0; i < arcs.size(); ++i) {
         const bool forward = same(arcs[i].points.front(), end);
         if (!forward && !same(arcs[i].points.back(), end)) continue;

@@ -1,5 +1,7 @@
 #include "keiko/inspect/seam_extremes.h"
 
+#include "keiko/base/stop_scope.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -68,6 +70,7 @@ public:
         if (!std::isfinite(best_.best)) return std::nullopt;
         const std::size_t most_cells = cells_.size() + most_halvings;
         while (cells_.size() < most_cells) {
+            check_stop();
             const std::size_t most = most_promising();
             if (reaches_[most].upper <= best_.best + question_.tolerance) break;
             if (!split(most)) break;

@@ -1,5 +1,6 @@
 #include "keiko/inspect/smooth_faces.h"
 
+#include "keiko/base/stop_scope.h"
 #include "keiko/math/disjoint_sets.h"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ SmoothFaces::SmoothFaces(const SurfaceModel& model, std::span<const MeasuredSeam
 }
 
 void SmoothFaces::add_crossings(const BoundaryCurves& curves, const Seam& piece, double spacing) {
+    check_stop();
     const SurfaceCurve a = curves.curve(piece.a), b = curves.curve(piece.b);
     const std::size_t face_a = index_.at({piece.a.instance, piece.a.face});
     const std::size_t face_b = index_.at({piece.b.instance, piece.b.face});

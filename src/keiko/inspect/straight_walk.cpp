@@ -1,5 +1,6 @@
 #include "keiko/inspect/straight_walk.h"
 
+#include "keiko/base/stop_scope.h"
 #include "keiko/patch/differential_geometry.h"
 
 #include <cmath>
@@ -63,6 +64,7 @@ StraightWalk walk_straight(const SmoothFaces& faces, const SheetPlace& from, con
     if (!frame) return walk;
     auto walker = standing(faces, from, *start, direction, frame->z);
     for (int i = 0; walker; ++i) {
+        check_stop();
         walk.points.push_back({walker->at, walker->frame.origin, i * step, walker->bend});
         if ((i + 1) * step > reach) return walk;
         const auto next = ahead(faces, *walker, step);

@@ -17,6 +17,8 @@ namespace {
 
 /// Of the patch: farther than rounding carries a root of the line from the tracer's.
 constexpr double own_root = 1e-7;
+/// Of the body's size. Finer chords of a body as large as a planet never come to an end.
+constexpr double least_chord_error = 1e-10;
 
 struct PlacedPatch {
     std::uint32_t instance = 0, face = 0, patch = 0;
@@ -39,9 +41,10 @@ class LineFinder {
 public:
     LineFinder(const SurfaceModel& model, const Tracer& seen, std::span<const CPlane> planes,
                const Camera& camera, const SurfaceLineOptions& options, const Job& job)
-        : model_(model), seen_(seen), options_(options) {
+        : model_(model), seen_(seen), lines_(options.lines) {
         const Box3 body = material_bounds(model, job);
         step_ = options.test_step * body.size();
+        lines_.chord_error = std::max(lines_.chord_error, least_chord_error * body.size());
         for (const CPlane& plane : planes)
             fields_.push_back(lamp_levels(options.look, LineEye(camera), plane, body.center()));
         for (const Face& face : model.faces) trims_.emplace_back(model, face);
@@ -63,8 +66,7 @@ private:
     void add(const PlacedPatch& placed, const BezierPatchView& patch, std::uint32_t plane,
              std::vector<SurfaceLine>& found) const {
         const LampLevels& lamps = fields_[plane];
-        for (const PatchLine& line :
-             patch_lines(patch, lamps.field, lamps.levels, options_.lines)) {
+        for (const PatchLine& line : patch_lines(patch, lamps.field, lamps.levels, lines_)) {
             const LevelFunction f(patch, lamps.field, lamps.levels[line.level]);
             const LineSight sight(seen_, lamps.field, lamps.levels[line.level]);
             const auto visible = [&](const LinePoint& p) {
@@ -89,7 +91,7 @@ private:
 
     const SurfaceModel& model_;
     const Tracer& seen_;
-    const SurfaceLineOptions& options_;
+    PatchLineOptions lines_;
     double step_ = 0; ///< mm
     std::vector<LampLevels> fields_;
     std::vector<TrimRegion> trims_; ///< by face

@@ -1,5 +1,7 @@
 #include "keiko/inspect/visible_pieces.h"
 
+#include "keiko/base/stop_scope.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,6 +41,7 @@ private:
     }
 
     void advance(LinePoint& last, const LinePoint& next) {
+        check_stop();
         const bool seen = visible_(next);
         if (seen != seen_) {
             const LinePoint cut = seen ? seen_end(next, last) : seen_end(last, next);

@@ -1,10 +1,13 @@
 #include "keiko/inspect/zero_function.h"
 
+#include "keiko/base/stop_scope.h"
+
 #include <cmath>
 
 namespace keiko {
 
 Vec2 ZeroFunction::root(Vec2 a, double at_a, Vec2 b, double at_b) const {
+    check_stop();
     constexpr int secants = 30, most = 90;
     for (int i = 0; i < most; ++i) {
         const double share = i < secants ? at_a / (at_a - at_b) : 0.5;

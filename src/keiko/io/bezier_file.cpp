@@ -3,6 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/stop_scope.h"
 #include "keiko/io/model_format.h"
 
 #include <algorithm>
@@ -168,6 +169,7 @@ std::vector<Vec4> read_points(NumberLines& lines, std::size_t count) {
     std::vector<Vec4> points;
     std::size_t columns = 0;
     while (points.size() < count) {
+        check_stop();
         const std::vector<double> n = lines.next("a control point");
         if (columns == 0) columns = n.size();
         if (n.size() != columns || (columns != 3 && columns != 4))

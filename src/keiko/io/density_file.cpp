@@ -3,6 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/stop_scope.h"
 
 #include <charconv>
 #include <cmath>
@@ -98,6 +99,7 @@ VoxelDensity parse_density(std::string_view text, const std::string& source) {
                        static_cast<std::size_t>(nodes[2]);
     std::vector<double> values;
     for (std::size_t i = 0; i < count; ++i) {
+        check_stop();
         values.push_back(words.number());
         if (values.back() < 0) words.fail("a density must not be negative");
     }

@@ -1,5 +1,7 @@
 #include "keiko/patch/box_tree.h"
 
+#include "keiko/base/stop_scope.h"
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -85,6 +87,7 @@ void BoxTree::visit_near(const Vec3& p, double radius,
         const Waiting next = waiting.top();
         waiting.pop();
         if (next.box) {
+            check_stop();
             radius = visit(next.index);
             continue;
         }

@@ -1,5 +1,7 @@
 #include "keiko/patch/curve_polyline.h"
 
+#include "keiko/base/stop_scope.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,6 +22,7 @@ public:
         : curve_(curve), chord_error_(chord_error) {}
 
     CurvePolyline make() {
+        check_stop();
         // Four cells to begin with: a symmetric S crosses its chord in the middle.
         constexpr int first_cells = 4;
         add(0, curve_.at(0).position);

@@ -1,6 +1,7 @@
 #include "keiko/patch/seam.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/base/stop_scope.h"
 #include "keiko/math/interval_set.h"
 #include "keiko/patch/boundary_curves.h"
 #include "keiko/patch/box_tree.h"
@@ -229,6 +230,7 @@ std::vector<Seam> SeamPairing::choose() const {
     std::vector<Seam> all, seams;
     for (const SeamCandidate& candidate : candidates_)
         for (const Stretch& stretch : undominated(candidate)) {
+            check_stop();
             const SeamPiece found = piece(candidate, stretch);
             if (!(found.length > point_length)) continue;
             pieces.push_back(found);

@@ -1,5 +1,6 @@
 #include "keiko/patch/seam_stretch.h"
 
+#include "keiko/base/stop_scope.h"
 #include "keiko/patch/border_approach.h"
 #include "keiko/patch/closest_point.h"
 
@@ -91,6 +92,7 @@ private:
 };
 
 Look Alongside::look(double t, double guess) const {
+    check_stop();
     const SurfaceCurve::Point from = a_.curve.at(t);
     const ClosestPoint foot = closest_point(b_.curve, from.position, guess);
     return {.t = t,

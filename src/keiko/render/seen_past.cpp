@@ -1,5 +1,7 @@
 #include "keiko/render/seen_past.h"
 
+#include "keiko/base/stop_scope.h"
+
 namespace keiko {
 namespace {
 
@@ -34,6 +36,7 @@ const ApexView& SeenPast::view() const {
 }
 
 IntervalSet SeenPast::intervals(const Segment& segment) const {
+    check_stop();
     if (!occluders_) return IntervalSet::whole();
     const auto place = place_in_row(segment);
     if (!place) return view().intervals(segment.a, segment.b).intervals;

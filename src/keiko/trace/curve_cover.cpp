@@ -1,5 +1,7 @@
 #include "keiko/trace/curve_cover.h"
 
+#include "keiko/base/stop_scope.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -70,6 +72,7 @@ private:
     }
 
     void cover(double a, double b, int halvings) {
+        check_stop();
         if (!(a < b)) return;
         BorderPiece piece = kind_;
         const auto curve = hermite(curve_.at(a), curve_.at(b), b - a);

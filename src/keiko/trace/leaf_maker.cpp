@@ -1,5 +1,6 @@
 #include "keiko/trace/leaf_maker.h"
 
+#include "keiko/base/stop_scope.h"
 #include "keiko/trace/leaf_polynomial.h"
 #include "keiko/trace/subpatch.h"
 
@@ -99,6 +100,7 @@ bool LeafMaker::has_area() const {
 }
 
 void LeafMaker::add(const Share& share, const LeafFrame& frame, LeafSet& set) const {
+    check_stop();
     Leaf leaf = leaf_of(share, frame);
     leaf.first_point = static_cast<std::uint32_t>(set.points.size());
     std::vector<Vec4> points = points_of(leaf);

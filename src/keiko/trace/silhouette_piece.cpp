@@ -1,6 +1,7 @@
 #include "keiko/trace/silhouette_piece.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/base/stop_scope.h"
 #include "keiko/math/perpendicular.h"
 #include "keiko/patch/differential_geometry.h"
 #include "keiko/trace/reduced_degree.h"
@@ -125,6 +126,7 @@ Box2 face_box(const OccluderPatch& patch, const Box2& uv) {
 
 void split(const OccluderPatch& patch, const TrimRegion& region, const Box2& uv,
            std::array<int, 2> halved, std::vector<SilhouettePiece>& pieces) {
+    check_stop();
     const TrimSide side =
         region.untrimmed() ? TrimSide::inside : region.classify(face_box(patch, uv));
     if (side == TrimSide::outside) return;

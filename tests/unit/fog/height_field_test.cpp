@@ -55,7 +55,7 @@ TEST(HeightField, NoCrossingIsLost) {
 
 TEST(HeightField, NoCrossingOfALongRayThroughShortWavesIsLost) {
     // As far as a ray goes through the steepest and shortest waves that a file may have.
-    const HeightField field{.height = 500, .waves = noise_waves(150, 300)};
+    const HeightField field{.height = 500, .waves = noise_waves(75, 300)};
     const Segment ray{{0, 0, 503}, {1e6, 2e5, 497}};
     const std::vector<double> found = crossings(field, ray);
     std::size_t changes = 0;

@@ -63,18 +63,18 @@ TEST(LightLimits, FogLayersWhoseWavesCannotBeFollowedAreRefused) {
     EXPECT_EQ(noise("2000", "20"),
               "fog.layer.wavelength: must be at least 300 and at most 1e+09, is 20");
     EXPECT_EQ(noise("2000", "400"),
-              "fog.layer.amplitude: must be at least 0 and at most 200, is 2000");
-    EXPECT_EQ(noise("200", "400"), "");
+              "fog.layer.amplitude: must be at least 0 and at most 100, is 2000");
+    EXPECT_EQ(noise("100", "400"), "");
     const auto wave = [](const std::string& amplitude, const std::string& wavelength) {
         return refused(fog + "layer = { height = 0, extinction_above = 0, bump = \"waves\", " +
                        "waves = [{ amplitude = " + amplitude + ", wavelength = " + wavelength +
                        " }] }\n");
     };
     EXPECT_EQ(wave("2000", "[20, 700]"),
-              "fog.layer.waves[0].amplitude: must be at least -10 and at most 10, is 2000");
-    EXPECT_EQ(wave("5", "[10, 700]"),
+              "fog.layer.waves[0].amplitude: must be at least -5 and at most 5, is 2000");
+    EXPECT_EQ(wave("2", "[10, 700]"),
               "fog.layer.waves[0].wavelength: must be at least 20 and at most 1e+09, is 10");
-    EXPECT_EQ(wave("-10", "[20, 700]"), "");
+    EXPECT_EQ(wave("-5", "[20, 700]"), "");
 }
 
 TEST(LightLimits, BeamsTooNarrowForTheirProfileAreRefused) {

@@ -2,6 +2,7 @@
 
 #include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/stop_scope.h"
 #include "keiko/io/subdivision/cage_areas.h"
 #include "keiko/io/subdivision/cage_lines.h"
 #include "keiko/io/subdivision/cage_tags.h"
@@ -44,7 +45,10 @@ public:
 
     Cage read() {
         Statement statement;
-        while (lines_.next(statement)) take(statement);
+        while (lines_.next(statement)) {
+            check_stop();
+            take(statement);
+        }
         if (cage_.faces.empty())
             throw Error(lines_.file(), "", "no faces in the file (an OBJ file needs v and f)");
         apply(tags_, lines_, cage_);

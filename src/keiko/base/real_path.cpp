@@ -1,0 +1,29 @@
+#include "keiko/base/real_path.h"
+
+#include <algorithm>
+
+namespace keiko {
+namespace fs = std::filesystem;
+namespace {
+
+/// "a/b/" has an empty name at its end.
+fs::path without_slash_at_end(const fs::path& path) {
+    return path.has_filename() ? path : path.parent_path();
+}
+
+} // namespace
+
+fs::path real_path(const fs::path& path) {
+    std::error_code code;
+    const fs::path whole = fs::absolute(path, code);
+    const fs::path real = fs::weakly_canonical(whole, code);
+    return without_slash_at_end(code ? whole.lexically_normal() : real);
+}
+
+bool lies_within(const fs::path& path, const fs::path& folder) {
+    const fs::path inner = real_path(path), outer = real_path(folder);
+    const auto [in, out] = std::mismatch(inner.begin(), inner.end(), outer.begin(), outer.end());
+    return out == outer.end();
+}
+
+} // namespace keiko
