@@ -89,6 +89,30 @@ class Check(KeikoTest):
             self.assertRegex(run.stderr, rf"\Akeiko: {reason}.*\n\Z")
         self.assertEqual(self.content(), [])
 
+    def test_files_of_an_earlier_run_are_withdrawn(self):
+        files = ("--sarif", "a.sarif", "--csv", "a.csv", "--json", "link.json", "--junit", "a.xml")
+        (self.folder / "link.json").symlink_to("a.json")
+        self.check(GAP, *files)
+        self.assertEqual(len(self.content()), 5)
+        for wrong in (("none.step",), (GAP, "--preset", "none.toml")):
+            self.check(GAP, *files)
+            run = self.keiko("check", *wrong, *files)
+            self.assertEqual((run.returncode, run.stdout), (2, ""))
+            self.assertEqual(self.content(), ["link.json"])
+            self.assertTrue((self.folder / "link.json").is_symlink())
+
+    def test_names_of_faces_do_not_reach_the_terminal_as_they_are(self):
+        text = Path(GAP).read_text()
+        self.assertIn("'left'", text)
+        self.write("evil.step", text.replace("'left'", "'left\x1b[2J'"))
+        run = self.keiko("check", "evil.step", "--json", "a.json", "-q")
+        self.assertEqual(run.returncode, 1)
+        self.assertNotIn("\x1b", run.stdout + run.stderr)
+        self.assertIn("left?[2J", run.stdout)
+        self.assertIn("left\x1b[2J", str(json.loads((self.folder / "a.json").read_text())))
+        facts = self.keiko("info", "evil.step", "--json", "-q")
+        self.assertNotIn("\x1b", facts.stdout)
+
     def test_a_file_is_not_asked_for_twice(self):
         run = self.keiko("check", "missing.step", "-o", "a.json", "--junit", "./a.json")
         self.assertEqual((run.returncode, run.stdout), (2, ""))

@@ -218,9 +218,16 @@ class Reports(KeikoTest):
     def test_a_folder_gets_page_numbers_pictures_and_lamps(self):
         self.compare(self.moved(0.5), "-o", "out", *VIEW)
         self.assertEqual([p for p in self.content() if p.startswith("out/")],
-                         ["out/compare.html", "out/compare.json", "out/high-front-after.png",
+                         ["out/.keiko-results", "out/compare.html", "out/compare.json", "out/high-front-after.png",
                           "out/high-front-before.png", "out/high-front-deviation.png",
                           "out/high-front-difference.png", "out/rig.toml"])
+
+    def test_results_of_an_earlier_run_are_withdrawn(self):
+        moved = self.moved(0.5)
+        self.compare(moved, "-o", "out", "--json", "a.json", *VIEW)
+        run = self.keiko("compare", moved, "none.step", "-o", "out", "--json", "a.json", "-q")
+        self.assertEqual(run.returncode, 2)
+        self.assertEqual(self.content(), ["moved.step", "out"])
 
     def test_the_json_holds_its_schema_and_what_was_moved(self):
         self.compare(self.moved(0.5), "--json", "out.json", *VIEW)

@@ -97,6 +97,30 @@ class Errors(KeikoTest):
     def test_a_file_name_with_a_line_break(self):
         self.fails("a?b.step: no such file", "info", "a\nb.step")
 
+    def test_a_pipe_is_no_input(self):
+        for name in "a.bpt", "a.step", "a.toml", "a.ies":
+            os.mkfifo(self.folder / name)
+            self.fails(f"{name}: is a pipe, not a file: save what comes out of it", "info", name)
+            if not name.endswith(".ies"):
+                self.fails(f"{name}: is a pipe", "check", name)
+        self.fails("a.toml: is a pipe", "render", SADDLE, "-o", "p.png", "--rig", "a.toml")
+        self.fails("a.toml: is a pipe", "check", SADDLE, "--preset", "a.toml")
+        self.write("scene.toml", 'format = "keiko-scene/1"\n[[model]]\nfile = "a.bpt"\n')
+        self.fails("scene.toml:3:8: model[0].file: a.bpt: is a pipe", "render", "scene.toml", "-o",
+                   "p.png")
+
+    def test_a_path_with_a_nul(self):
+        (self.folder / "a.bpt").write_bytes(open(SADDLE, "rb").read())
+        self.write("scene.toml", 'format = "keiko-scene/1"\n[[model]]\nfile = "a.bpt\\u0000.evil"\n')
+        self.fails('scene.toml:3:8: model[0].file: "a.bpt?.evil" has a NUL character', "render",
+                   "scene.toml", "-o", "p.png")
+
+    def test_file_names_that_would_control_the_terminal(self):
+        self.fails("a?[31m?b?c.step: no such file", "info", "a\x1b[31m\u009bb\u202ec.step")
+        run = subprocess.run([BINARY, "info", b"a\xff\x9b.step"], cwd=self.folder,
+                             capture_output=True)
+        self.assertEqual((run.returncode, run.stderr), (2, b"keiko: import\nkeiko: a??.step: no such file\n"))
+
     def test_a_rig_with_a_misspelt_key(self):
         rig = (SOURCE / "lightrigs/single-tube.toml").read_text()
         line = rig[:rig.index("\ndiameter")].count("\n") + 2

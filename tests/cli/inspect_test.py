@@ -1,4 +1,5 @@
 """`keiko inspect`: verdict, exit code and report."""
+import hashlib
 import json
 import re
 import unittest
@@ -66,8 +67,42 @@ class Inspect(KeikoTest):
         for name in names:
             png = (self.folder / "out" / name).read_bytes()
             self.assertEqual(png[:4], b"\x89PNG", name)
-        rest = {"high-front-marked.png", "high-front.exr", "rig.toml", "report.html", "report.json"}
+        rest = {"high-front-marked.png", "high-front.exr", "rig.toml", "report.html", "report.json",
+                ".keiko-results"}
         self.assertEqual({p.name for p in (self.folder / "out").iterdir()}, rest | set(names))
+
+    def test_results_of_an_earlier_run_are_withdrawn(self):
+        self.inspect("seam-g0-gap.step", "--view", "top", "--sarif", "a.sarif")
+        out = self.folder / "out"
+        self.assertTrue((out / "top.png").exists())
+        (out / "notes.txt").write_text("mine")
+        (out / "high-front.png").write_bytes(b"drawn on by hand")
+        run = self.keiko("inspect", surface("pole.step"), "-o", "out", "--preset", "none.toml", "-q",
+                         "--sarif", "a.sarif")
+        self.assertEqual(run.returncode, 2)
+        self.assertEqual(self.content(), ["out", "out/high-front.png", "out/notes.txt"])
+        self.inspect("pole.step")
+        self.assertNotIn("out/top.png", self.content())
+        self.assertEqual((out / "notes.txt").read_text(), "mine")
+
+    def test_an_earlier_rig_that_is_read_again_stays(self):
+        self.inspect("seam-g2-only.step")
+        rig = (self.folder / "out/rig.toml").read_bytes()
+        self.inspect("seam-g2-only.step", "--rig", "out/rig.toml")
+        run = self.keiko("inspect", "none.step", "-o", "out", "--rig", "out/rig.toml")
+        self.assertEqual(run.returncode, 2)
+        self.assertEqual(self.content(), ["out", "out/rig.toml"])
+        self.assertIn(b"c_plane", rig)
+
+    def test_a_manifest_of_another_withdraws_nothing_elsewhere(self):
+        digest = hashlib.sha256(b"mine").hexdigest()
+        (self.folder / "out").mkdir()
+        self.write("mine.txt", "mine")
+        (self.folder / "out/link").symlink_to("../mine.txt")
+        self.write("out/.keiko-results", f"keiko-results/1\n{digest} ../mine.txt\n"
+                   f"{digest} {self.folder}/mine.txt\n{digest} link\n")
+        self.assertEqual(self.keiko("inspect", "none.step", "-o", "out").returncode, 2)
+        self.assertEqual(self.content(), ["mine.txt", "out", "out/link"])
 
     def test_the_report_needs_no_other_file(self):
         self.inspect("seam-g0-gap.step")

@@ -1,13 +1,32 @@
 """Ctrl-C ends a command soon, with exit code 130 and nothing written."""
+import os
 import signal
 import subprocess
 import time
 import unittest
 
-from keiko_process import BINARY, KeikoTest, surface
+from keiko_process import BINARY, SOURCE, KeikoTest, surface
 
 CAR = surface("concept-car.step")
 LARGE = ("--size", "1920x1080", "--view", "front")
+
+
+FOG = """format = "keiko-scene/1"
+[[model]]
+file = "%s"
+[camera]
+eye = [-6000, -5000, 1900]
+target = [2000, 100, 400]
+size = [320, 180]
+[[spotlight]]
+position = [-1500, -2600, 4600]
+aim = [700, -300, 400]
+half_angle = 22
+luminous_flux = 9000
+[fog]
+extinction = 0.8
+layer = { height = 380, extinction_above = 0.02, bump = "noise", amplitude = 75, wavelength = 300 }
+"""
 
 
 class Interrupted(KeikoTest):
@@ -39,6 +58,71 @@ class Interrupted(KeikoTest):
 
     def test_while_inspecting(self):
         self.interrupt("render", signal.SIGINT, "inspect", CAR, "-o", "out", *LARGE)
+
+
+class EveryCommand(KeikoTest):
+    """Each of them ends within ten seconds of Ctrl-C, whatever it is at."""
+
+    def start(self, *arguments: str) -> subprocess.Popen:
+        process = subprocess.Popen([BINARY, *arguments, "--verbose"], cwd=self.folder, text=True,
+                                   stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE)
+        self.addCleanup(process.kill)
+        return process
+
+    def ends(self, process: subprocess.Popen, stage: str = "", delay: float = 0.5):
+        """Sends SIGINT so many seconds after the progress names the stage."""
+        for line in process.stderr if stage else ():
+            if line.rstrip("\n").endswith(stage):
+                break
+        time.sleep(delay)
+        self.assertIsNone(process.poll(), "it has ended before the signal")
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=10)
+        self.assertEqual(process.returncode, 130, (process.args, errors))
+        self.assertTrue(errors.endswith("keiko: interrupted\n"), (process.args, errors))
+
+    def test_check(self):
+        self.ends(self.start("check", CAR, "--preset", "class-a-waviness"), "import", 0)
+
+    def test_compare(self):
+        self.ends(self.start("compare", CAR, CAR, "--samples", "10000000"), "deviation")
+
+    def test_illuminance_while_it_waits_for_points(self):
+        self.ends(self.start("illuminance", surface("lights-scene.toml")), "build")
+
+    def test_info(self):
+        self.ends(self.start("info", CAR), "import", 0)
+
+    def test_inspect(self):
+        self.ends(self.start("inspect", CAR, "-o", "out", *LARGE), "render")
+
+    def test_lines_on_a_body_as_large_as_an_orbit(self):
+        self.write("huge.bpt", "1\n2 2\n" + "".join(
+            f"{x}e14 {y}e14 {z}e14\n" for x, y, z in (
+                (-1, -1, 0), (-1, 0, -1), (-1, 1, 0), (0, -1, 1), (0, 0, 0), (0, 1, 1),
+                (1, -1, 0), (1, 0, -1), (1, 1, 0))))
+        self.ends(self.start("lines", "huge.bpt", "--rig", str(SOURCE / "lightrigs/car-12.toml"),
+                             "--chord", "1e-6", "-o", "lines.json"), "lines")
+
+    def test_place(self):
+        self.ends(self.start("place", CAR, "-o", "a.toml", "--samples", "4000000", *LARGE), "look")
+
+    def test_regress(self):
+        self.write("car.toml", f'format = "keiko-fixture/1"\nmodel = "{CAR}"\n'
+                               'views = ["front"]\nsize = [4096, 4096]\n')
+        self.ends(self.start("regress", ".", "-o", "out"), "import")
+
+    def test_render_under_fog_with_short_waves(self):
+        self.write("fog.toml", FOG % CAR)
+        self.ends(self.start("render", "fog.toml", "-o", "a.png"), "render", 3)
+
+    def test_trace_while_it_waits_for_rays(self):
+        self.ends(self.start("trace", surface("saddle.bpt")), "build")
+
+    def test_a_pipe_that_nobody_reads(self):
+        os.mkfifo(self.folder / "pipe.json")
+        self.ends(self.start("check", surface("saddle.bpt"), "--json", "pipe.json"), "faces", 1)
 
 
 if __name__ == "__main__":

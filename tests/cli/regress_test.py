@@ -118,6 +118,39 @@ class Baselines(RegressTest):
         self.assertTrue(model.exists())
 
 
+class OutputFolders(RegressTest):
+    def refuses(self, output: str, reason: str, *arguments: str):
+        before = self.content()
+        run = self.regress(*arguments, output=output)
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertIn(reason, run.stderr)
+        self.assertEqual(run.stderr.count("\n"), 1)
+        self.assertEqual(self.content(), before)
+
+    def test_reports_do_not_go_into_the_baselines(self):
+        self.add_fixture("a")
+        self.accept("a")
+        (self.folder / "link").symlink_to("suite/baselines")
+        for output in "suite/baselines", "link", "link/deep", "suite/../suite/baselines/a":
+            for more in (), ("--update", "a"):
+                self.refuses(output, "is in the folder of the baselines", *more)
+        self.refuses("kept/out", "is in the folder of the baselines", "--baseline", "kept")
+
+    def test_a_fixture_has_no_folder_in_the_baselines(self):
+        self.add_fixture("baselines")
+        self.add_fixture("kept")
+        self.refuses("suite", "would hold the reports of fixture 'baselines'")
+        self.refuses("out", "would hold the reports of fixture 'kept'", "--baseline",
+                     "out/kept/deep")
+
+    def test_a_merge_that_fails_leaves_no_reports_of_an_earlier_one(self):
+        self.add_fixture("a")
+        self.regress("--shard", "1/1", output="out-1")
+        self.assertEqual(self.keiko("merge", "-q", "out-1", "-o", "joined").returncode, 1)
+        self.assertEqual(self.keiko("merge", "-q", "nowhere", "-o", "joined").returncode, 2)
+        self.assertEqual([p.name for p in (self.folder / "joined").glob("*.*")], [])
+
+
 class Differences(RegressTest):
     def test_ten_micrometres_of_a_control_point_are_caught(self):
         model = self.add_fixture("dome")

@@ -13,11 +13,14 @@
 
 namespace keiko::test {
 
-/// Stop query that never asks to stop, and measures the work that a thread does between two
-/// queries: its processor time, which other programs do not change. By stage of the progress.
+/// Stop query that measures the work that a thread does between two queries: its processor time,
+/// which other programs do not change. By stage of the progress. Asks to stop after a time.
 class StopGaps {
 public:
-    StopGaps() : scope_([this] { return note(); }) { note(); }
+    /// `enough`: s of work of all threads, after which the work is to stop.
+    explicit StopGaps(double enough) : enough_(enough), scope_([this] { return note(); }) {
+        note();
+    }
 
     /// Reports its stages here.
     Job job(int threads = 0) {
@@ -33,7 +36,6 @@ public:
     /// Seconds, by the stage at their end; what this thread has done since its last query counts.
     std::map<std::string, double> longest() {
         note();
-        const std::scoped_lock lock(mutex_);
         return longest_;
     }
 
@@ -46,13 +48,14 @@ private:
     bool note() {
         static thread_local Last last;
         const double now = processor_time();
+        const std::scoped_lock lock(mutex_);
         if (last.number == number_) {
-            const std::scoped_lock lock(mutex_);
             double& longest = longest_[stage_];
             longest = std::max(longest, now - last.time);
+            total_ += now - last.time;
         }
         last = {number_, now};
-        return false;
+        return total_ > enough_;
     }
 
     /// Seconds of this thread.
@@ -65,6 +68,7 @@ private:
     static inline std::atomic<int> count_{0};
 
     int number_ = ++count_;
+    double enough_, total_ = 0;
     std::mutex mutex_;
     std::string stage_ = "begin";
     std::map<std::string, double> longest_;

@@ -1,13 +1,19 @@
 #include "keiko/base/error_text.h"
 
+#include "keiko/base/utf8.h"
+
 #include <algorithm>
 
 namespace keiko {
 
 std::string one_line(std::string_view text) {
-    std::string line(text);
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+    std::string line;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const bool shown = length > 0 && !controls_terminal(code_point(text.substr(0, length)));
+        line += shown ? text.substr(0, length) : std::string_view("?");
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
     return line;
 }
 

@@ -1,5 +1,7 @@
 #include "keiko/base/log.h"
 
+#include "keiko/base/error_text.h"
+
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -32,17 +34,17 @@ void set_log_level(LogLevel level) {
 }
 
 void log_detail(std::string_view message) {
-    logger().debug(message);
+    logger().debug(one_line(message));
 }
 void log_warning(std::string_view message) {
-    logger().warn("warning: {}", message);
+    logger().warn("warning: {}", one_line(message));
 }
 
 void log_warnings(std::span<const std::string> messages) {
     for (const std::string& message : messages) log_warning(message);
 }
 void log_error(std::string_view message) {
-    logger().error(message);
+    logger().error(one_line(message));
 }
 
 } // namespace keiko

@@ -3,11 +3,11 @@
 #include "keiko/cli/commands.h"
 #include "keiko/cli/inspection_files.h"
 #include "keiko/cli/number_check.h"
+#include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/symmetry_option.h"
 #include "keiko/earlier_results.h"
 
-#include <iostream>
 #include <memory>
 
 namespace keiko::cli {
@@ -51,7 +51,7 @@ int check(CheckArguments arguments, const Job& job) {
     if (result.combs) arguments.combs.add_to(outputs, *result.combs);
     outputs.write();
     if (result.combs) log_warnings(result.combs->remarks);
-    std::cout << inspection_text(inspection);
+    print(inspection_text(inspection));
     return inspection.verdict == Verdict::pass ? exit_pass : exit_findings;
 }
 

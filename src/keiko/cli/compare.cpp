@@ -4,12 +4,12 @@
 #include "keiko/cli/commands.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"
+#include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/compare_bodies.h"
 #include "keiko/earlier_results.h"
 
 #include <array>
-#include <iostream>
 #include <memory>
 
 namespace keiko::cli {
@@ -107,7 +107,7 @@ int compare(CompareArguments arguments, const Job& job) {
     const Comparison& comparison = result.comparison;
     warn_of_lost_faces(comparison);
     write_outputs(arguments, result);
-    std::cout << comparison_text(comparison);
+    print(comparison_text(comparison));
     return comparison.same() ? exit_pass : exit_findings;
 }
 

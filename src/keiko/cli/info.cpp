@@ -1,10 +1,10 @@
 #include "keiko/base/output_file.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/output_place.h"
+#include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/earlier_results.h"
 
-#include <iostream>
 #include <memory>
 
 namespace keiko::cli {
@@ -21,7 +21,7 @@ int luminaire_info(const InfoArguments& arguments, const std::filesystem::path& 
     withdraw_results({.files = {arguments.svg}, .folders = {}}, {&file, 1});
     const LuminaireFacts facts = luminaire_facts(file.string(), read_luminaire(file));
     if (!arguments.svg.empty()) write_text_file(arguments.svg, polar_curve_svg(facts));
-    std::cout << (arguments.json ? luminaire_json(facts) : luminaire_text(facts));
+    print(arguments.json ? luminaire_json(facts) : luminaire_text(facts));
     return exit_pass;
 }
 
@@ -32,7 +32,7 @@ int info(const InfoArguments& arguments, bool verbose, const Job& job) {
         throw Error(file.string(), "", "--svg draws luminaires alone: an .ies or .ldt file");
     const FactsOptions options{.load = load_options(arguments.scene), .tracing = verbose};
     const ModelFacts facts = file_facts(file, options, job);
-    std::cout << (arguments.json ? facts_json(facts) : facts_text(facts));
+    print(arguments.json ? facts_json(facts) : facts_text(facts));
     return exit_pass;
 }
 

@@ -1,14 +1,15 @@
 #include "keiko/base/log.h"
+#include "keiko/base/text_lines.h"
 #include "keiko/cli/comb_options.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/inspection_files.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"
+#include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/symmetry_option.h"
 #include "keiko/earlier_results.h"
 
-#include <iostream>
 #include <memory>
 
 namespace keiko::cli {
@@ -26,13 +27,16 @@ struct InspectArguments {
 };
 
 void print_summary(const Report& report, const std::filesystem::path& folder) {
-    std::cout << name_of(verdict_of(report)) << ": " << seams_words(report.inspection) << "; ";
+    TextLines lines;
+    std::ostream& line = lines.line();
+    line << name_of(verdict_of(report)) << ": " << seams_words(report.inspection) << "; ";
     if (report.lines) {
         const CrossingCounts crossings = count_crossings(*report.lines);
-        std::cout << "lines " << crossings.fail << " fail, " << crossings.undecided
-                  << " undecided, " << crossings.pass << " pass; ";
+        line << "lines " << crossings.fail << " fail, " << crossings.undecided << " undecided, "
+             << crossings.pass << " pass; ";
     }
-    std::cout << "see " << (folder / "report.html").string() << "\n";
+    line << "see " << (folder / "report.html").string();
+    print(lines.text());
 }
 
 void withdraw_earlier(const InspectArguments& arguments) {

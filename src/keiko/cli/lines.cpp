@@ -1,12 +1,13 @@
 #include "keiko/base/output_file.h"
+#include "keiko/base/text_lines.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"
+#include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/earlier_results.h"
 
 #include <cmath>
-#include <iostream>
 #include <map>
 #include <memory>
 
@@ -35,13 +36,16 @@ void print_summary(const LineList& list, const LinesArguments& arguments) {
     }
     const CrossingCounts counts = count_crossings(list);
     if (counts.fail + counts.undecided + counts.pass == 0)
-        std::cout << "no line crosses a seam: nothing is judged; try lamps aslant to the seams\n";
-    std::cout << crossings_table(list, arguments.rows) << name_of(verdict_of(list)) << ": "
-              << counts.fail << " crossings of lines and seams fail, " << counts.undecided
-              << " undecided, " << counts.pass << " pass, " << counts.not_judged << " not judged; "
-              << lines << " " << name_of(list.look) << " lines of " << pieces << " pieces, "
-              << std::llround(length) << " mm, " << unproved << " pieces not proved; see "
-              << arguments.output.string() << "\n";
+        print("no line crosses a seam: nothing is judged; try lamps aslant to the seams\n");
+    print(crossings_table(list, arguments.rows));
+    TextLines summary;
+    summary.line() << name_of(verdict_of(list)) << ": " << counts.fail
+                   << " crossings of lines and seams fail, " << counts.undecided << " undecided, "
+                   << counts.pass << " pass, " << counts.not_judged << " not judged; " << lines
+                   << " " << name_of(list.look) << " lines of " << pieces << " pieces, "
+                   << std::llround(length) << " mm, " << unproved << " pieces not proved; see "
+                   << arguments.output.string();
+    print(summary.text());
 }
 
 /// lines.png, or with several views lines-VIEW.png.

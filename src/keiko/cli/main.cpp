@@ -1,3 +1,4 @@
+#include "keiko/base/error_text.h"
 #include "keiko/base/kept_memory.h"
 #include "keiko/cli/commands.h"
 #include "keiko/keiko.h"
@@ -28,6 +29,6 @@ int main(int argc, char** argv) try {
     cli::add_trace(app, session);
     return session.run(app, argc, argv);
 } catch (const std::exception& error) {
-    std::fprintf(stderr, "keiko: %s\n", error.what());
+    std::fprintf(stderr, "keiko: %s\n", keiko::one_line(error.what()).c_str());
     return keiko::cli::exit_error;
 }

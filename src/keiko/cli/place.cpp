@@ -1,12 +1,13 @@
+#include "keiko/base/text_lines.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"
+#include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/earlier_results.h"
 
 #include <array>
 #include <cstdio>
-#include <iostream>
 #include <map>
 #include <memory>
 
@@ -75,7 +76,9 @@ PlaceOptions placing(const PlaceArguments& arguments) {
     return options;
 }
 
-void print_summary(const PlaceResult& result, const std::filesystem::path& output) {
+/// `view`: that the lamps are of alone; empty: all.
+void print_summary(const PlaceResult& result, const std::string& view,
+                   const std::filesystem::path& output) {
     const Placement& placement = result.placement;
     const std::size_t rows = placement.planes.size();
     const StripeStatistics& stripes = placement.stripes;
@@ -88,9 +91,11 @@ void print_summary(const PlaceResult& result, const std::filesystem::path& outpu
         rows, rows == 1 ? "row" : "rows", rows == 1 ? "covers" : "cover", 100 * placement.coverage,
         scale * stripes.median, scale * stripes.narrow, scale * stripes.wide,
         100 * stripes.in_range);
-    std::cout << text.data();
-    if (!output.empty()) std::cout << "; see " << output.string();
-    std::cout << "\n";
+    TextLines lines;
+    std::ostream& line = lines.line();
+    line << view << (view.empty() ? "" : ": ") << text.data();
+    if (!output.empty()) line << "; see " << output.string();
+    print(lines.text());
 }
 
 /// rig.toml of the view "front" is rig-front.toml.
@@ -105,8 +110,7 @@ void place_one(const PlaceArguments& arguments, const Scene& scene, const PlaceO
     const PlaceResult result = place_scene(scene, options, job);
     if (!report.empty()) write_placement(report, scene, result, job);
     if (!output.empty()) write_rig(output, result.placement.rig);
-    if (arguments.each) std::cout << result.views.front().name << ": ";
-    print_summary(result, output);
+    print_summary(result, arguments.each ? result.views.front().name : "", output);
 }
 
 void require_output(const PlaceArguments& arguments) {

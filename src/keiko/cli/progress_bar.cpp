@@ -1,5 +1,7 @@
 #include "keiko/cli/progress_bar.h"
 
+#include "keiko/base/error_text.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,9 +19,10 @@ ProgressBar::~ProgressBar() {
 void ProgressBar::show(const Progress& progress) {
     if (quiet_) return;
     const int percent = std::clamp(static_cast<int>(progress.fraction * 100), 0, 100);
-    const bool new_stage = stage_ != progress.stage;
+    const std::string stage = one_line(progress.stage);
+    const bool new_stage = stage_ != stage;
     if (!new_stage && percent == percent_) return;
-    stage_ = progress.stage;
+    stage_ = stage;
     percent_ = percent;
     if (terminal_)
         draw();

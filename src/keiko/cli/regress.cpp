@@ -1,15 +1,16 @@
 #include "keiko/regress.h"
 
 #include "keiko/base/counted.h"
+#include "keiko/base/text_lines.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/output_place.h"
+#include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
 
 #include <pwd.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <iostream>
 #include <memory>
 
 namespace keiko::cli {
@@ -75,23 +76,25 @@ std::string line_of(const FixtureOutcome& fixture) {
 }
 
 int tell(const Regression& regression, const std::filesystem::path& output) {
-    for (const FixtureOutcome& fixture : regression.fixtures) std::cout << line_of(fixture) << "\n";
+    TextLines lines;
+    for (const FixtureOutcome& fixture : regression.fixtures) lines.line() << line_of(fixture);
     for (const std::string& name : regression.stale_baselines)
-        std::cout << "stale baseline " << name << ": no fixture has this name\n";
-    std::cout << summary_of(regression) << "; see " << (output / "index.html").string() << "\n";
+        lines.line() << "stale baseline " << name << ": no fixture has this name";
+    lines.line() << summary_of(regression) << "; see " << (output / "index.html").string();
+    print(lines.text());
     return exit_code_of(regression.state());
 }
 
 int update(const RegressArguments& arguments, const RegressOptions& options, const Job& job) {
     const std::string by = arguments.by.empty() ? login_name() : arguments.by;
+    TextLines lines;
     for (const AcceptedBaseline& accepted :
          update_baselines(options, arguments.update, by, arguments.reason, job)) {
-        if (accepted.change.changed.empty())
-            std::cout << "unchanged " << accepted.name << "\n";
-        else
-            std::cout << "accepted " << accepted.name << "\n";
-        for (const std::string& line : accepted.change.changed) std::cout << "  " << line << "\n";
+        lines.line() << (accepted.change.changed.empty() ? "unchanged " : "accepted ")
+                     << accepted.name;
+        for (const std::string& change : accepted.change.changed) lines.line() << "  " << change;
     }
+    print(lines.text());
     return exit_pass;
 }
 

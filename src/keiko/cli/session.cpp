@@ -17,14 +17,10 @@
 namespace keiko::cli {
 namespace {
 
-void tell_error(const std::string& reason) {
-    log_error(one_line(reason));
-}
-
 void tell_usage_error(const CLI::App& app, const CLI::ParseError& error) {
     std::string command = "keiko";
     for (const CLI::App* sub : app.get_subcommands()) command += " " + sub->get_name();
-    tell_error(std::string(error.what()) + "; see " + command + " --help");
+    log_error(std::string(error.what()) + "; see " + command + " --help");
 }
 
 /// Whether the first argument names no command; if so, that is told.
@@ -35,8 +31,8 @@ bool tell_unknown_command(const CLI::App& app, int argc, char** argv) {
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         names.push_back(command->get_name());
     if (std::find(names.begin(), names.end(), typed) != names.end()) return false;
-    tell_error("there is no command " + in_quotes(typed) + did_you_mean(typed, names) +
-               "; see keiko --help");
+    log_error("there is no command " + in_quotes(typed) + did_you_mean(typed, names) +
+              "; see keiko --help");
     return true;
 }
 
@@ -69,11 +65,11 @@ int Session::run(CLI::App& app, int argc, char** argv) {
         log_error("interrupted");
         return exit_interrupted;
     } catch (const Error& error) {
-        tell_error(error.what());
+        log_error(error.what());
     } catch (const std::bad_alloc&) {
         log_error("out of memory");
     } catch (const std::exception& error) {
-        tell_error(std::string("internal error: ") + error.what());
+        log_error(std::string("internal error: ") + error.what());
     }
     return exit_error;
 }

@@ -36,6 +36,7 @@ std::vector<std::string> texts_of(const fs::path& file) {
 void follow(const fs::path& file, std::set<fs::path>& found) {
     if (!found.insert(file).second || file.extension() != ".toml") return;
     for (const std::string& text : texts_of(file)) {
+        if (text.find('\0') != std::string::npos) continue; // the name of no file
         const fs::path named = (file.parent_path() / text).lexically_normal();
         std::error_code no_file;
         if (fs::is_regular_file(named, no_file)) follow(named, found);

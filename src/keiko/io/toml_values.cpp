@@ -9,6 +9,15 @@
 #include <cmath>
 
 namespace keiko {
+namespace {
+
+/// A file system takes it for the end of a path: another file would be read than the text names.
+void refuse_nul(const TomlTable& table, std::string_view key, const std::string& text) {
+    if (text.find('\0') != std::string::npos)
+        throw table.error(key, in_quotes(text) + " has a NUL character, written \\u0000");
+}
+
+} // namespace
 
 double TomlTable::checked(std::string_view key, const TomlValue& value,
                           const TomlLimits& limits) const {
@@ -48,6 +57,7 @@ std::optional<std::string> TomlTable::text(std::string_view key) const {
     if (!entry) return {};
     const auto* content = std::get_if<std::string>(&entry->value.content);
     if (!content) throw mismatch(key, "a text in quotes");
+    refuse_nul(*this, key, *content);
     return *content;
 }
 
@@ -138,6 +148,7 @@ std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) c
     for (const TomlValue& value : *array) {
         const auto* text = std::get_if<std::string>(&value.content);
         if (!text) throw mismatch(key, "an array of texts");
+        refuse_nul(*this, key, *text);
         result.push_back(*text);
     }
     return result;

@@ -1,7 +1,7 @@
 #include "keiko/report/checks_csv.h"
 
+#include "keiko/base/utf8.h"
 #include "keiko/report/csv_text.h"
-#include "keiko/report/utf8.h"
 
 #include <initializer_list>
 

@@ -1,3 +1,4 @@
+#include "keiko/base/text_lines.h"
 #include "keiko/report/comparison.h"
 #include "keiko/report/comparison_words.h"
 #include "keiko/report/html_text.h"
@@ -65,45 +66,44 @@ std::string change_text(const Comparison& c, const SeamChange& change) {
         text += "; curvature mismatch " + short_number(100 * *change.before.curvature) +
                 " % before, " + short_number(100 * *change.after.curvature) + " % after";
     return text + "; " + std::string(name_of(change.before.verdict)) + " before, " +
-           std::string(name_of(change.after.verdict)) + " after\n";
+           std::string(name_of(change.after.verdict)) + " after";
 }
 
-std::string seams_text(const Comparison& c) {
-    std::string text;
-    for (const SeamChange& change : c.seams.changed) text += change_text(c, change);
+void add_seams(TextLines& lines, const Comparison& c) {
+    for (const SeamChange& change : c.seams.changed) lines.line() << change_text(c, change);
     for (const std::uint32_t seam : c.seams.removed)
-        text += "seam gone: " + sides_of(c.inspection_before.seams[seam].faces) + "\n";
+        lines.line() << "seam gone: " << sides_of(c.inspection_before.seams[seam].faces);
     for (const std::uint32_t seam : c.seams.added)
-        text += "seam new: " + sides_of(c.inspection_after.seams[seam].faces) + "\n";
+        lines.line() << "seam new: " << sides_of(c.inspection_after.seams[seam].faces);
     for (const Check& finding : c.seams.new_findings)
-        text += "finding new: " + sides_of(finding.faces) + ": " + finding.message + "\n";
+        lines.line() << "finding new: " << sides_of(finding.faces) << ": " << finding.message;
     for (const Check& finding : c.seams.solved_findings)
-        text += "finding fixed: " + sides_of(finding.faces) + ": " + finding.message + "\n";
-    return text;
+        lines.line() << "finding fixed: " << sides_of(finding.faces) << ": " << finding.message;
 }
 
-std::string faces_text(const Comparison& c) {
-    std::string text;
+void add_faces(TextLines& lines, const Comparison& c) {
     if (c.faces_before.size() != c.faces_after.size())
-        text += "faces: " + std::to_string(c.faces_before.size()) + " before, " +
-                std::to_string(c.faces_after.size()) + " after\n";
-    for (const std::string& face : faces_gone(c)) text += "face gone: " + face + "\n";
-    for (const std::string& face : faces_new(c)) text += "face new: " + face + "\n";
-    for (const std::string& face : faces_turned(c)) text += "turned inside out: " + face + "\n";
-    return text;
+        lines.line() << "faces: " << c.faces_before.size() << " before, " << c.faces_after.size()
+                     << " after";
+    for (const std::string& face : faces_gone(c)) lines.line() << "face gone: " << face;
+    for (const std::string& face : faces_new(c)) lines.line() << "face new: " << face;
+    for (const std::string& face : faces_turned(c)) lines.line() << "turned inside out: " << face;
 }
 
 } // namespace
 
 std::string comparison_text(const Comparison& c) {
-    std::string text = c.same() ? "same within tolerance\n" : "different\n";
-    if (c.alignment) text += "aligned: " + alignment_words(*c.alignment) + "\n";
+    TextLines lines;
+    lines.line() << (c.same() ? "same within tolerance" : "different");
+    if (c.alignment) lines.line() << "aligned: " << alignment_words(*c.alignment);
     for (const ComparisonCheck& check : comparison_checks(c))
-        text += mark_of(check) + check_text(c, check) + "\n";
+        lines.line() << mark_of(check) << check_text(c, check);
     for (const ComparedView& view : c.views)
-        text += (view.picture.within() ? "  " : "! ") + view.picture.view +
-                ": pictures: " + picture_words(view.picture) + "\n";
-    return text + faces_text(c) + seams_text(c);
+        lines.line() << (view.picture.within() ? "  " : "! ") << view.picture.view
+                     << ": pictures: " << picture_words(view.picture);
+    add_faces(lines, c);
+    add_seams(lines, c);
+    return lines.text();
 }
 
 } // namespace keiko

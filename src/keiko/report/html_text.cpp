@@ -1,6 +1,6 @@
 #include "keiko/report/html_text.h"
 
-#include "keiko/report/utf8.h"
+#include "keiko/base/utf8.h"
 
 #include <cmath>
 #include <cstdio>

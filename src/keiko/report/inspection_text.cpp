@@ -1,6 +1,7 @@
 #include "keiko/report/inspection_text.h"
 
 #include "keiko/base/counted.h"
+#include "keiko/base/text_lines.h"
 #include "keiko/report/check_place.h"
 #include "keiko/report/unmet_borders.h"
 
@@ -17,12 +18,10 @@ std::string faces_text(const Inspection& inspection) {
 }
 
 /// Where it passes, too: whoever asks for it wants to know by how much.
-std::string symmetry_text(const Inspection& inspection) {
-    std::string text;
+void add_symmetry(TextLines& lines, const Inspection& inspection) {
     for (const Check& check : inspection.checks)
         if (check.code == "KEIKO-SYMMETRY" && !check.is_finding())
-            text += "pass  " + check.code + "  " + placed_message(check) + "\n";
-    return text;
+            lines.line() << "pass  " << check.code << "  " << placed_message(check);
 }
 
 /// Nothing where each seam is of one class.
@@ -45,19 +44,20 @@ std::string seams_words(const Inspection& inspection) {
 }
 
 std::string inspection_text(const Inspection& inspection, std::size_t most) {
-    std::string text(name_of(inspection.verdict));
-    text += ": " + seams_words(inspection) + faces_text(inspection) + "; by " +
-            inspection.preset.name + "\n" + symmetry_text(inspection);
+    TextLines lines;
+    lines.line() << name_of(inspection.verdict) << ": " << seams_words(inspection)
+                 << faces_text(inspection) << "; by " << inspection.preset.name;
+    add_symmetry(lines, inspection);
     const std::size_t shown = std::min(most, inspection.findings.size());
     for (std::size_t i = 0; i < shown; ++i) {
         const Check& finding = inspection.findings[i];
-        text += std::string(name_of(finding.worst.verdict)) + "  " + finding.code + "  " +
-                placed_message(finding) + "\n";
+        lines.line() << name_of(finding.worst.verdict) << "  " << finding.code << "  "
+                     << placed_message(finding);
     }
     if (shown < inspection.findings.size())
-        text += "and " + std::to_string(inspection.findings.size() - shown) +
-                " more findings; --json, --junit, --sarif and --csv write them all\n";
-    return text;
+        lines.line() << "and " << inspection.findings.size() - shown
+                     << " more findings; --json, --junit, --sarif and --csv write them all";
+    return lines.text();
 }
 
 } // namespace keiko

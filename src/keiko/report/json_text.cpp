@@ -1,13 +1,39 @@
 #include "keiko/report/json_text.h"
 
+#include "keiko/base/utf8.h"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace keiko {
+namespace {
+
+/// In JSON that nlohmann-json has written: characters that a terminal would obey, which only stand
+/// in its strings, as \uXXXX. Line breaks between its values stay.
+std::string with_controls_escaped(std::string_view text) {
+    std::string escaped;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const char32_t character = length > 0 ? code_point(text.substr(0, length)) : 0;
+        if (length > 0 && character != '\n' && controls_terminal(character)) {
+            char code[8];
+            std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(character));
+            escaped += code;
+        } else {
+            escaped += text.substr(0, std::max<std::size_t>(length, 1));
+        }
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return escaped;
+}
+
+} // namespace
 
 std::string text_of(const Json& json) {
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return with_controls_escaped(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 Json real_json(double value) {

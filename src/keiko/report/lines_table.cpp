@@ -1,3 +1,4 @@
+#include "keiko/base/text_lines.h"
 #include "keiko/report/lines_json.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ std::string row_text(std::size_t rank, const LineCrossing& c, const std::string&
         known("%.4f", c.jump).c_str(), known("%.4f", c.kink).c_str(), known("%.2e", c.bend).c_str(),
         (std::to_string(c.plane) + "." + std::to_string(c.lamp)).c_str(), c.place.x, c.place.y,
         c.place.z);
-    return text + c.faces + " in " + view + "\n";
+    return text + c.faces + " in " + view;
 }
 
 } // namespace
@@ -36,13 +37,15 @@ std::string row_text(std::size_t rank, const LineCrossing& c, const std::string&
 std::string crossings_table(const LineList& list, std::size_t most) {
     const std::vector<CrossingPlace> ranked = ranked_crossings(list);
     if (ranked.empty()) return "";
-    std::string text =
-        "  #  verdict   severity  plane mm   turn °  jump mm    kink ° bend 1/mm   lamp  place\n";
+    TextLines lines;
+    lines.line()
+        << "  #  verdict   severity  plane mm   turn °  jump mm    kink ° bend 1/mm   lamp  "
+           "place";
     for (std::size_t i = 0; i < std::min(ranked.size(), most); ++i)
-        text += row_text(i + 1, ranked[i].in(list), list.views[ranked[i].view].view);
+        lines.line() << row_text(i + 1, ranked[i].in(list), list.views[ranked[i].view].view);
     if (ranked.size() > most)
-        text += "... and " + std::to_string(ranked.size() - most) + " crossings less bad\n";
-    return text;
+        lines.line() << "... and " << ranked.size() - most << " crossings less bad";
+    return lines.text();
 }
 
 } // namespace keiko

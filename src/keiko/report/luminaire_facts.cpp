@@ -1,12 +1,12 @@
 #include "keiko/report/luminaire_facts.h"
 
+#include "keiko/base/text_lines.h"
 #include "keiko/report/folded_remarks.h"
 #include "keiko/report/json_text.h"
 #include "keiko/report/spread_text.h"
 #include "keiko/spotlight/luminous_flux.h"
 #include "keiko/spotlight/stated_flux.h"
 
-#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -75,33 +75,28 @@ LuminaireFacts luminaire_facts(const std::string& source, PhotometricWeb web) {
 std::string luminaire_text(const LuminaireFacts& facts) {
     const IntensityTable& table = facts.web.candela;
     const auto [v, h] = brightest(table);
-    std::ostringstream out;
-    out.precision(6);
-    const auto line = [&out](std::string_view name) -> std::ostream& {
-        constexpr std::size_t width = 12;
-        return out << name << std::string(width - name.size(), ' ');
-    };
-    line("file") << facts.source << "\n";
-    if (!facts.web.name.empty()) line("luminaire") << facts.web.name << "\n";
-    line("type") << name_of(facts.web.type) << ", symmetry " << name_of(table.symmetry()) << "\n";
-    line("angles") << table.vertical().size() << " from " << table.vertical().front() << " to "
-                   << table.vertical().back() << " degrees in " << table.horizontal().size()
-                   << " planes\n";
-    line("flux") << facts.flux << " lm";
+    TextLines lines;
+    lines.line("file") << facts.source;
+    if (!facts.web.name.empty()) lines.line("luminaire") << facts.web.name;
+    lines.line("type") << name_of(facts.web.type) << ", symmetry " << name_of(table.symmetry());
+    lines.line("angles") << table.vertical().size() << " from " << table.vertical().front()
+                         << " to " << table.vertical().back() << " degrees in "
+                         << table.horizontal().size() << " planes";
+    std::ostream& flux = lines.line("flux");
+    flux << facts.flux << " lm";
     if (facts.web.lamp_flux > 0)
-        out << ", " << 100 * facts.flux / facts.web.lamp_flux << " % of its lamps' "
-            << facts.web.lamp_flux << " lm";
-    out << "\n";
-    line("intensity") << "at most " << facts.largest_intensity << " cd, under " << v
-                      << " degrees in plane " << h << "\n";
+        flux << ", " << 100 * facts.flux / facts.web.lamp_flux << " % of its lamps' "
+             << facts.web.lamp_flux << " lm";
+    lines.line("intensity") << "at most " << facts.largest_intensity << " cd, under " << v
+                            << " degrees in plane " << h;
     const PhotometricType type = facts.web.type;
-    line("beam angle") << spread_text(type, 0, facts.beam.plane_0) << "\n";
-    line("") << spread_text(type, 90, facts.beam.plane_90) << "\n";
-    line("field angle") << spread_text(type, 0, facts.field.plane_0) << "\n";
-    line("") << spread_text(type, 90, facts.field.plane_90) << "\n";
+    lines.line("beam angle") << spread_text(type, 0, facts.beam.plane_0);
+    lines.line("") << spread_text(type, 90, facts.beam.plane_90);
+    lines.line("field angle") << spread_text(type, 0, facts.field.plane_0);
+    lines.line("") << spread_text(type, 90, facts.field.plane_90);
     for (const FoldedRemark& remark : folded_remarks(facts.diagnostics))
-        line(name_of(remark.severity)) << remark.text << "\n";
-    return out.str();
+        lines.line(name_of(remark.severity)) << remark.text;
+    return lines.text();
 }
 
 std::string luminaire_json(const LuminaireFacts& facts) {

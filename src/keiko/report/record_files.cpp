@@ -161,6 +161,8 @@ FolderContent files_of(const KeptRecord& kept) {
 KeptRecord record_of(const FolderContent& files, const std::string& folder) {
     try {
         return parsed_record(files);
+    } catch (const Cancelled&) {
+        throw;
     } catch (const Error& error) {
         throw Error(folder, error.where(), error.reason());
     } catch (const std::exception& error) { // of the JSON library

@@ -1,6 +1,7 @@
 #include "keiko/base/error_text.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/text_lines.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,25 @@ namespace {
 TEST(ErrorText, AnErrorIsOneLineWhateverTheFileHolds) {
     const Error error("a\nb.toml", "2:1", "unknown key 'x\r\x1b[31m\x7f'");
     EXPECT_STREQ(error.what(), "a?b.toml:2:1: unknown key 'x??[31m?'");
+}
+
+TEST(ErrorText, NothingControlsTheTerminal) {
+    EXPECT_EQ(one_line("a\u009b31mb\u202ec\u2028d\u2066e"), "a?31mb?c?d?e");
+    EXPECT_EQ(one_line("a\x9b"
+                       "b\xff\xc3"),
+              "a?b??")
+        << "bytes that are no UTF-8";
+    EXPECT_EQ(one_line("Kotfl\u00fcgel \u2013 \u5de6"), "Kotfl\u00fcgel \u2013 \u5de6");
+}
+
+TEST(TextLines, ANameStaysOnItsLine) {
+    TextLines lines;
+    lines.line("file") << "a\nb\x1b[2J.step";
+    lines.line() << 3 << " faces";
+    EXPECT_EQ(lines.text(), "file        a?b?[2J.step\n3 faces\n");
+    EXPECT_EQ(TextLines().text(), "");
+    EXPECT_EQ(terminal_text("one\n\x1btwo\r\n\n"), "one\n?two?\n\n");
+    EXPECT_EQ(terminal_text("no end"), "no end");
 }
 
 TEST(ErrorText, LongTextEndsInDots) {

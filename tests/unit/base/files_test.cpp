@@ -2,7 +2,10 @@
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
 #include "keiko/base/pending_file.h"
+#include "keiko/base/real_path.h"
+#include "keiko/base/stop_scope.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -105,6 +108,41 @@ TEST_F(Files, APipeIsWrittenIntoAndStays) {
     EXPECT_EQ(got, "through");
     EXPECT_TRUE(fs::is_fifo(pipe));
     EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(Files, APipeIsNoInput) {
+    const fs::path pipe = folder_ / "pipe.toml";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_EQ(reason_of(pipe), "is a pipe, not a file: save what comes out of it");
+    try {
+        require_readable_file(pipe);
+        FAIL() << "nothing thrown";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.reason(), "is a pipe, not a file: save what comes out of it");
+    }
+}
+
+TEST_F(Files, AWaitForTheReaderOfAPipeEndsWithAStop) {
+    const fs::path pipe = folder_ / "pipe.txt";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    int asked = 0;
+    const StopScope nobody_reads([&] { return ++asked == 3; });
+    EXPECT_THROW(write_text_file(pipe, "through\n"), Cancelled);
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    asked = 0;
+    EXPECT_THROW(write_text_file(pipe, std::string(1 << 20, 'x')), Cancelled) << "it is full";
+    close(reader);
+}
+
+TEST_F(Files, APathIsWithinAFolderWhateverLinksLeadThere) {
+    fs::create_directories(folder_ / "suite/baselines");
+    fs::create_directory_symlink("suite/baselines", folder_ / "link");
+    const fs::path baselines = folder_ / "suite/baselines";
+    EXPECT_TRUE(lies_within(baselines, baselines));
+    EXPECT_TRUE(lies_within(folder_ / "link/new/deep", baselines));
+    EXPECT_TRUE(lies_within(folder_ / "suite/other/../baselines/", baselines));
+    EXPECT_FALSE(lies_within(folder_ / "suite", baselines));
+    EXPECT_FALSE(lies_within(folder_ / "suite/baselines-2", baselines));
 }
 
 TEST_F(Files, WritingIntoAMissingFolderNamesTheTarget) {

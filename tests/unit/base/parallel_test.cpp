@@ -1,6 +1,7 @@
 #include "keiko/base/parallel.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/stop_scope.h"
 
 #include <gtest/gtest.h>
 
@@ -45,6 +46,36 @@ TEST(ParallelFor, StopsWhenAsked) {
                               }),
                  Cancelled);
     EXPECT_LT(calls, 1000);
+}
+
+TEST(ParallelFor, EveryThreadIsInTheScopeOfTheCaller) {
+    std::atomic<int> asked = 0;
+    const StopScope scope([&] { return ++asked > 50; });
+    std::atomic<int> calls = 0;
+    EXPECT_THROW(parallel_for(4, {}, "",
+                              [&](std::size_t) {
+                                  for (;; ++calls) check_stop();
+                              }),
+                 Cancelled);
+    EXPECT_LE(calls, 50);
+    EXPECT_THROW(check_stop(), Cancelled);
+}
+
+TEST(ParallelFor, AStopOfItsJobReachesLoopsBelow) {
+    std::stop_source source;
+    const Job job{.progress = {}, .stop = source.get_token(), .threads = 2};
+    EXPECT_THROW(parallel_for(2, job, "",
+                              [&](std::size_t) {
+                                  parallel_for(2, {}, "", [&](std::size_t) {
+                                      for (;;) {
+                                          check_stop();
+                                          source.request_stop();
+                                      }
+                                  });
+                              }),
+                 Cancelled);
+    EXPECT_EQ(StopScope::innermost(), nullptr);
+    check_stop();
 }
 
 TEST(ParallelFor, HandsOnWhatTheBodyThrows) {

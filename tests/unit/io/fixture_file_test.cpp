@@ -88,6 +88,20 @@ TEST(FixtureFile, WhatIsWrongIsToldWithItsPlace) {
     EXPECT_NE(refusal("model = \"nowhere.step\"").find("no such file"), std::string::npos);
 }
 
+TEST(FixtureFile, PathsThatEndEarlyAreRefused) {
+    // The file system reads dome.bpt and leaves the rest.
+    const std::string why = " has a NUL character, written \\u0000";
+    EXPECT_EQ(refusal("model = \"dome.bpt\\u0000.evil\""),
+              "2:9: model: \"dome.bpt?.evil\"" + why);
+    EXPECT_EQ(refusal("model = [\"dome.bpt\", \"dome.bpt\\u0000.evil\"]"),
+              "2:9: model: \"dome.bpt?.evil\"" + why);
+    for (const std::string key : {"scene", "rig", "preset"})
+        EXPECT_NE(refusal((key == "scene" ? "" : "model = \"dome.bpt\"\n") + key +
+                          " = \"x.toml\\u0000.evil\"")
+                      .find(key + ": \"x.toml?.evil\"" + why),
+                  std::string::npos);
+}
+
 TEST(FixtureFile, AFolderGivesItsFixturesByNameAndPassesOtherFormatsOver) {
     const test::TemporaryFolder folder;
     folder.file("m.bpt", "1\n");
@@ -109,6 +123,8 @@ TEST(NamedFiles, AreFollowedThroughTomlFilesAndListedOnce) {
     const auto model = folder.file("m.step", "x");
     const auto rig = folder.file("rig.toml", "file = \"lamp.ies\"\nname = \"no file\"\n");
     const auto lamp = folder.file("lamp.ies", "x");
+    const auto cut = folder.file("cut.toml", "file = \"m.step\\u0000.evil\"\n");
+    EXPECT_EQ(files_named_by(cut), std::vector<std::filesystem::path>{cut});
     const auto scene = folder.file("s.toml",
                                    "model = [{ file = \"m.step\" }, { file = \"m.step\" }]\n"
                                    "[rig]\nfile = \"rig.toml\"\n");

@@ -128,6 +128,10 @@ TEST_F(SceneFile, MayLimitReflections) {
 TEST_F(SceneFile, ErrorsNameTheirPlace) {
     EXPECT_EQ(error("[[model]]\nfile = \"gone.step\"\n"),
               "3:8: model[0].file: " + (folder_ / "scenes/gone.step").string() + ": no such file");
+    EXPECT_EQ(error("[[model]]\nfile = \"m.bpt\\u0000.evil\"\n"),
+              "3:8: model[0].file: \"m.bpt?.evil\" has a NUL character, written \\u0000");
+    EXPECT_EQ(error(model + "[rig]\nfile = \"r.toml\\u0000\"\n"),
+              "5:8: rig.file: \"r.toml?\" has a NUL character, written \\u0000");
     EXPECT_EQ(error("view = \"fornt\"\n" + model).substr(0, 60),
               "2:8: view: unknown view 'fornt' (did you mean 'front'?); vie");
     EXPECT_EQ(error(model + "[camera]\neye = [0, 0, 1]\ntarget = [0, 0, 1]\n"),

@@ -1,4 +1,4 @@
-#include "keiko/report/utf8.h"
+#include "keiko/base/utf8.h"
 
 #include <algorithm>
 
@@ -31,6 +31,22 @@ std::size_t utf8_length(std::string_view text) {
     for (std::size_t i = 1; i < length; ++i)
         if ((byte(i) & 0xc0) != 0x80) return 0;
     return length > 2 && forbidden(text.substr(0, length)) ? 0 : length;
+}
+
+char32_t code_point(std::string_view sequence) {
+    const auto lead = static_cast<unsigned char>(sequence[0]);
+    if (sequence.size() == 1) return lead;
+    // The lead byte of a sequence of n bytes begins with n ones and a zero.
+    char32_t character = lead & (0xffu >> (sequence.size() + 1));
+    for (const char c : sequence.substr(1))
+        character = character << 6 | (static_cast<unsigned char>(c) & 0x3fu);
+    return character;
+}
+
+bool controls_terminal(char32_t c) {
+    const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
+    return c < 0x20 || within(0x7f, 0x9f) || c == 0x61c || within(0x200e, 0x200f) ||
+           within(0x2028, 0x202e) || within(0x2066, 0x2069);
 }
 
 std::string as_utf8(std::string_view text) {

@@ -1,0 +1,13 @@
+#include "keiko/cli/print.h"
+
+#include "keiko/base/text_lines.h"
+
+#include <iostream>
+
+namespace keiko::cli {
+
+void print(std::string_view lines) {
+    std::cout << terminal_text(lines);
+}
+
+} // namespace keiko::cli
