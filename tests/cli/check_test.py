@@ -109,7 +109,8 @@ class Check(KeikoTest):
         self.assertEqual(run.returncode, 1)
         self.assertNotIn("\x1b", run.stdout + run.stderr)
         self.assertIn("left?[2J", run.stdout)
-        self.assertIn("left\x1b[2J", str(json.loads((self.folder / "a.json").read_text())))
+        report = json.loads((self.folder / "a.json").read_text())
+        self.assertIn("left\x1b[2J", report["faces"][0]["name"])
         facts = self.keiko("info", "evil.step", "--json", "-q")
         self.assertNotIn("\x1b", facts.stdout)
 

@@ -4,6 +4,7 @@ import signal
 import subprocess
 import time
 import unittest
+from pathlib import Path
 
 from keiko_process import BINARY, SOURCE, KeikoTest, surface
 
@@ -64,9 +65,12 @@ class EveryCommand(KeikoTest):
     """Each of them ends within ten seconds of Ctrl-C, whatever it is at."""
 
     def start(self, *arguments: str) -> subprocess.Popen:
+        never_written, end = os.pipe()
+        self.addCleanup(os.close, end)
         process = subprocess.Popen([BINARY, *arguments, "--verbose"], cwd=self.folder, text=True,
-                                   stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                   stdin=never_written, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE)
+        os.close(never_written)
         self.addCleanup(process.kill)
         return process
 
@@ -98,10 +102,11 @@ class EveryCommand(KeikoTest):
         self.ends(self.start("inspect", CAR, "-o", "out", *LARGE), "render")
 
     def test_lines_on_a_body_as_large_as_an_orbit(self):
-        self.write("huge.bpt", "1\n2 2\n" + "".join(
-            f"{x}e14 {y}e14 {z}e14\n" for x, y, z in (
-                (-1, -1, 0), (-1, 0, -1), (-1, 1, 0), (0, -1, 1), (0, 0, 0), (0, 1, 1),
-                (1, -1, 0), (1, 0, -1), (1, 1, 0))))
+        def scaled(line: str) -> str:
+            numbers = line.split("#")[0].split()
+            return " ".join(f"{float(x) * 1e12!r}" for x in numbers) if len(numbers) == 3 else line
+        saddle = Path(surface("saddle.bpt")).read_text().splitlines()
+        self.write("huge.bpt", "\n".join(map(scaled, saddle)) + "\n")
         self.ends(self.start("lines", "huge.bpt", "--rig", str(SOURCE / "lightrigs/car-12.toml"),
                              "--chord", "1e-6", "-o", "lines.json"), "lines")
 

@@ -13,9 +13,21 @@ fs::path without_slash_at_end(const fs::path& path) {
 
 } // namespace
 
+fs::path behind_links(const fs::path& path) {
+    constexpr int most_links = 40; // as the kernel follows
+    std::error_code code;
+    fs::path target = path;
+    for (int i = 0; i < most_links && fs::is_symlink(target, code); ++i) {
+        const fs::path next = fs::read_symlink(target, code);
+        if (code) break;
+        target = target.parent_path() / next;
+    }
+    return target;
+}
+
 fs::path real_path(const fs::path& path) {
     std::error_code code;
-    const fs::path whole = fs::absolute(path, code);
+    const fs::path whole = fs::absolute(behind_links(path), code);
     const fs::path real = fs::weakly_canonical(whole, code);
     return without_slash_at_end(code ? whole.lexically_normal() : real);
 }

@@ -3,6 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/error_text.h"
 #include "keiko/base/log.h"
+#include "keiko/base/stop_scope.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/keiko.h"
 
@@ -79,6 +80,7 @@ int Session::run_action() {
     const Job job{.progress = [&](const Progress& progress) { bar.show(progress); },
                   .stop = interrupt_.token(),
                   .threads = threads_};
+    const StopScope scope(job);
     const int exit_code = action_(job);
     if (!std::cout.flush()) throw Error("", "standard output", "cannot write");
     return exit_code;

@@ -96,6 +96,10 @@ TEST_F(Files, ALinkStaysALinkToTheFileThatIsWritten) {
     EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
     EXPECT_EQ(read_file(folder_ / "x.txt"), "new");
     EXPECT_EQ(entries(), 2u);
+    fs::remove(folder_ / "x.txt");
+    write_text_file(folder_ / "link.txt", "again");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
+    EXPECT_EQ(read_file(folder_ / "x.txt"), "again");
 }
 
 TEST_F(Files, APipeIsWrittenIntoAndStays) {
