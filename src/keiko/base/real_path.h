@@ -4,13 +4,13 @@
 
 namespace keiko {
 
-/// What a path leads to where it is a link, also one to what is not there yet; else the path.
+/// The target of a link, also of one to a file that does not exist; any other path as it is.
 std::filesystem::path behind_links(const std::filesystem::path& path);
 
-/// A path without links, absolute, also of what is not there yet.
+/// The absolute path without links, also of a file that does not exist.
 std::filesystem::path real_path(const std::filesystem::path& path);
 
-/// Whether a path is that of a folder or of something in it, whatever links lead there.
+/// True where a path is that of a folder or of something in it, whatever links lead there.
 bool lies_within(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 } // namespace keiko

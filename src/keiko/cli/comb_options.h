@@ -24,7 +24,7 @@ public:
     /// Throws Error where curves are asked for but no file, or the other way round, and for a file
     /// that cannot be written or has an ending that names no format.
     void require_places() const;
-    /// The files that were asked for, but for pictures of several planes.
+    /// The files that the options name; pictures of several planes have other names.
     const std::vector<std::filesystem::path>& files() const { return files_; }
     /// Adds every file that was asked for; pictures of several planes are FILE-PLANE.svg.
     void add_to(OutputBatch& batch, const Combs& combs) const;

@@ -23,7 +23,7 @@ public:
     /// Throws Error where a file cannot be written, has an ending that names no format, is asked
     /// for twice or is one of the model files, `inputs`.
     void require_places(std::span<const std::filesystem::path> inputs) const;
-    /// Every file that was asked for. Throws Error for an ending that names no format.
+    /// The files that the options name. Throws Error for an ending that names no format.
     std::vector<std::filesystem::path> paths() const;
     /// Adds every file that was asked for.
     void add_to(OutputBatch& batch, const Inspection& inspection) const;

@@ -69,8 +69,8 @@ double waves_along(const HeightField& field, const Segment& segment) {
     const Vec3 way = segment.b - segment.a;
     double most = 0;
     for (const Wave& wave : field.waves)
-        most = std::max(most, std::abs(way.x / wave.wavelength.x) +
-                                  std::abs(way.y / wave.wavelength.y));
+        most = std::max(most,
+                        std::abs(way.x / wave.wavelength.x) + std::abs(way.y / wave.wavelength.y));
     return most;
 }
 

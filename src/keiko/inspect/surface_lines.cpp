@@ -17,7 +17,8 @@ namespace {
 
 /// Of the patch: farther than rounding carries a root of the line from the tracer's.
 constexpr double own_root = 1e-7;
-/// Of the body's size. Finer chords of a body as large as a planet never come to an end.
+/// Least chord error as a share of the body's size: finer chords of a body as large as a planet
+/// never come to an end.
 constexpr double least_chord_error = 1e-10;
 
 struct PlacedPatch {

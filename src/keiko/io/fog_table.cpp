@@ -22,7 +22,8 @@ constexpr double shortest_noise = 300;
 constexpr double longest_wave = TomlLimits::length().high;
 /// mm: higher ones are no height of a layer, and their slopes leave double precision.
 constexpr double highest_wave = 1e6;
-/// Of the wavelength: through higher waves every ray has too many crossings.
+/// Largest amplitude as a share of the wavelength: through higher waves every ray has too many
+/// crossings.
 constexpr double most_steepness = 0.25;
 
 double highest_of(double wavelength) {

@@ -91,8 +91,7 @@ TEST(FixtureFile, WhatIsWrongIsToldWithItsPlace) {
 TEST(FixtureFile, PathsThatEndEarlyAreRefused) {
     // The file system reads dome.bpt and leaves the rest.
     const std::string why = " has a NUL character, written \\u0000";
-    EXPECT_EQ(refusal("model = \"dome.bpt\\u0000.evil\""),
-              "2:9: model: \"dome.bpt?.evil\"" + why);
+    EXPECT_EQ(refusal("model = \"dome.bpt\\u0000.evil\""), "2:9: model: \"dome.bpt?.evil\"" + why);
     EXPECT_EQ(refusal("model = [\"dome.bpt\", \"dome.bpt\\u0000.evil\"]"),
               "2:9: model: \"dome.bpt?.evil\"" + why);
     for (const std::string key : {"scene", "rig", "preset"})
