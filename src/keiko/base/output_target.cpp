@@ -6,8 +6,6 @@
 #include <sys/stat.h>
 
 #include <cerrno>
-#include <csignal>
-#include <ctime>
 #include <string>
 
 namespace keiko {
@@ -31,26 +29,6 @@ void refuse_planted(const fs::path& path, const std::string& what) {
         throw Error(path.string(), "",
                     "is a " + what + " of another user in a folder where everybody may write");
 }
-
-/// Broken pipes are errors of the call while it lives, not signals that end the process.
-class NoPipeSignal {
-public:
-    NoPipeSignal() {
-        sigemptyset(&pipe_);
-        sigaddset(&pipe_, SIGPIPE);
-        pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
-    }
-    ~NoPipeSignal() {
-        constexpr timespec now{};
-        if (sigismember(&before_, SIGPIPE) == 0) sigtimedwait(&pipe_, nullptr, &now);
-        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-    }
-    NoPipeSignal(const NoPipeSignal&) = delete;
-    NoPipeSignal& operator=(const NoPipeSignal&) = delete;
-
-private:
-    sigset_t pipe_, before_;
-};
 
 /// A name that no file can have must be refused before other outputs are put in place.
 void refuse_long_name(const fs::path& path) {
@@ -90,17 +68,6 @@ OutputTarget output_target(const fs::path& path) {
     if (!is_stream(path)) return {std::move(file)};
     refuse_planted(file, "pipe");
     return {path, true};
-}
-
-void write_to_stream(const fs::path& path, std::string_view bytes) {
-    const Descriptor stream(open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
-    if (!stream.open()) throw_system_error(path, "cannot write");
-    struct stat status {};
-    if (fstat(stream.number(), &status) != 0 ||
-        !(S_ISFIFO(status.st_mode) || S_ISCHR(status.st_mode)))
-        throw Error(path.string(), "", "is no longer a pipe or a device");
-    const NoPipeSignal errors_alone;
-    write_all(stream, bytes, path);
 }
 
 } // namespace keiko

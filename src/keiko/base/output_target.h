@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string_view>
 
 namespace keiko {
 
@@ -22,9 +21,5 @@ struct OutputTarget {
 /// Place that an output of this path goes to. Throws Error for a directory, a block device, a
 /// socket, and for a link or a pipe that somebody else may have planted.
 OutputTarget output_target(const std::filesystem::path& path);
-
-/// Writes bytes into a pipe or a character device as it stands. Waits for somebody to read a pipe.
-/// Throws Error where the path is neither of them by now, and when the reader goes away.
-void write_to_stream(const std::filesystem::path& path, std::string_view bytes);
 
 } // namespace keiko

@@ -1,6 +1,7 @@
 #include "keiko/base/pending_file.h"
 
 #include "keiko/base/output_file.h"
+#include "keiko/base/stream_output.h"
 
 namespace keiko {
 

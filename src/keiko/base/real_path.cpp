@@ -11,9 +11,8 @@ fs::path without_slash_at_end(const fs::path& path) {
     return path.has_filename() ? path : path.parent_path();
 }
 
-} // namespace
-
-fs::path behind_links(const fs::path& path) {
+/// The target of a link, also of one to a file that does not exist; any other path as it is.
+fs::path link_target(const fs::path& path) {
     constexpr int most_links = 40; // as the kernel follows
     std::error_code code;
     fs::path target = path;
@@ -25,9 +24,11 @@ fs::path behind_links(const fs::path& path) {
     return target;
 }
 
+} // namespace
+
 fs::path real_path(const fs::path& path) {
     std::error_code code;
-    const fs::path whole = fs::absolute(behind_links(path), code);
+    const fs::path whole = fs::absolute(link_target(path), code);
     const fs::path real = fs::weakly_canonical(whole, code);
     return without_slash_at_end(code ? whole.lexically_normal() : real);
 }

@@ -4,9 +4,6 @@
 
 namespace keiko {
 
-/// The target of a link, also of one to a file that does not exist; any other path as it is.
-std::filesystem::path behind_links(const std::filesystem::path& path);
-
 /// The absolute path without links, also of a file that does not exist.
 std::filesystem::path real_path(const std::filesystem::path& path);
 

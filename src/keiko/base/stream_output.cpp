@@ -1,72 +1,87 @@
 #include "keiko/base/stream_output.h"
 
+#include "keiko/base/descriptor.h"
 #include "keiko/base/error.h"
+#include "keiko/base/new_file.h"
 #include "keiko/base/stop_scope.h"
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
-#include <fstream>
-#include <iterator>
-#include <string>
-#include <string_view>
+#include <csignal>
+#include <ctime>
 #include <thread>
 
 namespace keiko {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::chrono::milliseconds rest{20}; ///< between two looks for a stop
+constexpr std::chrono::milliseconds rest{20}; ///< between two queries for a stop
 
-/// A device or a pipe open for writing; no call on it waits.
-class OpenStream {
+/// Broken pipes are errors of the call while it lives, not signals that end the process.
+class NoPipeSignal {
 public:
-    explicit OpenStream(const fs::path& path) : path_(path) {
-        // A pipe that nobody reads yet cannot be opened.
-        while ((descriptor_ = open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK)) < 0) {
-            if (errno != ENXIO || !fs::is_fifo(path)) throw cannot_write();
-            check_stop();
-            std::this_thread::sleep_for(rest);
-        }
+    NoPipeSignal() {
+        sigemptyset(&pipe_);
+        sigaddset(&pipe_, SIGPIPE);
+        pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
     }
-    ~OpenStream() { close(descriptor_); }
-    OpenStream(const OpenStream&) = delete;
-    OpenStream& operator=(const OpenStream&) = delete;
-
-    void write(std::string_view bytes) const {
-        while (!bytes.empty()) {
-            check_stop();
-            const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-            if (count >= 0)
-                bytes.remove_prefix(static_cast<std::size_t>(count));
-            else if (errno == EAGAIN)
-                wait_for_room();
-            else if (errno != EINTR)
-                throw cannot_write();
-        }
+    ~NoPipeSignal() {
+        constexpr timespec now{};
+        if (sigismember(&before_, SIGPIPE) == 0) sigtimedwait(&pipe_, nullptr, &now);
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
     }
+    NoPipeSignal(const NoPipeSignal&) = delete;
+    NoPipeSignal& operator=(const NoPipeSignal&) = delete;
 
 private:
-    void wait_for_room() const {
-        pollfd entry{descriptor_, POLLOUT, 0};
-        poll(&entry, 1, static_cast<int>(rest.count()));
-    }
-    Error cannot_write() const { return {path_.string(), "", "cannot write"}; }
-
-    fs::path path_;
-    int descriptor_ = -1;
+    sigset_t pipe_, before_;
 };
+
+/// Opens a stream of which no call waits. A pipe that nobody reads yet cannot be opened.
+Descriptor open_stream(const fs::path& path) {
+    constexpr int flags = O_WRONLY | O_NOCTTY | O_CLOEXEC | O_NONBLOCK;
+    for (;;) {
+        Descriptor stream(open(path.c_str(), flags));
+        if (stream.open()) return stream;
+        if (errno != ENXIO || !fs::is_fifo(path)) throw_system_error(path, "cannot write");
+        check_stop();
+        std::this_thread::sleep_for(rest);
+    }
+}
+
+void require_stream(const Descriptor& stream, const fs::path& path) {
+    struct stat status {};
+    if (fstat(stream.number(), &status) != 0 ||
+        !(S_ISFIFO(status.st_mode) || S_ISCHR(status.st_mode)))
+        throw Error(path.string(), "", "is no longer a pipe or a device");
+}
+
+void wait_for_room(const Descriptor& stream) {
+    pollfd entry{stream.number(), POLLOUT, 0};
+    poll(&entry, 1, static_cast<int>(rest.count()));
+}
 
 } // namespace
 
-void copy_into_stream(const fs::path& file, const fs::path& stream) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    if (!in.is_open() || in.bad()) throw Error(stream.string(), "", "cannot write");
-    OpenStream(stream).write(bytes);
+void write_to_stream(const fs::path& path, std::string_view bytes) {
+    const Descriptor stream = open_stream(path);
+    require_stream(stream, path);
+    const NoPipeSignal errors_alone;
+    while (!bytes.empty()) {
+        check_stop();
+        const ssize_t count = write(stream.number(), bytes.data(), bytes.size());
+        if (count >= 0)
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        else if (errno == EAGAIN)
+            wait_for_room(stream);
+        else if (errno != EINTR)
+            throw_system_error(path, "cannot write");
+    }
 }
 
 } // namespace keiko

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace keiko {
 
-/// Copies a file into a device or a pipe, which stays in its place. Waits until someone reads the
-/// pipe, and as long as it is full; a stop of the work (StopScope) ends the wait. Throws Error
-/// naming the stream where it cannot be written, Cancelled.
-void copy_into_stream(const std::filesystem::path& file, const std::filesystem::path& stream);
+/// Writes bytes into a pipe or a character device as it stands. Waits until someone reads the pipe,
+/// and as long as it is full; a stop of the work (StopScope) ends the wait. Throws Error where the
+/// path is neither of them by now and when the reader goes away, and Cancelled.
+void write_to_stream(const std::filesystem::path& path, std::string_view bytes);
 
 } // namespace keiko
