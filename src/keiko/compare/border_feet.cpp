@@ -21,10 +21,13 @@ BorderFeet::BorderFeet(const SurfaceModel& model) : curves_(model), borders_(cur
     tree_.emplace(std::move(boxes));
 }
 
-std::optional<BorderFoot> BorderFeet::foot(const Vec3& p, double radius) const {
+std::optional<BorderFoot>
+BorderFeet::foot(const Vec3& p, double radius,
+                 const std::function<bool(std::uint32_t face)>& counts) const {
     std::optional<BorderFoot> best;
     tree_->visit_near(p, radius, [&](std::uint32_t index) {
         const Chord& chord = chords_[index];
+        if (counts && !counts(borders_[chord.border].face)) return radius;
         const std::vector<double>& t = polylines_[chord.border].t;
         const double begin = t[chord.first], end = t[chord.first + 1];
         const ClosestPoint found =

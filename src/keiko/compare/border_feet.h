@@ -5,6 +5,7 @@
 #include "keiko/patch/closest_point.h"
 #include "keiko/patch/curve_polyline.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,8 +26,10 @@ class BorderFeet {
 public:
     explicit BorderFeet(const SurfaceModel& model);
 
-    /// Nothing where no border is within `radius` mm.
-    std::optional<BorderFoot> foot(const Vec3& p, double radius) const;
+    /// On the borders of the faces that `counts` accepts, or of all where it is empty; nothing
+    /// where none is within `radius` mm.
+    std::optional<BorderFoot> foot(const Vec3& p, double radius,
+                                   const std::function<bool(std::uint32_t face)>& counts = {}) const;
     const std::vector<BoundaryInterval>& borders() const { return borders_; }
     SurfaceCurve curve(std::uint32_t border) const { return curves_.curve(borders_[border]); }
     const CurvePolyline& polyline(std::uint32_t border) const { return polylines_[border]; }

@@ -15,6 +15,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_halvings = 12;
 /// Share of its distance below which a piece is not halved either: its own minimum will do.
 constexpr double small_piece = 0.01;
+/// mm: a piece that is nearer by no more is left out. Roundings are larger where a point lies on
+/// the body.
+constexpr double least_gain = 1e-9;
+/// mm: most of a revision lies as near to the body before. So small a ball holds few pieces, which
+/// need few proofs; a larger one is searched only where that finds nothing.
+constexpr double first_reach = 1e-3;
 
 Vec3 euclidean(const Vec4& p) {
     return Vec3(p.x, p.y, p.z) / p.w;
@@ -42,11 +48,12 @@ double claimed_tolerance(const SurfaceModel& model, const BoundaryInterval& bord
 /// What is known of the nearest point so far.
 class SurfaceFeet::Search {
 public:
-    Search(const Pieces& pieces, const Vec3& p, double reach)
-        : pieces_(pieces), p_(p), material_(reach) {}
+    Search(const Pieces& pieces, const Vec3& p, double reach, const FaceFilter& counts)
+        : pieces_(pieces), p_(p), counts_(counts), material_(reach) {}
 
     std::optional<SurfaceFoot> run() {
         pieces_.tree->visit_near(p_, material_, [&](std::uint32_t leaf) {
+            if (counts_ && !counts_(pieces_.face(leaf))) return material_;
             const BezierPatchView view = pieces_.leaves.view(pieces_.leaves.leaves[leaf]);
             look(leaf, view, unit_square, pieces_.convex[leaf], 0);
             return material_;
@@ -66,7 +73,7 @@ private:
         const Vec3 local = p_ - leaf.center;
         const Box3 hull = hull_bounds(piece);
         const double nearest = (hull.nearest(local) - local).length();
-        if (nearest >= material_) return;
+        if (nearest + least_gain >= material_) return;
         bool proved = around.holds(piece, local);
         std::optional<Convexity> own; // tighter, but dearer than to halve again
         if (!proved && halved % 3 == 2) proved = own.emplace(piece).holds(piece, local);
@@ -101,7 +108,7 @@ private:
     }
 
     void look_at_borders() {
-        border_ = pieces_.borders->foot(p_, material_);
+        border_ = pieces_.borders->foot(p_, material_, counts_);
         if (border_) material_ = border_->distance;
     }
 
@@ -110,7 +117,7 @@ private:
     SurfaceFoot inner_foot() const {
         const Leaf& leaf = pieces_.leaves.leaves[leaf_];
         const SurfaceModel& model = pieces_.body.model;
-        const std::uint32_t face = model.patches[leaf.patch].face;
+        const std::uint32_t face = pieces_.face(leaf_);
         const SurfaceDerivatives s = evaluate(pieces_.leaves.view(leaf), uv_, 2);
         return {.face = face,
                 .position = s.position() + leaf.center,
@@ -135,6 +142,7 @@ private:
 
     const Pieces& pieces_;
     Vec3 p_;
+    const FaceFilter& counts_;
     double material_;            ///< mm, of the nearest place found in the material, or the reach
     double trimmed_ = infinity;  ///< mm, of the nearest place found that is trimmed away
     double unproved_ = infinity; ///< mm, pieces without a proof are not nearer than this
@@ -148,8 +156,11 @@ SurfaceFeet::SurfaceFeet(PlacedModel body, const Job& job)
 SurfaceFeet::~SurfaceFeet() = default;
 SurfaceFeet::SurfaceFeet(SurfaceFeet&&) noexcept = default;
 
-std::optional<SurfaceFoot> SurfaceFeet::foot(const Vec3& p, double reach) const {
-    return Search(*pieces_, p, reach).run();
+std::optional<SurfaceFoot> SurfaceFeet::foot(const Vec3& p, double reach,
+                                             const FaceFilter& counts) const {
+    if (reach > first_reach)
+        if (auto found = Search(*pieces_, p, first_reach, counts).run()) return found;
+    return Search(*pieces_, p, reach, counts).run();
 }
 
 SurfaceFoot SurfaceFeet::foot(const Vec3& p) const {
@@ -161,8 +172,9 @@ double SurfaceFeet::border_distance(const Vec3& p, double reach) const {
     return found ? found->distance : infinity;
 }
 
-std::optional<Vec3> SurfaceFeet::border_foot(const Vec3& p, double reach) const {
-    const auto found = pieces_->borders->foot(p, reach);
+std::optional<Vec3> SurfaceFeet::border_foot(const Vec3& p, double reach,
+                                             const FaceFilter& counts) const {
+    const auto found = pieces_->borders->foot(p, reach, counts);
     return found ? std::optional(found->position) : std::nullopt;
 }
 

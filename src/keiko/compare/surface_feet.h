@@ -3,6 +3,7 @@
 #include "keiko/base/job.h"
 #include "keiko/compare/placed_model.h"
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -39,11 +40,14 @@ struct BorderPoint {
     double claimed = 0;     ///< mm, tolerance that the file claims for the edge
 };
 
+/// Whether a face, into the faces of the PlacedModel, counts; an empty one: all do.
+using FaceFilter = std::function<bool(std::uint32_t face)>;
+
 /// Finds the nearest points of the exact trimmed surface of a body. Pieces of surface are tried by
 /// the distance of their boxes; where the squared distance is proved convex over a piece, Newton's
 /// iteration finds its only minimum, elsewhere the piece is halved, a few times: distances up to
-/// about the radius of curvature are proved. What is nearer but trimmed
-/// away hands on to the borders, whose distance is found from polylines, not proved: `nearest` is
+/// about the radius of curvature are proved. A distance is the smallest to 1e-9 mm. What is nearer
+/// but trimmed away hands on to the borders, whose distance is found from polylines, not proved: `nearest` is
 /// then that of the untrimmed surface. Immutable; any thread may ask.
 class SurfaceFeet {
 public:
@@ -52,16 +56,18 @@ public:
     ~SurfaceFeet();
     SurfaceFeet(SurfaceFeet&&) noexcept;
 
-    /// Of the whole body; nothing where it is `reach` mm away or farther.
-    std::optional<SurfaceFoot> foot(const Vec3& p, double reach) const;
+    /// Of the faces that count; nothing where they are `reach` mm away or farther.
+    std::optional<SurfaceFoot> foot(const Vec3& p, double reach,
+                                    const FaceFilter& counts = {}) const;
     /// Of the whole body, however far it is.
     SurfaceFoot foot(const Vec3& p) const;
     /// The distance of a point to the borders of all faces, mm; infinity where it is `reach` or
     /// more, and where no face has a border.
     double border_distance(const Vec3& p,
                            double reach = std::numeric_limits<double>::infinity()) const;
-    /// The point of the borders of all faces that is nearest, where it is within `reach` mm.
-    std::optional<Vec3> border_foot(const Vec3& p, double reach) const;
+    /// The nearest point of the borders of the faces that count, where it is within `reach` mm.
+    std::optional<Vec3> border_foot(const Vec3& p, double reach,
+                                    const FaceFilter& counts = {}) const;
     /// Points of all borders: where they turn, and three between each two of those.
     std::vector<BorderPoint> border_points() const;
     const PlacedModel& body() const;

@@ -29,6 +29,10 @@ struct SurfaceFeet::Pieces {
     /// Nothing where the leaf is trimmed away.
     std::optional<SurfacePoint> point(std::uint32_t leaf, const Vec2& uv) const;
     bool is_material(const Leaf& leaf, const Vec2& uv) const;
+    /// The face of a leaf.
+    std::uint32_t face(std::uint32_t leaf) const {
+        return body.model.patches[leaves.leaves[leaf].patch].face;
+    }
 };
 
 } // namespace keiko
