@@ -82,8 +82,8 @@ CompareResult compare_bodies(const fs::path& before, const fs::path& after,
     if (!options.views) return result;
     SharedFaces faces(feet_before.body(), comparison.missing, feet_after.body(),
                       comparison.deviation);
-    compare_views({scene_before, scene_after, feet_before, faces, comparison.deviation}, options,
-                  result, job);
+    compare_views({scene_before, scene_after, feet_before, feet_after, faces, comparison.deviation},
+                  options, result, job);
     return result;
 }
 

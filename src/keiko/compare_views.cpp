@@ -39,11 +39,30 @@ double map_scale(const Deviation& deviation, double tolerance) {
     return round_scale(std::max({most, tolerance, 1e-9}));
 }
 
+/// A body as its pictures show it, with the names that `name` gives its faces by their numbers.
+template <class Name>
+OutlineBody outline_body(const Scene& scene, const SurfaceFeet& feet, const Name& name) {
+    OutlineBody body{.tracer = scene.seen(), .feet = feet, .visible_names = {}, .placed_names = {}};
+    for (const Face& face : scene.model.faces) body.visible_names.push_back(name(face.id));
+    for (const Face& face : feet.body().model.faces) body.placed_names.push_back(name(face.id));
+    if (!scene.surroundings) return body;
+    body.visible_names.push_back(name(0));
+    body.ground = scene.surroundings->ground;
+    return body;
+}
+
 class ViewComparer {
 public:
     ViewComparer(const ComparedScenes& scenes, const LightRig& rig,
                  const CompareBodiesOptions& options, const Job& job)
-        : scenes_(scenes), rig_(rig), options_(options), job_(job) {
+        : scenes_(scenes),
+          rig_(rig),
+          options_(options),
+          job_(job),
+          before_(outline_body(scenes.before, scenes.feet_before,
+                               [&](std::uint32_t id) { return scenes.faces.name_before(id); })),
+          after_(outline_body(scenes.after, scenes.feet_after,
+                              [&](std::uint32_t id) { return scenes.faces.name_after(id); })) {
         picture_.aovs = {Aov::normal, Aov::face, Aov::depth};
     }
 
@@ -51,7 +70,7 @@ public:
                          FolderContent& pngs) {
         ComparedView compared;
         compared.picture.view = view.name;
-        compare_pictures(view.camera, compared.picture, pngs);
+        compare_pictures(view.camera, compared, pngs);
         draw_map(view.camera, compared, pngs);
         compared.lines = line_shifts(before, after, options_.views->shift, job_);
         compared.after_lines = line_shifts(after, before, options_.views->shift, job_);
@@ -59,13 +78,20 @@ public:
     }
 
 private:
-    void compare_pictures(const Camera& camera, PictureOutcome& picture, FolderContent& pngs) {
+    void compare_pictures(const Camera& camera, ComparedView& view, FolderContent& pngs) {
         Film before = render_view(scenes_.before, rig_, camera, picture_, job_);
         Film after = render_view(scenes_.after, rig_, camera, picture_, job_);
         scenes_.faces.rename_before(before), scenes_.faces.rename_after(after);
-        const FilmDifference difference = film_difference(before, after, options_.views->tolerance);
-        picture.take(difference);
-        draw_outcome(picture, &before, &after, &difference.excess, pngs);
+        const OutlineComparison outlines(before_, after_, camera, options_.tolerance.outline,
+                                         scenes_.deviation.reach);
+        FilmTolerance tolerance = options_.views->tolerance;
+        view.outlines = outline_difference(outlines, before, after,
+                                           film_difference(before, after, tolerance), camera, job_);
+        tolerance.flips = 0; // those left are measured to be too large
+        const FilmDifference difference =
+            film_difference(before, after, tolerance, &view.outlines.left_out);
+        view.picture.take(difference);
+        draw_outcome(view.picture, &before, &after, &difference.excess, pngs);
     }
 
     void draw_map(const Camera& camera, ComparedView& view, FolderContent& pngs) {
@@ -83,6 +109,7 @@ private:
     const LightRig& rig_;
     const CompareBodiesOptions& options_;
     const Job& job_;
+    OutlineBody before_, after_;
     PictureOptions picture_;
 };
 

@@ -21,9 +21,8 @@ BorderFeet::BorderFeet(const SurfaceModel& model) : curves_(model), borders_(cur
     tree_.emplace(std::move(boxes));
 }
 
-std::optional<BorderFoot>
-BorderFeet::foot(const Vec3& p, double radius,
-                 const std::function<bool(std::uint32_t face)>& counts) const {
+std::optional<BorderFoot> BorderFeet::foot(
+    const Vec3& p, double radius, const std::function<bool(std::uint32_t face)>& counts) const {
     std::optional<BorderFoot> best;
     tree_->visit_near(p, radius, [&](std::uint32_t index) {
         const Chord& chord = chords_[index];

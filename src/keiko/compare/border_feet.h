@@ -28,8 +28,9 @@ public:
 
     /// On the borders of the faces that `counts` accepts, or of all where it is empty; nothing
     /// where none is within `radius` mm.
-    std::optional<BorderFoot> foot(const Vec3& p, double radius,
-                                   const std::function<bool(std::uint32_t face)>& counts = {}) const;
+    std::optional<BorderFoot> foot(
+        const Vec3& p, double radius,
+        const std::function<bool(std::uint32_t face)>& counts = {}) const;
     const std::vector<BoundaryInterval>& borders() const { return borders_; }
     SurfaceCurve curve(std::uint32_t border) const { return curves_.curve(borders_[border]); }
     const CurvePolyline& polyline(std::uint32_t border) const { return polylines_[border]; }

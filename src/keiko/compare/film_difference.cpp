@@ -69,15 +69,16 @@ bool covers_alike(float a, float b) {
 
 class FilmComparison {
 public:
-    FilmComparison(const Film& a, const Film& b, const FilmTolerance& tolerance)
-        : a_(a), b_(b), tolerance_(tolerance) {
+    FilmComparison(const Film& a, const Film& b, const FilmTolerance& tolerance,
+                   const Image* left_out)
+        : a_(a), b_(b), tolerance_(tolerance), left_out_(left_out) {
         result_.excess = Image(a.color.width, a.color.height, 1);
         result_.pixels = result_.excess.values.size();
     }
 
     FilmDifference run() && {
         find_flips();
-        layer("color", apart_by_channel(a_.color, b_.color, flipped_), tolerance_.color);
+        layer("color", apart_by_channel(a_.color, b_.color, not_compared_), tolerance_.color);
         aov(Aov::normal, tolerance_.normal, apart_by_angle);
         aov(Aov::uv, tolerance_.uv, apart_by_channel);
         aov(Aov::depth, tolerance_.depth, apart_by_channel);
@@ -94,7 +95,12 @@ private:
     void find_flips() {
         const Image *face_a = face(a_), *face_b = face(b_);
         const bool outlines = a_.alpha.channels == 1 && b_.alpha.channels == 1;
+        std::size_t excused = 0;
         for (std::size_t i = 0; i < result_.pixels; ++i) {
+            if (left_out_ && left_out_->values[i] != 0) {
+                ++excused;
+                continue;
+            }
             const bool outline = outlines && !covers_alike(a_.alpha.values[i], b_.alpha.values[i]);
             const bool other = face_a && face_b && face_a->values[i] != face_b->values[i];
             if (outline)
@@ -104,16 +110,17 @@ private:
             if (outline || other) result_.excess.values[i] = infinity;
         }
         const std::size_t flips = result_.coverage_flips + result_.face_flips;
-        result_.compared = result_.pixels - flips;
+        result_.compared = result_.pixels - flips - excused;
         result_.flips_within = double(flips) <= tolerance_.flips * double(result_.pixels);
-        flipped_ = result_.excess;
+        not_compared_ = left_out_ ? larger_of(result_.excess, *left_out_) : result_.excess;
     }
 
     template <class Measure>
     void aov(Aov aov, const LayerTolerance& tolerance, const Measure& measure) {
         const auto a = a_.aovs.find(aov), b = b_.aovs.find(aov);
         if (a != a_.aovs.end() && b != b_.aovs.end())
-            layer(std::string(name_of(aov)), measure(a->second, b->second, flipped_), tolerance);
+            layer(std::string(name_of(aov)), measure(a->second, b->second, not_compared_),
+                  tolerance);
     }
 
     void layer(const std::string& name, const Apart& apart, const LayerTolerance& tolerance) {
@@ -143,8 +150,9 @@ private:
 
     const Film &a_, &b_;
     const FilmTolerance& tolerance_;
+    const Image* left_out_;
     FilmDifference result_;
-    Image flipped_;
+    Image not_compared_;
 };
 
 } // namespace
@@ -154,12 +162,13 @@ bool FilmDifference::within() const {
                                        [](const LayerDifference& layer) { return layer.within; });
 }
 
-FilmDifference film_difference(const Film& a, const Film& b, const FilmTolerance& tolerance) {
+FilmDifference film_difference(const Film& a, const Film& b, const FilmTolerance& tolerance,
+                               const Image* left_out) {
     if (a.color.width != b.color.width || a.color.height != b.color.height)
         throw Error("", "",
                     "pictures of " + size_text(a.color) + " and " + size_text(b.color) +
                         " pixels cannot be compared");
-    return FilmComparison(a, b, tolerance).run();
+    return FilmComparison(a, b, tolerance, left_out).run();
 }
 
 } // namespace keiko

@@ -19,6 +19,9 @@ public:
     /// Puts the shared names in place of the faces' numbers in the layer of faces.
     void rename_before(Film& film) { rename(film, before_); }
     void rename_after(Film& film) { rename(film, after_); }
+    /// The shared name of a face by its Face::id; 0: the ground.
+    std::size_t name_before(std::uint32_t id) { return sets_.root(before_.at(id)); }
+    std::size_t name_after(std::uint32_t id) { return sets_.root(after_.at(id)); }
 
 private:
     using Numbers = std::map<std::uint32_t, std::size_t>; ///< Face::id to a number of both

@@ -47,8 +47,8 @@ using FaceFilter = std::function<bool(std::uint32_t face)>;
 /// the distance of their boxes; where the squared distance is proved convex over a piece, Newton's
 /// iteration finds its only minimum, elsewhere the piece is halved, a few times: distances up to
 /// about the radius of curvature are proved. A distance is the smallest to 1e-9 mm. What is nearer
-/// but trimmed away hands on to the borders, whose distance is found from polylines, not proved: `nearest` is
-/// then that of the untrimmed surface. Immutable; any thread may ask.
+/// but trimmed away hands on to the borders, whose distance is found from polylines, not proved:
+/// `nearest` is then that of the untrimmed surface. Immutable; any thread may ask.
 class SurfaceFeet {
 public:
     /// Keeps its own copy of the body. Throws Error for a body without faces, Cancelled.

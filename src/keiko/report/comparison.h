@@ -5,6 +5,7 @@
 #include "keiko/compare/compare_inspections.h"
 #include "keiko/compare/deviation.h"
 #include "keiko/compare/line_shift.h"
+#include "keiko/compare/outline_difference.h"
 #include "keiko/report/picture_outcome.h"
 
 #include <optional>
@@ -19,11 +20,13 @@ struct BodyTolerance {
     double border = 1e-3;    ///< mm: p-curves that are made anew differ by about as much
     double normal = 0.01;    ///< degrees between the normals
     double line = 0.1;       ///< mm that a reflection line may move on the part
+    OutlineTolerance outline{};
 };
 
 /// The pictures and lines that one view shows of both bodies.
 struct ComparedView {
-    PictureOutcome picture;
+    PictureOutcome picture;       ///< without the pixels that the outlines excuse
+    OutlineDifference outlines{}; ///< of those in which the pictures differ
     std::string map{}; ///< name of the PNG file of the signed distance map
     int map_width = 0, map_height = 0;
     std::vector<LineShift> lines{};       ///< of the former, each held against the latter's
