@@ -42,7 +42,11 @@ double map_scale(const Deviation& deviation, double tolerance) {
 /// A body as its pictures show it, with the names that `name` gives its faces by their numbers.
 template <class Name>
 OutlineBody outline_body(const Scene& scene, const SurfaceFeet& feet, const Name& name) {
-    OutlineBody body{.tracer = scene.seen(), .feet = feet, .visible_names = {}, .placed_names = {}};
+    OutlineBody body{.tracer = scene.seen(),
+                     .feet = feet,
+                     .paints = scene.seen_materials(),
+                     .visible_names = {},
+                     .placed_names = {}};
     for (const Face& face : scene.model.faces) body.visible_names.push_back(name(face.id));
     for (const Face& face : feet.body().model.faces) body.placed_names.push_back(name(face.id));
     if (!scene.surroundings) return body;
@@ -82,7 +86,7 @@ private:
         Film before = render_view(scenes_.before, rig_, camera, picture_, job_);
         Film after = render_view(scenes_.after, rig_, camera, picture_, job_);
         scenes_.faces.rename_before(before), scenes_.faces.rename_after(after);
-        const OutlineComparison outlines(before_, after_, camera, options_.tolerance.outline,
+        const OutlineComparison outlines(before_, after_, camera, outline_tolerance(),
                                          scenes_.deviation.reach);
         FilmTolerance tolerance = options_.views->tolerance;
         view.outlines = outline_difference(outlines, before, after,
@@ -92,6 +96,11 @@ private:
             film_difference(before, after, tolerance, &view.outlines.left_out);
         view.picture.take(difference);
         draw_outcome(view.picture, &before, &after, &difference.excess, pngs);
+    }
+
+    OutlineTolerance outline_tolerance() const {
+        const BodyTolerance& tolerance = options_.tolerance;
+        return {tolerance.outline, tolerance.outline_pixels, tolerance.deviation, tolerance.normal};
     }
 
     void draw_map(const Camera& camera, ComparedView& view, FolderContent& pngs) {

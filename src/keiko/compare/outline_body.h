@@ -1,10 +1,12 @@
 #pragma once
 
 #include "keiko/compare/surface_feet.h"
+#include "keiko/spec/material.h"
 #include "keiko/trace/tracer.h"
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace keiko {
@@ -14,6 +16,7 @@ namespace keiko {
 struct OutlineBody {
     const Tracer& tracer;                   ///< of what is visible: the body, then the ground
     const SurfaceFeet& feet;                ///< of the body alone
+    std::span<const Material> paints;       ///< by Hit::face
     std::vector<std::size_t> visible_names; ///< by Hit::face
     std::vector<std::size_t> placed_names;  ///< by face of the PlacedModel
     std::optional<double> ground{};         ///< mm, z of the ground, where there is one

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace keiko {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 struct DifferingPixel {
     int x = 0, y = 0;
     bool flipped = false;
+    bool outlined = false; ///< an outline may run through it
 };
 
 bool is_partly_covered(const Film& film, int x, int y) {
@@ -67,20 +69,47 @@ std::vector<DifferingPixel> differing_pixels(const Film& before, const Film& aft
         for (int x = 0; x < difference.excess.width; ++x) {
             const float excess = *difference.excess.pixel(x, y);
             if (!(excess > 1)) continue;
-            const bool flipped = std::isinf(excess);
-            if (flipped || mask_before.near(x, y) || mask_after.near(x, y))
-                pixels.push_back({x, y, flipped});
+            pixels.push_back(
+                {x, y, std::isinf(excess), mask_before.near(x, y) || mask_after.near(x, y)});
         }
     return pixels;
 }
 
 /// Coverage that differs where no outline shows between the places of the coarse grid is looked for
-/// between those of the fine one.
+/// between those of the fine one. Where a surface moved, no outline is sought.
 PixelOutline measured(const OutlineComparison& outlines, const DifferingPixel& pixel) {
+    if (!pixel.flipped && !pixel.outlined && !outlines.alike_at({pixel.x + 0.5, pixel.y + 0.5}))
+        return {};
     const PixelOutline outline = outlines.in_pixel(pixel.x, pixel.y);
     if (!pixel.flipped || outline.found || !outline.worst.within()) return outline;
     return outlines.in_pixel(pixel.x, pixel.y, true);
 }
+
+class Tally {
+public:
+    explicit Tally(const Image& excess) { found_.left_out = Image(excess.width, excess.height, 1); }
+
+    void add(const DifferingPixel& pixel, const PixelOutline& outline) {
+        const bool outlined = pixel.flipped || outline.found;
+        if (!outlined && !outline.alike) return; // a surface moved: the layers tell
+        float& left_out = *found_.left_out.pixel(pixel.x, pixel.y);
+        if (!outlined) {
+            ++found_.alike, left_out = 1;
+            return;
+        }
+        const OutlineShift& worst = outline.worst;
+        if (worst.within())
+            ++found_.excused, left_out = 1;
+        else
+            ++found_.moved;
+        if (worst.excess > found_.worst.excess)
+            found_.worst = worst, found_.x = pixel.x, found_.y = pixel.y;
+    }
+    OutlineDifference result() && { return std::move(found_); }
+
+private:
+    OutlineDifference found_;
+};
 
 } // namespace
 
@@ -94,18 +123,9 @@ OutlineDifference outline_difference(const OutlineComparison& outlines, const Fi
         for (std::size_t i = c * chunk; i < std::min(pixels.size(), (c + 1) * chunk); ++i)
             measures[i] = measured(outlines, pixels[i]);
     });
-    OutlineDifference found;
-    found.left_out = Image(difference.excess.width, difference.excess.height, 1);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const DifferingPixel& pixel = pixels[i];
-        if (!pixel.flipped && !measures[i].found) continue; // a surface moved, not an outline
-        const OutlineShift& worst = measures[i].worst;
-        ++(worst.within() ? found.excused : found.moved);
-        if (worst.within()) *found.left_out.pixel(pixel.x, pixel.y) = 1;
-        if (worst.excess > found.worst.excess)
-            found.worst = worst, found.x = pixel.x, found.y = pixel.y;
-    }
-    return found;
+    Tally tally(difference.excess);
+    for (std::size_t i = 0; i < pixels.size(); ++i) tally.add(pixels[i], measures[i]);
+    return std::move(tally).result();
 }
 
 } // namespace keiko

@@ -1,7 +1,10 @@
 #include "keiko/compare/outline_shift.h"
 
+#include "keiko/base/units.h"
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace keiko {
 namespace {
@@ -53,6 +56,23 @@ void OutlineComparison::measure_both(const Sighting& before, const Sighting& aft
     if (after.hit) measure(after_, *after.hit, before_, worst);
 }
 
+/// The sides that normals point to are left to the faces.
+bool OutlineComparison::alike(const Sighting& before, const Sighting& after) const {
+    if (!before.hit && !after.hit) return true;
+    if (!before.hit || !after.hit || before.name != after.name) return false;
+    const Hit &a = *before.hit, &b = *after.hit;
+    if (!(before_.paints[a.face] == after_.paints[b.face])) return false;
+    const double across = std::abs((b.position - a.position).dot(a.normal));
+    const Vec3 other = a.normal.dot(b.normal) < 0 ? -b.normal : b.normal;
+    return across <= tolerance_.surface &&
+           radians_to_degrees(angle_between(a.normal, other)) <= tolerance_.normal;
+}
+
+bool OutlineComparison::alike_at(const Vec2& place) const {
+    const std::array places{place};
+    return alike(finder_before_.look(places).front(), finder_after_.look(places).front());
+}
+
 PixelOutline OutlineComparison::in_pixel(int x, int y, bool finely) const {
     PixelOutline pixel;
     const std::array centre{Vec2(x + 0.5, y + 0.5)};
@@ -63,7 +83,11 @@ PixelOutline OutlineComparison::in_pixel(int x, int y, bool finely) const {
     const std::vector<Vec2> places = grid_places(x, y, side);
     const std::vector<Sighting> before = finder_before_.look(places);
     const std::vector<Sighting> after = finder_after_.look(places);
-    for (std::size_t i = 0; i < places.size(); ++i) measure_both(before[i], after[i], pixel.worst);
+    pixel.alike = true;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        measure_both(before[i], after[i], pixel.worst);
+        pixel.alike = pixel.alike && alike(before[i], after[i]);
+    }
     const std::vector<Hit> outlines_before = finder_before_.outlines(before, side);
     const std::vector<Hit> outlines_after = finder_after_.outlines(after, side);
     for (const Hit& hit : outlines_before) measure(before_, hit, after_, pixel.worst);

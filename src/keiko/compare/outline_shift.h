@@ -4,10 +4,12 @@
 
 namespace keiko {
 
-/// How far an outline may move: by whichever is more.
+/// What counts as the same in a picture.
 struct OutlineTolerance {
-    double distance = 0.01; ///< mm on the part
-    double pixels = 0.05;   ///< of the picture
+    double distance = 0.01; ///< mm on the part that an outline may move, or
+    double pixels = 0.05;   ///< of the picture, whichever is more
+    double surface = 5e-4;  ///< mm between two surfaces, along their normals
+    double normal = 0.01;   ///< degrees between their normals
 };
 
 /// How far an outline of one body lies from the other body.
@@ -20,9 +22,10 @@ struct OutlineShift {
     bool within() const { return excess <= 1; }
 };
 
-/// The outlines of two bodies in a pixel.
+/// What two bodies show in a pixel.
 struct PixelOutline {
     bool found = false;   ///< one of them has an outline there
+    bool alike = false;   ///< both show the same surface in the same paint all over
     OutlineShift worst{}; ///< by excess
 };
 
@@ -38,8 +41,11 @@ public:
     /// through a grid of 5 x 5 places, of 17 x 17 if `finely`, and close in on outlines between
     /// them. A pixel whose centre is beyond what is allowed is searched no further.
     PixelOutline in_pixel(int x, int y, bool finely = false) const;
+    /// Whether both bodies show the same surface in the same paint, or nothing, at a place, px.
+    bool alike_at(const Vec2& place) const;
 
 private:
+    bool alike(const Sighting& before, const Sighting& after) const;
     /// Takes over what a body shows at a place if that is worse.
     void measure(const OutlineBody& body, const Hit& hit, const OutlineBody& other,
                  OutlineShift& worst) const;

@@ -16,18 +16,19 @@ namespace keiko {
 
 /// What counts as the same body.
 struct BodyTolerance {
-    double deviation = 5e-4; ///< mm
-    double border = 1e-3;    ///< mm: p-curves that are made anew differ by about as much
-    double normal = 0.01;    ///< degrees between the normals
-    double line = 0.1;       ///< mm that a reflection line may move on the part
-    OutlineTolerance outline{};
+    double deviation = 5e-4;      ///< mm
+    double border = 1e-3;         ///< mm: p-curves that are made anew differ by about as much
+    double normal = 0.01;         ///< degrees between the normals
+    double line = 0.1;            ///< mm that a reflection line may move on the part
+    double outline = 0.01;        ///< mm that an outline may move on the part, or
+    double outline_pixels = 0.05; ///< of the picture, whichever is more
 };
 
 /// The pictures and lines that one view shows of both bodies.
 struct ComparedView {
     PictureOutcome picture;       ///< without the pixels that the outlines excuse
     OutlineDifference outlines{}; ///< of those in which the pictures differ
-    std::string map{}; ///< name of the PNG file of the signed distance map
+    std::string map{};            ///< name of the PNG file of the signed distance map
     int map_width = 0, map_height = 0;
     std::vector<LineShift> lines{};       ///< of the former, each held against the latter's
     std::vector<LineShift> after_lines{}; ///< of the latter, held against the former's
