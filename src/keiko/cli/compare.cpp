@@ -143,6 +143,10 @@ void add_tolerances(CLI::App& command, CompareBodiesOptions& options) {
         "degrees that their normals may be apart");
     add("--line-tolerance", options.tolerance.line, 0, 1e6,
         "mm that reflection lines may move on the part");
+    add("--outline-tolerance", options.tolerance.outline, 0, 1e6,
+        "mm that outlines in pictures may move on the part, or the next, whichever is more");
+    add("--outline-pixels", options.tolerance.outline_pixels, 0, 1e6,
+        "pixels that outlines may move in pictures");
     add("--place", options.seams.place, 1e-6, 1e6,
         "mm that a seam may have moved and still be the same seam");
 }

@@ -99,6 +99,30 @@ std::string movement(const ComparedView& view, const BodyTolerance& tolerance) {
            short_number(tolerance.line) + " allowed";
 }
 
+/// "at most 0.02 mm (0.015 pixels) from the other part, at 1.0, 2.0, 3.0"
+std::string shift_words(const OutlineShift& worst, double reach) {
+    const std::string pixels =
+        std::isinf(worst.pixels) ? "" : " (" + short_number(worst.pixels) + " pixels)";
+    return at_most(worst.distance, reach) + pixels + " from the other part, at " +
+           place_text(worst.place);
+}
+
+ComparisonCheck outlines_check(const Comparison& c, const ComparedView& view) {
+    const OutlineDifference& outlines = view.outlines;
+    const std::size_t measured = outlines.excused + outlines.moved;
+    std::string message = "no pixel differs at an outline";
+    if (measured > 0)
+        message = "outlines in " + counted(measured, "pixel") + " that differ " +
+                  shift_words(outlines.worst, c.deviation.reach) + "; " +
+                  short_number(c.tolerance.outline) + " mm or " +
+                  short_number(c.tolerance.outline_pixels) + " pixels allowed, exceeded in " +
+                  counted(outlines.moved, "pixel");
+    if (outlines.alike > 0)
+        message += "; " + counted(outlines.alike, "pixel") +
+                   " not judged, in which both parts show the same surface";
+    return {view.picture.view + ": outlines", outlines.within(), message};
+}
+
 ComparisonCheck lines_check(const ComparedView& view, const BodyTolerance& tolerance) {
     const auto alone = [](const std::vector<LineShift>& lines) {
         return std::to_string(std::count_if(lines.begin(), lines.end(), is_alone));
@@ -121,6 +145,7 @@ std::vector<ComparisonCheck> comparison_checks(const Comparison& c) {
         faces_check(c),
         seams_check(c),
         findings_check(c)};
+    for (const ComparedView& view : c.views) checks.push_back(outlines_check(c, view));
     for (const ComparedView& view : c.views)
         if (!view.lines.empty() || !view.after_lines.empty())
             checks.push_back(lines_check(view, c.tolerance));

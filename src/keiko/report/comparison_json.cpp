@@ -125,8 +125,22 @@ Json lines_json(const std::vector<LineShift>& lines) {
     return json;
 }
 
+Json outlines_json(const OutlineDifference& outlines) {
+    return {{"within", outlines.within()},
+            {"excused", outlines.excused},
+            {"moved", outlines.moved},
+            {"alike", outlines.alike},
+            {"distance", real_json(outlines.worst.distance)},
+            {"pixels", real_json(outlines.worst.pixels)},
+            {"excess", real_json(outlines.worst.excess)},
+            {"place", point(outlines.worst.place)},
+            {"x", outlines.x},
+            {"y", outlines.y}};
+}
+
 Json view_json(const ComparedView& view, const BodyTolerance& tolerance) {
     Json json = picture_outcome_json(view.picture);
+    json["outlines"] = outlines_json(view.outlines);
     json["map"] = view.map;
     json["lines_within"] = lines_within(view, tolerance);
     json["lines"] = lines_json(view.lines);
@@ -135,10 +149,9 @@ Json view_json(const ComparedView& view, const BodyTolerance& tolerance) {
 }
 
 Json tolerance_json(const BodyTolerance& tolerance) {
-    return {{"deviation", tolerance.deviation},
-            {"border", tolerance.border},
-            {"normal", tolerance.normal},
-            {"line", tolerance.line}};
+    return {{"deviation", tolerance.deviation}, {"border", tolerance.border},
+            {"normal", tolerance.normal},       {"line", tolerance.line},
+            {"outline", tolerance.outline},     {"outline_pixels", tolerance.outline_pixels}};
 }
 
 Json faces_json(const Comparison& c) {
