@@ -1,6 +1,7 @@
 #include "keiko/compare/outline_difference.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/base/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@ namespace {
 struct DifferingPixel {
     int x = 0, y = 0;
     bool flipped = false;
-    bool outlined = false; ///< an outline may run through it
 };
 
 bool is_partly_covered(const Film& film, int x, int y) {
@@ -60,6 +60,22 @@ private:
     const Image &face_, &depth_;
 };
 
+Vec3 normal_at(const Film& film, int x, int y) {
+    const float* n = film.aovs.at(Aov::normal).pixel(x, y);
+    return {n[0], n[1], n[2]};
+}
+
+/// Whether two pictures show nearly the same surface at the centre of a pixel: what surely is
+/// another one gets no rays.
+bool is_nearly_alike(const Film& before, const Film& after, int x, int y) {
+    constexpr double most_tilt = 0.1;   // degrees
+    constexpr double most_depth = 0.01; // mm, along the ray; the rounding of floats is less
+    const Vec3 a = normal_at(before, x, y), b = normal_at(after, x, y);
+    const double depth = std::abs(double{*before.aovs.at(Aov::depth).pixel(x, y)} -
+                                  double{*after.aovs.at(Aov::depth).pixel(x, y)});
+    return std::abs(a.dot(b)) >= std::cos(degrees_to_radians(most_tilt)) && depth <= most_depth;
+}
+
 std::vector<DifferingPixel> differing_pixels(const Film& before, const Film& after,
                                              const FilmDifference& difference,
                                              const Camera& camera) {
@@ -69,17 +85,17 @@ std::vector<DifferingPixel> differing_pixels(const Film& before, const Film& aft
         for (int x = 0; x < difference.excess.width; ++x) {
             const float excess = *difference.excess.pixel(x, y);
             if (!(excess > 1)) continue;
-            pixels.push_back(
-                {x, y, std::isinf(excess), mask_before.near(x, y) || mask_after.near(x, y)});
+            const bool flipped = std::isinf(excess);
+            if (flipped || mask_before.near(x, y) || mask_after.near(x, y) ||
+                is_nearly_alike(before, after, x, y))
+                pixels.push_back({x, y, flipped});
         }
     return pixels;
 }
 
 /// Coverage that differs where no outline shows between the places of the coarse grid is looked for
-/// between those of the fine one. Where a surface moved, no outline is sought.
+/// between those of the fine one.
 PixelOutline measured(const OutlineComparison& outlines, const DifferingPixel& pixel) {
-    if (!pixel.flipped && !pixel.outlined && !outlines.alike_at({pixel.x + 0.5, pixel.y + 0.5}))
-        return {};
     const PixelOutline outline = outlines.in_pixel(pixel.x, pixel.y);
     if (!pixel.flipped || outline.found || !outline.worst.within()) return outline;
     return outlines.in_pixel(pixel.x, pixel.y, true);

@@ -68,11 +68,6 @@ bool OutlineComparison::alike(const Sighting& before, const Sighting& after) con
            radians_to_degrees(angle_between(a.normal, other)) <= tolerance_.normal;
 }
 
-bool OutlineComparison::alike_at(const Vec2& place) const {
-    const std::array places{place};
-    return alike(finder_before_.look(places).front(), finder_after_.look(places).front());
-}
-
 PixelOutline OutlineComparison::in_pixel(int x, int y, bool finely) const {
     PixelOutline pixel;
     const std::array centre{Vec2(x + 0.5, y + 0.5)};

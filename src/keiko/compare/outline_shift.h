@@ -41,8 +41,6 @@ public:
     /// through a grid of 5 x 5 places, of 17 x 17 if `finely`, and close in on outlines between
     /// them. A pixel whose centre is beyond what is allowed is searched no further.
     PixelOutline in_pixel(int x, int y, bool finely = false) const;
-    /// Whether both bodies show the same surface in the same paint, or nothing, at a place, px.
-    bool alike_at(const Vec2& place) const;
 
 private:
     bool alike(const Sighting& before, const Sighting& after) const;

@@ -164,13 +164,13 @@ TEST(OutlineShift, OtherPaintIsNotAlike) {
     const OutlineBody view_a = a.view(), view_b = b.view();
     const OutlineComparison outlines(view_a, view_b, camera(1), {}, 20);
     EXPECT_FALSE(outlines.in_pixel(20, 50).alike);
-    EXPECT_FALSE(outlines.alike_at({20.5, 50.5}));
 }
 
 /// What a picture shows at the middle of each pixel.
 Film film(const OutlineBody& body, const Camera& camera) {
     Film film{Image(100, 100, 3), Image(100, 100, 1), {}};
     film.aovs[Aov::face] = Image(100, 100, 1, -1);
+    film.aovs[Aov::normal] = Image(100, 100, 3);
     film.aovs[Aov::depth] = Image(100, 100, 1, std::numeric_limits<float>::infinity());
     for (int y = 0; y < 100; ++y)
         for (int x = 0; x < 100; ++x)
@@ -179,6 +179,8 @@ Film film(const OutlineBody& body, const Camera& camera) {
                 *film.aovs[Aov::face].pixel(x, y) =
                     static_cast<float>(body.visible_names[hit->face]);
                 *film.aovs[Aov::depth].pixel(x, y) = static_cast<float>(hit->t);
+                for (unsigned k = 0; k < 3; ++k)
+                    film.aovs[Aov::normal].pixel(x, y)[k] = static_cast<float>(hit->normal[k]);
             }
     return film;
 }
