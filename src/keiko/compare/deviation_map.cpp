@@ -4,16 +4,42 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace keiko {
 namespace {
 
-float signed_distance(const SurfaceFeet& other, const Vec3& place, double reach) {
-    const auto foot = other.foot(place, reach);
-    if (!foot) return std::numeric_limits<float>::infinity();
-    const bool inside = (place - foot->position).dot(foot->normal) < 0;
-    return static_cast<float>(inside ? -foot->distance : foot->distance);
-}
+/// Signed distances of places that follow each other closely: from one to the next a distance grows
+/// by no more than the way, which bounds the search.
+class DistanceRow {
+public:
+    DistanceRow(const SurfaceFeet& other, double reach) : other_(other), reach_(reach) {}
+
+    float at(const Vec3& place) {
+        const auto foot = foot_of(place);
+        last_.reset();
+        if (!foot) return std::numeric_limits<float>::infinity();
+        last_ = {place, foot->distance};
+        const bool inside = (place - foot->position).dot(foot->normal) < 0;
+        return static_cast<float>(inside ? -foot->distance : foot->distance);
+    }
+
+private:
+    std::optional<SurfaceFoot> foot_of(const Vec3& place) const {
+        constexpr double rounding = 1e-6; // mm
+        if (last_) {
+            const double bound = last_->second + (place - last_->first).length() + rounding;
+            if (bound < reach_)
+                if (auto foot = other_.foot(place, bound)) return foot;
+        }
+        return other_.foot(place, reach_);
+    }
+
+    const SurfaceFeet& other_;
+    double reach_;
+    std::optional<std::pair<Vec3, double>> last_; ///< place and distance, mm
+};
 
 } // namespace
 
@@ -26,10 +52,11 @@ DeviationMap deviation_map(const Tracer& body, const Camera& camera, const Surfa
         std::vector<Ray> rays;
         for (int x = 0; x < camera.width; ++x) rays.push_back(camera.ray(x + 0.5, row + 0.5));
         const std::vector<std::optional<Hit>> hits = body.nearest(rays);
+        DistanceRow distances(other, reach);
         for (int x = 0; x < camera.width; ++x) {
             const auto& hit = hits[static_cast<std::size_t>(x)];
             if (!hit) continue;
-            *map.distance.pixel(x, row) = signed_distance(other, hit->position, reach);
+            *map.distance.pixel(x, row) = distances.at(hit->position);
             const Vec3 view = rays[static_cast<std::size_t>(x)].direction.normalized();
             *map.facing.pixel(x, row) = static_cast<float>(std::abs(view.dot(hit->normal)));
         }

@@ -22,6 +22,8 @@ PieceFoot piece_foot(const BezierPatchView& piece, const Vec3& p);
 /// the control net in the frame of the mean tangents.
 class Convexity {
 public:
+    /// Holds nowhere.
+    Convexity() = default;
     explicit Convexity(const BezierPatchView& piece);
 
     /// Whether it is proved over `piece`, which is what this was made of or a part of that. Never

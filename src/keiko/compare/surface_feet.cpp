@@ -22,20 +22,6 @@ constexpr double least_gain = 1e-9;
 /// need few proofs; a larger one is searched only where that finds nothing.
 constexpr double first_reach = 1e-3;
 
-Vec3 euclidean(const Vec4& p) {
-    return Vec3(p.x, p.y, p.z) / p.w;
-}
-
-/// 0 where a piece is longer along u: Convexity is proved best for square ones.
-unsigned longer_side(const BezierPatchView& piece) {
-    const Vec3 a = euclidean(piece.point(0, 0)), b = euclidean(piece.point(piece.degree_u, 0));
-    const Vec3 c = euclidean(piece.point(0, piece.degree_v));
-    const Vec3 d = euclidean(piece.point(piece.degree_u, piece.degree_v));
-    const double along_u = (b - a).length() + (d - c).length();
-    const double along_v = (c - a).length() + (d - b).length();
-    return along_u >= along_v ? 0 : 1;
-}
-
 /// 0 for a border that is no edge of the file.
 double claimed_tolerance(const SurfaceModel& model, const BoundaryInterval& border) {
     if (border.curve >= model.trim_curves.size()) return 0;
@@ -55,7 +41,7 @@ public:
         pieces_.tree->visit_near(p_, material_, [&](std::uint32_t leaf) {
             if (counts_ && !counts_(pieces_.face(leaf))) return material_;
             const BezierPatchView view = pieces_.leaves.view(pieces_.leaves.leaves[leaf]);
-            look(leaf, view, unit_square, pieces_.convex[leaf], 0);
+            look(leaf, view, unit_square, pieces_.convex[leaf], 0, 0);
             return material_;
         });
         if (trimmed_ < material_) look_at_borders();
@@ -66,9 +52,9 @@ public:
 
 private:
     /// Tries the piece of a leaf over `box` of the leaf's parameters, a part of what `around` was
-    /// made of.
+    /// made of; `path` has a bit a halving, 1 for the upper half.
     void look(std::uint32_t index, const BezierPatchView& piece, const Box2& box,
-              const Convexity& around, int halved) {
+              const Convexity& around, int halved, unsigned path) {
         const Leaf& leaf = pieces_.leaves.leaves[index];
         const Vec3 local = p_ - leaf.center;
         const Box3 hull = hull_bounds(piece);
@@ -76,7 +62,10 @@ private:
         if (nearest + least_gain >= material_) return;
         bool proved = around.holds(piece, local);
         std::optional<Convexity> own; // tighter, but dearer than to halve again
-        if (!proved && halved % 3 == 2) proved = own.emplace(piece).holds(piece, local);
+        if (!proved && halved == 2)
+            proved = own.emplace(pieces_.quarters[index][path]).holds(piece, local);
+        else if (!proved && halved % 3 == 2)
+            proved = own.emplace(piece).holds(piece, local);
         const bool small = hull.size() < small_piece * nearest;
         if (proved || small || halved == most_halvings) {
             if (!proved) unproved_ = std::min(unproved_, nearest);
@@ -91,7 +80,7 @@ private:
             (upper ? half.lower : half.upper)[axis] = box.center()[axis];
             const std::vector<Vec4> points = subpatch(pieces_.leaves.view(leaf), half);
             const BezierPatchView view{piece.degree_u, piece.degree_v, points};
-            look(index, view, half, own ? *own : around, halved + 1);
+            look(index, view, half, own ? *own : around, halved + 1, 2 * path + upper);
         }
     }
 

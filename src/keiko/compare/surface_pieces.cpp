@@ -2,6 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/parallel.h"
+#include "keiko/trace/subpatch.h"
 
 namespace keiko {
 namespace {
@@ -10,7 +11,41 @@ namespace {
 /// begins changes with the pieces.
 constexpr double piece_contraction = 0.65;
 
+Vec3 euclidean(const Vec4& p) {
+    return Vec3(p.x, p.y, p.z) / p.w;
+}
+
+/// Boxes of the leaf's parameters, the lower half first.
+std::array<Box2, 2> halves(const BezierPatchView& piece, const Box2& box) {
+    const unsigned axis = longer_side(piece);
+    std::array<Box2, 2> both{box, box};
+    both[0].upper[axis] = both[1].lower[axis] = box.center()[axis];
+    return both;
+}
+
+std::array<Convexity, 4> quarter_convexity(const BezierPatchView& leaf) {
+    std::array<Convexity, 4> quarters;
+    auto next = quarters.begin();
+    for (const Box2& half : halves(leaf, unit_square)) {
+        const std::vector<Vec4> points = subpatch(leaf, half);
+        for (const Box2& quarter : halves({leaf.degree_u, leaf.degree_v, points}, half)) {
+            const std::vector<Vec4> part = subpatch(leaf, quarter);
+            *next++ = Convexity({leaf.degree_u, leaf.degree_v, part});
+        }
+    }
+    return quarters;
+}
+
 } // namespace
+
+unsigned longer_side(const BezierPatchView& piece) {
+    const Vec3 a = euclidean(piece.point(0, 0)), b = euclidean(piece.point(piece.degree_u, 0));
+    const Vec3 c = euclidean(piece.point(0, piece.degree_v));
+    const Vec3 d = euclidean(piece.point(piece.degree_u, piece.degree_v));
+    const double along_u = (b - a).length() + (d - c).length();
+    const double along_v = (c - a).length() + (d - b).length();
+    return along_u >= along_v ? 0 : 1;
+}
 
 Vec3 outward_normal(const SurfaceDerivatives& s, const Vec2& uv, const Face& face) {
     const auto normal = unit_normal(s, uv);
@@ -34,6 +69,10 @@ SurfaceFeet::Pieces::Pieces(PlacedModel placed, const Job& job) : body(std::move
         boxes.push_back({box.lower + leaf.center, box.upper + leaf.center});
         convex.emplace_back(view);
     }
+    quarters.resize(leaves.leaves.size());
+    parallel_for(quarters.size(), job, "", [&](std::size_t i) {
+        quarters[i] = quarter_convexity(leaves.view(leaves.leaves[i]));
+    });
     tree.emplace(std::move(boxes));
     borders.emplace(model);
 }

@@ -6,6 +6,7 @@
 #include "keiko/patch/differential_geometry.h"
 #include "keiko/trace/leaf.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -14,13 +15,20 @@ namespace keiko {
 /// The outward unit normal of a face, or 0.
 Vec3 outward_normal(const SurfaceDerivatives& s, const Vec2& uv, const Face& face);
 
+/// The axis along which a piece is halved, 0 where it is longer along u: Convexity is proved best
+/// for square ones.
+unsigned longer_side(const BezierPatchView& piece);
+
 /// What feet are sought on: the faces of a body in pieces that are bent little, by place.
 struct SurfaceFeet::Pieces {
     PlacedModel body;
     std::vector<TrimRegion> trims; ///< a face
     LeafSet leaves;
     std::vector<Convexity> convex; ///< a leaf
-    std::optional<BoxTree> tree;   ///< of the leaves' boxes
+    /// A leaf halved twice by longer_side, the lower halves first: most proofs fail for a leaf and
+    /// hold for these.
+    std::vector<std::array<Convexity, 4>> quarters;
+    std::optional<BoxTree> tree; ///< of the leaves' boxes
     std::optional<BorderFeet> borders;
 
     /// Throws Error for a body without faces, Cancelled.
