@@ -1,5 +1,7 @@
 """keiko compare: what it tells of two revisions, and its exit codes."""
+import itertools
 import json
+import os
 import shutil
 import signal
 import subprocess
@@ -15,6 +17,20 @@ DOME = surface("dome.bpt")
 # What the tests tell apart shows at these as well, in a tenth of the time.
 FEW = "compare", "-q", "--samples", "500"
 VIEW = "--view", "high-front", "--size", "64x36", "--rig", str(SOURCE / "lightrigs" / "bench-6.toml")
+HOLED = surface("trimmed-hole.step")
+PIXEL = 1.25  # mm
+ABOVE = """format = "keiko-view/1"
+projection = "orthographic"
+eye = [0, 0, 3000]
+target = [0, 0, 0]
+up = [0, 1, 0]
+orthographic_height = 250
+"""
+SHARED = SOURCE.parent / "shared" / "models"
+# The same parts in several formats; the first of each is what the others were written from.
+FORMATS = (("car-hood.brep", "car-hood-converted.step", "car-hood-converted.igs"),
+           ("car-front-fender.brep", "car-front-fender-converted.igs"),
+           ("cube-unit-mm.step", "cube-unit-in.step"))
 SCHEMA = json.loads((SOURCE / "docs" / "schema" / "keiko-comparison.schema.json").read_text())
 
 
@@ -155,6 +171,24 @@ transform = {{ rotate = [0, 0, 1, 0.25], translate = [3, -2, 1] }}
         self.assertIn("nowhere.step", run.stderr)
 
 
+class Formats(KeikoTest):
+    """Parts that differ by their file format alone are the same in every picture, both ways round."""
+
+    patience = 600
+
+    def test_a_part_is_the_same_in_every_format(self):
+        size = () if os.environ.get("KEIKO_LONG") else ("--size", "480x270")
+        for names in FORMATS:
+            files = [SHARED / name for name in names]
+            if not all(file.exists() for file in files):
+                self.skipTest(f"{SHARED} is not there")
+            for pair in itertools.permutations(map(str, files), 2):
+                with self.subTest(pair=pair):
+                    run = self.keiko("compare", "-q", "--samples", "2000", *pair, "-o", "out", *size)
+                    self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
+                    shutil.rmtree(self.folder / "out")
+
+
 class Reports(KeikoTest):
     def moved(self, millimetres: float) -> str:
         step = StepText(surface("seam-g1-only.step"))
@@ -256,11 +290,37 @@ class Reports(KeikoTest):
         suites = ElementTree.parse(self.folder / "out.xml").getroot()
         cases = {case.get("name"): case.find("failure") is not None for case in suites.iter("testcase")}
         for name in ("deviation", "missing", "normals", "borders", "faces", "seams", "findings",
-                     "high-front: lines", "high-front: silhouette", "high-front: color"):
+                     "high-front: lines", "high-front: outlines", "high-front: silhouette", "high-front: color"):
             self.assertIn(name, cases)
         self.assertTrue(cases["deviation"])
         self.assertFalse(cases["faces"])
         self.assertEqual(int(suites.get("failures")), sum(cases.values()))
+
+    def moved_hole(self, millimetres: float) -> str:
+        step = StepText(HOLED)
+        step.move_inner_loop(step.faces()[0], millimetres, 200)
+        step.write(self.folder / "hole.step")
+        return "hole.step"
+
+    def outlines(self, before: str, after: str) -> dict:
+        """What the picture from above shows of outlines where the geometry may differ as it likes."""
+        self.write("above.toml", ABOVE)
+        run = self.keiko(*FEW, before, after, "--json", "out.json", "--view", "above.toml", "--size", "200x200",
+                         "--rig", str(SOURCE / "lightrigs" / "bench-6.toml"), "--border-tolerance", "1",
+                         "--tolerance", "1", "--angle-tolerance", "1", "--line-tolerance", "1")
+        found = self.found()
+        self.assertEqual(run.returncode, 0 if found["verdict"] == "same" else 1, run.stdout)
+        return found["views"][0]["outlines"]
+
+    def test_a_hole_that_moved_by_less_than_a_twentieth_pixel_is_the_same_in_pictures(self):
+        for share in 0.5, 0.9, 1.1, 4:
+            moved = share * 0.05 * PIXEL
+            for pair in ((HOLED, self.moved_hole(moved)), (self.moved_hole(moved), HOLED)):
+                with self.subTest(share=share, before=pair[0]):
+                    outlines = self.outlines(*pair)
+                    self.assertEqual(outlines["within"], share < 1, outlines)
+                    if share > 1:
+                        self.assertAlmostEqual(outlines["distance"], moved, delta=0.05 * moved)
 
     def test_geometry_alone_needs_no_pictures(self):
         self.compare(self.moved(0.5), "--json", "out.json")

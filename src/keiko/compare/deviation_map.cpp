@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
 namespace keiko {
 namespace {
@@ -18,9 +17,9 @@ public:
 
     float at(const Vec3& place) {
         const auto foot = foot_of(place);
-        last_.reset();
+        last_ = place;
+        last_distance_ = foot ? foot->distance : std::numeric_limits<double>::infinity();
         if (!foot) return std::numeric_limits<float>::infinity();
-        last_ = {place, foot->distance};
         const bool inside = (place - foot->position).dot(foot->normal) < 0;
         return static_cast<float>(inside ? -foot->distance : foot->distance);
     }
@@ -28,17 +27,16 @@ public:
 private:
     std::optional<SurfaceFoot> foot_of(const Vec3& place) const {
         constexpr double rounding = 1e-6; // mm
-        if (last_) {
-            const double bound = last_->second + (place - last_->first).length() + rounding;
-            if (bound < reach_)
-                if (auto foot = other_.foot(place, bound)) return foot;
-        }
+        const double bound = last_distance_ + (place - last_).length() + rounding;
+        if (bound < reach_)
+            if (auto foot = other_.foot(place, bound)) return foot;
         return other_.foot(place, reach_);
     }
 
     const SurfaceFeet& other_;
     double reach_;
-    std::optional<std::pair<Vec3, double>> last_; ///< place and distance, mm
+    Vec3 last_{0};
+    double last_distance_ = std::numeric_limits<double>::infinity(); ///< mm
 };
 
 } // namespace

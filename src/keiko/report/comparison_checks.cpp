@@ -101,8 +101,9 @@ std::string movement(const ComparedView& view, const BodyTolerance& tolerance) {
 
 /// "at most 0.02 mm (0.015 pixels) from the other part, at 1.0, 2.0, 3.0"
 std::string shift_words(const OutlineShift& worst, double reach) {
-    const std::string pixels =
-        std::isinf(worst.pixels) ? "" : " (" + short_number(worst.pixels) + " pixels)";
+    constexpr double rounding = 1e-9; // pixels
+    const bool told = std::isfinite(worst.pixels) && worst.pixels > rounding;
+    const std::string pixels = told ? " (" + short_number(worst.pixels) + " pixels)" : "";
     return at_most(worst.distance, reach) + pixels + " from the other part, at " +
            place_text(worst.place);
 }
