@@ -1,5 +1,4 @@
 """keiko compare: what it tells of two revisions, and its exit codes."""
-import itertools
 import json
 import os
 import shutil
@@ -177,12 +176,13 @@ class Formats(KeikoTest):
     patience = 600
 
     def test_a_part_is_the_same_in_every_format(self):
-        size = () if os.environ.get("KEIKO_LONG") else ("--size", "480x270")
+        size = () if os.environ.get("KEIKO_LONG") else ("--size", "320x180")
         for names in FORMATS:
             files = [SHARED / name for name in names]
             if not all(file.exists() for file in files):
                 self.skipTest(f"{SHARED} is not there")
-            for pair in itertools.permutations(map(str, files), 2):
+            first, *others = map(str, files)
+            for pair in [p for other in others for p in ((first, other), (other, first))]:
                 with self.subTest(pair=pair):
                     run = self.keiko("compare", "-q", "--samples", "2000", *pair, "-o", "out", *size)
                     self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
