@@ -55,21 +55,36 @@ struct Finding {
     Vec3 place;
 };
 
-/// The worst seams, and of the seams, faces and crossings that do not pass the worst.
+/// Adds the faces of checks, each once.
+class FaceFindings {
+public:
+    explicit FaceFindings(const Inspection& inspection) : shown_(inspection.faces.size()) {}
+
+    void add(const std::vector<Check>& checks, std::vector<Finding>& all) {
+        constexpr std::size_t most = 10;
+        for (const Check& check : checks) {
+            if (check.face == no_index || shown_[check.face] || count_ == most) continue;
+            shown_[check.face] = true, ++count_;
+            all.push_back({CloseUp::Of::face, check.face, check.worst.place});
+        }
+    }
+
+private:
+    std::vector<bool> shown_;
+    std::size_t count_ = 0;
+};
+
+/// The worst seams, of the seams, faces and crossings that do not pass the worst, and faces that
+/// are worth a look.
 std::vector<Finding> worst_findings(const Report& report) {
-    constexpr std::size_t most_seams = 20, most_faces = 10, most_crossings = 10;
+    constexpr std::size_t most_seams = 20, most_crossings = 10;
     const Inspection& inspection = report.inspection;
     std::vector<Finding> all;
     for (const std::uint32_t seam : worst_seams(inspection, most_seams))
         if (all.size() < worst_seam_count || inspection.seams[seam].verdict != Verdict::pass)
             all.push_back({CloseUp::Of::seam, seam, worst_place(inspection.seams[seam])});
-    std::vector<bool> shown(inspection.faces.size());
-    std::size_t faces = 0;
-    for (const Check& check : inspection.findings) {
-        if (check.face == no_index || shown[check.face] || faces == most_faces) continue;
-        shown[check.face] = true, ++faces;
-        all.push_back({CloseUp::Of::face, check.face, check.worst.place});
-    }
+    FaceFindings faces(inspection);
+    faces.add(inspection.findings, all), faces.add(inspection.looks, all);
     if (!report.lines) return all;
     std::uint32_t rank = 0;
     for (const CrossingPlace& crossing : ranked_crossings(*report.lines)) {

@@ -46,6 +46,13 @@ std::string short_number(double value) {
     return text;
 }
 
+/// "0.0370": how good it is, with its trailing zeros.
+std::string bound_number(double bound) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%#.3g", bound);
+    return text;
+}
+
 /// How a measure is put into words.
 struct Wording {
     const char* what; ///< "the gap"
@@ -59,7 +66,10 @@ std::string sentence(const Worst& worst, const Wording& wording) {
             ? (worst.at_least ? " is under the limit of " : " is over the limit of ")
         : worst.verdict == Verdict::pass ? " is within the limit of "
                                          : " cannot be told from the limit of ";
-    return std::string(wording.what) + " of " + short_number(worst.value * wording.scale) +
+    const std::string bound = worst.verdict == Verdict::undecided
+                                  ? " ± " + bound_number(worst.bound * wording.scale)
+                                  : "";
+    return std::string(wording.what) + " of " + short_number(worst.value * wording.scale) + bound +
            wording.unit + relation + short_number(worst.limit * wording.scale) + wording.unit;
 }
 
@@ -166,6 +176,17 @@ std::vector<Check> flaw_checks(const MeasuredFace& face, const WavinessLimit& li
     return checks;
 }
 
+/// One a flaw that is worth a look.
+std::vector<Check> looks_of(const MeasuredFace& face) {
+    std::vector<Check> looks;
+    for (const Flaw& flaw : face.flaws) {
+        Check check = flaw_check(flaw);
+        check.severity = Check::Severity::look;
+        if (check.is_worth_a_look()) looks.push_back(std::move(check));
+    }
+    return looks;
+}
+
 } // namespace
 
 Check check_of_lines(std::string_view code, const Worst& worst, std::size_t lines,
@@ -195,14 +216,18 @@ Check check_of_symmetry(const Worst& worst, const std::string& plane) {
     return judged("KEIKO-SYMMETRY", "mm", worst, {what.c_str(), " mm"});
 }
 
-std::vector<Check> checks_of(const MeasuredFace& face, const SurfaceLimits& limits,
+std::string_view outcome_of(const Check& check) {
+    return check.is_worth_a_look() ? "look" : name_of(check.worst.verdict);
+}
+
+std::vector<Check> checks_of(const MeasuredFace& face, const CriteriaPreset& preset,
                              std::uint32_t index) {
+    const SurfaceLimits& limits = preset.surface;
     std::vector<Check> checks;
     if (limits.minimum_radius) checks.push_back(radius_check(face));
-    if (!limits.waviness.empty()) {
-        std::vector<Check> flaws = flaw_checks(face, limits.waviness.front());
-        std::move(flaws.begin(), flaws.end(), std::back_inserter(checks));
-    }
+    std::vector<Check> flaws =
+        limits.waviness.empty() ? looks_of(face) : flaw_checks(face, limits.waviness.front());
+    std::move(flaws.begin(), flaws.end(), std::back_inserter(checks));
     for (Check& check : checks) check.face = index, check.faces = face.name;
     return checks;
 }

@@ -22,22 +22,30 @@ struct Criterion {
 const Criterion& criterion_of(std::string_view code);
 
 /// One criterion held against one seam or face, or against the lines that cross a seam. One that is
-/// judged and does not pass is a finding.
+/// judged and does not pass is a finding, unless it is only worth a look.
 struct Check {
-    std::string code;              ///< as Criterion
-    std::string rule;              ///< as Criterion
-    std::string quantity;          ///< as Criterion
-    std::string unit;              ///< "mm", "deg", "deg/mm", "1" (a share of 1) or "1/mm"
-    std::string formula;           ///< of a curvature mismatch, or empty
-    Worst worst;                   ///< value, bound, limit, place, verdict; none where not judged
-    bool judged = true;            ///< else `message` says why not
+    /// `judged` decides on the verdict with all others; `look` has no part in it.
+    enum class Severity { judged, look };
+
+    std::string code;     ///< as Criterion
+    std::string rule;     ///< as Criterion
+    std::string quantity; ///< as Criterion
+    std::string unit;     ///< "mm", "deg", "deg/mm", "1" (a share of 1) or "1/mm"
+    std::string formula;  ///< of a curvature mismatch, or empty
+    Worst worst;          ///< value, bound, limit, place, verdict; none where not judged
+    bool judged = true;   ///< else `message` says why not
+    Severity severity = Severity::judged;
     std::uint32_t seam = no_index; ///< into Inspection::seams; no_index: of a face
     std::uint32_t face = no_index; ///< into Inspection::faces; no_index: of a seam
     std::string view;              ///< of lines: the view that shows them; else empty
     std::string faces;             ///< "face 12 (fender-outer) | face 13"
     std::string message;           ///< one sentence
 
-    bool is_finding() const { return judged && worst.verdict != Verdict::pass; }
+    bool is_finding() const { return severity == Severity::judged && is_beyond_limit(); }
+    bool is_worth_a_look() const { return severity == Severity::look && is_beyond_limit(); }
+
+private:
+    bool is_beyond_limit() const { return judged && worst.verdict != Verdict::pass; }
 };
 
 /// A criterion of reflection lines, "KEIKO-LINE-...", held against the worst of `lines` that cross
@@ -49,10 +57,13 @@ Check check_of_lines(std::string_view code, const Worst& worst, std::size_t line
 /// place. Without face.
 Check check_of_symmetry(const Worst& worst, const std::string& plane);
 
-/// Every criterion of the limits held against one measured face (number `index`). What they have no
-/// limit for is left out.
-std::vector<Check> checks_of(const MeasuredFace& face, const SurfaceLimits& limits,
+/// Every criterion of the preset held against one measured face (number `index`), and what of it is
+/// worth a look. What the preset has no limit for is left out.
+std::vector<Check> checks_of(const MeasuredFace& face, const CriteriaPreset& preset,
                              std::uint32_t index);
+
+/// "fail", "undecided" or "pass"; "look" of what is worth one.
+std::string_view outcome_of(const Check& check);
 
 /// Every criterion of the preset held against one measured seam (number `index`), in the order gap,
 /// angle, curvature, its slope, fading. What the preset has no limit for is left out. `join` in mm.

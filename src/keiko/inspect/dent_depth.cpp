@@ -1,6 +1,6 @@
 #include "keiko/inspect/dent_depth.h"
 
-#include "keiko/inspect/smooth_base.h"
+#include "keiko/inspect/dent_form.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,9 @@
 namespace keiko {
 namespace {
 
-constexpr int directions = 32, rings = 12;
+constexpr int directions = 32;
+constexpr int rings = 12;     ///< within half a window
+constexpr int all_rings = 31; ///< within the widest reach
 
 std::optional<TangentFrame> outlook(const SmoothFaces& faces, const SheetPlace& at) {
     const auto s = faces.evaluate(at, 1);
@@ -27,7 +29,7 @@ std::vector<Height> heights_around(const SmoothFaces& faces, const SheetPlace& a
     for (int d = 0; d < directions; ++d) {
         const double angle = 2 * std::numbers::pi * (d + 0.5) / directions;
         SheetPlace last = at;
-        for (int r = 0; r < rings; ++r) {
+        for (int r = 0; r < all_rings; ++r) {
             const double radius = reach * std::sqrt((r + 0.5) / rings);
             const Vec2 to(radius * std::cos(angle), radius * std::sin(angle));
             const auto next = faces.moved(from, last, to);
@@ -39,11 +41,12 @@ std::vector<Height> heights_around(const SmoothFaces& faces, const SheetPlace& a
     return heights;
 }
 
-/// The form around a place.
-std::optional<SmoothBase> base_under(std::span<const Height> heights, double reach) {
-    constexpr std::size_t fewest = directions * rings / 8; // half of a corner's quarter
-    if (heights.size() < fewest) return std::nullopt;
-    return SmoothBase::fit(heights, reach);
+/// The part of heights within half a window.
+std::vector<Height> within(std::span<const Height> heights, double reach) {
+    std::vector<Height> near;
+    for (const Height& h : heights)
+        if (std::hypot(h.x, h.y) < reach) near.push_back(h);
+    return near;
 }
 
 /// Whether less than a twentieth of the samples lie in some quarter.
@@ -57,7 +60,7 @@ bool is_one_sided(std::span<const Height> heights) {
 /// Whether less than a quarter of the samples are more than `far` off the form.
 bool is_alone(std::span<const Height> heights, const SmoothBase& under, double far) {
     const auto off = std::count_if(heights.begin(), heights.end(), [&](const Height& h) {
-        return std::abs(h.z - under.height(h.x, h.y)) > far;
+        return std::abs(under.offset(h)) > far;
     });
     return static_cast<std::size_t>(off) * 4 < heights.size();
 }
@@ -67,8 +70,8 @@ SheetPlace furthest(const SmoothFaces& faces, const SheetPlace& begin, const Tan
                     const SmoothBase& under, double reach) {
     SheetPlace at = begin;
     Vec2 here(0);
-    const double side = under.height(0, 0) > 0 ? -1 : 1;
-    double best = -under.height(0, 0) * side, step = reach / 10;
+    const double side = under.at_origin() > 0 ? -1 : 1;
+    double best = -under.at_origin() * side, step = reach / 10;
     constexpr int halvings = 8;
     for (int halved = 0; halved < halvings;) {
         bool moved = false;
@@ -78,7 +81,7 @@ SheetPlace furthest(const SmoothFaces& faces, const SheetPlace& begin, const Tan
             const auto next = faces.moved(from, at, to);
             if (!next) continue;
             const double height = from.local(faces.evaluate(*next, 0)->position()).z;
-            const double there = (height - under.height(to.x, to.y)) * side;
+            const double there = under.offset({to.x, to.y, height, 1}) * side;
             if (there > best) best = there, here = to, at = *next, moved = true;
         }
         if (!moved) step /= 2, ++halved;
@@ -90,29 +93,26 @@ SheetPlace furthest(const SmoothFaces& faces, const SheetPlace& begin, const Tan
 
 std::optional<DentDepth> dent_depth(const SmoothFaces& faces, const SheetPlace& begin,
                                     double reach) {
-    SheetPlace at = begin;
+    constexpr std::size_t fewest = directions * rings / 8; // half of a corner's quarter
     constexpr int rounds = 3;
-    for (int i = 0; i < rounds; ++i) {
+    SheetPlace at = begin;
+    for (int i = 0;; ++i) {
         const auto from = outlook(faces, at);
         if (!from) return std::nullopt;
-        const auto under = base_under(heights_around(faces, at, *from, reach), reach);
-        if (!under) return std::nullopt;
-        at = furthest(faces, at, *from, *under, reach);
+        const std::vector<Height> heights = heights_around(faces, at, *from, reach);
+        const std::vector<Height> near = within(heights, reach);
+        if (near.size() < fewest) return std::nullopt;
+        const auto form = dent_form(heights, reach);
+        if (!form) return std::nullopt;
+        if (i < rounds) {
+            at = furthest(faces, at, *from, form->base, reach);
+            continue;
+        }
+        const double offset = -form->base.at_origin();
+        return DentDepth{
+            offset,       form->bound,        at,
+            from->origin, is_one_sided(near), is_alone(near, form->base, std::abs(offset) / 2)};
     }
-    const auto from = outlook(faces, at);
-    if (!from) return std::nullopt;
-    constexpr double less = 0.8;
-    const std::vector<Height> around = heights_around(faces, at, *from, reach);
-    const auto under = base_under(around, reach);
-    const auto narrower = base_under(heights_around(faces, at, *from, less * reach), less * reach);
-    if (!under || !narrower) return std::nullopt;
-    const double offset = -under->height(0, 0);
-    return DentDepth{offset,
-                     std::abs(-narrower->height(0, 0) - offset),
-                     at,
-                     from->origin,
-                     is_one_sided(around),
-                     is_alone(around, *under, std::abs(offset) / 2)};
 }
 
 } // namespace keiko

@@ -25,7 +25,7 @@ struct MeasuredFace {
     /// judge it too; its limit is then 0.
     std::optional<Worst> radius;
     /// Dents, bumps and waves at least half as deep as the limit, the deepest first; `inspect`
-    /// looks for them (find_flaws) where the preset has a limit.
+    /// looks for them (find_flaws) where the preset has a limit, judged or not.
     std::vector<Flaw> flaws;
     /// Where it turns from bending one way to a saddle, the longest first; not judged. None of a
     /// face that stands in for another.

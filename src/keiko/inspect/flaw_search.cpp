@@ -18,6 +18,8 @@ constexpr double deepest_share = 1.0 / 50;
 /// A depth that changes by more than this share of it with how much around is looked at may be
 /// form.
 constexpr double form_share = 0.25;
+/// How much further a form may be off where it is continued to a border, not across a gap.
+constexpr double one_sided_factor = 3;
 /// A dent that is so many times as deep as its ripple may be is form that bends otherwise; planted
 /// ones are up to 5.3 times, up to 10 times where their middle lies beyond a border.
 constexpr double most_beyond_ripple = 12;
@@ -31,7 +33,7 @@ constexpr std::size_t most_measured = 6, most_tried = 30;
 struct PlacedFlaw {
     Flaw flaw;
     std::size_t face = 0;        ///< into SmoothFaces
-    bool alone = false;          ///< of a dent: form is all around, and nothing as far off
+    bool alone = false;          ///< of a dent: nothing around is as far off
     std::vector<Vec3> ripples{}; ///< world, mm: the places of all that show it
 };
 
@@ -59,13 +61,15 @@ private:
         std::optional<PlacedFlaw> (FlawMeasure::*measure)(const FaceRipple&) const) const {
         std::optional<PlacedFlaw> deepest;
         std::vector<const FaceRipple*> measured;
+        std::vector<Vec3> places; // of dents
         for (std::size_t i = 0, tried = 0; i < ripples.size() && tried < most_tried; ++i) {
-            if (is_beside(measured, ripples[i])) continue;
+            if (is_beside(measured, ripples[i]) || is_at(places, ripples[i])) continue;
             ++tried;
             const auto flaw = (this->*measure)(ripples[i]);
             if (!flaw) continue;
             if (!deepest || flaw->flaw.depth.value > deepest->flaw.depth.value) deepest = flaw;
             measured.push_back(&ripples[i]);
+            if (flaw->flaw.kind != Flaw::Kind::waves) places.push_back(flaw->flaw.depth.place);
             if (measured.size() == most_measured) break;
         }
         if (!deepest || is_form(*deepest) || deepest->flaw.depth.value < limit_.depth / 2)
@@ -85,9 +89,19 @@ private:
         });
     }
 
+    /// Whether it is of a dent that has been measured.
+    bool is_at(const std::vector<Vec3>& places, const FaceRipple& ripple) const {
+        return std::any_of(places.begin(), places.end(), [&](const Vec3& place) {
+            return (place - ripple.position).length() < limit_.window / 4;
+        });
+    }
+
     Worst depth(double value, double bound, const Vec3& place) const {
+        constexpr double doubtful = 2; // fits that do not agree tell little of how far they are off
+        const bool form = bound > form_share * value;
+        if (form) bound *= doubtful;
         Verdict verdict = judge(value, bound, limit_.depth);
-        if (bound > form_share * value) verdict = std::min(verdict, Verdict::undecided);
+        if (form) verdict = std::min(verdict, Verdict::undecided);
         return {value, bound, limit_.depth, place, verdict, false};
     }
 
@@ -108,19 +122,18 @@ private:
         if (std::abs(found->offset) > most_beyond_ripple * r.deepest) return std::nullopt;
         const bool form = found->bound > form_share * std::abs(found->offset);
         if (form && (found->one_sided || r.cut)) return std::nullopt;
+        const double bound = found->bound * (found->one_sided ? one_sided_factor : 1);
         return PlacedFlaw{
             {found->offset < 0 ? Flaw::Kind::dent : Flaw::Kind::bump,
-             depth(std::abs(found->offset), found->bound, found->position), r.width, limit_.window},
+             depth(std::abs(found->offset), bound, found->position), r.width, limit_.window},
             found->at.face,
-            found->alone && !found->one_sided};
+            found->alone};
     }
 
-    /// Whether it is a dent that looks like waves by its rims: the fourth difference gives a dent
-    /// 3/8 of its depth at most.
+    /// Whether it is a dent that looks like waves by its rims, or beside another bend.
     static bool is_no_wave(const PlacedFlaw& dent, const PlacedFlaw& waves) {
-        constexpr double most_of_waves = 2.3;
-        return dent.alone && dent.flaw.depth.value > most_of_waves * waves.flaw.depth.value &&
-               dent.flaw.depth.bound <= form_share * dent.flaw.depth.value;
+        const Worst &a = dent.flaw.depth, &b = waves.flaw.depth;
+        return dent.alone && (a.value - a.bound > b.value || a.verdict > b.verdict);
     }
 
     /// Whether there are crests and troughs that are nearly as deep.

@@ -82,13 +82,23 @@ void mark_irregular(const SurfaceModel& model, std::vector<MeasuredSeam>& seams)
     }
 }
 
+/// Those of some checks that the predicate holds for, the worst first.
+std::vector<Check> ranked(const Inspection& inspection, bool (Check::*predicate)() const) {
+    std::vector<Check> found;
+    std::copy_if(inspection.checks.begin(), inspection.checks.end(), std::back_inserter(found),
+                 [predicate](const Check& check) { return (check.*predicate)(); });
+    std::stable_sort(found.begin(), found.end(), Worse(inspection.seams));
+    return found;
+}
+
 void take(Verdict verdict, std::vector<Check> checks, Inspection& result) {
     result.verdict = std::max(result.verdict, verdict);
     std::move(checks.begin(), checks.end(), std::back_inserter(result.checks));
 }
 
 void add_flaws(const SurfaceModel& model, Inspection& result, const Job& job) {
-    const std::vector<WavinessLimit>& limits = result.preset.surface.waviness;
+    const std::vector<WavinessLimit>& limits = result.preset.flaw_limits();
+    const bool judged = !result.preset.surface.waviness.empty();
     if (limits.empty()) return;
     std::vector<bool> searched;
     for (const MeasuredFace& face : result.faces) searched.push_back(face.curvature.has_value());
@@ -96,6 +106,7 @@ void add_flaws(const SurfaceModel& model, Inspection& result, const Job& job) {
     for (std::size_t i = 0; i < flaws.size(); ++i) {
         MeasuredFace& face = result.faces[i];
         face.flaws = std::move(flaws[i]);
+        if (!judged) continue;
         for (const Flaw& flaw : face.flaws)
             face.verdict = std::max(face.verdict, flaw.depth.verdict);
     }
@@ -122,25 +133,27 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     }
     for (std::uint32_t i = 0; i < result.faces.size(); ++i) {
         ++count_of(result.faces[i].verdict, result.face_counts);
-        take(result.faces[i].verdict, checks_of(result.faces[i], preset.surface, i), result);
+        take(result.faces[i].verdict, checks_of(result.faces[i], preset, i), result);
     }
-    std::copy_if(result.checks.begin(), result.checks.end(), std::back_inserter(result.findings),
-                 [](const Check& check) { return check.is_finding(); });
-    std::stable_sort(result.findings.begin(), result.findings.end(), Worse(result.seams));
+    result.findings = ranked(result, &Check::is_finding);
+    result.looks = ranked(result, &Check::is_worth_a_look);
     return result;
 }
 
 void add_check(Inspection& inspection, Check check) {
-    MeasuredFace& face = inspection.faces.at(check.face);
-    --count_of(face.verdict, inspection.face_counts);
-    face.verdict = std::max(face.verdict, check.worst.verdict);
-    ++count_of(face.verdict, inspection.face_counts);
-    inspection.verdict = std::max(inspection.verdict, check.worst.verdict);
-    if (check.is_finding()) {
-        const auto behind = std::upper_bound(inspection.findings.begin(), inspection.findings.end(),
-                                             check, Worse(inspection.seams));
-        inspection.findings.insert(behind, check);
+    if (check.severity == Check::Severity::judged) {
+        MeasuredFace& face = inspection.faces.at(check.face);
+        --count_of(face.verdict, inspection.face_counts);
+        face.verdict = std::max(face.verdict, check.worst.verdict);
+        ++count_of(face.verdict, inspection.face_counts);
+        inspection.verdict = std::max(inspection.verdict, check.worst.verdict);
     }
+    const auto insert = [&](std::vector<Check>& ranked) {
+        ranked.insert(
+            std::upper_bound(ranked.begin(), ranked.end(), check, Worse(inspection.seams)), check);
+    };
+    if (check.is_finding()) insert(inspection.findings);
+    if (check.is_worth_a_look()) insert(inspection.looks);
     inspection.checks.push_back(std::move(check));
 }
 

@@ -33,6 +33,7 @@ struct Inspection {
     std::vector<MeasuredFace> faces; ///< each as it is placed
     std::vector<Check> checks;   ///< seam by seam, then face by face: all held against the preset
     std::vector<Check> findings; ///< those that do not pass: failures before undecided, worst first
+    std::vector<Check> looks;    ///< those that are worth a look, in the same order
     SeamCounts counts;
     FaceCounts face_counts;
     /// The worst of all seams and faces; never pass where faces were lost, since nobody judged

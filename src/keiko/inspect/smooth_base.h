@@ -12,6 +12,10 @@ struct Height {
     double weight = 1;
 };
 
+/// What a SmoothBase takes for smooth: heights that are polynomials, or heights z less b z² / 2
+/// with the larger curvature b at the origin, as spheres and cylinders exactly are.
+enum class BaseKind { flat, bent };
+
 /// The form under a dent: a polynomial of total degree 4 over the plane that goes by most heights;
 /// those that lie off the others by far do not count. By iteratively reweighted least squares,
 /// first to the smallest sum of distances, then with Tukey's biweight (Holland and Welsch 1977), as
@@ -22,12 +26,24 @@ public:
 
     /// Of the heights within `reach` of the origin, mm. Nothing where they are too few or too close
     /// to a line.
-    static std::optional<SmoothBase> fit(std::span<const Height> heights, double reach);
+    static std::optional<SmoothBase> fit(std::span<const Height> heights, double reach,
+                                         BaseKind kind = BaseKind::flat);
 
-    double height(double x, double y) const;
+    /// mm: how far a height lies off the form, along the normal of the plane near the origin.
+    double offset(const Height& height) const;
+    /// mm, of the form above the plane at the origin.
+    double at_origin() const { return terms_[0]; }
+    double reach() const { return reach_; } ///< mm
+    /// mm: how far the height at the origin may be off the form there, an estimate. The root of the
+    /// mean square distance of the heights that count, times what the fit makes of it where a gap
+    /// or a side is without heights (its Lebesgue constant).
+    double origin_bound() const { return origin_bound_; }
 
 private:
-    double reach_ = 1;
+    double levelled(double z) const { return z - bend_ / 2 * z * z; }
+
+    double reach_ = 1, origin_bound_ = 0;
+    double bend_ = 0; ///< 1/mm, 0 of a flat one
     std::array<double, term_count> terms_{};
 };
 

@@ -105,6 +105,13 @@ SurfaceLimits surface_limits_from(const TomlTable& table) {
     return limits;
 }
 
+LookLimits look_limits_from(const TomlTable& table) {
+    LookLimits limits;
+    limits.waviness = waviness_limits_from(table);
+    table.finish();
+    return limits;
+}
+
 std::vector<CriteriaPreset> parsed_standard_presets() {
     std::vector<CriteriaPreset> presets;
     for (const StandardPreset& preset : standard_preset_files)
@@ -126,6 +133,11 @@ CriteriaPreset parse_preset(std::string_view text, const std::string& source) {
     const auto lines = root.table("lines");
     preset.lines = lines ? line_limits_from(*lines) : LineLimits{};
     if (const auto surface = root.table("surface")) preset.surface = surface_limits_from(*surface);
+    if (const auto look = root.table("look")) {
+        preset.look = look_limits_from(*look);
+        if (!preset.look.waviness.empty() && !preset.surface.waviness.empty())
+            throw look->error("waviness", "has no use where [surface] limits it");
+    }
     root.finish();
     return preset;
 }

@@ -26,7 +26,7 @@ std::string row(const Check& check) {
     const auto if_judged = [&](double value) { return check.judged ? csv_number(value) : ""; };
     return row({check.seam == no_index ? "" : std::to_string(check.seam + 1), field(check.view),
                 field(check.faces), field(check.code), field(check.quantity),
-                check.judged ? std::string(name_of(w.verdict)) : "not judged", if_judged(w.value),
+                check.judged ? std::string(outcome_of(check)) : "not judged", if_judged(w.value),
                 if_judged(w.bound), if_judged(w.limit), field(check.unit), field(check.formula),
                 if_judged(w.place.x), if_judged(w.place.y), if_judged(w.place.z),
                 field(check.message)});

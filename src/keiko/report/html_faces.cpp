@@ -66,7 +66,7 @@ std::string inflections_cell(const MeasuredFace& face) {
 
 std::string row(const Report& report, std::size_t index) {
     const MeasuredFace& face = report.inspection.faces[index];
-    const SurfaceLimits& limits = report.inspection.preset.surface;
+    const CriteriaPreset& preset = report.inspection.preset;
     const std::string verdict(name_of(face.verdict));
     std::string html = "<tr class=\"" + verdict + "\"" +
                        html_opens_close_up(report, CloseUp::Of::face, index) + ">" +
@@ -75,7 +75,7 @@ std::string row(const Report& report, std::size_t index) {
                                  "<span class=\"chip\">" + verdict + "</span>");
     html += (face.radius ? radius_cell(*face.radius) : no_cell()) + curvature_cells(face) +
             inflections_cell(face);
-    if (!limits.waviness.empty()) html += flaw_cell(face);
+    if (!preset.flaw_limits().empty()) html += flaw_cell(face);
     html += face.radius
                 ? html_cell(short_number(face.radius->place.x, 9), place_text(face.radius->place))
                 : no_cell();
@@ -102,16 +102,16 @@ std::string waviness_heading(const std::vector<WavinessLimit>& limits) {
 std::string html_faces(const Report& report) {
     const std::vector<MeasuredFace>& faces = report.inspection.faces;
     if (faces.empty()) return "";
-    const SurfaceLimits& limits = report.inspection.preset.surface;
     std::vector<std::string> headings{"face",
                                       "verdict",
-                                      radius_heading(limits),
+                                      radius_heading(report.inspection.preset.surface),
                                       "curvature 1/mm, largest",
                                       "smallest",
                                       "Gaussian 1/mm², largest",
                                       "smallest",
                                       "inflections mm"};
-    if (!limits.waviness.empty()) headings.push_back(waviness_heading(limits.waviness));
+    if (const auto& limits = report.inspection.preset.flaw_limits(); !limits.empty())
+        headings.push_back(waviness_heading(limits));
     headings.push_back("tightest place x, y, z");
     std::string html = "<section><h2>All faces</h2>" + html_table_head(headings, "face");
     for (std::size_t i = 0; i < faces.size(); ++i) html += row(report, i);

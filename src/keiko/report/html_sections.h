@@ -28,6 +28,8 @@ std::string html_gallery(const Report& report);
 std::string html_lines(const Report& report);
 /// The worst seams, each with its measures against their limits.
 std::string html_worst_seams(const Report& report);
+/// What is worth a look though nothing judges it.
+std::string html_looks(const Report& report);
 /// How much of the surface the lamps reach.
 std::string html_coverage(const Report& report);
 /// Every seam in a table.

@@ -20,7 +20,7 @@ std::string faces_text(const Inspection& inspection) {
 /// Where it passes, too: whoever asks for it wants to know by how much.
 void add_symmetry(TextLines& lines, const Inspection& inspection) {
     for (const Check& check : inspection.checks)
-        if (check.code == "KEIKO-SYMMETRY" && !check.is_finding())
+        if (check.code == "KEIKO-SYMMETRY" && check.worst.verdict == Verdict::pass)
             lines.line() << "pass  " << check.code << "  " << placed_message(check);
 }
 
@@ -29,6 +29,19 @@ std::string stretches_text(const Inspection& inspection) {
     const std::size_t stretches = inspection.seams.size(), seams = inspection.facts.seams;
     if (stretches == seams) return "";
     return " (" + std::to_string(stretches) + " stretches of " + counted(seams, "seam") + ")";
+}
+
+void add_check_line(TextLines& lines, const Check& check) {
+    lines.line() << outcome_of(check) << "  " << check.code << "  " << placed_message(check);
+}
+
+void add_looks(TextLines& lines, const Inspection& inspection, std::size_t most) {
+    if (inspection.looks.empty()) return;
+    lines.line() << "worth a look, not judged:";
+    const std::size_t shown = std::min(most, inspection.looks.size());
+    for (std::size_t i = 0; i < shown; ++i) add_check_line(lines, inspection.looks[i]);
+    if (shown < inspection.looks.size())
+        lines.line() << "and " << inspection.looks.size() - shown << " more";
 }
 
 } // namespace
@@ -49,14 +62,11 @@ std::string inspection_text(const Inspection& inspection, std::size_t most) {
                  << faces_text(inspection) << "; by " << inspection.preset.name;
     add_symmetry(lines, inspection);
     const std::size_t shown = std::min(most, inspection.findings.size());
-    for (std::size_t i = 0; i < shown; ++i) {
-        const Check& finding = inspection.findings[i];
-        lines.line() << name_of(finding.worst.verdict) << "  " << finding.code << "  "
-                     << placed_message(finding);
-    }
+    for (std::size_t i = 0; i < shown; ++i) add_check_line(lines, inspection.findings[i]);
     if (shown < inspection.findings.size())
         lines.line() << "and " << inspection.findings.size() - shown
                      << " more findings; --json, --junit, --sarif and --csv write them all";
+    add_looks(lines, inspection, most);
     return lines.text();
 }
 

@@ -69,6 +69,7 @@ std::string placement_json(const Placement& placement, const SurfaceModel& model
          {"tool", {{"name", "keiko"}, {"version", tool_version}}},
          {"rig", placement.rig.name},
          {"views", views},
+         {"symmetry", placement.mirror ? Json(placement.mirror->text()) : Json()},
          {"coverage", placement.coverage},
          {"blocked", placement.blocked},
          {"stripes",

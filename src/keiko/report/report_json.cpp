@@ -113,7 +113,8 @@ Json inflection_json(const InflectionCurve& curve) {
             {"deviation", curve.deviation}, {"points", std::move(points)}};
 }
 
-Json face_json(const MeasuredFace& face, std::size_t number, const SurfaceLimits& limits) {
+Json face_json(const MeasuredFace& face, std::size_t number, const CriteriaPreset& preset) {
+    const SurfaceLimits& limits = preset.surface;
     Json json = {{"number", number},
                  {"name", face.name},
                  {"face_id", face.id},
@@ -127,7 +128,7 @@ Json face_json(const MeasuredFace& face, std::size_t number, const SurfaceLimits
     json["inflections"] = Json::array();
     for (const InflectionCurve& curve : face.inflections)
         json["inflections"].push_back(inflection_json(curve));
-    if (!limits.waviness.empty()) {
+    if (!preset.flaw_limits().empty()) {
         json["flaws"] = Json::array();
         for (const Flaw& flaw : face.flaws) json["flaws"].push_back(flaw_json(flaw));
     }
@@ -135,7 +136,9 @@ Json face_json(const MeasuredFace& face, std::size_t number, const SurfaceLimits
 }
 
 Json finding_json(const Check& finding) {
-    Json json = {{"code", finding.code}, {"rule", finding.rule}};
+    const bool look = finding.severity == Check::Severity::look;
+    Json json = {
+        {"code", finding.code}, {"rule", finding.rule}, {"severity", look ? "look" : "judged"}};
     if (finding.seam != no_index) json["seam"] = finding.seam + 1;
     if (finding.face != no_index) json["face"] = finding.face + 1;
     json["faces"] = finding.faces;
@@ -145,6 +148,10 @@ Json finding_json(const Check& finding) {
     json.update(worst(finding.worst));
     json["message"] = finding.message;
     return json;
+}
+
+Json waviness_json(const WavinessLimit& limit) {
+    return {{"depth", limit.depth}, {"window", limit.window}, {"waves_only", limit.waves_only}};
 }
 
 Json preset_json(const CriteriaPreset& preset) {
@@ -167,8 +174,10 @@ Json preset_json(const CriteriaPreset& preset) {
     json["minimum_radius"] =
         preset.surface.minimum_radius ? Json(*preset.surface.minimum_radius) : Json();
     for (const WavinessLimit& limit : preset.surface.waviness)
-        json["waviness"].push_back(
-            {{"depth", limit.depth}, {"window", limit.window}, {"waves_only", limit.waves_only}});
+        json["waviness"].push_back(waviness_json(limit));
+    for (const WavinessLimit& limit : preset.look.waviness)
+        json["look"]["waviness"].push_back(waviness_json(limit));
+    if (preset.look.symmetry) json["look"]["symmetry"] = *preset.look.symmetry;
     if (const auto& symmetry = preset.surface.symmetry)
         json["symmetry"] = {{"plane", symmetry->plane.text()}, {"distance", symmetry->distance}};
     return json;
@@ -202,9 +211,10 @@ Json inspection_json_value(const Inspection& inspection) {
     for (std::size_t i = 0; i < inspection.seams.size(); ++i)
         json["seams"].push_back(seam_json(inspection.seams[i], i + 1, inspection.preset));
     for (std::size_t i = 0; i < inspection.faces.size(); ++i)
-        json["faces"].push_back(face_json(inspection.faces[i], i + 1, inspection.preset.surface));
+        json["faces"].push_back(face_json(inspection.faces[i], i + 1, inspection.preset));
     for (const Check& finding : inspection.findings)
         json["findings"].push_back(finding_json(finding));
+    for (const Check& look : inspection.looks) json["findings"].push_back(finding_json(look));
     for (const Check& check : inspection.checks)
         if (check.code == "KEIKO-SYMMETRY") json["symmetry"] = finding_json(check);
     return json;

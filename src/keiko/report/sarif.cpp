@@ -59,6 +59,11 @@ Json location(const Check& check, const SarifPlace& place, SarifFiles files) {
     return json;
 }
 
+const char* level_of(const Check& check) {
+    if (check.is_worth_a_look()) return "note";
+    return check.worst.verdict == Verdict::fail ? "error" : "warning";
+}
+
 Json related_location(const SarifPlace& place, SarifFiles files) {
     return {{"id", 1},
             {"physicalLocation", physical_location(place, files)},
@@ -67,12 +72,9 @@ Json related_location(const SarifPlace& place, SarifFiles files) {
 
 Json properties_of(const Check& check) {
     const Worst& worst = check.worst;
-    Json properties = {{"verdict", name_of(worst.verdict)},
-                       {"quantity", check.quantity},
-                       {"value", worst.value},
-                       {"bound", worst.bound},
-                       {"limit", worst.limit},
-                       {"unit", check.unit},
+    Json properties = {{"verdict", outcome_of(check)}, {"quantity", check.quantity},
+                       {"value", worst.value},         {"bound", worst.bound},
+                       {"limit", worst.limit},         {"unit", check.unit},
                        {"place", point(worst.place)}};
     if (!check.formula.empty()) properties["formula"] = check.formula;
     return properties;
@@ -101,7 +103,7 @@ public:
         const std::vector<SarifPlace> places = places_of(check, inspection_);
         Json json = {{"ruleId", check.code},
                      {"ruleIndex", rule_index(check)},
-                     {"level", check.worst.verdict == Verdict::fail ? "error" : "warning"},
+                     {"level", level_of(check)},
                      {"message", text(placed_message(check))},
                      {"locations", Json::array({location(check, places.front(), files_)})}};
         if (places.size() > 1 && !files_.empty())
@@ -128,13 +130,15 @@ private:
     std::map<std::string, int> uses_;
 };
 
-/// Findings that a run has room for: failures before what is undecided, else in their order.
+/// Findings that a run has room for: failures before what is undecided, else in their order, and
+/// last what is worth a look.
 std::vector<const Check*> top_findings(const Inspection& inspection) {
     std::vector<const Check*> top;
     for (const Check& finding : inspection.findings) top.push_back(&finding);
     std::stable_sort(top.begin(), top.end(), [](const Check* a, const Check* b) {
         return a->worst.verdict > b->worst.verdict;
     });
+    for (const Check& look : inspection.looks) top.push_back(&look);
     top.resize(std::min(top.size(), most_sarif_results));
     return top;
 }
@@ -150,7 +154,7 @@ Json invocation(const Inspection& inspection) {
     for (const LostFace& face : inspection.facts.lost_faces)
         notifications.push_back(notification(
             "error", "face " + std::to_string(face.id) + " is missing: " + face.reason));
-    const std::size_t found = inspection.findings.size();
+    const std::size_t found = inspection.findings.size() + inspection.looks.size();
     if (found > most_sarif_results)
         notifications.push_back(notification(
             "warning", std::to_string(found - most_sarif_results) + " of " + std::to_string(found) +

@@ -59,9 +59,20 @@ struct SurfaceLimits {
     bool operator==(const SurfaceLimits&) const = default;
 };
 
+/// What is reported as worth a look beyond these limits, without a part in any verdict.
+struct LookLimits {
+    /// Dents, bumps and waves; by ascending windows. Used where SurfaceLimits has no such limit.
+    std::vector<WavinessLimit> waviness;
+    /// mm of the body from its image at the plane that it is nearly symmetric about, if there is
+    /// one; the plane is found. Used where SurfaceLimits has no such limit.
+    std::optional<double> symmetry{};
+
+    bool operator==(const LookLimits&) const = default;
+};
+
 /// What a surface is held to. Limits are practice, not a standard; `source` says whose. Users name
 /// or write a preset file (keiko-preset/1, read_preset); the values here are those of the
-/// class-a-outer that comes with Keiko.
+/// class-a-outer that comes with Keiko, which looks for dents and waves too.
 struct CriteriaPreset {
     std::string name = "class-a-outer";
     std::string source = "class A as quoted in trade forums; practice, not a standard";
@@ -79,6 +90,12 @@ struct CriteriaPreset {
     std::optional<double> curvature_slope; ///< degrees, G3; nothing: not judged
     LineLimits lines{std::nullopt, 0.1, 5.7, std::nullopt};
     SurfaceLimits surface{};
+    LookLimits look{};
+
+    /// The limits by which dents and waves are looked for: those that are judged, else the others.
+    const std::vector<WavinessLimit>& flaw_limits() const {
+        return surface.waviness.empty() ? look.waviness : surface.waviness;
+    }
 
     bool operator==(const CriteriaPreset&) const = default;
 };

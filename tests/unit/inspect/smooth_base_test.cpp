@@ -29,7 +29,26 @@ TEST(SmoothBase, IsTheFormUnderADent) {
     const auto base = SmoothBase::fit(dented(), 50);
     ASSERT_TRUE(base);
     for (const double x : {-30.0, 0.0, 5.0})
-        for (const double y : {-20.0, 0.0, 40.0}) EXPECT_NEAR(base->height(x, y), form(x, y), 1e-6);
+        for (const double y : {-20.0, 0.0, 40.0})
+            EXPECT_NEAR(base->offset({x, y, form(x, y)}), 0, 1e-6);
+}
+
+/// A ball of 100 mm, which no polynomial of degree 4 follows so far, with a dent of 0.05 mm.
+TEST(SmoothBase, FollowsABallWhereItMayBeBent) {
+    test::Random random(5);
+    std::vector<Height> heights;
+    for (int i = 0; i < 600; ++i) {
+        const double x = test::uniform(random, -60, 60), y = test::uniform(random, -60, 60);
+        const double r = std::hypot(x, y) / 25;
+        const double dent = r < 1 ? 0.05 * std::pow(1 - r * r, 3) : 0;
+        heights.push_back({x, y, std::sqrt(1e4 - x * x - y * y) - 100 - dent, 1});
+    }
+    const auto flat = SmoothBase::fit(heights, 75),
+               bent = SmoothBase::fit(heights, 75, BaseKind::bent);
+    ASSERT_TRUE(flat && bent);
+    EXPECT_GT(flat->origin_bound(), 0.02);
+    EXPECT_LT(bent->origin_bound(), 1e-3);
+    EXPECT_NEAR(bent->at_origin(), 0, 1e-3);
 }
 
 TEST(SmoothBase, IsNoneOfTooFewPlacesOrOfALine) {

@@ -56,8 +56,9 @@ TEST(PresetFile, WavinessDiffersFromClassAOuterInItsSurfaceAlone) {
     CriteriaPreset preset = preset_by_name("class-a-waviness");
     const std::vector<WavinessLimit> limits{{0.01, 100}, {0.025, 250, true}, {0.04, 400, true}};
     EXPECT_EQ(preset.surface.waviness, limits);
-    preset.name = "class-a-outer", preset.surface = {};
-    EXPECT_EQ(preset, preset_by_name("class-a-outer"));
+    CriteriaPreset outer = preset_by_name("class-a-outer");
+    preset.name = "class-a-outer", preset.surface = {}, outer.look = {};
+    EXPECT_EQ(preset, outer);
 }
 
 TEST(PresetFile, AnUnknownNameListsTheKnownOnes) {
@@ -115,6 +116,18 @@ TEST(PresetFile, SaysThatAVersionIsNotRead) {
 TEST(PresetFile, HoldsLimitsOfFaces) {
     EXPECT_EQ(preset_by_name("vda-4955").surface.minimum_radius, 0.5);
     EXPECT_EQ(preset_by_name("class-a-outer").surface, SurfaceLimits{});
+}
+
+/// The default one reports dents and waves that it does not judge.
+TEST(PresetFile, HoldsWhatIsWorthALook) {
+    const std::vector<WavinessLimit> limits{{0.01, 100}};
+    EXPECT_EQ(preset_by_name("class-a-outer").look.waviness, limits);
+    EXPECT_EQ(preset_by_name("class-a-outer").flaw_limits(), limits);
+    EXPECT_TRUE(preset_by_name("class-a-waviness").look.waviness.empty());
+    EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\n"
+                      "[surface]\nwaviness = { depth = 0.02, window = 80 }\n"
+                      "[look]\nwaviness = { depth = 0.02, window = 80 }\n"),
+              "p.toml:9:12: look.waviness: has no use where [surface] limits it");
 }
 
 TEST(PresetFile, LimitsDentsAndWaves) {
