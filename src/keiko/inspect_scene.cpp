@@ -5,6 +5,7 @@
 #include "keiko/lines_picture.h"
 #include "keiko/look_picture.h"
 #include "keiko/marked_pictures.h"
+#include "keiko/placement_mirror.h"
 
 #include <algorithm>
 #include <array>
@@ -67,7 +68,11 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     const std::vector<NamedView> views = choose_views(scene, options.views, automatic_views, job);
     InspectResult result;
     if (options.register_hits) result.hits = register_hits(scene.tracer, scene.model, views, job);
-    ChosenLights lights = choose_lights(scene, options.rig, views, options.placement, job);
+    PlacementOptions placing = options.placement;
+    if (!options.rig && !scene.rig)
+        placing.mirror =
+            placement_mirror(scene.model, cameras_of(views), placing, options.symmetry, job);
+    ChosenLights lights = choose_lights(scene, options.rig, views, placing, job);
     result.rig = std::move(lights.rig);
     result.report.tool_version = version();
     if (lights.placement) result.report.coverage = summary_of(scene.model, *lights.placement);

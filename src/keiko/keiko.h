@@ -31,6 +31,7 @@
 #include "keiko/spec/axes_remark.h"
 #include "keiko/spec/criteria_preset.h"
 #include "keiko/spec/suggestion.h"
+#include "keiko/spec/symmetry_choice.h"
 
 #include <filesystem>
 #include <optional>
@@ -172,7 +173,9 @@ struct PlaceOptions {
     std::vector<std::string> faces;       ///< numbers or patterns of names; empty: all count
     std::optional<LightRig> rated{};      ///< tells of these lamps instead of placing others
     std::optional<RegisteredHits> hits{}; ///< instead of another look at the body; with their views
-    PlacementOptions placement;           ///< but for its `sampling.faces`
+    PlacementOptions placement;           ///< but for its `sampling.faces` and `mirror`
+    /// What lamps are symmetric about, where views and body are (placement.md#symmetry).
+    SymmetryChoice symmetry{SymmetryChoice::Kind::automatic};
 };
 
 struct PlaceResult {
@@ -211,8 +214,10 @@ struct InspectOptions {
     std::vector<std::string> views;           ///< names; empty: three automatic ones
     std::optional<std::filesystem::path> rig; ///< none: the scene's own, or else placed
     CriteriaPreset preset = standard_presets().front();
-    double join = 0.5; ///< mm
-    PlacementOptions placement;
+    double join = 0.5;          ///< mm
+    PlacementOptions placement; ///< but for its `mirror`
+    /// What placed lamps are symmetric about, where views and body are.
+    SymmetryChoice symmetry{SymmetryChoice::Kind::automatic};
     PictureOptions picture;
     bool register_hits = false; ///< of the views, for InspectResult::hits
     CombOptions combs{};

@@ -2,6 +2,7 @@
 #include "keiko/base/output_file.h"
 #include "keiko/keiko.h"
 #include "keiko/placement/rated_rig.h"
+#include "keiko/placement_mirror.h"
 #include "keiko/placement_pictures.h"
 #include "keiko/report/hits_json.h"
 #include "keiko/report/placement_json.h"
@@ -60,6 +61,9 @@ PlaceResult place_scene(const Scene& scene, const PlaceOptions& options, const J
     PlaceResult result;
     result.views = options.hits ? options.hits->views : choose_views(scene, options.views, 1, job);
     std::vector<ViewSample> seen = looks(scene, options, result.views, placing.sampling, job);
+    if (!options.rated)
+        placing.mirror =
+            placement_mirror(scene.model, cameras_of(result.views), placing, options.symmetry, job);
     const int height = result.views.front().camera.height;
     result.placement = options.rated ? rated_rig(std::move(seen), scene.model, height,
                                                  *options.rated, placing.spacing)

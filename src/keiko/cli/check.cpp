@@ -38,6 +38,7 @@ int check(CheckArguments arguments, const Job& job) {
     CheckOptions& options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     arguments.symmetry.apply_to(options.preset);
+    arguments.symmetry.look_in(options.preset);
     options.load = load_options(arguments.models);
     options.combs = arguments.combs.options(options.join);
     const CheckResult result = check_models(arguments.models.inputs, options, job);
@@ -73,7 +74,7 @@ void add_check(CLI::App& app, Session& session) {
     arguments->files.add_json_and_output(command);
     arguments->files.add_to(command);
     arguments->combs.add_to(command);
-    arguments->symmetry.add_to(command);
+    arguments->symmetry.add_to(command, false);
     arguments->combs.add_files(command);
     add_load_options(command, arguments->models);
     command.footer(

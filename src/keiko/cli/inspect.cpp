@@ -57,6 +57,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     InspectOptions& options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     arguments.symmetry.apply_to(options.preset);
+    options.symmetry = arguments.symmetry.choice();
     if (arguments.rig != "auto") {
         options.rig = arguments.rig;
         read_rig_aloud(*options.rig); // a misspelt key is told before the long work
@@ -107,7 +108,7 @@ void add_inspect(CLI::App& app, Session& session) {
         ->capture_default_str();
     arguments->files.add_to(command);
     arguments->combs.add_to(command);
-    arguments->symmetry.add_to(command);
+    arguments->symmetry.add_to(command, true);
     command.add_option("--register", arguments->hits,
                        "file (.json) for what the pictures mirror, for keiko place --from");
     command.footer("Example: keiko inspect fender.step -o out --view three-quarter-front");

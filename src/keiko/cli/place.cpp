@@ -4,6 +4,7 @@
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/cli/symmetry_option.h"
 #include "keiko/earlier_results.h"
 
 #include <array>
@@ -27,6 +28,7 @@ struct PlaceArguments {
     std::vector<std::string> planes;
     bool pixels = false, each = false;
     std::filesystem::path output, report, rated, hits;
+    SymmetryOption symmetry;
 };
 
 /// Any other name may be that of the model, which would be overwritten.
@@ -66,6 +68,7 @@ PlaneChoice parse_planes(std::span<const std::string> names) {
 PlaceOptions placing(const PlaceArguments& arguments) {
     PlaceOptions options = arguments.options;
     PlacementOptions& placement = options.placement;
+    options.symmetry = arguments.symmetry.choice();
     if (!arguments.stripes.empty()) placement.spacing = parse_stripes(arguments.stripes);
     placement.where = parse_planes(arguments.planes);
     if (arguments.direction == "along") placement.direction = LampDirection::along;
@@ -200,6 +203,7 @@ void add_place(CLI::App& app, Session& session) {
     arguments->scene.add_picture_size(command);
     command.add_option("-o,--output", arguments->output, "rig file to write");
     add_choices(command, *arguments);
+    arguments->symmetry.add_to_placement(command);
     CLI::Option* views =
         command
             .add_option("--view", arguments->options.views,

@@ -1,5 +1,7 @@
 #include "keiko/compare/placed_model.h"
 
+#include <algorithm>
+
 namespace keiko {
 namespace {
 
@@ -19,7 +21,8 @@ void place_patches(const SurfaceModel& from, const Face& face, const Affine& tra
 
 } // namespace
 
-PlacedModel placed_model(const SurfaceModel& model, const Affine& motion) {
+PlacedModel placed_model(const SurfaceModel& model, const Affine& motion,
+                         std::span<const std::uint32_t> chosen) {
     PlacedModel placed;
     SurfaceModel& to = placed.model;
     to.source = model.source, to.format = model.format, to.unit = model.unit;
@@ -29,6 +32,7 @@ PlacedModel placed_model(const SurfaceModel& model, const Affine& motion) {
         const Affine transform = motion * model.instances[i].transform;
         const Part& part = model.parts[model.instances[i].part];
         for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f) {
+            if (!chosen.empty() && !std::binary_search(chosen.begin(), chosen.end(), f)) continue;
             Face face = model.faces[f];
             const auto first_patch = static_cast<std::uint32_t>(to.patches.size());
             place_patches(model, face, transform, to);

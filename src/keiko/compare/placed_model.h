@@ -2,6 +2,7 @@
 
 #include "keiko/patch/surface_model.h"
 
+#include <span>
 #include <vector>
 
 namespace keiko {
@@ -20,7 +21,9 @@ struct PlacedModel {
 };
 
 /// Places the faces of all instances, instances outer; then moves everything by `motion`. A
-/// mirrored instance turns its faces round, so that what was outside stays so.
-PlacedModel placed_model(const SurfaceModel& model, const Affine& motion = {});
+/// mirrored instance turns its faces round, so that what was outside stays so. `chosen`: faces of
+/// the model, ascending, of which alone it is made; empty: all.
+PlacedModel placed_model(const SurfaceModel& model, const Affine& motion = {},
+                         std::span<const std::uint32_t> chosen = {});
 
 } // namespace keiko

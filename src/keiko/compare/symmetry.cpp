@@ -16,26 +16,79 @@ std::uint32_t index_of(const std::vector<MeasuredFace>& faces, const PlacedFace&
     return static_cast<std::uint32_t>(found - faces.begin());
 }
 
-} // namespace
+constexpr double fiftieth = 0.02; // of the size: what is farther has no image at all
 
-void check_symmetry(const SurfaceModel& model, Inspection& inspection, const Job& job) {
-    const std::optional<SymmetryLimit>& limit = inspection.preset.surface.symmetry;
-    if (!limit || inspection.faces.empty()) return;
-    const SurfaceFeet body(placed_model(model), job);
-    const SurfaceFeet image(placed_model(model, limit->plane.motion()), job);
+struct SelfDeviation {
+    PlacedModel body;
+    Deviation found;
+    double reach = 0;
+
+    double distance() const { return std::min(std::abs(found.worst.value), reach); }
+};
+
+SelfDeviation self_deviation(const SurfaceModel& model, const MirrorPlane& plane,
+                             std::span<const std::uint32_t> chosen, const DeviationOptions& options,
+                             const Job& job) {
+    const SurfaceFeet body(placed_model(model, {}, chosen), job);
+    const SurfaceFeet image(placed_model(model, plane.motion(), chosen), job);
+    DeviationOptions within = options;
+    within.reach = fiftieth * bounds(body.body().model).size();
+    return {body.body(), measure_deviation(body, image, within, job), within.reach};
+}
+
+/// What a search of planes measures by.
+DeviationOptions quick() {
     DeviationOptions options;
-    constexpr double fiftieth = 0.02; // of the size: what is farther has no image at all
-    options.reach = fiftieth * material_bounds(body.body().model, job).size();
-    const Deviation found = measure_deviation(body, image, options, job);
+    options.samples = 3000;
+    return options;
+}
+
+std::optional<MirrorPlane> nearest_plane(const SurfaceModel& model, const Job& job) {
+    const Box3 box = material_bounds(model, job);
+    const Vec3 middle = (box.lower + box.upper) / 2;
+    for (const MirrorPlane& plane : {MirrorPlane{1, 0}, MirrorPlane{1, middle.y},
+                                     MirrorPlane{0, middle.x}, MirrorPlane{2, middle.z}}) {
+        if (!(std::abs(plane.distance(middle)) < fiftieth * box.size())) continue;
+        const SelfDeviation self = self_deviation(model, plane, {}, quick(), job);
+        if (self.distance() < self.reach) return plane;
+    }
+    return std::nullopt;
+}
+
+void add_check_at(const SurfaceModel& model, const SymmetryLimit& limit, Check::Severity severity,
+                  Inspection& inspection, const Job& job) {
+    const DeviationOptions options;
+    const SelfDeviation self = self_deviation(model, limit.plane, {}, options, job);
     Worst worst;
-    worst.value = std::min(std::abs(found.worst.value), options.reach);
-    worst.bound = std::max(found.largest_uncertainty, options.certainty);
-    worst.limit = limit->distance, worst.place = found.worst.place;
+    worst.value = self.distance();
+    worst.bound = std::max(self.found.largest_uncertainty, options.certainty);
+    worst.limit = limit.distance, worst.place = self.found.worst.place;
     worst.verdict = judge(worst.value, worst.bound, worst.limit);
-    Check check = check_of_symmetry(worst, limit->plane.text());
-    check.face = index_of(inspection.faces, body.body().origin[found.worst.face]);
+    Check check = check_of_symmetry(worst, limit.plane.text());
+    check.severity = severity;
+    check.face = index_of(inspection.faces, self.body.origin[self.found.worst.face]);
     check.faces = inspection.faces.at(check.face).name;
     add_check(inspection, std::move(check));
+}
+
+} // namespace
+
+double mirror_deviation(const SurfaceModel& model, const MirrorPlane& plane,
+                        std::span<const std::uint32_t> chosen, const Job& job) {
+    return self_deviation(model, plane, chosen, quick(), job).distance();
+}
+
+void check_symmetry(const SurfaceModel& model, Inspection& inspection, const Job& job) {
+    if (inspection.faces.empty()) return;
+    const CriteriaPreset& preset = inspection.preset;
+    if (const auto& limit = preset.surface.symmetry) {
+        add_check_at(model, *limit, Check::Severity::judged, inspection, job);
+        return;
+    }
+    if (!preset.look.symmetry) return;
+    const auto plane = nearest_plane(model, job);
+    const SymmetryLimit limit{plane.value_or(MirrorPlane{}), *preset.look.symmetry};
+    if (plane) add_check_at(model, limit, Check::Severity::look, inspection, job);
 }
 
 } // namespace keiko

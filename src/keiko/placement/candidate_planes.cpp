@@ -56,15 +56,49 @@ PlaneFrame facing(const Vec3& center, const Vec3& direction, double distance) {
     return {center + direction * distance, u, direction.cross(u)};
 }
 
+/// Each direction along the mirror as it would be there, and each that faces aside to one side.
+std::vector<Vec3> folded(const std::vector<Vec3>& directions, const MirrorPlane& mirror) {
+    constexpr double aside = 0.2;       // sine from which lamps hang in pairs
+    constexpr double along_least = 0.5; // cosine down to which lamps on the mirror may do as well
+    std::vector<Vec3> found;
+    const auto add = [&](const Vec3& direction) {
+        if (std::none_of(found.begin(), found.end(),
+                         [&](const Vec3& other) { return other.dot(direction) > same; }))
+            found.push_back(direction);
+    };
+    for (Vec3 direction : directions) {
+        double& off = direction[mirror.axis];
+        off = std::abs(off);
+        if (off > aside) add(direction);
+        off = 0;
+        if (direction.length() > along_least) add(direction.normalized());
+    }
+    return found;
+}
+
+std::vector<PlaneFrame> planes_around(const Vec3& center, double size,
+                                      const std::vector<Vec3>& directions) {
+    std::vector<PlaneFrame> planes;
+    for (const Vec3& direction : directions)
+        for (const double distance : distances)
+            planes.push_back(facing(center, direction, distance * size));
+    return planes;
+}
+
 } // namespace
 
 std::vector<PlaneFrame> candidate_planes(const LampField& field, const PlaneChoice& choice) {
     if (!choice.frames.empty()) return choice.frames;
-    std::vector<PlaneFrame> planes;
-    for (const Vec3& direction : choice.towards.empty() ? directions(field) : choice.towards)
-        for (const double distance : distances)
-            planes.push_back(facing(field.centroid(), direction, distance * field.size()));
-    return planes;
+    return planes_around(field.centroid(), field.size(),
+                         choice.towards.empty() ? directions(field) : choice.towards);
+}
+
+std::vector<PlaneFrame> candidate_planes(const LampField& field, const PlaneChoice& choice,
+                                         const MirrorPlane& mirror) {
+    Vec3 center = field.centroid();
+    center[mirror.axis] = mirror.offset;
+    const std::vector<Vec3> all = choice.towards.empty() ? directions(field) : choice.towards;
+    return planes_around(center, field.size(), folded(all, mirror));
 }
 
 } // namespace keiko

@@ -2,6 +2,7 @@
 
 #include "keiko/placement/lamp_field.h"
 #include "keiko/placement/plane_frame.h"
+#include "keiko/spec/mirror_plane.h"
 
 #include <vector>
 
@@ -18,5 +19,10 @@ struct PlaneChoice {
 /// many are gathered), each at several distances from the middle of what is seen, as multiples of
 /// its size. u is along the vehicle's x axis as far as the plane allows. In a fixed order.
 std::vector<PlaneFrame> candidate_planes(const LampField& field, const PlaneChoice& choice = {});
+
+/// The same for lamps that are to be symmetric about a mirror: planes that are their own images,
+/// and of planes and their images, which face aside, one each.
+std::vector<PlaneFrame> candidate_planes(const LampField& field, const PlaneChoice& choice,
+                                         const MirrorPlane& mirror);
 
 } // namespace keiko

@@ -3,6 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/parallel.h"
 #include "keiko/placement/candidate_planes.h"
+#include "keiko/placement/mirrored_lamps.h"
 #include "keiko/placement/oriented_box.h"
 
 #include <algorithm>
@@ -16,6 +17,18 @@ constexpr double t8_diameter = 26;                      ///< mm
 constexpr double least_duty = 0.3, greatest_duty = 0.5; ///< diameter by pitch
 constexpr std::size_t search_samples = 2000;
 
+/// Rows that are hung together: one, or one and its mirror image.
+struct RowGroup {
+    LampRectangle first;
+    std::optional<LampRectangle> image{};
+
+    int count() const { return image ? 2 : 1; }
+    double objective() const {
+        return first.score.objective() + (image ? image->score.objective() : 0);
+    }
+    double coverage() const { return first.score.coverage + (image ? image->score.coverage : 0); }
+};
+
 /// Hangs rows of lamps one after the other, on a thinned field.
 class RowSearch {
 public:
@@ -28,32 +41,36 @@ public:
 
     /// The best lamps for what still waits on each plane that is of use, the best first; of rows
     /// after the first only those that bring enough.
-    std::vector<LampRectangle> next(const Job& job, std::vector<PlaneCandidate>& tried) const {
-        const std::vector<PlaneFrame> planes = candidate_planes(field_, options_->where);
-        std::vector<LampRectangle> found(planes.size());
+    std::vector<RowGroup> next(const Job& job, std::vector<PlaneCandidate>& tried) const {
+        const std::vector<PlaneFrame> planes =
+            demand_.mirror ? candidate_planes(field_, options_->where, *demand_.mirror)
+                           : candidate_planes(field_, options_->where);
+        std::vector<RowGroup> found(planes.size());
         parallel_for(planes.size(), job, "place", [&](std::size_t i) {
-            found[i] = admitted(PlaneSearch(field_, planes[i], demand_).best());
+            found[i] = group_of(admitted(PlaneSearch(field_, planes[i], demand_).best()));
         });
         for (std::size_t i = 0; i < planes.size(); ++i) {
             const Vec3 offset = planes[i].origin - field_.centroid();
-            tried.push_back({offset.normalized(), offset.length(), found[i].score});
+            tried.push_back({offset.normalized(), offset.length(), found[i].first.score});
         }
         const double least = rows_.empty() ? 0 : options_->least_gain;
-        std::erase_if(found, [&](const LampRectangle& r) {
-            return !(r.score.objective() > 0) || r.score.coverage < least;
+        const auto left = static_cast<std::size_t>(options_->planes) - rows_.size();
+        std::erase_if(found, [&](const RowGroup& group) {
+            return !(group.objective() > 0) || group.coverage() < least * group.count() ||
+                   static_cast<std::size_t>(group.count()) > left;
         });
         std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
-            return a.score.objective() > b.score.objective();
+            return a.objective() > b.objective();
         });
         return found;
     }
 
-    /// Hangs a row, and then the best ones as long as they are wanted.
-    void run(const LampRectangle& first, const Job& job) {
+    /// Hangs rows, and then the best ones as long as they are wanted.
+    void run(const RowGroup& first, const Job& job) {
         place(first);
         std::vector<PlaneCandidate> tried;
         while (wants_more()) {
-            const std::vector<LampRectangle> found = next(job, tried);
+            const std::vector<RowGroup> found = next(job, tried);
             if (found.empty()) return;
             place(found.front());
         }
@@ -74,11 +91,31 @@ private:
     bool wants_more() const {
         return static_cast<int>(rows_.size()) < options_->planes && !has_enough();
     }
+    void place(const RowGroup& group) {
+        place(group.first);
+        if (group.image) place(*group.image);
+    }
     void place(const LampRectangle& row) {
         const CPlane plane = lamps(row);
         field_.place(plane);
         placed_.push_back(oriented(plane));
         rows_.push_back(row);
+    }
+    /// With the image of a row that is none itself, where symmetry is asked for; the score of both
+    /// struck out where they run into each other.
+    RowGroup group_of(LampRectangle row) const {
+        if (!demand_.mirror || row.lamps == 0 || !(row.score.objective() > 0) ||
+            is_own_image(row.frame, *demand_.mirror))
+            return {row};
+        LampRectangle image = row;
+        image.frame = image_of(row.frame, *demand_.mirror);
+        if (overlap(oriented(lamps(row)), oriented(lamps(image)))) row.score = {}, image.score = {};
+        if (!(row.score.objective() > 0)) return {row, image};
+        LampField field = field_;
+        field.place(lamps(row));
+        const LampDemand demand{row.lamps, demand_.spacing, demand_.direction};
+        image.score = PlaneSearch(field, image.frame, demand).rated(image.extent).score;
+        return {row, image};
     }
     /// The rectangle, its score struck out where it runs into the body or into other lamps.
     LampRectangle admitted(LampRectangle r) const {
@@ -100,17 +137,16 @@ private:
 };
 
 /// The first ones that face different ways.
-std::vector<LampRectangle> beginnings(const std::vector<LampRectangle>& found) {
+std::vector<RowGroup> beginnings(const std::vector<RowGroup>& found) {
     constexpr std::size_t most = 4;
     constexpr double same = 0.9; // cosine
-    std::vector<LampRectangle> chosen;
-    for (const LampRectangle& r : found) {
-        const Vec3 normal = r.frame.u.cross(r.frame.v);
-        const bool is_new =
-            std::none_of(chosen.begin(), chosen.end(), [&](const LampRectangle& other) {
-                return normal.dot(other.frame.u.cross(other.frame.v)) > same;
-            });
-        if (is_new && chosen.size() < most) chosen.push_back(r);
+    std::vector<RowGroup> chosen;
+    for (const RowGroup& group : found) {
+        const Vec3 normal = group.first.frame.normal();
+        const bool is_new = std::none_of(chosen.begin(), chosen.end(), [&](const RowGroup& other) {
+            return normal.dot(other.first.frame.normal()) > same;
+        });
+        if (is_new && chosen.size() < most) chosen.push_back(group);
     }
     return chosen;
 }
@@ -119,7 +155,7 @@ std::vector<LampRectangle> beginnings(const std::vector<LampRectangle>& found) {
 RowSearch best_rows(const RowSearch& start, std::vector<PlaneCandidate>& tried, const Job& job) {
     constexpr double worth_changing = 1.05;
     RowSearch best = start;
-    for (const LampRectangle& first : beginnings(start.next(job, tried))) {
+    for (const RowGroup& first : beginnings(start.next(job, tried))) {
         if (best.has_enough()) break;
         RowSearch search = start;
         search.run(first, job);
@@ -140,9 +176,10 @@ Placement place_lamps(std::vector<ViewSample> seen, const SurfaceModel& model, c
     if (!(field.total_weight() > 0))
         throw Error("", "placement", "no camera sees the surface that lamps are to be placed for");
     const StripeSpacing wanted = options.spacing.for_height(picture_height);
-    const RowSearch start(field, body, {options.lamps, wanted, options.direction}, options);
+    const RowSearch start(field, body, {options.lamps, wanted, options.direction, options.mirror},
+                          options);
     Placement result;
-    result.rig.name = "placed";
+    result.rig.name = "placed", result.mirror = options.mirror;
     const RowSearch found = best_rows(start, result.candidates, job);
     for (const LampRectangle& row : found.rows()) {
         const CPlane lamps = found.lamps(row);

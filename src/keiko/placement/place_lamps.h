@@ -6,6 +6,7 @@
 #include "keiko/placement/plane_search.h"
 #include "keiko/placement/view_samples.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,7 +20,10 @@ struct PlacementOptions {
     LampDirection direction = LampDirection::best;
     PlaneChoice where;
     StripeSpacing spacing; ///< px of a picture 540 high
-    Rgb luminance{9000};   ///< cd/m2 of the lamps
+    /// Lamps are symmetric about it: each row in itself, or two rows that are images of each other.
+    /// For views and a body that are symmetric too, and no planes given as frames.
+    std::optional<MirrorPlane> mirror{};
+    Rgb luminance{9000}; ///< cd/m2 of the lamps
     SamplingOptions sampling;
 };
 

@@ -6,7 +6,9 @@
 #include "keiko/placement/stripe_statistics.h"
 #include "keiko/placement/unreached_regions.h"
 #include "keiko/rig/light_rig.h"
+#include "keiko/spec/mirror_plane.h"
 
+#include <optional>
 #include <vector>
 
 namespace keiko {
@@ -37,8 +39,9 @@ struct PlaneCandidate {
 /// A rig for a picture, and how good it is.
 struct Placement {
     LightRig rig;
-    double coverage = 0;             ///< share of the picture's weight that mirrors lamps
-    std::vector<PlacedPlane> planes; ///< best first; the rig's C-planes in the same order
+    std::optional<MirrorPlane> mirror{}; ///< that the rig has been made symmetric about
+    double coverage = 0;                 ///< share of the picture's weight that mirrors lamps
+    std::vector<PlacedPlane> planes;     ///< best first; the rig's C-planes in the same order
     StripeStatistics stripes;
     std::vector<FaceCoverage> faces; ///< every face that is seen, the largest unreached part first
     std::vector<UnreachedRegion> unreached; ///< the largest first

@@ -2,6 +2,7 @@
 
 #include "keiko/base/units.h"
 #include "keiko/placement/hit_histogram.h"
+#include "keiko/placement/mirrored_lamps.h"
 
 #include <algorithm>
 #include <array>
@@ -83,7 +84,10 @@ CPlane LampRectangle::c_plane(double diameter, const Rgb& luminance) const {
 }
 
 PlaneSearch::PlaneSearch(const LampField& field, const PlaneFrame& frame, const LampDemand& demand)
-    : field_(field), frame_(frame), demand_(demand) {
+    : field_(field),
+      frame_(frame),
+      own_image_(demand.mirror && is_own_image(frame, *demand.mirror)),
+      demand_(demand) {
     const std::span<const ViewSample> samples = field.samples();
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (crossing(frame, samples[i].eye, samples[i].position())) seen_through_.push_back(i);
@@ -116,7 +120,9 @@ LampRectangle PlaneSearch::best_at(double angle) const {
     best.frame = frame_.turned(angle);
     if (waiting.empty()) return best;
     for (const Box2& extent : HitHistogram(waiting, cells).rectangles(shares)) {
-        const LampRectangle next = score(best.frame, extent, around);
+        const LampRectangle next = score(
+            best.frame, own_image_ ? symmetric_extent(best.frame, extent, *demand_.mirror) : extent,
+            around);
         if (next.score.objective() > best.score.objective()) best = next;
     }
     return best;
@@ -132,6 +138,7 @@ LampRectangle PlaneSearch::best() const {
     LampRectangle across = best_at(std::numbers::pi / 2);
     if (demand_.direction == LampDirection::across) return across;
     LampRectangle best = across.score.objective() > along.score.objective() ? across : along;
+    if (own_image_) return best;
     const double to_beat = best.score.objective() * worth_being_aslant;
     LampRectangle aslant;
     for (double degrees = coarse_angle; degrees < 180; degrees += coarse_angle) {

@@ -3,7 +3,9 @@
 #include "keiko/placement/lamp_field.h"
 #include "keiko/placement/placement_score.h"
 #include "keiko/placement/plane_frame.h"
+#include "keiko/spec/mirror_plane.h"
 
+#include <optional>
 #include <vector>
 
 namespace keiko {
@@ -20,6 +22,7 @@ struct LampDemand {
     int lamps = 12;        ///< 0: as many as give the wanted spacing
     StripeSpacing spacing; ///< px of the picture in question
     LampDirection direction = LampDirection::best;
+    std::optional<MirrorPlane> mirror{}; ///< on planes that are their own image so are the lamps
 };
 
 /// A rectangle of lamps on a plane.
@@ -44,7 +47,7 @@ public:
     /// The rectangle as it is, with lamps along the frame's u.
     LampRectangle rated(const Box2& extent) const;
     /// Best rectangle over the angles that the demand allows; where it allows all, lamps stay along
-    /// or across the vehicle unless another angle is clearly better.
+    /// or across the vehicle unless another angle is clearly better, or would be no mirror image.
     LampRectangle best() const;
 
 private:
@@ -66,6 +69,7 @@ private:
 
     const LampField& field_;
     PlaneFrame frame_;
+    bool own_image_ = false; ///< of the demand's mirror
     LampDemand demand_;
     std::vector<Reached> reached_;
     std::vector<std::size_t> seen_through_; ///< samples whose eye ray crosses the plane

@@ -33,6 +33,18 @@ std::string MirrorPlane::text() const {
     return text;
 }
 
+Vec3 MirrorPlane::image(const Vec3& point) const {
+    Vec3 image = point;
+    image[axis] = 2 * offset - point[axis];
+    return image;
+}
+
+Vec3 MirrorPlane::image_of_direction(const Vec3& direction) const {
+    Vec3 image = direction;
+    image[axis] = -direction[axis];
+    return image;
+}
+
 Affine MirrorPlane::motion() const {
     Affine mirror;
     mirror.rows[static_cast<std::size_t>(axis)][axis] = -1;

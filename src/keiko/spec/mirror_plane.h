@@ -18,6 +18,11 @@ struct MirrorPlane {
     std::string text() const;
     /// The reflection.
     Affine motion() const;
+    /// The image of a point, and of a direction.
+    Vec3 image(const Vec3& point) const;
+    Vec3 image_of_direction(const Vec3& direction) const;
+    /// Signed mm from the plane.
+    double distance(const Vec3& point) const { return point[axis] - offset; }
 
     bool operator==(const MirrorPlane&) const = default;
 };
