@@ -200,7 +200,7 @@ TEST(FlawsAtBorders, WhatIsTooWideForTheWindowIsNotMeasuredWrongly) {
         const Profile across = test::part(bump(centre, diameter / 2), -half_sheet, half_sheet);
         return checks_of_flaws(sheet(across, bump(7, diameter / 2), -0.1, flat), 0.01);
     };
-    for (const auto& [centre, widest] : {std::pair(0.0, 60.0), std::pair(half_sheet - 1, 30.0)})
+    for (const auto& [centre, widest] : {std::pair(0.0, 80.0), std::pair(half_sheet - 1, 80.0)})
         for (double diameter = 20; diameter <= 120; diameter += 10)
             for (const Check& check : checks_of(centre, diameter)) {
                 SCOPED_TRACE(testing::Message() << centre << ' ' << diameter);
