@@ -1,5 +1,4 @@
 #include "keiko/keiko.h"
-
 #include "keiko/patch/material_bounds.h"
 
 namespace keiko {
@@ -8,7 +7,8 @@ ModelFacts file_facts(const std::filesystem::path& file, const FactsOptions& opt
                       const Job& job) {
     SurfaceModel model = load_model(file, options.load, job);
     if (options.load.axes.empty())
-        if (auto remark = axes_remark(material_bounds(model, job))) model.diagnostics.push_back(*remark);
+        if (auto remark = axes_remark(material_bounds(model, job)))
+            model.diagnostics.push_back(*remark);
     const std::vector<Seam> seams = pair_seams(model, options.join, job);
     ModelFacts facts = model_facts(model, seams, options.join, job);
     facts.seams = line_count(measure_all_seams(model, seams, {}, options.join, job).seams);

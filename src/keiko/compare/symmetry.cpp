@@ -32,7 +32,7 @@ SelfDeviation self_deviation(const SurfaceModel& model, const MirrorPlane& plane
     const SurfaceFeet body(placed_model(model, {}, chosen), job);
     const SurfaceFeet image(placed_model(model, plane.motion(), chosen), job);
     DeviationOptions within = options;
-    within.reach = fiftieth * bounds(body.body().model).size();
+    within.reach = fiftieth * material_bounds(body.body().model, job).size();
     return {body.body(), measure_deviation(body, image, within, job), within.reach};
 }
 
