@@ -82,9 +82,9 @@ std::vector<Moments> border_moments(const SurfaceModel& model) {
 
 void add_seam(const std::string& name, const MeasuredSeam& seam, MetricList& list) {
     const std::string verdict(name_of(seam.verdict));
-    const std::string kind = seam.scrap ? "scrap" : std::string(name_of(seam.kind));
-    const bool plain = seam.kind == SeamClass::smooth && !seam.scrap;
-    list.add_word(name + "verdict", plain ? verdict : kind + ", " + verdict);
+    const bool plain = seam.kind == SeamClass::smooth;
+    list.add_word(name + "verdict",
+                  plain ? verdict : std::string(name_of(seam.kind)) + ", " + verdict);
     list.add(name + "length", Quantity::length, seam.length);
     list.add(name + "gap", Quantity::gap, seam.gap.value);
     if (seam.angle) list.add(name + "angle", Quantity::angle, seam.angle->value);
@@ -133,8 +133,11 @@ std::vector<Metric> shape_metrics(const SurfaceModel& model, const ModelFacts& f
 std::vector<Metric> seam_metrics(const Inspection& inspection) {
     MetricList list("seams");
     std::map<std::string, int> met;
-    for (const MeasuredSeam& seam : inspection.seams)
+    for (const MeasuredSeam& seam : inspection.seams) {
+        // Scraps come and go with the rounding of exports.
+        if (seam.scrap) continue;
         add_seam(numbered(seam.faces, met) + ": ", seam, list);
+    }
     return std::move(list).taken();
 }
 

@@ -15,9 +15,11 @@ void keep_larger(std::optional<T>& kept, const std::optional<T>& other) {
 }
 
 /// The first quantity that a seam does not pass, in the order in which they are judged: 0 gap,
-/// 1 angle, 2 curvature, 3 its slope, 4 none. What comes after it is not judged.
+/// 1 angle or how it fades, 2 curvature, 3 its slope, 4 none. What comes after it is not judged.
 int first_failed(const MeasuredSeam& seam) {
+    if (seam.scrap) return 4;
     if (seam.gap.verdict != Verdict::pass) return 0;
+    if (seam.fading && seam.fading->verdict != Verdict::pass) return 1;
     if (!seam.is_angle_judged()) return 4;
     if (seam.angle && seam.angle->verdict != Verdict::pass) return 1;
     if (seam.curvature && seam.curvature->worst.verdict != Verdict::pass) return 2;
@@ -38,6 +40,7 @@ SeamState state_of(const Inspection& inspection, const std::vector<std::uint32_t
     state.severity = -1;
     for (const std::uint32_t i : seams) {
         const MeasuredSeam& seam = inspection.seams[i];
+        if (seam.scrap) continue;
         state.gap = std::max(state.gap, seam.gap.value);
         if (seam.angle) keep_larger(state.angle, std::optional(seam.angle->value));
         if (first_failed(seam) > failed) continue;

@@ -111,9 +111,19 @@ Check gap_check(const MeasuredSeam& seam, double join) {
     return check;
 }
 
-Check angle_check(const MeasuredSeam& seam) {
+/// Where control points coincide at a border its normal may exist as a limit, and break.
+Check unknown_angle(const MeasuredSeam& seam, const CriteriaPreset& preset) {
+    if (seam.verdict == Verdict::pass) return not_judged("G-SU-NT", "a side has no normal");
+    Check check = named("G-SU-NT");
+    check.unit = "deg";
+    check.worst = {0, 0, preset.angle, seam.middle, Verdict::undecided};
+    check.message = "the angle cannot be measured: a side has no normal";
+    return check;
+}
+
+Check angle_check(const MeasuredSeam& seam, const CriteriaPreset& preset) {
     if (const char* excuse = excuse_of(seam)) return not_judged("G-SU-NT", excuse);
-    if (!seam.angle) return not_judged("G-SU-NT", "a side has no normal");
+    if (!seam.angle) return unknown_angle(seam, preset);
     Check check = judged("G-SU-NT", "deg", *seam.angle, {"the angle", " degrees"});
     if (seam.kind == SeamClass::fold) check.message += "; the sides lie on each other";
     return check;
@@ -241,7 +251,7 @@ const Criterion& criterion_of(std::string_view code) {
 
 std::vector<Check> checks_of(const MeasuredSeam& seam, const CriteriaPreset& preset, double join,
                              std::uint32_t index) {
-    std::vector<Check> checks{gap_check(seam, join), angle_check(seam)};
+    std::vector<Check> checks{gap_check(seam, join), angle_check(seam, preset)};
     if (preset.curvature) checks.push_back(curvature_check(seam));
     if (preset.curvature_slope) checks.push_back(slope_check(seam));
     if (seam.fading) checks.push_back(fading_check(seam));

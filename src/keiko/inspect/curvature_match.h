@@ -19,7 +19,7 @@ inline double curvature_mismatch(CurvatureFormula formula, double k1, double k2,
     const double base = formula == CurvatureFormula::alias
                             ? std::max(std::abs(k1) + std::abs(k2), 2 * flat)
                             : std::max({std::abs(k1), std::abs(k2), flat});
-    return change / base;
+    return base > 0 ? change / base : 0;
 }
 
 /// The formula as it is printed beside its value.

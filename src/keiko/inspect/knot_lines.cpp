@@ -202,6 +202,7 @@ std::vector<MeasuredSeam> measure_knot_lines(const SurfaceModel& model,
             ++number;
             std::move(line.begin(), line.end(), std::back_inserter(all));
         }
+    excuse_scraps(all, limits.negligible);
     return all;
 }
 

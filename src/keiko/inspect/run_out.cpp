@@ -24,28 +24,33 @@ const SeamPoint& end_of(const SeamPart& part, bool last) {
     return last ? part.end : part.begin;
 }
 
-/// The mean slope over `width` mm after a sample less that before it, and the mean of both widths.
-struct SlopeChange {
-    double change = 0, width = 0;
+/// The mean slope between a sample and the first one at least `width` mm away from it, and how far
+/// away that is.
+struct MeanSlope {
+    double slope = 0, width = 0;
 };
 
-SlopeChange slope_change(std::span<const FadeSample> samples, std::size_t i, double width) {
-    std::size_t low = i, high = i;
-    while (low > 0 && samples[i].along - samples[low].along < width) --low;
-    while (high + 1 < samples.size() && samples[high].along - samples[i].along < width) ++high;
-    const FadeSample &before = samples[low], &here = samples[i], &after = samples[high];
-    const double fall = (here.angle - before.angle) / (here.along - before.along);
-    const double rise = (after.angle - here.angle) / (after.along - here.along);
-    return {rise - fall, (after.along - before.along) / 2};
+MeanSlope mean_slope(std::span<const FadeSample> samples, std::size_t i, double width, bool after) {
+    std::size_t k = i;
+    while (after ? k + 1 < samples.size() : k > 0) {
+        k = after ? k + 1 : k - 1;
+        if (std::abs(samples[k].along - samples[i].along) >= width) break;
+    }
+    const double run = samples[k].along - samples[i].along;
+    return {(samples[k].angle - samples[i].angle) / run, std::abs(run)};
 }
 
-/// The step of the slope at a joint. Mean slopes over some width differ by the step and by what the
-/// angle bends over that width; two widths tell the two apart but for the third power of the angle.
+/// The slope on one side of a sample. Mean slopes leave it in proportion to their width, so that
+/// two of them give it but for the third derivative of the angle.
+double slope_beside(std::span<const FadeSample> samples, std::size_t i, double width, bool after) {
+    const MeanSlope narrow = mean_slope(samples, i, width / 2, after);
+    const MeanSlope wide = mean_slope(samples, i, width, after);
+    if (!(wide.width > narrow.width)) return narrow.slope;
+    return (narrow.slope * wide.width - wide.slope * narrow.width) / (wide.width - narrow.width);
+}
+
 double slope_step(std::span<const FadeSample> samples, std::size_t i, double width) {
-    const SlopeChange wide = slope_change(samples, i, width);
-    const SlopeChange narrow = slope_change(samples, i, width / 2);
-    if (!(wide.width > narrow.width)) return narrow.change;
-    return (narrow.change * wide.width - wide.change * narrow.width) / (wide.width - narrow.width);
+    return std::abs(slope_beside(samples, i, width, true) - slope_beside(samples, i, width, false));
 }
 
 /// The parameters at which a part is sampled from one end to the other, and which are joints.
@@ -63,7 +68,9 @@ std::vector<SampleStep> sample_steps(const SeamProbe& probe, const SeamPart& par
     double from = part.begin.t;
     for (const double stop : stops) {
         if (!(stop > from)) continue;
-        const int count = static_cast<int>(std::ceil(part.length * (stop - from) / span / step));
+        constexpr double most = 1e6;
+        const int count =
+            static_cast<int>(std::min(most, std::ceil(part.length * (stop - from) / span / step)));
         for (int i = 1; i < count; ++i) steps.push_back({from + (stop - from) * i / count, false});
         steps.push_back({stop, true});
         from = stop;
@@ -132,6 +139,7 @@ private:
     bool faded_ = false;       ///< the angle is down to its limit
     double lowest_ = HUGE_VAL; ///< degrees, the smallest angle so far
     double lowest_at_ = 0;     ///< mm along
+    double along_ = 0;         ///< mm along, of the last place
     RunOut result_;
 };
 
@@ -151,8 +159,10 @@ std::optional<FadeWalk::Entry> FadeWalk::neighbour(std::size_t part, bool forwar
     double least = std::max(limits_.join, limits_.negligible);
     for (std::size_t i = 0; i < parts_.size(); ++i)
         for (const bool from_begin : {true, false}) {
-            if (used_[i] || parts_[i].piece == parts_[part].piece || is_scrap(parts_[i])) continue;
+            if (used_[i] || is_scrap(parts_[i])) continue;
             const double apart = (end_of(parts_[i], !from_begin).place - exit).length();
+            // A piece that is closed goes on at its other end.
+            if (parts_[i].piece == parts_[part].piece && apart > class_change_bound) continue;
             if (apart < least) least = apart, nearest = Entry{i, from_begin};
         }
     return nearest;
@@ -197,7 +207,7 @@ bool FadeWalk::follow(const Entry& entry) {
 
 /// Adds a sample. Returns false where the angle rises again or takes too long to fade.
 bool FadeWalk::note(const SeamPoint& from, const SeamPoint& to, bool joint) {
-    const double along = samples_.back().along + (to.place - from.place).length();
+    const double along = along_ += (to.place - from.place).length();
     if (!to.angle) return true;
     if (along > samples_.back().along)
         samples_.push_back({along, to.signed_angle, to.place, joint});
@@ -237,22 +247,23 @@ void FadeWalk::take(const Entry& entry, const SeamPoint& until) {
 void FadeWalk::end_seam() {
     const FadeSample last = samples_.back();
     for (double beyond = step(); beyond <= 4 * window(); beyond += step())
-        samples_.push_back({last.along + beyond, 0, last.place, false});
+        samples_.push_back({last.along + beyond, last.angle, last.place, false});
 }
 
 Worst FadeWalk::largest_step() const {
-    Worst worst;
+    std::optional<Worst> worst;
     for (std::size_t i = 1; i + 1 < samples_.size(); ++i) {
         const FadeSample& sample = samples_[i];
         if (!sample.joint || sample.along < 0 || sample.along > lowest_at_ + 2 * window()) continue;
-        const double here = std::abs(slope_step(samples_, i, window()));
+        const double here = slope_step(samples_, i, window());
         // Over twice the width the remainder is four times as large.
-        const double wider = std::abs(slope_step(samples_, i, 2 * window()));
+        const double wider = slope_step(samples_, i, 2 * window());
         const double bound = std::abs(wider - here) / 3 + 16 * angle_rounding / window();
-        if (here + bound > worst.value + worst.bound)
-            worst.value = here, worst.bound = bound, worst.place = sample.place;
+        const Worst step{here, bound, limits_.fading, sample.place,
+                         judge(here, bound, limits_.fading)};
+        worst = worst ? worse_of(*worst, step) : step;
     }
-    return worst;
+    return worst.value_or(Worst{0, 0, limits_.fading, samples_.back().place, Verdict::pass});
 }
 
 } // namespace

@@ -17,8 +17,14 @@ struct RunOut {
         std::optional<SeamPart> left;
     };
     std::vector<Piece> pieces; ///< none where the angle falls to the limit at once
-    /// The largest step of the angle's slope, degrees/mm. Without limit and verdict.
-    Worst step;
+    Worst step;                ///< of the angle's slope, degrees/mm
+
+    /// mm along the seam.
+    double length() const {
+        double sum = 0;
+        for (const Piece& piece : pieces) sum += piece.taken.length;
+        return sum;
+    }
 };
 
 /// Follows the angle from one end of a crease through the smooth parts beyond it. `parts` are all
@@ -26,8 +32,8 @@ struct RunOut {
 /// Returns nullopt where no smooth part goes on, or where the angle does not fade: where it rises
 /// by more than its limit, runs on for longer than the limits allow or is over its limit where the
 /// seam ends. The slope's step is searched where patches and pieces end, by mean slopes over
-/// once and twice the negligible length on both sides, extrapolated to none. Beyond the seam's own
-/// end the angle counts as 0.
+/// once and twice the negligible length, extrapolated to none on each side. Beyond the seam's own
+/// end the angle counts as what it is there.
 std::optional<RunOut> follow_run_out(std::span<const SeamProbe> probes,
                                      std::span<const SeamPart> parts, std::size_t crease,
                                      bool forward, const StretchLimits& limits);

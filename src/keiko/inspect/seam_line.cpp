@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace keiko {
 namespace {
@@ -33,6 +36,11 @@ struct CurvatureJudge {
 
     bool flat(const SeamPoint& p) const {
         return std::max(std::abs(p.curvature_a), std::abs(p.curvature_b)) * flat_radius < 1;
+    }
+    /// Whether the flat radius stands in for what the change is compared with.
+    bool is_floored(const SeamPoint& p) const {
+        return mismatch(limit.formula, p) <
+               curvature_mismatch(limit.formula, p.curvature_a, p.curvature_b, HUGE_VAL);
     }
     double mismatch(CurvatureFormula formula, const SeamPoint& p) const {
         return curvature_mismatch(formula, p.curvature_a, p.curvature_b, flat_radius);
@@ -118,7 +126,7 @@ CurvatureStep curvature_step(const SeamExtreme& extreme, const CriteriaPreset& p
                        .mismatch = extreme.value,
                        .alias = judged.mismatch(CurvatureFormula::alias, p),
                        .catia = judged.mismatch(CurvatureFormula::catia, p),
-                       .flat = judged.flat(p),
+                       .flat = judged.is_floored(p),
                        .worst = {extreme.value, extreme.bound, limit, p.place, Verdict::pass}};
     if (preset.curvature)
         step.worst.verdict = judge_maximum(extreme.value, extreme.bound, mismatch_rounding, limit);
@@ -158,13 +166,6 @@ void judge_smooth(MeasuredSeam& seam, const StretchExtremes& found, const Criter
     if (preset.curvature_slope) take(seam, seam.slope->worst);
 }
 
-void judge_fading(MeasuredSeam& seam, const Worst& step, const CriteriaPreset& preset) {
-    seam.fading = step;
-    seam.fading->limit = preset.fading;
-    seam.fading->verdict = judge(step.value, step.bound, preset.fading);
-    take(seam, *seam.fading);
-}
-
 /// A point halfway along; of an even number of parts where the later half begins.
 Vec3 middle_of(const std::vector<SeamProbe>& probes) {
     const SeamProbe& probe = probes[probes.size() / 2];
@@ -190,33 +191,25 @@ MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
     seam.kind = stretch.kind, seam.length = stretch.length;
     seam.middle = middle_of(probes);
     for (const SeamProbe& probe : probes) seam.course.push_back(course_of(probe));
+    if (!found.gap) {
+        seam.verdict = Verdict::undecided;
+        return seam;
+    }
     const SeamPoint& widest = found.gap->point;
     seam.gap = worst(*found.gap, position_error(model, line, widest.place), preset.gap);
     seam.overlap = widest.overlap && seam.gap.value > same_place;
     take(seam, seam.gap);
-    if (!found.angle) return seam;
+    if (!found.angle) {
+        if (stretch.length > same_place) seam.verdict = std::max(seam.verdict, Verdict::undecided);
+        return seam;
+    }
     seam.angle = worst(*found.angle, angle_rounding, preset.angle);
     seam.smallest_angle = -found.negated_angle->value;
     if (stretch.kind == SeamClass::smooth) judge_smooth(seam, found, preset);
     if (stretch.kind == SeamClass::fold) take(seam, *seam.angle);
-    if (stretch.fading) judge_fading(seam, *stretch.fading, preset);
+    seam.fading = stretch.fading;
+    if (seam.fading) take(seam, *seam.fading);
     return seam;
-}
-
-/// Takes scraps out of the verdict, if they are negligible together as well.
-void excuse_scraps(std::vector<MeasuredStretch>& stretches, double negligible) {
-    double failing = 0;
-    for (const MeasuredStretch& stretch : stretches)
-        if (stretch.seam.scrap && stretch.seam.verdict != Verdict::pass)
-            failing += stretch.seam.length;
-    for (MeasuredStretch& stretch : stretches) {
-        MeasuredSeam& seam = stretch.seam;
-        if (!seam.scrap) continue;
-        if (failing > negligible && seam.verdict != Verdict::pass)
-            seam.scrap = false;
-        else
-            seam.verdict = Verdict::pass, seam.severity = 0;
-    }
 }
 
 } // namespace
@@ -230,6 +223,7 @@ StretchLimits stretch_limits(const SurfaceModel& model, const CriteriaPreset& pr
                                    share_of_body * material_bounds(model).extent().length()),
             .join = join,
             .angle = faded * preset.angle,
+            .fading = preset.fading,
             .longest_run_out = preset.longest_run_out};
 }
 
@@ -243,8 +237,29 @@ std::vector<MeasuredStretch> measure_line(const SurfaceModel& model, const SeamL
         seam.parted = limits.join > 0 && seam.gap.value > limits.join;
         measured.push_back({std::move(seam), std::move(stretch.parts)});
     }
-    excuse_scraps(measured, limits.negligible);
     return measured;
+}
+
+void excuse_scraps(std::vector<MeasuredSeam>& seams, double negligible) {
+    using PlacedFace = std::pair<std::uint32_t, std::uint32_t>;
+    std::map<PlacedFace, double> failing;
+    const auto faces_of = [](const MeasuredSeam& seam) {
+        return std::set<PlacedFace>{{seam.instance_a, seam.face_a}, {seam.instance_b, seam.face_b}};
+    };
+    for (const MeasuredSeam& seam : seams)
+        if (seam.scrap && seam.verdict != Verdict::pass)
+            for (const PlacedFace& face : faces_of(seam)) failing[face] += seam.length;
+    for (MeasuredSeam& seam : seams) {
+        if (!seam.scrap) continue;
+        const std::set<PlacedFace> faces = faces_of(seam);
+        const bool too_long = std::any_of(faces.begin(), faces.end(), [&](const PlacedFace& face) {
+            return failing[face] > negligible;
+        });
+        if (too_long && seam.verdict != Verdict::pass)
+            seam.scrap = false;
+        else
+            seam.verdict = Verdict::pass, seam.severity = 0;
+    }
 }
 
 } // namespace keiko

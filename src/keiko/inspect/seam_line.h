@@ -23,9 +23,12 @@ struct MeasuredStretch {
 /// is more than a hundredth of the body's diagonal.
 StretchLimits stretch_limits(const SurfaceModel& model, const CriteriaPreset& preset, double join);
 
+/// Takes scraps out of the verdict: those of faces whose scraps that do not pass are together no
+/// longer than `negligible` (mm). The others are scraps no more.
+void excuse_scraps(std::vector<MeasuredSeam>& seams, double negligible);
+
 /// Cuts a line into stretches, measures each on the exact geometry and judges it by the rules of
-/// its class. Scraps are not judged, unless those of a line that do not pass are together longer
-/// than what is negligible.
+/// its class, scraps too.
 std::vector<MeasuredStretch> measure_line(const SurfaceModel& model, const SeamLine& line,
                                           const CriteriaPreset& preset,
                                           const StretchLimits& limits);

@@ -50,6 +50,7 @@ MeasuredSeams measure_seams(const SurfaceModel& model, std::span<const Seam> pai
             }
             result.seams.push_back(std::move(seam));
         }
+    excuse_scraps(result.seams, limits.negligible);
     return result;
 }
 

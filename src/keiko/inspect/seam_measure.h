@@ -19,7 +19,7 @@ struct CurvatureStep {
     CurvatureFormula formula = CurvatureFormula::alias;
     double mismatch = 0;         ///< by the formula, share of 1
     double alias = 0, catia = 0; ///< by either formula, whichever is judged
-    bool flat = false; ///< both radii exceed the preset's flat radius, which stands in for them
+    bool flat = false; ///< the preset's flat radius stands in for what the change is compared with
     Worst worst;       ///< share of 1
 };
 

@@ -1,14 +1,17 @@
 #include "keiko/inspect/seam_partition.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace keiko {
 namespace {
 
-constexpr int least_steps = 8;
+constexpr int least_steps = 16;
 constexpr int most_halvings = 48;
+/// Places of one piece that are evaluated at the most. What is beyond is judged as smooth.
+constexpr int most_places = 4000;
+/// degrees: angles as near as this on both sides of a threshold are not told apart.
+constexpr double indistinct = 1e-6;
 
 /// Whether an angle that is `a`, `m` and `b` at begin, middle and end of a step may pass
 /// `threshold` between them, although none of the three lies beyond it.
@@ -33,7 +36,10 @@ public:
             refine(before, after, 0);
             before = after;
         }
-        for (SeamPart& part : parts_) part.length = probe_.part(part.begin, part.end).length();
+        drop_empty();
+        // Quadrature is exact where the curve runs evenly, chords are no longer than any curve.
+        for (SeamPart& part : parts_)
+            part.length = std::max(part.length, probe_.part(part.begin, part.end).length());
         return std::move(parts_);
     }
 
@@ -45,8 +51,9 @@ private:
     /// Whether no angle between the points of a step lies beyond a threshold that none of them
     /// passes.
     bool is_plain(const SeamPoint& a, const SeamPoint& m, const SeamPoint& b) const {
-        if (!a.angle || !m.angle || !b.angle) return true;
-        if ((b.place - a.place).length() < limits_.negligible / 8) return true;
+        const double length = (b.place - a.place).length();
+        if (!a.angle || !m.angle || !b.angle) return !m.angle || length < limits_.negligible;
+        if (length < limits_.negligible / 8) return true;
         return !may_pass(limits_.feature_angle, *a.angle, *m.angle, *b.angle) &&
                !may_pass(fold_angle, *a.angle, *m.angle, *b.angle);
     }
@@ -57,6 +64,15 @@ private:
         const bool distinct = (b.place - a.place).length() > class_change_bound;
         if (!apart || (!distinct && kind(a) != kind(b))) {
             add(kind(a), a), add(kind(b), b);
+            return;
+        }
+        if (++places_ > most_places) {
+            add(SeamClass::smooth, b);
+            return;
+        }
+        if (a.angle && b.angle && kind(a) != kind(b) &&
+            std::abs(*a.angle - *b.angle) <= indistinct) {
+            add(std::min(kind(a), kind(b)), b);
             return;
         }
         const SeamPoint m = probe_.at(t, (a.s + b.s) / 2);
@@ -77,16 +93,26 @@ private:
             is_known_ = known.has_value();
         } else if (!known || !is_known_ || *known == parts_.back().kind) {
             if (known && !is_known_) parts_.back().kind = *known, is_known_ = true;
+            parts_.back().length += (to.place - parts_.back().end.place).length();
             parts_.back().end = to;
         } else {
-            parts_.push_back({piece_, *known, parts_.back().end, to, 0});
+            parts_.push_back({piece_, *known, to, to, 0});
         }
+    }
+
+    /// Parts without a length come from changes at the very ends of a piece.
+    void drop_empty() {
+        if (parts_.size() < 2) return;
+        const SeamPart first = parts_.front();
+        std::erase_if(parts_, [](const SeamPart& part) { return !(part.begin.t < part.end.t); });
+        if (parts_.empty()) parts_.push_back(first);
     }
 
     const SeamProbe& probe_;
     std::uint32_t piece_;
     const PartitionLimits& limits_;
     std::vector<SeamPart> parts_;
+    int places_ = 0;        ///< evaluated so far
     bool is_known_ = false; ///< the class of the last part
 };
 

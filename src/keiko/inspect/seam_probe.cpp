@@ -28,6 +28,13 @@ Side side(const BoundaryFrame& frame, bool leaving, bool forward) {
             normal_curvature_slope(frame.surface, normal, across)};
 }
 
+/// Moves a step by up to a tenth either way, so that no regular wave has its zeros at all of them:
+/// the fractions of the golden section's multiples.
+double uneven(int i) {
+    constexpr double golden = 0.6180339887498949, most = 0.1;
+    return most * (2 * std::fmod(i * golden, 1.0) - 1);
+}
+
 } // namespace
 
 SeamProbe SeamProbe::part(const SeamPoint& from, const SeamPoint& to) const {
@@ -88,7 +95,8 @@ std::vector<double> SeamProbe::steps(int least) const {
         constexpr int least_in_patch = 2;
         const int count =
             std::max(least_in_patch, static_cast<int>(std::ceil((stop - from) / span * least)));
-        for (int i = 1; i < count; ++i) result.push_back(from + (stop - from) * i / count);
+        for (int i = 1; i < count; ++i)
+            result.push_back(from + (stop - from) * (i + uneven(i)) / count);
         result.push_back(stop);
     }
     if (result.size() > 1) result.back() = on_a_.end;

@@ -4,7 +4,6 @@
 #include "keiko/math/disjoint_sets.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 namespace keiko {
@@ -58,7 +57,7 @@ public:
 
 private:
     void add_run_outs();
-    void add_run_out(std::size_t crease, bool forward);
+    void add_run_out(std::size_t crease, bool forward, double longest);
     SeamStretch stretch_of(const std::vector<std::size_t>& group) const;
 
     std::span<const SeamProbe> probes_;
@@ -69,26 +68,34 @@ private:
 };
 
 void StretchMaker::add_run_outs() {
-    std::vector<std::pair<std::uint32_t, double>> creases;
-    for (const std::vector<std::size_t>& group : groups_of(parts_, limits_))
-        if (parts_[group.front()].kind == SeamClass::crease &&
-            length_of(parts_, group) >= limits_.negligible)
-            for (const std::size_t i : group)
-                creases.emplace_back(parts_[i].piece, parts_[i].begin.t);
-    for (const auto& [piece, t] : creases)
+    struct Crease {
+        std::uint32_t piece;
+        double t, length;
+    };
+    std::vector<Crease> creases;
+    for (const std::vector<std::size_t>& group : groups_of(parts_, limits_)) {
+        const double length = length_of(parts_, group);
+        if (parts_[group.front()].kind != SeamClass::crease || length < limits_.negligible)
+            continue;
+        for (const std::size_t i : group)
+            creases.push_back({parts_[i].piece, parts_[i].begin.t, length});
+    }
+    for (const auto& [piece, t, length] : creases)
         for (const bool forward : {false, true}) {
             const auto at = std::find_if(parts_.begin(), parts_.end(), [&](const SeamPart& part) {
                 return part.piece == piece && part.begin.t == t;
             });
-            add_run_out(static_cast<std::size_t>(at - parts_.begin()), forward);
+            add_run_out(static_cast<std::size_t>(at - parts_.begin()), forward, length);
         }
 }
 
-void StretchMaker::add_run_out(std::size_t crease, bool forward) {
+void StretchMaker::add_run_out(std::size_t crease, bool forward, double longest) {
     const std::optional<RunOut> found = follow_run_out(probes_, parts_, crease, forward, limits_);
-    if (!found) return;
-    Worst& fading = fading_[{parts_[crease].piece, parts_[crease].begin.t}];
-    if (found->step.value + found->step.bound > fading.value + fading.bound) fading = found->step;
+    // What is mostly run-out is no feature line but a fault that its peak would excuse.
+    if (!found || found->length() > longest) return;
+    const auto [fading, is_first] =
+        fading_.try_emplace({parts_[crease].piece, parts_[crease].begin.t}, found->step);
+    if (!is_first) fading->second = worse_of(fading->second, found->step);
     for (const RunOut::Piece& piece : found->pieces) {
         parts_[piece.part] = piece.taken;
         if (piece.left) parts_.push_back(*piece.left);
@@ -106,7 +113,7 @@ SeamStretch StretchMaker::stretch_of(const std::vector<std::size_t>& group) cons
         const auto fading = fading_.find({parts_[i].piece, parts_[i].begin.t});
         if (stretch.kind != SeamClass::crease || fading == fading_.end()) continue;
         const Worst& step = fading->second;
-        if (!stretch.fading || step.value > stretch.fading->value) stretch.fading = step;
+        stretch.fading = stretch.fading ? worse_of(*stretch.fading, step) : step;
     }
     stretch.length = length_of(parts_, group);
     stretch.scrap = stretch.length < limits_.negligible;
@@ -114,6 +121,11 @@ SeamStretch StretchMaker::stretch_of(const std::vector<std::size_t>& group) cons
 }
 
 } // namespace
+
+const Worst& worse_of(const Worst& a, const Worst& b) {
+    if (a.verdict != b.verdict) return a.verdict > b.verdict ? a : b;
+    return a.value + a.bound >= b.value + b.bound ? a : b;
+}
 
 std::vector<SeamStretch> seam_stretches(std::span<const SeamProbe> probes,
                                         const StretchLimits& limits) {

@@ -14,6 +14,7 @@ namespace {
 
 /// Beyond these no limit of a surface makes sense; a mistyped unit does.
 constexpr TomlLimits lengths{.low = 0, .high = 1e6, .above_low = true};
+constexpr TomlLimits negligible_lengths{.low = 1e-3, .high = 1e3};
 constexpr TomlLimits angles{.low = 0, .high = 180, .above_low = true};
 constexpr TomlLimits shares{.low = 0, .high = 2, .above_low = true};
 
@@ -38,7 +39,7 @@ void read_seam(const TomlTable& table, CriteriaPreset& preset) {
     preset.fading = table.number("fading", TomlLimits::positive()).value_or(preset.angle / 70);
     preset.longest_run_out =
         table.number("longest_run_out", lengths).value_or(preset.longest_run_out);
-    preset.negligible = table.number("negligible", lengths).value_or(preset.negligible);
+    preset.negligible = table.number("negligible", negligible_lengths).value_or(preset.negligible);
     preset.flat_radius =
         table.number("flat_radius", TomlLimits::positive()).value_or(preset.flat_radius);
     if (preset.feature_angle < preset.angle)

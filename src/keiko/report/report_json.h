@@ -22,16 +22,16 @@ namespace keiko {
 std::string facts_json(const ModelFacts& facts);
 
 /// The geometry against criteria, "keiko-inspection/1": tool {name, version}, verdict ("pass",
-/// "undecided", "fail"), counts {fail, undecided, pass, creases} of seams, face_counts {fail,
-/// undecided, pass}, preset, join, model (as
-/// facts_json, without face_list), worst_seams
-/// [indices], seams [{faces, face_ids, instances, verdict, crease, severity, length, middle, gap,
-/// angle, curvature, curvature_slope, internal, overlap}], faces [{name, face_id, instance,
-/// verdict, radius, curvature {largest, smallest, largest_mean, smallest_mean, largest_gaussian,
-/// smallest_gaussian: each {value, bound, undecided, place}, singular (mm)}, inflections [{closed,
-/// proved, length, rate (1/mm2), deviation (mm), points}], flaws? [{kind ("dent",
-/// "bump", "waves"), width (mm), value, bound, limit, verdict, place}]}], findings [{code,
-/// rule, seam or face (indices), faces, quantity, unit, formula?, message}]. A bound is null where
+/// "undecided", "fail"), counts {fail, undecided, pass, creases, scraps} of stretches, face_counts
+/// {fail, undecided, pass}, preset, join, model (as facts_json, without face_list), worst_seams
+/// [numbers], seams [{number (from 1), line (from 1), faces, face_ids, instances, verdict, kind
+/// ("smooth", "run-out", "crease", "fold"), scrap, severity, length, middle, from, to, gap, angle,
+/// curvature, curvature_slope, fading, internal, overlap, parted}], faces [{number, name, face_id,
+/// instance, verdict, radius, curvature {largest, smallest, largest_mean, smallest_mean,
+/// largest_gaussian, smallest_gaussian: each {value, bound, undecided, place}, singular (mm)},
+/// inflections [{closed, proved, length, rate (1/mm2), deviation (mm), points}], flaws? [{kind
+/// ("dent", "bump", "waves"), width (mm), value, bound, limit, verdict, place}]}], findings [{code,
+/// rule, seam or face (numbers), faces, quantity, unit, formula?, message}]. A bound is null where
 /// there is none. Each gap, radius, angle, curvature and finding has value, bound,
 /// limit, verdict and place; limit and verdict are null where the value is not judged.
 std::string inspection_json(const Inspection& inspection, const std::string& tool_version);
@@ -40,8 +40,8 @@ std::string inspection_json(const Inspection& inspection, const std::string& too
 /// verdict of lines and seams together, then lines {rig, look, preset, verdict, counts, crossings}
 /// with the keys of lines_json or null, coverage {rig, covered, unreached}, pictures,
 /// line_pictures, form_pictures and close_ups [{title, file, width, height, markers [{number, x,
-/// y}]}], close-ups with the index of their seam or face, or the rank of their crossing from 0. It
-/// holds no time, so that every run gives the same bytes.
+/// y}]}], close-ups with the number of their seam or face, or the rank of their crossing, from 1.
+/// It holds no time, so that every run gives the same bytes.
 std::string report_json(const Report& report);
 
 } // namespace keiko

@@ -51,12 +51,12 @@ RoundDent random_dent(Random& random, double smallest, double largest) {
 
 /// The flaws of a panel by the search alone, which is most of what a test of many panels takes.
 std::vector<Flaw> found_in(const SurfaceModel& model) {
-    const std::vector<Seam> pieces = pair_seams(model, 0.5);
-    const std::vector<MeasuredSeam> seams = measure_seams(model, pieces, {}, 0.5);
+    const MeasuredSeams measured = measure_seams(model, pair_seams(model, 0.5), {}, 0.5);
     const std::vector<bool> searched(model.faces.size(), true);
     const std::array<WavinessLimit, 1> limits{{{0.01, 100}}};
     std::vector<Flaw> found;
-    for (const std::vector<Flaw>& of_face : find_flaws(model, seams, pieces, searched, limits))
+    for (const std::vector<Flaw>& of_face :
+         find_flaws(model, measured.seams, measured.pieces, searched, limits))
         found.insert(found.end(), of_face.begin(), of_face.end());
     return found;
 }

@@ -38,7 +38,8 @@ struct Profile {
     }
 
     /// Degrees, of the surface itself, whose directions are interpolated.
-    double at(double x) const {
+    double at(double place) const {
+        const double x = std::min(place, breaks.back());
         std::size_t span = 0;
         while (span + 2 < breaks.size() && x > breaks[span + 1]) ++span;
         const double t = (x - breaks[span]) / (breaks[span + 1] - breaks[span]), r = 1 - t;
@@ -91,7 +92,7 @@ double length_over_limits(const Case& c, const CriteriaPreset& preset) {
     for (int i = 0; i < samples; ++i) angle.push_back(c.profile.at(length * i / (samples - 1)));
     const double step = length / (samples - 1);
     std::vector<bool> excused(angle.size());
-    const auto excuse = [&](int from, int way) {
+    const auto excuse = [&](int from, int way, double crease) {
         std::vector<int> run;
         double lowest = 180;
         for (int i = from; i >= 0 && i < samples; i += way) {
@@ -100,6 +101,7 @@ double length_over_limits(const Case& c, const CriteriaPreset& preset) {
             if (here > lowest + preset.angle || double(run.size()) * step > preset.longest_run_out)
                 return;
             if (here <= preset.angle) {
+                if (double(run.size()) * step > crease + 2 * step) return;
                 for (const int k : run) excused[static_cast<std::size_t>(k)] = true;
                 return;
             }
@@ -110,10 +112,12 @@ double length_over_limits(const Case& c, const CriteriaPreset& preset) {
         const double here = angle[static_cast<std::size_t>(i)];
         return here > preset.feature_angle && here <= 179;
     };
-    for (int i = 0; i < samples; ++i) {
+    for (int i = 0, begin = 0; i < samples; ++i) {
         if (!is_crease(i)) continue;
-        if (i > 0 && !is_crease(i - 1)) excuse(i - 1, -1);
-        if (i + 1 < samples && !is_crease(i + 1)) excuse(i + 1, 1);
+        if (i == 0 || !is_crease(i - 1)) begin = i;
+        if (i + 1 < samples && is_crease(i + 1)) continue;
+        excuse(begin - 1, -1, (i - begin) * step);
+        excuse(i + 1, 1, (i - begin) * step);
     }
     double over = 0;
     for (int i = 0; i < samples; ++i) {
@@ -198,21 +202,32 @@ private:
     /// An angle over the limit along some of the way.
     void plant_bump(Case& c) {
         const double at = between(50, 150), bump = std::pow(10, between(-2.5, 1.5));
-        const double angle = between(0.12, 4);
+        const double angle = between(0.12, 9);
         c.profile.hold(at, 0);
-        c.profile.go_on(at + bump, 0, angle, angle, 0);
+        if (pick(2)) {
+            c.profile.go_on(at + bump, 0, angle, angle, 0);
+        } else {
+            c.profile.go_on(at + bump / 2, 0, 0, angle, angle);
+            c.profile.go_on(at + bump, angle, angle, 0, 0);
+        }
         c.profile.hold(length, 0);
     }
 
     /// A crease that fades to nothing, with or without a corner at its end.
     void plant_fading(Case& c, bool smooth) {
-        const double sharp = between(6, 25), at = between(20, 120), fading = between(40, 150);
+        // Round lengths too, whose samples are evenly apart.
+        const bool round = pick(2) == 0;
+        const double sharp = between(6, 25), fading = round ? 50 : between(40, 100);
+        const double at = round ? 100 : between(100, 150);
         c.profile.hold(at, sharp);
         if (smooth)
             c.profile.go_on(at + fading, sharp, sharp, 0, 0);
         else
             c.profile.go_on(at + fading, sharp, sharp * 2 / 3, sharp / 3, 0);
-        c.profile.hold(length, 0);
+        if (pick(3) > 0 || !smooth)
+            c.profile.hold(length, 0);
+        else
+            c.end = at + fading;
         c.must_pass = smooth, c.must_fail = !smooth;
     }
 
