@@ -169,7 +169,7 @@ class Differences(RegressTest):
         fixture = self.folder / "suite/dome.toml"
         fixture.write_text(fixture.read_text().replace('rig = "rig.toml"\n', ""))
         self.accept("dome")
-        move_point_of_dome(model, 80)
+        move_point_of_dome(model, 200)
         self.assertEqual(self.regress().returncode, 1)
         kept, seen = (json.loads((self.folder / record / "metrics.json").read_text())
                       for record in ("suite/baselines/dome", "out/dome/candidate"))

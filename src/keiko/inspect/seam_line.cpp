@@ -205,6 +205,10 @@ MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
     }
     seam.angle = worst(*found.angle, angle_rounding, preset.angle);
     seam.smallest_angle = -found.negated_angle->value;
+    if (stretch.unknown) {
+        seam.angle->verdict = std::max(seam.angle->verdict, Verdict::undecided);
+        take(seam, *seam.angle);
+    }
     if (stretch.kind == SeamClass::smooth) judge_smooth(seam, found, preset);
     if (stretch.kind == SeamClass::fold) take(seam, *seam.angle);
     seam.fading = stretch.fading;

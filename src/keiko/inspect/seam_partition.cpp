@@ -11,7 +11,7 @@ constexpr int most_halvings = 48;
 /// Places of one piece that are evaluated at the most. What is beyond is judged as smooth.
 constexpr int most_places = 4000;
 /// degrees: angles as near as this on both sides of a threshold are not told apart.
-constexpr double indistinct = 1e-6;
+constexpr double indistinct = 1e-8;
 
 /// Whether an angle that is `a`, `m` and `b` at begin, middle and end of a step may pass
 /// `threshold` between them, although none of the three lies beyond it.
@@ -93,7 +93,9 @@ private:
             is_known_ = known.has_value();
         } else if (!known || !is_known_ || *known == parts_.back().kind) {
             if (known && !is_known_) parts_.back().kind = *known, is_known_ = true;
-            parts_.back().length += (to.place - parts_.back().end.place).length();
+            const double step = (to.place - parts_.back().end.place).length();
+            parts_.back().length += step;
+            if (!to.angle) parts_.back().unknown += step;
             parts_.back().end = to;
         } else {
             parts_.push_back({piece_, *known, to, to, 0});

@@ -12,6 +12,7 @@ struct SeamPart {
     SeamClass kind = SeamClass::smooth;
     SeamPoint begin, end; ///< in the order of side a
     double length = 0;    ///< mm, of side a
+    double unknown = 0;   ///< mm of it along which a side has no normal
 };
 
 /// The lengths and the angle that a partition goes by.

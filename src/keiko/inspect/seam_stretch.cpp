@@ -116,6 +116,9 @@ SeamStretch StretchMaker::stretch_of(const std::vector<std::size_t>& group) cons
         stretch.fading = stretch.fading ? worse_of(*stretch.fading, step) : step;
     }
     stretch.length = length_of(parts_, group);
+    double unknown = 0;
+    for (const SeamPart& part : stretch.parts) unknown += part.unknown;
+    stretch.unknown = unknown > limits_.negligible;
     stretch.scrap = stretch.length < limits_.negligible;
     return stretch;
 }

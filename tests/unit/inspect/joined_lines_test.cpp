@@ -300,12 +300,12 @@ TEST(JoinedLines, KinkAndJumpOnFixturesAsTracedRaysShowThem) {
     }
 }
 
-/// A crease of 8.5 degrees at x = 0 that fades without a corner to nothing at x = 100.
+/// A crease of 17 degrees at x = 0 that fades without a corner to nothing at x = 100.
 SurfaceModel fading_sheets() {
     test::ModelBuilder builder;
     test::flat_sheet(builder, {0, -100, 0});
     std::vector<Vec3> points;
-    const double slopes[] = {0.15, 0.15, 0, 0};
+    const double slopes[] = {0.3, 0.3, 0, 0};
     for (std::size_t i = 0; i < 4; ++i) {
         const double x = test::sheet_length * double(i) / 3;
         points.push_back({x, 0, 0});

@@ -22,7 +22,7 @@ TEST(PresetFile, StandardPresetsAreThoseOfTheRepository) {
 TEST(PresetFile, TheDefaultIsTheFirstAndJudgesSeamsAsItDoesWithoutAFile) {
     CriteriaPreset first = standard_presets().front();
     const CriteriaPreset plain;
-    first.source = plain.source, first.caveat = plain.caveat;
+    first.source = plain.source, first.caveat = plain.caveat, first.look = plain.look;
     EXPECT_EQ(first, plain);
 }
 
