@@ -2,6 +2,7 @@
 #include "keiko/trace/occluders.h"
 
 #include "tests/support/file_test_name.h"
+#include "tests/support/leaf_bounds.h"
 #include "tests/support/paths.h"
 #include "tests/support/random.h"
 #include <gtest/gtest.h>
@@ -19,10 +20,10 @@ protected:
     static constexpr int segments = 12;
 
     std::vector<SegmentEnds> random_row() {
-        const double size = box_.size();
+        const double size = leaf_bounds(tracer_).size();
         const Vec3 out = random_direction(random_), along = random_direction(random_) * size;
         const Vec3 across = out.cross(along).normalized() * size;
-        const Vec3 begin = box_.center() + out * size * 0.9 - (along + across) / 2;
+        const Vec3 begin = leaf_bounds(tracer_).center() + out * size * 0.9 - (along + across) / 2;
         std::vector<SegmentEnds> row;
         for (int i = 0; i < segments; ++i) {
             const Vec3 a = begin + across * ((i + 0.5) / segments);
@@ -51,7 +52,8 @@ protected:
 
     /// Between neighbours of the row, some way beyond it too.
     std::vector<PrismEdges> prisms_of(const std::vector<SegmentEnds>& row) {
-        const Vec3 beyond = (row[0][0] - box_.center()) * uniform(random_, 0.001, 0.05);
+        const Vec3 beyond =
+            (row[0][0] - leaf_bounds(tracer_).center()) * uniform(random_, 0.001, 0.05);
         const auto moved = [&](const SegmentEnds& ends) {
             return SegmentEnds{ends[0] + beyond, ends[1] + beyond};
         };
@@ -104,11 +106,12 @@ protected:
     void for_apexes_of_all_kinds(const Expect& expect) {
         for (int i = 0; i < 60; ++i) {
             expect(Apex::towards(random_direction(random_)), std::optional<Vec3>());
-            const Vec3 outside = box_.center() + random_direction(random_) * box_.size();
+            const Vec3 outside = leaf_bounds(tracer_).center() +
+                                 random_direction(random_) * leaf_bounds(tracer_).size();
             expect(Apex::at(outside), std::optional<Vec3>());
             Ray ray;
             ray.origin = outside;
-            ray.direction = box_.center() - outside;
+            ray.direction = leaf_bounds(tracer_).center() - outside;
             const auto hit = tracer_.nearest(ray);
             if (!hit) continue;
             const Apex on_surface = Apex::at(hit->position, hit->root);
@@ -119,8 +122,6 @@ protected:
 
     Random random_{11};
     SurfaceModel model_ = load_model(repository("surfaces") / GetParam());
-    /// Rows are this far away: that of the material is smaller, and rows so near cut few leaves.
-    Box3 box_ = hull_bounds(model_);
     Tracer tracer_;
     Occluders occluders_{model_, tracer_};
     int partly_hidden_ = 0;

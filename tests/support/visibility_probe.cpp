@@ -1,5 +1,7 @@
 #include "tests/support/visibility_probe.h"
 
+#include "tests/support/leaf_bounds.h"
+
 #include <sstream>
 
 namespace keiko::test {
@@ -53,10 +55,10 @@ std::string ProbeCounts::text() const {
 }
 
 VisibilityProbe::VisibilityProbe(const SurfaceModel& model)
-    : box_(hull_bounds(model)), tracer_(model), occluders_(model, tracer_) {}
+    : tracer_(model), occluders_(model, tracer_) {}
 
 std::optional<Apex> VisibilityProbe::random_apex(From from, Random& random) const {
-    const Box3& body = box_;
+    const Box3 body = leaf_bounds(tracer_);
     if (from == From::infinity) return Apex::towards(random_direction(random));
     const Vec3 outside = body.center() + random_direction(random) * body.size();
     if (from == From::space) return Apex::at(outside);
@@ -73,7 +75,7 @@ void VisibilityProbe::look(From from, int lamps, int probes, Random& random,
                            ProbeCounts& counts) const {
     const auto apex = random_apex(from, random);
     if (!apex) return;
-    const Row row(box_, random);
+    const Row row(leaf_bounds(tracer_), random);
     const ApexView view(occluders_, tracer_, *apex, row.corners());
     for (int i = 0; i < lamps; ++i) {
         const Vec3 a = row.begin + row.across * ((i + 0.5) / lamps), b = a + row.along;

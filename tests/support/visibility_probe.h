@@ -32,7 +32,6 @@ public:
 private:
     std::optional<Apex> random_apex(From from, Random& random) const;
 
-    Box3 box_; ///< of the control points: how far apexes and lamps lie about the body
     Tracer tracer_;
     Occluders occluders_;
 };
