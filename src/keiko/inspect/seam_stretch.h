@@ -14,7 +14,7 @@ struct SeamStretch {
     std::vector<SeamPart> parts; ///< in the order of the seam's pieces
     double length = 0;           ///< mm
     bool scrap = false;          ///< shorter than what the limits call negligible
-    bool unknown = false; ///< a side has no normal for more than is negligible
+    bool unknown = false;        ///< a side has no normal for more than is negligible
     /// Of a crease that fades out: the worst step of its angle's slope, degrees/mm.
     std::optional<Worst> fading;
 };
