@@ -1,5 +1,7 @@
 #include "keiko/inspect/run_out.h"
 
+#include "keiko/base/stop_scope.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -194,6 +196,7 @@ bool FadeWalk::follow(const Entry& entry) {
     SeamPoint last = from;
     if (from.angle && *from.angle <= limits_.angle) faded_ = true;
     for (const SampleStep& next : sample_steps(probe, part, entry.forward, step())) {
+        check_stop();
         const SeamPoint point = probe.at(next.t, last.s);
         const bool was_faded = faded_;
         if (!note(last, point, next.joint)) return false;

@@ -1,5 +1,7 @@
 #include "keiko/inspect/seam_partition.h"
 
+#include "keiko/base/stop_scope.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -59,6 +61,7 @@ private:
     }
 
     void refine(const SeamPoint& a, const SeamPoint& b, int halvings) {
+        check_stop();
         const double t = (a.t + b.t) / 2;
         const bool apart = t != a.t && t != b.t && halvings < most_halvings;
         const bool distinct = (b.place - a.place).length() > class_change_bound;

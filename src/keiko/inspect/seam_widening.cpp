@@ -1,5 +1,6 @@
 #include "keiko/inspect/seam_widening.h"
 
+#include "keiko/base/stop_scope.h"
 #include "keiko/patch/border_approach.h"
 #include "keiko/patch/closest_point.h"
 
@@ -123,6 +124,7 @@ std::vector<Seam> widened_seams(const BoundaryCurves& curves, std::span<const Se
     std::vector<Seam> result(seams.begin(), seams.end());
     SeamCover cover(result);
     for (Seam& seam : result) {
+        check_stop();
         const Widening widening(curves, seam, join, cover);
         const Facing begin = widening.parted(false), end = widening.parted(true);
         seam.a.begin = begin.t, seam.a.end = end.t;
