@@ -80,12 +80,12 @@ void StretchMaker::add_run_outs() {
         for (const std::size_t i : group)
             creases.push_back({parts_[i].piece, parts_[i].begin.t, length});
     }
-    for (const auto& [piece, t, length] : creases)
+    for (const Crease& crease : creases)
         for (const bool forward : {false, true}) {
             const auto at = std::find_if(parts_.begin(), parts_.end(), [&](const SeamPart& part) {
-                return part.piece == piece && part.begin.t == t;
+                return part.piece == crease.piece && part.begin.t == crease.t;
             });
-            add_run_out(static_cast<std::size_t>(at - parts_.begin()), forward, length);
+            add_run_out(static_cast<std::size_t>(at - parts_.begin()), forward, crease.length);
         }
 }
 
