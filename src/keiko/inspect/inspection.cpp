@@ -1,7 +1,6 @@
 #include "keiko/inspect/inspection.h"
 
 #include "keiko/inspect/flaw_search.h"
-#include "keiko/inspect/knot_lines.h"
 
 #include <algorithm>
 #include <cmath>

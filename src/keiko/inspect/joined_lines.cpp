@@ -217,13 +217,18 @@ void LineJoiner::measure() {
 
 /// Where a crease fades out lines jump, too: the seam's own verdict says whether it fades well.
 void LineJoiner::excuse_run_outs() {
+    const auto may_fade = [&](const LineCrossing& crossing) {
+        return crossing.border.seam != no_index && crossing.verdict &&
+               *crossing.verdict != Verdict::pass && crossing.angle > preset_.angle;
+    };
+    std::vector<LineCrossing>& all = result_.crossings;
+    if (std::none_of(all.begin(), all.end(), may_fade)) return;
     RunOutPlaces run_outs(seams_.curves, seams_.seams, seams_.chains,
                           stretch_limits(model_, preset_, seams_.join_distance));
-    for (LineCrossing& crossing : result_.crossings) {
-        const bool fades = crossing.border.seam != no_index && crossing.verdict &&
-                           *crossing.verdict != Verdict::pass && crossing.angle > preset_.angle;
+    for (LineCrossing& crossing : all) {
         constexpr double beside = 0.01; // mm: of a chord from its curve
-        if (!fades || !run_outs.hold(crossing.border.seam, crossing.place, crossing.gap + beside))
+        if (!may_fade(crossing) ||
+            !run_outs.hold(crossing.border.seam, crossing.place, crossing.gap + beside))
             continue;
         crossing.run_out = true, crossing.verdict.reset(), crossing.severity = 0;
     }

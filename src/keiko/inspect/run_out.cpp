@@ -11,8 +11,6 @@ namespace {
 
 /// In negligible lengths: the window over which mean slopes are taken, and the samples' distance.
 constexpr double window_width = 2, sample_step = 1;
-/// degrees; error of an angle between two evaluated normals.
-constexpr double angle_rounding = 1e-10;
 
 /// The angle at one place of the way out of a crease.
 struct FadeSample {

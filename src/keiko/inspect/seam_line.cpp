@@ -21,8 +21,6 @@ constexpr double relative_tolerance = 1e-4;
 constexpr double relative_rounding = 1e-14;
 /// mm: CAD systems themselves join at 1e-7 to 1e-5; a gap below has no direction.
 constexpr double same_place = 1e-6;
-/// degrees; error of an angle between two evaluated normals.
-constexpr double angle_rounding = 1e-10;
 /// Share of 1; error of a mismatch of two evaluated curvatures.
 constexpr double mismatch_rounding = 1e-9;
 

@@ -21,6 +21,9 @@ struct SeamPoint {
     bool overlap = false; ///< one side lies on the other's material rather than apart from it
 };
 
+/// degrees; error of an angle between two evaluated normals.
+constexpr double angle_rounding = 1e-10;
+
 /// Evaluates a seam on its exact geometry.
 class SeamProbe {
 public:
