@@ -6,7 +6,7 @@ A property that Keiko does not write is not listed: one that comes new is a faul
 import re
 from urllib.parse import unquote, urlsplit
 
-# RFC 3986: characters that a URI may hold as they are, or a byte by two hexadecimal digits.
+# [RFC3986]: characters that a URI may hold as they are, or a byte by two hexadecimal digits.
 URI = re.compile(r"(?:[A-Za-z0-9\-._~:/?#\[\]@!$&'()*+,;=]|%[0-9A-F]{2})+\Z")
 LEVELS = {"none", "note", "warning", "error"}
 

@@ -7,7 +7,7 @@ NUMBER = r"[-+]?\d+\.\d*(?:[eE][-+]?\d+)?"
 
 
 def real(x: float) -> str:
-    """As ISO 10303-21 has it: a point, and a large E before an exponent."""
+    """As [ISO10303-21] has it: a point, and a large E before an exponent."""
     mantissa, e, exponent = repr(float(x)).partition("e")
     return mantissa + ("" if "." in mantissa else ".") + ("E" + exponent if e else "")
 

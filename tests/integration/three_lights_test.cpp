@@ -8,9 +8,9 @@ namespace {
 
 using namespace test;
 
-/// The closing claim of Nishita and others' paper on linear lights: what is wrong with a surface
-/// shows under parallel tubes. The sizes are a fifth of the smallest that the others show anywhere;
-/// docs/placement.md has the table.
+/// The closing claim of [NishitaTubes]: what is wrong with a surface shows under parallel tubes.
+/// The sizes are a fifth of the smallest that the others show anywhere; docs/placement.md has the
+/// table.
 TEST(ThreeLights, TubesShowDefectsEverywhereThatOthersShowNowhere) {
     const LightTrial trial(standard_materials().front(), 300);
     for (const auto& [defect, size] :

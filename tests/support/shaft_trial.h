@@ -14,7 +14,7 @@ namespace keiko::test {
 /// Where marching puts its steps.
 enum class Marching {
     even,        ///< evenly along the ray
-    equi_angular ///< evenly in the angle at the lamp (Kulla and Fajardo 2012)
+    equi_angular ///< evenly in the angle at the lamp [KullaFajardo2012]
 };
 
 /// Bodies under sharp spotlights in even fog, whose shafts can be had in two ways: as pictures have

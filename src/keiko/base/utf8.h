@@ -6,7 +6,7 @@
 namespace keiko {
 
 /// Length in bytes of the UTF-8 sequence at the front of a text that is not empty, or 0 where there
-/// is none (RFC 3629: no overlong ones, no surrogates) or XML does not allow its character.
+/// is none ([RFC3629]: no overlong ones, no surrogates) or XML does not allow its character.
 std::size_t utf8_length(std::string_view text);
 
 /// The character of a UTF-8 sequence, as utf8_length has found it.

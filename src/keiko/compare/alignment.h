@@ -22,11 +22,11 @@ struct AlignmentOptions {
 };
 
 /// Least squares over places spread evenly on the body: Gauss and Newton's iteration on their exact
-/// distances to the other (iterated closest points with tangent planes, Chen and Medioni 1992).
-/// Borders weigh a thousandth: they settle only what the surfaces leave free. It starts from the
-/// best of where the body is, its centre on the other's, and the four turns that lay principal axes
-/// on each other, each tried on samples first. The same for any number of threads. Reports stage
-/// "align". Throws Cancelled.
+/// distances to the other (iterated closest points with tangent planes [ChenMedioni1992]). Borders
+/// weigh a thousandth: they settle only what the surfaces leave free. It starts from the best of
+/// where the body is, its centre on the other's, and the four turns that lay principal axes on each
+/// other, each tried on samples first. The same for any number of threads. Reports stage "align".
+/// Throws Cancelled.
 Alignment align_bodies(const SurfaceFeet& body, const SurfaceFeet& other,
                        const AlignmentOptions& options = {}, const Job& job = {});
 

@@ -6,8 +6,8 @@
 
 namespace keiko {
 
-/// From luminance to display (physics 10). Linear by default: a local or curved mapping would
-/// hide what stripes are judged by.
+/// Exposure and curve by which luminance becomes a picture (docs/theory/tone-mapping.md). Linear by
+/// default: a local or curved mapping would hide what stripes are judged by.
 struct ToneMapping {
     enum class Curve { linear, logarithmic, reinhard };
     Curve curve = Curve::linear;
@@ -15,13 +15,15 @@ struct ToneMapping {
     double white = 4;         ///< Reinhard: multiple of the exposure that becomes white
 };
 
-/// sRGB transfer function of a linear value, clamped to [0, 1].
+/// sRGB transfer function [IEC61966-2-1] of a linear value, clamped to [0, 1].
 double srgb_oetf(double linear);
 
-/// Luminance in cd/m2 that an exposure of `ev` shows as 1: 1.2 * 2^EV (ISO saturation).
+/// Luminance in cd/m2 that an exposure of `ev` shows as 1: 1.2 * 2^EV (saturation of a camera at
+/// ISO 100 [ISO12232]).
 double saturation_luminance(double ev);
 
-/// Value of x = L / white luminance under Reinhard's curve x (1 + x / w^2) / (1 + x).
+/// Value of x = L / white luminance under the curve x (1 + x / w^2) / (1 + x) [Reinhard2002, eq.
+/// 4].
 double reinhard(double x, double white);
 
 /// Value of x = L / white luminance under a logarithmic curve log(1 + 100 x) / log 101, which lifts

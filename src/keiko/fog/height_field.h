@@ -21,7 +21,7 @@ struct Wave {
     bool operator==(const Wave&) const = default;
 };
 
-/// The surface z = height + its waves, between the layers of a medium ([002] section 5).
+/// The surface z = height + its waves, between the layers of a medium [NishitaShafts, section 5].
 struct HeightField {
     double height = 0; ///< mm
     std::vector<Wave> waves{};

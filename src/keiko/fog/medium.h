@@ -43,8 +43,8 @@ struct Medium {
     Rgb ambient{0};        ///< cd/m2 that an infinite depth of it shows
     PhaseFunction phase{}; ///< even, unless told
     Density density{};
-    /// Whether light is dimmed on its way from a lamp to where it is scattered; [000] leaves that
-    /// out indoors.
+    /// Whether light is dimmed on its way from a lamp to where it is scattered; [NishitaSpots, eq.
+    /// 18] leaves that out indoors.
     bool dims_light_leg = true;
     ScatteringRule rule = ScatteringRule::gauss;
 };

@@ -11,8 +11,8 @@ namespace keiko {
 /// Extinction in 1/m at a point.
 Rgb extinction_at(const Medium& medium, const Vec3& point);
 
-/// The integral of the extinction along a segment, by channel; exact up to rounding (physics 8.7,
-/// 8.8).
+/// The integral of the extinction along a segment, by channel; exact up to rounding
+/// (docs/theory/fog.md#layers, docs/theory/fog.md#grids).
 Rgb optical_depth(const Medium& medium, const Segment& segment);
 
 /// Parameters of the segment, rising, between which the extinction along it is smooth.

@@ -7,8 +7,8 @@
 
 namespace keiko {
 
-/// Densities on the nodes of a grid that fills a box, trilinear between them, 0 outside (physics
-/// 8.8).
+/// Densities on the nodes of a grid that fills a box, trilinear between them, 0 outside
+/// (docs/theory/fog.md#grids).
 class VoxelDensity {
 public:
     /// The first and the last nodes lie at the corners `low` and `high`, mm. Requires at least two

@@ -23,7 +23,8 @@ Vec3 window_normal(const Window& window);
 std::optional<double> way_from_window(const Window& window, const Vec3& direction,
                                       const Vec3& point);
 
-/// Parts of a segment in the prism that parallel light fills behind a window (physics 8.4).
+/// Parts of a segment in the prism that parallel light fills behind a window
+/// (docs/theory/fog.md#lit-parts).
 IntervalSet in_window_beam(const Window& window, const Vec3& direction, const Segment& segment);
 
 /// Parallel light behind a window, as the medium sees it.
@@ -34,8 +35,8 @@ struct ParallelBeam {
 };
 
 /// Luminance in cd/m2 that the beam, scattered once in the `lit` parts of an eye ray, adds at the
-/// eye, dimmed from the window on. In closed form where the medium is even (physics 8.6), else by
-/// Gauss quadrature refined to `tolerance`.
+/// eye, dimmed from the window on. In closed form where the medium is uniform
+/// (docs/theory/fog.md#the-integral), else by Gauss quadrature refined to `tolerance`.
 Rgb scattered_light(const DimmedRay& eye_ray, const IntervalSet& lit, const ParallelBeam& beam,
                     double tolerance = 1e-8);
 

@@ -18,7 +18,7 @@ constexpr std::array criteria{
               "Angle between the surface normals on the two sides of a seam (G1)."},
     Criterion{"G-SU-NS", "g2_discontinuity_between_adjacent_faces", "curvature",
               "Mismatch of the normal curvatures across a seam (G2)."},
-    // Neither SASIG nor ISO 10303-59 names a check of G3.
+    // Neither [SASIG-PDQ] nor [ISO10303-59] names a check of G3.
     Criterion{"KEIKO-G3", "", "curvature_slope",
               "Change of the slope of the normal curvature across a seam (G3)."},
     Criterion{"KEIKO-RUN-OUT", "", "fading",

@@ -12,8 +12,8 @@ namespace keiko {
 
 /// What surfaces are held to, and its names.
 struct Criterion {
-    std::string_view code;        ///< SASIG / VDA 4955, e.g. "G-SU-LG", or Keiko's own: "KEIKO-..."
-    std::string_view rule;        ///< ISO 10303-59 name, or empty
+    std::string_view code;        ///< [SASIG-PDQ], [VDA4955]: "G-SU-LG"; Keiko's own: "KEIKO-..."
+    std::string_view rule;        ///< name in [ISO10303-59], or empty
     std::string_view quantity;    ///< "gap", "angle", "curvature", "curvature_slope", ...
     std::string_view description; ///< one sentence
 };

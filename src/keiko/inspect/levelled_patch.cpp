@@ -30,8 +30,7 @@ double evening_ratio(const BezierPatchView& patch, bool along_u) {
 }
 
 /// The patch by parameters that run more evenly: r u / (1 + (r - 1) u) for u moves no point of it
-/// off the surface and multiplies control points by powers of r (Patterson, Projective
-/// transformations of the parameter of a Bernstein-Bezier curve, 1985).
+/// off the surface and multiplies control points by powers of r [Patterson1985].
 std::vector<Vec4> evened(const BezierPatchView& patch) {
     std::vector<Vec4> points(patch.points.begin(), patch.points.end());
     if (!patch.rational()) return points;

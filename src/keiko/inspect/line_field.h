@@ -12,8 +12,8 @@ namespace keiko {
 /// Which curves on a surface are looked at.
 enum class LineLook {
     reflection, ///< where the mirrored eye ray meets a line of the C-plane
-    highlight, ///< where the surface's normal meets it (Beier and Chen 1994); the same for all eyes
-    isophote   ///< where the normal keeps an angle to the C-plane's normal
+    highlight,  ///< where the surface's normal meets it [BeierChen1994]; the same for all eyes
+    isophote    ///< where the normal keeps an angle to the C-plane's normal
 };
 std::string_view name_of(LineLook look);
 

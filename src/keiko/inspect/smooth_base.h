@@ -18,8 +18,8 @@ enum class BaseKind { flat, bent };
 
 /// The form under a dent: a polynomial of total degree 4 over the plane that goes by most heights;
 /// those that lie off the others by far do not count. By iteratively reweighted least squares,
-/// first to the smallest sum of distances, then with Tukey's biweight (Holland and Welsch 1977), as
-/// ISO 16610-31 does for profiles.
+/// first to the smallest sum of distances, then with Tukey's biweight [HollandWelsch1977], as
+/// [ISO16610-31] does for profiles.
 class SmoothBase {
 public:
     static constexpr std::size_t term_count = 15;

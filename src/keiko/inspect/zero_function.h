@@ -14,8 +14,8 @@ public:
     virtual double operator()(const Vec2& uv) const = 0;
     virtual LinePoint point(const Vec2& uv) const = 0;
 
-    /// Between two places of opposite sign, by the Illinois form of the secant rule (Dowell and
-    /// Jarratt 1971), which keeps the root between its ends; halving where that is slow.
+    /// Between two places of opposite sign, by the Illinois form of the secant rule
+    /// [DowellJarratt1971], which keeps the root between its ends; halving where that is slow.
     Vec2 root(Vec2 a, double at_a, Vec2 b, double at_b) const;
 
     /// A point of the line between two others near each other on it, beside the given share of

@@ -18,8 +18,8 @@ struct IntensityColumns {
 /// from 0 to 90, 180 or at most 360, and no value may be negative.
 std::string table_fault(const IntensityColumns& columns);
 
-/// The table, its poles evened out over phi (physics 7.7), unfolded from the planes up to 90 or
-/// 180 degrees by mirroring. Requires that there is no fault.
+/// The table, its poles replaced by their mean over phi (docs/theory/spotlights.md#tables),
+/// unfolded from the planes up to 90 or 180 degrees by mirroring. Requires that there is no fault.
 IntensityTable intensity_table(IntensityColumns columns, TableInterpolation interpolation);
 
 /// Reads a CSV file: `theta` and the angles phi in the first row, an angle theta and its values in

@@ -15,11 +15,13 @@ bool is_luminaire_file(const std::filesystem::path& path);
 /// file, line and reason where it breaks its format.
 PhotometricWeb read_luminaire(const std::filesystem::path& path);
 
-/// IES LM-63 of 1986 to 2019 (physics 7.8). A lamp's factors for a tilted luminaire (TILT=) are
-/// read, from a file beside `source` where the text names one, and the one for no tilt applied.
+/// Reads IES LM-63 of 1986 to 2019 [LM-63] (docs/theory/spotlights.md#luminaire-files). A lamp's
+/// factors for a tilted luminaire (TILT=) are read, from a file beside `source` where the text
+/// names one, and the one for no tilt applied.
 PhotometricWeb parse_ies(std::string_view text, const std::filesystem::path& source);
 
-/// EULUMDAT (physics 7.9). Of several sets of lamps, which are alternatives, the first counts.
+/// Reads EULUMDAT [EULUMDAT] (docs/theory/spotlights.md#luminaire-files). Of several sets of lamps,
+/// which are alternatives, the first counts.
 PhotometricWeb parse_eulumdat(std::string_view text, const std::filesystem::path& source);
 
 } // namespace keiko

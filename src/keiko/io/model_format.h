@@ -7,7 +7,7 @@ namespace keiko {
 
 /// Kinds of model files, told apart by their content, never by their name.
 enum class ModelFormat {
-    step,   ///< ISO 10303-21
+    step,   ///< [ISO10303-21]
     iges,   ///< 80-column IGES
     brep,   ///< OpenCASCADE's text BREP
     bezier, ///< .bpt: a count, then degrees and control points of each patch

@@ -107,7 +107,8 @@ const char* fault_of(std::string_view word, const NumberStyle& style) {
                 (entity.empty() ? "" : "entity " + entity + ": ") + shortened(word) + reason);
 }
 
-/// ISO 10303-21: entities "#12 = NAME(...);", texts in ', binaries in ", comments as in C.
+/// Walk through the numbers of a STEP file [ISO10303-21]: entities "#12 = NAME(...);", texts in ',
+/// binaries in ", comments as in C.
 class StepWalk {
 public:
     StepWalk(std::string_view text, const std::string& source) : text_(text), source_(source) {}
@@ -168,8 +169,9 @@ private:
     std::string_view entity_; ///< "#12"
 };
 
-/// IGES 5.3, 2.2.4: lines of 80 columns. Those of parameters hold P in column 73 and before it the
-/// directory entry of their entity; texts, "5Hhello", run on over lines.
+/// Walk through the numbers of an IGES file [IGES5.3, section 2.2.4]: lines of 80 columns. Those of
+/// parameters hold P in column 73 and before it the directory entry of their entity; texts,
+/// "5Hhello", run on over lines.
 class IgesWalk {
 public:
     explicit IgesWalk(const std::string& source) : source_(source) {}

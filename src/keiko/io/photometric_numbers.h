@@ -29,8 +29,8 @@ struct PhotometricPlace {
 void require_ascending(const PhotometricPlace& place, const std::vector<double>& degrees,
                        double low, double high, const char* wanted);
 
-/// What the C planes of a table stand for, by the first and the last; none where no symmetry
-/// completes them to a full turn (physics 7.8).
+/// Symmetry of the C planes of a table, by the first and the last; none where no symmetry completes
+/// them to a full turn (docs/theory/spotlights.md#luminaire-files).
 std::optional<PlaneSymmetry> symmetry_of_planes(const std::vector<double>& degrees);
 
 } // namespace keiko

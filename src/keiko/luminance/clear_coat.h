@@ -8,8 +8,9 @@
 
 namespace keiko {
 
-/// Matt paint under a clear coat of index `n` >= 1 (physics 5.7): light that enters is refracted,
-/// scattered by the base and partly thrown back by the coat from within.
+/// Diffuse paint under a clear coat of index `n` >= 1
+/// (docs/theory/luminance.md#coats-flakes-metals): light that enters is refracted, scattered by the
+/// base and partly thrown back by the coat from within.
 class ClearCoat {
 public:
     /// Under a smooth coat.

@@ -4,7 +4,8 @@
 
 namespace keiko {
 
-/// What shows of layers one behind the other, taken from the front to the back (physics 9.10).
+/// Sum of layers one behind the other, taken from the front to the back: the operator over
+/// [PorterDuff1984] (docs/theory/luminance.md#rows-behind-each-other).
 struct FrontToBack {
     Rgb light;          ///< of the layers so far
     double opacity = 0; ///< of all of them, 0 to 1

@@ -2,14 +2,14 @@
 
 namespace keiko {
 
-/// How the light of a glossy surface is spread (physics 5.2). The `width` of each is its parameter
-/// as the papers write it.
+/// Distribution of the reflected light of a glossy surface (docs/theory/luminance.md#lobes). The
+/// `width` of each is its parameter as the papers write it.
 enum class DistributionKind {
     phong,            ///< n: cos^n of the angle to the mirror direction
     blinn,            ///< n: cos^n of the angle between normal and half vector
     gauss,            ///< m: exp(-(alpha / m)^2)
     trowbridge_reitz, ///< c: ellipsoids, the GGX of later papers
-    beckmann          ///< m: rms slope, Cook and Torrance's
+    beckmann          ///< m: rms slope, as in [CookTorrance1982]
 };
 
 /// A distribution with its parameter, above 0.

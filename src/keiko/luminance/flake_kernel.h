@@ -13,7 +13,7 @@ struct Flakes {
 };
 
 /// The luminance that flakes send to one eye, as GlossKernel tells that of a border; what the coat
-/// mirrors on either way is taken off (physics 5.7, eq. (5.3)).
+/// mirrors on either way is taken off (docs/theory/luminance.md#coats-flakes-metals).
 class FlakeKernel {
 public:
     FlakeKernel(const Flakes& flakes, const Vec3& normal, const Vec3& eye);

@@ -11,7 +11,8 @@ double square(double x) {
     return x * x;
 }
 
-/// Walsh's closed form, n > 1 (physics 5.4); loses digits like 1e-16 / (n - 1)^3.
+/// Closed form of the mean [Walsh1926], n > 1 (docs/theory/luminance.md#fresnel-reflectance); loses
+/// digits like 1e-16 / (n - 1)^3.
 double walsh_mean(double n) {
     const double n2 = n * n, n4 = n2 * n2;
     return 0.5 + (n - 1) * (3 * n + 1) / (6 * square(n + 1)) +

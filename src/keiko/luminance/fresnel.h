@@ -4,7 +4,7 @@ namespace keiko {
 
 /// Unpolarised reflectance, 0 to 1, of a smooth border between dielectrics. `cosine` >= 0 belongs
 /// to the angle of incidence, `n` > 0 is the index behind the border over the one before it; 1
-/// where the reflection is total. Physics 5.4 ([004], Cook and Torrance 1982).
+/// where the reflection is total [CookTorrance1982] (docs/theory/luminance.md#fresnel-reflectance).
 double fresnel_dielectric(double cosine, double n);
 
 /// Unpolarised reflectance, 0 to 1, of a metal with complex index n + ik seen from air.

@@ -7,14 +7,14 @@
 
 namespace keiko {
 
-/// How a distribution becomes reflected light (physics 5.3).
+/// Rule by which a distribution becomes reflected light (docs/theory/luminance.md#lobes).
 enum class GlossMode {
-    lobe, ///< [003]: a lobe of integral 1, times the reflectance at the angle of view
-    brdf  ///< [004], Cook and Torrance: D G F / (4 N.V), with what facets shade of each other
+    lobe, ///< [NishitaTubes]: a lobe of integral 1, times the reflectance at the angle of view
+    brdf  ///< [CookTorrance1982]: D G F / (4 N.V), with what facets shade of each other
 };
 
-/// Facets that hide each other: the V-shaped cavities of Cook and Torrance, or Smith's heights,
-/// which belong to Trowbridge and Reitz.
+/// Facets that hide each other: V-shaped cavities [CookTorrance1982], or the correlated heights
+/// [Smith1967], [Heitz2014] that belong to Trowbridge and Reitz.
 enum class Shadowing { none, cavities, smith };
 
 /// Reflection at a rough border.

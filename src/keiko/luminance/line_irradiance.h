@@ -16,7 +16,8 @@ LinePiece above_horizon(const LinePiece& piece);
 
 /// Integral of (N.w) cos(angle to the perpendicular) / r^2 along a piece that lies above the
 /// horizon, one over the unit of length: times the intensity per length across the line [cd/m] the
-/// illuminance of a thin matt tube (eq. (2.4) of physics 2.3, to 1e-11; [004]'s line source).
+/// illuminance of a thin diffuse tube, to 1e-11: the line source of [Nishita1985]
+/// (docs/theory/luminance.md#the-ladder-of-approximations).
 double cosine_line_integral(const LinePiece& piece);
 
 /// The same of (N.w) / r^2: a line that shines evenly in all directions.

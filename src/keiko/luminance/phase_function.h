@@ -6,14 +6,14 @@
 
 namespace keiko {
 
-/// 1 + k cos^16(gamma / 2), k >= 0, as [002] has it for fog; k = 0 scatters evenly.
+/// Phase function 1 + k cos^16(gamma / 2), k >= 0, of fog [NishitaShafts]; k = 0 scatters evenly.
 struct HazePhase {
     double k = 0;
 
     bool operator==(const HazePhase&) const = default;
 };
 
-/// The phase function of Henyey and Greenstein.
+/// Phase function of [HenyeyGreenstein1941].
 struct HenyeyGreenstein {
     double g = 0; ///< mean cosine, above -1 and below 1; positive: forwards
 
@@ -23,8 +23,8 @@ struct HenyeyGreenstein {
 /// How a medium spreads the light that it scatters over the angle gamma of deviation.
 using PhaseFunction = std::variant<HazePhase, HenyeyGreenstein>;
 
-/// 1/sr, with an integral of 1 over all directions (physics 8.3). `cosine` is that of gamma: 1 is
-/// straight on.
+/// Phase function in 1/sr, with an integral of 1 over all directions
+/// (docs/theory/fog.md#phase-functions). `cosine` is that of gamma: 1 is straight on.
 inline double phase(const HazePhase& haze, double cosine) {
     const double cos2 = (1 + cosine) / 2, cos4 = cos2 * cos2, cos8 = cos4 * cos4;
     return (1 + haze.k * cos8 * cos8) / (4 * std::numbers::pi * (1 + haze.k / 9));

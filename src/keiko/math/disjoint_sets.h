@@ -8,7 +8,7 @@
 namespace keiko {
 
 /// Sets of the numbers 0 to count - 1, each by itself at first (union by the lower number, with
-/// path halving; Tarjan 1975).
+/// path halving) [Tarjan1975].
 class DisjointSets {
 public:
     explicit DisjointSets(std::size_t count) : parents_(count) {

@@ -8,8 +8,8 @@ namespace keiko {
 
 /// A function of (u, v) with its first derivatives at a place (T = double) or their ranges over a
 /// box (T = Interval); Jet<Jet<T>> has the second derivatives too. Arithmetic is that of
-/// forward-mode differentiation (Griewank and Walther 2008, section 3.1), so a formula written once
-/// gives values, derivatives and bounds.
+/// forward-mode differentiation [GriewankWalther2008, section 3.1], so a formula written once gives
+/// values, derivatives and bounds.
 template <class T>
 struct Jet {
     T f{}, u{}, v{};

@@ -15,8 +15,8 @@ struct PairedSum {
     double apart() const { return largest_part(fine - coarse); }
 };
 
-/// Integral of f over [a, b] by Gauss's rule of 4 nodes and by Kronrod's of 9, which has these
-/// among its own: exact for polynomials of degrees 7 and 13.
+/// Integral of f over [a, b] by Gauss's rule of 4 nodes and by Kronrod's of 9 [Kronrod1965], which
+/// has these among its own: exact for polynomials of degrees 7 and 13.
 template <class F>
 auto paired_panel(const F& f, double a, double b) {
     struct Node {

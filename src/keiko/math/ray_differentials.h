@@ -5,7 +5,7 @@
 namespace keiko {
 
 /// How a ray changes with the picture's x and y, per pixel: derivatives of its origin (mm) and of
-/// its direction (Igehy, "Tracing Ray Differentials", 1999).
+/// its direction [Igehy1999].
 struct RayDifferentials {
     Vec3 origin_dx{0}, origin_dy{0};
     Vec3 direction_dx{0}, direction_dy{0};

@@ -4,7 +4,7 @@
 
 namespace keiko {
 
-/// Three linear channels with Rec. 709 primaries, scaled so that luminance(rgb) is the
+/// Three linear channels with Rec. 709 primaries [BT.709], scaled so that luminance(rgb) is the
 /// photometric quantity itself (cd/m2, lx, cd). A colour without unit multiplies one.
 struct Rgb {
     double r = 0, g = 0, b = 0;

@@ -6,8 +6,8 @@
 namespace keiko {
 
 /// A function over [-1, 1]^2 as a polynomial of total degree 3 and how far it may be off from that
-/// anywhere, rounding included: a Taylor model (Makino and Berz, Taylor models and other validated
-/// functional inclusion methods, 2003). Unlike in intervals, what cancels stays cancelled.
+/// anywhere, rounding included: a Taylor model [MakinoBerz2003]. Unlike in intervals, what cancels
+/// stays cancelled.
 struct TaylorModel {
     static constexpr std::size_t count = 10;
     /// Of 1; x, y; xx, xy, yy; xxx, xxy, xyy, yyy.

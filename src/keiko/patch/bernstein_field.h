@@ -9,9 +9,9 @@
 
 namespace keiko {
 
-/// A polynomial over [0, 1]^2 by its Bernstein coefficients, whose hull holds its values (Farouki
-/// and Rajan, Algorithms for polynomials in Bernstein form, 1988). Degrees are not limited to those
-/// of patches. Keeps how far each coefficient may be off by rounding.
+/// A polynomial over [0, 1]^2 by its Bernstein coefficients, whose hull holds its values
+/// [FaroukiRajan1988]. Degrees are not limited to those of patches. Keeps how far each coefficient
+/// may be off by rounding.
 class BernsteinField {
 public:
     BernsteinField() : BernsteinField(0, 0, {0.0}, 0) {}

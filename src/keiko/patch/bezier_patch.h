@@ -39,7 +39,7 @@ struct SurfaceDerivatives {
 };
 
 /// All derivatives with k + l <= order (0 to 3); rational ones by the quotient rule
-/// (Piegl & Tiller, The NURBS Book, A4.4). The other entries are 0.
+/// [PieglTiller1997, algorithm A4.4]. The other entries are 0.
 SurfaceDerivatives evaluate(const BezierPatchView& patch, const Vec2& uv, int order);
 
 /// Box of the control points, which holds the patch where all weights are positive.

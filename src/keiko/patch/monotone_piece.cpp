@@ -158,7 +158,7 @@ bool MonotonePiece::may_touch(const Box2& box) const {
 Vec2 MonotonePiece::point(double t) const {
     const std::size_t n = points_.size() - 1;
     if (n == 1) return projected(points_[0] * (1 - t) + points_[1] * t);
-    // Horner's scheme for the Bernstein form, as in Farin's "hornbez".
+    // Horner's scheme for the Bernstein form, as in "hornbez" of [Farin2002].
     const double s = 1 - t;
     double power = 1;
     Vec3 sum = points_[0] * s;
@@ -175,8 +175,8 @@ MonotonePiece::Bracket MonotonePiece::bracket(double y, double x) const {
     double fa = first_.y - y, fb = last_.y - y;
     if (std::abs(fa) <= noise) return {0, 0, first_, first_};
     if (std::abs(fb) <= noise) return {1, 1, last_, last_};
-    // Regula falsi with the Illinois weight (Dowell & Jarratt 1971); a bisection now and then
-    // bounds the worst case.
+    // Regula falsi with the Illinois weight [DowellJarratt1971]; a bisection now and then bounds
+    // the worst case.
     for (int step = 0; step < 100; ++step) {
         const auto [low, high] = std::minmax(found.at_a.x, found.at_b.x);
         if (x < low || x > high) break;

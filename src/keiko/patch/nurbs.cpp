@@ -5,7 +5,7 @@
 namespace keiko {
 namespace {
 
-/// Inserts `knot`, which lies in the valid domain, once (Boehm 1980).
+/// Inserts `knot`, which lies in the valid domain, once [Boehm1980].
 template <class P>
 void insert_knot(NurbsCurve<P>& curve, double knot) {
     auto& knots = curve.knots;

@@ -22,9 +22,9 @@ struct BezierSpan {
     std::vector<P> points; ///< degree + 1
 };
 
-/// Splits a B-spline curve into its Bezier segments by knot insertion (Boehm 1980);
-/// neighbouring segments share their end point bit for bit. Works on the knots from
-/// knots[degree] to knots[points.size()], the valid domain of clamped and unclamped curves.
+/// Splits a B-spline curve into its Bezier segments by knot insertion [Boehm1980]; neighbouring
+/// segments share their end point bit for bit. Works on the knots from knots[degree] to
+/// knots[points.size()], the valid domain of clamped and unclamped curves.
 template <class P>
 std::vector<BezierSpan<P>> bezier_spans(NurbsCurve<P> curve);
 

@@ -45,7 +45,7 @@ Box2 quantile_range(std::span<const WeightedPlace> places) {
     return range;
 }
 
-/// Sums over rectangles of cells in constant time (Crow 1984).
+/// Sums over rectangles of cells in constant time [Crow1984].
 class SummedArea {
 public:
     explicit SummedArea(const HitHistogram& h) : width_(h.width()) {

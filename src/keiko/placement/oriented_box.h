@@ -18,7 +18,7 @@ OrientedBox oriented(const Box3& box);
 /// The room that the lamps of a C-plane take.
 OrientedBox oriented(const CPlane& plane);
 
-/// Whether two boxes have a point in common (separating axes; Gottschalk, Lin and Manocha 1996).
+/// Whether two boxes have a point in common (separating axes [Gottschalk1996]).
 bool overlap(const OrientedBox& a, const OrientedBox& b);
 
 } // namespace keiko

@@ -13,7 +13,7 @@ namespace keiko {
 /// What a place in the picture counts.
 enum class SampleWeight {
     solid_angle, ///< the solid angle it covers
-    pixels       ///< every pixel the same, as in Nishita and others' paper
+    pixels       ///< every pixel the same, as in [NishitaTubes]
 };
 
 /// A place of a picture that sees the surface, and what it mirrors.

@@ -5,7 +5,7 @@
 
 namespace keiko {
 
-/// RFC 4648 text of bytes, padded, in one line.
+/// Base64 text of bytes [RFC4648], padded, in one line.
 std::string base64(std::string_view bytes);
 
 } // namespace keiko

@@ -12,10 +12,9 @@ namespace keiko {
 /// Results that GitHub takes in one run; it refuses a file with more.
 constexpr std::size_t most_sarif_results = 25'000;
 
-/// The findings as a SARIF 2.1.0 log (OASIS standard), for tools that show those of static
-/// analysers: one rule a criterion, one result a finding. A failure is an error; what cannot be
-/// distinguished from its limit is a warning, `properties.verdict` undecided; a lost face is an
-/// error of the run.
+/// The findings as a SARIF 2.1.0 log [SARIF], for tools that show those of static analysers: one
+/// rule a criterion, one result a finding. A failure is an error; what cannot be distinguished from
+/// its limit is a warning, `properties.verdict` undecided; a lost face is an error of the run.
 ///
 /// `files` are those of the model in the order of FaceFacts::file. A result stands in the file of
 /// its first face, on the line of the face's entity or else on line 1, and names the second face as

@@ -23,7 +23,7 @@ struct SarifPlace {
 /// file.
 std::vector<SarifPlace> places_of(const Check& check, const Inspection& inspection);
 
-/// SARIF artifactLocation of a file: a percent-encoded relative reference (RFC 3986), to the base
+/// SARIF artifactLocation of a file: a percent-encoded relative reference [RFC3986], to the base
 /// `ROOT` where the path is absolute.
 Json artifact_location(const std::filesystem::path& file, std::size_t index);
 

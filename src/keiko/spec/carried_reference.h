@@ -7,8 +7,9 @@
 namespace keiko {
 
 /// The direction of phi = 0 of a lamp whose axis has turned through `ways`, from one to the next in
-/// a plane: carried along by parallel transport (physics 7.10), so that the pattern does not flip
-/// where the axis passes `reference`. Unit. `ways`: at least one, none of no length.
+/// a plane: carried along by parallel transport (docs/theory/spotlights.md#moving-axes), so that
+/// the pattern does not flip where the axis passes `reference`. Unit. `ways`: at least one, none of
+/// no length.
 Vec3 carried_reference(const Vec3& reference, std::span<const Vec3> ways);
 
 } // namespace keiko

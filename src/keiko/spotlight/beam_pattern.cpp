@@ -17,7 +17,7 @@ double triangle_wave(double x, double period) {
     return std::abs(2 * place - 1);
 }
 
-/// [000] eq. (10) of such a wave.
+/// k of such a wave [NishitaSpots, eq. 10].
 double k_of(double wave, double q) {
     return std::max(q + (1 - q) * wave, 0.0);
 }

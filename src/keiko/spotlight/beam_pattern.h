@@ -7,7 +7,8 @@
 
 namespace keiko {
 
-/// [000] eq. (11): k(phi), bright at multiples of 360 degrees / count, dark between them.
+/// Petals k(phi) [NishitaSpots, eq. 11], bright at multiples of 360 degrees / count, dark between
+/// them.
 struct Petals {
     int count = 12;
     double q = 0; ///< below 1: their least brightness, where it is not negative; less: narrower
@@ -15,9 +16,9 @@ struct Petals {
     bool operator==(const Petals&) const = default;
 };
 
-/// How [000] eq. (12) is taken.
+/// Readings of the polka dots of [NishitaSpots, eq. 12].
 enum class DotReading {
-    centred, ///< each dot is bright in its middle (physics 7.5)
+    centred, ///< each dot is bright in its middle (docs/theory/spotlights.md#patterns)
     rounded, ///< [x] of the paper is the nearest integer: dots about multiples of the periods
     literal  ///< as printed: each dot falls into two opposite quarters
 };
@@ -44,7 +45,7 @@ using BeamPattern = std::variant<std::monostate, Petals, Dots, PhiPolynomial>;
 /// Share of the profile that is left under angles in radians, phi from 0 to 2 pi.
 double pattern_share(const BeamPattern& pattern, double theta, double phi);
 
-/// Mean of k over a period ([000] eq. (10)): (1 + q) / 2, or 1 / (2 (1 - q)) below q = 0.
+/// Mean of k over a period [NishitaSpots, eq. 10]: (1 + q) / 2, or 1 / (2 (1 - q)) below q = 0.
 double mean_of_k(double q);
 
 /// HSV(phi / 360 degrees, 1, 1) as linear colour; phi in radians, 0 to 2 pi.

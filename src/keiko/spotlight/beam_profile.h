@@ -9,10 +9,10 @@
 
 namespace keiko {
 
-/// How the intensity falls off towards the rim of the beam ([000] eqs (4) to (6)).
+/// Falloff of the intensity towards the rim of the beam [NishitaSpots, eq. 4 to 6].
 enum class BeamEdge { sharp, soft, mixed };
 
-/// The papers' edges: with s = (cos theta - cos g) / (1 - cos g), 1, s, or (1 - q) s + q.
+/// Edges of the paper: with s = (cos theta - cos g) / (1 - cos g), 1, s, or (1 - q) s + q.
 struct EdgeProfile {
     BeamEdge edge = BeamEdge::soft;
     double q = 0.5; ///< share of the sharp edge where the edge is mixed
@@ -43,8 +43,9 @@ using BeamProfile = std::variant<EdgeProfile, CosinePower, CosinePolynomial, Tab
 /// Value of the polynomial at x, not below 0.
 double polynomial_value(const CosinePolynomial& polynomial, double x);
 
-/// Of the profile into a direction, with its phi in radians plus what the lamp is spun by, and
-/// `rim` the versine of the beam's half angle there: 0 beyond it (physics 7.2).
+/// Value of the profile into a direction: 0 beyond the rim (docs/theory/spotlights.md#profiles).
+/// `phi` is that of the direction in radians plus the lamp's spin, `rim` the versine of the beam's
+/// half angle there.
 double profile_share(const BeamProfile& profile, const BeamDirection& direction, double phi,
                      double rim);
 

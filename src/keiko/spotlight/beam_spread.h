@@ -32,9 +32,9 @@ struct BeamSpread {
 
 /// Spread of a luminaire's beam in a plane, between its outermost directions with at least `share`
 /// of the largest intensity in that plane. A share of 0.5 gives the beam angle, one of 0.1 the
-/// field angle (ANSI/IES LS-1). The axis is web_axis, or its opposite where the largest intensity
-/// is nearer to that. Directions over 90 degrees from the axis belong to the beam only if the
-/// intensity does not fall below the limit up to them. A larger share never gives a wider spread.
+/// field angle [LS-1]. The axis is web_axis, or its opposite where the largest intensity is nearer
+/// to that. Directions over 90 degrees from the axis belong to the beam only if the intensity does
+/// not fall below the limit up to them. A larger share never gives a wider spread.
 ///
 /// `plane` is a C angle in degrees for type C. Types A and B have 0 (through H at V = 0) and 90
 /// (through V at H = 0). Empty where the plane is dark.

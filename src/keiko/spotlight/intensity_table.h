@@ -4,14 +4,15 @@
 
 namespace keiko {
 
-/// How a table is read between its vertical angles ([000] eqs (7) and (8)); between its planes it
-/// is always linear in the angle.
+/// Interpolation of a table between its vertical angles [NishitaSpots, eq. 7 and 8]; between its
+/// planes it is always linear in the angle.
 enum class TableInterpolation {
     linear, ///< in the angle
     cosine  ///< in its cosine: flat on the axis, as a symmetric lamp is
 };
 
-/// What the planes of a table stand for besides themselves (physics 7.8).
+/// Symmetry by which the planes of a table stand for others
+/// (docs/theory/spotlights.md#luminaire-files).
 enum class PlaneSymmetry {
     none,             ///< the planes go all the way round
     axial,            ///< one plane for all

@@ -8,8 +8,9 @@
 
 namespace keiko {
 
-/// How the angles of a luminaire file name directions (LM-63-2002 section 3; physics 7.8). In the
-/// luminaire's own frame z is up and x is H = 0.
+/// Convention by which the angles of a luminaire file name directions [LM-63, section 3]
+/// (docs/theory/spotlights.md#luminaire-files). In the luminaire's own frame z is up and x is H =
+/// 0.
 enum class PhotometricType {
     a, ///< V: elevation, H: azimuth from x, clockwise; head lamps
     b, ///< V: about the level axis y from straight down, H: towards that axis; floodlights

@@ -14,7 +14,7 @@ template <class T>
 concept PointLight = std::same_as<T, Spotlight> || std::same_as<T, Luminaire>;
 
 /// Illuminance in lx at a `point` that sees the light, on a surface with unit `normal`; 0 from
-/// behind (eq. (7.1)).
+/// behind (docs/theory/spotlights.md#frame-and-illuminance).
 template <PointLight Light>
 Rgb illuminance(const Light& light, const Vec3& point, const Vec3& normal) {
     const Vec3 towards = light.position - point;

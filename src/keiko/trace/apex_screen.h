@@ -27,8 +27,8 @@ struct ScreenBox {
     }
 };
 
-/// The screen of Nishita, Okamura and Nakamae 1985: the apex is the eye, parallel segments are the
-/// scan lines, across = constant. Places are slopes x / z along and y / z across, z being the depth
+/// Screen of a scan-line search [Nishita1985]: the apex is the eye, parallel segments are the scan
+/// lines, across = constant. Places are slopes x / z along and y / z across, z being the depth
 /// towards the segments; parallel light projects along itself instead, in mm. Then planes through
 /// the apex and a segment are lines of the screen.
 class ApexScreen {

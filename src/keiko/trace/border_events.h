@@ -10,7 +10,8 @@
 namespace keiko {
 
 /// Appends the events at which a border, seen from the apex of `plane`, crosses its segment: the
-/// zeros of m.(C(t) - P) (physics 4.3). `regions` are those of the model's faces.
+/// zeros of m.(C(t) - P) (docs/theory/visibility.md#events). `regions` are those of the model's
+/// faces.
 void find_border_events(const BorderPiece& border, std::span<const TrimRegion> regions,
                         const SegmentPlane& plane, std::vector<VisibilityEvent>& events);
 

@@ -18,7 +18,7 @@ constexpr double widest_turn = 0.4;
 constexpr double most_inward_error = 0.03;
 constexpr int most_halvings_for_inward = 3;
 
-/// The curve of degree 5 with these ends, over an interval of length h (Farin 2002, section 7.6).
+/// The curve of degree 5 with these ends, over an interval of length h [Farin2002, section 7.6].
 std::array<Vec3, BorderPiece::points> hermite(const SurfaceCurve::Point& a,
                                               const SurfaceCurve::Point& b, double h) {
     const Vec3 a1 = a.position + a.first * (h / 5), b1 = b.position - b.first * (h / 5);

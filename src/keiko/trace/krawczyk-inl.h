@@ -22,9 +22,9 @@ struct NarrowedBoxes {
     hn::Mask<D> left, single, root, poor;
 };
 
-/// A step of Krawczyk's method in a vector of boxes: in a box around z of half size r, with J the
-/// Jacobian at z, every root is within J^-1 (K r^2 / 2 + noise) of Newton's z - J^-1 F(z); where
-/// |J^-1| K r is below 1 there is at most one.
+/// Step of Krawczyk's method [Krawczyk1969] in a vector of boxes: in a box around z of half size r,
+/// with J the Jacobian at z, every root is within J^-1 (K r^2 / 2 + noise) of Newton's z - J^-1
+/// F(z); where |J^-1| K r is below 1 there is at most one.
 template <class D>
 class KrawczykStep {
     using V = hn::Vec<D>;

@@ -26,9 +26,9 @@ hn::Vec<D> far_below(D d, hn::Vec<D> noise) {
 
 /// Newton's method on F = w X - p w Z - a w and G likewise, clamped to the leaf. With c the
 /// contraction, a root on the leaf is within r = |F| / (1 - c) of the place z, and within 2; with J
-/// the Jacobian at z, m a bound of its inverse, K the bend and s = |J^-1 F(z)| the step, within
-/// m K r^2 / 2 of where the step leads. Hence r <= s + m K r^2 / 2, and where m K r < 1 that leaves
-/// the smaller solution, r <= s (1 + 2 h) with h = m K s <= 1/2 (Kantorovich). No root is on the
+/// the Jacobian at z, m a bound of its inverse, K the bend and s = |J^-1 F(z)| the step, within m K
+/// r^2 / 2 of where the step leads. Hence r <= s + m K r^2 / 2, and where m K r < 1 that leaves the
+/// smaller solution, r <= s (1 + 2 h) with h = m K s <= 1/2 [Kantorovich1948]. No root is on the
 /// leaf when the step leads farther off it than the bound.
 template <class D, class Leaves>
 class Newton {

@@ -155,8 +155,8 @@ void OutlineTurns::follow(const BorderPiece& line, const Part& part, bool fold, 
     follow(line, {high, false, part.ends}, fold, halvings - 1);
 }
 
-/// Across, where a line that runs past the place `along` once does so: false position, after
-/// Illinois.
+/// Across, where a line that runs past the place `along` once does so: false position with the
+/// Illinois weight [DowellJarratt1971].
 double OutlineTurns::where(const BorderPiece& line, const BorderPiece::Curve& curve,
                            double along) const {
     const auto at = [&](double t) { return place(line.center + point_on(curve, t)); };

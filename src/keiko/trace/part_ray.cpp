@@ -23,7 +23,7 @@ PartRay part_ray(const Vec3& origin, const Vec3& direction, double error) {
     ray.origin = origin;
     ray.speed = direction.length();
     ray.direction = direction / ray.speed;
-    // Duff et al. 2017, Building an Orthonormal Basis, Revisited.
+    // Two normals across the direction [Duff2017].
     const Vec3& d = ray.direction;
     const double sign = std::copysign(1.0, d.z), a = -1 / (sign + d.z), b = d.x * d.y * a;
     ray.normal_f = {1 + sign * d.x * d.x * a, sign * b, -sign * d.x};

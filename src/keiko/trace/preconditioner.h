@@ -18,8 +18,8 @@ struct Preconditioned {
 Preconditioned preconditioned(const PlanarNet& net, double slack);
 
 /// Whether the two functions can have at most one common zero in [0, 1]^2: every matrix that the
-/// bounds of the four partial derivatives allow is regular, hence the map is injective (mean
-/// value form, as in Moore & Jones 1977).
+/// bounds of the four partial derivatives allow is regular, hence the map is injective (mean value
+/// form [MooreJones1977]).
 bool at_most_one_root(const Preconditioned& p);
 
 /// Bound of how far the Jacobian is from the identity on [0, 1]^2, in the maximum norm. Below 1 a

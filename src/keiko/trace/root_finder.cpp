@@ -13,7 +13,7 @@ namespace keiko {
 namespace {
 
 /// A clip that leaves more than this share of a range has found several roots, or a tangency:
-/// splitting is quicker (Nishita, Sederberg & Kakimoto 1990, section 3.5).
+/// splitting is quicker [Nishita1990, section 3.5].
 constexpr double poor_clip = 0.8;
 /// Of the domain: no box is split below.
 constexpr double narrowest = 1e-12;

@@ -13,7 +13,7 @@ namespace keiko {
 /// Keeps its buffers between calls; not for two threads at once.
 class RootFinder {
 public:
-    /// `clipping_only`: never proves, only clips, as Nishita, Sederberg & Kakimoto 1990.
+    /// `clipping_only`: never proves, only clips, as [Nishita1990].
     explicit RootFinder(bool clipping_only = false) : clipping_only_(clipping_only) {}
 
     /// `slack` bounds the error of each coefficient. Valid until the next call; in no order.

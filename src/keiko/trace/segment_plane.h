@@ -38,8 +38,8 @@ public:
                 normal_.dot(center - (apex_->infinite() ? a_ : apex_->place()))};
     }
 
-    /// t of the place that x, in the plane, hides (physics (4.1)); nothing when x is not between
-    /// the apex and that place, or that place is not on the segment.
+    /// Parameter t of the place that x, in the plane, hides (docs/theory/visibility.md#events);
+    /// nothing when x is not between the apex and that place, or that place is not on the segment.
     std::optional<double> hidden_by(const Vec3& x) const {
         const Vec3 way = apex_->way_to(x);
         const Vec3 to_a = way.cross(a_ - x), to_b = way.cross(along_);

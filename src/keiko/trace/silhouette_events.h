@@ -8,10 +8,10 @@
 
 namespace keiko {
 
-/// Finds where silhouettes, seen from one apex, hide a segment first or last: common zeros of
-/// m.(S - P) and (S_u x S_v).(S - P) (physics 4.3). Where the two functions are proved to have at
-/// most one on a piece, Newton's method finds it; elsewhere the piece is split until they are, or
-/// until what is left is a single event to within rounding.
+/// Finds where silhouettes, seen from one apex, hide a segment first or last: common zeros of m.(S
+/// - P) and (S_u x S_v).(S - P) (docs/theory/visibility.md#events). Where the two functions are
+/// proved to have at most one on a piece, Newton's method finds it; elsewhere the piece is split
+/// until they are, or until what is left is a single event to within rounding.
 class SilhouetteSolver {
 public:
     SilhouetteSolver(const Silhouettes& silhouettes, const LeafKernels& kernels)

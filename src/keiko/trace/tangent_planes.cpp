@@ -14,8 +14,8 @@ double binomial(std::size_t n, std::size_t k) {
     return value;
 }
 
-/// A polynomial of two variables by its scaled Bernstein coefficients, c_ij C(m, i) C(n, j):
-/// a product is then a plain convolution (Farouki & Rajan 1988).
+/// A polynomial of two variables by its scaled Bernstein coefficients, c_ij C(m, i) C(n, j): a
+/// product is then a plain convolution [FaroukiRajan1988].
 struct Scaled {
     std::size_t rows = 0, columns = 0;
     std::vector<double> c;

@@ -14,8 +14,8 @@ namespace keiko {
 struct TracerOptions {
     /// Compute Hit::second.
     bool second_derivatives = false;
-    /// Pure Bezier clipping without the uniqueness short cut, as Nishita, Sederberg and
-    /// Kakimoto 1990 have it: the second implementation that the default must agree with.
+    /// Pure Bezier clipping without the uniqueness short cut, as in [Nishita1990]: the second
+    /// implementation that the default must agree with.
     bool clipping_only = false;
     /// mm: the widest gap between the borders of two faces that share an edge in which a hit still
     /// counts, flagged as seam, so that sewn faces do not leak; see SeamGap.
@@ -52,12 +52,12 @@ struct FirstHits {
 };
 
 /// Finds where rays meet the trimmed surfaces of a model: sub-patches under Embree, on which roots
-/// are proved and found by Newton's method or, where that fails, by Bezier clipping (Nishita,
-/// Sederberg, Kakimoto 1990); trimmed by the exact p-curves. Immutable after construction; every
-/// query may be called from any thread, and gives the same bits for any thread count, and whatever
-/// rays are asked for together. A ray whose direction is not between 1e-140 and 1e150 long hits
-/// nothing, nor does one from so far off (1e8 times the model's size) that rounding blurs its start
-/// by a four millionth of that size.
+/// are proved and found by Newton's method or, where that fails, by Bezier clipping [Nishita1990];
+/// trimmed by the exact p-curves. Immutable after construction; every query may be called from any
+/// thread, and gives the same bits for any thread count, and whatever rays are asked for together.
+/// A ray whose direction is not between 1e-140 and 1e150 long hits nothing, nor does one from so
+/// far off (1e8 times the model's size) that rounding blurs its start by a four millionth of that
+/// size.
 class Tracer {
 public:
     /// Keeps its own copy of what it needs of `model`. Throws Cancelled, and Error for a placement

@@ -7,7 +7,7 @@
 namespace keiko {
 
 /// Integral of (al cos eta + nz sin eta) cos eta over the elevations [low, high] as far as it is
-/// positive (physics 2.4).
+/// positive (docs/theory/luminance.md#a-tube).
 inline double arc_integral(double al, double nz, double low, double high) {
     const double zenith = std::atan2(nz, al);
     low = std::max(low, zenith - std::numbers::pi / 2);

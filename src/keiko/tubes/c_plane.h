@@ -6,8 +6,8 @@
 
 namespace keiko {
 
-/// The plane that a row of parallel tube lamps hangs on (Nishita's C-plane; not a photometric
-/// C-plane, whose angle is called c_angle). Lamps lie along u and are spaced along v.
+/// The plane that a row of parallel tube lamps hangs on (the C-plane of [NishitaTubes]; not a
+/// photometric C-plane, whose angle is called c_angle). Lamps lie along u and are spaced along v.
 struct CPlane {
     Vec3 origin{0};     ///< corner u = v = 0, mm
     Vec3 u{1000, 0, 0}; ///< edge along the lamps, mm; its length is the lamp length

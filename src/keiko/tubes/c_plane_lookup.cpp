@@ -11,7 +11,8 @@
 namespace keiko {
 namespace {
 
-/// Sine of the angle to the plane below which a ray counts as parallel (physics 3.2).
+/// Sine of the angle to the plane below which a ray counts as parallel
+/// (docs/theory/luminance.md#in-mirrors).
 constexpr double parallel = 1e-12;
 
 /// Stripes are given up, and their mean shown, where a pixel spans more pitches.

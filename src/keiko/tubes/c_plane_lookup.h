@@ -52,11 +52,10 @@ struct StripeLook {
     bool resolved = true; ///< false: over 4 pitches in a pixel; the coverage is the mean
 };
 
-/// Looks the lamps up on the plane (physics 3.2 to 3.4); both sides of it are seen. A point is
-/// met exactly, end caps included; a footprint is integrated in closed form over strips of the
-/// tubes' apparent width up to the images of their rims, or (exact) is the mean over 256 parallel
-/// rays. What lies between the lamps and what stands before them is the
-/// caller's.
+/// Looks the lamps up on the plane (docs/theory/luminance.md#in-mirrors); both sides of it are
+/// visible. A point is met exactly, end caps included; a footprint is integrated in closed form
+/// over strips of the tubes' apparent width up to the images of their rims, or (exact) is the mean
+/// over 256 parallel rays. What lies between the lamps and what stands before them is the caller's.
 StripeLook look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
                    const Footprint& footprint = {}, TubeLook look = TubeLook::tube);
 /// The same where the ray is known to meet the plane at `hit`.

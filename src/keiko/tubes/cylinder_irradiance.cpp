@@ -18,7 +18,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Nodes per smooth piece: 16 reach rounding for d/D up to 1 (physics 2.4).
+/// Nodes per smooth piece: 16 reach rounding for d/D up to 1 (docs/theory/luminance.md#a-tube).
 constexpr int nodes = 16;
 
 /// Outer variables at which the integrand has a kink, with the ends of the range.

@@ -4,11 +4,11 @@
 
 namespace keiko {
 
-/// Projected solid angle in sr of a part of a lamp taken for something flat, clipped by the
-/// tangent plane. The ladder of physics 2.2 and 2.3; TubeModel tells their errors.
+/// Projected solid angle in sr of a part of a lamp taken for something flat, clipped by the tangent
+/// plane. TubeModel states their errors (docs/theory/luminance.md#the-ladder-of-approximations).
 
-/// [003] eq. (1) with its indices corrected. As in the paper, the tangent plane clips the axis
-/// only.
+/// Facing rectangle by [NishitaTubes, eq. 1] with its indices corrected. As in the paper, the
+/// tangent plane clips the axis only.
 double seed_solid_angle(const TubeView& view, const VisiblePart& part);
 
 /// The rectangle through the axis that faces the point, as wide as the lamp.

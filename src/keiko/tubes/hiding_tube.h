@@ -22,7 +22,7 @@ struct HidingTube {
 
 /// Elevations towards the lamp's end b, radians, that tubes nearer than `near` mm take in the
 /// half-plane at the wedge angle `psi`, in any order. The tubes are parallel to the lamp that
-/// `view` shows, of its radius and its ends (physics 2.7).
+/// `view` shows, of its radius and its ends (docs/theory/luminance.md#lamps-that-hide-each-other).
 std::vector<ParameterInterval> hidden_elevations(const TubeView& view,
                                                  std::span<const HidingTube> hiding, double psi,
                                                  double near);

@@ -10,7 +10,8 @@ struct LampRange {
 };
 
 /// Lamps that a cone about the unit direction `axis` from `point` can meet, its half angle in
-/// radians: eq. (5.1) of physics 5.5, all of them where the cone is not bounded by the plane.
+/// radians (docs/theory/luminance.md#lobes); all of them where the cone is not bounded by the
+/// plane.
 LampRange lamps_in_cone(const CPlaneFrame& frame, const Vec3& point, const Vec3& axis,
                         double half_angle);
 

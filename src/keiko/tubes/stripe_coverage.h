@@ -40,7 +40,7 @@ private:
 };
 
 /// Share of a filter centred at v = `center` mm that falls on the comb's strips of `strip_width`
-/// mm, 0 to 1: exact for any filter (the box is eq. (3.2) of physics 3.4). Strips that overlap
+/// mm, 0 to 1: exact for any filter (docs/theory.md#stripes-without-noise). Strips that overlap
 /// count as one.
 double comb_coverage(const CPlaneFrame& frame, double strip_width, double center,
                      const PixelFilter& filter);

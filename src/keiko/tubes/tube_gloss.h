@@ -12,8 +12,8 @@ enum class GlossQuadrature {
 };
 
 /// Integral of a kernel (GlossKernel, FlakeKernel) over the directions to a part of a lamp: times
-/// the lamp's luminance, what the surface sends to the eye. Quadrature in the wedge variables of
-/// physics 5.6, cut about the kernel's peak.
+/// the lamp's luminance, what the surface sends to the eye. Quadrature in wedge angle and elevation
+/// (docs/theory/luminance.md#lobes), cut about the kernel's peak.
 template <class Kernel>
 class TubeGloss {
 public:

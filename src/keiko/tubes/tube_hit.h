@@ -19,8 +19,8 @@ std::optional<TubeHit> nearest_tube(const CPlaneFrame& frame, const Vec3& origin
                                     const Vec3& direction);
 
 /// Width in mm of the strip of the C-plane through which rays of direction `d`, in frame
-/// coordinates, meet an endless tube: eq. (3.1) of physics 3.3; infinite for a direction in the
-/// plane across the lamps.
+/// coordinates, meet an endless tube (docs/theory/luminance.md#in-mirrors); infinite for a
+/// direction in the plane across the lamps.
 double apparent_diameter(const CPlaneFrame& frame, const Vec3& d);
 
 } // namespace keiko

@@ -13,7 +13,8 @@ namespace keiko {
 enum class TubeOutline { lateral, capped, rectangle };
 
 /// A part of a lamp cut by half-planes through the line parallel to its axis through the point, at
-/// wedge angles psi from the direction of the axis towards `sideways` (physics 2.4).
+/// wedge angles psi from the direction of the axis towards `sideways`
+/// (docs/theory/luminance.md#a-tube).
 class TubeSlices {
 public:
     TubeSlices(const TubeView& view, const VisiblePart& part, TubeOutline outline)

@@ -8,8 +8,9 @@
 
 namespace keiko {
 
-/// A lamp as a surface element sees it (physics 2.1): the frame in which every model of the lamp
-/// integrates. Positions along the axis, called x, count in mm from the foot of the point.
+/// A lamp as a surface element sees it (docs/theory/luminance.md#a-tube): the frame in which every
+/// model of the lamp integrates. Positions along the axis, called x, count in mm from the foot of
+/// the point.
 struct TubeView {
     Vec3 along;          ///< unit vector of the axis, a to b
     Vec3 towards;        ///< unit vector from the axis to the point

@@ -17,7 +17,7 @@ TEST(HeightField, SlopesAgreeWithTheBumpsOfTheOracle) {
         const Vec2 slopes = wave.slopes(row.number("in.u"), row.number("in.v"));
         worst.compare(row, slopes.x, row.number("out.hu"), 1e-11);
         worst.compare(row, slopes.y, row.number("out.hv"), 1e-11);
-        // Blinn's normal over any tangents, physics 9.7.
+        // Normal of a bumped surface over any tangents [Blinn1978].
         const Vec3 pu = row.vector("in.Pu"), pv = row.vector("in.Pv"), across = pu.cross(pv);
         const Vec3 n = across.normalized();
         const Vec3 bent =

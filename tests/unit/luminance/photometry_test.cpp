@@ -13,7 +13,7 @@ TEST(Photometry, InverseSquareCountsMetres) {
 }
 
 TEST(Photometry, TubeLuminanceOfADataSheet) {
-    // T8, 36 W: 3350 lm, 26 mm, 1200 mm: 10 900 cd/m2 (physics 2.1).
+    // T8, 36 W: 3350 lm, 26 mm, 1200 mm: 10 900 cd/m2 (docs/theory/luminance.md#a-tube).
     EXPECT_NEAR(tube_luminance(3350, 26, 1200), 10900, 25);
     // Half of the flux per length from twice the diameter is a quarter of the luminance.
     EXPECT_DOUBLE_EQ(tube_luminance(3350, 52, 2400), tube_luminance(3350, 26, 1200) / 4);

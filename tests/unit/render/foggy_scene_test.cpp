@@ -29,7 +29,7 @@ constexpr double tube_length = 2400, tube_radius = 13, spin = 20;
 const Rgb tube_luminance(9000, 8000, 7000);
 
 /// Candela of a file of type C whose planes go from 90 to 270 degrees, the other half mirrored
-/// (LM-63-2002): read and looked up here, without the program.
+/// [LM-63]: read and looked up here, without the program.
 class LanternFile {
 public:
     explicit LanternFile(const char* path) {

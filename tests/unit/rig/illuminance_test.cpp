@@ -53,7 +53,7 @@ struct Sphere {
     }
 };
 
-/// Past a sphere (physics 4.3).
+/// Visibility past a sphere (docs/theory/visibility.md#shadows-in-closed-form).
 class PastSphere final : public Visible {
 public:
     using Visible::intervals;

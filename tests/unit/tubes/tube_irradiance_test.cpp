@@ -24,7 +24,7 @@ double lux(const test::OracleRow& row, TubeModel model,
     return irradiance(lamp_in(row), row.vector("in.P"), row.unit("in.N"), visible, model).g;
 }
 
-/// Spheres that hide parts of a segment (physics 4.3).
+/// Spheres that hide parts of a segment (docs/theory/visibility.md#shadows-in-closed-form).
 class SphereShadows final : public Visible {
 public:
     using Visible::intervals;
@@ -56,8 +56,9 @@ private:
     std::vector<double> spheres_;
 };
 
-/// What of a segment convex quads, 4 corners each, leave of it (physics 4.3): each edge plane
-/// through the apex is one linear inequality in t.
+/// Parts of a segment that convex quads, 4 corners each, leave visible
+/// (docs/theory/visibility.md#shadows-in-closed-form): each edge plane through the apex is one
+/// linear inequality in t.
 IntervalSet lit_by_quads(const Segment& segment, const Vec3& apex,
                          const std::vector<Vec3>& corners) {
     IntervalSet lit = IntervalSet::whole();

@@ -10,7 +10,7 @@ namespace keiko::cad {
 opencascade::handle<StepGeom_CartesianTransformationOperator3d> mapping_operator(
     const opencascade::handle<StepRepr_MappedItem>& item);
 
-/// The operator as ISO 10303-42 defines it (base_axis, cartesian_transformation_operator_3d): it
+/// The operator as [ISO10303-42] defines it (base_axis, cartesian_transformation_operator_3d): it
 /// moves, turns, mirrors and scales. `rigid`, which holds its origin in mm, where its axes or its
 /// scale make no map.
 gp_Trsf whole(const opencascade::handle<StepGeom_CartesianTransformationOperator3d>& mapping,

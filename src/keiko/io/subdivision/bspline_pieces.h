@@ -26,12 +26,11 @@ using SideMask = unsigned;
 /// row of control points beyond them is not looked at, it is the mirror image of the row inside.
 BezierNet bezier_of_spline(SplineNet net, SideMask borders);
 
-/// The pieces of a patch one of whose sides (`crease`, a single bit) runs along an edge of
-/// finite sharpness, with nothing irregular beside it: the surface is a tensor product, so the
-/// edge's subdivision rules apply to the four rows alone. One piece is infinitely sharp, down to
+/// The pieces of a patch one of whose sides (`crease`, a single bit) runs along an edge of finite
+/// sharpness, with nothing irregular beside it: the surface is a tensor product, so the edge's
+/// subdivision rules apply to the four rows alone. One piece is infinitely sharp, down to
 /// 2^-floor(sharpness) of the width; the rest beside the edge is smooth, in two pieces where the
-/// sharpness is fractional (Niessner, Loop, Greiner 2012, Efficient Evaluation of Semi-Smooth
-/// Creases in Catmull-Clark Subdivision Surfaces).
+/// sharpness is fractional [Niessner2012].
 std::vector<SplinePiece> pieces_beside_crease(const SplineNet& net, SideMask crease,
                                               double sharpness);
 
