@@ -8,12 +8,12 @@ import re
 import sys
 from pathlib import Path
 
+from markdown_text import CODE, anchors
+
 ROOT = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
 
-CODE = re.compile(r"^```.*?^```|`[^`\n]*`", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)\s]+)\)|(?:src|href)=\"([^\"]+)\"")
-HEADING = re.compile(r"^#+ +(.+?) *$", re.MULTILINE)
 
 
 def load_generator():
@@ -28,12 +28,6 @@ def cli_faults(binary):
     if page.is_file() and page.read_text(encoding="utf-8") == load_generator().cli_page(binary):
         return []
     return ["docs/cli.md is not what the program says; docs/generate_cli.py KEIKO > docs/cli.md"]
-
-
-def anchors(page):
-    """The anchors that a page's headings get when it is shown."""
-    text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
-    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in HEADING.findall(text)}
 
 
 def link_faults(page):

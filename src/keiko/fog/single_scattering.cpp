@@ -52,7 +52,8 @@ public:
         return (*this)(angle(t)) * (distance_ * length_ / (distance_ * distance_ + along * along));
     }
 
-    /// Of an even emitter in an even medium that scatters evenly, eq. (8.2).
+    /// Integral in closed form, of an isotropic emitter in a uniform medium that scatters
+    /// isotropically (docs/theory/fog.md#the-integral).
     Rgb closed_form(const ParameterInterval& part) const {
         constexpr double pi = std::numbers::pi;
         const double begin = pi / 4 + angle(part.begin) / 2, end = pi / 4 + angle(part.end) / 2;

@@ -8,8 +8,8 @@
 namespace keiko {
 
 /// Direction of light behind a border that it meets in unit direction `d`: `normal` is the unit
-/// normal on the side it comes from, `eta` the index before the border over that behind it.
-/// Nothing where the reflection is total. Physics 9.6.
+/// normal on the side it comes from, `eta` the index before the border over that behind it. nullopt
+/// where the reflection is total (docs/theory/luminance.md#fresnel-reflectance).
 inline std::optional<Vec3> refract(const Vec3& d, const Vec3& normal, double eta) {
     const double cosine = -d.dot(normal);
     const double square = 1 - eta * eta * (1 - cosine * cosine);

@@ -9,8 +9,8 @@ namespace keiko {
 /// Which of a net's two parameters.
 enum class Axis { u, v };
 
-/// Where along one axis of [0, 1]^2 a function can be zero: the convex hull of its coefficients,
-/// each widened by `slack` (a bound of their rounding errors), cut with the zero line
+/// Range along one axis of [0, 1]^2 outside of which a function has no zero: the convex hull of its
+/// coefficients, each widened by `slack` (a bound of their rounding errors), cut with the zero line
 /// [SederbergNishita1990, section 3]. Empty (begin > end) when the function has no zero. `net` has
 /// `rows` x `columns` Bernstein coefficients, u outer.
 ParameterInterval hull_clip(std::span<const double> net, std::size_t rows, std::size_t columns,

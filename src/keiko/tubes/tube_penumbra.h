@@ -23,14 +23,14 @@ struct PenumbraOptions {
     bool between_lines = false;
 };
 
-/// What `point` with unit `normal` sees of a row's lamps: shares, 0 to 1, of their projected solid
-/// angles, weighed as they light, of the whole width of each lamp, which the axis alone misses by
-/// 2e-3 in ordinary places and by 2 % where an occluder's edge runs along the lamp
-/// (docs/theory/visibility.md#the-width-of-a-lamp). `row`: parallel lamps of one diameter, in
-/// order. One ray answers for a lamp of which all above the horizon is proved to be seen alike;
-/// else sub-axes across the lamp do, more of them until the estimated error is below the tolerance.
-/// `hiding`: empty, or for each lamp others of the row that hide some of it; the share is of what
-/// they leave.
+/// Visible shares of a row's lamps from `point` with unit `normal`: 0 to 1, of their projected
+/// solid angles, weighed as they light. They are of the whole width of each lamp
+/// (docs/theory/visibility.md#the-width-of-a-lamp); the axis alone misses them by 2e-3 in ordinary
+/// places, by 2 % where an occluder's edge runs along the lamp. `row`: parallel lamps of one
+/// diameter, in order. One ray answers for a lamp of which all above the horizon is proved to be
+/// seen alike; else sub-axes across the lamp do, more of them until the estimated error is below
+/// the tolerance. `hiding`: empty, or for each lamp others of the row that hide some of it; the
+/// share is of what they leave.
 std::vector<SeenLight> seen_tubes(std::span<const TubeLamp> row, const Vec3& point,
                                   const Vec3& normal, const Visible& visible,
                                   const PenumbraOptions& options,
