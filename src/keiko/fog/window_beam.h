@@ -15,7 +15,7 @@ struct Window {
     bool operator==(const Window&) const = default;
 };
 
-/// A normal of the polygon, of any length (Newell): not that of a polygon without area.
+/// Normal of the polygon, of any length [Sutherland1974]: not that of a polygon without area.
 Vec3 window_normal(const Window& window);
 
 /// How far, in mm, light of a unit `direction` went past the window to a point; nothing where it

@@ -79,7 +79,7 @@ private:
     std::string_view bytes_;
 };
 
-/// FNV-1a, 64 bits, of pieces that follow each other.
+/// FNV-1a hash [FNV] of 64 bits of pieces that follow each other.
 class Checksum {
 public:
     void add(std::string_view bytes);

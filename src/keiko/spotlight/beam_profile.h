@@ -20,7 +20,7 @@ struct EdgeProfile {
     bool operator==(const EdgeProfile&) const = default;
 };
 
-/// Warn's cos^c theta, for comparison; 0 beyond 90 degrees.
+/// Power of the cosine, cos^c theta [Warn1983], for comparison; 0 beyond 90 degrees.
 struct CosinePower {
     double exponent = 1;
 
