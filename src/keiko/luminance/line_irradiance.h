@@ -15,8 +15,8 @@ struct LinePiece {
 LinePiece above_horizon(const LinePiece& piece);
 
 /// Integral of (N.w) cos(angle to the perpendicular) / r^2 along a piece that lies above the
-/// horizon, one over the unit of length: times the intensity per length across the line [cd/m] the
-/// illuminance of a thin diffuse tube, to 1e-11: the line source of [Nishita1985]
+/// horizon, in one over the unit of length, to 1e-11. Times the intensity per length across the
+/// line, in cd/m, it is the illuminance of a thin diffuse tube, the line source of [Nishita1985]
 /// (docs/theory/luminance.md#the-ladder-of-approximations).
 double cosine_line_integral(const LinePiece& piece);
 

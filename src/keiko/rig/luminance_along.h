@@ -17,10 +17,11 @@ using VisibleFrom = std::function<IntervalSet(std::size_t source, const Segment&
 IntervalSet in_light(const LightSource& source, const Segment& eye_ray);
 
 /// Luminance in cd/m2 at the eye of an eye ray that ends on a surface with luminance `surface`
-/// (docs/theory/fog.md#the-sum-along-an-eye-ray): the surface through the medium, the medium's
-/// ambient light, and the light of each source scattered once in the lit parts of the ray, to
-/// `tolerance` of itself. Lamps on C-planes, and a sun without windows, light surfaces only.
-/// Without a medium it is `surface`. A ray that meets nothing ends far away, but not at infinity.
+/// (docs/theory/fog.md#the-sum-along-an-eye-ray). It is the sum of the surface through the medium,
+/// the medium's ambient light, and the light of each source scattered once in the lit parts of the
+/// ray, to `tolerance` of itself. Lamps on C-planes, and a sun without windows, light surfaces
+/// only. Without a medium it is `surface`. A ray that meets nothing ends far away, but not at
+/// infinity.
 Rgb luminance_along(const LightRig& rig, const Segment& eye_ray, const Rgb& surface,
                     const VisibleFrom& visible_from = {}, double tolerance = scattering_tolerance);
 
