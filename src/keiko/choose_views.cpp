@@ -1,3 +1,4 @@
+#include "keiko/base/field_error.h"
 #include "keiko/io/view_file.h"
 #include "keiko/keiko.h"
 
@@ -15,7 +16,7 @@ NamedView view_by_name(const Scene& scene, const std::string& name, const Framin
                        const Job& job) {
     if (name == "auto") return best_view(scene.tracer, scene.model, framing, job);
     if (name == "scene") {
-        if (!scene.camera) throw Error("", "--view", "the scene has no camera of its own");
+        if (!scene.camera) throw FieldError("views", "the scene has no camera of its own");
         return {name, *scene.camera};
     }
     if (is_view_file(name)) return view_of_file(name, framing);
@@ -28,7 +29,7 @@ void require_different_names(std::span<const NamedView> views) {
     for (std::size_t i = 0; i < views.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
             if (views[k].name == views[i].name)
-                throw Error("", "--view", "two views are called '" + views[i].name + "'");
+                throw FieldError("views", "two views are called '" + views[i].name + "'");
 }
 
 void require_view_names(std::span<const std::string> names) {

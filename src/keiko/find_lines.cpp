@@ -1,5 +1,7 @@
 #include "keiko/find_lines.h"
 
+#include "keiko/base/field_error.h"
+
 namespace keiko {
 namespace {
 
@@ -15,7 +17,7 @@ std::vector<CPlane> planes_of(const LightRig& rig) {
 LightRig rig_for_lines(const Scene& scene, const LinesOptions& options) {
     if (options.rig) return read_rig(*options.rig);
     if (scene.rig) return *scene.rig;
-    throw Error("", "--rig", "lines need a rig, as the scene has none of its own");
+    throw FieldError("rig", "lines need a rig, as the scene has none of its own");
 }
 
 bool has_lines(const LightRig& rig) {

@@ -1,6 +1,6 @@
 #include "keiko/hit_columns.h"
 
-#include "keiko/base/error.h"
+#include "keiko/base/field_error.h"
 #include "keiko/patch/differential_geometry.h"
 
 #include <algorithm>
@@ -26,8 +26,8 @@ HitColumn column_named(std::string_view name) {
     if (found != names.end()) return static_cast<HitColumn>(found - names.begin());
     std::string known;
     for (const std::string_view one : names) known += (known.empty() ? "" : ",") + std::string(one);
-    throw Error("", "--out",
-                "no column is called \"" + std::string(name) + "\"; there are " + known);
+    throw FieldError("columns",
+                     "no column is called \"" + std::string(name) + "\"; there are " + known);
 }
 
 template <class Number>
@@ -103,7 +103,8 @@ std::vector<HitColumn> hit_columns(std::string_view list) {
         const std::string_view name = list.substr(begin, end - begin);
         const HitColumn column = column_named(name);
         if (std::find(columns.begin(), columns.end(), column) != columns.end())
-            throw Error("", "--out", "the column \"" + std::string(name) + "\" stands there twice");
+            throw FieldError("columns",
+                             "the column \"" + std::string(name) + "\" stands there twice");
         columns.push_back(column);
         begin = end + 1;
     }

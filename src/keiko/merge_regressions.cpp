@@ -1,3 +1,4 @@
+#include "keiko/base/field_error.h"
 #include "keiko/suite_files.h"
 
 #include <map>
@@ -61,7 +62,7 @@ Regression joined(std::map<int, Regression> shards) {
 Regression merge_regressions(std::span<const fs::path> folders, const fs::path& output) {
     for (const fs::path& folder : folders)
         if (fs::exists(output) && fs::equivalent(folder, output))
-            throw Error(output.string(), "--output", "is a shard itself");
+            throw FieldError("output", output.string() + " is a shard itself");
     withdraw_reports(output);
     std::map<int, Regression> shards = read_shards(folders);
     require_every_shard(shards);

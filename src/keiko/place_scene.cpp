@@ -1,3 +1,4 @@
+#include "keiko/base/field_error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
 #include "keiko/keiko.h"
@@ -30,7 +31,7 @@ std::vector<std::uint32_t> faces_meant(const SurfaceModel& model,
             wanted[i] = found = true;
         }
         if (!found)
-            throw Error("", "--faces", "no face has the number or a name like '" + pattern + "'");
+            throw FieldError("faces", "no face has the number or a name like '" + pattern + "'");
     }
     std::vector<std::uint32_t> faces;
     for (std::uint32_t i = 0; i < wanted.size(); ++i)

@@ -1,5 +1,6 @@
 #include "keiko/trace_rays.h"
 
+#include "keiko/base/field_error.h"
 #include "keiko/hit_columns.h"
 #include "keiko/render/integrator.h"
 #include "keiko/row_stream.h"
@@ -96,7 +97,7 @@ void RowWriter::write_all(Piece& piece, std::span<const Ray> rays) const {
 void require_rig(const Scene& scene, const TraceOptions& options) {
     const auto light = light_column(hit_columns(options.columns));
     if (light && !scene.rig)
-        throw Error("", "--out", "the column \"" + *light + "\" needs a scene file with a rig");
+        throw FieldError("columns", "the column \"" + *light + "\" needs a scene file with a rig");
 }
 
 } // namespace
@@ -104,8 +105,8 @@ void require_rig(const Scene& scene, const TraceOptions& options) {
 void require_columns(const TraceOptions& options) {
     const auto light = light_column(hit_columns(options.columns));
     if (light && options.all) {
-        throw Error("", "--out",
-                    "the column \"" + *light + "\" is that of the first hit; without --all");
+        throw FieldError("columns",
+                         "the column \"" + *light + "\" is that of the first hit, not of all");
     }
 }
 

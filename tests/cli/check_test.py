@@ -34,7 +34,7 @@ class Check(KeikoTest):
         self.assertEqual((run.returncode, run.stdout), (0, "pass: seams 0 fail, 0 undecided, 0 pass, 0 creases; "
                                                            "800.0 of 800.0 mm of borders meet no other; by class-a-outer\n"))
         self.assertEqual(run.stderr, "keiko: warning: no seam was judged: of 2 faces no two have borders that run along each other "
-                                     "within 0.5 mm (--join)\n")
+                                     "within the join distance, 0.5 mm\n")
         run = self.keiko("inspect", apart, "-q", "-o", "out", "--view", "top", *SMALL)
         self.assertEqual(run.returncode, 0)
         self.assertIn("; 800.0 of 800.0 mm of borders meet no other; lines ", run.stdout)

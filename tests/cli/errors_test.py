@@ -69,8 +69,8 @@ class Errors(KeikoTest):
         rig = str(SOURCE / "lightrigs/bench-6.toml")
         self.fails("no model, but a scene: inspect, check, render and trace take it", "info",
                    surface("hood-scene.toml"))
-        self.fails("no model, but a rig: --rig of inspect, render and lines takes it", "info", rig)
-        self.fails("is 'keiko-rig/1', a rig: --rig of inspect, render and lines takes it; expected", "check", rig)
+        self.fails("no model, but a rig: inspect, render and lines take it as their rig", "info", rig)
+        self.fails("is 'keiko-rig/1', a rig: inspect, render and lines take it as their rig; expected", "check", rig)
         self.every_command_but_info_fails_on(luminaire("sym4.ldt"), "no model, but a luminaire: info takes it")
 
     def test_a_command_that_there_is_not(self):
@@ -163,6 +163,18 @@ class Errors(KeikoTest):
     def test_an_exposure_that_false_colours_do_not_have(self):
         self.fails("--false-color excludes --ev", "render", SADDLE, "-o", "a.png", "--false-color",
                    "--ev", "9")
+
+    def test_what_the_library_refuses_is_named_by_its_option(self):
+        hood = surface("hood.step")
+        self.fails("keiko: --faces: no face has the number or a name like 'roof'", "place", hood, "-o",
+                   "a.toml", "--faces", "roof")
+        self.fails("keiko: --section: 'q=1' is not x=MM", "check", SADDLE, "--section", "q=1",
+                   "--combs", "c.csv")
+        self.fails("keiko: --view: the scene has no camera of its own", "render", SADDLE, "-o", "a.png",
+                   "--view", "scene")
+        self.fails('keiko: --out: the column "t" stands there twice', "trace", SADDLE, "--out", "t,t")
+        (self.folder / "shard").mkdir()
+        self.fails("keiko: --output: shard is a shard itself", "merge", "shard", "-o", "shard")
 
     def test_wrong_sizes(self):
         for size in "12", "0x9", "16x-9", "16x9x", "99999x9":

@@ -81,7 +81,7 @@ class Place(KeikoTest):
         wrong = json.loads(whole)
         wrong["hits"][3][2] = 99999
         (self.folder / "wrong.json").write_text(json.dumps(wrong))
-        for model, file, word in ((surface("dent.step"), "hits.json", "another body"),
+        for model, file, word in ((surface("dent.step"), "hits.json", "--from: the hits were registered on another body"),
                                   (HOOD, "cut.json", "cut.json"), (HOOD, "short.json", "short.json"),
                                   (HOOD, "wrong.json", "not there"), (HOOD, "none.json", "none.json")):
             run = self.keiko("place", model, "--from", file, "-o", "rig.toml", "-q")

@@ -19,6 +19,7 @@ class Baselines(RegressTest):
         run = self.regress()
         self.assertEqual((run.returncode, run.stderr), (1, ""), run.stdout)
         self.assertTrue(run.stdout.startswith("missing dome\n"), run.stdout)
+        self.assertIn("accept them with keiko regress --update NAME\n", run.stdout)
         self.assert_sound(self.folder / "out" / "dome" / "candidate")
         self.assertTrue((self.folder / "out/dome/pictures/high-front-after.png").is_file())
         self.assertFalse((self.folder / "suite/baselines").exists())

@@ -71,7 +71,7 @@ int find_own_id(dl_phdr_info* object, std::size_t, void* id) {
 std::string build_id() {
     std::string id;
     dl_iterate_phdr(find_own_id, &id);
-    if (id.empty()) throw Error("", "", "Keiko was linked without a build id (--build-id)");
+    if (id.empty()) throw Error("", "", "Keiko was linked without a build id");
     return id;
 }
 

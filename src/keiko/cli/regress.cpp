@@ -80,6 +80,9 @@ int tell(const Regression& regression, const std::filesystem::path& output) {
     for (const FixtureOutcome& fixture : regression.fixtures) lines.line() << line_of(fixture);
     for (const std::string& name : regression.stale_baselines)
         lines.line() << "stale baseline " << name << ": no fixture has this name";
+    if (regression.count(FixtureState::missing) > 0)
+        lines.line() << "inspect the candidates of missing baselines, then accept them with "
+                        "keiko regress --update NAME";
     lines.line() << summary_of(regression) << "; see " << (output / "index.html").string();
     print(lines.text());
     return exit_code_of(regression.state());

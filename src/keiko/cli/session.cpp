@@ -1,10 +1,11 @@
 #include "keiko/cli/session.h"
 
-#include "keiko/base/error.h"
 #include "keiko/base/error_text.h"
+#include "keiko/base/field_error.h"
 #include "keiko/base/log.h"
 #include "keiko/base/stop_scope.h"
 #include "keiko/cli/number_check.h"
+#include "keiko/cli/option_names.h"
 #include "keiko/keiko.h"
 
 #include <CLI/Config.hpp>
@@ -65,6 +66,8 @@ int Session::run(CLI::App& app, int argc, char** argv) {
     } catch (const Cancelled&) {
         log_error("interrupted");
         return exit_interrupted;
+    } catch (const FieldError& error) {
+        log_error(option_error_line(error, *app.get_subcommands().back()));
     } catch (const Error& error) {
         log_error(error.what());
     } catch (const std::bad_alloc&) {

@@ -1,6 +1,6 @@
 #include "keiko/inspect/section_plane.h"
 
-#include "keiko/base/error.h"
+#include "keiko/base/field_error.h"
 
 #include <algorithm>
 #include <charconv>
@@ -49,7 +49,7 @@ SectionPlane section_plane(const std::string& text) {
         const auto height = number(all.substr(sign + 1));
         if (along && height) return {text, *along, *height};
     }
-    throw Error("", "--section", "'" + text + "' is not x=MM, y=MM, z=MM or A,B,C=MM");
+    throw FieldError("section", "'" + text + "' is not x=MM, y=MM, z=MM or A,B,C=MM");
 }
 
 std::array<double, 2> heights(const SurfaceModel& model, const Vec3& along) {

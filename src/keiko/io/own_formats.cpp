@@ -9,11 +9,11 @@ struct OwnFormat {
 
 constexpr OwnFormat own_formats[] = {
     {"keiko-scene", "a scene: inspect, check, render and trace take it, as FILE.toml"},
-    {"keiko-rig", "a rig: --rig of inspect, render and lines takes it"},
+    {"keiko-rig", "a rig: inspect, render and lines take it as their rig"},
     {"keiko-materials", "a file of materials: a scene names it"},
-    {"keiko-preset", "a file of limits: --preset takes it"},
+    {"keiko-preset", "a file of limits: inspect, check and lines take it as their preset"},
     {"keiko-fixture", "a fixture: regress takes the folder of its suite"},
-    {"keiko-hits", "registered hits: place --from takes them"},
+    {"keiko-hits", "registered hits: place takes them instead of views"},
 };
 
 } // namespace

@@ -5,8 +5,8 @@
 
 namespace keiko {
 
-/// Of a format of Keiko's own ("keiko-rig/1") what such a file is and what takes it: "a rig: --rig
-/// of inspect, render and lines takes it". Empty for any other text.
+/// Of a format of Keiko's own ("keiko-rig/1") what such a file is and what takes it: "a rig:
+/// inspect, render and lines take it as their rig". Empty for any other text.
 std::string use_of_format(std::string_view format);
 
 } // namespace keiko

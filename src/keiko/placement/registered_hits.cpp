@@ -1,6 +1,6 @@
 #include "keiko/placement/registered_hits.h"
 
-#include "keiko/base/error.h"
+#include "keiko/base/field_error.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ std::vector<ViewSample> RegisteredHits::chosen(const SurfaceModel& model, const 
                                                const SamplingOptions& options) const {
     if (faces != model.faces.size() || instances != model.instances.size() ||
         body.lower != bounds.lower || body.upper != bounds.upper)
-        throw Error("", "--from", "the hits were registered on another body");
+        throw FieldError("hits", "the hits were registered on another body");
     std::vector<ViewSample> kept;
     for (const ViewSample& s : samples) {
         const auto& wanted = options.faces;

@@ -42,7 +42,7 @@ std::string html_inflections(const LineList& list) {
         rows + std::string(html_table_end);
     if (count > most_rows)
         html += "<p class=\"soft\">and " + std::to_string(count - most_rows) +
-                " more; keiko lines --inflections writes them all.</p>";
+                " more; the table of inflections of keiko lines has them all.</p>";
     return html + "</details>\n";
 }
 

@@ -65,7 +65,7 @@ std::string inspection_text(const Inspection& inspection, std::size_t most) {
     for (std::size_t i = 0; i < shown; ++i) add_check_line(lines, inspection.findings[i]);
     if (shown < inspection.findings.size())
         lines.line() << "and " << inspection.findings.size() - shown
-                     << " more findings; --json, --junit, --sarif and --csv write them all";
+                     << " more findings; JSON, JUnit, SARIF and CSV list them all";
     add_looks(lines, inspection, most);
     return lines.text();
 }

@@ -82,8 +82,9 @@ std::string fixture_section(const FixtureOutcome& fixture) {
                        "</span></h2>\n";
     if (!fixture.error.empty()) html += "<p>" + html_escaped(fixture.error) + "</p>";
     if (fixture.state == FixtureState::missing)
-        html += "<p>There is no baseline. Look at the candidate; <code>--update " +
-                html_escaped(fixture.name) + "</code> accepts it.</p>";
+        html +=
+            "<p>There is no baseline. Inspect the candidate, then accept it by the name <code>" +
+            html_escaped(fixture.name) + "</code>.</p>";
     html += metrics_table(fixture);
     for (const PictureOutcome& picture : fixture.pictures)
         html += picture_section(fixture, picture);

@@ -33,8 +33,8 @@ JunitSuite suite_of(const FixtureOutcome& fixture) {
     if (fixture.state == FixtureState::missing) {
         suite.cases.push_back(
             judged_case(fixture.name, "baseline", false,
-                        "there is no baseline; look at the candidate, then accept it with "
-                        "--update " +
+                        "there is no baseline; inspect the candidate, then accept it by the "
+                        "name " +
                             fixture.name));
         return suite;
     }

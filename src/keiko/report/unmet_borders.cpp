@@ -20,8 +20,8 @@ std::string nothing_judged(const Inspection& inspection) {
     const std::size_t faces = inspection.facts.placed_faces;
     if (faces < 2 || !inspection.seams.empty()) return "";
     return "no seam was judged: of " + std::to_string(faces) +
-           " faces no two have borders that run along each other within " +
-           short_number(inspection.join) + " mm (--join)";
+           " faces no two have borders that run along each other within the join distance, " +
+           short_number(inspection.join) + " mm";
 }
 
 } // namespace keiko

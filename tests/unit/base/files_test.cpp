@@ -1,4 +1,5 @@
 #include "keiko/base/error.h"
+#include "keiko/base/field_error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
 #include "keiko/base/pending_file.h"
@@ -171,5 +172,6 @@ TEST_F(Files, ATargetThatCannotBeLookedAtIsAnErrorOfThatFile) {
 TEST(ErrorText, NamesFilePlaceAndReasonOnOneLine) {
     EXPECT_STREQ(Error("rig.toml", "3:1", "unknown key").what(), "rig.toml:3:1: unknown key");
     EXPECT_STREQ(Error("rig.toml", "", "empty").what(), "rig.toml: empty");
-    EXPECT_STREQ(Error("", "--view", "unknown").what(), "--view: unknown");
+    EXPECT_STREQ(Error("", "camera", "unknown").what(), "camera: unknown");
+    EXPECT_STREQ(FieldError("views", "unknown").what(), "views: unknown");
 }

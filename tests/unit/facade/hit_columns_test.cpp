@@ -43,12 +43,13 @@ TEST(HitColumns, AreNamedInAnyOrder) {
 }
 
 TEST(HitColumns, RefuseUnknownEmptyAndDoubleNames) {
-    EXPECT_EQ(refusal_of("t,hue"),
-              "--out: no column is called \"hue\"; there are t,instance,face,patch,u,v,x,y,z,nx,ny,"
-              "nz,k1,k2,bound,flags,luminance,r,g,b");
+    EXPECT_EQ(
+        refusal_of("t,hue"),
+        "columns: no column is called \"hue\"; there are t,instance,face,patch,u,v,x,y,z,nx,ny,"
+        "nz,k1,k2,bound,flags,luminance,r,g,b");
     for (const char* list : {"", "t,", ",t", "t, u", "T"})
         EXPECT_NE(refusal_of(list).find("no column is called"), std::string::npos) << list;
-    EXPECT_EQ(refusal_of("t,u,t"), "--out: the column \"t\" stands there twice");
+    EXPECT_EQ(refusal_of("t,u,t"), "columns: the column \"t\" stands there twice");
 }
 
 TEST(HitColumns, KnowWhichOfThemNeedLight) {

@@ -92,7 +92,7 @@ TEST(ReportHtml, WarnsOfABodyWithoutAnySeam) {
     const std::string html = report_html(apart);
     EXPECT_NE(html.find("600.0 of 600.0 mm of borders meet no other"), std::string::npos);
     EXPECT_NE(html.find("<b>no seam was judged: of 2 faces no two have borders that run along "
-                        "each other within 0.5 mm (--join)</b>"),
+                        "each other within the join distance, 0.5 mm</b>"),
               std::string::npos);
 }
 
