@@ -11,7 +11,7 @@ namespace keiko {
 template <class T>
 struct BlankAllocator : std::allocator<T> {
     template <class U>
-    struct rebind {
+    struct rebind { // NOLINT(readability-identifier-naming): std::allocator_traits looks for it
         using other = BlankAllocator<U>;
     };
 

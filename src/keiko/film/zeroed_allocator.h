@@ -3,8 +3,8 @@
 #include <sys/mman.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -15,9 +15,7 @@ namespace keiko {
 /// can: thousands of small ones each stop the thread that touches them first.
 inline void ask_for_large_pages(void* memory, std::size_t bytes) {
     constexpr std::size_t page = std::size_t{2} << 20;
-    const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
-    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
-    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+    if (std::align(page, page, memory, bytes)) madvise(memory, bytes / page * page, MADV_HUGEPAGE);
 }
 
 /// Memory of zeros, on pages that a large picture's threads touch first, each its own: clearing
