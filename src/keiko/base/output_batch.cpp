@@ -41,7 +41,7 @@ void OutputBatch::add(fs::path path, std::string bytes) {
     files_.emplace_back(std::move(path), std::move(bytes));
 }
 
-void OutputBatch::add_folder(const fs::path& folder, FolderContent content) {
+void OutputBatch::add_folder(const fs::path& folder, FolderContent&& content) {
     folders_.push_back(folder);
     for (auto& [name, bytes] : content) add(folder / name, std::move(bytes));
 }

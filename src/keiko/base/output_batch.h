@@ -14,7 +14,7 @@ class OutputBatch {
 public:
     void add(std::filesystem::path path, std::string bytes);
     /// Files in a folder, which is made where it is missing, its parents too.
-    void add_folder(const std::filesystem::path& folder, FolderContent content);
+    void add_folder(const std::filesystem::path& folder, FolderContent&& content);
 
     /// Writes all of them beside their places, and puts them there once the last one is on the
     /// disk. Throws Error naming the one that cannot be written; then no file has changed and no

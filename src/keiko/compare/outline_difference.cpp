@@ -96,7 +96,7 @@ std::vector<DifferingPixel> differing_pixels(const Film& before, const Film& aft
 /// Coverage that differs where no outline shows between the places of the coarse grid is looked for
 /// between those of the fine one.
 PixelOutline measured(const OutlineComparison& outlines, const DifferingPixel& pixel) {
-    const PixelOutline outline = outlines.in_pixel(pixel.x, pixel.y);
+    PixelOutline outline = outlines.in_pixel(pixel.x, pixel.y);
     if (!pixel.flipped || outline.found || !outline.worst.within()) return outline;
     return outlines.in_pixel(pixel.x, pixel.y, true);
 }

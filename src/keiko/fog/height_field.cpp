@@ -12,14 +12,12 @@
 namespace keiko {
 namespace {
 
-struct Turned {
-    Vec2 cosines, sines;
-};
-Turned turned(const Vec2& turns) {
+/// Sines of two angles in turns.
+std::array<double, 2> sines_of(const Vec2& turns) {
     const std::array both{turns.x, turns.y};
     std::array<double, 2> cosines{}, sines{};
     turn_sines(both, cosines, sines);
-    return {{cosines[0], cosines[1]}, {sines[0], sines[1]}};
+    return sines;
 }
 
 } // namespace
@@ -29,27 +27,14 @@ Vec2 Wave::turns(double x, double y) const {
 }
 
 double Wave::height(double x, double y) const {
-    const auto [cosines, sines] = turned(turns(x, y));
-    return amplitude * sines.x * sines.y;
-}
-
-Vec2 Wave::slopes(double x, double y) const {
-    const auto [cosines, sines] = turned(turns(x, y));
-    const double two_pi = 2 * std::numbers::pi;
-    return {two_pi / wavelength.x * amplitude * cosines.x * sines.y,
-            two_pi / wavelength.y * amplitude * sines.x * cosines.y};
+    const auto [sine_x, sine_y] = sines_of(turns(x, y));
+    return amplitude * sine_x * sine_y;
 }
 
 double HeightField::at(double x, double y) const {
     double z = height;
     for (const Wave& wave : waves) z += wave.height(x, y);
     return z;
-}
-
-Vec2 HeightField::slopes(double x, double y) const {
-    Vec2 sum(0);
-    for (const Wave& wave : waves) sum += wave.slopes(x, y);
-    return sum;
 }
 
 namespace {

@@ -13,8 +13,6 @@ struct Wave {
     Vec2 phase{0, 0};            ///< degrees
 
     double height(double x, double y) const;
-    /// Slopes along x and y.
-    Vec2 slopes(double x, double y) const;
     /// Angles of the two sines, in turns.
     Vec2 turns(double x, double y) const;
 
@@ -28,7 +26,6 @@ struct HeightField {
 
     /// z of the surface over a place, mm.
     double at(double x, double y) const;
-    Vec2 slopes(double x, double y) const;
     /// How far a point lies over the surface, along z; negative below.
     double above(const Vec3& point) const { return point.z - at(point.x, point.y); }
 

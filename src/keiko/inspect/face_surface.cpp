@@ -25,7 +25,8 @@ std::size_t span_of(const std::vector<double>& begins, double parameter) {
 /// Length of the longest row of control points along u, and along v.
 Vec2 extents(const PlacedPatch& patch, const BezierPatchView& view) {
     const auto at = [&](int i, int j) {
-        const Vec4& p = patch.points[static_cast<std::size_t>(i * (view.degree_v + 1) + j)];
+        const int index = i * (view.degree_v + 1) + j;
+        const Vec4& p = patch.points[static_cast<std::size_t>(index)];
         return Vec3(p.x, p.y, p.z) / p.w;
     };
     Vec2 longest(0);

@@ -55,8 +55,10 @@ public:
     }
     /// A whole number; no count can be larger than what is left of the file.
     std::size_t count(std::size_t least, const char* wanted) {
-        const double value = number(wanted), most = static_cast<double>(text_.size() / 2 + 1);
-        if (!(value >= static_cast<double>(least) && value <= most) || value != std::floor(value))
+        const double value = number(wanted);
+        const std::size_t most = text_.size() / 2 + 1;
+        if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most)) ||
+            value != std::floor(value))
             place().fail(std::string(wanted) + " is no count that the file can hold");
         return static_cast<std::size_t>(value);
     }

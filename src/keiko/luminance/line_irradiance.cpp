@@ -24,15 +24,4 @@ double cosine_line_integral(const LinePiece& piece) {
     return (piece.n_line * across + piece.n_along * along) / 2;
 }
 
-double isotropic_line_integral(const LinePiece& piece) {
-    const double h = piece.distance, x1 = piece.begin, x2 = piece.end;
-    const double r1 = std::hypot(h, x1), r2 = std::hypot(h, x2);
-    // x2 / r2 - x1 / r1 and 1 / r1 - 1 / r2 with their differences taken out.
-    const double rise = (x2 - x1) * (x1 + x2) / (r1 + r2); // r2 - r1
-    const double sines = x1 * x2 > 0
-                             ? h * h * (x2 - x1) * (x1 + x2) / (r1 * r2 * (x2 * r1 + x1 * r2))
-                             : x2 / r2 - x1 / r1;
-    return (piece.n_line * sines + piece.n_along * rise * h / (r1 * r2)) / h;
-}
-
 } // namespace keiko

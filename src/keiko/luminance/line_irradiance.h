@@ -20,7 +20,4 @@ LinePiece above_horizon(const LinePiece& piece);
 /// (docs/theory/luminance.md#the-ladder-of-approximations).
 double cosine_line_integral(const LinePiece& piece);
 
-/// The same of (N.w) / r^2: a line that shines evenly in all directions.
-double isotropic_line_integral(const LinePiece& piece);
-
 } // namespace keiko

@@ -20,7 +20,6 @@ struct Jet {
 };
 
 using FirstJet = Jet<double>;
-using SecondJet = Jet<FirstJet>;
 
 template <class T>
 Jet<T> operator-(const Jet<T>& a) {

@@ -1,32 +1,10 @@
 #include "keiko/fog/height_field.h"
 
-#include "tests/support/oracle.h"
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <random>
 
 using namespace keiko;
-
-TEST(HeightField, SlopesAgreeWithTheBumpsOfTheOracle) {
-    const test::OracleTable table("bump");
-    test::WorstError worst("slope"), tilt("Np");
-    for (const auto& row : table) {
-        const double turn = 2 * std::numbers::pi;
-        const Wave wave{row.number("in.A"), {turn / row.number("in.a"), turn / row.number("in.b")}};
-        const Vec2 slopes = wave.slopes(row.number("in.u"), row.number("in.v"));
-        worst.compare(row, slopes.x, row.number("out.hu"), 1e-11);
-        worst.compare(row, slopes.y, row.number("out.hv"), 1e-11);
-        // Normal of a bumped surface over any tangents [Blinn1978].
-        const Vec3 pu = row.vector("in.Pu"), pv = row.vector("in.Pv"), across = pu.cross(pv);
-        const Vec3 n = across.normalized();
-        const Vec3 bent =
-            (n + (n.cross(pv) * slopes.x - n.cross(pu) * slopes.y) / across.length()).normalized();
-        const Vec3 expected = row.vector("out.Np");
-        for (unsigned axis = 0; axis < 3; ++axis)
-            tilt.compare(row, bent[axis], expected[axis], 1e-11);
-    }
-}
 
 TEST(HeightField, NoCrossingIsLost) {
     const HeightField field{.height = 500, .waves = noise_waves(120, 900)};
