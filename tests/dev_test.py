@@ -116,6 +116,13 @@ class LintOfTheLastCommit(DevTest):
         self.commit(a_h="x", b_h="x")
         self.assertEqual(self.lint().stdout, "linted src/a.cpp\n")
 
+    def test_a_file_that_was_moved_is_no_change(self):
+        text = "bug\n" + "line\n" * 20
+        self.commit(a_cpp=text)
+        self.git("mv", "src/a.cpp", "src/b.cpp")
+        self.commit(b_cpp=text + "line\n", c_cpp="")
+        self.assertEqual(self.lint().stdout, "linted src/c.cpp\n")
+
     def test_of_many_files_the_first_are_linted(self):
         self.commit(a_cpp="")
         self.commit(**{f"f{i:02}_cpp": "" for i in range(25)})
