@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Fails when docs/cli.md is not what the program says, or when a link of the docs leads nowhere.
+"""Fails when docs/cli.md is not what the program says, when a link of the docs leads nowhere, or when
+CITATION.cff has another version than CMakeLists.txt.
 
 usage: tests/check_docs.py KEIKO
 """
@@ -30,6 +31,15 @@ def cli_faults(binary):
     return ["docs/cli.md is not what the program says; docs/generate_cli.py KEIKO > docs/cli.md"]
 
 
+def citation_faults():
+    """CITATION.cff and CMakeLists.txt each state the version once."""
+    project = re.search(r"^project\(keiko VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(), re.M)
+    citation = re.search(r"^version: ([\d.]+)$", (ROOT / "CITATION.cff").read_text(), re.M)
+    if project and citation and project[1] == citation[1]:
+        return []
+    return ["CITATION.cff: its version is not that of CMakeLists.txt"]
+
+
 def link_faults(page):
     text = CODE.sub("", page.read_text(encoding="utf-8"))
     faults = []
@@ -54,7 +64,7 @@ def pages():
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
-    faults = cli_faults(sys.argv[1])
+    faults = cli_faults(sys.argv[1]) + citation_faults()
     for page in pages():
         faults += link_faults(page)
     for fault in faults:
