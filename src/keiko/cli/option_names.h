@@ -8,8 +8,8 @@
 
 namespace keiko::cli {
 
-/// One line that describes the error to a user of `command`: the library's field is replaced by the
-/// option that sets it ("--out: ..."), and stands as it is if the command has no such option.
+/// One line that describes the error to a user of `command`. The option that sets the field stands
+/// in the field's place ("--out: ..."), if the command has such an option.
 std::string option_error_line(const FieldError& error, const CLI::App& command);
 
 } // namespace keiko::cli
