@@ -1,6 +1,7 @@
 #include "keiko/inspect/run_out.h"
 
 #include "keiko/base/stop_scope.h"
+#include "keiko/inspect/seam_end.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,16 +12,19 @@ namespace {
 
 /// In negligible lengths: the window over which mean slopes are taken, and the samples' distance.
 constexpr double window_width = 2, sample_step = 1;
+/// In negligible lengths: a corner is where the line turns by seam_corner within this.
+constexpr double corner_length = 4;
 
 /// The angle at one place of the way out of a crease.
 struct FadeSample {
     double along = 0; ///< mm, from where the crease ends; negative inside it
     double angle = 0; ///< degrees, signed
     Vec3 place{0};
+    Vec3 run{0};        ///< the way out, of any length
     bool joint = false; ///< a patch or a part ends here: the slope may have a step
 };
 
-const SeamPoint& end_of(const SeamPart& part, bool last) {
+const SeamPoint& point_at(const SeamPart& part, bool last) {
     return last ? part.end : part.begin;
 }
 
@@ -97,11 +101,11 @@ public:
         while (next && parts_[next->part].kind == SeamClass::smooth) {
             used_[next->part] = true;
             if (!follow(*next)) return std::nullopt;
-            if (is_done()) break;
+            if (is_done() || ends_) break;
             next = neighbour(next->part, next->forward);
         }
         if (!faded_) return std::nullopt;
-        if (!next) end_seam();
+        if (!next || ends_) end_seam();
         result_.step = largest_step();
         return std::move(result_);
     }
@@ -117,6 +121,11 @@ private:
     bool is_scrap(const SeamPart& part) const {
         return part.kind != SeamClass::smooth && part.length < limits_.negligible;
     }
+    /// The direction of the way out at parameter t of a part that is gone through forward or not.
+    Vec3 way_out(const SeamPart& part, double t, bool forward) const {
+        const Vec3 run = probes_[part.piece].run(t);
+        return forward ? run : -run;
+    }
     double step() const { return sample_step * limits_.negligible; }
     double window() const { return window_width * limits_.negligible; }
     /// Sampled so far beyond where the angle stops falling that its slope's step there is known.
@@ -125,7 +134,8 @@ private:
     std::optional<Entry> neighbour(std::size_t part, bool forward) const;
     void sample_crease(std::size_t crease, bool forward);
     bool follow(const Entry& entry);
-    bool note(const SeamPoint& from, const SeamPoint& to, bool joint);
+    bool note(double along, const SeamPoint& to, const Vec3& way, bool joint);
+    bool turns_corner(double along, const Vec3& way) const;
     void take(const Entry& entry, const SeamPoint& until);
     SeamPoint faded_between(const Entry& entry, SeamPoint over, SeamPoint under) const;
     void end_seam();
@@ -136,6 +146,7 @@ private:
     const StretchLimits& limits_;
     std::vector<bool> used_;
     std::vector<FadeSample> samples_;
+    bool ends_ = false;        ///< at a corner
     bool faded_ = false;       ///< the angle is down to its limit
     double lowest_ = HUGE_VAL; ///< degrees, the smallest angle so far
     double lowest_at_ = 0;     ///< mm along
@@ -143,8 +154,8 @@ private:
     RunOut result_;
 };
 
-/// The part that goes on from the end of another: the next one of its piece, or the nearest end of
-/// another piece within the join distance.
+/// The part that goes on from the end of another: the next one of its piece, or the nearest one of
+/// another piece.
 std::optional<FadeWalk::Entry> FadeWalk::neighbour(std::size_t part, bool forward) const {
     std::size_t beside = part;
     do {
@@ -154,16 +165,19 @@ std::optional<FadeWalk::Entry> FadeWalk::neighbour(std::size_t part, bool forwar
         if (used_[beside]) return std::nullopt;
         return Entry{beside, forward};
     }
-    const Vec3 exit = end_of(parts_[part], forward).place;
+    const SeamEnd exit = end_of(probes_[parts_[part].piece], parts_[part], forward);
     std::optional<Entry> nearest;
-    double least = std::max(limits_.join, limits_.negligible);
+    const double reach = std::max(limits_.join, limits_.negligible);
+    double least = HUGE_VAL;
     for (std::size_t i = 0; i < parts_.size(); ++i)
         for (const bool from_begin : {true, false}) {
             if (used_[i] || is_scrap(parts_[i])) continue;
-            const double apart = (end_of(parts_[i], !from_begin).place - exit).length();
+            const SeamEnd end = end_of(probes_[parts_[i].piece], parts_[i], !from_begin);
+            const double apart = (end.place - exit.place).length();
             // A piece that is closed goes on at its other end.
             if (parts_[i].piece == parts_[part].piece && apart > class_change_bound) continue;
-            if (apart < least) least = apart, nearest = Entry{i, from_begin};
+            if (apart < least && goes_on(exit, end, reach))
+                least = apart, nearest = Entry{i, from_begin};
         }
     return nearest;
 }
@@ -172,14 +186,16 @@ std::optional<FadeWalk::Entry> FadeWalk::neighbour(std::size_t part, bool forwar
 void FadeWalk::sample_crease(std::size_t crease, bool forward) {
     const SeamPart& part = parts_[crease];
     const SeamProbe& probe = probes_[part.piece];
-    const SeamPoint& out = end_of(part, forward);
-    samples_.push_back({0, out.signed_angle, out.place, true});
+    const SeamPoint& out = point_at(part, forward);
+    samples_.push_back({0, out.signed_angle, out.place, way_out(part, out.t, forward), true});
     double along = 0;
     SeamPoint last = out;
     for (const SampleStep& next : sample_steps(probe, part, !forward, step())) {
         const SeamPoint point = probe.at(next.t, last.s);
         along += (point.place - last.place).length();
-        if (point.angle) samples_.push_back({-along, point.signed_angle, point.place, next.joint});
+        if (point.angle)
+            samples_.push_back({-along, point.signed_angle, point.place,
+                                way_out(part, next.t, forward), next.joint});
         if (along > 4 * window()) break;
         last = point;
     }
@@ -190,14 +206,18 @@ void FadeWalk::sample_crease(std::size_t crease, bool forward) {
 bool FadeWalk::follow(const Entry& entry) {
     const SeamPart& part = parts_[entry.part];
     const SeamProbe& probe = probes_[part.piece];
-    const SeamPoint &from = end_of(part, !entry.forward), &to = end_of(part, entry.forward);
+    const SeamPoint &from = point_at(part, !entry.forward), &to = point_at(part, entry.forward);
     SeamPoint last = from;
     if (from.angle && *from.angle <= limits_.angle) faded_ = true;
     for (const SampleStep& next : sample_steps(probe, part, entry.forward, step())) {
         check_stop();
         const SeamPoint point = probe.at(next.t, last.s);
+        const double along = along_ + (point.place - last.place).length();
+        const Vec3 way = way_out(part, next.t, entry.forward);
+        ends_ = turns_corner(along, way);
+        if (ends_) return faded_;
         const bool was_faded = faded_;
-        if (!note(last, point, next.joint)) return false;
+        if (!note(along, point, way, next.joint)) return false;
         if (!was_faded && faded_) take(entry, faded_between(entry, last, point));
         if (is_done()) return true;
         last = point;
@@ -206,12 +226,20 @@ bool FadeWalk::follow(const Entry& entry) {
     return true;
 }
 
+/// Whether the line has turned a corner on its way to `along` mm.
+bool FadeWalk::turns_corner(double along, const Vec3& way) const {
+    const double least = along - corner_length * limits_.negligible;
+    for (std::size_t i = samples_.size(); i > 0 && samples_[i - 1].along >= least; --i)
+        if (is_corner(samples_[i - 1].run, way)) return true;
+    return false;
+}
+
 /// Adds a sample. Returns false where the angle rises again or takes too long to fade.
-bool FadeWalk::note(const SeamPoint& from, const SeamPoint& to, bool joint) {
-    const double along = along_ += (to.place - from.place).length();
+bool FadeWalk::note(double along, const SeamPoint& to, const Vec3& way, bool joint) {
+    along_ = along;
     if (!to.angle) return true;
     if (along > samples_.back().along)
-        samples_.push_back({along, to.signed_angle, to.place, joint});
+        samples_.push_back({along, to.signed_angle, to.place, way, joint});
     const bool falls = *to.angle < lowest_ - 16 * angle_rounding;
     if (falls) lowest_ = *to.angle, lowest_at_ = along;
     if (faded_) return true;
@@ -248,7 +276,7 @@ void FadeWalk::take(const Entry& entry, const SeamPoint& until) {
 void FadeWalk::end_seam() {
     const FadeSample last = samples_.back();
     for (double beyond = step(); beyond <= 4 * window(); beyond += step())
-        samples_.push_back({last.along + beyond, last.angle, last.place, false});
+        samples_.push_back({last.along + beyond, last.angle, last.place, last.run, false});
 }
 
 Worst FadeWalk::largest_step() const {

@@ -31,7 +31,8 @@ struct RunOut {
 /// parts of the seam, `crease` the index of one; `forward` names its end in the order of side a.
 /// Returns nullopt where no smooth part goes on, or where the angle does not fade: where it rises
 /// by more than its limit, runs on for longer than the limits allow or is over its limit where the
-/// seam ends. The slope's step is searched where patches and pieces end, by mean slopes over
+/// seam ends. A corner ends the seam: a turn of more than seam_corner within four negligible
+/// lengths. The slope's step is searched where patches and pieces end, by mean slopes over
 /// once and twice the negligible length, extrapolated to none on each side. Beyond the seam's own
 /// end the angle counts as what it is there.
 std::optional<RunOut> follow_run_out(std::span<const SeamProbe> probes,

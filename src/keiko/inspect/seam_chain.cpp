@@ -1,5 +1,6 @@
 #include "keiko/inspect/seam_chain.h"
 
+#include "keiko/inspect/seam_end.h"
 #include "keiko/math/disjoint_sets.h"
 
 #include <map>
@@ -10,33 +11,18 @@ namespace {
 
 using FacePair = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
 
-struct End {
-    Vec3 position, tangent;
-
-    /// One line goes on into the other, instead of turning a corner.
-    bool continues(const End& other, double join) const {
-        constexpr double sin_corner = 0.5; // 30 degrees
-        return (position - other.position).length() <= join &&
-               tangent.cross(other.tangent).length() <=
-                   sin_corner * tangent.length() * other.tangent.length();
-    }
-};
-
 struct Ends {
-    End begin, end;
+    SeamEnd begin, end;
 
-    Ends(const SurfaceCurve& curve, const BoundaryInterval& interval)
-        : begin(end_at(curve, interval.begin)), end(end_at(curve, interval.end)) {}
+    Ends(const SurfaceCurve& curve, const BoundaryInterval& interval) {
+        const SurfaceCurve::Point first = curve.at(interval.begin), last = curve.at(interval.end);
+        begin = {first.position, -first.first};
+        end = {last.position, last.first};
+    }
 
     bool touch(const Ends& other, double join) const {
-        return begin.continues(other.begin, join) || begin.continues(other.end, join) ||
-               end.continues(other.begin, join) || end.continues(other.end, join);
-    }
-
-private:
-    static End end_at(const SurfaceCurve& curve, double t) {
-        const SurfaceCurve::Point point = curve.at(t);
-        return {point.position, point.first};
+        return goes_on(begin, other.begin, join) || goes_on(begin, other.end, join) ||
+               goes_on(end, other.begin, join) || goes_on(end, other.end, join);
     }
 };
 

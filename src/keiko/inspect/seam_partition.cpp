@@ -26,7 +26,7 @@ bool may_pass(double threshold, double a, double m, double b) {
 
 class Partition {
 public:
-    Partition(const SeamProbe& probe, std::uint32_t piece, const PartitionLimits& limits)
+    Partition(const SeamProbe& probe, std::uint32_t piece, const StretchLimits& limits)
         : probe_(probe), piece_(piece), limits_(limits) {}
 
     std::vector<SeamPart> run() {
@@ -115,7 +115,7 @@ private:
 
     const SeamProbe& probe_;
     std::uint32_t piece_;
-    const PartitionLimits& limits_;
+    const StretchLimits& limits_;
     std::vector<SeamPart> parts_;
     int places_ = 0;        ///< evaluated so far
     bool is_known_ = false; ///< the class of the last part
@@ -124,7 +124,7 @@ private:
 } // namespace
 
 std::vector<SeamPart> partition_seam(const SeamProbe& probe, std::uint32_t piece,
-                                     const PartitionLimits& limits) {
+                                     const StretchLimits& limits) {
     return Partition(probe, piece, limits).run();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/inspect/seam_class.h"
+#include "keiko/inspect/stretch_limits.h"
 
 #include <vector>
 
@@ -15,20 +16,15 @@ struct SeamPart {
     double unknown = 0;   ///< mm of it along which a side has no normal
 };
 
-/// The lengths and the angle that a partition goes by.
-struct PartitionLimits {
-    double feature_angle = 5; ///< degrees
-    double negligible = 0.1;  ///< mm; a part shorter than this may be missed
-};
-
 /// mm: a place at which the class changes is known to this length.
 constexpr double class_change_bound = 1e-6;
 
 /// Cuts a piece of a seam where its class changes, as parts in order, at least one. Steps between
 /// patch changes are halved while their ends differ in class, or while the angle at their middle
 /// leaves the chord between their ends by as much as could carry it over a threshold: an estimate,
-/// down to an eighth of `negligible`. A place without normals has the class of its neighbours.
+/// down to an eighth of the negligible length. A place without normals has the class of its
+/// neighbours.
 std::vector<SeamPart> partition_seam(const SeamProbe& probe, std::uint32_t piece,
-                                     const PartitionLimits& limits);
+                                     const StretchLimits& limits);
 
 } // namespace keiko

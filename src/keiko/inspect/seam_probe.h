@@ -53,6 +53,8 @@ public:
     double length() const { return a_.length(begin(), end()); }
     /// The point at parameter t of side a; world, mm.
     Vec3 place(double t) const { return a_.at(t).position; }
+    /// Where side a runs at parameter t, mm a unit of it; 0 where it stands still. World.
+    Vec3 run(double t) const { return a_.at(t).first; }
     /// A point halfway along, on side a; world, mm.
     Vec3 middle() const { return place((begin() + end()) / 2); }
 

@@ -1,35 +1,15 @@
 #include "keiko/inspect/seam_stretch.h"
 
 #include "keiko/inspect/run_out.h"
+#include "keiko/inspect/seam_end.h"
 #include "keiko/math/disjoint_sets.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace keiko {
 namespace {
-
-bool touch(const SeamPart& a, const SeamPart& b, double reach) {
-    for (const SeamPoint* x : {&a.begin, &a.end})
-        for (const SeamPoint* y : {&b.begin, &b.end})
-            if ((x->place - y->place).length() <= reach) return true;
-    return false;
-}
-
-/// Indices of parts of one class that go on into each other, by their first.
-std::vector<std::vector<std::size_t>> groups_of(std::span<const SeamPart> parts,
-                                                const StretchLimits& limits) {
-    const double reach = std::max(limits.join, limits.negligible);
-    DisjointSets sets(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (parts[i].kind == parts[j].kind && touch(parts[i], parts[j], reach)) sets.join(i, j);
-    std::map<std::size_t, std::vector<std::size_t>> by_root;
-    for (std::size_t i = 0; i < parts.size(); ++i) by_root[sets.root(i)].push_back(i);
-    std::vector<std::vector<std::size_t>> groups;
-    for (auto& [root, group] : by_root) groups.push_back(std::move(group));
-    return groups;
-}
 
 double length_of(std::span<const SeamPart> parts, const std::vector<std::size_t>& group) {
     double length = 0;
@@ -42,20 +22,20 @@ public:
     StretchMaker(std::span<const SeamProbe> probes, const StretchLimits& limits)
         : probes_(probes), limits_(limits) {
         for (std::uint32_t i = 0; i < probes.size(); ++i)
-            for (SeamPart& part :
-                 partition_seam(probes[i], i, {limits.feature_angle, limits.negligible}))
+            for (SeamPart& part : partition_seam(probes[i], i, limits))
                 parts_.push_back(std::move(part));
     }
 
     std::vector<SeamStretch> run() {
         add_run_outs();
         std::vector<SeamStretch> stretches;
-        for (const std::vector<std::size_t>& group : groups_of(parts_, limits_))
+        for (const std::vector<std::size_t>& group : groups())
             stretches.push_back(stretch_of(group));
         return stretches;
     }
 
 private:
+    std::vector<std::vector<std::size_t>> groups() const;
     void add_run_outs();
     void add_run_out(std::size_t crease, bool forward, double longest);
     SeamStretch stretch_of(const std::vector<std::size_t>& group) const;
@@ -67,13 +47,37 @@ private:
     std::map<std::pair<std::uint32_t, double>, Worst> fading_;
 };
 
+/// Indices of parts of one class that go on into each other, by their first.
+std::vector<std::vector<std::size_t>> StretchMaker::groups() const {
+    const double reach = std::max(limits_.join, limits_.negligible);
+    std::vector<std::array<SeamEnd, 2>> ends;
+    for (const SeamPart& part : parts_)
+        ends.push_back(
+            {end_of(probes_[part.piece], part, false), end_of(probes_[part.piece], part, true)});
+    const auto touch = [&](std::size_t i, std::size_t j) {
+        for (const SeamEnd& x : ends[i])
+            for (const SeamEnd& y : ends[j])
+                if (goes_on(x, y, reach)) return true;
+        return false;
+    };
+    DisjointSets sets(parts_.size());
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (parts_[i].kind == parts_[j].kind && touch(i, j)) sets.join(i, j);
+    std::map<std::size_t, std::vector<std::size_t>> by_root;
+    for (std::size_t i = 0; i < parts_.size(); ++i) by_root[sets.root(i)].push_back(i);
+    std::vector<std::vector<std::size_t>> result;
+    for (auto& [root, group] : by_root) result.push_back(std::move(group));
+    return result;
+}
+
 void StretchMaker::add_run_outs() {
     struct Crease {
         std::uint32_t piece;
         double t, length;
     };
     std::vector<Crease> creases;
-    for (const std::vector<std::size_t>& group : groups_of(parts_, limits_)) {
+    for (const std::vector<std::size_t>& group : groups()) {
         const double length = length_of(parts_, group);
         if (parts_[group.front()].kind != SeamClass::crease || length < limits_.negligible)
             continue;

@@ -19,16 +19,6 @@ struct SeamStretch {
     std::optional<Worst> fading;
 };
 
-/// What a seam is cut by.
-struct StretchLimits {
-    double feature_angle = 5; ///< degrees
-    double negligible = 0.1;  ///< mm
-    double join = 0.5;        ///< mm: ends of pieces as near as this go on into each other
-    double angle = 0.1;       ///< degrees: a run-out ends where the angle falls to this
-    double fading = 0.0014;   ///< degrees/mm: how large a step the slope of a fading angle may have
-    double longest_run_out = 200; ///< mm: an angle that fades more slowly is none
-};
-
 /// The worse of two: by verdict, then by the largest value that it may have.
 const Worst& worse_of(const Worst& a, const Worst& b);
 
