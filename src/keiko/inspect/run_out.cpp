@@ -44,17 +44,29 @@ MeanSlope mean_slope(std::span<const FadeSample> samples, std::size_t i, double 
     return {(samples[k].angle - samples[i].angle) / run, std::abs(run)};
 }
 
-/// The slope on one side of a sample. Mean slopes leave it in proportion to their width, so that
-/// two of them give it but for the third derivative of the angle.
-double slope_beside(std::span<const FadeSample> samples, std::size_t i, double width, bool after) {
-    const MeanSlope narrow = mean_slope(samples, i, width / 2, after);
-    const MeanSlope wide = mean_slope(samples, i, width, after);
+/// A slope, and how far it may deviate.
+struct BoundedSlope {
+    double slope = 0, bound = 0;
+};
+
+/// Mean slopes deviate in proportion to their widths, so that two of them give the slope itself but
+/// for the third derivative.
+double extrapolated(const MeanSlope& narrow, const MeanSlope& wide) {
     if (!(wide.width > narrow.width)) return narrow.slope;
     return (narrow.slope * wide.width - wide.slope * narrow.width) / (wide.width - narrow.width);
 }
 
-double slope_step(std::span<const FadeSample> samples, std::size_t i, double width) {
-    return std::abs(slope_beside(samples, i, width, true) - slope_beside(samples, i, width, false));
+/// The slope on one side of a sample. What the third derivative leaves is in proportion to the
+/// product of the two widths, and so follows from what twice the widths give.
+BoundedSlope slope_beside(std::span<const FadeSample> samples, std::size_t i, double width,
+                          bool after) {
+    const MeanSlope half = mean_slope(samples, i, width / 2, after);
+    const MeanSlope whole = mean_slope(samples, i, width, after);
+    const MeanSlope twice = mean_slope(samples, i, 2 * width, after);
+    const double slope = extrapolated(half, whole);
+    const double change = std::abs(extrapolated(whole, twice) - slope);
+    const bool wider = twice.width > half.width;
+    return {slope, wider ? change * half.width / (twice.width - half.width) : change};
 }
 
 /// The parameters at which a part is sampled from one end to the other, and which are joints.
@@ -284,10 +296,10 @@ Worst FadeWalk::largest_step() const {
     for (std::size_t i = 1; i + 1 < samples_.size(); ++i) {
         const FadeSample& sample = samples_[i];
         if (!sample.joint || sample.along < 0 || sample.along > lowest_at_ + 2 * window()) continue;
-        const double here = slope_step(samples_, i, window());
-        // Over twice the width the remainder is four times as large.
-        const double wider = slope_step(samples_, i, 2 * window());
-        const double bound = std::abs(wider - here) / 3 + 16 * angle_rounding / window();
+        const BoundedSlope before = slope_beside(samples_, i, window(), false);
+        const BoundedSlope after = slope_beside(samples_, i, window(), true);
+        const double here = std::abs(after.slope - before.slope);
+        const double bound = before.bound + after.bound + 16 * angle_rounding / window();
         const Worst step{here, bound, limits_.fading, sample.place,
                          judge(here, bound, limits_.fading)};
         worst = worst ? worse_of(*worst, step) : step;
