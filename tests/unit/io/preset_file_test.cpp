@@ -81,6 +81,11 @@ std::string refused(const std::string& body) {
     return "";
 }
 
+/// The column of a key's value.
+std::string place_of(const std::string& key) {
+    return std::to_string(key.size() + 4);
+}
+
 TEST(PresetFile, SaysWhereAFileIsWrong) {
     EXPECT_EQ(refused("name = \"x\"\n"), "p.toml:1:1: 'seam' is missing");
     EXPECT_EQ(refused("name = \"x\"\n[seam]\nangle = 1\n"), "p.toml:3:1: seam: 'gap' is missing");
@@ -100,6 +105,41 @@ TEST(PresetFile, SaysWhereAFileIsWrong) {
               "p.toml:7:1: unknown key 'surface.radius'");
     EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\n[surface]\nminimum_radius = 0\n"),
               "p.toml:7:18: surface.minimum_radius: must be above 0 and at most 1e+06, is 0");
+}
+
+const std::string plain_seam = "name = \"x\"\n[seam]\ngap = 1\nangle = 2.1\n";
+
+TEST(PresetFile, HoldsHowASeamIsCut) {
+    const std::string format = "format = \"keiko-preset/1\"\n";
+    const CriteriaPreset given =
+        parse_preset(format + plain_seam +
+                         "fading = 0.003\nlongest_run_out = 70\nnegligible = 0.25\n"
+                         "flat_radius = 5000\n",
+                     "p.toml");
+    EXPECT_EQ(given.fading, 0.003);
+    EXPECT_EQ(given.longest_run_out, 70);
+    EXPECT_EQ(given.negligible, 0.25);
+    EXPECT_EQ(given.flat_radius, 5000);
+    const CriteriaPreset left_out = parse_preset(format + plain_seam, "p.toml");
+    EXPECT_EQ(left_out.fading, 2.1 / 70); // it follows from the angle
+    EXPECT_EQ(left_out.longest_run_out, 200);
+    EXPECT_EQ(left_out.negligible, 0.1);
+    EXPECT_EQ(left_out.flat_radius, 100000);
+}
+
+TEST(PresetFile, RefusesWhatNoSeamCanBeCutBy) {
+    const auto refuses = [](const std::string& key, const std::string& value) {
+        const std::string message = refused(plain_seam + key + " = " + value + "\n");
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+        EXPECT_EQ(message.substr(0, message.find("seam.")), "p.toml:6:" + place_of(key) + ": ")
+            << message;
+        EXPECT_NE(message.find("seam." + key + ": "), std::string::npos) << message;
+    };
+    for (const std::string key : {"fading", "longest_run_out", "negligible", "flat_radius"})
+        for (const std::string value : {"0", "-1", "nan", "inf", "\"wide\""}) refuses(key, value);
+    refuses("longest_run_out", "2e6");
+    refuses("negligible", "0.0009");
+    refuses("negligible", "1001");
 }
 
 TEST(PresetFile, SaysThatAVersionIsNotRead) {
