@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/seam_stretch.h"
+#include "keiko/inspect/class_stretches.h"
 
 #include <map>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "keiko/inspect/class_stretches.h"
 #include "keiko/inspect/seam_measure.h"
-#include "keiko/inspect/seam_stretch.h"
 
 #include <vector>
 

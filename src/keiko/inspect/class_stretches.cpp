@@ -1,4 +1,4 @@
-#include "keiko/inspect/seam_stretch.h"
+#include "keiko/inspect/class_stretches.h"
 
 #include "keiko/inspect/run_out.h"
 #include "keiko/inspect/seam_end.h"
