@@ -1,7 +1,7 @@
 #include "keiko/inspect/knot_lines.h"
 
 #include "keiko/base/parallel.h"
-#include "keiko/inspect/curvature_match.h"
+#include "keiko/inspect/bend_pieces.h"
 #include "keiko/inspect/face_names.h"
 #include "keiko/inspect/seam_line.h"
 #include "keiko/patch/trim_region.h"
@@ -10,23 +10,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <tuple>
 
 namespace keiko {
 namespace {
-
-/// A stretch of a line of constant u or v, in face parameters.
-struct KnotPiece {
-    bool constant_u = true;
-    double at = 0, begin = 0, end = 0;
-
-    auto order() const { return std::tuple(!constant_u, at, begin, end); }
-    Vec2 point(double x) const { return constant_u ? Vec2(at, x) : Vec2(x, at); }
-    std::array<Vec3, 2> points() const {
-        const Vec2 a = point(begin), b = point(end);
-        return {Vec3(a.x, a.y, 1), Vec3(b.x, b.y, 1)};
-    }
-};
 
 /// The far sides of a patch, where another one may follow.
 std::array<KnotPiece, 2> far_sides(const Patch& patch) {
@@ -43,25 +29,16 @@ bool has_irregular_patch(const SurfaceModel& model, std::uint32_t face) {
     return found != model.irregular_patches.end() && found->face == face;
 }
 
-bool breaks_at(const SeamPoint& p) {
-    constexpr double gap = 1e-4, angle = 1e-4, share = 1e-3, change = 2e-7;
-    constexpr double unlimited_radius = HUGE_VAL; // mm: `change` tells apart what is flat
-    if (p.gap > gap) return true;
-    if (!p.angle) return false;
-    return *p.angle > angle || (std::abs(p.curvature_a - p.curvature_b) > change &&
-                                curvature_mismatch(CurvatureFormula::catia, p.curvature_a,
-                                                   p.curvature_b, unlimited_radius) > share);
-}
-
 class FaceKnots {
 public:
     FaceKnots(const SurfaceModel& model, std::uint32_t face)
-        : model_(model), index_(face), grid_(model, model.faces[face]) {}
+        : model_(model), index_(face), face_(model, face) {}
 
     std::vector<std::vector<MeasuredSeam>> measured(const CriteriaPreset& preset,
                                                     const StretchLimits& limits) const {
         std::vector<std::vector<MeasuredSeam>> seams;
-        const std::vector<std::vector<KnotPiece>> lines = chained(kept(broken()));
+        const std::vector<std::vector<KnotPiece>> lines =
+            chained(kept(with_bends(broken(), limits.negligible)));
         for (std::uint32_t i = 0; !lines.empty() && i < model_.instances.size(); ++i) {
             const Part& part = model_.parts[model_.instances[i].part];
             if (index_ - part.first_face >= part.face_count) continue;
@@ -71,15 +48,9 @@ public:
     }
 
 private:
-    static SeamProbe probe(const SurfaceCurve& low, const SurfaceCurve& high) {
-        return {low, {0, 1}, high, {0, 1}};
-    }
-
-    SurfaceCurve side(const Affine& placed, const std::array<Vec3, 2>& line, bool left) const {
-        return {model_, grid_, placed, {line}, left};
-    }
-
     std::vector<KnotPiece> broken() const;
+    bool is_torn(const KnotPiece& knot) const;
+    std::vector<KnotPiece> with_bends(std::vector<KnotPiece> knots, double window) const;
     std::vector<KnotPiece> kept(const std::vector<KnotPiece>& pieces) const;
     static std::vector<std::vector<KnotPiece>> chained(std::vector<KnotPiece> pieces);
     std::vector<MeasuredSeam> measure(std::uint32_t instance, const std::vector<KnotPiece>& line,
@@ -88,26 +59,52 @@ private:
 
     const SurfaceModel& model_;
     std::uint32_t index_;
-    PatchGrid grid_;
+    KnottedFace face_;
 };
 
 std::vector<KnotPiece> FaceKnots::broken() const {
     std::vector<KnotPiece> pieces;
-    const Box2 domain = grid_.domain();
+    const Box2 domain = face_.domain();
     const Affine unmoved;
-    for (const Patch& patch : model_.patches_of(model_.faces[index_]))
+    for (const Patch& patch : model_.patches_of(face_.face()))
         for (const KnotPiece& piece : far_sides(patch)) {
             const bool at_end = piece.at >= (piece.constant_u ? domain.upper.x : domain.upper.y);
             if (at_end || !(piece.end > piece.begin)) continue;
-            const std::array<Vec3, 2> line = piece.points();
-            const SeamProbe across = probe(side(unmoved, line, true), side(unmoved, line, false));
-            for (const double t : {0.11, 0.5, 0.87})
-                if (breaks_at(across.at(t))) {
-                    pieces.push_back(piece);
-                    break;
-                }
+            const std::array<Vec3, 2> line = piece.side(true);
+            const SeamProbe across = face_.probe(piece, unmoved, line, line);
+            const auto breaks = [&](double t) { return breaks_at(across.at(t)); };
+            if (std::any_of(tested_places.begin(), tested_places.end(), breaks))
+                pieces.push_back(piece);
         }
     return pieces;
+}
+
+bool FaceKnots::is_torn(const KnotPiece& knot) const {
+    constexpr double closed = 1e-4; // mm
+    const Affine unmoved;
+    const std::array<Vec3, 2> line = knot.side(true);
+    const SeamProbe across = face_.probe(knot, unmoved, line, line);
+    return std::any_of(tested_places.begin(), tested_places.end(),
+                       [&](double t) { return across.at(t).gap > closed; });
+}
+
+/// What bends at a knot is measured as the bend that it belongs to, unless the face is torn there.
+std::vector<KnotPiece> FaceKnots::with_bends(std::vector<KnotPiece> knots, double window) const {
+    std::vector<KnotPiece> bends = bend_pieces(face_, window);
+    if (bends.empty()) return knots;
+    const auto covered = [](const std::vector<KnotPiece>& by) {
+        return [&by](const KnotPiece& piece) {
+            return std::any_of(by.begin(), by.end(),
+                               [&](const KnotPiece& other) { return other.covers(piece); });
+        };
+    };
+    std::vector<KnotPiece> torn;
+    for (const KnotPiece& knot : knots)
+        if (is_torn(knot)) torn.push_back(knot);
+    std::erase_if(bends, covered(torn));
+    std::erase_if(knots, covered(bends));
+    knots.insert(knots.end(), bends.begin(), bends.end());
+    return knots;
 }
 
 /// What the trims leave of the pieces: where they change sides between two of 16 places is found by
@@ -119,7 +116,10 @@ std::vector<KnotPiece> FaceKnots::kept(const std::vector<KnotPiece>& pieces) con
     const TrimRegion region(model_, face);
     std::vector<KnotPiece> kept;
     for (const KnotPiece& piece : pieces) {
-        const auto inside = [&](double x) { return region.contains(piece.point(x)); };
+        const auto inside = [&](double x) {
+            return region.contains(piece.point(piece.low, x)) &&
+                   (!piece.is_bend() || region.contains(piece.point(piece.high, x)));
+        };
         const auto border = [&](double in, double out) {
             for (int i = 0; i < halvings; ++i) (inside((in + out) / 2) ? in : out) = (in + out) / 2;
             return in;
@@ -140,9 +140,22 @@ std::vector<KnotPiece> FaceKnots::kept(const std::vector<KnotPiece>& pieces) con
     return kept;
 }
 
+/// Bends of one line are found in patch after patch, each with a rounding of its own.
+void align(std::vector<KnotPiece>& pieces) {
+    const auto rises = [](const KnotPiece& a, const KnotPiece& b) { return a.order() < b.order(); };
+    std::sort(pieces.begin(), pieces.end(), rises);
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        const KnotPiece& before = pieces[i - 1];
+        KnotPiece& piece = pieces[i];
+        if (piece.constant_u == before.constant_u && before.low < piece.at &&
+            piece.at < before.high)
+            piece.at = before.at;
+    }
+    std::sort(pieces.begin(), pieces.end(), rises);
+}
+
 std::vector<std::vector<KnotPiece>> FaceKnots::chained(std::vector<KnotPiece> pieces) {
-    std::sort(pieces.begin(), pieces.end(),
-              [](const KnotPiece& a, const KnotPiece& b) { return a.order() < b.order(); });
+    align(pieces);
     std::vector<std::vector<KnotPiece>> lines;
     constexpr double touching = 1e-6; // share of a piece: trims end where knots do
     for (const KnotPiece& piece : pieces) {
@@ -161,13 +174,13 @@ std::vector<MeasuredSeam> FaceKnots::measure(std::uint32_t instance,
                                              const CriteriaPreset& preset,
                                              const StretchLimits& limits) const {
     std::vector<std::array<Vec3, 2>> points;
-    points.reserve(line.size());
+    points.reserve(2 * line.size());
     SeamLine seam{instance, index_, instance, index_, {}};
     const Affine& placed = model_.instances[instance].transform;
     for (const KnotPiece& piece : line) {
-        points.push_back(piece.points());
-        seam.probes.push_back(
-            probe(side(placed, points.back(), true), side(placed, points.back(), false)));
+        const auto& left = points.emplace_back(piece.side(true));
+        const auto& right = points.emplace_back(piece.side(false));
+        seam.probes.push_back(face_.probe(piece, placed, left, right));
     }
     char knot[48];
     std::snprintf(knot, sizeof knot, "%c = %.6g", line.front().constant_u ? 'u' : 'v',
@@ -190,8 +203,7 @@ std::vector<MeasuredSeam> measure_knot_lines(const SurfaceModel& model,
     parallel_for(model.faces.size(), job, "knots", [&](std::size_t f) {
         const Face& face = model.faces[f];
         const auto index = static_cast<std::uint32_t>(f);
-        if (face.patch_count < 2 || face.approximated > 0 || has_irregular_patch(model, index))
-            return;
+        if (face.approximated > 0 || has_irregular_patch(model, index)) return;
         by_face[f] = FaceKnots(model, index).measured(preset, limits);
     });
     std::vector<MeasuredSeam> all;

@@ -28,6 +28,14 @@ Side side(const BoundaryFrame& frame, bool leaving, bool forward) {
             normal_curvature_slope(frame.surface, normal, across)};
 }
 
+/// Radians that the normal turns about the run of the line on a way from one side to the other,
+/// beyond what the mean of their curvatures explains; negative where the surface bends towards it.
+double unexplained_turn(const Side& from, const Side& into, double way) {
+    const double all =
+        std::atan2(from.normal.cross(into.normal).dot(from.run), from.normal.dot(into.normal));
+    return all + (from.curvature + into.curvature) / 2 * way;
+}
+
 /// Moves a step by up to a tenth either way, so that no regular wave has its zeros at all of them:
 /// the fractions of the golden section's multiples.
 double uneven(int i) {
@@ -48,7 +56,7 @@ SeamPoint SeamProbe::at(double t, double s_guess) const {
     const ClosestPoint foot = closest_point(b_, place, s_guess, reach_b_.begin, reach_b_.end);
     SeamPoint point;
     point.t = t, point.s = foot.t;
-    point.place = place, point.gap = foot.distance;
+    point.place = place, point.gap = bend_ ? 0 : foot.distance;
     const auto frame_a = a_.frame(t, 3), frame_b = b_.frame(foot.t, 3);
     if (!frame_a || !frame_b) return point;
     const Side from = side(*frame_a, true, true);
@@ -59,6 +67,11 @@ SeamPoint SeamProbe::at(double t, double s_guess) const {
     point.curvature_a = from.curvature;
     point.curvature_b = into.curvature;
     point.slope_a = from.slope, point.slope_b = into.slope;
+    if (bend_) {
+        point.signed_angle = radians_to_degrees(unexplained_turn(from, into, foot.distance));
+        point.angle = std::abs(point.signed_angle);
+        return point;
+    }
     const Vec3 apart = foot.point.position - place;
     point.overlap = -apart.dot(from.across) > 0.5 * foot.distance ||
                     -apart.dot(into.across) > 0.5 * foot.distance;

@@ -35,6 +35,15 @@ public:
               const ParameterInterval& on_b)
         : a_(a), b_(b), on_a_(on_a), on_b_(on_b), reach_b_(on_b), forward_(on_b.begin < on_b.end) {}
 
+    /// Two lines that run alike on either side of a bend inside one face, `a` to the left of `b`.
+    /// They have no gap, and their angle is what the normal turns about them beyond what the
+    /// curvatures of both sides make of the way between: 0 on any evenly bent surface.
+    static SeamProbe across_bend(const SurfaceCurve& a, const SurfaceCurve& b) {
+        SeamProbe probe(a, {0, 1}, b, {0, 1});
+        probe.bend_ = true;
+        return probe;
+    }
+
     /// The part of the seam between two of its points. The nearest point of side b is still
     /// searched along the whole seam.
     SeamProbe part(const SeamPoint& from, const SeamPoint& to) const;
@@ -70,6 +79,7 @@ private:
     ParameterInterval on_a_, on_b_; ///< that of b runs backwards where begin > end
     ParameterInterval reach_b_;     ///< where the nearest point of side b is searched
     bool forward_;                  ///< side b runs as side a does
+    bool bend_ = false;             ///< the sides belong to one surface, a way apart
 };
 
 } // namespace keiko
