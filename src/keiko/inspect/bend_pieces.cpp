@@ -1,5 +1,6 @@
 #include "keiko/inspect/bend_pieces.h"
 
+#include "keiko/base/units.h"
 #include "keiko/inspect/slow_lines.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace {
 constexpr double first_step = 1e-6;
 /// Degrees: what rounding and the rates of curvatures leave of a window's turn is far less.
 constexpr double least_turn = 1e-3;
+/// Degrees: the same of sides close together.
+constexpr double least_limit = 1e-4;
 
 class Bends {
 public:
@@ -23,33 +26,70 @@ public:
             for (const bool constant_u : {true, false})
                 add_bends(model.patches[face_.face().first_patch + k],
                           model.patch(face_.face().first_patch + k), constant_u);
-        return std::move(found_);
+        return sharpest();
     }
 
 private:
+    /// A bend, and the window that it lies in.
+    struct Bend {
+        KnotPiece piece, window;
+    };
+
     void add_bends(const Patch& patch, const BezierPatchView& points, bool constant_u) {
         const ParameterMap& across = constant_u ? patch.map_u : patch.map_v;
         const ParameterMap& along = constant_u ? patch.map_v : patch.map_u;
         for (const double t : slow_lines(points, constant_u, window_)) {
             const double at = t == 0 ? across.begin : t == 1 ? across.end : across.to_face(t);
             const KnotPiece line{constant_u, at, along.begin, along.end};
-            const auto covers = [&](const KnotPiece& piece) { return piece.covers(line); };
-            if (is_point(line) || std::any_of(found_.begin(), found_.end(), covers)) continue;
+            const auto is_known = [&](const Bend& b) { return b.piece.order() == line.order(); };
+            if (is_point(line) || std::any_of(bends_.begin(), bends_.end(), is_known)) continue;
             add_bend(line, across.end - across.begin);
         }
     }
 
-    /// Sides close together show a break of the limits; sides apart what turns between them, and
-    /// count where that is clearly more.
     void add_bend(const KnotPiece& line, double width) {
-        const KnotPiece close = between(line, window_ / 2000, width);
-        const KnotPiece apart = between(line, window_ / 2, width);
-        const double turn = apart.is_bend() ? largest_angle(apart) : 0;
-        constexpr double clearly = 1.5;
-        if (turn > least_turn && !(close.is_bend() && turn < clearly * largest_angle(close)))
-            found_.push_back(apart);
-        else if (close.is_bend() && breaks(close))
-            found_.push_back(close);
+        KnotPiece close = between(line, window_ / 2000, width);
+        KnotPiece apart = between(line, window_ / 2, width);
+        const double limit = close.is_bend() ? largest_angle(close) : 0;
+        close.has_limits = is_singular(line), apart.has_limits = false;
+        if (apart.is_bend() && is_tight(apart, limit))
+            bends_.push_back({apart, apart});
+        else if (close.is_bend() && (limit > least_limit || (close.has_limits && breaks(close))))
+            bends_.push_back({close, apart.is_bend() ? apart : close});
+    }
+
+    /// Of bends within each other's windows the one whose sides are nearest.
+    std::vector<KnotPiece> sharpest() {
+        const auto nearer = [](const Bend& a, const Bend& b) {
+            return a.piece.high - a.piece.low < b.piece.high - b.piece.low;
+        };
+        std::stable_sort(bends_.begin(), bends_.end(), nearer);
+        std::vector<KnotPiece> kept, windows;
+        for (const Bend& bend : bends_) {
+            const auto meets = [&](const KnotPiece& window) { return window.meets(bend.window); };
+            if (std::any_of(windows.begin(), windows.end(), meets)) continue;
+            kept.push_back(bend.piece), windows.push_back(bend.window);
+        }
+        return kept;
+    }
+
+    /// Whether the normal turns clearly more between the sides than in the limit, and no less
+    /// within the window than their curvatures would make it turn there besides.
+    bool is_tight(const KnotPiece& apart, double limit) const {
+        constexpr double clearly = 1.01;
+        const std::vector<SeamPoint> points = places(apart);
+        return std::any_of(points.begin(), points.end(), [&](const SeamPoint& p) {
+            const double besides =
+                (std::abs(p.curvature_a) + std::abs(p.curvature_b)) / 2 * window_;
+            return p.angle && *p.angle > std::max(least_turn, clearly * limit) &&
+                   *p.angle >= radians_to_degrees(besides);
+        });
+    }
+
+    bool is_singular(const KnotPiece& line) const {
+        const std::vector<SeamPoint> points = places(line);
+        return std::none_of(points.begin(), points.end(),
+                            [](const SeamPoint& p) { return p.angle.has_value(); });
     }
 
     std::vector<SeamPoint> places(const KnotPiece& piece) const {
@@ -84,7 +124,8 @@ private:
     }
 
     /// The parameter beside a line whose farthest tested place is `distance` mm away from it, to a
-    /// hundredth; nothing where there is none within `most`. The search starts at `width`.
+    /// thousandth of the parameter; nothing where there is none within `most`. The search starts at
+    /// `width`.
     std::optional<double> parameter_at(const KnotPiece& line, double distance, double width,
                                        double most) const {
         const auto reaches = [&](double step) {
@@ -95,7 +136,7 @@ private:
             if (!(above < most)) return std::nullopt;
             below = above, above = std::min(4 * above, most);
         }
-        constexpr double enough = 0.01;
+        constexpr double enough = 1e-3;
         while (above - below > enough * above) {
             const double middle = (below + above) / 2;
             (reaches(middle) ? above : below) = middle;
@@ -126,7 +167,7 @@ private:
 
     const KnottedFace& face_;
     double window_;
-    std::vector<KnotPiece> found_;
+    std::vector<Bend> bends_;
 };
 
 } // namespace

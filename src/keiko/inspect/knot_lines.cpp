@@ -37,8 +37,10 @@ public:
     std::vector<std::vector<MeasuredSeam>> measured(const CriteriaPreset& preset,
                                                     const StretchLimits& limits) const {
         std::vector<std::vector<MeasuredSeam>> seams;
-        const std::vector<std::vector<KnotPiece>> lines =
-            chained(kept(with_bends(broken(), limits.negligible)));
+        const std::vector<KnotPiece> knots = broken();
+        std::vector<std::vector<KnotPiece>> lines = chained(kept(knots));
+        for (auto& line : chained(kept(bends(knots, limits.negligible))))
+            lines.push_back(std::move(line));
         for (std::uint32_t i = 0; !lines.empty() && i < model_.instances.size(); ++i) {
             const Part& part = model_.parts[model_.instances[i].part];
             if (index_ - part.first_face >= part.face_count) continue;
@@ -50,7 +52,7 @@ public:
 private:
     std::vector<KnotPiece> broken() const;
     bool is_torn(const KnotPiece& knot) const;
-    std::vector<KnotPiece> with_bends(std::vector<KnotPiece> knots, double window) const;
+    std::vector<KnotPiece> bends(const std::vector<KnotPiece>& knots, double window) const;
     std::vector<KnotPiece> kept(const std::vector<KnotPiece>& pieces) const;
     static std::vector<std::vector<KnotPiece>> chained(std::vector<KnotPiece> pieces);
     std::vector<MeasuredSeam> measure(std::uint32_t instance, const std::vector<KnotPiece>& line,
@@ -88,23 +90,14 @@ bool FaceKnots::is_torn(const KnotPiece& knot) const {
                        [&](double t) { return across.at(t).gap > closed; });
 }
 
-/// What bends at a knot is measured as the bend that it belongs to, unless the face is torn there.
-std::vector<KnotPiece> FaceKnots::with_bends(std::vector<KnotPiece> knots, double window) const {
+/// The bends of the face, without those at which it is torn.
+std::vector<KnotPiece> FaceKnots::bends(const std::vector<KnotPiece>& knots, double window) const {
     std::vector<KnotPiece> bends = bend_pieces(face_, window);
-    if (bends.empty()) return knots;
-    const auto covered = [](const std::vector<KnotPiece>& by) {
-        return [&by](const KnotPiece& piece) {
-            return std::any_of(by.begin(), by.end(),
-                               [&](const KnotPiece& other) { return other.covers(piece); });
-        };
-    };
-    std::vector<KnotPiece> torn;
+    if (bends.empty()) return bends;
     for (const KnotPiece& knot : knots)
-        if (is_torn(knot)) torn.push_back(knot);
-    std::erase_if(bends, covered(torn));
-    std::erase_if(knots, covered(bends));
-    knots.insert(knots.end(), bends.begin(), bends.end());
-    return knots;
+        if (is_torn(knot))
+            std::erase_if(bends, [&](const KnotPiece& bend) { return bend.meets(knot); });
+    return bends;
 }
 
 /// What the trims leave of the pieces: where they change sides between two of 16 places is found by
@@ -185,8 +178,11 @@ std::vector<MeasuredSeam> FaceKnots::measure(std::uint32_t instance,
     char knot[48];
     std::snprintf(knot, sizeof knot, "%c = %.6g", line.front().constant_u ? 'u' : 'v',
                   line.front().at);
+    CriteriaPreset judged = preset;
+    if (!std::all_of(line.begin(), line.end(), [](const KnotPiece& p) { return p.has_limits; }))
+        judged.curvature.reset(), judged.curvature_slope.reset();
     std::vector<MeasuredSeam> measured;
-    for (MeasuredStretch& stretch : measure_line(model_, seam, preset, limits)) {
+    for (MeasuredStretch& stretch : measure_line(model_, seam, judged, limits)) {
         stretch.seam.faces = placed_face_name(model_, instance, index_) + ", inside at " + knot;
         stretch.seam.internal = true;
         measured.push_back(std::move(stretch.seam));

@@ -14,6 +14,7 @@ struct KnotPiece {
     bool constant_u = true;
     double at = 0, begin = 0, end = 0;
     double low = at, high = at;
+    bool has_limits = true; ///< the curvatures of its sides are their limits at the line
 
     bool is_bend() const { return low < high; }
     auto order() const { return std::tuple(!constant_u, at, begin, end); }
@@ -25,11 +26,10 @@ struct KnotPiece {
         const Vec2 a = point(line, begin), b = point(line, end);
         return {Vec3(a.x, a.y, 1), Vec3(b.x, b.y, 1)};
     }
-    /// Whether either lies between the sides of the other, on the same stretch.
-    bool covers(const KnotPiece& other) const {
-        const auto holds = [](const KnotPiece& a, double x) { return a.low <= x && x <= a.high; };
+    /// Whether what lies between the sides of both overlaps, on the same stretch.
+    bool meets(const KnotPiece& other) const {
         return constant_u == other.constant_u && begin == other.begin && end == other.end &&
-               (holds(*this, other.at) || holds(other, at));
+               low <= other.high && other.low <= high;
     }
 };
 

@@ -71,13 +71,19 @@ double slowest_between(const CrossSpeed& speed, double low, double high) {
     return speed(high) <= at_inside ? high : inside;
 }
 
-/// Whether the speed rises on the way of half a window, or of `most` in the parameter.
-bool quickens(const CrossSpeed& speed, double t, double window, double most) {
+/// Whether the speed rises by a quarter on the way of half a window, to one side of `t`.
+bool quickens(const CrossSpeed& speed, double t, double window, double step) {
     constexpr double rise = 1.25;
     const double slow = speed(t);
-    const double step = slow * most > window / 2 ? window / 2 / slow : most;
-    const auto faster = [&](double x) { return speed(std::clamp(x, 0.0, 1.0)) > rise * slow; };
-    return faster(t - step) || faster(t + step);
+    double way = 0;
+    const double first =
+        slow * std::abs(step) > window / 2 ? std::copysign(window / 2 / slow, step) : step;
+    for (double x = t + first; x >= 0 && x <= 1 && way < window / 2; x += step) {
+        const double now = speed(x);
+        if (now > rise * slow) return true;
+        way += now * std::abs(step);
+    }
+    return false;
 }
 
 void add_slow(const CrossSpeed& speed, int degree, double window, std::vector<double>& lines) {
@@ -99,7 +105,9 @@ void add_slow(const CrossSpeed& speed, int degree, double window, std::vector<do
         const double step = 1.0 / steps;
         const double t = slowest_between(speed, std::max(0, i - 1) * step,
                                          i + 1 >= steps ? 1.0 : (i + 1) * step);
-        if (speed(t) <= limit && quickens(speed, t, window, step)) lines.push_back(t);
+        if (speed(t) <= limit &&
+            (quickens(speed, t, window, step) || quickens(speed, t, window, -step)))
+            lines.push_back(t);
     }
 }
 
