@@ -192,7 +192,7 @@ TEST(BendsInside, AreNotSeenAtPoles) {
 
 TEST(BendsInside, OfRandomSheetsAreFound) {
     test::Random random(test::first_seed());
-    const int sheets = test::long_run() ? 20000 : 300;
+    const int sheets = test::long_run() ? 5000 : 300;
     for (int i = 0; i < sheets; ++i) {
         const double degrees =
             std::pow(10, test::uniform(random, std::log10(0.02), std::log10(90)));
