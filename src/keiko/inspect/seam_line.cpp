@@ -97,9 +97,8 @@ StretchExtremes extremes_of(const std::vector<SeamProbe>& probes, const Criteria
     const CurvatureJudge curvature(preset);
     const std::vector<SeamQuestion> questions = questions_of(preset, curvature);
     StretchExtremes all;
-    const int cells = std::max(2, 8 / static_cast<int>(probes.size()));
     for (const SeamProbe& probe : probes) {
-        const auto found = seam_extremes(probe, questions, cells);
+        const auto found = seam_extremes(probe, questions);
         keep_worse(all.gap, found[0]);
         keep_worse(all.angle, found[1]);
         keep_worse(all.negated_angle, found[2]);
