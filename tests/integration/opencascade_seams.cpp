@@ -157,7 +157,7 @@ public:
         const double speed = tangent(t).Magnitude();
         const gp_Vec2d left(-d.Y(), d.X());
         if (!(speed > 0)) return false;
-        return classifier.Perform(uv.Translated(left * (aside / speed))) == TopAbs_IN;
+        return classifier.Perform(uv.Translated(left * (aside / speed)), false) == TopAbs_IN;
     }
 
     /// Bisects (C(t) - p) . C'(t) = 0.

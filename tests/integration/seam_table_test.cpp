@@ -271,7 +271,8 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, SeamTable,
 
 INSTANTIATE_TEST_SUITE_P(Panels, SharedSeamTable,
                          testing::Values("car-hood.brep", "car-hood-converted.step",
-                                         "car-front-fender.brep", "car-rear-deck-half-panel.brep"),
+                                         "car-front-fender.brep", "car-rear-deck-half-panel.brep",
+                                         "suspension-control-arm.step"),
                          file_test_name);
 
 } // namespace
