@@ -2,6 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/face_names.h"
+#include "keiko/inspect/face_sizes.h"
 #include "keiko/inspect/placed_derivatives.h"
 #include "keiko/inspect/run_out_places.h"
 #include "keiko/inspect/seam_chain.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace keiko {
 namespace {
@@ -100,6 +102,7 @@ private:
     void chain();
     void follow(std::uint32_t first);
     void measure();
+    RunOutPlaces run_outs_of(std::uint32_t chain, const FaceSizes& sizes) const;
     void excuse_run_outs();
     void add_inflections(JoinedLine& line, const LineShape& shape,
                          std::span<const CourseAt> courses, std::span<const std::uint32_t> pieces,
@@ -215,23 +218,34 @@ void LineJoiner::measure() {
     excuse_run_outs();
 }
 
+RunOutPlaces LineJoiner::run_outs_of(std::uint32_t chain, const FaceSizes& sizes) const {
+    std::vector<SeamProbe> pieces;
+    for (const std::uint32_t piece : seams_.chains[chain])
+        pieces.emplace_back(seams_.curves, seams_.seams[piece]);
+    const Seam& first = seams_.seams[seams_.chains[chain].front()];
+    return {pieces, stretch_limits(sizes.of(first.a.instance, first.a.face),
+                                   sizes.of(first.b.instance, first.b.face), preset_,
+                                   seams_.join_distance)};
+}
+
 /// Where a crease fades out lines jump, too: the seam's own verdict says whether it fades well.
 void LineJoiner::excuse_run_outs() {
-    const auto may_fade = [&](const LineCrossing& crossing) {
-        return crossing.border.seam != no_index && crossing.verdict &&
-               *crossing.verdict != Verdict::pass && crossing.angle > preset_.angle;
-    };
-    std::vector<LineCrossing>& all = result_.crossings;
-    if (std::none_of(all.begin(), all.end(), may_fade)) return;
-    RunOutPlaces run_outs(seams_.curves, seams_.seams, seams_.chains,
-                          stretch_limits(model_, preset_, seams_.join_distance));
-    for (LineCrossing& crossing : all) {
+    std::map<std::uint32_t, std::vector<LineCrossing*>> by_chain;
+    for (LineCrossing& crossing : result_.crossings)
+        if (crossing.border.seam != no_index && crossing.verdict &&
+            *crossing.verdict != Verdict::pass && crossing.angle > preset_.angle)
+            by_chain[crossing.border.seam].push_back(&crossing);
+    if (by_chain.empty()) return;
+    const FaceSizes sizes(seams_.curves);
+    const std::vector<std::pair<std::uint32_t, std::vector<LineCrossing*>>> chains(by_chain.begin(),
+                                                                                   by_chain.end());
+    parallel_for(chains.size(), job_, "run-outs", [&](std::size_t i) {
         constexpr double beside = 0.01; // mm: of a chord from its curve
-        if (!may_fade(crossing) ||
-            !run_outs.hold(crossing.border.seam, crossing.place, crossing.gap + beside))
-            continue;
-        crossing.run_out = true, crossing.verdict.reset(), crossing.severity = 0;
-    }
+        const RunOutPlaces run_outs = run_outs_of(chains[i].first, sizes);
+        for (LineCrossing* crossing : chains[i].second)
+            if (run_outs.hold(crossing->place, crossing->gap + beside))
+                crossing->run_out = true, crossing->verdict.reset(), crossing->severity = 0;
+    });
 }
 
 void LineJoiner::name(LineCrossing& crossing) const {

@@ -3,6 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/bend_pieces.h"
 #include "keiko/inspect/face_names.h"
+#include "keiko/inspect/face_sizes.h"
 #include "keiko/inspect/seam_line.h"
 #include "keiko/patch/trim_region.h"
 
@@ -35,16 +36,18 @@ public:
         : model_(model), index_(face), face_(model, face) {}
 
     std::vector<std::vector<MeasuredSeam>> measured(const CriteriaPreset& preset,
-                                                    const StretchLimits& limits) const {
+                                                    const FaceSizes& sizes) const {
         std::vector<std::vector<MeasuredSeam>> seams;
         const std::vector<KnotPiece> knots = broken();
-        std::vector<std::vector<KnotPiece>> lines = chained(kept(knots));
-        for (auto& line : chained(kept(bends(knots, limits.negligible))))
-            lines.push_back(std::move(line));
-        for (std::uint32_t i = 0; !lines.empty() && i < model_.instances.size(); ++i) {
+        const std::vector<std::vector<KnotPiece>> breaks = chained(kept(knots));
+        for (std::uint32_t i = 0; i < model_.instances.size(); ++i) {
             const Part& part = model_.parts[model_.instances[i].part];
             if (index_ - part.first_face >= part.face_count) continue;
-            for (const auto& line : lines) seams.push_back(measure(i, line, preset, limits));
+            const double size = sizes.of(i, index_);
+            const StretchLimits limits = stretch_limits(size, size, preset, 0);
+            for (const auto& line : breaks) seams.push_back(measure(i, line, preset, limits));
+            for (const auto& line : chained(kept(bends(knots, limits.negligible))))
+                seams.push_back(measure(i, line, preset, limits));
         }
         return seams;
     }
@@ -194,13 +197,13 @@ std::vector<MeasuredSeam> FaceKnots::measure(std::uint32_t instance,
 
 std::vector<MeasuredSeam> measure_knot_lines(const SurfaceModel& model,
                                              const CriteriaPreset& preset, const Job& job) {
-    const StretchLimits limits = stretch_limits(model, preset, 0);
+    const FaceSizes sizes{BoundaryCurves(model)};
     std::vector<std::vector<std::vector<MeasuredSeam>>> by_face(model.faces.size());
     parallel_for(model.faces.size(), job, "knots", [&](std::size_t f) {
         const Face& face = model.faces[f];
         const auto index = static_cast<std::uint32_t>(f);
         if (face.approximated > 0 || has_irregular_patch(model, index)) return;
-        by_face[f] = FaceKnots(model, index).measured(preset, limits);
+        by_face[f] = FaceKnots(model, index).measured(preset, sizes);
     });
     std::vector<MeasuredSeam> all;
     std::uint32_t number = 0;
@@ -210,7 +213,7 @@ std::vector<MeasuredSeam> measure_knot_lines(const SurfaceModel& model,
             ++number;
             std::move(line.begin(), line.end(), std::back_inserter(all));
         }
-    excuse_scraps(all, limits.negligible);
+    excuse_scraps(all);
     return all;
 }
 

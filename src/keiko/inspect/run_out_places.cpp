@@ -24,22 +24,16 @@ double distance_to(const SeamProbe& probe, const Vec3& place) {
 
 } // namespace
 
-const std::vector<SeamProbe>& RunOutPlaces::run_outs_of(std::uint32_t chain) {
-    const auto [at, is_new] = found_.try_emplace(chain);
-    if (!is_new) return at->second;
-    std::vector<SeamProbe> probes;
-    for (const std::uint32_t piece : chains_[chain]) probes.emplace_back(curves_, seams_[piece]);
-    for (const SeamStretch& stretch : seam_stretches(probes, limits_)) {
+RunOutPlaces::RunOutPlaces(std::span<const SeamProbe> pieces, const StretchLimits& limits) {
+    for (const SeamStretch& stretch : seam_stretches(pieces, limits)) {
         if (stretch.kind != SeamClass::run_out) continue;
         for (const SeamPart& part : stretch.parts)
-            at->second.push_back(probes[part.piece].part(part.begin, part.end));
+            run_outs_.push_back(pieces[part.piece].part(part.begin, part.end));
     }
-    return at->second;
 }
 
-bool RunOutPlaces::hold(std::uint32_t chain, const Vec3& place, double reach) {
-    const std::vector<SeamProbe>& run_outs = run_outs_of(chain);
-    return std::any_of(run_outs.begin(), run_outs.end(),
+bool RunOutPlaces::hold(const Vec3& place, double reach) const {
+    return std::any_of(run_outs_.begin(), run_outs_.end(),
                        [&](const SeamProbe& probe) { return distance_to(probe, place) <= reach; });
 }
 

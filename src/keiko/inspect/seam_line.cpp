@@ -3,7 +3,6 @@
 #include "keiko/inspect/curvature_match.h"
 #include "keiko/inspect/seam_extremes.h"
 #include "keiko/inspect/slope_match.h"
-#include "keiko/patch/material_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -215,13 +214,15 @@ MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
 
 } // namespace
 
-StretchLimits stretch_limits(const SurfaceModel& model, const CriteriaPreset& preset, double join) {
-    constexpr double share_of_body = 0.01;
+StretchLimits stretch_limits(double size_a, double size_b, const CriteriaPreset& preset,
+                             double join) {
+    constexpr double share_of_face = 0.01;
     // What a run-out leaves is judged as smooth: there no bound may straddle the limit.
     constexpr double faded = 0.99;
     return {.feature_angle = preset.feature_angle,
-            .negligible = std::min(preset.negligible,
-                                   share_of_body * material_bounds(model).extent().length()),
+            .negligible =
+                std::max(class_change_bound,
+                         std::min(preset.negligible, share_of_face * std::min(size_a, size_b))),
             .join = join,
             .angle = faded * preset.angle,
             .fading = preset.fading,
@@ -234,14 +235,14 @@ std::vector<MeasuredStretch> measure_line(const SurfaceModel& model, const SeamL
     std::vector<MeasuredStretch> measured;
     for (SeamStretch& stretch : seam_stretches(line.probes, limits)) {
         MeasuredSeam seam = measure_stretch(model, line, stretch, preset);
-        seam.scrap = stretch.scrap;
+        seam.scrap = stretch.scrap, seam.negligible = limits.negligible;
         seam.parted = limits.join > 0 && seam.gap.value > limits.join;
         measured.push_back({std::move(seam), std::move(stretch.parts)});
     }
     return measured;
 }
 
-void excuse_scraps(std::vector<MeasuredSeam>& seams, double negligible) {
+void excuse_scraps(std::vector<MeasuredSeam>& seams) {
     using PlacedFace = std::pair<std::uint32_t, std::uint32_t>;
     std::map<PlacedFace, double> failing;
     const auto faces_of = [](const MeasuredSeam& seam) {
@@ -254,7 +255,7 @@ void excuse_scraps(std::vector<MeasuredSeam>& seams, double negligible) {
         if (!seam.scrap) continue;
         const std::set<PlacedFace> faces = faces_of(seam);
         const bool too_long = std::any_of(faces.begin(), faces.end(), [&](const PlacedFace& face) {
-            return failing[face] > negligible;
+            return failing[face] > seam.negligible;
         });
         if (too_long && seam.verdict != Verdict::pass)
             seam.scrap = false;

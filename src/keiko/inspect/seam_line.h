@@ -19,13 +19,14 @@ struct MeasuredStretch {
     std::vector<SeamPart> parts;
 };
 
-/// The lengths and angles by which a preset cuts lines into stretches. No length is negligible that
-/// is more than a hundredth of the body's diagonal.
-StretchLimits stretch_limits(const SurfaceModel& model, const CriteriaPreset& preset, double join);
+/// The lengths and angles by which a preset cuts the lines between two faces of these sizes (mm)
+/// into stretches. No length is negligible that is more than a hundredth of the smaller one.
+StretchLimits stretch_limits(double size_a, double size_b, const CriteriaPreset& preset,
+                             double join);
 
 /// Takes scraps out of the verdict: those of faces whose scraps that do not pass are together no
-/// longer than `negligible` (mm). The others are scraps no more.
-void excuse_scraps(std::vector<MeasuredSeam>& seams, double negligible);
+/// longer than what is negligible for the seam. The others are scraps no more.
+void excuse_scraps(std::vector<MeasuredSeam>& seams);
 
 /// Cuts a line into stretches, measures each on the exact geometry and judges it by the rules of
 /// its class, scraps too.

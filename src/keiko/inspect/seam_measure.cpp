@@ -2,6 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/face_names.h"
+#include "keiko/inspect/face_sizes.h"
 #include "keiko/inspect/knot_lines.h"
 #include "keiko/inspect/seam_chain.h"
 #include "keiko/inspect/seam_line.h"
@@ -32,10 +33,14 @@ MeasuredSeams measure_seams(const SurfaceModel& model, std::span<const Seam> pai
     const BoundaryCurves curves(model);
     const std::vector<Seam> seams = widened_seams(curves, paired, join);
     const std::vector<std::vector<std::uint32_t>> chains = seam_chains(curves, seams, join);
-    const StretchLimits limits = stretch_limits(model, preset, join);
+    const FaceSizes sizes(curves);
     std::vector<std::vector<MeasuredStretch>> lines(chains.size());
     parallel_for(chains.size(), job, "measure", [&](std::size_t i) {
-        lines[i] = measure_line(model, line_of(curves, seams, chains[i]), preset, limits);
+        const SeamLine line = line_of(curves, seams, chains[i]);
+        const StretchLimits limits =
+            stretch_limits(sizes.of(line.instance_a, line.face_a),
+                           sizes.of(line.instance_b, line.face_b), preset, join);
+        lines[i] = measure_line(model, line, preset, limits);
     });
     MeasuredSeams result;
     for (std::uint32_t i = 0; i < lines.size(); ++i)
@@ -50,7 +55,7 @@ MeasuredSeams measure_seams(const SurfaceModel& model, std::span<const Seam> pai
             }
             result.seams.push_back(std::move(seam));
         }
-    excuse_scraps(result.seams, limits.negligible);
+    excuse_scraps(result.seams);
     return result;
 }
 

@@ -47,6 +47,7 @@ struct MeasuredSeam {
     SeamClass kind = SeamClass::smooth;
     /// Shorter than the preset's negligible length, and so not judged: `verdict` is pass.
     bool scrap = false;
+    double negligible = 0;      ///< mm: a shorter stretch of the line is a scrap
     Worst gap;                  ///< G0, mm
     std::optional<Worst> angle; ///< G1, degrees; nothing where a side has no normal
     double smallest_angle = 0;  ///< degrees, where there is an angle

@@ -9,23 +9,21 @@ namespace {
 using test::SeamSlope;
 using test::SlopedSeam;
 
-const std::vector<std::vector<std::uint32_t>> one_chain{{0}};
-
 TEST(RunOutPlaces, HoldThePlacesWhereACreaseFades) {
     const SeamSlope slope{{{100, {8, 8, 8, 8}}, {160, {8, 8, 0, 0}}, {260, {0, 0, 0, 0}}}};
     const SlopedSeam seam(slope);
     const StretchLimits limits;
-    RunOutPlaces places(seam.curves(), seam.seams(), one_chain, limits);
+    const RunOutPlaces places(seam.probes(), limits);
     const double begin = slope.place_of(limits.feature_angle, 100, 160);
     const double end = slope.place_of(limits.angle, 100, 160);
     constexpr double reach = 0.02; // mm
     for (const double x : {begin - 0.01, begin, (begin + end) / 2, end, end + 0.01})
-        EXPECT_TRUE(places.hold(0, {x, 0, 0}, reach)) << x;
+        EXPECT_TRUE(places.hold({x, 0, 0}, reach)) << x;
     for (const double x : {50.0, begin - 0.03, end + 0.03, 200.0})
-        EXPECT_FALSE(places.hold(0, {x, 0, 0}, reach)) << x;
+        EXPECT_FALSE(places.hold({x, 0, 0}, reach)) << x;
     const double middle = (begin + end) / 2;
-    EXPECT_TRUE(places.hold(0, {middle, 0, 0.019}, reach));
-    EXPECT_FALSE(places.hold(0, {middle, 0, 0.021}, reach));
+    EXPECT_TRUE(places.hold({middle, 0, 0.019}, reach));
+    EXPECT_FALSE(places.hold({middle, 0, 0.021}, reach));
 }
 
 TEST(RunOutPlaces, HoldNothingWhereNoCreaseFades) {
@@ -34,9 +32,9 @@ TEST(RunOutPlaces, HoldNothingWhereNoCreaseFades) {
          {SeamSlope{{{100, {8, 8, 8, 8}}, {160, {8, 8, 2, 2}}, {260, {2, 2, 2, 2}}}},
           SeamSlope{{{100, {0, 0, 5.1, 5.1}}, {200, {5.1, 5.1, 0, 0}}}}}) {
         const SlopedSeam seam(slope);
-        RunOutPlaces places(seam.curves(), seam.seams(), one_chain, StretchLimits{});
+        const RunOutPlaces places(seam.probes(), {});
         for (double x = 0; x <= slope.length(); x += 5)
-            EXPECT_FALSE(places.hold(0, {x, 0, 0}, 1)) << x;
+            EXPECT_FALSE(places.hold({x, 0, 0}, 1)) << x;
     }
 }
 
