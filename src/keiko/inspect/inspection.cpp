@@ -21,7 +21,9 @@ void count(const MeasuredSeam& seam, SeamCounts& counts) {
             ++counts.undecided;
             break;
         case Verdict::pass:
-            ++(seam.is_passing_crease() ? counts.creases : counts.pass);
+            ++(seam.kind == SeamClass::crease    ? counts.creases
+               : seam.kind == SeamClass::run_out ? counts.run_outs
+                                                 : counts.pass);
             break;
     }
 }

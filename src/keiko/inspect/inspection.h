@@ -8,10 +8,10 @@
 
 namespace keiko {
 
-/// Stretches of seams by verdict. A crease that passes, and a run-out that does, count as creases
-/// only, and scraps as scraps.
+/// Stretches of seams by verdict. A crease that passes counts as a crease only, a run-out that does
+/// as a run-out, and a scrap as a scrap.
 struct SeamCounts {
-    std::size_t fail = 0, undecided = 0, pass = 0, creases = 0, scraps = 0;
+    std::size_t fail = 0, undecided = 0, pass = 0, creases = 0, run_outs = 0, scraps = 0;
 
     bool operator==(const SeamCounts&) const = default;
 };

@@ -79,9 +79,11 @@ std::string html_verdict(const Report& report) {
     if (const std::string warning = nothing_judged(inspection); !warning.empty())
         html += "<div><b>" + warning + "</b></div>";
     html += "</div></header>\n";
-    html += "<div class=\"counts\">" + count("fail", counts.fail, "seam fails", "seams fail") +
+    html += "<div class=\"counts\">" +
+            count("fail", counts.fail, "stretch fails", "stretches fail") +
             count("undecided", counts.undecided, "undecided") + count("pass", counts.pass, "pass") +
             count("crease", counts.creases, "crease", "creases");
+    if (counts.run_outs > 0) html += count("crease", counts.run_outs, "run-out", "run-outs");
     if (counts.scraps > 0) html += count("crease", counts.scraps, "scrap", "scraps");
     if (report.lines)
         html += count("fail", count_crossings(*report.lines).fail, "line crossing fails",

@@ -164,6 +164,9 @@ std::string row(const Report& report, std::size_t index, bool with_slope) {
                                               fixed_number(seam.slope->worst.value, 3),
                                               over(seam.slope->worst))
                            : none;
+    html += seam.fading ? html_number_cell(seam.fading->value, short_number(seam.fading->value),
+                                           !seam.scrap && over(*seam.fading))
+                        : none;
     html += html_number_cell(seam.length, fixed_number(seam.length, 1), false);
     const Vec3 place = worst_place(seam);
     return html + html_cell(short_number(place.x, 9), place_text(place) + irregular_note(seam)) +
@@ -184,6 +187,7 @@ std::vector<std::string> headings(const CriteriaPreset& preset) {
         names.back() += at_most + short_number(preset.curvature->limit * 100) + " %";
     if (preset.curvature_slope)
         names.push_back("its slope °" + at_most + short_number(*preset.curvature_slope));
+    names.push_back("fading °/mm" + at_most + short_number(preset.fading));
     names.insert(names.end(), {"length mm", "worst place x, y, z"});
     return names;
 }
@@ -193,7 +197,7 @@ std::vector<std::string> headings(const CriteriaPreset& preset) {
 std::string html_worst_seams(const Report& report) {
     const std::vector<std::uint32_t> worst = worst_seams(report.inspection, worst_seam_count);
     if (worst.empty()) return "";
-    std::string html = "<section><h2>Worst seams</h2><div class=\"worst\">\n";
+    std::string html = "<section><h2>Worst stretches of seams</h2><div class=\"worst\">\n";
     for (std::size_t i = 0; i < worst.size(); ++i) html += seam_card(report, i + 1, worst[i]);
     return html + "</div></section>\n";
 }
@@ -202,7 +206,8 @@ std::string html_all_seams(const Report& report) {
     const std::vector<MeasuredSeam>& seams = report.inspection.seams;
     if (seams.empty()) return "";
     const CriteriaPreset& preset = report.inspection.preset;
-    std::string html = "<section><h2>All seams</h2>" + html_table_head(headings(preset), "faces");
+    std::string html =
+        "<section><h2>All stretches of seams</h2>" + html_table_head(headings(preset), "faces");
     for (std::size_t i = 0; i < seams.size(); ++i)
         html += row(report, i, preset.curvature_slope.has_value());
     return html + std::string(html_table_end) + "</section>\n";

@@ -52,6 +52,7 @@ std::string seams_words(const Inspection& inspection) {
     return "seams " + std::to_string(counts.fail) + " fail, " + std::to_string(counts.undecided) +
            " undecided, " + std::to_string(counts.pass) + " pass, " +
            std::to_string(counts.creases) + " creases" +
+           (counts.run_outs > 0 ? ", " + counted(counts.run_outs, "run-out") : "") +
            (counts.scraps > 0 ? ", " + counted(counts.scraps, "scrap") : "") +
            stretches_text(inspection) + (unmet.empty() ? "" : "; " + unmet);
 }

@@ -198,6 +198,7 @@ Json inspection_json_value(const Inspection& inspection) {
                    {"undecided", counts.undecided},
                    {"pass", counts.pass},
                    {"creases", counts.creases},
+                   {"run_outs", counts.run_outs},
                    {"scraps", counts.scraps}}},
                  {"face_counts",
                   {{"fail", faces.fail}, {"undecided", faces.undecided}, {"pass", faces.pass}}},

@@ -22,9 +22,10 @@ namespace keiko {
 std::string facts_json(const ModelFacts& facts);
 
 /// The geometry against criteria, "keiko-inspection/1": tool {name, version}, verdict ("pass",
-/// "undecided", "fail"), counts {fail, undecided, pass, creases, scraps} of stretches, face_counts
-/// {fail, undecided, pass}, preset, join, model (as facts_json, without face_list), worst_seams
-/// [numbers], seams [{number (from 1), line (from 1), faces, face_ids, instances, verdict, kind
+/// "undecided", "fail"), counts {fail, undecided, pass, creases, run_outs, scraps} of stretches,
+/// face_counts {fail, undecided, pass}, preset, join, model (as facts_json, without face_list),
+/// worst_seams [numbers], seams [{number (from 1), line (from 1), faces, face_ids, instances,
+/// verdict, kind
 /// ("smooth", "run-out", "crease", "fold"), scrap, severity, length, middle, from, to, gap, angle,
 /// curvature, curvature_slope, fading, internal, overlap, parted}], faces [{number, name, face_id,
 /// instance, verdict, radius, curvature {largest, smallest, largest_mean, smallest_mean,

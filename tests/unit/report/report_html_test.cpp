@@ -119,10 +119,11 @@ TEST(ReportHtml, TellsTheFirstScreenInOrder) {
     const std::string html = report_html(report());
     std::size_t at = 0;
     for (const char* text :
-         {"<header class=\"card head fail\">", "seams fail", "undecided", "</b>crease</div>",
-          "not covered", "Reflections", "Worst seams", "0.0400 mm", "0.300°", "Coverage", "87.5 %",
-          "All seams", "lost faces", "repairs", "1 × open loop closed on 1 face, up to 0.25 mm",
-          "a &lt;seam&gt; added", "invalid in the file"}) {
+         {"<header class=\"card head fail\">", "stretches fail", "undecided", "</b>crease</div>",
+          "not covered", "Reflections", "Worst stretches of seams", "0.0400 mm", "0.300°",
+          "Coverage", "87.5 %", "All stretches of seams", "lost faces", "repairs",
+          "1 × open loop closed on 1 face, up to 0.25 mm", "a &lt;seam&gt; added",
+          "invalid in the file"}) {
         const std::size_t next = html.find(text, at);
         ASSERT_NE(next, std::string::npos) << text;
         at = next;
@@ -152,6 +153,19 @@ TEST(ReportHtml, TellsWhyASeamFailsByTheSlopeOfItsCurvatureAlone) {
     EXPECT_NE(html.find(">its slope ° ≤ 0.1<"), std::string::npos);
     EXPECT_NE(html.find("<td class=\"tone\" data-v=\"0.4\">0.400</td>"), std::string::npos);
     EXPECT_EQ(report_html(report()).find("its slope °"), std::string::npos);
+}
+
+TEST(ReportHtml, ListsHowACreaseFades) {
+    Report fading = report();
+    fading.inspection.preset.fading = 0.0014;
+    MeasuredSeam& crease = fading.inspection.seams[0];
+    crease.kind = SeamClass::crease;
+    crease.fading = {.value = 0.05, .bound = 0, .limit = 0.0014, .verdict = Verdict::fail};
+    fading.inspection.counts.run_outs = 3;
+    const std::string html = report_html(fading);
+    EXPECT_NE(html.find(">fading °/mm ≤ 0.0014<"), std::string::npos);
+    EXPECT_NE(html.find("<td class=\"tone\" data-v=\"0.05\">0.05</td>"), std::string::npos);
+    EXPECT_NE(html.find("3</b>run-outs</div>"), std::string::npos);
 }
 
 TEST(ReportHtml, TellsOverlapsAndKnotLinesFromGapsAndSeams) {
@@ -189,7 +203,8 @@ TEST(ReportHtml, LeavesOutWhatThereIsNot) {
     Report bare;
     bare.inspection = inspect(SurfaceModel{});
     const std::string html = report_html(bare);
-    for (const char* absent : {"Reflections", "Worst seams", "Coverage", "not covered"})
+    for (const char* absent :
+         {"Reflections", "Worst stretches of seams", "Coverage", "not covered"})
         EXPECT_EQ(html.find(absent), std::string::npos) << absent;
     EXPECT_NE(html.find("<header class=\"card head pass\">"), std::string::npos);
 }
