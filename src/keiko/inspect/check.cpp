@@ -1,6 +1,7 @@
 #include "keiko/inspect/check.h"
 
 #include "keiko/inspect/curvature_match.h"
+#include "keiko/inspect/opening.h"
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,8 @@ constexpr std::array criteria{
     Criterion{"G-SU-WV", "", "waviness", "Depth of waves of a surface, off the form around them."},
     Criterion{"KEIKO-DENT", "", "dent",
               "Depth of a dent or height of a bump of a surface, off the form around it."},
+    Criterion{"KEIKO-OPENING", "", "opening",
+              "Width of a notch, slit or small hole between free edges that begins at a seam."},
     Criterion{"KEIKO-SYMMETRY", "", "symmetry",
               "Largest distance of a body's surface from its own mirror image."},
     Criterion{"KEIKO-LINE-JUMP", "", "line_jump",
@@ -224,6 +227,18 @@ Check check_of_lines(std::string_view code, const Worst& worst, std::size_t line
 Check check_of_symmetry(const Worst& worst, const std::string& plane) {
     const std::string what = "the deviation from the mirror image at " + plane;
     return judged("KEIKO-SYMMETRY", "mm", worst, {what.c_str(), " mm"});
+}
+
+Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,
+                       const std::string& faces) {
+    Worst worst{opening.width, opening.width_bound, preset.gap, opening.place};
+    worst.verdict = judge(worst.value, worst.bound, worst.limit);
+    Check check = judged("KEIKO-OPENING", "mm", worst, {"the opening between free edges", " mm"});
+    check.message += opening.goes_on ? ", more than " : ", some ";
+    check.message += short_number(opening.length) + " mm long";
+    check.severity = Check::Severity::look;
+    check.faces = faces;
+    return check;
 }
 
 std::string_view outcome_of(const Check& check) {

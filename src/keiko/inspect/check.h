@@ -10,6 +10,8 @@
 
 namespace keiko {
 
+struct Opening;
+
 /// What surfaces are held to, and its names.
 struct Criterion {
     std::string_view code;        ///< [SASIG-PDQ], [VDA4955]: "G-SU-LG"; Keiko's own: "KEIKO-..."
@@ -56,6 +58,11 @@ Check check_of_lines(std::string_view code, const Worst& worst, std::size_t line
 /// KEIKO-SYMMETRY held against how far a body is from its image at a plane, "y = 0", at its worst
 /// place. Without face.
 Check check_of_symmetry(const Worst& worst, const std::string& plane);
+
+/// KEIKO-OPENING: an opening that is wider than the preset's gap is worth a look. `faces`: the
+/// names of its sides. Without face.
+Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,
+                       const std::string& faces);
 
 /// Every criterion of the preset held against one measured face (number `index`), and what of it is
 /// worth a look. What the preset has no limit for is left out.

@@ -1,6 +1,8 @@
 #include "keiko/inspect/inspection.h"
 
+#include "keiko/inspect/face_names.h"
 #include "keiko/inspect/flaw_search.h"
+#include "keiko/inspect/opening.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,6 +115,25 @@ void add_flaws(const SurfaceModel& model, Inspection& result, const Job& job) {
     }
 }
 
+void add_openings(const SurfaceModel& model, Inspection& result, const Job& job) {
+    const CriteriaPreset& preset = result.preset;
+    for (const Opening& opening :
+         find_openings(model, result.pieces, {result.join, preset.negligible, preset.gap}, job)) {
+        const auto& [a, b] = opening.sides;
+        const std::string name = placed_face_name(model, a.instance, a.face);
+        const bool of_one = a.instance == b.instance && a.face == b.face;
+        Check check = check_of_opening(
+            opening, preset,
+            of_one ? name : name + " | " + placed_face_name(model, b.instance, b.face));
+        const auto first =
+            std::find_if(result.faces.begin(), result.faces.end(), [&](const MeasuredFace& face) {
+                return face.instance == a.instance && face.face == a.face;
+            });
+        check.face = static_cast<std::uint32_t>(first - result.faces.begin());
+        if (check.is_worth_a_look()) result.checks.push_back(std::move(check));
+    }
+}
+
 } // namespace
 
 Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, double join,
@@ -136,6 +157,7 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
         ++count_of(result.faces[i].verdict, result.face_counts);
         take(result.faces[i].verdict, checks_of(result.faces[i], preset, i), result);
     }
+    add_openings(model, result, job);
     result.findings = ranked(result, &Check::is_finding);
     result.looks = ranked(result, &Check::is_worth_a_look);
     return result;

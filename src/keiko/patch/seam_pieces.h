@@ -16,7 +16,7 @@ struct SeamPiece {
     struct Tip {
         Vec3 position{0}, onward{0};
     };
-    /// Instance and face of either side; what belongs to different pairs is never one seam.
+    /// Instance and face of either side.
     std::array<std::uint32_t, 4> faces{};
     std::array<std::array<Tip, 2>, 2> ends{}; ///< the first and the last, on both borders
     double length = 0;                        ///< mm
@@ -27,7 +27,8 @@ struct SeamPiece {
 
 /// Which of the pieces are seams. A seam runs along further than it is wide, and further than
 /// `join` mm or as far as a whole border. A scrap is a seam where it is one with those that go on
-/// from its ends, or where it fills the hole between two seams. So it does not matter how a border
+/// from its ends, of the same faces or of the next ones, or where it fills the hole between two
+/// seams of its faces. So it does not matter how a border
 /// is cut into curves. Where a border turns back, as in the hooks of careless trims, nothing goes
 /// on.
 std::vector<bool> seams_among(std::span<const SeamPiece> pieces, double join);

@@ -124,6 +124,21 @@ TEST(PairSeams, DoNotDependOnHowBordersAreCut) {
     }
 }
 
+TEST(PairSeams, GoAlongAGapOfFacesThatAreShorterThanItIsWide) {
+    const double gap = 0.49;
+    for (const double width : {0.2, 0.5, 1.2, 1.6}) {
+        ModelBuilder builder;
+        builder.plane({0, 0, 0}, {8 * width, 0, 0}, down_y);
+        for (int i = 0; i < 8; ++i) builder.plane({i * width, gap, 0}, {width, 0, 0}, up_y);
+        const SurfaceModel model = builder.build();
+        double length = 0;
+        for (const Seam& seam : pair_seams(model, join))
+            if (seam.a.face == 0) length += length_of(model, seam.a);
+        // Four times the gap and more, or none.
+        EXPECT_NEAR(length, 8 * width > 4 * gap ? 8 * width : 0, 1e-9) << width;
+    }
+}
+
 TEST(PairSeams, LeaveAScrapAtOneEndOfASeam) {
     // Beyond x = 10 the lower border turns away by 9 degrees; the upper one ends 0.3 mm later.
     ModelBuilder builder;
