@@ -137,28 +137,31 @@ double OpeningSearch::touching(const Strand& a, const Strand& b, double reach) c
     return way;
 }
 
-/// Whether neither edge has its material on the other's side: the way across leaves both faces
-/// rather than runs beside them, as the rim of a tube does.
+/// Whether the way across leaves one of the faces and does not go straight into the other. It runs
+/// beside both at the rim of a tube, and beside one in a notch at a crease.
 bool OpeningSearch::over_a_gap(const Across& across) const {
     const Vec3 way = across.b.position - across.a.position;
-    const auto leaves = [&](const FreePlace& p, const Vec3& out) {
+    const auto entered = [&](const FreePlace& p, const Vec3& out) {
         const auto frame = curves_.curve(edges_.all[p.edge].pieces[p.piece]).frame(p.t);
-        return frame && out.dot(frame->inward) <= -0.5 * out.length();
+        return frame ? out.dot(frame->inward) / out.length() : 1;
     };
-    return leaves(across.a, way) && leaves(across.b, -way);
+    const auto [least, most] = std::minmax({entered(across.a, way), entered(across.b, -way)});
+    constexpr double leaves = -0.5, enters = 0.8;
+    return least <= leaves && most <= enters;
 }
 
 /// Nothing where one was found before in the same hole or near by between the same free edges.
 std::optional<Opening> OpeningSearch::from_end_of_seam(FreeEnd start_a, FreeEnd start_b) {
     const double most = opening_reach * limits_.join;
-    const Strand a(edges_, start_a, start_b, 2 * most), b(edges_, start_b, start_a, 2 * most);
-    const bool hole = a.closed() && a.length() / 2 <= most;
+    const Strand a(edges_, start_a, start_b, 4 * most), b(edges_, start_b, start_a, 4 * most);
+    // Twice as long as those that are followed all around: each is listed once.
+    const bool hole = a.closed() && a.length() <= 4 * most;
     if (hole && holes_.count(a.lowest_edge()) > 0) return std::nullopt;
     const double reach = std::min({most, hole ? a.length() / 2 : most, a.length(), b.length()});
     std::optional<Opening> found = between(a, b, reach);
     if (!found || !is_new(*found, start_a.edge, start_b.edge)) return std::nullopt;
     constexpr double nearly_all = 0.95;
-    found->goes_on = !hole && found->length >= nearly_all * most;
+    found->goes_on = reach >= most && found->length >= nearly_all * most;
     if (hole) holes_.insert(a.lowest_edge());
     return found;
 }
