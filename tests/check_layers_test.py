@@ -31,14 +31,33 @@ class Tree(unittest.TestCase):
             self.assertIn(part, fault)
 
 
-class Layers(Tree):
-    def test_a_layer_includes_lower_ones_alone(self):
+class Rooms(Tree):
+    def test_a_room_includes_lower_ones_alone(self):
         self.plant(math__a_h='#include "keiko/base/b.h"\n', base__b_h='#include "keiko/math/c.h"\n')
         self.assert_faults(violations(self.root), "base may not include math")
 
     def test_libraries_stay_where_they_are_adapted(self):
         self.plant(base__a_cpp="#include <fmt/core.h>\n", math__b_cpp="#include <fmt/core.h>\n")
         self.assert_faults(violations(self.root), "<fmt/core.h> belongs in ['base']")
+
+
+    def test_chambers_include_lower_ones_alone(self):
+        self.plant(light__fog__a_h='#include "keiko/light/tubes/b.h"\n#include "keiko/light/luminance/c.h"\n',
+                   light__tubes__d_h='#include "keiko/light/e.h"\n', light__e_h='#include "keiko/light/fog/a.h"\n')
+        self.assert_faults(violations(self.root), "light/fog may not include light/tubes",
+                           "light/tubes may not include light (keiko/light/e.h)")
+
+    def test_front_ends_see_the_interface_alone(self):
+        self.plant(cli__a_cpp='#include "keiko/api/b.h"\n#include "keiko/workflow/c.h"\n#include "keiko/base/d.h"\n')
+        self.assert_faults(violations(self.root), "cli may not include workflow")
+
+    def test_folders_that_the_house_does_not_have(self):
+        self.plant(base__deep__a_h="", attic__b_h="", main_cpp="")
+        self.assert_faults(violations(self.root), "unknown room attic", "unknown chamber base/deep", "unknown room main.cpp")
+
+    def test_a_library_stays_in_its_chamber(self):
+        self.plant(files__toml__a_cpp="#include <toml++/toml.h>\n", files__scene__b_cpp="#include <toml++/toml.h>\n")
+        self.assert_faults(violations(self.root), "<toml++/toml.h> belongs in ['files/toml']")
 
 
 class Cycles(Tree):

@@ -1,4 +1,4 @@
-# Third-party libraries, all from Debian 12. Each is linked by the one layer that adapts it.
+# Third-party libraries, all from Debian 12. Each is linked by the one room that adapts it.
 find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)

@@ -1,7 +1,7 @@
 #include "tests/bench/accuracy.h"
 
 #include "keiko/base/units.h"
-#include "keiko/trace/mirror_ray.h"
+#include "keiko/intersect/hit/mirror_ray.h"
 
 #include "tests/bench/summary.h"
 

@@ -6,7 +6,7 @@
 #include <hwy/foreach_target.h>
 
 // Then what is made for the one in hand.
-#include "keiko/trace/newton-inl.h"
+#include "keiko/intersect/kernels/newton-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {

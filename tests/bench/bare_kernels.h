@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/trace/leaf_kernels.h"
+#include "keiko/intersect/kernels/leaf_kernels.h"
 
 namespace keiko::bench {
 

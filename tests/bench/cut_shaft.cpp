@@ -1,11 +1,11 @@
 #include "tests/bench/cut_shaft.h"
 
+#include "keiko/api/scene.h"
 #include "keiko/film/image_file.h"
 #include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
-#include "keiko/keiko.h"
-#include "keiko/render/shaft_shadows.h"
-#include "keiko/rig/luminance_along.h"
+#include "keiko/light/rig/luminance_along.h"
+#include "keiko/render/shading/shaft_shadows.h"
 
 #include "tests/support/paths.h"
 

@@ -1,6 +1,7 @@
 #include "tests/bench/frame_benchmark.h"
 
-#include "keiko/keiko.h"
+#include "keiko/api/place.h"
+#include "keiko/api/scene.h"
 
 #include "tests/bench/cpu_clock.h"
 #include "tests/bench/progress.h"

@@ -1,7 +1,7 @@
 #include "tests/bench/grazing_rays.h"
 
-#include "keiko/patch/bezier_patch.h"
-#include "keiko/patch/trim_region.h"
+#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/trim/trim_region.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "keiko/geometry/model/surface_model.h"
 #include "keiko/math/bounds.h"
-#include "keiko/patch/surface_model.h"
 
 #include "tests/bench/ray_set.h"
 

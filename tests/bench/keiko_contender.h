@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/patch/surface_model.h"
-#include "keiko/trace/tracer.h"
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/intersect/traversal/tracer.h"
 
 #include "tests/bench/contender.h"
 

@@ -1,6 +1,6 @@
 #include "tests/bench/kernel_costs.h"
 
-#include "keiko/trace/tracer.h"
+#include "keiko/intersect/traversal/tracer.h"
 
 #include "tests/bench/bare_kernels.h"
 #include "tests/bench/cpu_clock.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "keiko/trace/embree_scene.h"
-#include "keiko/trace/leaf_kernels.h"
-#include "keiko/trace/traced_model.h"
+#include "keiko/intersect/kernels/leaf_kernels.h"
+#include "keiko/intersect/subpatch/traced_model.h"
+#include "keiko/intersect/traversal/embree_scene.h"
 
 #include "tests/bench/contender.h"
 

@@ -1,8 +1,8 @@
 #include "tests/bench/load_benchmark.h"
 
-#include "keiko/io/cad/cad_import.h"
-#include "keiko/io/load_model.h"
-#include "keiko/io/model_format.h"
+#include "keiko/files/model/model_format.h"
+#include "keiko/import/cad/cad_import.h"
+#include "keiko/import/worker/load_model.h"
 
 #include "tests/support/paths.h"
 

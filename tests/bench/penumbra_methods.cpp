@@ -1,10 +1,10 @@
 #include "tests/bench/penumbra_methods.h"
 
-#include "keiko/render/seen_past.h"
-#include "keiko/render/source_region.h"
-#include "keiko/rig/rig_light.h"
-#include "keiko/tubes/tube_irradiance.h"
-#include "keiko/tubes/tube_penumbra.h"
+#include "keiko/light/rig/rig_light.h"
+#include "keiko/light/tubes/tube_irradiance.h"
+#include "keiko/light/tubes/tube_penumbra.h"
+#include "keiko/render/shading/seen_past.h"
+#include "keiko/render/shading/source_region.h"
 
 #include "tests/bench/cpu_clock.h"
 #include "tests/support/random.h"

@@ -1,6 +1,6 @@
 #include "tests/bench/penumbra_picture.h"
 
-#include "keiko/render/picture.h"
+#include "keiko/render/shading/picture.h"
 
 #include "tests/bench/cpu_clock.h"
 #include "tests/support/random.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "keiko/spec/camera.h"
-#include "keiko/trace/occluders.h"
-#include "keiko/tubes/c_plane.h"
+#include "keiko/light/tubes/c_plane.h"
+#include "keiko/scene/camera.h"
+#include "keiko/visibility/query/occluders.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "tests/bench/ray_classes.h"
 
+#include "keiko/intersect/hit/mirror_ray.h"
 #include "keiko/placement/best_view.h"
-#include "keiko/trace/mirror_ray.h"
 
 #include "tests/bench/grazing_rays.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "keiko/patch/surface_model.h"
-#include "keiko/spec/camera.h"
-#include "keiko/trace/tracer.h"
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/intersect/traversal/tracer.h"
+#include "keiko/scene/camera.h"
 
 #include "tests/bench/ray_set.h"
 

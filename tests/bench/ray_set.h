@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/trace/hit.h"
+#include "keiko/intersect/hit/hit.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/trace/tracer.h"
+#include "keiko/intersect/traversal/tracer.h"
 
 #include "tests/bench/accuracy.h"
 #include "tests/bench/contender.h"

@@ -1,7 +1,7 @@
 #include "tests/bench/scenes.h"
 
 #include "keiko/base/error.h"
-#include "keiko/io/load_model.h"
+#include "keiko/import/worker/load_model.h"
 
 #include "tests/support/paths.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/patch/surface_model.h"
+#include "keiko/geometry/model/surface_model.h"
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #include "tests/bench/shafts_benchmark.h"
 
-#include "keiko/io/load_model.h"
+#include "keiko/import/worker/load_model.h"
 
 #include "tests/bench/cpu_clock.h"
 #include "tests/support/paths.h"

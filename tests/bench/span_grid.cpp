@@ -1,7 +1,7 @@
 #include "tests/bench/span_grid.h"
 
-#include "keiko/patch/bezier_patch.h"
-#include "keiko/patch/trim_region.h"
+#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/trim/trim_region.h"
 
 #include "tests/bench/cpu_clock.h"
 #include "tests/bench/summary.h"

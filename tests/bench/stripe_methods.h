@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/render/picture.h"
+#include "keiko/render/shading/picture.h"
 
 #include <string>
 #include <vector>

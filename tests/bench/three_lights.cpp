@@ -1,9 +1,9 @@
 #include "tests/bench/three_lights.h"
 
+#include "keiko/files/scene/material_file.h"
 #include "keiko/film/image_file.h"
 #include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
-#include "keiko/io/material_file.h"
 
 #include "tests/support/light_trial.h"
 

@@ -1,6 +1,6 @@
 #include "tests/bench/trimming_cost.h"
 
-#include "keiko/trace/tracer.h"
+#include "keiko/intersect/traversal/tracer.h"
 
 #include "tests/bench/cpu_clock.h"
 #include "tests/bench/summary.h"

@@ -1,7 +1,7 @@
 #include "tests/bench/zebra_view.h"
 
 #include "keiko/film/tone_mapping.h"
-#include "keiko/tubes/c_plane_lookup.h"
+#include "keiko/light/tubes/c_plane_lookup.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "keiko/film/film.h"
-#include "keiko/spec/camera.h"
-#include "keiko/tubes/c_plane.h"
+#include "keiko/light/tubes/c_plane.h"
+#include "keiko/scene/camera.h"
 
 #include "tests/bench/contender.h"
 

@@ -1,5 +1,5 @@
 // EULUMDAT luminaire files
-#include "keiko/io/luminaire_file.h"
+#include "keiko/files/photometric/luminaire_file.h"
 
 #include "tests/fuzz/sound_web.h"
 

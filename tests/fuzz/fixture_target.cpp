@@ -1,5 +1,5 @@
 // fixtures of regression suites in TOML
-#include "keiko/io/fixture_file.h"
+#include "keiko/files/scene/fixture_file.h"
 
 #include "tests/fuzz/fuzz_target.h"
 

@@ -1,5 +1,5 @@
 // the kind of a model file, told by its content
-#include "keiko/io/model_format.h"
+#include "keiko/files/model/model_format.h"
 
 #include "tests/fuzz/memory_file.h"
 

@@ -1,5 +1,5 @@
 // intensity tables of lamps in CSV
-#include "keiko/io/intensity_csv.h"
+#include "keiko/files/photometric/intensity_csv.h"
 
 #include "tests/fuzz/memory_file.h"
 

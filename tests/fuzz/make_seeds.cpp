@@ -1,6 +1,6 @@
 #include "keiko/base/error.h"
-#include "keiko/io/bezier_file.h"
-#include "keiko/io/model_serialization.h"
+#include "keiko/files/model/bezier_file.h"
+#include "keiko/files/model/model_serialization.h"
 
 #include <filesystem>
 #include <fstream>

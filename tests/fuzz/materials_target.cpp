@@ -1,5 +1,5 @@
 // materials in TOML
-#include "keiko/io/material_file.h"
+#include "keiko/files/scene/material_file.h"
 
 #include "tests/fuzz/fuzz_target.h"
 

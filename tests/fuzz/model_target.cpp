@@ -1,5 +1,5 @@
 // the serialised model
-#include "keiko/io/byte_stream.h"
+#include "keiko/files/model/byte_stream.h"
 
 #include "tests/fuzz/sound_model.h"
 

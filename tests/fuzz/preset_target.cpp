@@ -1,5 +1,5 @@
 // criteria presets in TOML
-#include "keiko/io/preset_file.h"
+#include "keiko/files/scene/preset_file.h"
 
 #include "tests/fuzz/fuzz_target.h"
 

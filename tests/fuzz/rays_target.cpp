@@ -1,5 +1,5 @@
 // the lines of rays that `keiko trace` reads
-#include "keiko/ray_lines.h"
+#include "keiko/stream/ray_lines.h"
 
 #include "tests/fuzz/fuzz_target.h"
 

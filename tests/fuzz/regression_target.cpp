@@ -1,5 +1,5 @@
 // regression.json, read and written
-#include "keiko/report/regression.h"
+#include "keiko/report/content/regression.h"
 
 #include "tests/fuzz/fuzz_target.h"
 

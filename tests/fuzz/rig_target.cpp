@@ -1,5 +1,5 @@
 // light rigs in TOML, read and written
-#include "keiko/io/rig_file.h"
+#include "keiko/files/scene/rig_file.h"
 
 #include "tests/fuzz/fuzz_target.h"
 

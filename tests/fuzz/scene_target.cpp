@@ -1,5 +1,5 @@
 // scenes in TOML
-#include "keiko/io/scene_file.h"
+#include "keiko/files/scene/scene_file.h"
 
 #include "tests/fuzz/fuzz_target.h"
 

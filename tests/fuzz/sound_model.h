@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/io/model_check.h"
-#include "keiko/io/model_serialization.h"
+#include "keiko/files/model/model_check.h"
+#include "keiko/files/model/model_serialization.h"
 
 #include "tests/fuzz/fuzz_target.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/spotlight/photometric_web.h"
+#include "keiko/light/spotlight/photometric_web.h"
 
 #include "tests/fuzz/fuzz_target.h"
 

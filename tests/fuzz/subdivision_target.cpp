@@ -1,5 +1,5 @@
 // OBJ cages all the way to their limit surface
-#include "keiko/io/subdivision/subdivision_model.h"
+#include "keiko/import/subdivision/subdivision_model.h"
 
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/sound_model.h"

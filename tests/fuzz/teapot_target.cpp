@@ -1,5 +1,5 @@
 // Bezier patches: the classic text of the teapot
-#include "keiko/io/bezier_file.h"
+#include "keiko/files/model/bezier_file.h"
 
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/sound_model.h"

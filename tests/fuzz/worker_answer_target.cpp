@@ -1,5 +1,5 @@
 // what the import worker hands over: progress, then an error or a model
-#include "keiko/io/worker_answer.h"
+#include "keiko/import/worker/worker_answer.h"
 
 #include "tests/fuzz/sound_model.h"
 

@@ -1,7 +1,7 @@
 #include "tests/integration/closed_model.h"
 
-#include "keiko/patch/differential_geometry.h"
-#include "keiko/trace/seam_width.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
+#include "keiko/intersect/subpatch/seam_width.h"
 
 #include "tests/support/ray_class.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/patch/seam_gap.h"
-#include "keiko/trace/tracer.h"
+#include "keiko/geometry/seam/seam_gap.h"
+#include "keiko/intersect/traversal/tracer.h"
 
 #include "tests/support/random.h"
 

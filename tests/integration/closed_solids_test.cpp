@@ -1,4 +1,4 @@
-#include "keiko/io/load_model.h"
+#include "keiko/import/worker/load_model.h"
 
 #include "tests/integration/closed_model.h"
 #include "tests/integration/closed_shells.h"

@@ -1,5 +1,5 @@
-#include "keiko/io/load_model.h"
-#include "keiko/trace/mirror_ray.h"
+#include "keiko/import/worker/load_model.h"
+#include "keiko/intersect/hit/mirror_ray.h"
 
 #include "tests/integration/closed_model.h"
 #include "tests/support/file_test_name.h"

@@ -1,5 +1,5 @@
-#include "keiko/inspect/comb_curves.h"
-#include "keiko/io/load_model.h"
+#include "keiko/import/worker/load_model.h"
+#include "keiko/inspect/combs/comb_curves.h"
 
 #include "tests/integration/opencascade_tracer.h"
 #include "tests/support/file_test_name.h"

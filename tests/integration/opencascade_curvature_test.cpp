@@ -1,5 +1,5 @@
-#include "keiko/io/load_model.h"
-#include "keiko/patch/differential_geometry.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
+#include "keiko/import/worker/load_model.h"
 
 #include "tests/integration/opencascade_tracer.h"
 #include "tests/support/analytic_models.h"

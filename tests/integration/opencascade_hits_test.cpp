@@ -1,5 +1,5 @@
-#include "keiko/io/load_model.h"
-#include "keiko/trace/tracer.h"
+#include "keiko/import/worker/load_model.h"
+#include "keiko/intersect/traversal/tracer.h"
 
 #include "tests/integration/opencascade_tracer.h"
 #include "tests/support/file_test_name.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/patch/ray.h"
-#include "keiko/patch/surface_model.h"
+#include "keiko/geometry/bezier/ray.h"
+#include "keiko/geometry/model/surface_model.h"
 
 #include <filesystem>
 #include <memory>

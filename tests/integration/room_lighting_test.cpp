@@ -1,10 +1,10 @@
-#include "keiko/light_points.h"
-#include "keiko/tubes/tube_hit.h"
-#include "keiko/tubes/tube_lamp.h"
+#include "keiko/light/tubes/tube_hit.h"
+#include "keiko/light/tubes/tube_lamp.h"
+#include "keiko/stream/light_points.h"
 
 #include "tests/support/paths.h"
 #include "tests/support/random.h"
-#include "tests/unit/facade/cut_text.h"
+#include "tests/unit/stream/cut_text.h"
 #include <gtest/gtest.h>
 
 #include <cmath>

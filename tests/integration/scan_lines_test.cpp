@@ -1,5 +1,5 @@
-#include "keiko/io/load_model.h"
-#include "keiko/trace/occluders.h"
+#include "keiko/import/worker/load_model.h"
+#include "keiko/visibility/query/occluders.h"
 
 #include "tests/support/file_test_name.h"
 #include "tests/support/leaf_bounds.h"

@@ -1,6 +1,6 @@
 #include "keiko/base/units.h"
-#include "keiko/inspect/seam_probe.h"
-#include "keiko/io/load_model.h"
+#include "keiko/import/worker/load_model.h"
+#include "keiko/inspect/seams/seam_probe.h"
 
 #include "tests/integration/opencascade_tracer.h"
 #include "tests/support/file_test_name.h"

@@ -1,4 +1,4 @@
-#include "keiko/io/material_file.h"
+#include "keiko/files/scene/material_file.h"
 
 #include "tests/support/light_trial.h"
 #include <gtest/gtest.h>

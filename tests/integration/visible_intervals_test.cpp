@@ -1,4 +1,4 @@
-#include "keiko/io/load_model.h"
+#include "keiko/import/worker/load_model.h"
 
 #include "tests/support/file_test_name.h"
 #include "tests/support/long_run.h"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "keiko/geometry/bezier/bezier_patch.h"
 #include "keiko/math/affine.h"
-#include "keiko/patch/bezier_patch.h"
 
 #include <limits>
 #include <vector>

@@ -1,9 +1,9 @@
 #include "tests/support/light_trial.h"
 
 #include "keiko/film/tone_mapping.h"
-#include "keiko/inspect/joined_lines.h"
+#include "keiko/inspect/lines/joined_lines.h"
 #include "keiko/placement/place_lamps.h"
-#include "keiko/render/picture.h"
+#include "keiko/render/shading/picture.h"
 
 #include <algorithm>
 #include <cmath>

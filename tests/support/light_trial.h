@@ -1,10 +1,10 @@
 #pragma once
 
 #include "keiko/film/film.h"
-#include "keiko/inspect/line_crossing.h"
-#include "keiko/rig/light_rig.h"
-#include "keiko/spec/camera.h"
-#include "keiko/spec/material.h"
+#include "keiko/inspect/lines/line_crossing.h"
+#include "keiko/light/rig/light_rig.h"
+#include "keiko/scene/camera.h"
+#include "keiko/scene/material.h"
 
 #include "tests/support/defect_panel.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/luminance/gloss_kernel.h"
+#include "keiko/light/luminance/gloss_kernel.h"
 
 #include "tests/support/oracle.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/patch/nurbs.h"
-#include "keiko/patch/surface_model.h"
+#include "keiko/geometry/bezier/nurbs.h"
+#include "keiko/geometry/model/surface_model.h"
 
 #include <utility>
 #include <vector>

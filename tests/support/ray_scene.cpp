@@ -1,6 +1,6 @@
 #include "tests/support/ray_scene.h"
 
-#include "tests/unit/trace/brute_force.h"
+#include "tests/support/brute_force.h"
 
 #include <algorithm>
 #include <cmath>

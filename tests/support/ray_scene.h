@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/patch/trim_region.h"
-#include "keiko/trace/tracer.h"
+#include "keiko/geometry/trim/trim_region.h"
+#include "keiko/intersect/traversal/tracer.h"
 
 #include "tests/support/exact_root.h"
 #include "tests/support/ray_class.h"

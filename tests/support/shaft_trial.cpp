@@ -1,10 +1,10 @@
 #include "tests/support/shaft_trial.h"
 
 #include "keiko/base/units.h"
-#include "keiko/fog/transmittance.h"
-#include "keiko/render/shaft_shadows.h"
-#include "keiko/rig/luminance_along.h"
-#include "keiko/spotlight/beam_intensity.h"
+#include "keiko/light/fog/transmittance.h"
+#include "keiko/light/rig/luminance_along.h"
+#include "keiko/light/spotlight/beam_intensity.h"
+#include "keiko/render/shading/shaft_shadows.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "keiko/patch/surface_model.h"
-#include "keiko/rig/light_rig.h"
-#include "keiko/spec/camera.h"
-#include "keiko/trace/occluders.h"
-#include "keiko/trace/shadow_pencil.h"
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/light/rig/light_rig.h"
+#include "keiko/scene/camera.h"
+#include "keiko/visibility/epipolar/shadow_pencil.h"
+#include "keiko/visibility/query/occluders.h"
 
 #include <span>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/trace/occluders.h"
+#include "keiko/visibility/query/occluders.h"
 
 #include "tests/support/random.h"
 

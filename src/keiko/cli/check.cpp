@@ -1,3 +1,6 @@
+#include "keiko/api/check.h"
+
+#include "keiko/api/results.h"
 #include "keiko/base/log.h"
 #include "keiko/cli/comb_options.h"
 #include "keiko/cli/commands.h"
@@ -6,7 +9,6 @@
 #include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/symmetry_option.h"
-#include "keiko/earlier_results.h"
 
 #include <memory>
 

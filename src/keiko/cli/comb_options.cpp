@@ -1,5 +1,6 @@
 #include "keiko/cli/comb_options.h"
 
+#include "keiko/base/error.h"
 #include "keiko/cli/output_place.h"
 
 #include <CLI/Validators.hpp>

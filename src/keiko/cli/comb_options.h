@@ -1,7 +1,7 @@
 #pragma once
 
+#include "keiko/api/check.h"
 #include "keiko/base/output_batch.h"
-#include "keiko/keiko.h"
 
 #include <CLI/App.hpp>
 

@@ -1,3 +1,7 @@
+#include "keiko/api/compare.h"
+
+#include "keiko/api/results.h"
+#include "keiko/base/error.h"
 #include "keiko/base/log.h"
 #include "keiko/base/lower_case.h"
 #include "keiko/base/output_batch.h"
@@ -6,8 +10,6 @@
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
-#include "keiko/compare_bodies.h"
-#include "keiko/earlier_results.h"
 
 #include <array>
 #include <memory>

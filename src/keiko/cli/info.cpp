@@ -1,9 +1,11 @@
+#include "keiko/api/model.h"
+#include "keiko/api/results.h"
+#include "keiko/base/error.h"
 #include "keiko/base/output_file.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
-#include "keiko/earlier_results.h"
 
 #include <memory>
 

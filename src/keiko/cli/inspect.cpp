@@ -1,3 +1,6 @@
+#include "keiko/api/inspect.h"
+
+#include "keiko/api/results.h"
 #include "keiko/base/log.h"
 #include "keiko/base/text_lines.h"
 #include "keiko/cli/comb_options.h"
@@ -8,7 +11,6 @@
 #include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/symmetry_option.h"
-#include "keiko/earlier_results.h"
 
 #include <memory>
 

@@ -1,5 +1,7 @@
 #include "keiko/cli/inspection_files.h"
 
+#include "keiko/api/model.h"
+#include "keiko/base/error.h"
 #include "keiko/cli/output_place.h"
 
 namespace keiko::cli {

@@ -1,3 +1,7 @@
+#include "keiko/api/lines.h"
+
+#include "keiko/api/results.h"
+#include "keiko/base/error.h"
 #include "keiko/base/output_file.h"
 #include "keiko/base/text_lines.h"
 #include "keiko/cli/commands.h"
@@ -5,7 +9,6 @@
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
-#include "keiko/earlier_results.h"
 
 #include <cmath>
 #include <map>

@@ -1,7 +1,7 @@
+#include "keiko/api/model.h"
 #include "keiko/base/error_text.h"
 #include "keiko/base/kept_memory.h"
 #include "keiko/cli/commands.h"
-#include "keiko/keiko.h"
 
 #include <cstdio>
 #include <exception>

@@ -1,3 +1,7 @@
+#include "keiko/api/place.h"
+
+#include "keiko/api/results.h"
+#include "keiko/base/error.h"
 #include "keiko/base/text_lines.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/number_check.h"
@@ -5,7 +9,6 @@
 #include "keiko/cli/print.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/symmetry_option.h"
-#include "keiko/earlier_results.h"
 
 #include <array>
 #include <cstdio>

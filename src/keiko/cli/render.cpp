@@ -1,10 +1,11 @@
+#include "keiko/api/render.h"
+
+#include "keiko/api/results.h"
 #include "keiko/base/log.h"
 #include "keiko/base/output_file.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/frame_log.h"
 #include "keiko/cli/render_options.h"
-#include "keiko/earlier_results.h"
-#include "keiko/thick_fog.h"
 
 #include <iomanip>
 #include <memory>

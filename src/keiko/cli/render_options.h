@@ -1,7 +1,7 @@
 #pragma once
 
+#include "keiko/api/render.h"
 #include "keiko/cli/scene_options.h"
-#include "keiko/look_picture.h"
 
 #include <optional>
 #include <string>

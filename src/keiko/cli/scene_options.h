@@ -1,6 +1,9 @@
 #pragma once
 
-#include "keiko/keiko.h"
+#include "keiko/api/check.h"
+#include "keiko/api/place.h"
+#include "keiko/api/render.h"
+#include "keiko/api/scene.h"
 
 #include <CLI/App.hpp>
 

@@ -1,12 +1,13 @@
 #include "keiko/cli/session.h"
 
+#include "keiko/api/model.h"
+#include "keiko/api/scene.h"
 #include "keiko/base/error_text.h"
 #include "keiko/base/field_error.h"
 #include "keiko/base/log.h"
 #include "keiko/base/stop_scope.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/option_names.h"
-#include "keiko/keiko.h"
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>

@@ -1,5 +1,6 @@
 #include "keiko/cli/symmetry_option.h"
 
+#include "keiko/base/error.h"
 #include "keiko/cli/number_check.h"
 
 namespace keiko::cli {

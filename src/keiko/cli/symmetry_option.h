@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/keiko.h"
+#include "keiko/api/place.h"
 
 #include <CLI/App.hpp>
 

@@ -1,9 +1,9 @@
+#include "keiko/api/trace.h"
+
 #include "keiko/base/log.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/standard_streams.h"
-#include "keiko/hit_columns.h"
-#include "keiko/trace_rays.h"
 
 #include <memory>
 

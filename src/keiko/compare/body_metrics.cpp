@@ -1,9 +1,9 @@
 #include "keiko/compare/body_metrics.h"
 
-#include "keiko/compare/placed_model.h"
-#include "keiko/inspect/face_names.h"
+#include "keiko/compare/alignment/placed_model.h"
+#include "keiko/geometry/seam/boundary_curves.h"
+#include "keiko/inspect/basics/face_names.h"
 #include "keiko/math/quadrature.h"
-#include "keiko/patch/boundary_curves.h"
 
 #include <map>
 

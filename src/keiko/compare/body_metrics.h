@@ -1,8 +1,8 @@
 #pragma once
 
 #include "keiko/inspect/inspection.h"
-#include "keiko/inspect/surface_lines.h"
-#include "keiko/spec/metric.h"
+#include "keiko/inspect/lines/surface_lines.h"
+#include "keiko/scene/metric.h"
 
 #include <span>
 #include <vector>

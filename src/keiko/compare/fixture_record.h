@@ -1,9 +1,9 @@
 #pragma once
 
-#include "keiko/compare/film_difference.h"
 #include "keiko/compare/metric_difference.h"
-#include "keiko/spec/camera.h"
-#include "keiko/spec/fixture_spec.h"
+#include "keiko/compare/outlines/film_difference.h"
+#include "keiko/scene/camera.h"
+#include "keiko/scene/fixture_spec.h"
 
 #include <optional>
 #include <string>

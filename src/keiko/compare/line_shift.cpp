@@ -1,7 +1,7 @@
 #include "keiko/compare/line_shift.h"
 
 #include "keiko/base/parallel.h"
-#include "keiko/patch/box_tree.h"
+#include "keiko/geometry/bvh/box_tree.h"
 
 #include <algorithm>
 #include <cmath>

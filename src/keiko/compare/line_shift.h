@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/joined_lines.h"
+#include "keiko/inspect/lines/joined_lines.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/spec/metric.h"
+#include "keiko/scene/metric.h"
 
 #include <optional>
 #include <span>

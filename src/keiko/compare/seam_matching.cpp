@@ -1,7 +1,7 @@
 #include "keiko/compare/seam_matching.h"
 
-#include "keiko/patch/box_tree.h"
-#include "keiko/patch/surface_model.h"
+#include "keiko/geometry/bvh/box_tree.h"
+#include "keiko/geometry/model/surface_model.h"
 
 #include <algorithm>
 #include <cmath>

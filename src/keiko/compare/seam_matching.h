@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/seam_measure.h"
+#include "keiko/inspect/seams/seam_measure.h"
 
 #include <cstdint>
 #include <span>

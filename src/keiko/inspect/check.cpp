@@ -1,7 +1,7 @@
 #include "keiko/inspect/check.h"
 
-#include "keiko/inspect/curvature_match.h"
-#include "keiko/inspect/opening.h"
+#include "keiko/inspect/openings/opening.h"
+#include "keiko/inspect/seams/curvature_match.h"
 
 #include <algorithm>
 #include <array>

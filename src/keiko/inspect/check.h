@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/inspect/face_measure.h"
-#include "keiko/inspect/seam_measure.h"
+#include "keiko/inspect/curvature/face_measure.h"
+#include "keiko/inspect/seams/seam_measure.h"
 
 #include <cstdint>
 #include <string>

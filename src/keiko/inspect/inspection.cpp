@@ -1,8 +1,8 @@
 #include "keiko/inspect/inspection.h"
 
-#include "keiko/inspect/face_names.h"
-#include "keiko/inspect/flaw_search.h"
-#include "keiko/inspect/opening.h"
+#include "keiko/inspect/basics/face_names.h"
+#include "keiko/inspect/flaws/flaw_search.h"
+#include "keiko/inspect/openings/opening.h"
 
 #include <algorithm>
 #include <cmath>

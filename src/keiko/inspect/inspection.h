@@ -2,7 +2,7 @@
 
 #include "keiko/inspect/check.h"
 #include "keiko/inspect/model_facts.h"
-#include "keiko/inspect/seam_measure.h"
+#include "keiko/inspect/seams/seam_measure.h"
 
 #include <vector>
 

@@ -2,9 +2,9 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/base/units.h"
+#include "keiko/geometry/seam/boundary_curves.h"
+#include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/math/interval_set.h"
-#include "keiko/patch/boundary_curves.h"
-#include "keiko/patch/material_bounds.h"
 
 #include <tuple>
 

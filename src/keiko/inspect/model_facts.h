@@ -1,9 +1,9 @@
 #pragma once
 
 #include "keiko/base/job.h"
+#include "keiko/geometry/seam/seam.h"
 #include "keiko/inspect/trace_facts.h"
 #include "keiko/math/bounds.h"
-#include "keiko/patch/seam.h"
 
 #include <array>
 #include <map>

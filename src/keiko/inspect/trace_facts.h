@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/trace/tracer.h"
+#include "keiko/intersect/traversal/tracer.h"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/base/units.h"
-#include "keiko/patch/differential_geometry.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/placement/mirrored_ray.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "keiko/base/job.h"
-#include "keiko/spec/view.h"
-#include "keiko/trace/tracer.h"
+#include "keiko/intersect/traversal/tracer.h"
+#include "keiko/scene/view.h"
 
 #include <span>
 #include <string>

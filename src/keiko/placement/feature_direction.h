@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/patch/differential_geometry.h"
-#include "keiko/patch/ray.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
+#include "keiko/geometry/bezier/ray.h"
 
 namespace keiko {
 

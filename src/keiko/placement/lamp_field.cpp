@@ -1,7 +1,7 @@
 #include "keiko/placement/lamp_field.h"
 
+#include "keiko/light/tubes/tube_hit.h"
 #include "keiko/placement/plane_frame.h"
-#include "keiko/tubes/tube_hit.h"
 
 #include <map>
 

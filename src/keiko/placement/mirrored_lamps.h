@@ -2,8 +2,8 @@
 
 #include "keiko/math/bounds.h"
 #include "keiko/placement/plane_frame.h"
-#include "keiko/spec/camera.h"
-#include "keiko/spec/mirror_plane.h"
+#include "keiko/scene/camera.h"
+#include "keiko/scene/mirror_plane.h"
 
 #include <span>
 

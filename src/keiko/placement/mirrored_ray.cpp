@@ -1,6 +1,6 @@
 #include "keiko/placement/mirrored_ray.h"
 
-#include "keiko/trace/mirror_ray.h"
+#include "keiko/intersect/hit/mirror_ray.h"
 
 namespace keiko {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/patch/surface_model.h"
-#include "keiko/trace/hit.h"
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/intersect/hit/hit.h"
 
 namespace keiko {
 

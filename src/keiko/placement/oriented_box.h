@@ -1,7 +1,7 @@
 #pragma once
 
+#include "keiko/light/tubes/c_plane.h"
 #include "keiko/math/bounds.h"
-#include "keiko/tubes/c_plane.h"
 
 #include <array>
 

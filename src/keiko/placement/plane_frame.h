@@ -1,8 +1,8 @@
 #pragma once
 
+#include "keiko/geometry/bezier/ray.h"
+#include "keiko/light/tubes/c_plane.h"
 #include "keiko/math/bounds.h"
-#include "keiko/patch/ray.h"
-#include "keiko/tubes/c_plane.h"
 
 #include <optional>
 

@@ -2,8 +2,8 @@
 
 #include "keiko/base/log.h"
 #include "keiko/base/parallel.h"
+#include "keiko/intersect/hit/path_counts.h"
 #include "keiko/placement/mirrored_ray.h"
-#include "keiko/trace/path_counts.h"
 
 #include <algorithm>
 #include <cmath>

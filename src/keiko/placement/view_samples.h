@@ -1,9 +1,9 @@
 #pragma once
 
 #include "keiko/base/job.h"
+#include "keiko/intersect/traversal/tracer.h"
 #include "keiko/placement/feature_direction.h"
-#include "keiko/spec/camera.h"
-#include "keiko/trace/tracer.h"
+#include "keiko/scene/camera.h"
 
 #include <span>
 #include <vector>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "keiko/render/picture.h"
+#include "keiko/intersect/hit/path_counts.h"
 #include "keiko/render/picture_tiles.h"
-#include "keiko/trace/path_counts.h"
+#include "keiko/render/shading/picture.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "keiko/render/picture_cover.h"
 
-#include "keiko/spec/prepared_camera.h"
+#include "keiko/scene/prepared_camera.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/math/bounds.h"
-#include "keiko/spec/camera.h"
+#include "keiko/scene/camera.h"
 
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
 #include "keiko/render/picture_tiles.h"
 
-#include "keiko/render/hilbert_order.h"
 #include "keiko/render/pixel_writer.h"
+#include "keiko/render/reflection/hilbert_order.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "keiko/film/film.h"
-#include "keiko/render/integrator.h"
+#include "keiko/intersect/hit/path_counts.h"
 #include "keiko/render/picture_cover.h"
-#include "keiko/spec/prepared_camera.h"
-#include "keiko/trace/path_counts.h"
+#include "keiko/render/shading/integrator.h"
+#include "keiko/scene/prepared_camera.h"
 
 #include <optional>
 #include <span>

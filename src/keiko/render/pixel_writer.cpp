@@ -1,6 +1,6 @@
 #include "keiko/render/pixel_writer.h"
 
-#include "keiko/patch/differential_geometry.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
 
 #include <algorithm>
 #include <initializer_list>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/film/film.h"
-#include "keiko/render/integrator.h"
+#include "keiko/render/shading/integrator.h"
 
 #include <span>
 

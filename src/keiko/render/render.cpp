@@ -1,10 +1,10 @@
 #include "keiko/base/log.h"
 #include "keiko/base/parallel.h"
-#include "keiko/render/interpolated_light.h"
-#include "keiko/render/outlines.h"
+#include "keiko/render/antialias/outlines.h"
+#include "keiko/render/antialias/shared_light.h"
+#include "keiko/render/lighting/interpolated_light.h"
 #include "keiko/render/picture_bands.h"
 #include "keiko/render/pixel_writer.h"
-#include "keiko/render/shared_light.h"
 
 #include <algorithm>
 #include <optional>

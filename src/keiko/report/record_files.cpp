@@ -3,7 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/sha256.h"
 #include "keiko/film/film_channels.h"
-#include "keiko/report/camera_json.h"
+#include "keiko/report/json/camera_json.h"
 
 namespace keiko {
 namespace {

@@ -3,7 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/new_file.h"
 
-#include "tests/unit/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include <gtest/gtest.h>
 
 namespace keiko {

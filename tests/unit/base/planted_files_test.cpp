@@ -3,7 +3,7 @@
 #include "keiko/base/new_file.h"
 #include "keiko/base/output_file.h"
 
-#include "tests/unit/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "keiko/compare/alignment.h"
+#include "keiko/compare/alignment/alignment.h"
 
 #include "keiko/base/units.h"
 

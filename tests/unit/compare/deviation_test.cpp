@@ -1,4 +1,4 @@
-#include "keiko/compare/deviation.h"
+#include "keiko/compare/shape/deviation.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 /// Holds film_difference, which lets OpenImageIO do the arithmetic in floats, to its definition in
 /// plain loops of doubles, on the pictures of the fixtures' baselines.
 
-#include "keiko/compare/film_difference.h"
+#include "keiko/compare/outlines/film_difference.h"
 #include "keiko/film/film_channels.h"
 #include "keiko/math/vec.h"
 

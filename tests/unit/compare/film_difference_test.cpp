@@ -1,4 +1,4 @@
-#include "keiko/compare/film_difference.h"
+#include "keiko/compare/outlines/film_difference.h"
 
 #include "keiko/base/error.h"
 

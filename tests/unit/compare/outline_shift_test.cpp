@@ -1,4 +1,4 @@
-#include "keiko/compare/outline_difference.h"
+#include "keiko/compare/outlines/outline_difference.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/compare/surface_feet.h"
+#include "keiko/compare/alignment/surface_feet.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/compare/symmetry.h"
+#include "keiko/compare/shape/symmetry.h"
 
 #include "tests/unit/inspect/flawed_sheets.h"
 #include <gtest/gtest.h>

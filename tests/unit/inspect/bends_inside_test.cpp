@@ -1,5 +1,5 @@
 #include "keiko/base/units.h"
-#include "keiko/inspect/knot_lines.h"
+#include "keiko/inspect/seams/knot_lines.h"
 
 #include "tests/support/long_run.h"
 #include "tests/support/model_builder.h"

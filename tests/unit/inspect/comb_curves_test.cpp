@@ -1,7 +1,7 @@
-#include "keiko/inspect/comb_curves.h"
+#include "keiko/inspect/combs/comb_curves.h"
 
 #include "keiko/base/error.h"
-#include "keiko/patch/differential_geometry.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/unit/inspect/bernstein.h"

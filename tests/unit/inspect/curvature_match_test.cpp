@@ -1,4 +1,4 @@
-#include "keiko/inspect/curvature_match.h"
+#include "keiko/inspect/seams/curvature_match.h"
 
 #include <gtest/gtest.h>
 

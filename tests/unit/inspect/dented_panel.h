@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/face_surface.h"
+#include "keiko/inspect/flaws/face_surface.h"
 
 #include "tests/support/model_builder.h"
 

@@ -1,6 +1,6 @@
-#include "keiko/inspect/flaw_search.h"
+#include "keiko/files/scene/preset_file.h"
+#include "keiko/inspect/flaws/flaw_search.h"
 #include "keiko/inspect/inspection.h"
-#include "keiko/io/preset_file.h"
 
 #include "tests/support/random.h"
 #include "tests/unit/inspect/dented_panel.h"

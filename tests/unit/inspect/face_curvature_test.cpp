@@ -1,8 +1,8 @@
-#include "keiko/inspect/face_curvature.h"
+#include "keiko/inspect/curvature/face_curvature.h"
 
-#include "keiko/inspect/curvature_range.h"
-#include "keiko/inspect/patch_box.h"
-#include "keiko/patch/differential_geometry.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
+#include "keiko/inspect/basics/patch_box.h"
+#include "keiko/inspect/curvature/curvature_range.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/random.h"

@@ -1,4 +1,4 @@
-#include "keiko/inspect/face_measure.h"
+#include "keiko/inspect/curvature/face_measure.h"
 
 #include "keiko/inspect/inspection.h"
 

@@ -1,4 +1,4 @@
-#include "keiko/inspect/face_names.h"
+#include "keiko/inspect/basics/face_names.h"
 
 #include <gtest/gtest.h>
 

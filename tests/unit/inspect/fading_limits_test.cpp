@@ -1,5 +1,5 @@
-#include "keiko/inspect/seam_measure.h"
-#include "keiko/io/preset_file.h"
+#include "keiko/files/scene/preset_file.h"
+#include "keiko/inspect/seams/seam_measure.h"
 
 #include "tests/unit/inspect/sloped_seam.h"
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include "keiko/inspect/inflection_curves.h"
+#include "keiko/inspect/curvature/inflection_curves.h"
 
-#include "keiko/inspect/field_cells.h"
-#include "keiko/inspect/parabolic_field.h"
-#include "keiko/inspect/parabolic_rate.h"
-#include "keiko/patch/differential_geometry.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
+#include "keiko/inspect/basics/field_cells.h"
+#include "keiko/inspect/curvature/parabolic_field.h"
+#include "keiko/inspect/curvature/parabolic_rate.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/unit/inspect/bernstein.h"

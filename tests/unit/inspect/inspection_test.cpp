@@ -1,7 +1,7 @@
 #include "keiko/inspect/inspection.h"
 
 #include "keiko/base/units.h"
-#include "keiko/io/preset_file.h"
+#include "keiko/files/scene/preset_file.h"
 
 #include "tests/unit/inspect/sheets.h"
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "keiko/io/load_model.h"
-#include "keiko/patch/material_bounds.h"
-#include "keiko/spec/view.h"
+#include "keiko/geometry/trim/material_bounds.h"
+#include "keiko/import/worker/load_model.h"
+#include "keiko/scene/view.h"
 
 #include "tests/support/paths.h"
 #include "tests/unit/inspect/lamps_over_sheets.h"

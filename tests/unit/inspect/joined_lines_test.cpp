@@ -1,9 +1,9 @@
 #include "keiko/base/error.h"
 #include "keiko/base/units.h"
-#include "keiko/inspect/seam_measure.h"
-#include "keiko/io/load_model.h"
-#include "keiko/io/preset_file.h"
-#include "keiko/trace/mirror_ray.h"
+#include "keiko/files/scene/preset_file.h"
+#include "keiko/import/worker/load_model.h"
+#include "keiko/inspect/seams/seam_measure.h"
+#include "keiko/intersect/hit/mirror_ray.h"
 
 #include "tests/support/paths.h"
 #include "tests/unit/inspect/flawed_sheets.h"

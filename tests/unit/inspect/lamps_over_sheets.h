@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/units.h"
-#include "keiko/inspect/joined_lines.h"
+#include "keiko/inspect/lines/joined_lines.h"
 
 #include "tests/unit/inspect/sheets.h"
 

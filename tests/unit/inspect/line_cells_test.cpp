@@ -1,4 +1,4 @@
-#include "keiko/inspect/line_cells.h"
+#include "keiko/inspect/basics/line_cells.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/random.h"

@@ -1,6 +1,6 @@
-#include "keiko/inspect/line_course.h"
+#include "keiko/inspect/lines/line_course.h"
 
-#include "keiko/inspect/level_function.h"
+#include "keiko/inspect/basics/level_function.h"
 
 #include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>

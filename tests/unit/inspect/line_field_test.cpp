@@ -1,4 +1,4 @@
-#include "keiko/inspect/line_field.h"
+#include "keiko/inspect/basics/line_field.h"
 
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Notches, slits and small holes between free edges.
-#include "keiko/inspect/opening.h"
+#include "keiko/inspect/openings/opening.h"
 
 #include "keiko/base/units.h"
 #include "keiko/inspect/inspection.h"

@@ -1,6 +1,6 @@
-#include "keiko/inspect/patch_box.h"
+#include "keiko/inspect/basics/patch_box.h"
 
-#include "keiko/inspect/line_field.h"
+#include "keiko/inspect/basics/line_field.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/random.h"

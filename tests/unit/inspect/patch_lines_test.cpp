@@ -1,7 +1,7 @@
-#include "keiko/inspect/patch_lines.h"
+#include "keiko/inspect/basics/patch_lines.h"
 
-#include "keiko/trace/mirror_ray.h"
-#include "keiko/trace/tracer.h"
+#include "keiko/intersect/hit/mirror_ray.h"
+#include "keiko/intersect/traversal/tracer.h"
 
 #include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "keiko/base/units.h"
+#include "keiko/files/scene/preset_file.h"
 #include "keiko/inspect/inspection.h"
-#include "keiko/io/preset_file.h"
 
 #include "tests/support/model_builder.h"
 #include "tests/unit/inspect/bernstein.h"

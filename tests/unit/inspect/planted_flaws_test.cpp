@@ -1,6 +1,6 @@
+#include "keiko/files/scene/preset_file.h"
+#include "keiko/import/worker/load_model.h"
 #include "keiko/inspect/inspection.h"
-#include "keiko/io/load_model.h"
-#include "keiko/io/preset_file.h"
 
 #include "tests/support/paths.h"
 #include "tests/unit/inspect/flawed_sheets.h"

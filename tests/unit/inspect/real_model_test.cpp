@@ -1,5 +1,5 @@
+#include "keiko/import/worker/load_model.h"
 #include "keiko/inspect/inspection.h"
-#include "keiko/io/load_model.h"
 
 #include "tests/support/paths.h"
 #include <gtest/gtest.h>

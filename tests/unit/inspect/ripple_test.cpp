@@ -1,4 +1,4 @@
-#include "keiko/inspect/ripple.h"
+#include "keiko/inspect/flaws/ripple.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "keiko/inspect/run_out.h"
+#include "keiko/inspect/seams/run_out.h"
 
 #include "tests/unit/inspect/sloped_seam.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/inspect/seam_line.h"
+#include "keiko/inspect/seams/seam_line.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>

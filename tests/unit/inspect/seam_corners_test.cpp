@@ -1,5 +1,5 @@
 #include "keiko/base/units.h"
-#include "keiko/inspect/seam_measure.h"
+#include "keiko/inspect/seams/seam_measure.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/inspect/seam_extremes.h"
+#include "keiko/inspect/seams/seam_extremes.h"
 
 #include "tests/unit/inspect/sheets.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/inspect/seam_line.h"
+#include "keiko/inspect/seams/seam_line.h"
 
 #include "tests/unit/inspect/sheets.h"
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(SeamLine, FindsTheWidestPlaceHoweverManyPieces) {
                 for (int i = 0; i < pieces; ++i)
                     line.probes.push_back(whole.part(at(1.0 * i / pieces), at((i + 1.0) / pieces)));
                 const auto stretches =
-                    measure_line(model, line, {}, stretch_limits(model, {}, 0.5));
+                    measure_line(model, line, {}, stretch_limits(50, 50, {}, 0.5));
                 ASSERT_EQ(stretches.size(), 1U);
                 const Worst& gap = stretches.front().seam.gap;
                 EXPECT_GE(gap.value + gap.bound, widest - 1e-9) << degree << ", " << pieces;

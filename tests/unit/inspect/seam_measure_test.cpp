@@ -1,8 +1,8 @@
-#include "keiko/inspect/seam_measure.h"
+#include "keiko/inspect/seams/seam_measure.h"
 
 #include "keiko/base/units.h"
-#include "keiko/inspect/knot_lines.h"
-#include "keiko/io/preset_file.h"
+#include "keiko/files/scene/preset_file.h"
+#include "keiko/inspect/seams/knot_lines.h"
 
 #include "tests/unit/inspect/sheets.h"
 #include <gtest/gtest.h>

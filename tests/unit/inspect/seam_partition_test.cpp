@@ -1,4 +1,4 @@
-#include "keiko/inspect/seam_partition.h"
+#include "keiko/inspect/seams/seam_partition.h"
 
 #include "tests/unit/inspect/sloped_seam.h"
 #include <gtest/gtest.h>

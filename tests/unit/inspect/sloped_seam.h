@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/units.h"
-#include "keiko/inspect/seam_partition.h"
+#include "keiko/inspect/seams/seam_partition.h"
 
 #include "tests/support/model_builder.h"
 

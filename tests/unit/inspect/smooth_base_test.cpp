@@ -1,4 +1,4 @@
-#include "keiko/inspect/smooth_base.h"
+#include "keiko/inspect/flaws/smooth_base.h"
 
 #include "tests/support/random.h"
 #include <gtest/gtest.h>

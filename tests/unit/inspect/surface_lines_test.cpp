@@ -1,8 +1,8 @@
-#include "keiko/inspect/surface_lines.h"
+#include "keiko/inspect/lines/surface_lines.h"
 
-#include "keiko/io/load_model.h"
-#include "keiko/spec/view.h"
-#include "keiko/trace/mirror_ray.h"
+#include "keiko/import/worker/load_model.h"
+#include "keiko/intersect/hit/mirror_ray.h"
+#include "keiko/scene/view.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/paths.h"

@@ -1,7 +1,7 @@
 #include "keiko/placement/mirrored_lamps.h"
 
 #include "keiko/placement/place_lamps.h"
-#include "keiko/spec/view.h"
+#include "keiko/scene/view.h"
 
 #include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 #include "keiko/placement/place_lamps.h"
 
 #include "keiko/base/error.h"
-#include "keiko/patch/material_bounds.h"
+#include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/placement/mirrored_ray.h"
 #include "keiko/placement/oriented_box.h"
-#include "keiko/spec/view.h"
+#include "keiko/scene/view.h"
 
 #include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/placement/place_lamps.h"
-#include "keiko/spec/view.h"
+#include "keiko/scene/view.h"
 
 #include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>

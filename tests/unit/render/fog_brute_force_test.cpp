@@ -1,7 +1,7 @@
-#include "keiko/io/luminaire_file.h"
-#include "keiko/render/shaft_shadows.h"
-#include "keiko/spotlight/beam_intensity.h"
-#include "keiko/spotlight/luminaire.h"
+#include "keiko/files/photometric/luminaire_file.h"
+#include "keiko/light/spotlight/beam_intensity.h"
+#include "keiko/light/spotlight/luminaire.h"
+#include "keiko/render/shading/shaft_shadows.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/paths.h"

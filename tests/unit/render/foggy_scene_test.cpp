@@ -1,6 +1,6 @@
-#include "keiko/io/luminaire_file.h"
-#include "keiko/render/integrator.h"
-#include "keiko/spotlight/luminaire.h"
+#include "keiko/files/photometric/luminaire_file.h"
+#include "keiko/light/spotlight/luminaire.h"
+#include "keiko/render/shading/integrator.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/paths.h"

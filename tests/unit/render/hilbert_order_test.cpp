@@ -1,4 +1,4 @@
-#include "keiko/render/hilbert_order.h"
+#include "keiko/render/reflection/hilbert_order.h"
 
 #include <gtest/gtest.h>
 

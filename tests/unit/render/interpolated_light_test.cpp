@@ -1,8 +1,8 @@
-#include "keiko/render/interpolated_light.h"
+#include "keiko/render/lighting/interpolated_light.h"
 
-#include "keiko/render/lit_point.h"
-#include "keiko/render/shadowed_rig.h"
-#include "keiko/render/shared_light.h"
+#include "keiko/render/antialias/shared_light.h"
+#include "keiko/render/shading/lit_point.h"
+#include "keiko/render/shading/shadowed_rig.h"
 
 #include "tests/unit/render/stage.h"
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // What the kernels tell of pixels at the ends of lamps, held against their rays one by one.
-#include "keiko/render/stripe_kernels.h"
-#include "keiko/tubes/tube_hit.h"
+#include "keiko/light/tubes/tube_hit.h"
+#include "keiko/render/reflection/stripe_kernels.h"
 
-#include "tests/unit/trace/instruction_sets.h"
+#include "tests/support/instruction_sets.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "keiko/render/light_fit.h"
+#include "keiko/render/lighting/light_fit.h"
 
 #include "tests/support/random.h"
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "keiko/render/mirrored_grid.h"
-#include "keiko/trace/mirror_ray.h"
+#include "keiko/intersect/hit/mirror_ray.h"
+#include "keiko/render/reflection/mirrored_grid.h"
 
 #include "tests/unit/render/stage.h"
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include "keiko/render/mirrored_stripes.h"
+#include "keiko/render/reflection/mirrored_stripes.h"
 
-#include "keiko/trace/mirror_ray.h"
+#include "keiko/intersect/hit/mirror_ray.h"
 
+#include "tests/support/instruction_sets.h"
 #include "tests/unit/render/stage.h"
-#include "tests/unit/trace/instruction_sets.h"
 #include <gtest/gtest.h>
 
 #include <cmath>

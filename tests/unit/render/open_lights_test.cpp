@@ -1,4 +1,4 @@
-#include "keiko/render/open_lights.h"
+#include "keiko/render/lighting/open_lights.h"
 
 #include "tests/unit/render/plate_spots.h"
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "keiko/render/outline_refinement.h"
+#include "keiko/render/antialias/outline_refinement.h"
 
-#include "keiko/render/most_bending.h"
-#include "keiko/render/picture_part.h"
+#include "keiko/render/antialias/most_bending.h"
+#include "keiko/render/antialias/picture_part.h"
 
 #include "tests/unit/render/stage.h"
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "keiko/render/outline_rows.h"
+#include "keiko/render/antialias/outline_rows.h"
 
-#include "keiko/render/spot_grid.h"
+#include "keiko/render/lighting/spot_grid.h"
 
 #include "tests/support/random.h"
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "keiko/render/paint.h"
+#include "keiko/render/shading/paint.h"
 
-#include "keiko/io/material_file.h"
+#include "keiko/files/scene/material_file.h"
 #include "keiko/math/adaptive_quadrature.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/render/pixel_rectangle.h"
+#include "keiko/render/lighting/pixel_rectangle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/render/grid_lights.h"
+#include "keiko/render/lighting/grid_lights.h"
 
 #include "tests/support/model_builder.h"
 

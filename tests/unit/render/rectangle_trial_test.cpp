@@ -1,4 +1,4 @@
-#include "keiko/render/rectangle_trial.h"
+#include "keiko/render/lighting/rectangle_trial.h"
 
 #include "tests/unit/render/plate_spots.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/render/integrator.h"
+#include "keiko/render/shading/integrator.h"
 
 #include "tests/unit/render/stage.h"
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "keiko/trace/shadow_pencil.h"
+#include "keiko/visibility/epipolar/shadow_pencil.h"
 
-#include "keiko/io/load_model.h"
+#include "keiko/import/worker/load_model.h"
 
 #include "tests/support/paths.h"
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "keiko/render/lit_point.h"
-#include "keiko/render/seen_past.h"
-#include "keiko/render/shadowed_rig.h"
-#include "keiko/tubes/tube_penumbra.h"
+#include "keiko/light/tubes/tube_penumbra.h"
+#include "keiko/render/shading/lit_point.h"
+#include "keiko/render/shading/seen_past.h"
+#include "keiko/render/shading/shadowed_rig.h"
 
 #include "tests/support/occluder_row.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/io/load_model.h"
+#include "keiko/import/worker/load_model.h"
 
 #include "tests/support/paths.h"
 #include "tests/support/shaft_trial.h"

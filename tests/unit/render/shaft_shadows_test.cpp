@@ -1,4 +1,4 @@
-#include "keiko/render/shaft_shadows.h"
+#include "keiko/render/shading/shaft_shadows.h"
 
 #include "tests/support/occluder_row.h"
 #include <gtest/gtest.h>

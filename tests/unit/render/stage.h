@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/render/integrator.h"
+#include "keiko/render/shading/integrator.h"
 
 #include "tests/support/model_builder.h"
 

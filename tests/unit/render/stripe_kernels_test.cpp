@@ -1,12 +1,12 @@
 // The kernels hold the formulas of tubes/ and of MirroredPixel a second time, a pixel a lane: here
 // each is held against the one for a pixel alone, on every instruction set.
-#include "keiko/render/stripe_kernels.h"
+#include "keiko/render/reflection/stripe_kernels.h"
 
-#include "keiko/render/image_bend.h"
-#include "keiko/render/mirrored_pixel.h"
+#include "keiko/render/reflection/image_bend.h"
+#include "keiko/render/reflection/mirrored_pixel.h"
 
+#include "tests/support/instruction_sets.h"
 #include "tests/support/random.h"
-#include "tests/unit/trace/instruction_sets.h"
 #include <gtest/gtest.h>
 
 #include <array>

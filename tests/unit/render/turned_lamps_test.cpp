@@ -1,5 +1,5 @@
-#include "keiko/render/shadowed_rig.h"
-#include "keiko/tubes/c_plane_frame.h"
+#include "keiko/light/tubes/c_plane_frame.h"
+#include "keiko/render/shading/shadowed_rig.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include "keiko/render/seen_past.h"
-#include "keiko/render/source_region.h"
-#include "keiko/rig/seen_light.h"
-#include "keiko/tubes/c_plane_frame.h"
-#include "keiko/tubes/lamp_width.h"
-#include "keiko/tubes/tube_view.h"
+#include "keiko/light/rig/seen_light.h"
+#include "keiko/light/tubes/c_plane_frame.h"
+#include "keiko/light/tubes/lamp_width.h"
+#include "keiko/light/tubes/tube_view.h"
+#include "keiko/render/shading/seen_past.h"
+#include "keiko/render/shading/source_region.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/report/combs_text.h"
+#include "keiko/report/content/combs_text.h"
 
 #include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>

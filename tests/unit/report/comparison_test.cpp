@@ -1,4 +1,4 @@
-#include "keiko/report/comparison.h"
+#include "keiko/report/content/comparison.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

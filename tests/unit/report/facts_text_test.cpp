@@ -1,4 +1,4 @@
-#include "keiko/report/facts_text.h"
+#include "keiko/report/text/facts_text.h"
 
 #include "tests/unit/report/sample_report.h"
 #include <gtest/gtest.h>

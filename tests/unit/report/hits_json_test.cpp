@@ -1,4 +1,4 @@
-#include "keiko/report/hits_json.h"
+#include "keiko/report/json/hits_json.h"
 
 #include "keiko/base/error.h"
 

@@ -1,6 +1,6 @@
-#include "keiko/report/html_text.h"
+#include "keiko/report/markup/html_text.h"
 
-#include "keiko/report/base64.h"
+#include "keiko/report/markup/base64.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "keiko/base/utf8.h"
-#include "keiko/report/checks_csv.h"
-#include "keiko/report/inspection_text.h"
-#include "keiko/report/junit.h"
-#include "keiko/report/sarif.h"
+#include "keiko/report/csv/checks_csv.h"
+#include "keiko/report/junit/junit.h"
+#include "keiko/report/sarif/sarif.h"
+#include "keiko/report/text/inspection_text.h"
 
 #include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "keiko/report/line_checks.h"
+#include "keiko/report/content/line_checks.h"
 
-#include "keiko/report/junit.h"
-#include "keiko/report/sarif.h"
+#include "keiko/report/junit/junit.h"
+#include "keiko/report/sarif/sarif.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

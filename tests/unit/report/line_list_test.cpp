@@ -1,4 +1,4 @@
-#include "keiko/report/lines_json.h"
+#include "keiko/report/json/lines_json.h"
 
 #include "tests/unit/report/sample_report.h"
 #include <gtest/gtest.h>

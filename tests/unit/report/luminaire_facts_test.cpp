@@ -1,7 +1,7 @@
-#include "keiko/report/luminaire_facts.h"
+#include "keiko/report/content/luminaire_facts.h"
 
-#include "keiko/report/polar_curve.h"
-#include "keiko/report/spread_text.h"
+#include "keiko/report/content/spread_text.h"
+#include "keiko/report/svg/polar_curve.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

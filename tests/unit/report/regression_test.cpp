@@ -1,8 +1,8 @@
-#include "keiko/report/regression.h"
+#include "keiko/report/content/regression.h"
 
 #include "keiko/base/error.h"
 #include "keiko/film/film_channels.h"
-#include "keiko/report/junit_suites.h"
+#include "keiko/report/markup/junit_suites.h"
 #include "keiko/report/record_files.h"
 
 #include <gtest/gtest.h>

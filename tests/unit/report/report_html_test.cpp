@@ -1,8 +1,8 @@
-#include "keiko/report/report_html.h"
+#include "keiko/report/html/report_html.h"
 
 #include "keiko/base/units.h"
-#include "keiko/report/report.h"
-#include "keiko/report/report_json.h"
+#include "keiko/report/json/report_json.h"
+#include "keiko/report/report_files.h"
 
 #include "tests/support/model_builder.h"
 #include "tests/unit/report/sample_report.h"

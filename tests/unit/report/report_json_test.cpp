@@ -1,7 +1,7 @@
-#include "keiko/report/report_json.h"
+#include "keiko/report/json/report_json.h"
 
-#include "keiko/report/facts_text.h"
-#include "keiko/report/report_html.h"
+#include "keiko/report/html/report_html.h"
+#include "keiko/report/text/facts_text.h"
 
 #include "tests/unit/report/sample_report.h"
 #include <gtest/gtest.h>

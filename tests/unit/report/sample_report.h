@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/units.h"
-#include "keiko/report/report.h"
+#include "keiko/report/content/report.h"
 
 #include "tests/support/model_builder.h"
 

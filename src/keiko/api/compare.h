@@ -1,0 +1,4 @@
+/// Two revisions of a part.
+#pragma once
+
+#include "keiko/workflow/compare_bodies.h"

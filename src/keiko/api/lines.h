@@ -1,0 +1,8 @@
+/// Lines of the lamps on a body.
+#pragma once
+
+#include "keiko/files/scene/rig_file.h"
+#include "keiko/film/image_file.h"
+#include "keiko/report/json/lines_json.h"
+#include "keiko/workflow/find_lines.h"
+#include "keiko/workflow/lines_picture.h"

@@ -1,0 +1,6 @@
+/// Lamps placed by what a body mirrors.
+#pragma once
+
+#include "keiko/files/scene/rig_file.h"
+#include "keiko/workflow/place_scene.h"
+#include "keiko/workflow/write_placement.h"

@@ -1,0 +1,9 @@
+/// Pictures of a scene.
+#pragma once
+
+#include "keiko/files/scene/rig_file.h"
+#include "keiko/film/false_color_picture.h"
+#include "keiko/film/image_file.h"
+#include "keiko/render/shading/picture.h"
+#include "keiko/workflow/look_picture.h"
+#include "keiko/workflow/thick_fog.h"

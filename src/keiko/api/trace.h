@@ -1,0 +1,5 @@
+/// Rays in, hits out.
+#pragma once
+
+#include "keiko/stream/hit_columns.h"
+#include "keiko/stream/trace_rays.h"

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "keiko/geometry/model/surface_model.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// A face of a model and the instance that places it.
+struct PlacedFace {
+    std::uint32_t instance = 0, face = 0; ///< into the SurfaceModel that was placed
+
+    bool operator==(const PlacedFace&) const = default;
+};
+
+/// A model whose every placed face is a face of its own, in world coordinates.
+struct PlacedModel {
+    SurfaceModel model;             ///< one part, placed once, where it is
+    std::vector<PlacedFace> origin; ///< of its faces
+};
+
+/// Places the faces of all instances, instances outer; then moves everything by `motion`. A
+/// mirrored instance turns its faces round, so that what was outside stays so. `chosen`: faces of
+/// the model, ascending, of which alone it is made; empty: all.
+PlacedModel placed_model(const SurfaceModel& model, const Affine& motion = {},
+                         std::span<const std::uint32_t> chosen = {});
+
+} // namespace keiko

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "keiko/compare/alignment/surface_feet.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// A place of a body and how much of it it stands for.
+struct SurfaceSample {
+    SurfacePoint point;
+    double area = 0; ///< mm2
+    Vec2 cell{0};    ///< extent in parameters of the piece
+};
+
+/// How far apart about so many places of a body are, mm.
+double sample_spacing(const SurfaceFeet& body, std::size_t count);
+
+/// The middles of a piece's cells of `spacing` mm, at least `least` a side, that are material.
+std::vector<SurfaceSample> piece_samples(const SurfaceFeet& body, std::size_t piece, double spacing,
+                                         int least);
+
+} // namespace keiko

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "keiko/compare/outlines/outline_body.h"
+#include "keiko/scene/camera.h"
+#include "keiko/scene/prepared_camera.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// What the camera ray through a place of a picture first meets.
+struct Sighting {
+    Vec2 place{0}; ///< px
+    std::optional<Hit> hit;
+    std::size_t name = 0; ///< of the face; only with a hit
+};
+
+/// The length that a pixel of a picture covers at a place, mm, square to the camera ray. In a
+/// perspective picture it is that along the radius, where it is shortest.
+double pixel_length(const Camera& camera, const Vec3& place);
+
+/// Finds outlines of a body in a picture: where what is visible changes to another face, to the
+/// background or to another sheet of the same face. So borders, seams between faces of different
+/// names and contours are outlines; lines inside a face are not.
+class OutlineFinder {
+public:
+    OutlineFinder(const OutlineBody& body, const Camera& camera);
+
+    /// One sighting a place, in order.
+    std::vector<Sighting> look(std::span<const Vec2> places) const;
+    /// The hits on both sides of every outline that runs between two neighbours of a square grid
+    /// of sightings, `side` of them in a row: within a two thousandth of their spacing of it.
+    std::vector<Hit> outlines(std::span<const Sighting> grid, std::size_t side) const;
+
+private:
+    struct Crossing {
+        Sighting a, b;
+    };
+    bool differ(const Sighting& a, const Sighting& b) const;
+    std::vector<Crossing> crossings(std::span<const Sighting> grid, std::size_t side) const;
+    /// The halves in which the outlines run; what turns out to be smooth is left out.
+    std::vector<Crossing> halved(std::vector<Crossing> crossings) const;
+    double facing(const Hit& hit) const;
+
+    const OutlineBody& body_;
+    Camera camera_;
+    PreparedCamera prepared_;
+};
+
+} // namespace keiko

@@ -1,0 +1,94 @@
+#include "keiko/compare/shape/symmetry.h"
+
+#include "keiko/compare/shape/deviation.h"
+#include "keiko/geometry/trim/material_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+std::uint32_t index_of(const std::vector<MeasuredFace>& faces, const PlacedFace& placed) {
+    const auto found = std::find_if(faces.begin(), faces.end(), [&](const MeasuredFace& face) {
+        return face.instance == placed.instance && face.face == placed.face;
+    });
+    return static_cast<std::uint32_t>(found - faces.begin());
+}
+
+constexpr double fiftieth = 0.02; // of the size: what is farther has no image at all
+
+struct SelfDeviation {
+    PlacedModel body;
+    Deviation found;
+    double reach = 0;
+
+    double distance() const { return std::min(std::abs(found.worst.value), reach); }
+};
+
+SelfDeviation self_deviation(const SurfaceModel& model, const MirrorPlane& plane,
+                             std::span<const std::uint32_t> chosen, const DeviationOptions& options,
+                             const Job& job) {
+    const SurfaceFeet body(placed_model(model, {}, chosen), job);
+    const SurfaceFeet image(placed_model(model, plane.motion(), chosen), job);
+    DeviationOptions within = options;
+    within.reach = fiftieth * material_bounds(body.body().model, job).size();
+    return {body.body(), measure_deviation(body, image, within, job), within.reach};
+}
+
+/// What a search of planes measures by.
+DeviationOptions quick() {
+    DeviationOptions options;
+    options.samples = 3000;
+    return options;
+}
+
+std::optional<MirrorPlane> nearest_plane(const SurfaceModel& model, const Job& job) {
+    const Box3 box = material_bounds(model, job);
+    const Vec3 middle = (box.lower + box.upper) / 2;
+    for (const MirrorPlane& plane : {MirrorPlane{1, 0}, MirrorPlane{1, middle.y},
+                                     MirrorPlane{0, middle.x}, MirrorPlane{2, middle.z}}) {
+        if (!(std::abs(plane.distance(middle)) < fiftieth * box.size())) continue;
+        const SelfDeviation self = self_deviation(model, plane, {}, quick(), job);
+        if (self.distance() < self.reach) return plane;
+    }
+    return std::nullopt;
+}
+
+void add_check_at(const SurfaceModel& model, const SymmetryLimit& limit, Check::Severity severity,
+                  Inspection& inspection, const Job& job) {
+    const DeviationOptions options;
+    const SelfDeviation self = self_deviation(model, limit.plane, {}, options, job);
+    Worst worst;
+    worst.value = self.distance();
+    worst.bound = std::max(self.found.largest_uncertainty, options.certainty);
+    worst.limit = limit.distance, worst.place = self.found.worst.place;
+    worst.verdict = judge(worst.value, worst.bound, worst.limit);
+    Check check = check_of_symmetry(worst, limit.plane.text());
+    check.severity = severity;
+    check.face = index_of(inspection.faces, self.body.origin[self.found.worst.face]);
+    check.faces = inspection.faces.at(check.face).name;
+    add_check(inspection, std::move(check));
+}
+
+} // namespace
+
+double mirror_deviation(const SurfaceModel& model, const MirrorPlane& plane,
+                        std::span<const std::uint32_t> chosen, const Job& job) {
+    return self_deviation(model, plane, chosen, quick(), job).distance();
+}
+
+void check_symmetry(const SurfaceModel& model, Inspection& inspection, const Job& job) {
+    if (inspection.faces.empty()) return;
+    const CriteriaPreset& preset = inspection.preset;
+    if (const auto& limit = preset.surface.symmetry) {
+        add_check_at(model, *limit, Check::Severity::judged, inspection, job);
+        return;
+    }
+    if (!preset.look.symmetry) return;
+    const auto plane = nearest_plane(model, job);
+    const SymmetryLimit limit{plane.value_or(MirrorPlane{}), *preset.look.symmetry};
+    if (plane) add_check_at(model, limit, Check::Severity::look, inspection, job);
+}
+
+} // namespace keiko

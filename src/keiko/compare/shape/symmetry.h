@@ -1,0 +1,24 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/inspect/inspection.h"
+#include "keiko/scene/mirror_plane.h"
+
+#include <span>
+
+namespace keiko {
+
+/// mm that the chosen faces of a model, ascending, or all, are from their own mirror image at their
+/// worst place; a fiftieth of their size where they are further off. Throws Cancelled.
+double mirror_deviation(const SurfaceModel& model, const MirrorPlane& plane,
+                        std::span<const std::uint32_t> chosen = {}, const Job& job = {});
+
+/// Measures how far a body is from its own mirror image, where the preset of its inspection has a
+/// limit for it, and adds the check to the inspection, of the face that is furthest off. Where the
+/// preset has one for what is worth a look, the plane is found: y = 0 or that through the middle of
+/// the body across y, x or z, the first from which it is less than a fiftieth of its size. The
+/// bound is what the nearest points are not proved to; that no place is worse is sought, not proved
+/// (docs/theory/inspection.md). Throws Cancelled.
+void check_symmetry(const SurfaceModel& model, Inspection& inspection, const Job& job = {});
+
+} // namespace keiko

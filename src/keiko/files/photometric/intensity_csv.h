@@ -1,0 +1,30 @@
+#pragma once
+
+#include "keiko/light/spotlight/intensity_table.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace keiko {
+
+/// An intensity table as files tell it: angles in degrees, and a column of values over theta for
+/// each phi.
+struct IntensityColumns {
+    std::vector<double> theta, phi{0};
+    std::vector<std::vector<double>> values;
+};
+
+/// Why the columns make no table; "" when they do: theta must ascend from 0 to at most 180, phi
+/// from 0 to 90, 180 or at most 360, and no value may be negative.
+std::string table_fault(const IntensityColumns& columns);
+
+/// The table, its poles replaced by their mean over phi (docs/theory/spotlights.md#tables),
+/// unfolded from the planes up to 90 or 180 degrees by mirroring. Requires that there is no fault.
+IntensityTable intensity_table(IntensityColumns columns, TableInterpolation interpolation);
+
+/// Reads a CSV file: `theta` and the angles phi in the first row, an angle theta and its values in
+/// each other row; empty rows and what follows a # are skipped. Throws Error with file, line and
+/// reason.
+IntensityColumns read_intensity_csv(const std::filesystem::path& path);
+
+} // namespace keiko

@@ -1,0 +1,129 @@
+#include "keiko/files/scene/material_file.h"
+
+#include "keiko/base/error_text.h"
+#include "keiko/base/input_file.h"
+#include "keiko/files/toml/toml_reader.h"
+#include "keiko/scene/suggestion.h"
+
+#include "keiko_standard_materials.h"
+
+#include <algorithm>
+
+namespace keiko {
+
+namespace {
+
+constexpr TomlLimits index_limits{.low = 0, .high = 1000, .above_low = true};
+
+MetalIndex metal_from(const TomlTable& table) {
+    MetalIndex metal;
+    metal.n = table.required("n", table.rgb("n", index_limits));
+    metal.k = table.required("k", table.rgb("k", {.low = 0, .high = 1000}));
+    table.finish();
+    return metal;
+}
+
+bool has_exponent(DistributionKind kind) {
+    return kind == DistributionKind::phong || kind == DistributionKind::blinn;
+}
+
+constexpr TomlLimits exponents{.low = 1, .high = 1e6};
+constexpr TomlLimits widths{.low = 0.005, .high = 1};
+
+Roughness roughness_from(const TomlTable& table) {
+    Roughness rough;
+    const auto kind =
+        table.choice("distribution", {"phong", "blinn", "gauss", "trowbridge-reitz", "beckmann"});
+    if (kind) rough.kind = static_cast<DistributionKind>(*kind);
+    rough.width = has_exponent(rough.kind)
+                      ? table.required("exponent", table.number("exponent", exponents))
+                      : table.required("width", table.number("width", widths));
+    if (table.choice("mode", {"lobe", "brdf"}).value_or(0) == 1) rough.mode = GlossMode::brdf;
+    if (rough.mode == GlossMode::brdf && rough.kind == DistributionKind::phong)
+        throw table.error("mode", "phong is a lobe, not a distribution of half vectors");
+    table.finish();
+    return rough;
+}
+
+FlakeLayer flakes_from(const TomlTable& table) {
+    FlakeLayer flakes;
+    flakes.reflectance =
+        table.required("reflectance", table.rgb("reflectance", TomlLimits::share()));
+    flakes.width = table.number("width", widths).value_or(flakes.width);
+    table.finish();
+    return flakes;
+}
+
+/// What a bare metal does not have.
+void require_bare(const TomlTable& table) {
+    for (const std::string_view key : {"diffuse", "refractive_index", "flakes"})
+        if (table.has(key)) throw table.error(key, "belongs to paints, not to a metal");
+}
+
+} // namespace
+
+Material material_from(const TomlTable& table) {
+    Material material;
+    material.name = table.text("name").value_or("");
+    if (const auto rough = table.table("roughness")) material.roughness = roughness_from(*rough);
+    if (const auto metal = table.table("metal")) {
+        require_bare(table);
+        material.metal = metal_from(*metal);
+        material.diffuse = Rgb(0);
+    } else {
+        material.diffuse = table.required("diffuse", table.rgb("diffuse", TomlLimits::share()));
+        material.refractive_index =
+            table.number("refractive_index", {.low = 1, .high = index_limits.high})
+                .value_or(material.refractive_index);
+        if (const auto flakes = table.table("flakes")) material.flakes = flakes_from(*flakes);
+    }
+    if (material.roughness && !material.metal && material.refractive_index == 1)
+        throw table.error("roughness", "needs a border: a refractive_index above 1, or a metal");
+    table.not_yet({"map"});
+    table.finish();
+    return material;
+}
+
+std::vector<Material> parse_materials(std::string_view text, const std::string& source) {
+    const TomlTable root = TomlTable::parse(text, source);
+    root.require_format("keiko-materials/1");
+    std::vector<Material> materials;
+    for (const TomlTable& table : root.tables("material")) {
+        Material material = material_from(table);
+        if (material.name.empty()) throw table.error("name", "a material of a file needs a name");
+        if (std::any_of(materials.begin(), materials.end(),
+                        [&](const Material& other) { return other.name == material.name; }))
+            throw table.error("name", "'" + shortened(material.name) + "' is there twice");
+        materials.push_back(std::move(material));
+    }
+    root.finish();
+    if (materials.empty()) throw root.error("", "the file has no [[material]]");
+    return materials;
+}
+
+std::vector<Material> read_materials(const std::filesystem::path& path) {
+    return parse_materials(read_file(path), path.string());
+}
+
+const std::vector<Material>& standard_materials() {
+    static const std::vector<Material> materials =
+        parse_materials(standard_materials_toml, "materials.toml");
+    return materials;
+}
+
+const Material& find_material(std::string_view name, const std::vector<Material>& materials) {
+    std::vector<std::string> names;
+    for (const Material& material : materials) {
+        if (material.name == name) return material;
+        names.push_back(material.name);
+    }
+    throw Error("", "",
+                "unknown material '" + shortened(name) + "'" + did_you_mean(name, names) +
+                    "; known are " + comma_list(names));
+}
+
+const Material& named_material(std::string_view name) {
+    return find_material(name, standard_materials());
+}
+
+} // namespace keiko

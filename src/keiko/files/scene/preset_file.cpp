@@ -1,0 +1,172 @@
+#include "keiko/files/scene/preset_file.h"
+
+#include "keiko/base/error_text.h"
+#include "keiko/base/input_file.h"
+#include "keiko/files/toml/toml_reader.h"
+#include "keiko/scene/suggestion.h"
+
+#include "keiko_standard_presets.h"
+
+#include <vector>
+
+namespace keiko {
+namespace {
+
+/// Beyond these no limit of a surface makes sense; a mistyped unit does.
+constexpr TomlLimits lengths{.low = 0, .high = 1e6, .above_low = true};
+constexpr TomlLimits negligible_lengths{.low = 1e-3, .high = 1e3};
+constexpr TomlLimits angles{.low = 0, .high = 180, .above_low = true};
+constexpr TomlLimits shares{.low = 0, .high = 2, .above_low = true};
+
+CurvatureLimit curvature_from(const TomlTable& table) {
+    CurvatureLimit limit;
+    const std::size_t formula =
+        table.required("formula", table.choice("formula", {"alias", "catia"}));
+    limit.formula = formula == 0 ? CurvatureFormula::alias : CurvatureFormula::catia;
+    limit.limit = table.required("limit", table.number("limit", shares));
+    table.finish();
+    return limit;
+}
+
+void read_seam(const TomlTable& table, CriteriaPreset& preset) {
+    preset.gap = table.required("gap", table.number("gap", lengths));
+    preset.angle = table.required("angle", table.number("angle", angles));
+    preset.curvature.reset();
+    if (const auto curvature = table.table("curvature"))
+        preset.curvature = curvature_from(*curvature);
+    preset.curvature_slope = table.number("curvature_slope", angles);
+    preset.feature_angle = table.number("feature_angle", angles).value_or(preset.feature_angle);
+    preset.fading = table.number("fading", TomlLimits::positive()).value_or(preset.angle / 70);
+    preset.longest_run_out =
+        table.number("longest_run_out", lengths).value_or(preset.longest_run_out);
+    preset.negligible = table.number("negligible", negligible_lengths).value_or(preset.negligible);
+    preset.flat_radius =
+        table.number("flat_radius", TomlLimits::positive()).value_or(preset.flat_radius);
+    if (preset.feature_angle < preset.angle)
+        throw table.error("feature_angle", "is below the limit of the angle: no seam could fail");
+    table.finish();
+}
+
+LineLimits line_limits_from(const TomlTable& table) {
+    LineLimits limits;
+    limits.jump = table.number("jump", lengths);
+    limits.turn = table.number("turn", angles);
+    limits.kink = table.number("kink", angles);
+    limits.bend = table.number("bend", TomlLimits::positive());
+    table.finish();
+    return limits;
+}
+
+WavinessLimit waviness_from(const TomlTable& table) {
+    WavinessLimit limit;
+    limit.depth = table.required("depth", table.number("depth", lengths));
+    limit.window = table.required("window", table.number("window", lengths));
+    limit.waves_only = table.flag("waves_only").value_or(false);
+    if (limit.depth > limit.window / 50)
+        throw table.error("depth", "is more than a fiftieth of the window: such is form, no flaw");
+    table.finish();
+    return limit;
+}
+
+/// One, or several by ascending windows.
+std::vector<WavinessLimit> waviness_limits_from(const TomlTable& table) {
+    if (table.kind("waviness") != "array") {
+        const auto waviness = table.table("waviness");
+        return waviness ? std::vector{waviness_from(*waviness)} : std::vector<WavinessLimit>{};
+    }
+    std::vector<WavinessLimit> limits;
+    for (const TomlTable& one : table.tables("waviness")) {
+        const WavinessLimit limit = waviness_from(one);
+        if (!limits.empty() && !(limits.back().window < limit.window))
+            throw one.error("window", "is no wider than the one before it");
+        limits.push_back(limit);
+    }
+    return limits;
+}
+
+SymmetryLimit symmetry_from(const TomlTable& table) {
+    SymmetryLimit limit;
+    const std::string plane = table.required("plane", table.text("plane"));
+    try {
+        limit.plane = MirrorPlane::parse(plane);
+    } catch (const Error& error) {
+        throw table.error("plane", error.reason());
+    }
+    limit.distance = table.required("distance", table.number("distance", lengths));
+    table.finish();
+    return limit;
+}
+
+SurfaceLimits surface_limits_from(const TomlTable& table) {
+    SurfaceLimits limits;
+    limits.minimum_radius = table.number("minimum_radius", lengths);
+    limits.waviness = waviness_limits_from(table);
+    if (const auto symmetry = table.table("symmetry")) limits.symmetry = symmetry_from(*symmetry);
+    table.finish();
+    return limits;
+}
+
+LookLimits look_limits_from(const TomlTable& table) {
+    LookLimits limits;
+    limits.waviness = waviness_limits_from(table);
+    table.finish();
+    return limits;
+}
+
+std::vector<CriteriaPreset> parsed_standard_presets() {
+    std::vector<CriteriaPreset> presets;
+    for (const StandardPreset& preset : standard_preset_files)
+        presets.push_back(parse_preset(preset.text, std::string(preset.name) + ".toml"));
+    return presets;
+}
+
+} // namespace
+
+CriteriaPreset parse_preset(std::string_view text, const std::string& source) {
+    const TomlTable root = TomlTable::parse(text, source);
+    root.require_format("keiko-preset/1");
+    CriteriaPreset preset;
+    preset.name = root.required("name", root.text("name"));
+    if (preset.name.empty()) throw root.error("name", "is empty");
+    preset.source = root.text("source").value_or("");
+    preset.caveat = root.text("caveat").value_or("");
+    read_seam(root.required("seam", root.table("seam")), preset);
+    const auto lines = root.table("lines");
+    preset.lines = lines ? line_limits_from(*lines) : LineLimits{};
+    if (const auto surface = root.table("surface")) preset.surface = surface_limits_from(*surface);
+    if (const auto look = root.table("look")) {
+        preset.look = look_limits_from(*look);
+        if (!preset.look.waviness.empty() && !preset.surface.waviness.empty())
+            throw look->error("waviness", "has no use where [surface] limits it");
+    }
+    root.finish();
+    return preset;
+}
+
+CriteriaPreset read_preset(const std::filesystem::path& path) {
+    return parse_preset(read_file(path), path.string());
+}
+
+std::span<const CriteriaPreset> standard_presets() {
+    static const std::vector<CriteriaPreset> presets = parsed_standard_presets();
+    return presets;
+}
+
+const CriteriaPreset& preset_by_name(std::string_view name) {
+    std::vector<std::string> names;
+    for (const CriteriaPreset& preset : standard_presets()) {
+        if (preset.name == name) return preset;
+        names.push_back(preset.name);
+    }
+    throw Error("", "",
+                "unknown preset '" + shortened(name) + "'" + did_you_mean(name, names) +
+                    "; there are " + comma_list(names) + ", or the path of a .toml file");
+}
+
+CriteriaPreset preset_by_name_or_file(const std::string& name_or_file) {
+    const std::filesystem::path path(name_or_file);
+    if (path.extension() == ".toml" || path.has_parent_path()) return read_preset(path);
+    return preset_by_name(name_or_file);
+}
+
+} // namespace keiko

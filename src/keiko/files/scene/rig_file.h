@@ -1,0 +1,29 @@
+#pragma once
+
+#include "keiko/light/rig/light_rig.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace keiko {
+
+class TomlTable;
+
+/// Reads a rig file (keiko-rig/1, docs/scene-format.md). Throws Error with file, line and column.
+LightRig read_rig(const std::filesystem::path& path);
+/// The same from a text; `source` is the file name for messages.
+LightRig parse_rig(std::string_view text, const std::string& source);
+/// The rig whose keys stand among others in `table`: name, ambient, [[c_plane]], [[spotlight]],
+/// [[luminaire]], [sun], [[window]], [fog].
+LightRig rig_from(const TomlTable& table);
+
+/// The text of a rig file: every number reads back as the same double, units are named in
+/// comments, and the same rig always gives the same text. Files of luminaires are named relative to
+/// `folder`, if there is one. Throws Error for a rig that no file can hold, e.g. with numbers that
+/// are not finite.
+std::string rig_text(const LightRig& rig, const std::filesystem::path& folder = {});
+/// Writes a rig file, atomically. Throws Error when it cannot.
+void write_rig(const std::filesystem::path& path, const LightRig& rig);
+
+} // namespace keiko

@@ -1,0 +1,173 @@
+#include "keiko/files/scene/scene_file.h"
+
+#include "keiko/base/error_text.h"
+#include "keiko/base/input_file.h"
+#include "keiko/files/scene/camera_table.h"
+#include "keiko/files/scene/material_file.h"
+#include "keiko/files/scene/rig_file.h"
+#include "keiko/files/toml/input_path.h"
+#include "keiko/files/toml/toml_reader.h"
+#include "keiko/scene/suggestion.h"
+#include "keiko/scene/view.h"
+
+#include <algorithm>
+
+namespace keiko {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double largest_size = 65536; ///< pixels, either way
+constexpr int most_reflections = 64;
+/// Of a model: from nanometres that are taken for millimetres to kilometres.
+constexpr TomlLimits scales{.low = 1e-6, .high = 1e6};
+
+ModelTransform transform_from(const TomlTable& table) {
+    ModelTransform transform;
+    transform.scale = table.number("scale", scales).value_or(transform.scale);
+    if (const auto turn = table.numbers("rotate", 4, TomlLimits::place())) {
+        transform.axis = Vec3((*turn)[0], (*turn)[1], (*turn)[2]), transform.angle = (*turn)[3];
+        if (!(transform.axis.length() > 0))
+            throw table.error("rotate", "the axis must not be a zero vector");
+    }
+    transform.translation = table.vector("translate").value_or(transform.translation);
+    table.finish();
+    return transform;
+}
+
+Material material_of(const TomlTable& model, const std::vector<Material>& known) {
+    if (model.kind("material") == "table") return material_from(*model.table("material"));
+    const auto name = model.text("material");
+    if (!name) return known.front();
+    try {
+        return find_material(*name, known);
+    } catch (const Error& error) {
+        throw model.error("material", error.reason());
+    }
+}
+
+PaintOverride override_from(const TomlTable& table, const std::vector<Material>& materials) {
+    table.not_yet({"color", "layer"});
+    PaintOverride paint;
+    paint.faces = table.required("faces", table.texts("faces"));
+    if (paint.faces.empty()) throw table.error("faces", "must name at least one face");
+    if (!table.has("material")) table.refuse_missing("material");
+    paint.material = material_of(table, materials);
+    table.finish();
+    return paint;
+}
+
+ModelSpec model_from(const TomlTable& table, const std::vector<Material>& materials) {
+    ModelSpec model;
+    model.file = table.required("file", path_from(table, "file"));
+    if (const auto transform = table.table("transform"))
+        model.transform = transform_from(*transform);
+    model.material = material_of(table, materials);
+    for (const TomlTable& paint : table.tables("override"))
+        model.overrides.push_back(override_from(paint, materials));
+    table.not_yet({"unit", "axes"});
+    table.finish();
+    return model;
+}
+
+struct PictureSize {
+    int width, height;
+};
+std::optional<PictureSize> size_from(const TomlTable& table) {
+    const auto size = table.numbers("size", 2, {.low = 1, .high = largest_size});
+    if (!size) return {};
+    for (const double edge : *size)
+        if (edge != static_cast<int>(edge)) throw table.error("size", "must be whole numbers");
+    return PictureSize{static_cast<int>((*size)[0]), static_cast<int>((*size)[1])};
+}
+
+Camera camera_from(const TomlTable& table) {
+    Camera camera = camera_of(table);
+    if (const auto size = size_from(table))
+        camera.width = size->width, camera.height = size->height;
+    table.finish();
+    return camera;
+}
+
+std::optional<LightRig> rig_of(const TomlTable& root) {
+    const LightRig inline_rig = rig_from(root);
+    const bool lit = !inline_rig.sources.empty() || inline_rig.ambient != Rgb(0) ||
+                     inline_rig.medium.has_value();
+    const auto table = root.table("rig");
+    if (!table) return lit ? std::optional(inline_rig) : std::nullopt;
+    if (lit) throw root.error("rig", "give either [rig] or lights in the scene, not both");
+    const fs::path path = table->required("file", path_from(*table, "file"));
+    table->finish();
+    return read_rig(path);
+}
+
+/// Picture size, and the camera or the named view.
+void take_eye(const TomlTable& root, SceneSpec& scene) {
+    if (const auto size = size_from(root)) scene.width = size->width, scene.height = size->height;
+    scene.view = root.text("view");
+    const auto& names = view_names();
+    if (scene.view && std::find(names.begin(), names.end(), *scene.view) == names.end())
+        throw root.error("view", "unknown view '" + shortened(*scene.view) + "'" +
+                                     did_you_mean(*scene.view, names) + "; views are " +
+                                     comma_list(names));
+    const auto camera = root.table("camera");
+    if (!camera) return;
+    if (scene.view) throw root.error("view", "give either view or [camera], not both");
+    if (root.has("size")) throw root.error("size", "stands in [camera] where there is one");
+    scene.camera = camera_from(*camera);
+    scene.width = scene.camera->width;
+    scene.height = scene.camera->height;
+}
+
+GroundSpec ground_from(const TomlTable& table, const std::vector<Material>& materials) {
+    GroundSpec ground;
+    ground.z = table.number("z", TomlLimits::place()).value_or(ground.z);
+    ground.material =
+        table.has("material") ? material_of(table, materials) : named_material("concrete");
+    table.finish();
+    return ground;
+}
+
+Animation animation_from(const TomlTable& table, SceneSpec& scene) {
+    Animation animation;
+    animation.target = table.required("target", table.text("target"));
+    for (auto& [frame, value] : table.required("keys", table.keyed_lists("keys"))) {
+        if (!animation.keys.empty() && frame <= animation.keys.back().frame)
+            throw table.error("keys", "frames must ascend");
+        animation.keys.push_back({frame, std::move(value)});
+    }
+    table.finish();
+    if (const auto fault = animation_fault(scene, animation))
+        throw table.error(fault->key, shortened(fault->what));
+    return animation;
+}
+
+} // namespace
+
+SceneSpec parse_scene(std::string_view text, const std::string& source) {
+    const TomlTable root = TomlTable::parse(text, source);
+    root.require_format("keiko-scene/1");
+    SceneSpec scene;
+    const auto own_materials = path_from(root, "materials");
+    const std::vector<Material> materials =
+        own_materials ? read_materials(*own_materials) : standard_materials();
+    for (const TomlTable& table : root.tables("model"))
+        scene.models.push_back(model_from(table, materials));
+    take_eye(root, scene);
+    scene.rig = rig_of(root);
+    scene.background = root.rgb("background", TomlLimits::light()).value_or(scene.background);
+    if (const auto ground = root.table("ground")) scene.ground = ground_from(*ground, materials);
+    scene.max_depth = root.integer("max_depth", 0, most_reflections);
+    scene.min_weight = root.number("min_weight", TomlLimits::share());
+    for (const TomlTable& table : root.tables("animation"))
+        scene.animations.push_back(animation_from(table, scene));
+    root.not_yet({"primitive"});
+    root.finish();
+    if (scene.models.empty()) throw root.error("", "the scene has no [[model]]");
+    return scene;
+}
+
+SceneSpec read_scene(const fs::path& path) {
+    return parse_scene(read_file(path), path.string());
+}
+
+} // namespace keiko

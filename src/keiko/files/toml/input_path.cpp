@@ -1,0 +1,30 @@
+#include "keiko/files/toml/input_path.h"
+
+#include "keiko/base/error_text.h"
+#include "keiko/base/input_file.h"
+#include "keiko/files/toml/toml_reader.h"
+
+namespace keiko {
+
+std::optional<std::filesystem::path> path_from(const TomlTable& table, std::string_view key) {
+    const auto name = table.text(key);
+    if (!name) return {};
+    return readable_path(table, key, *name);
+}
+
+std::filesystem::path readable_path(const TomlTable& table, std::string_view key,
+                                    const std::string& name) {
+    const auto path = (table.source().parent_path() / name).lexically_normal();
+    try {
+        require_readable_file(path);
+    } catch (const Error& error) {
+        throw table.error(key, shortened(error.what()));
+    }
+    return path;
+}
+
+std::string named_from(const std::filesystem::path& folder, const std::filesystem::path& file) {
+    return (folder.empty() ? file : file.lexically_proximate(folder)).generic_string();
+}
+
+} // namespace keiko

@@ -1,0 +1,121 @@
+#include "keiko/files/toml/toml_reader.h"
+
+#include "keiko/base/error_text.h"
+#include "keiko/base/input_file.h"
+#include "keiko/files/toml/own_formats.h"
+#include "keiko/files/toml/toml_document.h"
+#include "keiko/scene/suggestion.h"
+
+#include <algorithm>
+
+namespace keiko {
+
+TomlTable::TomlTable(std::shared_ptr<const TomlDocument> document, const TomlValue& value,
+                     std::string name)
+    : document_(std::move(document)), value_(&value), name_(std::move(name)) {}
+
+TomlTable TomlTable::parse(std::string_view text, const std::string& source) {
+    const auto document = std::make_shared<const TomlDocument>(parse_toml(text, source));
+    return {document, document->root, ""};
+}
+
+TomlTable TomlTable::read(const std::filesystem::path& path) {
+    return parse(read_file(path), path.string());
+}
+
+const std::vector<TomlEntry>& TomlTable::entries() const {
+    return std::get<std::vector<TomlEntry>>(value_->content);
+}
+
+const TomlEntry* TomlTable::find(std::string_view key) const {
+    if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.emplace_back(key);
+    for (const TomlEntry& entry : entries())
+        if (entry.key == key) return &entry;
+    return nullptr;
+}
+
+bool TomlTable::asked_for(const TomlEntry& entry) const {
+    return std::find(asked_.begin(), asked_.end(), entry.key) != asked_.end();
+}
+
+bool TomlTable::has(std::string_view key) const {
+    return find(key) != nullptr;
+}
+
+std::string_view TomlTable::kind(std::string_view key) const {
+    const TomlEntry* entry = find(key);
+    return entry ? entry->value.kind() : "";
+}
+
+void TomlTable::require_format(std::string_view expected) const {
+    const std::string wanted = "format = \"" + std::string(expected) + "\"";
+    const std::optional<std::string> given = text("format");
+    if (!given) {
+        refuse_misspelt();
+        throw error("", "the file must begin with " + wanted);
+    }
+    if (*given == expected) return;
+    const auto family = [](std::string_view format) { return format.substr(0, format.find('/')); };
+    const std::string use = family(*given) == family(expected)
+                                ? "a version that this program does not read"
+                                : use_of_format(*given);
+    throw error("format", "is '" + shortened(*given) + "'" + (use.empty() ? "" : ", " + use) +
+                              "; expected " + wanted);
+}
+
+void TomlTable::not_yet(std::initializer_list<std::string_view> keys) const {
+    for (const std::string_view key : keys)
+        if (has(key)) throw error(key, "is not supported yet");
+}
+
+void TomlTable::finish() const {
+    const TomlEntry* first = nullptr;
+    for (const TomlEntry& entry : entries())
+        if (!asked_for(entry) && (!first || entry.place < first->place)) first = &entry;
+    if (first) throw unknown(*first, asked_);
+}
+
+void TomlTable::refuse_misspelt() const {
+    std::vector<std::string> absent;
+    for (const std::string& key : asked_)
+        if (!has(key)) absent.push_back(key);
+    for (const TomlEntry& entry : entries())
+        if (!asked_for(entry) && !did_you_mean(entry.key, absent).empty())
+            throw unknown(entry, absent);
+}
+
+Error TomlTable::unknown(const TomlEntry& entry, std::span<const std::string> known) const {
+    return {document_->source.string(), entry.place.text(),
+            "unknown key '" + shortened(path_of(entry.key)) + "'" + did_you_mean(entry.key, known)};
+}
+
+Error TomlTable::error(std::string_view key, const std::string& reason) const {
+    const TomlEntry* entry = key.empty() ? nullptr : find(key);
+    const TomlValue& at = entry ? entry->value : *value_;
+    const std::string subject = key.empty() ? name_ : path_of(key);
+    return {document_->source.string(), at.place.text(),
+            subject.empty() ? reason : subject + ": " + reason};
+}
+
+std::string TomlTable::path_of(std::string_view key) const {
+    return name_.empty() ? std::string(key) : name_ + "." + std::string(key);
+}
+
+void TomlTable::refuse_missing(std::string_view key) const {
+    refuse_misspelt();
+    throw error("", "'" + std::string(key) + "' is missing");
+}
+
+Error TomlTable::mismatch(std::string_view key, const std::string& wanted) const {
+    return error(key, "must be " + wanted);
+}
+
+std::uint32_t TomlTable::line() const {
+    return value_->place.line;
+}
+
+const std::filesystem::path& TomlTable::source() const {
+    return document_->source;
+}
+
+} // namespace keiko

@@ -1,0 +1,172 @@
+#include "keiko/geometry/bernstein/bernstein_field.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace keiko {
+namespace {
+
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+
+/// C(n, 0) .. C(n, n).
+std::vector<double> binomials(int n) {
+    std::vector<double> row{1};
+    for (int k = 1; k <= n; ++k) row.push_back(row.back() * (n - k + 1) / k);
+    return row;
+}
+
+/// One row of coefficients cut at a share of it: the lower part, and in `row` the upper one.
+void cut(std::vector<double>& row, std::vector<double>& lower, double share) {
+    const std::size_t n = row.size();
+    for (std::size_t level = 0; level < n; ++level) {
+        lower[level] = row.front();
+        for (std::size_t k = 0; k + 1 + level < n; ++k)
+            row[k] = (1 - share) * row[k] + share * row[k + 1];
+    }
+}
+
+/// Values of the Bernstein polynomials at t, 0 to 1.
+std::vector<double> basis(int degree, double t) {
+    std::vector<double> row{1};
+    for (int n = 1; n <= degree; ++n) {
+        row.push_back(t * row.back());
+        for (std::size_t i = row.size() - 2; i > 0; --i) row[i] = (1 - t) * row[i] + t * row[i - 1];
+        row.front() *= 1 - t;
+    }
+    return row;
+}
+
+} // namespace
+
+double BernsteinField::magnitude() const {
+    double most = 0;
+    for (const double c : coefficients_) most = std::max(most, std::abs(c));
+    return most;
+}
+
+Interval BernsteinField::range() const {
+    const auto [low, high] = std::minmax_element(coefficients_.begin(), coefficients_.end());
+    return Interval(*low, *high).padded(rounding_);
+}
+
+Interval BernsteinField::side_range(bool by_u, bool upper) const {
+    const int fixed = upper ? (by_u ? degree_u_ : degree_v_) : 0;
+    const int last = by_u ? degree_v_ : degree_u_;
+    const auto on_side = [&](int k) { return by_u ? at(fixed, k) : at(k, fixed); };
+    Interval all(on_side(0));
+    for (int k = 1; k <= last; ++k)
+        all = {std::min(all.low, on_side(k)), std::max(all.high, on_side(k))};
+    return all.padded(rounding_);
+}
+
+BernsteinField BernsteinField::derivative(bool by_u) const {
+    const int degree = by_u ? degree_u_ : degree_v_;
+    if (degree == 0) return BernsteinField();
+    const int rows = degree_u_ - (by_u ? 1 : 0), columns = degree_v_ - (by_u ? 0 : 1);
+    std::vector<double> slopes;
+    for (int i = 0; i <= rows; ++i)
+        for (int j = 0; j <= columns; ++j)
+            slopes.push_back(degree * (at(i + (by_u ? 1 : 0), j + (by_u ? 0 : 1)) - at(i, j)));
+    return {rows, columns, std::move(slopes),
+            degree * (2 * rounding_ + 4 * unit_roundoff * magnitude())};
+}
+
+double BernsteinField::operator()(const Vec2& uv) const {
+    const std::vector<double> u = basis(degree_u_, uv.x), v = basis(degree_v_, uv.y);
+    double sum = 0;
+    std::size_t next = 0;
+    for (const double by_u : u) {
+        double along = 0;
+        for (const double by_v : v) along += by_v * coefficients_[next++];
+        sum += by_u * along;
+    }
+    return sum;
+}
+
+std::array<BernsteinField, 2> BernsteinField::parts(bool by_u, double share) const {
+    BernsteinField first = *this, second = *this;
+    const int lines = by_u ? degree_v_ : degree_u_, last = by_u ? degree_u_ : degree_v_;
+    std::vector<double> row(static_cast<std::size_t>(last) + 1), lower(row.size());
+    for (int line = 0; line <= lines; ++line) {
+        const auto of = [&](int k) { return by_u ? index(k, line) : index(line, k); };
+        for (int k = 0; k <= last; ++k) row[static_cast<std::size_t>(k)] = coefficients_[of(k)];
+        cut(row, lower, share);
+        for (int k = 0; k <= last; ++k) {
+            first.coefficients_[of(k)] = lower[static_cast<std::size_t>(k)];
+            second.coefficients_[of(k)] = row[static_cast<std::size_t>(k)];
+        }
+    }
+    // Means round off by some units in the last place each, and errors mix as values do.
+    const double more = 3.0 * (last + 1) * unit_roundoff * magnitude();
+    first.rounding_ += more, second.rounding_ += more;
+    return {std::move(first), std::move(second)};
+}
+
+BernsteinField BernsteinField::without_side(bool by_u, bool upper) const {
+    const int degree = by_u ? degree_u_ : degree_v_;
+    assert(degree >= 1);
+    const int rows = degree_u_ - (by_u ? 1 : 0), columns = degree_v_ - (by_u ? 0 : 1);
+    const int shift = upper ? 0 : 1;
+    std::vector<double> rest;
+    for (int i = 0; i <= rows; ++i)
+        for (int j = 0; j <= columns; ++j) {
+            const int k = by_u ? i : j;
+            const double share = static_cast<double>(upper ? degree - k : k + 1) / degree;
+            rest.push_back(at(i + (by_u ? shift : 0), j + (by_u ? 0 : shift)) / share);
+        }
+    BernsteinField divided(rows, columns, std::move(rest), degree * rounding_);
+    divided.rounding_ += 2 * unit_roundoff * divided.magnitude();
+    return divided;
+}
+
+BernsteinField operator*(const BernsteinField& a, const BernsteinField& b) {
+    const int degree_u = a.degree_u_ + b.degree_u_, degree_v = a.degree_v_ + b.degree_v_;
+    BernsteinField product(degree_u, degree_v,
+                           std::vector<double>(static_cast<std::size_t>(degree_u + 1) *
+                                               static_cast<std::size_t>(degree_v + 1)),
+                           0);
+    const auto au = binomials(a.degree_u_), av = binomials(a.degree_v_),
+               bu = binomials(b.degree_u_), bv = binomials(b.degree_v_), u = binomials(degree_u),
+               v = binomials(degree_v);
+    const auto of = [](const std::vector<double>& row, int k) {
+        return row[static_cast<std::size_t>(k)];
+    };
+    for (int i = 0; i <= a.degree_u_; ++i)
+        for (int j = 0; j <= a.degree_v_; ++j) {
+            const double factor = a.at(i, j) * of(au, i) * of(av, j);
+            if (factor == 0) continue;
+            for (int k = 0; k <= b.degree_u_; ++k)
+                for (int l = 0; l <= b.degree_v_; ++l)
+                    product.coefficients_[product.index(i + k, j + l)] +=
+                        factor * b.at(k, l) * of(bu, k) * of(bv, l);
+        }
+    for (int i = 0; i <= degree_u; ++i)
+        for (int j = 0; j <= degree_v; ++j)
+            product.coefficients_[product.index(i, j)] /= of(u, i) * of(v, j);
+    // Each coefficient is a mean of products, summed in as many steps as there are.
+    const double steps =
+        (a.degree_u_ + 1.0) * (a.degree_v_ + 1.0) + 4.0 * (degree_u + degree_v) + 8;
+    const double am = a.magnitude(), bm = b.magnitude();
+    product.rounding_ = am * b.rounding_ + bm * a.rounding_ + a.rounding_ * b.rounding_ +
+                        steps * unit_roundoff * am * bm;
+    return product;
+}
+
+BernsteinField operator+(const BernsteinField& a, const BernsteinField& b) {
+    assert(a.degree_u_ == b.degree_u_ && a.degree_v_ == b.degree_v_);
+    BernsteinField sum = a;
+    for (std::size_t i = 0; i < sum.coefficients_.size(); ++i)
+        sum.coefficients_[i] += b.coefficients_[i];
+    sum.rounding_ += b.rounding_ + unit_roundoff * sum.magnitude();
+    return sum;
+}
+
+BernsteinField operator-(const BernsteinField& a, const BernsteinField& b) {
+    BernsteinField negative = b;
+    for (double& c : negative.coefficients_) c = -c;
+    return a + negative;
+}
+
+} // namespace keiko

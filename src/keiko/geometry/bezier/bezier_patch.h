@@ -1,0 +1,48 @@
+#pragma once
+
+#include "keiko/geometry/bernstein/bernstein.h"
+#include "keiko/math/bounds.h"
+
+#include <array>
+#include <span>
+
+namespace keiko {
+
+/// A tensor-product Bezier patch over [0, 1]^2, rational or not, seen in place.
+struct BezierPatchView {
+    int degree_u = 0, degree_v = 0;
+    /// (degree_u + 1) x (degree_v + 1) homogeneous control points, u outer.
+    std::span<const Vec4> points;
+
+    const Vec4& point(int i, int j) const {
+        const int index = i * (degree_v + 1) + j;
+        return points[static_cast<std::size_t>(index)];
+    }
+    /// Whether any two weights differ.
+    bool rational() const;
+};
+
+/// S and its partial derivatives by the patch's own parameters: d[k][l] = d^(k+l) S / du^k dv^l.
+struct SurfaceDerivatives {
+    std::array<std::array<Vec3, 4>, 4> d;
+
+    SurfaceDerivatives() {
+        for (auto& row : d) row.fill(Vec3(0));
+    }
+
+    const Vec3& position() const { return d[0][0]; }
+    const Vec3& du() const { return d[1][0]; }
+    const Vec3& dv() const { return d[0][1]; }
+    const Vec3& duu() const { return d[2][0]; }
+    const Vec3& duv() const { return d[1][1]; }
+    const Vec3& dvv() const { return d[0][2]; }
+};
+
+/// All derivatives with k + l <= order (0 to 3); rational ones by the quotient rule
+/// [PieglTiller1997, algorithm A4.4]. The other entries are 0.
+SurfaceDerivatives evaluate(const BezierPatchView& patch, const Vec2& uv, int order);
+
+/// Box of the control points, which holds the patch where all weights are positive.
+Box3 hull_bounds(const BezierPatchView& patch);
+
+} // namespace keiko

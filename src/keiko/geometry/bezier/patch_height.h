@@ -1,0 +1,53 @@
+#pragma once
+
+#include "keiko/geometry/bernstein/bernstein_field.h"
+#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/height.h"
+
+namespace keiko {
+
+/// The height of a patch over a box of its parameters, which may be a line or a point: a rational
+/// function whose Bernstein coefficients bound it. Local parameters x, y in [0, 1] run over the
+/// box. Weights must be positive.
+class PatchHeight {
+public:
+    /// The height over the whole patch.
+    PatchHeight(const BezierPatchView& patch, const Height& height);
+
+    const Box2& uv() const { return uv_; }
+    /// An upper bound, to within rounding: the largest coefficient, and no more than the bound of
+    /// the larger box that this one was cut from.
+    double upper() const { return upper_; }
+    /// The heights of the four corners of the box: (0, 0), (1, 0), (0, 1), (1, 1).
+    std::array<double, 4> corners() const;
+    /// Whether the gradient may vanish anywhere in the box. Of a line, only the slope along it
+    /// counts.
+    bool may_be_level() const;
+    /// Whether its coefficients vary more along u than along v, or as much.
+    bool varies_by_u() const;
+    /// Either half; `by_u`: cut across u.
+    std::array<PatchHeight, 2> halves(bool by_u) const;
+    /// The height over a box within this one.
+    PatchHeight over(const Box2& part) const;
+
+    /// Ranges over the box of the derivatives by x and y.
+    struct Slopes {
+        Interval x, y, xx, xy, yy;
+    };
+    Slopes slopes() const;
+
+private:
+    PatchHeight(BernsteinField height, BernsteinField weight, const Box2& uv, double upper);
+    PatchHeight narrowed(unsigned axis, double lower, double upper) const;
+    double weight(int i, int j) const;
+    double at(int i, int j) const;
+    double variation(bool by_u) const;
+    BernsteinField centered() const;
+
+    BernsteinField height_; ///< times weight
+    BernsteinField weight_; ///< of degree 0 where all weights are equal
+    Box2 uv_;
+    double upper_;
+};
+
+} // namespace keiko

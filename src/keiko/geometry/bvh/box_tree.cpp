@@ -1,0 +1,105 @@
+#include "keiko/geometry/bvh/box_tree.h"
+
+#include "keiko/base/stop_scope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace keiko {
+namespace {
+
+constexpr std::uint32_t leaf_size = 4;
+
+unsigned longest_axis(const Box3& box) {
+    const Vec3 e = box.extent();
+    return e.x >= e.y && e.x >= e.z ? 0 : (e.y >= e.z ? 1 : 2);
+}
+
+} // namespace
+
+BoxTree::BoxTree(std::vector<Box3> boxes) : boxes_(std::move(boxes)) {
+    for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+        if (!boxes_[i].empty() && std::isfinite(boxes_[i].size())) order_.push_back(i);
+    if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
+}
+
+std::uint32_t BoxTree::build(std::uint32_t first, std::uint32_t count) {
+    const auto self = static_cast<std::uint32_t>(nodes_.size());
+    Node node;
+    node.first = first, node.count = count;
+    Box3 centers;
+    for (std::uint32_t k = first; k < first + count; ++k) {
+        node.box.extend(boxes_[order_[k]]);
+        centers.extend(boxes_[order_[k]].center());
+    }
+    nodes_.push_back(node);
+    if (count <= leaf_size) return self;
+
+    const unsigned axis = longest_axis(centers);
+    const auto begin = order_.begin() + first;
+    std::nth_element(begin, begin + count / 2, begin + count,
+                     [&](std::uint32_t a, std::uint32_t b) {
+                         const double x = boxes_[a].center()[axis], y = boxes_[b].center()[axis];
+                         return x != y ? x < y : a < b;
+                     });
+    build(first, count / 2);
+    nodes_[self].right = build(first + count / 2, count - count / 2);
+    return self;
+}
+
+std::vector<std::uint32_t> BoxTree::overlapping(const Box3& box) const {
+    std::vector<std::uint32_t> found, todo;
+    if (!nodes_.empty()) todo.push_back(0);
+    while (!todo.empty()) {
+        const std::uint32_t index = todo.back();
+        const Node& node = nodes_[index];
+        todo.pop_back();
+        if (!node.box.overlaps(box)) continue;
+        if (node.right != 0) {
+            todo.insert(todo.end(), {node.right, index + 1});
+            continue;
+        }
+        for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
+            if (boxes_[order_[k]].overlaps(box)) found.push_back(order_[k]);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+void BoxTree::visit_near(const Vec3& p, double radius,
+                         const std::function<double(std::uint32_t)>& visit) const {
+    struct Waiting {
+        double square;
+        bool box;
+        std::uint32_t index;
+        bool operator<(const Waiting& other) const {
+            return square != other.square ? square > other.square : index > other.index;
+        }
+    };
+    const auto square = [&](const Box3& box) { return (box.nearest(p) - p).length2(); };
+    std::priority_queue<Waiting> waiting;
+    const auto push = [&](std::uint32_t node) {
+        waiting.push({square(nodes_[node].box), false, node});
+    };
+    if (!nodes_.empty()) push(0);
+    while (!waiting.empty() && waiting.top().square <= radius * radius) {
+        const Waiting next = waiting.top();
+        waiting.pop();
+        if (next.box) {
+            check_stop();
+            radius = visit(next.index);
+            continue;
+        }
+        const Node& node = nodes_[next.index];
+        if (node.right != 0) {
+            push(next.index + 1);
+            push(node.right);
+            continue;
+        }
+        for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
+            waiting.push({square(boxes_[order_[k]]), true, order_[k]});
+    }
+}
+
+} // namespace keiko

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "keiko/geometry/model/surface_model.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace keiko {
+
+/// The patches of one face as the grid that they form over the face's parameter plane; a patch
+/// may cover several cells of it, as an adaptive approximation makes them.
+class PatchGrid {
+public:
+    PatchGrid(const SurfaceModel& model, const Face& face);
+
+    /// Index into SurfaceModel::patches of the patch that holds a point of the parameter plane.
+    /// On a line between patches the one that the direction `toward` points into, so that a
+    /// border along a knot line is read from the side of its material; outside of the grid the
+    /// nearest patch.
+    std::uint32_t locate(const Vec2& point, const Vec2& toward) const;
+    /// The rectangle of face parameters that the patches cover.
+    Box2 domain() const;
+    /// How many lines between patches pass through a box of the parameter plane.
+    int lines_through(const Box2& box) const;
+
+    /// Squared extent in mm2 of a patch of this face: what its du x dv is large or small against.
+    double square_size(std::uint32_t patch) const { return square_sizes_[patch - first_patch_]; }
+
+private:
+    std::uint32_t first_patch_ = 0;
+    std::vector<double> square_sizes_; ///< a patch
+    std::vector<double> breaks_u_, breaks_v_;
+    std::vector<std::uint32_t> patches_; ///< u outer
+};
+
+} // namespace keiko

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "keiko/geometry/model/patch_grid.h"
+
+#include <optional>
+#include <vector>
+
+namespace keiko {
+
+/// The border of a placed face at one point; all vectors in world coordinates.
+struct BoundaryFrame {
+    Vec3 position{0};
+    Vec3 tangent{0};            ///< unit, the way the curve runs
+    Vec3 normal{0};             ///< unit, along du x dv
+    Vec3 inward{0};             ///< unit, tangent to the surface, from the border into the material
+    SurfaceDerivatives surface; ///< by patch parameters, to the order asked for
+};
+
+/// A trim curve as a curve in space: the exact surface along the exact p-curve, placed by its
+/// instance. Looks into the model and the grid it was made from.
+class SurfaceCurve {
+public:
+    /// `p_curve` in face parameters; `material_left`: the material lies to the left of its run
+    /// in the parameter plane.
+    SurfaceCurve(const SurfaceModel& model, const PatchGrid& grid, const Affine& transform,
+                 BezierCurveView p_curve, bool material_left)
+        : model_(&model),
+          grid_(&grid),
+          transform_(&transform),
+          p_curve_(p_curve),
+          side_(material_left ? 1 : -1) {}
+
+    /// Position in mm and its first two derivatives by t, t in [0, 1].
+    struct Point {
+        Vec3 position{0}, first{0}, second{0};
+    };
+    Point at(double t) const;
+    /// Nothing where the curve stands still or the surface is singular, as at a pole.
+    /// `order` is that of the surface's derivatives, 2 or 3.
+    std::optional<BoundaryFrame> frame(double t, int order = 2) const;
+    /// Arc length in mm between two parameters, in either order.
+    double length(double begin, double end) const;
+    /// Face parameters at t.
+    Vec2 parameters(double t) const { return evaluate(p_curve_, t, 0)[0]; }
+    /// Index of the patch that it runs on at t, on the side of its material.
+    std::uint32_t patch_at(double t) const;
+    /// How many patches it may run through.
+    int patch_count() const { return 1 + grid_->lines_through(hull_bounds(p_curve_)); }
+    /// Parameters between `begin` and `end`, begin < end, at which it passes from patch to patch,
+    /// in rising order and exact to a few roundings. A patch that it enters and leaves between two
+    /// of `2 patch_count() + 2` even steps is missed.
+    std::vector<double> patch_changes(double begin, double end) const;
+
+private:
+    struct Place;
+    Place place(double t, int order) const;
+
+    const SurfaceModel* model_;
+    const PatchGrid* grid_;
+    const Affine* transform_;
+    BezierCurveView p_curve_;
+    double side_;
+};
+
+} // namespace keiko

@@ -1,0 +1,137 @@
+#pragma once
+
+#include "keiko/base/diagnostics.h"
+#include "keiko/geometry/bezier/bezier_curve.h"
+#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/parameter_map.h"
+#include "keiko/geometry/model/repair.h"
+#include "keiko/math/affine.h"
+#include "keiko/math/rgb.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+constexpr std::uint32_t no_index = 0xffffffff;
+
+/// A Bezier patch of a face: one knot span of the face's surface.
+struct Patch {
+    std::uint32_t face = 0;
+    std::uint32_t first_point = 0; ///< into SurfaceModel::control_points
+    std::uint16_t degree_u = 1, degree_v = 1;
+    ParameterMap map_u, map_v; ///< patch parameters to face parameters
+};
+
+/// A Bezier piece of a p-curve, in face parameters.
+struct TrimCurve {
+    std::uint32_t first_point = 0; ///< into SurfaceModel::trim_points
+    std::uint16_t degree = 1;
+    std::uint32_t edge = no_index; ///< into SurfaceModel::edges, the file's own hint
+};
+
+/// A closed chain of trim curves.
+struct TrimLoop {
+    std::uint32_t first_curve = 0, curve_count = 0;
+};
+
+/// A trimmed surface. The material is where a point is inside an odd number of loops;
+/// a face without loops is whole.
+struct Face {
+    std::uint32_t id = 0; ///< position in the file, stable between loads, from 1
+    std::string name;     ///< of the face, or empty
+    std::string layer;
+    std::optional<Rgb> color;
+    std::string surface_kind; ///< as the file has it: "plane", "b-spline", "torus", ...
+    std::uint32_t part = 0;
+    std::uint32_t first_patch = 0, patch_count = 0;
+    std::uint32_t first_loop = 0, loop_count = 0;
+    bool reversed = false;   ///< the file's outward normal is -(du x dv)
+    double approximated = 0; ///< mm, tolerance of an approximation; 0 where the patches are exact
+    std::uint32_t line = 0;  ///< of its entity in a STEP file, from 1; 0 where it is not known
+    std::uint32_t file = 0;  ///< into files_of(model)
+};
+
+/// An edge as the file shares it between faces.
+struct Edge {
+    double tolerance = 0; ///< mm, as the file claims; never hides a gap
+    std::uint32_t use_count = 0;
+    bool degenerate = false; ///< a point in space, e.g. at a pole
+};
+
+/// Geometry that is stored once, however often it is placed.
+struct Part {
+    std::string name;
+    std::uint32_t first_face = 0, face_count = 0;
+};
+
+/// A placed part.
+struct Instance {
+    std::uint32_t part = 0;
+    std::string name;
+    Affine transform; ///< part to world, may mirror
+};
+
+/// A face of the file that could not be converted. Nothing disappears silently.
+struct LostFace {
+    std::uint32_t id = 0; ///< as Face::id
+    std::string name;
+    std::string reason;
+};
+
+/// A patch in the last ring around an irregular point of a subdivision surface: it stands in for a
+/// surface that has no curvature there.
+struct IrregularPatch {
+    std::uint32_t face = 0; ///< into SurfaceModel::faces
+    Vec3 center{0};         ///< of a ball around the patch, as control points
+    double radius = 0;      ///< mm
+};
+
+/// What a CAD file, a cage or a patch file becomes: rational Bezier patches with trim loops,
+/// in millimetres, in flat arrays.
+struct SurfaceModel {
+    std::string source; ///< path it was read from
+    std::string format; ///< "STEP", "IGES", "BREP", "BPT"
+    std::string unit;   ///< of the file, or empty where it names none (read as mm)
+
+    std::vector<Vec4> control_points; ///< homogeneous, mm
+    std::vector<Vec3> trim_points;    ///< homogeneous, face parameters
+    std::vector<Patch> patches;       ///< grouped by face
+    std::vector<TrimCurve> trim_curves;
+    std::vector<TrimLoop> trim_loops;
+    std::vector<Face> faces; ///< grouped by part
+    std::vector<Edge> edges;
+    std::vector<Part> parts;
+    std::vector<Instance> instances;
+    std::vector<LostFace> lost_faces;
+    std::vector<IrregularPatch> irregular_patches; ///< by face
+    std::vector<Repair> repairs;                   ///< by face, in the order of the faces
+    Diagnostics diagnostics;                       ///< other remarks of the import
+    std::vector<std::string> files; ///< of a merged model: the sources of its models in order
+
+    BezierPatchView patch(std::uint32_t index) const;
+    BezierCurveView trim_curve(std::uint32_t index) const;
+    std::span<const Patch> patches_of(const Face& face) const;
+    std::span<const TrimLoop> loops_of(const Face& face) const;
+    std::span<const TrimCurve> curves_of(const TrimLoop& loop) const;
+    /// "face 12 (fender-outer)"
+    std::string describe(const Face& face) const;
+    /// Face parameters of a point of a patch.
+    Vec2 face_parameters(std::uint32_t patch, const Vec2& uv) const;
+};
+
+/// Box of the control points of all placed patches, world, mm. It holds the material and may be
+/// much larger: sizes are those of material_bounds().
+Box3 hull_bounds(const SurfaceModel& model);
+
+/// Paths of the files that a model was read from, in the order of Face::file: `files`, or `source`
+/// of a model that is not merged.
+std::vector<std::string> files_of(const SurfaceModel& model);
+
+/// One body of several models; faces keep their order, ids are made unique by renumbering.
+SurfaceModel merge(std::span<const SurfaceModel> models);
+
+} // namespace keiko

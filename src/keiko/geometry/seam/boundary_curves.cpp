@@ -1,0 +1,133 @@
+#include "keiko/geometry/seam/boundary_curves.h"
+
+namespace keiko {
+namespace {
+
+using Polygon = std::vector<Vec2>;
+
+/// Enough for the sign of a loop's area and for who lies inside whom, which is all it is for.
+constexpr int samples_per_curve = 16;
+
+Polygon polygon_of(const SurfaceModel& model, const TrimLoop& loop) {
+    Polygon polygon;
+    for (std::uint32_t c = loop.first_curve; c < loop.first_curve + loop.curve_count; ++c) {
+        const int samples = model.trim_curves[c].degree == 1 ? 1 : samples_per_curve;
+        for (int i = 0; i < samples; ++i)
+            polygon.push_back(evaluate(model.trim_curve(c), double(i) / samples, 0)[0]);
+    }
+    return polygon;
+}
+
+double signed_area(const Polygon& polygon) {
+    double twice = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2 a = polygon[i] - polygon[0];
+        const Vec2 b = polygon[(i + 1) % polygon.size()] - polygon[0];
+        twice += a.x * b.y - a.y * b.x;
+    }
+    return twice / 2;
+}
+
+bool inside(const Polygon& polygon, const Vec2& p) {
+    bool odd = false;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        if ((a.y > p.y) == (b.y > p.y)) continue;
+        if (p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) odd = !odd;
+    }
+    return odd;
+}
+
+Box2 box_of(const Polygon& polygon) {
+    Box2 box;
+    for (const Vec2& p : polygon) box.extend(p);
+    return box;
+}
+
+/// Loops may touch, so a few points of a loop vote on whether it lies inside another.
+bool mostly_inside(const Polygon& inner, const Polygon& outer, const Box2& outer_box) {
+    constexpr std::size_t voters = 9;
+    std::size_t votes = 0;
+    for (std::size_t i = 0; i < voters; ++i) {
+        const Vec2& p = inner[i * inner.size() / voters];
+        votes += outer_box.contains(p) && inside(outer, p);
+    }
+    return 2 * votes > voters;
+}
+
+/// Whether each loop of a face has its material on the left, by the even-odd rule.
+std::vector<bool> loop_sides(const SurfaceModel& model, const Face& face) {
+    std::vector<Polygon> polygons;
+    for (const TrimLoop& loop : model.loops_of(face)) polygons.push_back(polygon_of(model, loop));
+    std::vector<Box2> boxes;
+    for (const Polygon& polygon : polygons) boxes.push_back(box_of(polygon));
+    std::vector<bool> sides;
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        bool material_inside = true;
+        for (std::size_t j = 0; j < polygons.size(); ++j)
+            if (i != j && mostly_inside(polygons[i], polygons[j], boxes[j]))
+                material_inside = !material_inside;
+        sides.push_back((signed_area(polygons[i]) > 0) == material_inside);
+    }
+    return sides;
+}
+
+/// Anticlockwise around the domain: the material is on the left.
+std::array<Vec3, 8> natural_sides(const Box2& domain) {
+    const Vec3 a(domain.lower.x, domain.lower.y, 1), b(domain.upper.x, domain.lower.y, 1);
+    const Vec3 c(domain.upper.x, domain.upper.y, 1), d(domain.lower.x, domain.upper.y, 1);
+    return {a, b, b, c, c, d, d, a};
+}
+
+} // namespace
+
+BoundaryCurves::BoundaryCurves(const SurfaceModel& model)
+    : model_(&model),
+      material_left_(model.trim_curves.size()),
+      natural_index_(model.faces.size(), no_index) {
+    for (std::size_t f = 0; f < model.faces.size(); ++f) {
+        const Face& face = model.faces[f];
+        grids_.emplace_back(model, face);
+        if (face.loop_count == 0) {
+            natural_index_[f] = static_cast<std::uint32_t>(natural_points_.size());
+            natural_points_.push_back(natural_sides(grids_.back().domain()));
+        }
+        const std::vector<bool> sides = loop_sides(model, face);
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            const TrimLoop& loop = model.loops_of(face)[i];
+            for (std::uint32_t c = 0; c < loop.curve_count; ++c)
+                material_left_[loop.first_curve + c] = sides[i];
+        }
+    }
+}
+
+std::vector<BoundaryInterval> BoundaryCurves::all() const {
+    std::vector<BoundaryInterval> result;
+    for (std::uint32_t i = 0; i < model_->instances.size(); ++i) {
+        const Part& part = model_->parts[model_->instances[i].part];
+        for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f) {
+            const Face& face = model_->faces[f];
+            if (face.patch_count == 0) continue;
+            if (face.loop_count == 0)
+                for (std::uint32_t side = 0; side < 4; ++side)
+                    result.push_back({i, f, natural_side + side, 0, 1});
+            for (const TrimLoop& loop : model_->loops_of(face))
+                for (std::uint32_t c = 0; c < loop.curve_count; ++c)
+                    result.push_back({i, f, loop.first_curve + c, 0, 1});
+        }
+    }
+    return result;
+}
+
+SurfaceCurve BoundaryCurves::curve(const BoundaryInterval& interval) const {
+    const PatchGrid& grid = grids_[interval.face];
+    const Affine& transform = model_->instances[interval.instance].transform;
+    if (interval.curve < natural_side)
+        return {*model_, grid, transform, model_->trim_curve(interval.curve),
+                material_left_[interval.curve]};
+    const std::array<Vec3, 8>& lines = natural_points_[natural_index_[interval.face]];
+    const std::size_t first = 2 * std::size_t{interval.curve - natural_side};
+    return {*model_, grid, transform, {std::span(lines).subspan(first, 2)}, true};
+}
+
+} // namespace keiko

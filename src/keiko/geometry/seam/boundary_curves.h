@@ -1,0 +1,29 @@
+#pragma once
+
+#include "keiko/geometry/model/surface_curve.h"
+#include "keiko/geometry/seam/seam.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// Every border curve of every placed face of a model, as curves in space: the trim curves, and
+/// the four natural sides of faces without loops. Looks into the model it was made from.
+class BoundaryCurves {
+public:
+    explicit BoundaryCurves(const SurfaceModel& model);
+
+    /// One interval [0, 1] a border curve, instances outer, faces and loops in file order.
+    std::vector<BoundaryInterval> all() const;
+    /// The curve that an interval runs on.
+    SurfaceCurve curve(const BoundaryInterval& interval) const;
+
+private:
+    const SurfaceModel* model_;
+    std::vector<PatchGrid> grids_;                    ///< a face
+    std::vector<bool> material_left_;                 ///< a trim curve
+    std::vector<std::array<Vec3, 8>> natural_points_; ///< four lines a face without loops
+    std::vector<std::uint32_t> natural_index_;        ///< a face, into natural_points_
+};
+
+} // namespace keiko

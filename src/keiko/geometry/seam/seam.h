@@ -1,0 +1,40 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/geometry/model/surface_model.h"
+
+#include <optional>
+#include <vector>
+
+namespace keiko {
+
+/// BoundaryInterval::curve of a face without loops is natural_side + 0..3: the four sides of its
+/// parameter domain, anticlockwise from v lowest.
+constexpr std::uint32_t natural_side = 0xfffffff0;
+
+/// A stretch of one border curve of a placed face.
+struct BoundaryInterval {
+    std::uint32_t instance = 0, face = 0;
+    std::uint32_t curve = 0;   ///< into SurfaceModel::trim_curves, or natural_side + 0..3
+    double begin = 0, end = 1; ///< parameters of that curve; begin > end: run backwards
+
+    bool operator==(const BoundaryInterval&) const = default;
+};
+
+/// Two boundary intervals that stay within the join distance of each other: where two faces meet,
+/// whether or not the file says so. Both may lie on one face, where a closed surface meets itself.
+struct Seam {
+    BoundaryInterval a, b; ///< run in the same direction in space; a is the earlier in the model
+    std::optional<std::uint32_t> edge; ///< the file's shared edge, where both agree on one
+
+    bool operator==(const Seam&) const = default;
+};
+
+/// Finds the seams of a model geometrically: T-junctions, split borders and faces of different
+/// files included; a file's shared edges are only a hint. A stretch beside two borders belongs to
+/// the clearly nearer one, so the two sides of a sliver are not taken for a seam; a border with
+/// partners within join / 50 all along looks no further. `join` in mm;
+/// a border near the inside of another face is none. The order is that of the model's borders.
+std::vector<Seam> pair_seams(const SurfaceModel& model, double join, const Job& job = {});
+
+} // namespace keiko

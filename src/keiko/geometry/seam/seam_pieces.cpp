@@ -1,0 +1,90 @@
+#include "keiko/geometry/seam/seam_pieces.h"
+
+#include "keiko/geometry/bvh/box_tree.h"
+#include "keiko/math/disjoint_sets.h"
+
+namespace keiko {
+namespace {
+
+/// Ends of pieces meet within this share of the join distance, and this one of the shorter
+/// piece's length: the ends of a tiny one would meet each other.
+constexpr double meeting = 0.02, meeting_in_lengths = 0.1;
+
+bool long_enough(double length, double widest, double join, bool fills_border) {
+    constexpr double slenderness = 4;
+    return length >= slenderness * widest && (length >= join || fills_border);
+}
+
+bool goes_on(const SeamPiece::Tip& x, const SeamPiece::Tip& y, double near) {
+    constexpr double cos_corner = 0.866; // 30 degrees
+    return (x.position - y.position).length() <= near &&
+           x.onward.dot(y.onward) <= -cos_corner * x.onward.length() * y.onward.length();
+}
+
+/// Calls `work(i, j)`, i < j, for the ends of pieces that go on into each other on both borders.
+/// The ends of piece k are 2 k and 2 k + 1.
+template <class Work>
+void for_meeting_ends(std::span<const SeamPiece> pieces, double join, const Work& work) {
+    const auto tips = [&](std::size_t i) -> const std::array<SeamPiece::Tip, 2>& {
+        return pieces[i / 2].ends[i % 2];
+    };
+    const auto meet = [&](std::size_t i, std::size_t j) {
+        const SeamPiece &x = pieces[i / 2], &y = pieces[j / 2];
+        const double near =
+            std::min(meeting * join, meeting_in_lengths * std::min(x.length, y.length));
+        return goes_on(tips(i)[0], tips(j)[0], near) && goes_on(tips(i)[1], tips(j)[1], near);
+    };
+    std::vector<Box3> boxes(2 * pieces.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i].extend(tips(i)[0].position);
+    const BoxTree tree(boxes);
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+        for (const std::uint32_t j : tree.overlapping(boxes[i].padded(meeting * join)))
+            if (j > i && meet(i, j)) work(i, j);
+}
+
+/// Pieces too short to be seams that meet each other.
+struct Run {
+    double length = 0, widest = 0;
+    int ends_at_seams = 0;
+
+    void add(const SeamPiece& piece) {
+        length += piece.length;
+        widest = std::max(widest, piece.widest);
+    }
+    bool is_seam(double join) const {
+        return ends_at_seams >= 2 || long_enough(length, widest, join, false);
+    }
+};
+
+} // namespace
+
+std::vector<bool> seams_among(std::span<const SeamPiece> pieces, double join) {
+    std::vector<bool> seams;
+    for (const SeamPiece& p : pieces)
+        seams.push_back(long_enough(p.length, p.widest, join, p.fills_border));
+    // Of the same faces, and over the borders between faces: a gap of many small faces.
+    DisjointSets sets(pieces.size()), wide_sets(pieces.size());
+    std::vector<bool> at_seam(2 * pieces.size());
+    for_meeting_ends(pieces, join, [&](std::size_t i, std::size_t j) {
+        const std::size_t a = i / 2, b = j / 2;
+        if (!seams[a] && !seams[b]) wide_sets.join(a, b);
+        if (pieces[a].faces != pieces[b].faces) return;
+        if (!seams[a] && !seams[b]) sets.join(a, b);
+        if (!seams[a] && seams[b]) at_seam[i] = true;
+        if (seams[a] && !seams[b]) at_seam[j] = true;
+    });
+    std::vector<Run> runs(pieces.size()), wide_runs(pieces.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        Run& run = runs[sets.root(i)];
+        run.add(pieces[i]);
+        run.ends_at_seams += at_seam[2 * i] + at_seam[2 * i + 1];
+        wide_runs[wide_sets.root(i)].add(pieces[i]);
+    }
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (!seams[i])
+            seams[i] =
+                runs[sets.root(i)].is_seam(join) || wide_runs[wide_sets.root(i)].is_seam(join);
+    return seams;
+}
+
+} // namespace keiko

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "keiko/geometry/model/curve_polyline.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// A border curve ready to be searched.
+struct Border {
+    SurfaceCurve curve;
+    CurvePolyline polyline;
+};
+
+/// Two points of two borders that face each other.
+struct FacingPoints {
+    double t = 0, s = 0;  ///< on the first and on the second border
+    double distance = 0;  ///< mm
+    bool overlap = false; ///< one of them lies on the other's material: no gap, a sliver's far side
+};
+
+/// A maximal stretch along which two borders face each other within the join distance, running
+/// nearly parallel; at least two points, t strictly rising, s strictly rising or falling.
+struct Stretch {
+    std::vector<FacingPoints> points;
+};
+
+/// All stretches of `a` along `b`. Ends are exact: an end of either curve, or the place where the
+/// distance passes `join` mm.
+std::vector<Stretch> stretches_alongside(const Border& a, const Border& b, double join);
+
+/// Distances below this share of the join distance do not tell two candidates apart.
+constexpr double indistinct_share = 1e-3;
+
+} // namespace keiko

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "keiko/geometry/bezier/bezier_curve.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace keiko {
+
+/// A stretch of a plane Bezier curve along which x and y each only rise or only fall. Its box is
+/// the box of its two ends, and so for each of its own stretches.
+class MonotonePiece {
+public:
+    /// Homogeneous control points over [begin, end] of the curve `curve`.
+    MonotonePiece(std::vector<Vec3> points, std::uint32_t curve, double begin, double end);
+
+    const Vec2& first() const { return first_; }
+    const Vec2& last() const { return last_; }
+    const Box2& box() const { return box_; }
+    /// Index the piece was made with, e.g. into SurfaceModel::trim_curves.
+    std::uint32_t curve() const { return curve_; }
+    /// Parameter of the whole curve at this piece's parameter t in [0, 1].
+    double curve_parameter(double t) const { return begin_ + t * (end_ - begin_); }
+
+    Vec2 point(double t) const;
+    /// Bounds of the magnitudes of the second derivatives of x and of y by t; infinite where a
+    /// weight is not positive.
+    const Vec2& bend() const { return bend_; }
+    /// Whether the ray from `p` towards +x crosses the piece. An end at exactly p.y belongs to
+    /// the side above, so that a closed chain is crossed an even or odd number of times whatever
+    /// p is.
+    bool crossed_from(const Vec2& p) const;
+    /// Whether any point of the piece lies in the box.
+    bool touches(const Box2& box) const;
+    /// False for boxes beside the strip along its chord that holds the control points: of such it
+    /// touches none. Much quicker.
+    bool may_touch(const Box2& box) const;
+
+private:
+    /// Signed distance of a place, relative to the first end, from the chord's line, times the
+    /// chord's length.
+    double beside_chord(const Vec2& place) const;
+    /// The most that two places so far apart differ in it.
+    double across(const Vec2& size) const;
+    void find_strip();
+    void find_bend();
+    /// A stretch [a, b] (in either order) with its ends' points.
+    struct Bracket {
+        double a, b;
+        Vec2 at_a, at_b;
+    };
+    /// Closes in on y(t) = y, which must lie between the ends, until t is known to rounding or
+    /// the bracket shows which side of the piece (x, y) is on.
+    Bracket bracket(double y, double x) const;
+
+    std::vector<Vec3> points_;
+    std::vector<double> binomials_; ///< one a point
+    Vec2 first_, last_;
+    Box2 box_;
+    Vec2 bend_{0};
+    double strip_low_ = 0, strip_high_ = 0; ///< beside_chord() of the control points
+    std::uint32_t curve_;
+    double begin_, end_;
+};
+
+/// The curve cut at every extremum of x and y. Neighbours share their end point bit for bit.
+std::vector<MonotonePiece> monotone_pieces(const BezierCurveView& curve, std::uint32_t index);
+
+} // namespace keiko

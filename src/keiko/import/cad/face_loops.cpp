@@ -1,0 +1,195 @@
+#include "keiko/import/cad/face_loops.h"
+
+#include "keiko/base/error.h"
+#include "keiko/import/cad/curve_spans.h"
+#include "keiko/import/cad/loop_directions.h"
+#include "keiko/import/cad/surface_patches.h"
+#include "keiko/import/cad/wire_order.h"
+
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Wire.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace keiko::cad {
+namespace {
+
+using CurveHandle = opencascade::handle<Geom2d_Curve>;
+
+ParameterSpace parameter_space(const TopoDS_Face& face) {
+    TopLoc_Location location;
+    const opencascade::handle<Geom_Surface> stored = BRep_Tool::Surface(face, location);
+    const opencascade::handle<Geom_Surface> surface = untrimmed(stored);
+    ParameterSpace space;
+    space.period = periods(*surface);
+    space.natural = natural_domain(*stored);
+    space.wrap = space.period;
+    if (surface->IsUClosed() && space.wrap.x == 0) space.wrap.x = space.natural.extent().x;
+    if (surface->IsVClosed() && space.wrap.y == 0) space.wrap.y = space.natural.extent().y;
+    if (const auto cone = opencascade::handle<Geom_ConicalSurface>::DownCast(surface))
+        space.apex_v = -cone->RefRadius() / std::sin(cone->SemiAngle());
+    if (surface->IsKind(STANDARD_TYPE(Geom_SphericalSurface))) space.continuation = 0;
+    space.point = [surface](const Vec2& at) {
+        const gp_Pnt p = surface->Value(at.x, at.y);
+        return Vec3(p.X(), p.Y(), p.Z());
+    };
+    return space;
+}
+
+/// mm, of an edge that is wholly within its own tolerance of a point, but no degenerate one.
+std::optional<double> tiny_size(const TopoDS_Edge& edge) {
+    double first = 0, last = 0;
+    const auto curve = BRep_Tool::Curve(edge, first, last);
+    if (curve.IsNull() || BRep_Tool::Degenerated(edge)) return std::nullopt;
+    const gp_Pnt begin = curve->Value(first);
+    const double size = std::max(begin.Distance(curve->Value((first + last) / 2)),
+                                 begin.Distance(curve->Value(last)));
+    return size <= BRep_Tool::Tolerance(edge) ? std::optional(size) : std::nullopt;
+}
+
+bool bounds_material(const TopoDS_Edge& edge) {
+    return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
+}
+
+class LoopReader {
+public:
+    LoopReader(const TopoDS_Face& face, EdgeTable& edges, std::vector<TopoDS_Edge> built)
+        : face_(TopoDS::Face(face.Oriented(TopAbs_FORWARD))),
+          edges_(edges),
+          built_(std::move(built)),
+          space_(parameter_space(face)) {}
+
+    FaceLoops read() {
+        std::vector<std::vector<Chain>> wires;
+        for (TopoDS_Iterator it(face_); it.More(); it.Next())
+            if (it.Value().ShapeType() == TopAbs_WIRE) {
+                auto uses = edge_uses(TopoDS::Wire(it.Value()));
+                if (!uses.empty()) wires.push_back(std::move(uses));
+            }
+        set_scale(wires);
+        std::vector<Chain> chains;
+        for (auto& uses : wires)
+            for (Chain& chain : chain_wire(std::move(uses), space_, result_.log))
+                chains.push_back(std::move(chain));
+        ClosedLoops closed = close_loops(std::move(chains), space_, result_.log);
+        result_.loops = std::move(closed.loops);
+        result_.domain = closed.domain;
+        for (std::size_t i = backward_loops(result_.loops); i > 0; --i)
+            result_.log.add(RepairKind::loop_runs_backwards);
+        return std::move(result_);
+    }
+
+private:
+    std::vector<Chain> edge_uses(const TopoDS_Wire& wire) {
+        std::vector<Chain> uses;
+        bool only_points = true;
+        for (const TopoDS_Edge& edge : ordered_edges(wire, face_)) {
+            if (!bounds_material(edge)) {
+                result_.log.add(RepairKind::edge_dropped);
+                continue;
+            }
+            uses.push_back(edge_use(edge));
+            only_points = only_points && BRep_Tool::Degenerated(edge);
+        }
+        // A vertex loop bounds nothing unless it runs around a pole.
+        if (only_points && !uses.empty() && !runs_around(uses)) {
+            result_.log.add(RepairKind::point_loop_dropped);
+            return {};
+        }
+        return uses;
+    }
+
+    bool runs_around(const std::vector<Chain>& uses) const {
+        const Vec2 way = end_of(uses.back()) - begin_of(uses.front());
+        return (space_.wrap.x > 0 && std::abs(way.x) > space_.wrap.x / 2) ||
+               (space_.wrap.y > 0 && std::abs(way.y) > space_.wrap.y / 2);
+    }
+
+    Chain edge_use(const TopoDS_Edge& edge) {
+        const std::uint32_t number = edges_.number_of(edge);
+        double first = 0, last = 0;
+        const CurveHandle curve = p_curve(edge, number, first, last);
+        const auto converted = curve_spans(curve, first, last);
+        if (converted.approximated > 0)
+            result_.log.add(RepairKind::p_curve_approximated,
+                            length_of(converted.approximated, curve->Value(first)));
+        if (const auto size = tiny_size(edge)) result_.log.add(RepairKind::tiny_edge, *size);
+        Chain chain;
+        for (const auto& span : converted.spans) chain.push_back({span.points, number});
+        if (edge.Orientation() == TopAbs_REVERSED) reverse(chain);
+        result_.edge_uses.push_back(number);
+        return chain;
+    }
+
+    CurveHandle p_curve(const TopoDS_Edge& edge, std::uint32_t number, double& first,
+                        double& last) {
+        CurveHandle curve = BRep_Tool::CurveOnSurface(edge, face_, first, last);
+        const std::string name = "edge " + std::to_string(number + 1) + " of the face";
+        if (curve.IsNull())
+            throw Error("", "", name + " has no p-curve and none could be projected");
+        const auto built = std::find_if(built_.begin(), built_.end(),
+                                        [&](const TopoDS_Edge& e) { return e.IsSame(edge); });
+        if (built != built_.end()) {
+            result_.log.add(RepairKind::p_curve_built, p_curve_error(edge, curve, first, last));
+            built_.erase(built); // a seam comes twice
+        }
+        if (!(first < last)) throw Error("", "", name + " has an empty parameter range");
+        return curve;
+    }
+
+    void set_scale(const std::vector<std::vector<Chain>>& wires) {
+        Box2 box;
+        for (const auto& uses : wires)
+            for (const Chain& use : uses) box.extend(tight_bounds(use));
+        if (box.empty()) return;
+        const Vec2 extent = box.extent();
+        space_.scale = {extent.x > 0 ? extent.x : 1, extent.y > 0 ? extent.y : 1};
+    }
+
+    /// mm of a length in parameters at a place.
+    double length_of(double parameters, const gp_Pnt2d& at) const {
+        const Vec2 from(at.X(), at.Y());
+        return std::max(space_.distance(from, from + Vec2(parameters, 0)),
+                        space_.distance(from, from + Vec2(0, parameters)));
+    }
+
+    /// Largest distance in mm of a p-curve's image from the edge's curve in space.
+    double p_curve_error(const TopoDS_Edge& edge, const CurveHandle& curve, double first,
+                         double last) const {
+        double first_3d = 0, last_3d = 0, worst = 0;
+        const auto in_space = BRep_Tool::Curve(edge, first_3d, last_3d);
+        if (in_space.IsNull()) return 0;
+        constexpr int places = 32;
+        for (int i = 0; i <= places; ++i) {
+            const double share = double(i) / places;
+            const gp_Pnt2d at = curve->Value(first + (last - first) * share);
+            const gp_Pnt p = in_space->Value(first_3d + (last_3d - first_3d) * share);
+            worst = std::max(worst,
+                             (space_.point({at.X(), at.Y()}) - Vec3(p.X(), p.Y(), p.Z())).length());
+        }
+        return worst;
+    }
+
+    TopoDS_Face face_;
+    EdgeTable& edges_;
+    std::vector<TopoDS_Edge> built_;
+    ParameterSpace space_;
+    FaceLoops result_;
+};
+
+} // namespace
+
+FaceLoops face_loops(const TopoDS_Face& face, EdgeTable& edges,
+                     const std::vector<TopoDS_Edge>& built) {
+    return LoopReader(face, edges, built).read();
+}
+
+} // namespace keiko::cad

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "keiko/import/cad/cad_document.h"
+
+#include <TDF_Label.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_LayerTool.hxx>
+
+#include <unordered_map>
+
+namespace keiko::cad {
+
+struct SameShape {
+    std::size_t operator()(const TopoDS_Shape& s) const {
+        return static_cast<std::size_t>(s.HashCode(2147483647));
+    }
+    bool operator()(const TopoDS_Shape& a, const TopoDS_Shape& b) const { return a.IsSame(b); }
+};
+using AttributeMap = std::unordered_map<TopoDS_Shape, FaceAttributes, SameShape, SameShape>;
+
+/// The name of a label; empty without one.
+std::string name_of(const TDF_Label& label);
+/// What a component is called: as it says itself, or else as the product that it places.
+std::string name_of(const TDF_Label& component, const TDF_Label& product);
+
+/// `own`, with what it does not say taken from `outer`; names are not inherited.
+FaceAttributes merged(FaceAttributes own, const FaceAttributes& outer);
+
+/// Names, layers and colours in a document.
+class ShapeAttributes {
+public:
+    explicit ShapeAttributes(const TDF_Label& main);
+
+    /// Layer and colour that a label itself carries.
+    FaceAttributes own(const TDF_Label& label) const;
+    /// Of the faces of a part that have their own, or that a shell or solid with its own holds.
+    AttributeMap of_faces(const TDF_Label& part) const;
+
+private:
+    opencascade::handle<XCAFDoc_ColorTool> colors_;
+    opencascade::handle<XCAFDoc_LayerTool> layers_;
+};
+
+} // namespace keiko::cad

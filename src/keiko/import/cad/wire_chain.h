@@ -1,0 +1,61 @@
+#pragma once
+
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/import/cad/repair_log.h"
+#include "keiko/math/bounds.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace keiko::cad {
+
+/// A Bezier piece of a p-curve, homogeneous, in face parameters.
+struct LoopCurve {
+    std::vector<Vec3> points;
+    std::uint32_t edge = no_index; ///< of the part; none for a connector
+};
+
+/// Pieces head to tail: of one edge use, of a wire, or, closed, of a trim loop.
+using Chain = std::vector<LoopCurve>;
+
+/// The parameter plane of a face.
+struct ParameterSpace {
+    Vec2 period{0}; ///< by which p-curves may be moved; 0: not periodic
+    Vec2 wrap{0};   ///< what a curve once around is long: the period, or the domain of a closed
+                    ///< surface that is not periodic; 0: open
+    Box2 natural;   ///< domain of the surface, infinite where the surface is
+    double apex_v = Box2::infinity; ///< of a cone, which has no natural end there
+    Vec2 scale{1};                  ///< extent of the face, for relative gaps
+    /// How far, relative to `scale`, patches may be continued beyond the natural domain to follow
+    /// p-curves that leave it: not at all over the pole of a sphere.
+    double continuation = 0.01;
+    /// A point of the surface, mm; empty: the parameter plane itself.
+    std::function<Vec3(const Vec2&)> point;
+
+    /// Size of a gap relative to the face.
+    double relative(const Vec2& gap) const;
+    /// Distance in mm between two places of the surface.
+    double distance(const Vec2& a, const Vec2& b) const;
+};
+
+Vec2 begin_of(const Chain& chain);
+Vec2 end_of(const Chain& chain);
+void shift(Chain& chain, const Vec2& offset);
+void reverse(Chain& chain);
+/// A straight piece that belongs to no edge.
+LoopCurve connector(const Vec2& from, const Vec2& to);
+/// Box that holds the chain, tight to a 1e-9 part of its extent.
+Box2 tight_bounds(const Chain& chain);
+
+/// Gaps up to this part of the face's extent are rounding: left alone and not told.
+constexpr double small_gap = 1e-6;
+
+/// The edge uses of one wire joined into chains (one as a rule). Uses a whole period off are
+/// moved, except the two uses of one edge that meet at a pole, where the side along the pole is
+/// missing; when the given order does not chain, the uses are sorted by where they begin, and
+/// those that run against the others reversed. Remaining gaps are bridged by connectors. What was
+/// done is added to `log`.
+std::vector<Chain> chain_wire(std::vector<Chain> uses, const ParameterSpace& space, RepairLog& log);
+
+} // namespace keiko::cad

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "keiko/import/subdivision/cap_tilt.h"
+#include "keiko/import/subdivision/topology.h"
+#include "keiko/math/bounds.h"
+
+#include <opensubdiv/far/patchMap.h>
+#include <opensubdiv/far/patchTable.h>
+
+#include <array>
+#include <optional>
+
+namespace keiko::subdivision {
+
+/// Levels of refinement that OpenSubdiv's tables can hold.
+constexpr int deepest_level = 10;
+
+/// A point of the limit surface with its two derivatives by the patch's parameters.
+struct LimitPoint {
+    Vec3 position{0}, du{0}, dv{0};
+
+    Vec3 normal() const { return du.cross(dv).normalized(); }
+};
+
+/// Where a patch of a table lies: on which base face (an n-gon counts as n quads), over which
+/// box of its parameters. A triangle covers the lower half of its box, a turned one the upper.
+struct PatchPlace {
+    std::uint32_t face = 0;
+    int level = 0;
+    Box2 box;
+    bool turned = false;
+
+    Vec2 base(double u, double v) const {
+        const Vec2 size = box.extent();
+        return turned ? box.upper - size * Vec2(u, v) : box.lower + size * Vec2(u, v);
+    }
+    /// Inverse of base.
+    Vec2 local(const Vec2& uv) const {
+        const Vec2 size = box.extent();
+        return turned ? (box.upper - uv) / size : (uv - box.lower) / size;
+    }
+};
+
+/// A cage refined around its irregular features down to a level, and the patches that
+/// cover its limit surface: exact ones wherever it is a polynomial, caps in the last ring around
+/// an irregular point. Coordinates relative to a centre, so that refinement keeps its digits.
+class LimitTable {
+public:
+    LimitTable(const Cage& cage, int level);
+
+    /// How many points refining a cage makes on each level down to `level`.
+    static std::vector<int> points_by_level(const Cage& cage, int level);
+
+    struct Index {
+        int array = 0, patch = 0;
+    };
+    std::vector<Index> patches() const;
+    /// Those that are not exact.
+    std::vector<Index> caps() const;
+
+    const Vec3& center() const { return center_; }
+    bool triangular() const { return triangular_; }
+    PatchPlace place(Index index) const;
+    /// Whether the patch is the limit surface itself, and no cap.
+    bool exact(Index index) const;
+    /// Of a crease of finite sharpness along one of its sides; 0: none.
+    double crease_sharpness(Index index) const;
+    unsigned border_mask(Index index) const;
+    /// The control points of an exact patch of four sides.
+    std::array<Vec3, 16> spline_net(Index index) const;
+    /// By the patch's own parameters. For creases of finite sharpness it is not the limit surface;
+    /// for caps it is near.
+    LimitPoint evaluate(Index index, double u, double v) const;
+    /// The patch at a place of a base face, if it is exact and beside no crease of finite
+    /// sharpness.
+    std::optional<Index> smooth_patch_at(std::uint32_t face, const Vec2& uv) const;
+
+private:
+    struct Value {
+        Vec3 v;
+        Value() : v(0) {}
+        // NOLINTBEGIN(readability-identifier-naming): OpenSubdiv calls them by these names.
+        void Clear() { v = Vec3(0); }
+        void AddWithWeight(const Value& other, double weight) { v += other.v * weight; }
+        // NOLINTEND(readability-identifier-naming)
+    };
+
+    void add_local_points(std::size_t first);
+    void tilt_caps(const osd::Far::TopologyRefiner& refiner, const Value* last_level);
+    CapTilt tilt_of(Index index, const IrregularPoints& points) const;
+    LimitPoint evaluate_table(Index index, double u, double v) const;
+    /// Among all patches.
+    std::size_t position_of(Index index) const;
+    osd::Far::PatchTable::PatchHandle handle(Index index) const;
+
+    bool triangular_, has_creases_ = false;
+    Vec3 center_{0};
+    std::unique_ptr<osd::Far::PatchTable> table_;
+    std::unique_ptr<osd::Far::PatchMap> map_;
+    std::vector<Value> points_;
+    std::vector<std::size_t> first_in_array_; ///< patches before each array
+    std::vector<CapTilt> tilts_;              ///< of the patches from first_tilt_ on: the caps
+    std::size_t first_tilt_ = 0;
+};
+
+} // namespace keiko::subdivision

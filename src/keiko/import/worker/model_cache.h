@@ -1,0 +1,44 @@
+#pragma once
+
+#include "keiko/files/model/model_format.h"
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/import/worker/cache_folder.h"
+#include "keiko/import/worker/file_state.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace keiko {
+
+/// Key of a file's model, and the file as it was when the key was made.
+struct ModelKey {
+    std::string text; ///< 64 hexadecimal digits
+    FileState file;
+};
+
+/// Models as the reader made them, kept in a folder under a hash of everything that the result
+/// depends on: the file's bytes, its name, its kind, and the versions of Keiko, its serialisation,
+/// its libraries and its reader. An entry never grows stale, and is of no use under another key.
+class ModelCache {
+public:
+    /// Folder of the models and their size in all, bytes, 0: no limit, as in CacheFolder. Throws
+    /// Error.
+    ModelCache(std::filesystem::path folder, std::uint64_t limit);
+
+    /// Key of a file's model, read by `worker`; nullopt for a STEP file that names other files for
+    /// its parts, which may change without it. Throws Error when the file cannot be read.
+    static std::optional<ModelKey> key(const std::filesystem::path& file, ModelFormat format,
+                                       const std::filesystem::path& worker);
+    /// Model kept under a key; nullopt where there is none, or one that is damaged or was kept
+    /// under another key.
+    std::optional<SurfaceModel> find(const ModelKey& key) const;
+    /// Keeps a model. One that cannot be kept gets a warning and stays usable.
+    void keep(const ModelKey& key, SurfaceModel& model) const;
+
+private:
+    CacheFolder folder_;
+};
+
+} // namespace keiko

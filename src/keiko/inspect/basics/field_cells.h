@@ -1,0 +1,18 @@
+#pragma once
+
+#include "keiko/geometry/bernstein/bernstein_field.h"
+#include "keiko/inspect/basics/line_cells.h"
+
+namespace keiko {
+
+struct FieldCells {
+    std::vector<LineCell> cells;
+    std::vector<Box2> blank; ///< where the field is 0 all over, as far as rounding lets tell
+};
+
+/// Cells that together hold every zero of a polynomial field on a patch outside of `blank`, as
+/// line_cells has them for the lines of lamps: boxes are cut until the hulls of the coefficients
+/// exclude 0 or prove the cell. Of level 0; the same for any thread count.
+FieldCells field_cells(const BernsteinField& field, const LineCellOptions& options = {});
+
+} // namespace keiko

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "keiko/light/tubes/c_plane_frame.h"
+#include "keiko/math/jet.h"
+#include "keiko/scene/camera.h"
+
+#include <cmath>
+#include <string_view>
+
+namespace keiko {
+
+/// Which curves on a surface are looked at.
+enum class LineLook {
+    reflection, ///< where the mirrored eye ray meets a line of the C-plane
+    highlight,  ///< where the surface's normal meets it [BeierChen1994]; the same for all eyes
+    isophote    ///< where the normal keeps an angle to the C-plane's normal
+};
+std::string_view name_of(LineLook look);
+
+/// Where a body is looked at from: a point, or a direction for orthographic cameras.
+struct LineEye {
+    Vec3 point{0};
+    Vec3 direction{0}; ///< unit, of all view rays; 0: from the point
+    bool parallel = false;
+
+    explicit LineEye(const Camera& camera);
+    /// From the eye towards a place; of any length.
+    Vec3 towards(const Vec3& place) const { return parallel ? direction : place - point; }
+};
+
+/// A quotient of two smooth functions of a place and its normal; the normal need not be unit.
+template <class T>
+struct LineRatio {
+    T above{}, below{};
+
+    /// 0 on the line of the level, and smooth where the quotient has poles.
+    T residual(double level) const { return above - below * T(level); }
+};
+
+/// The function on the surface whose level sets are the lines of one C-plane: the coordinate v, mm
+/// from the plane's corner, at which the mirrored ray or the normal meets the plane; for isophotes
+/// the cosine of the angle between the normal and the plane's. See docs/theory/reflection-lines.md.
+class LineField {
+public:
+    LineField(LineLook look, const LineEye& eye, const CPlane& plane, const Vec3& body);
+
+    LineLook look() const { return look_; }
+    const CPlaneFrame& plane() const { return plane_; }
+    const LineEye& eye() const { return eye_; }
+
+    /// For numbers, intervals and jets alike. `shift` moves the origin of v: levels near 0 keep
+    /// intervals tight.
+    template <class T>
+    LineRatio<T> ratio(const Triple<T>& place, const Triple<T>& normal, double shift = 0) const {
+        using std::sqrt;
+        if (look_ == LineLook::isophote)
+            return {dot(normal, constant<T>(towards_lamps_)) - sqrt(length2(normal)) * T(shift),
+                    sqrt(length2(normal))};
+        const Triple<T> ray = look_ == LineLook::highlight ? normal : mirrored(place, normal);
+        const Triple<T> from_corner = place - constant<T>(plane_.origin);
+        const T across = dot(ray, constant<T>(plane_.v)),
+                down = dot(ray, constant<T>(plane_.normal));
+        return {(dot(from_corner, constant<T>(plane_.v)) - T(shift)) * down -
+                    dot(from_corner, constant<T>(plane_.normal)) * across,
+                down};
+    }
+
+    /// Of a place of the surface.
+    struct Image {
+        double value = 0;   ///< the field: v in mm, or a cosine
+        double along = 0;   ///< mm along the lamps from the corner; 0 for isophotes
+        double reach = 0;   ///< mm from the surface to the C-plane along the ray; 0 for isophotes
+        bool faces = false; ///< the ray runs from the surface's visible side to the plane
+    };
+    /// What the place mirrors; the normal, of any length, is turned towards the eye.
+    Image image(const Vec3& place, const Vec3& normal) const;
+
+    /// Seam angle in degrees that would move the field's value by `change` at a place whose ray
+    /// is so long: the unit in which the limit of seams is given.
+    double normal_turn(const Image& image, double change) const;
+
+    /// How far the field's value moves at a place when the normal turns the way that moves it most:
+    /// mm a radian, 2 D where a mirrored ray of length D meets the C-plane at a right angle; for
+    /// isophotes of the cosine.
+    double turn_gain(const Vec3& place, const Vec3& normal) const;
+
+private:
+    template <class T>
+    static Triple<T> constant(const Vec3& w) {
+        return {T(w.x), T(w.y), T(w.z)};
+    }
+    /// The eye ray mirrored at the normal, times the squared length of the normal.
+    template <class T>
+    Triple<T> mirrored(const Triple<T>& place, const Triple<T>& normal) const {
+        const Triple<T> ray =
+            eye_.parallel ? constant<T>(eye_.direction) : place - constant<T>(eye_.point);
+        return ray * length2(normal) - normal * (dot(ray, normal) * T(2.0));
+    }
+
+    LineLook look_;
+    LineEye eye_;
+    CPlaneFrame plane_;
+    Vec3 towards_lamps_; ///< unit normal of the C-plane, from the body to it
+};
+
+} // namespace keiko

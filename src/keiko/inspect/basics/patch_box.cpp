@@ -1,0 +1,138 @@
+#include "keiko/inspect/basics/patch_box.h"
+
+#include <algorithm>
+
+namespace keiko {
+namespace {
+
+/// Rounding of de Casteljau's averages and of differences, as a share of the largest coordinate:
+/// each of some 30 halvings of degree up to 25 adds less than one unit in the last place to the
+/// mean of its numbers.
+constexpr double relative_rounding = 1e-14;
+
+/// Control points of a derivative net.
+struct Net {
+    std::size_t rows, columns;
+    std::vector<Vec4> points;
+
+    Net by_x() const {
+        if (rows == 1) return {1, 1, {Vec4(0)}};
+        Net d{rows - 1, columns, {}};
+        const double degree = static_cast<double>(rows - 1);
+        for (std::size_t k = 0; k + columns < points.size(); ++k)
+            d.points.push_back((points[k + columns] - points[k]) * degree);
+        return d;
+    }
+    Net by_y() const {
+        if (columns == 1) return {1, 1, {Vec4(0)}};
+        Net d{rows, columns - 1, {}};
+        const double degree = static_cast<double>(columns - 1);
+        for (std::size_t i = 0; i < rows; ++i)
+            for (std::size_t j = 0; j + 1 < columns; ++j)
+                d.points.push_back((points[i * columns + j + 1] - points[i * columns + j]) *
+                                   degree);
+        return d;
+    }
+    Interval range(int axis, double rounding) const {
+        Interval all(points.front()[axis]);
+        for (const Vec4& p : points)
+            all = {std::min(all.low, p[axis]), std::max(all.high, p[axis])};
+        return all.padded(rounding);
+    }
+};
+
+double largest(const std::vector<Vec4>& points, int axis) {
+    double size = 0;
+    for (const Vec4& p : points) size = std::max(size, std::abs(p[axis]));
+    return size;
+}
+
+using RangeJet = Jet<Jet<Interval>>;
+
+/// A coordinate of the homogeneous patch with all derivatives to order 2.
+RangeJet jet_of(const std::array<Net, 6>& nets, int axis, double rounding) {
+    const auto range = [&](std::size_t net) { return nets[net].range(axis, rounding); };
+    const Interval x = range(1), y = range(2), xy = range(4);
+    return {{range(0), x, y}, {x, range(3), xy}, {y, xy, range(5)}};
+}
+
+/// One row of control points cut at its middle.
+void cut(std::vector<Vec4>& lower, std::vector<Vec4>& upper) {
+    const std::size_t n = lower.size();
+    upper[n - 1] = lower[n - 1];
+    for (std::size_t level = 1; level < n; ++level) {
+        for (std::size_t i = n - 1; i >= level; --i) lower[i] = (lower[i - 1] + lower[i]) * 0.5;
+        upper[n - 1 - level] = lower[n - 1];
+    }
+}
+
+} // namespace
+
+PatchBox::PatchBox(const BezierPatchView& patch)
+    : degree_u_(patch.degree_u),
+      degree_v_(patch.degree_v),
+      uv_(unit_square),
+      points_(patch.points.begin(), patch.points.end()) {}
+
+std::array<PatchBox, 2> PatchBox::halves(bool by_u) const {
+    const auto rows = static_cast<std::size_t>(degree_u_) + 1;
+    const auto columns = static_cast<std::size_t>(degree_v_) + 1;
+    const std::size_t count = by_u ? columns : rows, length = by_u ? rows : columns;
+    std::vector<Vec4> first(points_.size()), second(points_.size());
+    std::vector<Vec4> lower(length), upper(length);
+    for (std::size_t line = 0; line < count; ++line) {
+        const auto index = [&](std::size_t k) {
+            return by_u ? k * columns + line : line * columns + k;
+        };
+        for (std::size_t k = 0; k < length; ++k) lower[k] = points_[index(k)];
+        // cut() leaves the upper half in `upper` and turns `lower` into the last averages; the
+        // lower half is the same cut seen from the other end.
+        std::vector<Vec4> reversed(lower.rbegin(), lower.rend()), mirrored(length);
+        cut(lower, upper);
+        cut(reversed, mirrored);
+        for (std::size_t k = 0; k < length; ++k) {
+            first[index(k)] = mirrored[length - 1 - k];
+            second[index(k)] = upper[k];
+        }
+    }
+    const Vec2 middle = uv_.center();
+    Box2 low = uv_, high = uv_;
+    (by_u ? low.upper.x : low.upper.y) = by_u ? middle.x : middle.y;
+    (by_u ? high.lower.x : high.lower.y) = by_u ? middle.x : middle.y;
+    return {PatchBox(degree_u_, degree_v_, low, std::move(first)),
+            PatchBox(degree_u_, degree_v_, high, std::move(second))};
+}
+
+PatchBox::Ranges PatchBox::ranges() const {
+    const Net net{static_cast<std::size_t>(degree_u_) + 1, static_cast<std::size_t>(degree_v_) + 1,
+                  points_};
+    const Net x = net.by_x(), y = net.by_y();
+    const std::array<Net, 6> nets{net, x, y, x.by_x(), x.by_y(), y.by_y()};
+    const bool rational = view().rational();
+    const double weight = points_.front().w;
+    Triple<RangeJet> surface;
+    RangeJet* const axes[] = {&surface.x, &surface.y, &surface.z};
+    const auto w = jet_of(nets, 3, rational ? relative_rounding * largest(points_, 3) : 0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto homogeneous = jet_of(nets, axis, relative_rounding * largest(points_, axis));
+        *axes[axis] = rational ? homogeneous / w : homogeneous * (1 / weight);
+    }
+    return {{surface.x.f, surface.y.f, surface.z.f},
+            {surface.x.u, surface.y.u, surface.z.u},
+            {surface.x.v, surface.y.v, surface.z.v}};
+}
+
+PatchBox::Values PatchBox::values(double x, double y) const {
+    const SurfaceDerivatives s = evaluate(view(), {x, y}, 1);
+    const double rounding =
+        relative_rounding *
+        std::max({largest(points_, 0), largest(points_, 1), largest(points_, 2)}) /
+        points_.front().w;
+    const auto thin = [&](const Vec3& p) {
+        return Triple<Interval>{Interval(p.x).padded(rounding), Interval(p.y).padded(rounding),
+                                Interval(p.z).padded(rounding)};
+    };
+    return {thin(s.position()), thin(s.du()), thin(s.dv())};
+}
+
+} // namespace keiko

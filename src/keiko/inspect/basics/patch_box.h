@@ -1,0 +1,47 @@
+#pragma once
+
+#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/math/jet.h"
+
+#include <array>
+#include <vector>
+
+namespace keiko {
+
+/// Part of a Bezier patch over a box of its parameters, with control points of its own. Local
+/// parameters x, y in [0, 1] run over the box.
+class PatchBox {
+public:
+    /// The whole patch.
+    explicit PatchBox(const BezierPatchView& patch);
+
+    const Box2& uv() const { return uv_; }
+    /// Either half; `by_u`: cut across u.
+    std::array<PatchBox, 2> halves(bool by_u) const;
+
+    /// Position, and tangents by x and y: ranges over the box that hold the values and the first
+    /// derivatives, from the convex hulls of the derivatives' control points.
+    struct Ranges {
+        Triple<Jet<Interval>> place, dx, dy;
+    };
+    Ranges ranges() const;
+
+    /// Position and tangents at a local place, to within rounding.
+    struct Values {
+        Triple<Interval> place, dx, dy;
+    };
+    Values values(double x, double y) const;
+
+    /// Its own control points; looks into the box.
+    BezierPatchView view() const { return {degree_u_, degree_v_, points_}; }
+
+private:
+    PatchBox(int degree_u, int degree_v, const Box2& uv, std::vector<Vec4> points)
+        : degree_u_(degree_u), degree_v_(degree_v), uv_(uv), points_(std::move(points)) {}
+
+    int degree_u_, degree_v_;
+    Box2 uv_;
+    std::vector<Vec4> points_; ///< homogeneous, u outer
+};
+
+} // namespace keiko

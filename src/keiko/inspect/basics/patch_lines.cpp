@@ -1,0 +1,163 @@
+#include "keiko/inspect/basics/patch_lines.h"
+
+#include "keiko/base/stop_scope.h"
+#include "keiko/inspect/basics/level_function.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace keiko {
+namespace {
+
+/// Ends of arcs this close, in patch parameters, are one root found from two cells.
+constexpr double same_end = 1e-9;
+constexpr int most_halvings = 12; ///< of an arc
+
+/// What of a line runs through one cell.
+struct Arc {
+    LineCell cell;
+    std::vector<LinePoint> points;
+    double deviation = 0;
+};
+
+/// Where the level crosses the sides of a cell, by the signs at its corners, in their order around.
+std::vector<Vec2> crossings(const ZeroFunction& f, const Box2& box) {
+    const std::array<Vec2, 4> corners{box.lower, Vec2(box.upper.x, box.lower.y), box.upper,
+                                      Vec2(box.lower.x, box.upper.y)};
+    std::array<double, 4> values{};
+    for (std::size_t i = 0; i < 4; ++i) values[i] = f(corners[i]);
+    std::vector<Vec2> found;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t next = (i + 1) % 4;
+        if ((values[i] < 0) == (values[next] < 0)) continue;
+        // From the same end whichever cell asks, so that both find the same bits.
+        const bool forward = i < 2;
+        const std::size_t a = forward ? i : next, b = forward ? next : i;
+        found.push_back(f.root(corners[a], values[a], corners[b], values[b]));
+    }
+    return found;
+}
+
+/// The point of a proved cell's arc halfway between two others, along the parameter that the arc
+/// is a graph over; nothing where rounding leaves no sign change.
+std::optional<Vec2> halfway(const ZeroFunction& f, const LineCell& cell, const Vec2& a,
+                            const Vec2& b) {
+    Vec2 low = cell.uv.lower, high = cell.uv.upper;
+    if (cell.graph_over_v)
+        low.y = high.y = (a.y + b.y) / 2;
+    else
+        low.x = high.x = (a.x + b.x) / 2;
+    const double at_low = f(low), at_high = f(high);
+    if ((at_low < 0) == (at_high < 0)) return std::nullopt;
+    return f.root(low, at_low, high, at_high);
+}
+
+class ArcRefiner {
+public:
+    ArcRefiner(const ZeroFunction& f, Arc& arc, double chord_error)
+        : f_(f), arc_(arc), chord_error_(chord_error) {}
+
+    void run(const Vec2& from, const Vec2& to) {
+        const LinePoint end = f_.point(to);
+        arc_.points = {f_.point(from)};
+        if (arc_.cell.proved) between(arc_.points.front(), end, most_halvings);
+        arc_.points.push_back(end);
+    }
+
+private:
+    void between(const LinePoint& a, const LinePoint& b, int halvings) {
+        const std::optional<Vec2> uv = halfway(f_, arc_.cell, a.uv, b.uv);
+        if (!uv) return;
+        const LinePoint middle = f_.point(*uv);
+        const Vec3 chord = b.place - a.place, off = middle.place - a.place;
+        const double length = chord.length();
+        const double bulge = length > 0 ? chord.cross(off).length() / length : off.length();
+        if (bulge <= chord_error_ || halvings == 0) {
+            arc_.points.push_back(middle);
+            arc_.deviation = std::max(arc_.deviation, bulge);
+            return;
+        }
+        between(a, middle, halvings - 1);
+        arc_.points.push_back(middle);
+        between(middle, b, halvings - 1);
+    }
+
+    const ZeroFunction& f_;
+    Arc& arc_;
+    double chord_error_;
+};
+
+bool same(const LinePoint& a, const LinePoint& b) {
+    return (a.uv - b.uv).length() <= same_end;
+}
+
+/// Takes the arc that goes on from `end` out of `arcs`, turned to begin there.
+std::optional<Arc> next_arc(std::vector<Arc>& arcs, const LinePoint& end) {
+    check_stop();
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+        const bool forward = same(arcs[i].points.front(), end);
+        if (!forward && !same(arcs[i].points.back(), end)) continue;
+        Arc arc = std::move(arcs[i]);
+        arcs.erase(arcs.begin() + static_cast<std::ptrdiff_t>(i));
+        if (!forward) std::reverse(arc.points.begin(), arc.points.end());
+        return arc;
+    }
+    return std::nullopt;
+}
+
+void append(PatchLine& line, const Arc& arc) {
+    line.points.insert(line.points.end(), arc.points.begin() + 1, arc.points.end());
+    line.deviation = std::max(line.deviation, arc.deviation);
+    line.proved = line.proved && arc.cell.proved;
+}
+
+std::vector<PatchLine> joined(std::vector<Arc> arcs) {
+    std::vector<PatchLine> lines;
+    while (!arcs.empty()) {
+        const Arc first = std::move(arcs.front());
+        arcs.erase(arcs.begin());
+        PatchLine line{first.cell.level, false, first.cell.proved, first.points, first.deviation};
+        for (int end = 0; end < 2; ++end) {
+            while (auto arc = next_arc(arcs, line.points.back())) append(line, *arc);
+            std::reverse(line.points.begin(), line.points.end());
+        }
+        line.closed = line.points.size() > 2 && same(line.points.front(), line.points.back());
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+} // namespace
+
+std::vector<PatchLine> lines_through(std::span<const LineCell> cells, const ZeroFunction& f,
+                                     double chord_error) {
+    std::vector<Arc> arcs;
+    for (const LineCell& cell : cells) {
+        const std::vector<Vec2> ends = crossings(f, cell.uv);
+        for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+            Arc arc{cell, {}, 0};
+            ArcRefiner(f, arc, chord_error).run(ends[i], ends[i + 1]);
+            arcs.push_back(std::move(arc));
+        }
+    }
+    return joined(std::move(arcs));
+}
+
+std::vector<PatchLine> patch_lines(const BezierPatchView& patch, const LineField& field,
+                                   std::span<const double> levels,
+                                   const PatchLineOptions& options) {
+    std::vector<std::vector<LineCell>> cells(levels.size());
+    for (const LineCell& cell : line_cells(patch, field, levels, options.cells))
+        cells[cell.level].push_back(cell);
+    std::vector<PatchLine> lines;
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+        const LevelFunction f(patch, field, levels[level]);
+        std::vector<PatchLine> some = lines_through(cells[level], f, options.chord_error);
+        std::move(some.begin(), some.end(), std::back_inserter(lines));
+    }
+    return lines;
+}
+
+} // namespace keiko

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "keiko/geometry/model/surface_model.h"
+
+namespace keiko {
+
+/// Derivatives to order 3 of a patch as an instance places it, by patch parameters; world, mm.
+SurfaceDerivatives placed_derivatives(const SurfaceModel& model, std::uint32_t instance,
+                                      std::uint32_t patch, const Vec2& uv);
+
+} // namespace keiko

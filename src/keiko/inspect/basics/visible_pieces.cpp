@@ -1,0 +1,106 @@
+#include "keiko/inspect/basics/visible_pieces.h"
+
+#include "keiko/base/stop_scope.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+constexpr double cut_width = 1e-9; ///< mm
+constexpr int most_halvings = 60;
+constexpr double most_tests = 10000; ///< between two points of a line
+
+double distance(const LinePoint& a, const LinePoint& b) {
+    return (a.place - b.place).length();
+}
+
+class PieceCutter {
+public:
+    PieceCutter(const ZeroFunction& f, double step,
+                const std::function<bool(const LinePoint&)>& visible)
+        : f_(f), step_(step), visible_(visible) {}
+
+    /// Points of each piece, in the order along the line.
+    std::vector<std::vector<LinePoint>> run(const std::vector<LinePoint>& points) {
+        seen_ = visible_(points.front());
+        if (seen_) pieces_.push_back({points.front()});
+        for (std::size_t i = 1; i < points.size(); ++i) segment(points[i - 1], points[i]);
+        return std::move(pieces_);
+    }
+
+private:
+    void segment(const LinePoint& a, const LinePoint& b) {
+        const double tests = std::clamp(std::ceil(distance(a, b) / step_), 1.0, most_tests);
+        LinePoint last = a;
+        for (double i = 1; i < tests; ++i)
+            if (const auto next = f_.between(a, b, i / tests)) advance(last, *next);
+        advance(last, b);
+        if (seen_) append(b);
+    }
+
+    void advance(LinePoint& last, const LinePoint& next) {
+        check_stop();
+        const bool seen = visible_(next);
+        if (seen != seen_) {
+            const LinePoint cut = seen ? seen_end(next, last) : seen_end(last, next);
+            if (seen) pieces_.emplace_back();
+            append(cut);
+            seen_ = seen;
+        }
+        last = next;
+    }
+
+    LinePoint seen_end(LinePoint seen, LinePoint hidden) const {
+        for (int i = 0; i < most_halvings && distance(seen, hidden) > cut_width; ++i) {
+            const auto middle = f_.between(seen, hidden, 0.5);
+            if (!middle) break;
+            (visible_(*middle) ? seen : hidden) = *middle;
+        }
+        return seen;
+    }
+
+    void append(const LinePoint& point) {
+        std::vector<LinePoint>& piece = pieces_.back();
+        if (piece.empty() || distance(piece.back(), point) > 0) piece.push_back(point);
+    }
+
+    const ZeroFunction& f_;
+    double step_;
+    const std::function<bool(const LinePoint&)>& visible_;
+    bool seen_ = false;
+    std::vector<std::vector<LinePoint>> pieces_;
+};
+
+/// Where a closed line begins inside a piece, its last piece goes on in its first one.
+void close_up(std::vector<std::vector<LinePoint>>& pieces, const PatchLine& line) {
+    if (!line.closed || pieces.size() < 2) return;
+    std::vector<LinePoint>&first = pieces.front(), &last = pieces.back();
+    if (distance(first.front(), line.points.front()) > 0 ||
+        distance(last.back(), line.points.back()) > 0)
+        return;
+    last.insert(last.end(), first.begin() + 1, first.end());
+    first = std::move(last);
+    pieces.pop_back();
+}
+
+} // namespace
+
+std::vector<PatchLine> visible_pieces(const PatchLine& line, const ZeroFunction& f, double step,
+                                      const std::function<bool(const LinePoint&)>& visible) {
+    std::vector<std::vector<LinePoint>> pieces = PieceCutter(f, step, visible).run(line.points);
+    close_up(pieces, line);
+    std::vector<PatchLine> lines;
+    for (std::vector<LinePoint>& points : pieces) {
+        if (points.size() < 2) continue;
+        const bool whole = pieces.size() == 1 &&
+                           distance(points.front(), line.points.front()) == 0 &&
+                           distance(points.back(), line.points.back()) == 0;
+        lines.push_back(
+            {line.level, line.closed && whole, line.proved, std::move(points), line.deviation});
+    }
+    return lines;
+}
+
+} // namespace keiko

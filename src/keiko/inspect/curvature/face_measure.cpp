@@ -1,0 +1,72 @@
+#include "keiko/inspect/curvature/face_measure.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/inspect/basics/face_names.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// 1 / the largest curvature either way; the true radius is smaller by the bound at most.
+std::optional<Worst> smallest_radius(const FaceCurvature& c, std::optional<double> limit) {
+    const CurvatureExtreme& k =
+        std::abs(c.largest.value) > std::abs(c.smallest.value) ? c.largest : c.smallest;
+    const double curvature = std::abs(k.value);
+    const double most =
+        std::max(c.largest.value + c.largest.bound, c.smallest.bound - c.smallest.value);
+    constexpr double flat = 1e-9; // of 1 / size: what rounding leaves of a plane
+    if (!(std::max(curvature, most) * c.size > flat)) return std::nullopt;
+    const double radius = 1 / std::max(curvature, flat / c.size);
+    Worst worst{
+        radius, radius - 1 / std::max(most, curvature), limit.value_or(0), k.place, Verdict::pass,
+        true};
+    if (!limit) return worst;
+    // The found radius is there: only the bound may be too careful.
+    if (radius < *limit)
+        worst.verdict = Verdict::fail;
+    else if (radius - worst.bound < *limit)
+        worst.verdict = Verdict::undecided;
+    return worst;
+}
+
+bool stands_in(const SurfaceModel& model, std::uint32_t face) {
+    const auto of_face = [face](const IrregularPatch& patch) { return patch.face == face; };
+    return model.faces[face].approximated > 0 ||
+           std::any_of(model.irregular_patches.begin(), model.irregular_patches.end(), of_face);
+}
+
+MeasuredFace measured(const SurfaceModel& model, std::uint32_t instance, std::uint32_t index,
+                      const SurfaceLimits& limits) {
+    MeasuredFace face;
+    face.instance = instance, face.face = index, face.id = model.faces[index].id;
+    face.name = placed_face_name(model, instance, index);
+    if (!stands_in(model, index)) face.curvature = face_curvature(model, instance, index);
+    if (face.curvature) face.radius = smallest_radius(*face.curvature, limits.minimum_radius);
+    if (face.radius) face.verdict = face.radius->verdict;
+    if (face.curvature) face.inflections = inflection_curves(model, instance, index);
+    return face;
+}
+
+} // namespace
+
+std::vector<MeasuredFace> measure_faces(const SurfaceModel& model, const SurfaceLimits& limits,
+                                        const Job& job) {
+    struct Placed {
+        std::uint32_t instance, face;
+    };
+    std::vector<Placed> placed;
+    for (std::uint32_t i = 0; i < model.instances.size(); ++i) {
+        const Part& part = model.parts[model.instances[i].part];
+        for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f)
+            if (model.faces[f].patch_count > 0) placed.push_back({i, f});
+    }
+    std::vector<MeasuredFace> faces(placed.size());
+    parallel_for(placed.size(), job, "faces", [&](std::size_t i) {
+        faces[i] = measured(model, placed[i].instance, placed[i].face, limits);
+    });
+    return faces;
+}
+
+} // namespace keiko

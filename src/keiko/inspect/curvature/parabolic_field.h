@@ -1,0 +1,30 @@
+#pragma once
+
+#include "keiko/geometry/bernstein/bernstein_field.h"
+#include "keiko/inspect/basics/placed_patch.h"
+
+#include <optional>
+#include <vector>
+
+namespace keiko {
+
+/// A side of a patch's parameters along which its Gaussian curvature is 0.
+struct ParabolicSide {
+    bool by_u = true;   ///< u is fixed, else v
+    bool upper = false; ///< at 1, else at 0
+    int sign = 0;       ///< of the Gaussian curvature beside it; 0 where that changes along it
+};
+
+/// Where a patch's Gaussian curvature changes its sign: it has the sign of `inner` everywhere
+/// inside, and is 0 on `sides`, where patches of revolution and of fillets often end.
+struct ParabolicField {
+    BernsteinField inner; ///< polynomial in the patch's own parameters
+    std::vector<ParabolicSide> sides;
+};
+
+/// Exact but for rounding, from the numerator of the Gaussian curvature in Bernstein form
+/// (docs/theory/inspection.md). Nothing where the curvature is 0 as far as rounding lets tell, as
+/// on developable patches, or can change nowhere, as on ruled ones.
+std::optional<ParabolicField> parabolic_field(const BezierPatchView& patch, double rounding);
+
+} // namespace keiko

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "keiko/geometry/bezier/bezier_patch.h"
+
+namespace keiko {
+
+/// How fast, in 1/mm a mm, the principal curvature that is 0 changes across a parabolic curve at a
+/// place of it; 0 where the place is singular or planar. Needs derivatives to order 3.
+double parabolic_rate(const SurfaceDerivatives& s);
+
+} // namespace keiko

@@ -1,0 +1,118 @@
+#include "keiko/inspect/flaws/dent_depth.h"
+
+#include "keiko/inspect/flaws/dent_form.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+namespace keiko {
+namespace {
+
+constexpr int directions = 32;
+constexpr int rings = 12;     ///< within half a window
+constexpr int all_rings = 31; ///< within the widest reach
+
+std::optional<TangentFrame> outlook(const SmoothFaces& faces, const SheetPlace& at) {
+    const auto s = faces.evaluate(at, 1);
+    return s ? faces.frame(at, s->du()) : std::nullopt;
+}
+
+/// The surface around a place by samples in all directions that stand for equal areas; each
+/// straight way ends where material does.
+std::vector<Height> heights_around(const SmoothFaces& faces, const SheetPlace& at,
+                                   const TangentFrame& from, double reach) {
+    std::vector<Height> heights;
+    for (int d = 0; d < directions; ++d) {
+        const double angle = 2 * std::numbers::pi * (d + 0.5) / directions;
+        SheetPlace last = at;
+        for (int r = 0; r < all_rings; ++r) {
+            const double radius = reach * std::sqrt((r + 0.5) / rings);
+            const Vec2 to(radius * std::cos(angle), radius * std::sin(angle));
+            const auto next = faces.moved(from, last, to);
+            if (!next) break;
+            last = *next;
+            heights.push_back({to.x, to.y, from.local(faces.evaluate(last, 0)->position()).z, 1});
+        }
+    }
+    return heights;
+}
+
+/// The part of heights within half a window.
+std::vector<Height> within(std::span<const Height> heights, double reach) {
+    std::vector<Height> near;
+    for (const Height& h : heights)
+        if (std::hypot(h.x, h.y) < reach) near.push_back(h);
+    return near;
+}
+
+/// Whether less than a twentieth of the samples lie in some quarter.
+bool is_one_sided(std::span<const Height> heights) {
+    std::array<std::size_t, 4> quarters{};
+    for (const Height& h : heights) ++quarters[(h.x > 0 ? 1u : 0u) + (h.y > 0 ? 2u : 0u)];
+    return std::any_of(quarters.begin(), quarters.end(),
+                       [&](std::size_t count) { return count * 20 < heights.size(); });
+}
+
+/// Whether less than a quarter of the samples are more than `far` off the form.
+bool is_alone(std::span<const Height> heights, const SmoothBase& under, double far) {
+    const auto off = std::count_if(heights.begin(), heights.end(), [&](const Height& h) {
+        return std::abs(under.offset(h)) > far;
+    });
+    return static_cast<std::size_t>(off) * 4 < heights.size();
+}
+
+/// By steps in the plane that are halved where none leads further off.
+SheetPlace furthest(const SmoothFaces& faces, const SheetPlace& begin, const TangentFrame& from,
+                    const SmoothBase& under, double reach) {
+    SheetPlace at = begin;
+    Vec2 here(0);
+    const double side = under.at_origin() > 0 ? -1 : 1;
+    double best = -under.at_origin() * side, step = reach / 10;
+    constexpr int halvings = 8;
+    for (int halved = 0; halved < halvings;) {
+        bool moved = false;
+        for (const Vec2& way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
+            const Vec2 to = here + way * step;
+            if (!(to.length2() < reach * reach)) continue;
+            const auto next = faces.moved(from, at, to);
+            if (!next) continue;
+            const double height = from.local(faces.evaluate(*next, 0)->position()).z;
+            const double there = under.offset({to.x, to.y, height, 1}) * side;
+            if (there > best) best = there, here = to, at = *next, moved = true;
+        }
+        if (!moved) step /= 2, ++halved;
+    }
+    return at;
+}
+
+} // namespace
+
+std::optional<DentDepth> dent_depth(const SmoothFaces& faces, const SheetPlace& begin,
+                                    double reach) {
+    constexpr std::size_t fewest = directions * rings / 8; // half of a corner's quarter
+    constexpr int rounds = 3;
+    SheetPlace at = begin;
+    for (int i = 0;; ++i) {
+        const auto from = outlook(faces, at);
+        if (!from) return std::nullopt;
+        const std::vector<Height> heights = heights_around(faces, at, *from, reach);
+        const std::vector<Height> near = within(heights, reach);
+        if (near.size() < fewest) return std::nullopt;
+        const auto form = dent_form(heights, reach);
+        if (!form) return std::nullopt;
+        if (i < rounds) {
+            at = furthest(faces, at, *from, form->base, reach);
+            continue;
+        }
+        const double offset = -form->base.at_origin();
+        return DentDepth{
+            offset,       form->bound,        at,
+            from->origin, is_one_sided(near), is_alone(near, form->base, std::abs(offset) / 2)};
+    }
+}
+
+} // namespace keiko

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "keiko/inspect/flaws/smooth_faces.h"
+#include "keiko/scene/criteria_preset.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// Waves are no longer than this share of the window, so that two of them fit in; dents bend no
+/// wider (docs/theory/verdict.md).
+constexpr double widest_share = 0.5;
+
+/// A ripple of a line of constant u or v on a face.
+struct FaceRipple {
+    SheetPlace at;
+    Vec3 position{0};
+    Vec3 along{0};      ///< unit, the way of the line
+    double width = 0;   ///< mm
+    double depth = 0;   ///< mm, about; positive on crests
+    double deepest = 0; ///< mm, as a Ripple's
+    bool cut = false;   ///< by a border
+};
+
+/// All that a face has: lines are followed over smooth seams, and up to borders.
+std::vector<FaceRipple> find_face_ripples(const SmoothFaces& faces, std::size_t face,
+                                          const WavinessLimit& limit);
+
+} // namespace keiko

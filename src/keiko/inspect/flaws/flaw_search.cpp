@@ -1,0 +1,237 @@
+#include "keiko/inspect/flaws/flaw_search.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/inspect/flaws/dent_depth.h"
+#include "keiko/inspect/flaws/face_ripples.h"
+#include "keiko/inspect/flaws/ripple_groups.h"
+#include "keiko/inspect/flaws/wave_section.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace keiko {
+namespace {
+
+/// What is deeper than this share of the window is form, not a flaw.
+constexpr double deepest_share = 1.0 / 50;
+/// A depth that changes by more than this share of it with how much around is looked at may be
+/// form.
+constexpr double form_share = 0.25;
+/// How much further a form may be off where it is continued to a border, not across a gap.
+constexpr double one_sided_factor = 3;
+/// A dent that is so many times as deep as its ripple may be is form that bends otherwise; planted
+/// ones are up to 5.3 times, up to 10 times where their middle lies beyond a border.
+constexpr double most_beyond_ripple = 12;
+/// How far apart a dent's curvature turns that a border cuts, as a share of the window: dents of a
+/// third of it do at 0.65 of their width, seen to the next samples (docs/theory/verdict.md).
+constexpr double widest_cut_share = 0.65 / 3 + 0.1;
+/// How many of the deepest crests and troughs of a flaw are measured, and how many are tried: in a
+/// corner too little may be around.
+constexpr std::size_t most_measured = 6, most_tried = 30;
+
+struct PlacedFlaw {
+    Flaw flaw;
+    std::size_t face = 0;        ///< into SmoothFaces
+    bool alone = false;          ///< of a dent: nothing around is as far off
+    std::vector<Vec3> ripples{}; ///< world, mm: the places of all that show it
+};
+
+class FlawMeasure {
+public:
+    FlawMeasure(const SmoothFaces& faces, const WavinessLimit& limit)
+        : faces_(faces), limit_(limit) {}
+
+    /// Of the ripples of one, the deepest first. What seems to be waves but has no two of them, as
+    /// a dent that a border cuts, is none.
+    std::optional<PlacedFlaw> measured(const std::vector<FaceRipple>& ripples) const {
+        if (!to_and_fro(ripples))
+            return limit_.waves_only ? std::nullopt : deepest_of(ripples, &FlawMeasure::dent);
+        const auto waves = deepest_of(ripples, &FlawMeasure::wave);
+        if (limit_.waves_only) return waves;
+        if (!waves) return deepest_of(ripples, &FlawMeasure::dent);
+        const auto deepest = dent(ripples.front());
+        const bool dented = deepest && !is_form(*deepest) && is_no_wave(*deepest, *waves);
+        return dented ? deepest : waves;
+    }
+
+private:
+    std::optional<PlacedFlaw> deepest_of(
+        const std::vector<FaceRipple>& ripples,
+        std::optional<PlacedFlaw> (FlawMeasure::*measure)(const FaceRipple&) const) const {
+        std::optional<PlacedFlaw> deepest;
+        std::vector<const FaceRipple*> measured;
+        std::vector<Vec3> places; // of dents
+        for (std::size_t i = 0, tried = 0; i < ripples.size() && tried < most_tried; ++i) {
+            if (is_beside(measured, ripples[i]) || is_at(places, ripples[i])) continue;
+            ++tried;
+            const auto flaw = (this->*measure)(ripples[i]);
+            if (!flaw) continue;
+            if (!deepest || flaw->flaw.depth.value > deepest->flaw.depth.value) deepest = flaw;
+            measured.push_back(&ripples[i]);
+            if (flaw->flaw.kind != Flaw::Kind::waves) places.push_back(flaw->flaw.depth.place);
+            if (measured.size() == most_measured) break;
+        }
+        if (!deepest || is_form(*deepest) || deepest->flaw.depth.value < limit_.depth / 2)
+            return std::nullopt;
+        return deepest;
+    }
+    bool is_form(const PlacedFlaw& flaw) const {
+        return flaw.flaw.depth.value > limit_.window * deepest_share;
+    }
+
+    /// Whether it is of a crest or trough that has been measured, as another line shows it.
+    bool is_beside(const std::vector<const FaceRipple*>& measured, const FaceRipple& ripple) const {
+        return std::any_of(measured.begin(), measured.end(), [&](const FaceRipple* other) {
+            const Vec3 apart = ripple.position - other->position;
+            return std::abs(apart.dot(ripple.along)) < ripple.width / 4 &&
+                   apart.length() < limit_.window / 2;
+        });
+    }
+
+    /// Whether it is of a dent that has been measured.
+    bool is_at(const std::vector<Vec3>& places, const FaceRipple& ripple) const {
+        return std::any_of(places.begin(), places.end(), [&](const Vec3& place) {
+            return (place - ripple.position).length() < limit_.window / 4;
+        });
+    }
+
+    Worst depth(double value, double bound, const Vec3& place) const {
+        constexpr double doubtful = 2; // fits that do not agree tell little of how far they are off
+        const bool form = bound > form_share * value;
+        if (form) bound *= doubtful;
+        Verdict verdict = judge(value, bound, limit_.depth);
+        if (form) verdict = std::min(verdict, Verdict::undecided);
+        return {value, bound, limit_.depth, place, verdict, false};
+    }
+
+    std::optional<PlacedFlaw> wave(const FaceRipple& r) const {
+        const auto found = wave_section(faces_, r.at, r.along, r.depth > 0, r.width);
+        constexpr double slack = 1.1; // the length of waves that fade is not sharp
+        if (!found || found->length > slack * widest_share * limit_.window) return std::nullopt;
+        return PlacedFlaw{{Flaw::Kind::waves, depth(found->depth, found->bound, found->position),
+                           found->length, limit_.window},
+                          found->at.face};
+    }
+
+    std::optional<PlacedFlaw> dent(const FaceRipple& r) const {
+        if (r.cut && r.width > widest_cut_share * limit_.window) return std::nullopt;
+        const auto found = dent_depth(faces_, r.at, limit_.window / 2);
+        if (!found) return std::nullopt;
+        // With form on one side only, much that bends near a border would be undecided.
+        if (std::abs(found->offset) > most_beyond_ripple * r.deepest) return std::nullopt;
+        const bool form = found->bound > form_share * std::abs(found->offset);
+        if (form && (found->one_sided || r.cut)) return std::nullopt;
+        const double bound = found->bound * (found->one_sided ? one_sided_factor : 1);
+        return PlacedFlaw{
+            {found->offset < 0 ? Flaw::Kind::dent : Flaw::Kind::bump,
+             depth(std::abs(found->offset), bound, found->position), r.width, limit_.window},
+            found->at.face,
+            found->alone};
+    }
+
+    /// Whether it is a dent that looks like waves by its rims, or beside another bend.
+    static bool is_no_wave(const PlacedFlaw& dent, const PlacedFlaw& waves) {
+        const Worst &a = dent.flaw.depth, &b = waves.flaw.depth;
+        return dent.alone && (a.value - a.bound > b.value || a.verdict > b.verdict);
+    }
+
+    /// Whether there are crests and troughs that are nearly as deep.
+    static bool to_and_fro(const std::vector<FaceRipple>& ripples) {
+        const double first = ripples.front().depth;
+        return std::any_of(ripples.begin(), ripples.end(), [first](const FaceRipple& r) {
+            return r.depth * first < 0 && std::abs(r.depth) > std::abs(first) / 2;
+        });
+    }
+
+    const SmoothFaces& faces_;
+    WavinessLimit limit_;
+};
+
+std::vector<FaceRipple> all_ripples(const SmoothFaces& faces, const std::vector<bool>& searched,
+                                    const WavinessLimit& limit, const Job& job) {
+    std::vector<std::vector<FaceRipple>> found(faces.size());
+    parallel_for(found.size(), job, "ripples", [&](std::size_t i) {
+        if (searched[i]) found[i] = find_face_ripples(faces, i, limit);
+    });
+    std::vector<FaceRipple> all;
+    for (const std::vector<FaceRipple>& of_face : found)
+        all.insert(all.end(), of_face.begin(), of_face.end());
+    return all;
+}
+
+/// All that one window shows.
+std::vector<PlacedFlaw> flaws_in_window(const SmoothFaces& faces, const std::vector<bool>& searched,
+                                        const WavinessLimit& limit, const Job& job) {
+    const std::vector<std::vector<FaceRipple>> groups =
+        ripple_groups(faces, all_ripples(faces, searched, limit, job), limit.window / 4);
+    std::vector<std::optional<PlacedFlaw>> measured(groups.size());
+    parallel_for(groups.size(), job, "flaws", [&](std::size_t i) {
+        measured[i] = FlawMeasure(faces, limit).measured(groups[i]);
+    });
+    std::vector<PlacedFlaw> flaws;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (!measured[i]) continue;
+        flaws.push_back(*measured[i]);
+        for (const FaceRipple& ripple : groups[i]) flaws.back().ripples.push_back(ripple.position);
+    }
+    return flaws;
+}
+
+bool is_measured(const Flaw& flaw) {
+    return flaw.depth.bound <= form_share * flaw.depth.value;
+}
+
+/// Whether a flaw of a wider window is one that a narrower one shows too, anywhere on it. What is
+/// far deeper than that, and waves that are longer, are others.
+bool is_same(const PlacedFlaw& narrower, const PlacedFlaw& wider) {
+    const Flaw &a = narrower.flaw, &b = wider.flaw;
+    if (!(a.window < b.window)) return false;
+    constexpr double deeper = 3, longer = 1.25;
+    if (is_measured(a) && b.depth.value > deeper * a.depth.value) return false;
+    const bool waves = a.kind == Flaw::Kind::waves && b.kind == Flaw::Kind::waves;
+    if (waves && b.width > longer * a.width) return false;
+    const auto passes = [&](const PlacedFlaw& flaw, const Vec3& place) {
+        return std::any_of(flaw.ripples.begin(), flaw.ripples.end(), [&](const Vec3& ripple) {
+            return (ripple - place).length() < b.window / 4;
+        });
+    };
+    return passes(narrower, b.depth.place) || passes(wider, a.depth.place);
+}
+
+/// Adds a flaw of a wider window, in place of those there that narrower ones show but cannot
+/// measure; not where one measures it.
+void add(std::vector<PlacedFlaw>& flaws, const PlacedFlaw& wider) {
+    const bool measured = is_measured(wider.flaw);
+    const bool known = std::any_of(flaws.begin(), flaws.end(), [&](const PlacedFlaw& other) {
+        return is_same(other, wider) && (is_measured(other.flaw) || !measured);
+    });
+    if (known) return;
+    flaws.erase(std::remove_if(flaws.begin(), flaws.end(),
+                               [&](const PlacedFlaw& other) { return is_same(other, wider); }),
+                flaws.end());
+    flaws.push_back(wider);
+}
+
+} // namespace
+
+std::vector<std::vector<Flaw>> find_flaws(const SurfaceModel& model,
+                                          std::span<const MeasuredSeam> seams,
+                                          std::span<const Seam> pieces,
+                                          const std::vector<bool>& searched,
+                                          std::span<const WavinessLimit> limits, const Job& job) {
+    const SmoothFaces faces(model, seams, pieces, limits.front().window / 20);
+    std::vector<PlacedFlaw> placed;
+    for (const WavinessLimit& limit : limits)
+        for (const PlacedFlaw& flaw : flaws_in_window(faces, searched, limit, job))
+            add(placed, flaw);
+    std::vector<std::vector<Flaw>> flaws(faces.size());
+    for (const PlacedFlaw& flaw : placed) flaws[flaw.face].push_back(flaw.flaw);
+    for (std::vector<Flaw>& of_face : flaws)
+        std::stable_sort(of_face.begin(), of_face.end(), [](const Flaw& a, const Flaw& b) {
+            return a.depth.value > b.depth.value;
+        });
+    return flaws;
+}
+
+} // namespace keiko

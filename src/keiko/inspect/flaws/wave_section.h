@@ -1,0 +1,25 @@
+#pragma once
+
+#include "keiko/inspect/flaws/smooth_faces.h"
+
+#include <optional>
+
+namespace keiko {
+
+/// A wave as a straight way over a surface shows it.
+struct WaveSection {
+    double depth = 0;  ///< mm, from the form to a crest or a trough
+    double length = 0; ///< mm, of the wave
+    double bound = 0;  ///< mm, by how much `depth` changes with a length that is 5 % shorter
+    SheetPlace at;
+    Vec3 position{0}; ///< world, mm
+};
+
+/// Measures the wave of about `length` mm whose crest (`crest`) or trough lies at about `at`, along
+/// a straight way in the direction `along`. By fourth differences over two waves around the place
+/// or, where the surface ends, to one side (docs/theory/inspection.md). Nothing where less than two
+/// waves are there.
+std::optional<WaveSection> wave_section(const SmoothFaces& faces, const SheetPlace& at,
+                                        const Vec3& along, bool crest, double length);
+
+} // namespace keiko

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "keiko/inspect/lines/line_crossing.h"
+#include "keiko/inspect/lines/line_end.h"
+#include "keiko/inspect/lines/line_inflections.h"
+#include "keiko/inspect/lines/line_shape.h"
+#include "keiko/inspect/lines/surface_lines.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// A line of one lamp over any number of patches.
+struct JoinedLine {
+    std::uint32_t plane = 0, lamp = 0;
+    LineEnd begin = LineEnd::hidden, end = LineEnd::hidden;
+    std::vector<std::uint32_t> pieces; ///< into JoinedLines::pieces, in the order along the line
+    double length = 0;                 ///< mm, of the chords
+    std::vector<LineShape> shapes;     ///< between the crossings, in order
+    /// As the shapes count them, in order; a place at a border where the bend jumps over 0 there.
+    std::vector<LineInflection> inflections;
+};
+
+/// The lines of all lamps that one eye sees on a body.
+struct JoinedLines {
+    std::vector<SurfaceLine> pieces;     ///< running so that the field rises to their left
+    std::vector<JoinedLine> lines;       ///< by plane, lamp and first piece
+    std::vector<LineCrossing> crossings; ///< worst first; those without a verdict last
+};
+
+/// The seams of a model, made ready for lines.
+struct LineSeams {
+    std::vector<Seam> seams;
+    BoundaryCurves curves;
+    std::vector<std::vector<std::uint32_t>> chains; ///< as seam_chains has them
+    double join_distance = 0;                       ///< mm
+
+    /// `join` in mm.
+    LineSeams(const SurfaceModel& model, double join, const Job& job);
+};
+
+/// Joins the pieces that surface_lines found for the same planes, camera and look across the
+/// borders of patches and seams, measures each crossing and judges it by the preset. The same for
+/// any thread count. Throws Cancelled.
+JoinedLines join_lines(const SurfaceModel& model, const LineSeams& seams,
+                       std::vector<SurfaceLine> pieces, std::span<const CPlane> planes,
+                       const Camera& camera, LineLook look, const CriteriaPreset& preset,
+                       const Job& job = {});
+
+} // namespace keiko

@@ -1,0 +1,109 @@
+#include "keiko/inspect/lines/line_crossing.h"
+
+#include "keiko/base/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace keiko {
+namespace {
+
+/// mm: how exactly the nearest place of the other border is found.
+constexpr double foot_error = 1e-9;
+/// radians: error of a border's own direction.
+constexpr double direction_rounding = 1e-12;
+
+LineValue judged(double value, double bound, const std::optional<double>& limit) {
+    LineValue result{value, bound, limit, Verdict::pass};
+    if (limit) result.verdict = judge(std::abs(value), bound, *limit);
+    return result;
+}
+
+/// What is known of one side of a crossing: its errors.
+struct SideErrors {
+    LineCourseBounds course;
+    double place = 0; ///< mm along the border
+};
+
+SideErrors errors_of(const LineMeeting& m, const LampLevels& lamps) {
+    const auto bounds = [&](double off) {
+        return line_course_bounds(lamps.field, lamps.level(m.lamp), m.surface, m.degree, off);
+    };
+    SideErrors errors;
+    errors.place = m.off + bounds(0).value / std::abs(m.slope());
+    errors.course = bounds(errors.place);
+    return errors;
+}
+
+/// Of the line against its border, turning left, radians.
+double angle_to_border(const LineMeeting& m) {
+    const Vec3 beside = m.course.normal.cross(m.along);
+    return std::atan2(beside.dot(m.course.tangent), m.along.dot(m.course.tangent));
+}
+
+void take(LineCrossing& crossing, const LineValue& value) {
+    if (!value.limit) return;
+    crossing.verdict = std::max(*crossing.verdict, value.verdict);
+    crossing.severity = std::max(crossing.severity, std::abs(value.value) / *value.limit);
+}
+
+LineCrossing crossing_at(const LineMeeting& end, const LampLevels& lamps, double place_error,
+                         const LineLimits& limits) {
+    LineCrossing crossing;
+    crossing.from = end.piece, crossing.plane = end.plane, crossing.lamp = end.lamp;
+    crossing.border = end.border, crossing.place = end.place;
+    crossing.gap = end.gap, crossing.angle = end.angle;
+    // Seen from the piece that goes on, the other side is the one that it comes from.
+    crossing.plane_jump = end.head ? -end.jump : end.jump;
+    const double off = place_error + foot_error;
+    const double error =
+        line_course_bounds(lamps.field, lamps.level(end.lamp), end.other, end.other_degree, off)
+            .value;
+    const double gain =
+        lamps.field.turn_gain(end.other.position(), end.other.du().cross(end.other.dv()));
+    crossing.turn = judged(radians_to_degrees(std::atan(crossing.plane_jump / gain)),
+                           radians_to_degrees(error / gain), limits.turn);
+    return crossing;
+}
+
+} // namespace
+
+LineCrossing line_crossing(const LineMeeting& tail, const LineMeeting& head,
+                           const LampLevels& lamps, const LineLimits& limits) {
+    const SideErrors from = errors_of(tail, lamps), into = errors_of(head, lamps);
+    LineCrossing crossing = crossing_at(tail, lamps, from.place, limits);
+    crossing.to = head.piece;
+    crossing.verdict = Verdict::pass;
+    const Vec3 left = (tail.course.left() + head.course.left()).normalized();
+    crossing.jump =
+        judged((head.place - tail.place).dot(left), from.place + into.place, limits.jump);
+    const double kink =
+        std::remainder(angle_to_border(head) - angle_to_border(tail), 2 * std::numbers::pi);
+    crossing.kink = {
+        radians_to_degrees(kink),
+        radians_to_degrees(from.course.direction + into.course.direction + direction_rounding),
+        std::nullopt, Verdict::pass};
+    crossing.bend = {head.course.bend - tail.course.bend, from.course.bend + into.course.bend,
+                     std::nullopt, Verdict::pass};
+    take(crossing, crossing.turn);
+    take(crossing, crossing.jump);
+    if (crossing.verdict != Verdict::pass) return crossing;
+    crossing.kink = judged(crossing.kink.value, crossing.kink.bound, limits.kink);
+    take(crossing, crossing.kink);
+    if (crossing.verdict != Verdict::pass) return crossing;
+    crossing.bend = judged(crossing.bend.value, crossing.bend.bound, limits.bend);
+    take(crossing, crossing.bend);
+    return crossing;
+}
+
+LineCrossing line_break(const LineMeeting& end, const LampLevels& lamps, const LineLimits& limits) {
+    LineCrossing crossing = crossing_at(end, lamps, errors_of(end, lamps).place, limits);
+    if (crossing.turn.limit && crossing.turn.verdict == Verdict::fail) {
+        crossing.verdict = Verdict::pass;
+        take(crossing, crossing.turn);
+    }
+    return crossing;
+}
+
+} // namespace keiko

@@ -1,0 +1,127 @@
+#include "keiko/inspect/lines/surface_lines.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/geometry/bezier/steady_normal.h"
+#include "keiko/geometry/trim/material_bounds.h"
+#include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/basics/level_function.h"
+#include "keiko/inspect/basics/visible_pieces.h"
+#include "keiko/inspect/lines/lamp_levels.h"
+#include "keiko/inspect/lines/line_sight.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace keiko {
+namespace {
+
+/// Of the patch: farther than rounding carries a root of the line from the tracer's.
+constexpr double own_root = 1e-7;
+/// Least chord error as a share of the body's size: finer chords of a body as large as a planet
+/// never come to an end.
+constexpr double least_chord_error = 1e-10;
+
+struct PlacedPatch {
+    std::uint32_t instance = 0, face = 0, patch = 0;
+};
+
+std::vector<PlacedPatch> placed_patches(const SurfaceModel& model) {
+    std::vector<PlacedPatch> placed;
+    for (std::uint32_t i = 0; i < model.instances.size(); ++i) {
+        const Part& part = model.parts[model.instances[i].part];
+        for (std::uint32_t f = 0; f < part.face_count; ++f) {
+            const Face& face = model.faces[part.first_face + f];
+            for (std::uint32_t p = 0; p < face.patch_count; ++p)
+                placed.push_back({i, part.first_face + f, face.first_patch + p});
+        }
+    }
+    return placed;
+}
+
+class LineFinder {
+public:
+    LineFinder(const SurfaceModel& model, const Tracer& seen, std::span<const CPlane> planes,
+               const Camera& camera, const SurfaceLineOptions& options, const Job& job)
+        : model_(model), seen_(seen), lines_(options.lines) {
+        const Box3 body = material_bounds(model, job);
+        step_ = options.test_step * body.size();
+        lines_.chord_error = std::max(lines_.chord_error, least_chord_error * body.size());
+        for (const CPlane& plane : planes)
+            fields_.push_back(lamp_levels(options.look, LineEye(camera), plane, body.center()));
+        for (const Face& face : model.faces) trims_.emplace_back(model, face);
+    }
+
+    std::vector<SurfaceLine> on(const PlacedPatch& placed) const {
+        const BezierPatchView own = model_.patch(placed.patch);
+        std::vector<Vec4> points;
+        for (const Vec4& p : own.points)
+            points.push_back(model_.instances[placed.instance].transform.homogeneous(p));
+        const BezierPatchView patch{own.degree_u, own.degree_v, points};
+        std::vector<SurfaceLine> found;
+        for (std::uint32_t plane = 0; plane < fields_.size(); ++plane)
+            add(placed, patch, plane, found);
+        return found;
+    }
+
+private:
+    void add(const PlacedPatch& placed, const BezierPatchView& patch, std::uint32_t plane,
+             std::vector<SurfaceLine>& found) const {
+        const LampLevels& lamps = fields_[plane];
+        for (const PatchLine& line : patch_lines(patch, lamps.field, lamps.levels, lines_)) {
+            const LevelFunction f(patch, lamps.field, lamps.levels[line.level]);
+            const LineSight sight(seen_, lamps.field, lamps.levels[line.level]);
+            const auto visible = [&](const LinePoint& p) {
+                return sees(sight, placed, patch, p.uv);
+            };
+            for (PatchLine& piece : visible_pieces(line, f, step_, visible))
+                found.push_back({plane, line.level % lamps.lamps, placed.instance, placed.face,
+                                 placed.patch, std::move(piece)});
+        }
+    }
+
+    bool sees(const LineSight& sight, const PlacedPatch& placed, const BezierPatchView& patch,
+              const Vec2& uv) const {
+        const TrimRegion& trim = trims_[placed.face];
+        if (!trim.untrimmed() && !trim.contains(model_.face_parameters(placed.patch, uv)))
+            return false;
+        const SurfaceDerivatives s = evaluate(patch, uv, 2);
+        const std::optional<Vec3> normal = steady_normal(s, uv);
+        const Root root{placed.instance, placed.patch, Box2{uv, uv}.padded(own_root)};
+        return normal && sight.sees(s.position(), *normal, root);
+    }
+
+    const SurfaceModel& model_;
+    const Tracer& seen_;
+    PatchLineOptions lines_;
+    double step_ = 0; ///< mm
+    std::vector<LampLevels> fields_;
+    std::vector<TrimRegion> trims_; ///< by face
+};
+
+} // namespace
+
+std::vector<SurfaceLine> surface_lines(const SurfaceModel& model, const Tracer& seen,
+                                       std::span<const CPlane> planes, const Camera& camera,
+                                       const SurfaceLineOptions& options, const Job& job) {
+    const std::vector<PlacedPatch> placed = placed_patches(model);
+    const LineFinder finder(model, seen, planes, camera, options, job);
+    std::vector<std::vector<SurfaceLine>> found(placed.size());
+    parallel_for(placed.size(), job, "lines",
+                 [&](std::size_t i) { found[i] = finder.on(placed[i]); });
+    std::vector<SurfaceLine> lines;
+    for (std::vector<SurfaceLine>& some : found)
+        std::move(some.begin(), some.end(), std::back_inserter(lines));
+    std::stable_sort(lines.begin(), lines.end(), [](const SurfaceLine& a, const SurfaceLine& b) {
+        return std::tie(a.plane, a.lamp) < std::tie(b.plane, b.lamp);
+    });
+    return lines;
+}
+
+double length_of(const PatchLine& line) {
+    double length = 0;
+    for (std::size_t i = 1; i < line.points.size(); ++i)
+        length += (line.points[i].place - line.points[i - 1].place).length();
+    return length;
+}
+
+} // namespace keiko

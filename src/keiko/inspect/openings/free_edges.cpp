@@ -1,0 +1,233 @@
+#include "keiko/inspect/openings/free_edges.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/geometry/bvh/box_tree.h"
+#include "keiko/geometry/model/curve_polyline.h"
+#include "keiko/math/interval_set.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace keiko {
+namespace {
+
+/// mm: how far the polyline of a free edge may be from the edge.
+constexpr double chord_error = 0.002;
+
+using BorderKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
+
+BorderKey key_of(const BoundaryInterval& on) {
+    return {on.instance, on.face, on.curve};
+}
+
+std::map<BorderKey, IntervalSet> covered_borders(std::span<const Seam> seams) {
+    std::map<BorderKey, std::vector<ParameterInterval>> parts;
+    for (const Seam& seam : seams)
+        for (const BoundaryInterval* on : {&seam.a, &seam.b})
+            parts[key_of(*on)].push_back(
+                {std::min(on->begin, on->end), std::max(on->begin, on->end)});
+    std::map<BorderKey, IntervalSet> covered;
+    for (auto& [key, intervals] : parts) covered[key] = IntervalSet(std::move(intervals));
+    return covered;
+}
+
+/// The borders of a model, loop by loop.
+std::vector<std::vector<BoundaryInterval>> loops_of(const SurfaceModel& model,
+                                                    const BoundaryCurves& curves) {
+    std::vector<std::vector<BoundaryInterval>> loops;
+    std::size_t left = 0, next_loop = 0;
+    for (const BoundaryInterval& border : curves.all()) {
+        if (left == 0) {
+            const Face& face = model.faces[border.face];
+            const auto trims = model.loops_of(face);
+            const bool same_face = !loops.empty() && loops.back().back().face == border.face &&
+                                   loops.back().back().instance == border.instance;
+            next_loop = same_face ? next_loop + 1 : 0;
+            while (next_loop < trims.size() && trims[next_loop].curve_count == 0) ++next_loop;
+            left = trims.empty() ? 4 : trims[next_loop].curve_count;
+            loops.emplace_back();
+        }
+        loops.back().push_back(border);
+        --left;
+    }
+    return loops;
+}
+
+/// Pieces of one free edge, and whether it is the whole loop.
+struct Run {
+    std::vector<BoundaryInterval> pieces;
+    bool closed = false;
+};
+
+/// What is free of one loop. Where it begins amid a free edge, that one is put together.
+std::vector<Run> free_runs(const std::vector<BoundaryInterval>& loop,
+                           const std::map<BorderKey, IntervalSet>& covered) {
+    std::vector<Run> runs;
+    bool goes_on = false;
+    for (BoundaryInterval border : loop) {
+        const auto found = covered.find(key_of(border));
+        const IntervalSet free =
+            found == covered.end() ? IntervalSet::whole() : found->second.complement();
+        if (free.empty() || free[0].begin > 0) goes_on = false;
+        for (const ParameterInterval& part : free) {
+            if (!goes_on || part.begin > 0) runs.emplace_back();
+            border.begin = part.begin, border.end = part.end;
+            runs.back().pieces.push_back(border);
+            goes_on = part.end == 1;
+        }
+    }
+    if (!goes_on || runs.front().pieces.front().begin > 0 ||
+        runs.front().pieces.front().curve != loop.front().curve)
+        return runs;
+    if (runs.size() == 1) {
+        runs.front().closed = true;
+        return runs;
+    }
+    auto& last = runs.back().pieces;
+    last.insert(last.end(), runs.front().pieces.begin(), runs.front().pieces.end());
+    runs.erase(runs.begin());
+    return runs;
+}
+
+FreeEdge edge_of(const BoundaryCurves& curves, Run run) {
+    FreeEdge edge{std::move(run.pieces), {}, {}, run.closed};
+    const auto add = [&](const FreePlace& place) {
+        if (edge.places.empty())
+            edge.ways.push_back(0);
+        else
+            edge.ways.push_back(edge.length() +
+                                (place.position - edge.places.back().position).length());
+        edge.places.push_back(place);
+    };
+    for (std::uint32_t i = 0; i < edge.pieces.size(); ++i) {
+        const BoundaryInterval& piece = edge.pieces[i];
+        const SurfaceCurve curve = curves.curve(piece);
+        const CurvePolyline line = make_polyline(curve, chord_error);
+        add({0, i, piece.begin, curve.at(piece.begin).position});
+        for (std::size_t k = 0; k < line.t.size(); ++k)
+            if (line.t[k] > piece.begin && line.t[k] < piece.end)
+                add({0, i, line.t[k], line.points[k]});
+        add({0, i, piece.end, curve.at(piece.end).position});
+    }
+    return edge;
+}
+
+/// Joins the ends of free edges.
+class Joining {
+public:
+    explicit Joining(FreeEdges& edges) : edges_(edges), tree_(boxes_of_ends(edges)) {}
+
+    /// The ends beside those of seams.
+    void join_beside(const BoundaryCurves& curves, std::span<const Seam> seams, double near) {
+        for (const Seam& seam : seams)
+            for (const bool at_end : {false, true}) {
+                const auto a = end_near(curves, seam.a, at_end, near);
+                const auto b = end_near(curves, seam.b, at_end, near);
+                if (a && b && *a != *b) join(*a, *b);
+            }
+    }
+
+    /// The others, the nearest first.
+    void join_rest(double near) {
+        struct Pair {
+            double distance;
+            std::uint32_t i, j;
+        };
+        std::vector<Pair> pairs;
+        for (std::uint32_t i = 0; i < edges_.next.size(); ++i) {
+            if (edges_.next[i] || edges_.all[i / 2].closed) continue;
+            const Vec3 from = edges_.position(end_of(i));
+            Box3 box;
+            box.extend(from);
+            for (const std::uint32_t j : tree_.overlapping(box.padded(near)))
+                if (const double d = (edges_.position(end_of(j)) - from).length();
+                    j > i && !edges_.next[j] && d <= near && may_meet(i, j, d))
+                    pairs.push_back({d, i, j});
+        }
+        std::stable_sort(pairs.begin(), pairs.end(),
+                         [](const Pair& x, const Pair& y) { return x.distance < y.distance; });
+        for (const Pair& pair : pairs) join(pair.i, pair.j);
+    }
+
+private:
+    static FreeEnd end_of(std::uint32_t number) { return {number / 2, number % 2 == 1}; }
+
+    static std::vector<Box3> boxes_of_ends(const FreeEdges& edges) {
+        std::vector<Box3> boxes(2 * edges.all.size());
+        for (std::uint32_t i = 0; i < boxes.size(); ++i)
+            if (!edges.all[i / 2].closed) boxes[i].extend(edges.position(end_of(i)));
+        return boxes;
+    }
+
+    /// The ends of one edge meet only if it goes out between them.
+    bool may_meet(std::uint32_t i, std::uint32_t j, double distance) const {
+        return i / 2 != j / 2 || edges_.all[i / 2].length() > 4 * distance;
+    }
+
+    void join(std::uint32_t i, std::uint32_t j) {
+        if (edges_.next[i] || edges_.next[j]) return;
+        edges_.next[i] = end_of(j), edges_.next[j] = end_of(i);
+    }
+
+    std::optional<std::uint32_t> end_near(const BoundaryCurves& curves, const BoundaryInterval& on,
+                                          bool at_end, double near) const {
+        const Vec3 place = curves.curve(on).at(at_end ? on.end : on.begin).position;
+        Box3 box;
+        box.extend(place);
+        std::optional<std::uint32_t> best;
+        for (const std::uint32_t i : tree_.overlapping(box.padded(near))) {
+            const BoundaryInterval& piece = edges_.all[i / 2].pieces.front();
+            if (edges_.next[i] || piece.face != on.face || piece.instance != on.instance) continue;
+            const double d = (edges_.position(end_of(i)) - place).length();
+            if (d > near) continue;
+            if (!best || d < (edges_.position(end_of(*best)) - place).length()) best = i;
+        }
+        return best;
+    }
+
+    FreeEdges& edges_;
+    BoxTree tree_;
+};
+
+} // namespace
+
+FreePlace FreeEdge::at(double way) const {
+    const auto beyond = std::upper_bound(ways.begin() + 1, ways.end() - 1, way);
+    const auto i = static_cast<std::size_t>(beyond - ways.begin());
+    const FreePlace &p = places[i - 1], &q = places[i];
+    const double span = ways[i] - ways[i - 1];
+    const double share = span > 0 ? std::clamp((way - ways[i - 1]) / span, 0.0, 1.0) : 0;
+    FreePlace result = p.piece == q.piece ? p : q;
+    if (p.piece == q.piece) result.t += share * (q.t - p.t);
+    result.position = p.position + (q.position - p.position) * share;
+    return result;
+}
+
+FreeEdges free_edges(const SurfaceModel& model, const BoundaryCurves& curves,
+                     std::span<const Seam> seams, double negligible, double join, const Job& job) {
+    const std::map<BorderKey, IntervalSet> covered = covered_borders(seams);
+    const auto loops = loops_of(model, curves);
+    std::vector<std::vector<FreeEdge>> found(loops.size());
+    parallel_for(loops.size(), job, "", [&](std::size_t i) {
+        for (Run& run : free_runs(loops[i], covered)) {
+            FreeEdge edge = edge_of(curves, std::move(run));
+            if (edge.length() > negligible) found[i].push_back(std::move(edge));
+        }
+    });
+    FreeEdges result;
+    result.chord_error = chord_error;
+    for (auto& edges : found)
+        for (FreeEdge& edge : edges) {
+            for (FreePlace& place : edge.places)
+                place.edge = static_cast<std::uint32_t>(result.all.size());
+            result.all.push_back(std::move(edge));
+        }
+    result.next.resize(2 * result.all.size());
+    Joining joining(result);
+    joining.join_beside(curves, seams, join / 10);
+    joining.join_rest(join);
+    return result;
+}
+
+} // namespace keiko

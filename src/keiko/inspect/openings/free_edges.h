@@ -1,0 +1,65 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/geometry/seam/boundary_curves.h"
+#include "keiko/geometry/seam/seam.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// A place of a free edge.
+struct FreePlace {
+    std::uint32_t edge = 0;  ///< into FreeEdges::all
+    std::uint32_t piece = 0; ///< into FreeEdge::pieces
+    double t = 0;            ///< parameter of the piece's curve
+    Vec3 position{0};        ///< world, mm
+};
+
+/// Borders of one face that follow each other and meet no other border, as one polyline.
+struct FreeEdge {
+    std::vector<BoundaryInterval> pieces;
+    std::vector<FreePlace> places; ///< at least two, in the order of the face's loop
+    std::vector<double> ways;      ///< mm along the edge to each place, rising from 0
+    bool closed = false;           ///< a whole loop: it ends where it began
+
+    double length() const { return ways.back(); }
+    /// The place at a way along it, on a chord between two places.
+    FreePlace at(double way) const;
+};
+
+/// One of the two ends of a free edge.
+struct FreeEnd {
+    std::uint32_t edge = 0;
+    bool last = false; ///< else the first
+
+    bool operator==(const FreeEnd&) const = default;
+};
+
+/// The free edges of a model and how they go on into each other where seams end, from the border
+/// of one face to that of the next.
+struct FreeEdges {
+    std::vector<FreeEdge> all;
+    /// The end that follows upon each end: 2 edge, or 2 edge + 1 of its last one; nothing where no
+    /// end is near.
+    std::vector<std::optional<FreeEnd>> next;
+    double chord_error = 0; ///< mm, of the polylines
+
+    std::optional<FreeEnd> next_of(const FreeEnd& end) const {
+        return next[2 * std::size_t{end.edge} + end.last];
+    }
+    Vec3 position(const FreeEnd& end) const {
+        const FreeEdge& edge = all[end.edge];
+        return (end.last ? edge.places.back() : edge.places.front()).position;
+    }
+};
+
+/// The free edges beside some seams. Edges shorter than `negligible` mm are left out; ends without
+/// a seam between them are joined within `join` mm, the nearest first.
+FreeEdges free_edges(const SurfaceModel& model, const BoundaryCurves& curves,
+                     std::span<const Seam> seams, double negligible, double join,
+                     const Job& job = {});
+
+} // namespace keiko

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/geometry/seam/seam.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// A notch, slit or small hole between free edges, which may be a fault of a seam or meant.
+struct Opening {
+    struct Side {
+        std::uint32_t instance = 0, face = 0;
+    };
+    std::array<Side, 2> sides{}; ///< the faces at the widest place; one face twice in its own slit
+    double width = 0;            ///< mm, the largest way over the opening found
+    double width_bound = 0;      ///< mm, error of the width
+    double length = 0;           ///< mm along either side, as far as it was followed
+    bool goes_on = false;        ///< beyond that length
+    Vec3 place{0};               ///< world, mm: the middle of the way over
+};
+
+/// How small openings are.
+struct OpeningLimits {
+    double join = 0.5;       ///< mm, within which borders are paired
+    double negligible = 0.1; ///< mm, length of free edge that counts
+    double closed = 0.01;    ///< mm: borders no farther apart are no opening
+};
+
+/// The openings of a model whose seams are `seams`, each once, in the order of their free edges:
+///  - where two free edges go out from one end of a seam and, `opening_reach` times the join
+///    distance along them at most, their distance is less than that of edges which diverge by
+///    `opening_angle`, with no material between them. Holes whose outline is twice that long at
+///    most are among them;
+///  - where a free edge stays within the join distance of another face's for longer than the
+///    wedge at a corner of `parallel_borders` does.
+std::vector<Opening> find_openings(const SurfaceModel& model, std::span<const Seam> seams,
+                                   const OpeningLimits& limits, const Job& job = {});
+
+/// Of the join distance, along each free edge from the end of a seam.
+constexpr double opening_reach = 50;
+
+} // namespace keiko

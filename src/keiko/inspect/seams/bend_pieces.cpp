@@ -1,0 +1,179 @@
+#include "keiko/inspect/seams/bend_pieces.h"
+
+#include "keiko/base/units.h"
+#include "keiko/inspect/seams/slow_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// Share of a patch's width at which the search for a distance from a line starts.
+constexpr double first_step = 1e-6;
+/// Degrees: what rounding and the rates of curvatures leave of a window's turn is far less.
+constexpr double least_turn = 1e-3;
+/// Degrees: the same of sides close together.
+constexpr double least_limit = 1e-4;
+
+class Bends {
+public:
+    Bends(const KnottedFace& face, double window) : face_(face), window_(window) {}
+
+    std::vector<KnotPiece> all() {
+        const SurfaceModel& model = face_.model();
+        for (std::uint32_t k = 0; k < face_.face().patch_count; ++k)
+            for (const bool constant_u : {true, false})
+                add_bends(model.patches[face_.face().first_patch + k],
+                          model.patch(face_.face().first_patch + k), constant_u);
+        return sharpest();
+    }
+
+private:
+    /// A bend, and the window that it lies in.
+    struct Bend {
+        KnotPiece piece, window;
+    };
+
+    void add_bends(const Patch& patch, const BezierPatchView& points, bool constant_u) {
+        const ParameterMap& across = constant_u ? patch.map_u : patch.map_v;
+        const ParameterMap& along = constant_u ? patch.map_v : patch.map_u;
+        for (const double t : slow_lines(points, constant_u, window_)) {
+            const double at = t == 0 ? across.begin : t == 1 ? across.end : across.to_face(t);
+            const KnotPiece line{constant_u, at, along.begin, along.end};
+            const auto is_known = [&](const Bend& b) { return b.piece.order() == line.order(); };
+            if (is_point(line) || std::any_of(bends_.begin(), bends_.end(), is_known)) continue;
+            add_bend(line, across.end - across.begin);
+        }
+    }
+
+    void add_bend(const KnotPiece& line, double width) {
+        KnotPiece close = between(line, window_ / 2000, width);
+        KnotPiece apart = between(line, window_ / 2, width);
+        const double limit = close.is_bend() ? largest_angle(close) : 0;
+        close.has_limits = is_singular(line), apart.has_limits = false;
+        if (apart.is_bend() && is_tight(apart, limit))
+            bends_.push_back({apart, apart});
+        else if (close.is_bend() && (limit > least_limit || (close.has_limits && breaks(close))))
+            bends_.push_back({close, apart.is_bend() ? apart : close});
+    }
+
+    /// Of bends within each other's windows the one whose sides are nearest.
+    std::vector<KnotPiece> sharpest() {
+        const auto nearer = [](const Bend& a, const Bend& b) {
+            return a.piece.high - a.piece.low < b.piece.high - b.piece.low;
+        };
+        std::stable_sort(bends_.begin(), bends_.end(), nearer);
+        std::vector<KnotPiece> kept, windows;
+        for (const Bend& bend : bends_) {
+            const auto meets = [&](const KnotPiece& window) { return window.meets(bend.window); };
+            if (std::any_of(windows.begin(), windows.end(), meets)) continue;
+            kept.push_back(bend.piece), windows.push_back(bend.window);
+        }
+        return kept;
+    }
+
+    /// Whether the normal turns clearly more between the sides than in the limit, and no less
+    /// within the window than their curvatures would make it turn there besides.
+    bool is_tight(const KnotPiece& apart, double limit) const {
+        constexpr double clearly = 1.01;
+        const std::vector<SeamPoint> points = places(apart);
+        return std::any_of(points.begin(), points.end(), [&](const SeamPoint& p) {
+            const double besides =
+                (std::abs(p.curvature_a) + std::abs(p.curvature_b)) / 2 * window_;
+            return p.angle && *p.angle > std::max(least_turn, clearly * limit) &&
+                   *p.angle >= radians_to_degrees(besides);
+        });
+    }
+
+    bool is_singular(const KnotPiece& line) const {
+        const std::vector<SeamPoint> points = places(line);
+        return std::none_of(points.begin(), points.end(),
+                            [](const SeamPoint& p) { return p.angle.has_value(); });
+    }
+
+    std::vector<SeamPoint> places(const KnotPiece& piece) const {
+        const std::array<Vec3, 2> left = piece.side(true), right = piece.side(false);
+        const Affine unmoved;
+        const SeamProbe probe = face_.probe(piece, unmoved, left, right);
+        std::vector<SeamPoint> points;
+        for (const double t : tested_places) points.push_back(probe.at(t));
+        return points;
+    }
+
+    double largest_angle(const KnotPiece& piece) const {
+        double largest = 0;
+        for (const SeamPoint& p : places(piece)) largest = std::max(largest, p.angle.value_or(0));
+        return largest;
+    }
+
+    bool breaks(const KnotPiece& piece) const {
+        const std::vector<SeamPoint> points = places(piece);
+        return std::any_of(points.begin(), points.end(), breaks_at);
+    }
+
+    /// The line with its sides `distance` mm away, itself where the face ends before.
+    KnotPiece between(KnotPiece line, double distance, double width) const {
+        const Box2 domain = face_.domain();
+        const double begin = line.constant_u ? domain.lower.x : domain.lower.y;
+        const double end = line.constant_u ? domain.upper.x : domain.upper.y;
+        const auto low = parameter_at(line, distance, -width, line.at - begin);
+        const auto high = parameter_at(line, distance, width, end - line.at);
+        if (low && high) line.low = *low, line.high = *high;
+        return line;
+    }
+
+    /// The parameter beside a line whose farthest tested place is `distance` mm away from it, to a
+    /// thousandth of the parameter; nothing where there is none within `most`. The search starts at
+    /// `width`.
+    std::optional<double> parameter_at(const KnotPiece& line, double distance, double width,
+                                       double most) const {
+        const auto reaches = [&](double step) {
+            return farthest(line, line.at + std::copysign(step, width)) >= distance;
+        };
+        double below = 0, above = std::min(first_step * std::abs(width), most);
+        while (!reaches(above)) {
+            if (!(above < most)) return std::nullopt;
+            below = above, above = std::min(4 * above, most);
+        }
+        constexpr double enough = 1e-3;
+        while (above - below > enough * above) {
+            const double middle = (below + above) / 2;
+            (reaches(middle) ? above : below) = middle;
+        }
+        return line.at + std::copysign(above, width);
+    }
+
+    double farthest(const KnotPiece& line, double beside) const {
+        double most = 0;
+        for (const double t : tested_places) {
+            const double x = line.begin + t * (line.end - line.begin);
+            const Vec3 way =
+                face_.point(line.point(beside, x)) - face_.point(line.point(line.at, x));
+            most = std::max(most, way.length());
+        }
+        return most;
+    }
+
+    /// A pole has no sides.
+    bool is_point(const KnotPiece& line) const {
+        const auto place = [&](double t) {
+            return face_.point(line.point(line.at, line.begin + t * (line.end - line.begin)));
+        };
+        const Vec3 first = place(tested_places.front());
+        return std::all_of(tested_places.begin(), tested_places.end(),
+                           [&](double t) { return (place(t) - first).length() < window_ / 2000; });
+    }
+
+    const KnottedFace& face_;
+    double window_;
+    std::vector<Bend> bends_;
+};
+
+} // namespace
+
+std::vector<KnotPiece> bend_pieces(const KnottedFace& face, double window) {
+    return Bends(face, window).all();
+}
+
+} // namespace keiko

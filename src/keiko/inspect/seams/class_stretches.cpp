@@ -1,0 +1,142 @@
+#include "keiko/inspect/seams/class_stretches.h"
+
+#include "keiko/inspect/seams/run_out.h"
+#include "keiko/inspect/seams/seam_end.h"
+#include "keiko/math/disjoint_sets.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace keiko {
+namespace {
+
+double length_of(std::span<const SeamPart> parts, const std::vector<std::size_t>& group) {
+    double length = 0;
+    for (const std::size_t i : group) length += parts[i].length;
+    return length;
+}
+
+class StretchMaker {
+public:
+    StretchMaker(std::span<const SeamProbe> probes, const StretchLimits& limits)
+        : probes_(probes), limits_(limits) {
+        for (std::uint32_t i = 0; i < probes.size(); ++i)
+            for (SeamPart& part : partition_seam(probes[i], i, limits))
+                parts_.push_back(std::move(part));
+    }
+
+    std::vector<SeamStretch> run() {
+        add_run_outs();
+        std::vector<SeamStretch> stretches;
+        for (const std::vector<std::size_t>& group : groups())
+            stretches.push_back(stretch_of(group));
+        return stretches;
+    }
+
+private:
+    std::vector<std::vector<std::size_t>> groups() const;
+    void add_run_outs();
+    void add_run_out(std::size_t crease, bool forward, double longest);
+    SeamStretch stretch_of(const std::vector<std::size_t>& group) const;
+
+    std::span<const SeamProbe> probes_;
+    const StretchLimits& limits_;
+    std::vector<SeamPart> parts_;
+    /// Of creases that fade, by piece and parameter of the crease's begin.
+    std::map<std::pair<std::uint32_t, double>, Worst> fading_;
+};
+
+/// Indices of parts of one class that go on into each other, by their first.
+std::vector<std::vector<std::size_t>> StretchMaker::groups() const {
+    const double reach = std::max(limits_.join, limits_.negligible);
+    std::vector<std::array<SeamEnd, 2>> ends;
+    for (const SeamPart& part : parts_)
+        ends.push_back(
+            {end_of(probes_[part.piece], part, false), end_of(probes_[part.piece], part, true)});
+    const auto touch = [&](std::size_t i, std::size_t j) {
+        for (const SeamEnd& x : ends[i])
+            for (const SeamEnd& y : ends[j])
+                if (goes_on(x, y, reach)) return true;
+        return false;
+    };
+    DisjointSets sets(parts_.size());
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (parts_[i].kind == parts_[j].kind && touch(i, j)) sets.join(i, j);
+    std::map<std::size_t, std::vector<std::size_t>> by_root;
+    for (std::size_t i = 0; i < parts_.size(); ++i) by_root[sets.root(i)].push_back(i);
+    std::vector<std::vector<std::size_t>> result;
+    for (auto& [root, group] : by_root) result.push_back(std::move(group));
+    return result;
+}
+
+void StretchMaker::add_run_outs() {
+    struct Crease {
+        std::uint32_t piece;
+        double t, length;
+    };
+    std::vector<Crease> creases;
+    for (const std::vector<std::size_t>& group : groups()) {
+        const double length = length_of(parts_, group);
+        if (parts_[group.front()].kind != SeamClass::crease || length < limits_.negligible)
+            continue;
+        for (const std::size_t i : group)
+            creases.push_back({parts_[i].piece, parts_[i].begin.t, length});
+    }
+    for (const Crease& crease : creases)
+        for (const bool forward : {false, true}) {
+            const auto at = std::find_if(parts_.begin(), parts_.end(), [&](const SeamPart& part) {
+                return part.piece == crease.piece && part.begin.t == crease.t;
+            });
+            add_run_out(static_cast<std::size_t>(at - parts_.begin()), forward, crease.length);
+        }
+}
+
+void StretchMaker::add_run_out(std::size_t crease, bool forward, double longest) {
+    const std::optional<RunOut> found = follow_run_out(probes_, parts_, crease, forward, limits_);
+    // What is mostly run-out is no feature line but a fault that its peak would excuse.
+    if (!found || found->length() > longest) return;
+    const auto [fading, is_first] =
+        fading_.try_emplace({parts_[crease].piece, parts_[crease].begin.t}, found->step);
+    if (!is_first) fading->second = worse_of(fading->second, found->step);
+    for (const RunOut::Piece& piece : found->pieces) {
+        parts_[piece.part] = piece.taken;
+        if (piece.left) parts_.push_back(*piece.left);
+    }
+    std::sort(parts_.begin(), parts_.end(), [](const SeamPart& a, const SeamPart& b) {
+        return std::pair(a.piece, a.begin.t) < std::pair(b.piece, b.begin.t);
+    });
+}
+
+SeamStretch StretchMaker::stretch_of(const std::vector<std::size_t>& group) const {
+    SeamStretch stretch;
+    stretch.kind = parts_[group.front()].kind;
+    for (const std::size_t i : group) {
+        stretch.parts.push_back(parts_[i]);
+        const auto fading = fading_.find({parts_[i].piece, parts_[i].begin.t});
+        if (stretch.kind != SeamClass::crease || fading == fading_.end()) continue;
+        const Worst& step = fading->second;
+        stretch.fading = stretch.fading ? worse_of(*stretch.fading, step) : step;
+    }
+    stretch.length = length_of(parts_, group);
+    double unknown = 0;
+    for (const SeamPart& part : stretch.parts) unknown += part.unknown;
+    stretch.unknown = unknown > limits_.negligible;
+    stretch.scrap = stretch.length < limits_.negligible;
+    return stretch;
+}
+
+} // namespace
+
+const Worst& worse_of(const Worst& a, const Worst& b) {
+    if (a.verdict != b.verdict) return a.verdict > b.verdict ? a : b;
+    return a.value + a.bound >= b.value + b.bound ? a : b;
+}
+
+std::vector<SeamStretch> seam_stretches(std::span<const SeamProbe> probes,
+                                        const StretchLimits& limits) {
+    return StretchMaker(probes, limits).run();
+}
+
+} // namespace keiko

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "keiko/inspect/basics/worst.h"
+#include "keiko/inspect/seams/seam_partition.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// A maximal part of a seam that is all of one class; of one or more pieces of the seam.
+struct SeamStretch {
+    SeamClass kind = SeamClass::smooth;
+    std::vector<SeamPart> parts; ///< in the order of the seam's pieces
+    double length = 0;           ///< mm
+    bool scrap = false;          ///< shorter than what the limits call negligible
+    bool unknown = false;        ///< a side has no normal for more than is negligible
+    /// Of a crease that fades out: the worst step of its angle's slope, degrees/mm.
+    std::optional<Worst> fading;
+};
+
+/// The worse of two: by verdict, then by the largest value that it may have.
+const Worst& worse_of(const Worst& a, const Worst& b);
+
+/// Cuts the pieces of a seam into stretches, by their first parts. The smooth part beside a crease
+/// becomes a run-out as far as its angle fades to the limit, if it is no longer than the crease.
+std::vector<SeamStretch> seam_stretches(std::span<const SeamProbe> probes,
+                                        const StretchLimits& limits);
+
+} // namespace keiko

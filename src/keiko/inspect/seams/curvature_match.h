@@ -1,0 +1,30 @@
+#pragma once
+
+#include "keiko/scene/criteria_preset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace keiko {
+
+/// Mismatch of two signed curvatures k1, k2 in 1/mm, as a share of 1. The curvatures that the
+/// change is compared with count as no less than 1 / `flat_radius` (mm): what is flatter is as good
+/// as flat, after flat_curvature_radius_tolerance of g2_discontinuity_between_adjacent_faces in ISO
+/// 10303-59. The mismatch is continuous in both curvatures.
+inline double curvature_mismatch(CurvatureFormula formula, double k1, double k2,
+                                 double flat_radius) {
+    const double change = std::abs(k1 - k2), flat = 1 / flat_radius;
+    // |R1 - R2| / (R1 + R2) = |k1 - k2| / (|k1| + |k2|) for curvatures of one sign.
+    const double base = formula == CurvatureFormula::alias
+                            ? std::max(std::abs(k1) + std::abs(k2), 2 * flat)
+                            : std::max({std::abs(k1), std::abs(k2), flat});
+    return base > 0 ? change / base : 0;
+}
+
+/// The formula as it is printed beside its value.
+constexpr std::string_view formula_text(CurvatureFormula formula) {
+    return formula == CurvatureFormula::alias ? "|R1-R2|/(R1+R2)" : "|C1-C2|/max(|C1|,|C2|)";
+}
+
+} // namespace keiko

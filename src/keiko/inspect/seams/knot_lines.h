@@ -1,0 +1,18 @@
+#pragma once
+
+#include "keiko/inspect/seams/seam_measure.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// Measures the lines inside faces along which two patches meet with less than G2, as knots of high
+/// multiplicity leave them, and those across which a face bends within the preset's negligible
+/// length (bend_pieces): as seams of a face with itself, where its trims keep it, in the order of
+/// the placed faces. Told from the digits of files: a line breaks above 1e-4 mm, 1e-4 degrees or,
+/// of its curvatures, 0.1 % and 2e-7 /mm. Faces that approximate the file's, and those at irregular
+/// points of cages, have knots of their own and none of the file's: they are left out.
+std::vector<MeasuredSeam> measure_knot_lines(const SurfaceModel& model,
+                                             const CriteriaPreset& preset, const Job& job = {});
+
+} // namespace keiko

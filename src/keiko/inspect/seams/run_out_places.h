@@ -1,0 +1,25 @@
+#pragma once
+
+#include "keiko/inspect/seams/class_stretches.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// The run-outs of the creases of one seam.
+class RunOutPlaces {
+public:
+    /// None.
+    RunOutPlaces() = default;
+    /// Of the seam's pieces, whose curves are kept.
+    RunOutPlaces(std::span<const SeamProbe> pieces, const StretchLimits& limits);
+
+    /// Whether a place, world, mm, lies within `reach` mm of a run-out.
+    bool hold(const Vec3& place, double reach) const;
+
+private:
+    std::vector<SeamProbe> run_outs_;
+};
+
+} // namespace keiko

@@ -1,0 +1,267 @@
+#include "keiko/inspect/seams/seam_line.h"
+
+#include "keiko/inspect/seams/curvature_match.h"
+#include "keiko/inspect/seams/seam_extremes.h"
+#include "keiko/inspect/seams/slope_match.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace keiko {
+namespace {
+
+/// Extremes are wanted to this share of their limit: less than any verdict turns on.
+constexpr double relative_tolerance = 1e-4;
+/// Error of an evaluated point, as a share of its distance from the origin: some tens of
+/// roundings of the Bernstein sums.
+constexpr double relative_rounding = 1e-14;
+/// mm: CAD systems themselves join at 1e-7 to 1e-5; a gap below has no direction.
+constexpr double same_place = 1e-6;
+/// Share of 1; error of a mismatch of two evaluated curvatures.
+constexpr double mismatch_rounding = 1e-9;
+
+/// The mismatch of curvatures that a preset judges.
+struct CurvatureJudge {
+    CurvatureLimit limit;
+    double flat_radius;
+
+    explicit CurvatureJudge(const CriteriaPreset& preset)
+        : limit(preset.curvature.value_or(CurvatureLimit{})), flat_radius(preset.flat_radius) {}
+
+    bool flat(const SeamPoint& p) const {
+        return std::max(std::abs(p.curvature_a), std::abs(p.curvature_b)) * flat_radius < 1;
+    }
+    /// Whether the flat radius stands in for what the change is compared with.
+    bool is_floored(const SeamPoint& p) const {
+        return mismatch(limit.formula, p) <
+               curvature_mismatch(limit.formula, p.curvature_a, p.curvature_b, HUGE_VAL);
+    }
+    double mismatch(CurvatureFormula formula, const SeamPoint& p) const {
+        return curvature_mismatch(formula, p.curvature_a, p.curvature_b, flat_radius);
+    }
+};
+
+/// The larger of two extremes of one quantity; the bound must cover what either could hide.
+void keep_worse(std::optional<SeamExtreme>& kept, const std::optional<SeamExtreme>& other) {
+    if (!other) return;
+    if (!kept) {
+        kept = other;
+        return;
+    }
+    const double upper = std::max(kept->value + kept->bound, other->value + other->bound);
+    if (other->value > kept->value) kept = other;
+    kept->bound = upper - kept->value;
+}
+
+/// Where a preset does not judge G3 it is still measured, to this share of a degree.
+constexpr double unjudged_slope = 0.1;
+
+/// The parts of a line's pieces that make up a stretch, as probes of their own.
+std::vector<SeamProbe> probes_of(const SeamLine& line, const SeamStretch& stretch) {
+    std::vector<SeamProbe> probes;
+    for (const SeamPart& part : stretch.parts)
+        probes.push_back(line.probes[part.piece].part(part.begin, part.end));
+    return probes;
+}
+
+struct StretchExtremes {
+    std::optional<SeamExtreme> gap, angle, negated_angle, curvature, slope;
+};
+
+std::vector<SeamQuestion> questions_of(const CriteriaPreset& preset,
+                                       const CurvatureJudge& curvature) {
+    return {{[](const SeamPoint& p) { return p.gap; }, relative_tolerance * preset.gap},
+            {[](const SeamPoint& p) { return p.angle; }, relative_tolerance * preset.angle},
+            {[](const SeamPoint& p) -> std::optional<double> {
+                 if (!p.angle) return std::nullopt;
+                 return -*p.angle;
+             },
+             preset.angle},
+            {[&](const SeamPoint& p) -> std::optional<double> {
+                 if (!p.angle) return std::nullopt;
+                 return curvature.mismatch(curvature.limit.formula, p);
+             },
+             relative_tolerance * 10 * curvature.limit.limit},
+            {[&](const SeamPoint& p) -> std::optional<double> {
+                 if (!p.angle || curvature.flat(p)) return std::nullopt;
+                 return slope_angle(p.curvature_a, p.slope_a, p.curvature_b, p.slope_b);
+             },
+             relative_tolerance * 10 * preset.curvature_slope.value_or(unjudged_slope)}};
+}
+
+StretchExtremes extremes_of(const std::vector<SeamProbe>& probes, const CriteriaPreset& preset) {
+    const CurvatureJudge curvature(preset);
+    const std::vector<SeamQuestion> questions = questions_of(preset, curvature);
+    StretchExtremes all;
+    for (const SeamProbe& probe : probes) {
+        const auto found = seam_extremes(probe, questions);
+        keep_worse(all.gap, found[0]);
+        keep_worse(all.angle, found[1]);
+        keep_worse(all.negated_angle, found[2]);
+        keep_worse(all.curvature, found[3]);
+        keep_worse(all.slope, found[4]);
+    }
+    return all;
+}
+
+Worst worst(const SeamExtreme& extreme, double rounding, double limit) {
+    return {extreme.value, extreme.bound + rounding, limit, extreme.point.place,
+            judge_maximum(extreme.value, extreme.bound, rounding, limit)};
+}
+
+CurvatureStep curvature_step(const SeamExtreme& extreme, const CriteriaPreset& preset) {
+    const CurvatureJudge judged(preset);
+    const SeamPoint& p = extreme.point;
+    const double limit = judged.limit.limit;
+    CurvatureStep step{.curvature_a = p.curvature_a,
+                       .curvature_b = p.curvature_b,
+                       .formula = judged.limit.formula,
+                       .mismatch = extreme.value,
+                       .alias = judged.mismatch(CurvatureFormula::alias, p),
+                       .catia = judged.mismatch(CurvatureFormula::catia, p),
+                       .flat = judged.is_floored(p),
+                       .worst = {extreme.value, extreme.bound, limit, p.place, Verdict::pass}};
+    if (preset.curvature)
+        step.worst.verdict = judge_maximum(extreme.value, extreme.bound, mismatch_rounding, limit);
+    return step;
+}
+
+CurvatureSlopeStep slope_step(const SeamExtreme& extreme, const CriteriaPreset& preset) {
+    const SeamPoint& p = extreme.point;
+    CurvatureSlopeStep step{.slope_a = p.slope_a,
+                            .slope_b = p.slope_b,
+                            .change = std::abs(p.slope_a - p.slope_b),
+                            .worst = {}};
+    const double limit = preset.curvature_slope.value_or(unjudged_slope);
+    step.worst = {extreme.value, extreme.bound, limit, p.place, Verdict::pass};
+    if (preset.curvature_slope)
+        step.worst.verdict = judge_maximum(extreme.value, extreme.bound, 0, limit);
+    return step;
+}
+
+void take(MeasuredSeam& seam, const Worst& worst) {
+    seam.verdict = std::max(seam.verdict, worst.verdict);
+    seam.severity = std::max(seam.severity, share_of_limit(worst));
+}
+
+double position_error(const SurfaceModel& model, const SeamLine& line, const Vec3& place) {
+    return relative_rounding * place.length() + model.faces[line.face_a].approximated +
+           model.faces[line.face_b].approximated;
+}
+
+void judge_smooth(MeasuredSeam& seam, const StretchExtremes& found, const CriteriaPreset& preset) {
+    take(seam, *seam.angle);
+    if (seam.verdict != Verdict::pass || !found.curvature) return;
+    seam.curvature = curvature_step(*found.curvature, preset);
+    if (preset.curvature) take(seam, seam.curvature->worst);
+    if (seam.verdict != Verdict::pass || !found.slope) return;
+    seam.slope = slope_step(*found.slope, preset);
+    if (preset.curvature_slope) take(seam, seam.slope->worst);
+}
+
+/// A point halfway along; of an even number of parts where the later half begins.
+Vec3 middle_of(const std::vector<SeamProbe>& probes) {
+    const SeamProbe& probe = probes[probes.size() / 2];
+    return probes.size() % 2 == 0 ? probe.at(probe.begin()).place : probe.middle();
+}
+
+std::vector<Vec3> course_of(const SeamProbe& probe) {
+    constexpr int steps = 32;
+    std::vector<Vec3> course;
+    for (int i = 0; i <= steps; ++i)
+        course.push_back(probe.place(probe.begin() + (probe.end() - probe.begin()) * i / steps));
+    return course;
+}
+
+MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
+                             const SeamStretch& stretch, const CriteriaPreset& preset) {
+    const std::vector<SeamProbe> probes = probes_of(line, stretch);
+    const StretchExtremes found = extremes_of(probes, preset);
+    MeasuredSeam seam;
+    seam.instance_a = line.instance_a, seam.face_a = line.face_a;
+    seam.instance_b = line.instance_b, seam.face_b = line.face_b;
+    seam.id_a = model.faces[line.face_a].id, seam.id_b = model.faces[line.face_b].id;
+    seam.kind = stretch.kind, seam.length = stretch.length;
+    seam.middle = middle_of(probes);
+    for (const SeamProbe& probe : probes) seam.course.push_back(course_of(probe));
+    if (!found.gap) {
+        seam.verdict = Verdict::undecided;
+        return seam;
+    }
+    const SeamPoint& widest = found.gap->point;
+    seam.gap = worst(*found.gap, position_error(model, line, widest.place), preset.gap);
+    seam.overlap = widest.overlap && seam.gap.value > same_place;
+    take(seam, seam.gap);
+    if (!found.angle) {
+        if (stretch.length > same_place) seam.verdict = std::max(seam.verdict, Verdict::undecided);
+        return seam;
+    }
+    seam.angle = worst(*found.angle, angle_rounding, preset.angle);
+    seam.smallest_angle = -found.negated_angle->value;
+    if (stretch.unknown) {
+        seam.angle->verdict = std::max(seam.angle->verdict, Verdict::undecided);
+        take(seam, *seam.angle);
+    }
+    if (stretch.kind == SeamClass::smooth) judge_smooth(seam, found, preset);
+    if (stretch.kind == SeamClass::fold) take(seam, *seam.angle);
+    seam.fading = stretch.fading;
+    if (seam.fading) take(seam, *seam.fading);
+    return seam;
+}
+
+} // namespace
+
+StretchLimits stretch_limits(double size_a, double size_b, const CriteriaPreset& preset,
+                             double join) {
+    constexpr double share_of_face = 0.01;
+    // What a run-out leaves is judged as smooth: there no bound may straddle the limit.
+    constexpr double faded = 0.99;
+    return {.feature_angle = preset.feature_angle,
+            .negligible =
+                std::max(class_change_bound,
+                         std::min(preset.negligible, share_of_face * std::min(size_a, size_b))),
+            .join = join,
+            .angle = faded * preset.angle,
+            .fading = preset.fading,
+            .longest_run_out = preset.longest_run_out};
+}
+
+std::vector<MeasuredStretch> measure_line(const SurfaceModel& model, const SeamLine& line,
+                                          const CriteriaPreset& preset,
+                                          const StretchLimits& limits) {
+    std::vector<MeasuredStretch> measured;
+    for (SeamStretch& stretch : seam_stretches(line.probes, limits)) {
+        MeasuredSeam seam = measure_stretch(model, line, stretch, preset);
+        seam.scrap = stretch.scrap, seam.negligible = limits.negligible;
+        seam.parted = limits.join > 0 && seam.gap.value > limits.join;
+        measured.push_back({std::move(seam), std::move(stretch.parts)});
+    }
+    return measured;
+}
+
+void excuse_scraps(std::vector<MeasuredSeam>& seams) {
+    using PlacedFace = std::pair<std::uint32_t, std::uint32_t>;
+    std::map<PlacedFace, double> failing;
+    const auto faces_of = [](const MeasuredSeam& seam) {
+        return std::set<PlacedFace>{{seam.instance_a, seam.face_a}, {seam.instance_b, seam.face_b}};
+    };
+    for (const MeasuredSeam& seam : seams)
+        if (seam.scrap && seam.verdict != Verdict::pass)
+            for (const PlacedFace& face : faces_of(seam)) failing[face] += seam.length;
+    for (MeasuredSeam& seam : seams) {
+        if (!seam.scrap) continue;
+        const std::set<PlacedFace> faces = faces_of(seam);
+        const bool too_long = std::any_of(faces.begin(), faces.end(), [&](const PlacedFace& face) {
+            return failing[face] > seam.negligible;
+        });
+        if (too_long && seam.verdict != Verdict::pass)
+            seam.scrap = false;
+        else
+            seam.verdict = Verdict::pass, seam.severity = 0;
+    }
+}
+
+} // namespace keiko

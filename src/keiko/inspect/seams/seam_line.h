@@ -1,0 +1,37 @@
+#pragma once
+
+#include "keiko/inspect/seams/class_stretches.h"
+#include "keiko/inspect/seams/seam_measure.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// A line along which two sides meet, ready to be measured.
+struct SeamLine {
+    std::uint32_t instance_a = 0, face_a = 0, instance_b = 0, face_b = 0;
+    std::vector<SeamProbe> probes; ///< piece after piece, at least one
+};
+
+/// A stretch of a line, and the parts of the line's probes that it consists of.
+struct MeasuredStretch {
+    MeasuredSeam seam; ///< without `faces`, `line` and `pieces`
+    std::vector<SeamPart> parts;
+};
+
+/// The lengths and angles by which a preset cuts the lines between two faces of these sizes (mm)
+/// into stretches. No length is negligible that is more than a hundredth of the smaller one.
+StretchLimits stretch_limits(double size_a, double size_b, const CriteriaPreset& preset,
+                             double join);
+
+/// Takes scraps out of the verdict: those of faces whose scraps that do not pass are together no
+/// longer than what is negligible for the seam. The others are scraps no more.
+void excuse_scraps(std::vector<MeasuredSeam>& seams);
+
+/// Cuts a line into stretches, measures each on the exact geometry and judges it by the rules of
+/// its class, scraps too.
+std::vector<MeasuredStretch> measure_line(const SurfaceModel& model, const SeamLine& line,
+                                          const CriteriaPreset& preset,
+                                          const StretchLimits& limits);
+
+} // namespace keiko

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/geometry/seam/seam.h"
+#include "keiko/inspect/basics/worst.h"
+#include "keiko/inspect/seams/seam_class.h"
+#include "keiko/scene/criteria_preset.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// The curvatures across the seam where they differ most.
+struct CurvatureStep {
+    double curvature_a = 0, curvature_b = 0; ///< 1/mm
+    CurvatureFormula formula = CurvatureFormula::alias;
+    double mismatch = 0;         ///< by the formula, share of 1
+    double alias = 0, catia = 0; ///< by either formula, whichever is judged
+    bool flat = false; ///< the preset's flat radius stands in for what the change is compared with
+    Worst worst;       ///< share of 1
+};
+
+/// How the curvatures across the seam change, where that differs most (G3).
+struct CurvatureSlopeStep {
+    double slope_a = 0, slope_b = 0; ///< 1/mm2, on the way from a to b
+    double change = 0;               ///< 1/mm2, of the slope
+    Worst worst;                     ///< degrees, see slope_angle
+};
+
+/// A stretch of the line along which two faces meet, all of one class; or of a line inside one
+/// face along which its patches meet (`internal`).
+struct MeasuredSeam {
+    std::uint32_t instance_a = 0, face_a = 0, instance_b = 0, face_b = 0;
+    std::uint32_t id_a = 0, id_b = 0; ///< Face::id of the sides
+    std::string
+        faces; ///< "face 12 (fender-outer) | face 13"; instances too where there are several
+    std::uint32_t line = 0;            ///< number of the line that it is a stretch of, from 0
+    std::vector<std::uint32_t> pieces; ///< into MeasuredSeams::pieces; empty where internal
+    double length = 0;                 ///< mm
+    Vec3 middle{0};                    ///< a point halfway along, world, mm
+    /// Where it runs: of each of its pieces 33 points from end to end, world, mm. An end at which
+    /// the class changes is known to class_change_bound.
+    std::vector<std::vector<Vec3>> course{};
+    SeamClass kind = SeamClass::smooth;
+    /// Shorter than the preset's negligible length, and so not judged: `verdict` is pass.
+    bool scrap = false;
+    double negligible = 0;      ///< mm: a shorter stretch of the line is a scrap
+    Worst gap;                  ///< G0, mm
+    std::optional<Worst> angle; ///< G1, degrees; nothing where a side has no normal
+    double smallest_angle = 0;  ///< degrees, where there is an angle
+    /// G2; only where smooth, and gap and angle pass.
+    std::optional<CurvatureStep> curvature;
+    /// G3; only where gap, angle and curvature pass, and not all along nearly flat.
+    std::optional<CurvatureSlopeStep> slope;
+    /// Degrees/mm: of a crease that fades out, the largest step of its angle's slope there.
+    std::optional<Worst> fading;
+
+    /// Its worst place lies in the last ring around an irregular point of a subdivision surface,
+    /// which has no curvature there.
+    bool irregular = false;
+
+    /// A knot line inside a face, along which the face itself breaks.
+    bool internal = false;
+    /// Where the gap is largest one side lies on the other's material.
+    bool overlap = false;
+    /// The gap grows past the distance within which borders count as a seam.
+    bool parted = false;
+
+    /// Of what its class is judged by: the worst.
+    Verdict verdict = Verdict::pass;
+    /// How far over its limit the worst judged quantity is: 1 at the limit. 0 of a scrap.
+    double severity = 0;
+
+    /// A crease or the run-out of one, of which all passes that is judged.
+    bool is_passing_crease() const {
+        return (kind == SeamClass::crease || kind == SeamClass::run_out) &&
+               verdict == Verdict::pass && !scrap;
+    }
+    /// Whether the angle is held against a limit.
+    bool is_angle_judged() const {
+        return !scrap && (kind == SeamClass::smooth || kind == SeamClass::fold);
+    }
+};
+
+/// The seams of a model as they are judged.
+struct MeasuredSeams {
+    std::vector<Seam> pieces; ///< as paired, cut where their class changes
+    std::vector<MeasuredSeam> seams;
+};
+
+/// Joins seams of the same two faces that touch (`join` mm) into lines, cuts each line into
+/// stretches of one class and measures these on the exact geometry; in the order of their first
+/// seams.
+MeasuredSeams measure_seams(const SurfaceModel& model, std::span<const Seam> seams,
+                            const CriteriaPreset& preset, double join, const Job& job = {});
+
+/// The same, followed by the stretches of knot lines inside faces (measure_knot_lines).
+MeasuredSeams measure_all_seams(const SurfaceModel& model, std::span<const Seam> seams,
+                                const CriteriaPreset& preset, double join, const Job& job = {});
+
+/// How many lines some stretches are of: what reports call the number of seams.
+std::size_t line_count(std::span<const MeasuredSeam> seams);
+
+} // namespace keiko

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "keiko/geometry/seam/boundary_curves.h"
+#include "keiko/geometry/seam/seam.h"
+#include "keiko/math/interval_set.h"
+
+#include <optional>
+#include <vector>
+
+namespace keiko {
+
+/// The relation of the two sides of a seam at one place; world coordinates.
+struct SeamPoint {
+    double t = 0, s = 0;         ///< parameters of the curves of the sides a and b
+    Vec3 place{0};               ///< on side a
+    double gap = 0;              ///< mm, to the nearest point of side b
+    std::optional<double> angle; ///< degrees, 0 smooth to 180 folded back; needs both normals
+    double signed_angle = 0;     ///< the angle, negative where the surface bends the other way
+    double curvature_a = 0, curvature_b = 0; ///< 1/mm, across the seam, normals on one side
+    double slope_a = 0, slope_b = 0;         ///< 1/mm2, of these curvatures on the way from a to b
+    bool overlap = false; ///< one side lies on the other's material rather than apart from it
+};
+
+/// degrees; error of an angle between two evaluated normals.
+constexpr double angle_rounding = 1e-10;
+
+/// Evaluates a seam on its exact geometry.
+class SeamProbe {
+public:
+    SeamProbe(const BoundaryCurves& curves, const Seam& seam)
+        : SeamProbe(curves.curve(seam.a), {seam.a.begin, seam.a.end}, curves.curve(seam.b),
+                    {seam.b.begin, seam.b.end}) {}
+    /// The curves of both sides and the parameters that face each other.
+    SeamProbe(const SurfaceCurve& a, const ParameterInterval& on_a, const SurfaceCurve& b,
+              const ParameterInterval& on_b)
+        : a_(a), b_(b), on_a_(on_a), on_b_(on_b), reach_b_(on_b), forward_(on_b.begin < on_b.end) {}
+
+    /// Two lines that run alike on either side of a bend inside one face, `a` to the left of `b`.
+    /// They have no gap, and their angle is what the normal turns about them beyond what the
+    /// curvatures of both sides make of the way between: 0 on any evenly bent surface.
+    static SeamProbe across_bend(const SurfaceCurve& a, const SurfaceCurve& b) {
+        SeamProbe probe(a, {0, 1}, b, {0, 1});
+        probe.bend_ = true;
+        return probe;
+    }
+
+    /// The part of the seam between two of its points. The nearest point of side b is still
+    /// searched along the whole seam.
+    SeamProbe part(const SeamPoint& from, const SeamPoint& to) const;
+
+    double begin() const { return on_a_.begin; }
+    double end() const { return on_a_.end; }
+    /// The parameters of side a, and those of side b that face them; the latter fall where b runs
+    /// the other way.
+    const ParameterInterval& on_a() const { return on_a_; }
+    const ParameterInterval& on_b() const { return on_b_; }
+    /// The seam at parameter t of side a; `s_guess` is where side b is thought to face it.
+    SeamPoint at(double t, double s_guess) const;
+    /// The same with a guess in proportion.
+    SeamPoint at(double t) const;
+    /// mm, of side a.
+    double length() const { return a_.length(begin(), end()); }
+    /// The point at parameter t of side a; world, mm.
+    Vec3 place(double t) const { return a_.at(t).position; }
+    /// Where side a runs at parameter t, mm a unit of it; 0 where it stands still. World.
+    Vec3 run(double t) const { return a_.at(t).first; }
+    /// A point halfway along, on side a; world, mm.
+    Vec3 middle() const { return place((begin() + end()) / 2); }
+
+    /// Parameters of side a from begin to end in at least `least` steps, every patch change among
+    /// them: between two of them all quantities are smooth.
+    std::vector<double> steps(int least) const;
+    /// Parameters of side a at which either side passes from one patch to the next, in rising
+    /// order.
+    std::vector<double> patch_changes() const;
+
+private:
+    SurfaceCurve a_, b_;
+    ParameterInterval on_a_, on_b_; ///< that of b runs backwards where begin > end
+    ParameterInterval reach_b_;     ///< where the nearest point of side b is searched
+    bool forward_;                  ///< side b runs as side a does
+    bool bend_ = false;             ///< the sides belong to one surface, a way apart
+};
+
+} // namespace keiko

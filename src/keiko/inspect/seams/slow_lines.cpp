@@ -1,0 +1,129 @@
+#include "keiko/inspect/seams/slow_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// The speed across the isolines of a patch where they cross one isoline of the other parameter.
+class CrossSpeed {
+public:
+    CrossSpeed(const BezierPatchView& patch, bool constant_u, double along)
+        : patch_(patch), constant_u_(constant_u), along_(along) {}
+
+    double operator()(double t) const {
+        if (constant_u_) return evaluate(patch_, Vec2(t, along_), 1).du().length();
+        return evaluate(patch_, Vec2(along_, t), 1).dv().length();
+    }
+
+private:
+    const BezierPatchView& patch_;
+    bool constant_u_;
+    double along_;
+};
+
+double fastest_slow(int degree, double window, double most) {
+    return (degree - 1) * std::sqrt(2 * window * most);
+}
+
+/// Whether the control points alone exclude slow lines: the speed is at least what all their
+/// differences advance in one direction.
+bool advances(const BezierPatchView& patch, bool constant_u, double window) {
+    if (patch.rational()) return false;
+    const int degree = constant_u ? patch.degree_u : patch.degree_v;
+    const auto difference = [&](int i, int j) {
+        const Vec4 d = constant_u ? patch.point(i + 1, j) - patch.point(i, j)
+                                  : patch.point(j, i + 1) - patch.point(j, i);
+        return Vec3(d.x, d.y, d.z) * (degree / patch.points.front().w);
+    };
+    const int rows = constant_u ? patch.degree_v : patch.degree_u;
+    Vec3 sum(0);
+    for (int i = 0; i < degree; ++i)
+        for (int j = 0; j <= rows; ++j) sum += difference(i, j);
+    if (sum.length2() == 0) return false;
+    const Vec3 ahead = sum.normalized();
+    double least = HUGE_VAL, most = 0;
+    for (int i = 0; i < degree; ++i)
+        for (int j = 0; j <= rows; ++j) {
+            const Vec3 d = difference(i, j);
+            least = std::min(least, d.dot(ahead)), most = std::max(most, d.length());
+        }
+    return least > std::max(window, fastest_slow(degree, window, most));
+}
+
+/// Where a speed is least between two parameters, which belong to the choice (golden section).
+double slowest_between(const CrossSpeed& speed, double low, double high) {
+    constexpr double golden = 0.3819660112501051, enough = 1e-9;
+    double a = low, b = high, left = a + golden * (b - a), right = b - golden * (b - a);
+    double at_left = speed(left), at_right = speed(right);
+    while (b - a > enough) {
+        if (at_left <= at_right) {
+            b = right, right = left, at_right = at_left;
+            left = a + golden * (b - a), at_left = speed(left);
+        } else {
+            a = left, left = right, at_left = at_right;
+            right = b - golden * (b - a), at_right = speed(right);
+        }
+    }
+    const double inside = (a + b) / 2, at_inside = speed(inside);
+    if (speed(low) <= at_inside) return low;
+    return speed(high) <= at_inside ? high : inside;
+}
+
+/// Whether the speed rises by a quarter on the way of half a window, to one side of `t`.
+bool quickens(const CrossSpeed& speed, double t, double window, double step) {
+    constexpr double rise = 1.25;
+    const double slow = speed(t);
+    double way = 0;
+    const double first =
+        slow * std::abs(step) > window / 2 ? std::copysign(window / 2 / slow, step) : step;
+    for (double x = t + first; x >= 0 && x <= 1 && way < window / 2; x += step) {
+        const double now = speed(x);
+        if (now > rise * slow) return true;
+        way += now * std::abs(step);
+    }
+    return false;
+}
+
+void add_slow(const CrossSpeed& speed, int degree, double window, std::vector<double>& lines) {
+    const int steps = 4 * degree;
+    std::vector<double> sampled;
+    double length = 0, most = 0;
+    for (int i = 0; i <= steps; ++i) {
+        sampled.push_back(speed(static_cast<double>(i) / steps));
+        length += sampled.back() / (steps + 1), most = std::max(most, sampled.back());
+    }
+    if (length <= window) lines.push_back(0.5);
+    const double limit = fastest_slow(degree, window, most);
+    for (int i = 0; i <= steps; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const bool falls = i == 0 || sampled[k] <= sampled[k - 1];
+        const bool rises =
+            i == steps ? i > 0 && sampled[k] < sampled[k - 1] : sampled[k] < sampled[k + 1];
+        if (!falls || !rises) continue;
+        const double step = 1.0 / steps;
+        const double t = slowest_between(speed, std::max(0, i - 1) * step,
+                                         i + 1 >= steps ? 1.0 : (i + 1) * step);
+        if (speed(t) <= limit &&
+            (quickens(speed, t, window, step) || quickens(speed, t, window, -step)))
+            lines.push_back(t);
+    }
+}
+
+} // namespace
+
+std::vector<double> slow_lines(const BezierPatchView& patch, bool constant_u, double window) {
+    std::vector<double> lines;
+    if (advances(patch, constant_u, window)) return lines;
+    const int degree = constant_u ? patch.degree_u : patch.degree_v;
+    for (const double along : isoline_samples)
+        add_slow(CrossSpeed(patch, constant_u, along), degree, window, lines);
+    std::sort(lines.begin(), lines.end());
+    constexpr double same = 1e-6;
+    const auto near = [](double a, double b) { return b - a < same; };
+    lines.erase(std::unique(lines.begin(), lines.end(), near), lines.end());
+    return lines;
+}
+
+} // namespace keiko

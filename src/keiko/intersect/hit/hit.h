@@ -1,0 +1,61 @@
+#pragma once
+
+#include "keiko/base/blank_allocator.h"
+#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/ray.h"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace keiko {
+
+/// Second derivatives of the surface by patch parameters, world, mm.
+struct SecondDerivatives {
+    Vec3 duu{0}, duv{0}, dvv{0};
+};
+
+/// How a hit was found and what is special about it; a bit set.
+enum class HitFlags : std::uint32_t {
+    none = 0,
+    tangential = 1, ///< the ray touches; two roots may have been taken for one
+    seam = 2,       ///< beyond a trimmed border, before the neighbour's: see SeamGap
+    clipped = 4     ///< finished by clipping, not by the uniqueness proof
+};
+constexpr HitFlags operator|(HitFlags a, HitFlags b) {
+    return static_cast<HitFlags>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
+}
+constexpr bool has(HitFlags set, HitFlags flag) {
+    return (static_cast<std::uint32_t>(set) & static_cast<std::uint32_t>(flag)) != 0;
+}
+
+/// Where a ray meets the surface. All vectors are in world coordinates, mm.
+struct Hit {
+    double t = std::numeric_limits<double>::infinity();
+    std::uint32_t instance = 0, face = 0, patch = 0;
+    Vec2 uv{0};       ///< patch parameters, [0, 1]^2
+    Vec3 position{0}; ///< on the surface
+    Vec3 normal{0};   ///< unit, along dpdu x dpdv (of the mirrored tangents, if mirrored)
+    Vec3 dpdu{0}, dpdv{0};
+    std::optional<SecondDerivatives> second; ///< when asked for
+    double position_bound = 0; ///< mm, bound of the distance to the exact intersection
+    HitFlags flags = HitFlags::none;
+    std::optional<std::uint32_t> seam; ///< edge index, for seam hits
+
+    Root root; ///< certified box of this root, to exclude it from secondary rays
+};
+
+/// Many of them.
+using Hits = std::vector<Hit, BlankAllocator<Hit>>;
+
+/// Position and derivatives by patch parameters. Requires `second`.
+inline SurfaceDerivatives derivatives_of(const Hit& hit) {
+    SurfaceDerivatives s;
+    s.d[0][0] = hit.position;
+    s.d[1][0] = hit.dpdu, s.d[0][1] = hit.dpdv;
+    s.d[2][0] = hit.second->duu, s.d[1][1] = hit.second->duv, s.d[0][2] = hit.second->dvv;
+    return s;
+}
+
+} // namespace keiko

@@ -1,0 +1,67 @@
+// Compiled once for each instruction set by the kernels that include it.
+#if defined(KEIKO_TRACE_SPACE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KEIKO_TRACE_SPACE_LANES_INL_H
+#undef KEIKO_TRACE_SPACE_LANES_INL_H
+#else
+#define KEIKO_TRACE_SPACE_LANES_INL_H
+#endif
+
+#include "keiko/intersect/kernels/lanes-inl.h"
+
+#include <array>
+
+HWY_BEFORE_NAMESPACE();
+namespace keiko::HWY_NAMESPACE {
+
+/// Vectors of space, one a lane; each operation as Vec3 does it, to the last bit.
+template <class V>
+using Space = std::array<V, 3>;
+
+template <class V>
+Space<V> scaled(const Space<V>& a, V factor) {
+    return {hn::Mul(a[0], factor), hn::Mul(a[1], factor), hn::Mul(a[2], factor)};
+}
+template <class V>
+Space<V> divided(const Space<V>& a, V by) {
+    return {hn::Div(a[0], by), hn::Div(a[1], by), hn::Div(a[2], by)};
+}
+template <class V>
+Space<V> sum(const Space<V>& a, const Space<V>& b) {
+    return {hn::Add(a[0], b[0]), hn::Add(a[1], b[1]), hn::Add(a[2], b[2])};
+}
+template <class V>
+Space<V> difference(const Space<V>& a, const Space<V>& b) {
+    return {hn::Sub(a[0], b[0]), hn::Sub(a[1], b[1]), hn::Sub(a[2], b[2])};
+}
+template <class V>
+V product(const Space<V>& a, const Space<V>& b) {
+    return hn::Add(hn::Add(hn::Mul(a[0], b[0]), hn::Mul(a[1], b[1])), hn::Mul(a[2], b[2]));
+}
+template <class V>
+V square(const Space<V>& a) {
+    return product(a, a);
+}
+template <class V>
+Space<V> cross(const Space<V>& a, const Space<V>& b) {
+    const auto entry = [&](std::size_t i, std::size_t j) {
+        return hn::Sub(hn::Mul(a[i], b[j]), hn::Mul(a[j], b[i]));
+    };
+    return {entry(1, 2), entry(2, 0), entry(0, 1)};
+}
+
+/// Of the three coordinates' arrays, from a lane on.
+template <class D, std::size_t size>
+Space<hn::Vec<D>> load(D d, const std::array<std::array<double, size>, 3>& from, std::size_t lane) {
+    return {hn::Load(d, from[0].data() + lane), hn::Load(d, from[1].data() + lane),
+            hn::Load(d, from[2].data() + lane)};
+}
+template <class D, std::size_t size>
+void store(D d, const Space<hn::Vec<D>>& from, std::array<std::array<double, size>, 3>& to,
+           std::size_t lane) {
+    for (std::size_t k = 0; k < 3; ++k) hn::Store(from[k], d, to[k].data() + lane);
+}
+
+} // namespace keiko::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

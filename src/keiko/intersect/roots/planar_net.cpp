@@ -1,0 +1,118 @@
+#include "keiko/intersect/roots/planar_net.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// `lines` Bezier polynomials side by side, coefficient i of line k at c[i * step + k * stride]:
+/// cut down to [a, b], in place.
+void restrict_lines(double* c, std::size_t count, std::size_t step, std::size_t lines,
+                    std::size_t stride, double a, double b) {
+    const auto blend = [&](std::size_t to, std::size_t from, std::size_t with, double t) {
+        for (std::size_t k = 0; k < lines; ++k) {
+            const std::size_t line = k * stride;
+            c[to * step + line] = (1 - t) * c[from * step + line] + t * c[with * step + line];
+        }
+    };
+    if (b != 1)
+        for (std::size_t level = 1; level < count; ++level)
+            for (std::size_t i = count - 1; i >= level; --i) blend(i, i - 1, i, b);
+    if (a != 0)
+        for (std::size_t level = 1; level < count; ++level)
+            for (std::size_t i = 0; i + level < count; ++i) blend(i, i, i + 1, a / b);
+}
+
+/// Values and first derivatives of the Bernstein polynomials, without the cost of higher ones.
+struct Basis {
+    BernsteinRow value, derivative;
+
+    Basis(int degree, double t) {
+        const auto at = [](BernsteinRow& row, int i) -> double& {
+            return row[static_cast<std::size_t>(i)];
+        };
+        at(value, 0) = 1;
+        for (int n = 1; n < degree; ++n) raise_degree(value, static_cast<std::size_t>(n), t);
+        if (degree == 0) {
+            at(derivative, 0) = 0;
+            return;
+        }
+        at(derivative, 0) = -degree * at(value, 0);
+        for (int i = 1; i < degree; ++i)
+            at(derivative, i) = degree * (at(value, i - 1) - at(value, i));
+        at(derivative, degree) = degree * at(value, degree - 1);
+        raise_degree(value, static_cast<std::size_t>(degree), t);
+    }
+};
+
+} // namespace
+
+PlanarNet restricted(const PlanarNet& net, const Box2& box) {
+    const std::size_t rows = net.rows(), columns = net.columns();
+    PlanarNet part;
+    part.degree_u = net.degree_u;
+    part.degree_v = net.degree_v;
+    std::copy_n(net.f.begin(), net.size(), part.f.begin());
+    std::copy_n(net.g.begin(), net.size(), part.g.begin());
+    for (double* c : {part.f.data(), part.g.data()}) {
+        restrict_lines(c, rows, columns, columns, 1, box.lower.x, box.upper.x);
+        restrict_lines(c, columns, 1, rows, columns, box.lower.y, box.upper.y);
+    }
+    return part;
+}
+
+PlanarPoint evaluate(const PlanarNet& net, const Vec2& uv) {
+    const Basis u(net.degree_u, uv.x), v(net.degree_v, uv.y);
+    PlanarPoint p{Vec2(0), Vec2(0), Vec2(0)};
+    for (std::size_t i = 0, at = 0; i < net.rows(); ++i) {
+        Vec2 along(0), slope(0);
+        for (std::size_t j = 0; j < net.columns(); ++j, ++at) {
+            const Vec2 c(net.f[at], net.g[at]);
+            along += c * v.value[j];
+            slope += c * v.derivative[j];
+        }
+        p.value += along * u.value[i];
+        p.du += along * u.derivative[i];
+        p.dv += slope * u.value[i];
+    }
+    return p;
+}
+
+Vec2 variation(const PlanarNet& net) {
+    const std::size_t rows = net.rows(), columns = net.columns();
+    const auto difference = [&](std::size_t a, std::size_t b) {
+        return std::abs(net.f[a] - net.f[b]) + std::abs(net.g[a] - net.g[b]);
+    };
+    Vec2 most(0);
+    for (std::size_t j = 0; j < columns; ++j) {
+        double sum = 0;
+        for (std::size_t i = 1; i < rows; ++i)
+            sum += difference(i * columns + j, (i - 1) * columns + j);
+        most.x = std::max(most.x, sum);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        double sum = 0;
+        for (std::size_t j = 1; j < columns; ++j)
+            sum += difference(i * columns + j, i * columns + j - 1);
+        most.y = std::max(most.y, sum);
+    }
+    return most;
+}
+
+std::optional<Vec2> containing_plane(const PlanarNet& net, double slack) {
+    const std::size_t last = net.size() - 1, row = net.columns() - 1, column = last - row;
+    // The widest chord gives the direction across which a flat net has no extent.
+    Vec2 chord(0);
+    for (const auto& [a, b] : {std::pair<std::size_t, std::size_t>{0, last}, {row, column}}) {
+        const Vec2 d(net.f[b] - net.f[a], net.g[b] - net.g[a]);
+        if (d.length2() > chord.length2()) chord = d;
+    }
+    if (!(chord.length2() > 0)) return std::nullopt;
+    const Vec2 plane = Vec2(-chord.y, chord.x) / chord.length();
+    for (std::size_t i = 0; i <= last; ++i)
+        if (!(std::abs(plane.x * net.f[i] + plane.y * net.g[i]) <= slack)) return std::nullopt;
+    return plane;
+}
+
+} // namespace keiko

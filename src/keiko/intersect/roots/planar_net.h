@@ -1,0 +1,45 @@
+#pragma once
+
+#include "keiko/geometry/bernstein/bernstein.h"
+#include "keiko/math/bounds.h"
+
+#include <array>
+#include <optional>
+
+namespace keiko {
+
+/// A leaf seen along a ray: Bernstein coefficients over [0, 1]^2 of two functions f and g, the
+/// distances to two planes through the ray times the weight. The ray meets the leaf where both
+/// are zero. The weight needs no division: where it is positive, it has no say in the zeros.
+struct PlanarNet {
+    static constexpr std::size_t capacity = std::size_t{max_degree + 1} * (max_degree + 1);
+
+    int degree_u, degree_v;
+    /// u outer; entries beyond the degrees are undefined, for nets are made by the million.
+    std::array<double, capacity> f, g;
+
+    std::size_t columns() const { return static_cast<std::size_t>(degree_v) + 1; }
+    std::size_t rows() const { return static_cast<std::size_t>(degree_u) + 1; }
+    std::size_t size() const { return rows() * columns(); }
+};
+
+/// The coefficients of the same functions over a box of the parameters (blossoming).
+PlanarNet restricted(const PlanarNet& net, const Box2& box);
+
+/// (f, g) and its partial derivatives at one place.
+struct PlanarPoint {
+    Vec2 value, du, dv;
+
+    double determinant() const { return du.x * dv.y - du.y * dv.x; }
+};
+
+PlanarPoint evaluate(const PlanarNet& net, const Vec2& uv);
+
+/// How much the two functions vary along u and along v, summed along the steepest line.
+Vec2 variation(const PlanarNet& net);
+
+/// A plane through the ray in which the whole piece lies to within `slack`, as its coordinates in
+/// the normals of the two planes of the net.
+std::optional<Vec2> containing_plane(const PlanarNet& net, double slack);
+
+} // namespace keiko

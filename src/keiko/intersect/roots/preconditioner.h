@@ -1,0 +1,29 @@
+#pragma once
+
+#include "keiko/intersect/roots/planar_net.h"
+
+namespace keiko {
+
+/// A net after the change of planes that makes its mean Jacobian the identity, so that f runs
+/// with u and g with v: both strips between parallel planes ("fat lines") become narrow and each
+/// clips one parameter. Where the mean Jacobian is singular, e.g. on a closed or symmetric piece,
+/// the planes stay as they were.
+struct Preconditioned {
+    PlanarNet net;
+    double slack_f = 0, slack_g = 0; ///< bounds of the coefficients' errors
+    bool regular = false;            ///< whether the planes were changed
+};
+
+/// `slack` bounds the error of either coefficient of `net`.
+Preconditioned preconditioned(const PlanarNet& net, double slack);
+
+/// Whether the two functions can have at most one common zero in [0, 1]^2: every matrix that the
+/// bounds of the four partial derivatives allow is regular, hence the map is injective (mean value
+/// form [MooreJones1977]).
+bool at_most_one_root(const Preconditioned& p);
+
+/// Bound of how far the Jacobian is from the identity on [0, 1]^2, in the maximum norm. Below 1 a
+/// root is no farther from a place than the larger of |f|, |g| there over one less the bound.
+double contraction(const Preconditioned& p);
+
+} // namespace keiko

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/geometry/seam/seam_gap.h"
+#include "keiko/intersect/subpatch/hot_leaf.h"
+#include "keiko/intersect/subpatch/part_ray.h"
+
+#include <optional>
+#include <vector>
+
+namespace keiko {
+
+/// A leaf of a placed part: what the box hierarchy is built of.
+struct PlacedLeaf {
+    std::uint32_t instance = 0, leaf = 0;
+};
+
+/// Where a part is placed.
+struct PartPlacement {
+    Affine to_world, to_part;
+    bool identity = true;
+    double magnification = 1, reduction = 1; ///< bounds of a length's stretch, and of its inverse
+    double inverse_error = 0; ///< bound of how far to_part after to_world is from the identity
+    std::uint32_t first_leaf = 0, leaf_count = 0;
+};
+
+/// A patch's way to its face's parameters.
+struct PatchFrame {
+    std::uint32_t face = 0;
+    ParameterMap map_u, map_v;
+    bool reversed = false; ///< as Face::reversed
+
+    Vec2 to_face(const Vec2& uv) const { return {map_u.to_face(uv.x), map_v.to_face(uv.y)}; }
+    /// 1 where the face's own outward normal is along dpdu x dpdv, -1 where it is against it.
+    double orientation(const Vec2& uv) const {
+        const double turned = map_u.derivative(uv.x) * map_v.derivative(uv.y);
+        return (turned < 0) == reversed ? 1 : -1;
+    }
+};
+
+/// The trim curves of one face.
+struct FaceTrim {
+    TrimRegion region;
+    double reach = 0; ///< mm, the widest seam of its borders
+};
+
+/// All that the tracer keeps of a SurfaceModel.
+struct TracedModel {
+    LeafSet leaves;
+    std::vector<PatchFrame> patches;
+    std::vector<FaceTrim> faces;
+    std::vector<SeamGap> seam_gaps;  ///< by trim curve
+    std::vector<double> seam_widths; ///< by edge, the widest of its curves, mm
+    std::vector<PartPlacement> placements;
+    std::vector<PlacedLeaf> placed; ///< by instance, then by leaf
+    std::vector<HotLeaf> hot;       ///< one for each of `placed`
+
+    /// The ray seen from a placement. `origin` is any point of it; `error` as in part_ray, world.
+    PartRay to_part(const PartPlacement& placement, const Vec3& origin, const Vec3& direction,
+                    double error) const;
+    /// World box of a placed leaf's control points, mm.
+    Box3 bounds(const PlacedLeaf& at) const;
+    /// Of the arrays, roughly.
+    std::size_t bytes() const;
+};
+
+/// Splits and classifies every face, in parallel; reports stage "build". `join` and `flat_enough`
+/// as TracerOptions has them. Throws Cancelled.
+TracedModel traced_model(const SurfaceModel& model, double join, double flat_enough,
+                         const Job& job);
+
+} // namespace keiko

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "keiko/intersect/kernels/ray_block.h"
+#include "keiko/math/bounds.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// A hierarchy of boxes under Embree, asked in double precision: for each box that a ray may
+/// touch, a visitor is called. Embree works in single precision, therefore the boxes are taken
+/// relative to the scene's centre and padded by what rounding can move a ray or a slab by.
+class EmbreeScene {
+public:
+    class Visitor {
+    public:
+        virtual ~Visitor() = default;
+        /// May lower RayBlock::high of the lanes, and returns those whose it did; -infinity ends a
+        /// lane's search.
+        virtual LaneMask visit(std::uint32_t box, LaneMask lanes) = 0;
+    };
+
+    /// Throws Error when Embree cannot build, or the scene is too large for it. `threads` as in
+    /// Job.
+    EmbreeScene(std::span<const Box3> boxes, int threads);
+    ~EmbreeScene();
+    EmbreeScene(const EmbreeScene&) = delete;
+    EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+    /// Visits boxes roughly front to back along the rays of a block, for s in [low, high]. The
+    /// starts are in or near the ball around the boxes. A coherent block goes through as a
+    /// packet. An exception of the visitor ends the search and is rethrown here, for none may
+    /// cross Embree.
+    void trace(const RayBlock& rays, Visitor& visitor) const;
+
+    const Box3& bounds() const { return bounds_; }
+    const Vec3& center() const { return center_; }
+    double radius() const { return radius_; }
+
+private:
+    struct Handles;
+    /// Relative to the centre.
+    std::vector<Box3> padded(std::span<const Box3> boxes) const;
+
+    std::unique_ptr<Handles> handles_;
+    Box3 bounds_;
+    Vec3 center_{0};
+    double radius_ = 0;
+};
+
+} // namespace keiko

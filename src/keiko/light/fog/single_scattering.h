@@ -1,0 +1,32 @@
+#pragma once
+
+#include "keiko/light/fog/dimmed_ray.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace keiko {
+
+/// A point source as the medium sees it from along one ray.
+struct PointEmitter {
+    Vec3 position{0};                                ///< mm
+    std::function<Rgb(const Vec3& point)> intensity; ///< cd towards a point in mm
+    std::optional<Rgb> even{};                       ///< cd, where it is the same all over the beam
+    /// Parameters of the ray, rising, where the intensity has a kink.
+    std::vector<double> kinks{};
+};
+
+/// Of a ray's scattered light: what numbers may be off by, and pictures.
+constexpr double scattering_tolerance = 1e-8, picture_scattering_tolerance = 1e-5;
+
+/// Luminance in cd/m2 that light of the emitter, scattered once in the `lit` parts of an eye ray
+/// (from the eye at a to b, parameters 0 to 1), adds at the eye; dimmed on both legs. Equi-angular
+/// Gauss quadrature (docs/theory/fog.md#the-integral) between the kinks of the intensity and of the
+/// density, refined until `tolerance` of the whole is estimated; `airlight` where emitter, medium
+/// and phase are even; or the medium's own rule. A ray that runs closer than 5 mm past the emitter
+/// is taken at 5 mm, the lamp's own size: the integral has no limit there.
+Rgb scattered_light(const DimmedRay& eye_ray, const IntervalSet& lit, const PointEmitter& emitter,
+                    double tolerance = scattering_tolerance);
+
+} // namespace keiko

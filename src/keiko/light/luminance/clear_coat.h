@@ -1,0 +1,60 @@
+#pragma once
+
+#include "keiko/light/luminance/directional_albedo.h"
+#include "keiko/light/luminance/fresnel.h"
+#include "keiko/math/rgb.h"
+
+#include <memory>
+
+namespace keiko {
+
+/// Diffuse paint under a clear coat of index `n` >= 1
+/// (docs/theory/luminance.md#coats-flakes-metals): light that enters is refracted, scattered by the
+/// base and partly thrown back by the coat from within.
+class ClearCoat {
+public:
+    /// Under a smooth coat.
+    ClearCoat(const Rgb& base_reflectance, double n)
+        : ClearCoat(base_reflectance, n, fresnel_mean(n)) {}
+    /// Under a rough one that throws back what `outside` tells.
+    ClearCoat(const Rgb& base_reflectance, double n, std::shared_ptr<const AlbedoTable> outside)
+        : ClearCoat(base_reflectance, n, outside->mean().g) {
+        rough_ = std::move(outside);
+    }
+
+    /// Share of the light that the coat throws back, by the cosine of the angle of incidence.
+    double mirrored(double cosine) const {
+        if (passes_all()) return 0;
+        return rough_ ? (*rough_)(cosine).g : fresnel_dielectric(cosine, n_);
+    }
+    /// Whether it throws nothing back.
+    bool passes_all() const { return n_ == 1 && !rough_; }
+    /// The rest.
+    double entering(double cosine) const { return 1 - mirrored(cosine); }
+
+    /// What takes the place of the reflectance in Lambert's rho E / pi for light whose share
+    /// `entering` was taken beforehand, seen under `cosine_view`.
+    Rgb inner_reflectance(double cosine_view) const { return scale_ * entering(cosine_view); }
+    /// The same for light that comes in under `cosine_light`, counted as it arrives.
+    Rgb base_reflectance(double cosine_view, double cosine_light) const {
+        return inner_reflectance(cosine_view) * entering(cosine_light);
+    }
+    /// The same under light that comes evenly from all sides.
+    Rgb base_reflectance_diffuse(double cosine_view) const {
+        return inner_reflectance(cosine_view) * (1 - mean_);
+    }
+
+private:
+    /// Light passes a border alike in both directions: n^2 (1 - inner) = 1 - mean.
+    ClearCoat(const Rgb& base, double n, double mean) : n_(n), mean_(mean) {
+        const double n2 = n * n, inner = 1 - (1 - mean) / n2;
+        const auto scaled = [&](double rho) { return rho / (n2 * (1 - rho * inner)); };
+        scale_ = {scaled(base.r), scaled(base.g), scaled(base.b)};
+    }
+
+    double n_, mean_;
+    Rgb scale_;
+    std::shared_ptr<const AlbedoTable> rough_;
+};
+
+} // namespace keiko

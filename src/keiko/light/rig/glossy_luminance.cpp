@@ -1,0 +1,133 @@
+#include "keiko/light/rig/glossy_luminance.h"
+
+#include "keiko/light/fog/transmittance.h"
+#include "keiko/light/luminance/photometry.h"
+#include "keiko/light/rig/rig_light.h"
+#include "keiko/light/spotlight/point_light.h"
+#include "keiko/light/tubes/lobe_reach.h"
+#include "keiko/light/tubes/tube_irradiance.h"
+
+namespace keiko {
+namespace {
+
+constexpr double least_share = 1e-4; ///< of a lobe's peak
+
+/// Answers what some lamps of a source give.
+template <class Kernel>
+class GlossReceiver {
+public:
+    GlossReceiver(std::span<const int> asked, std::span<const SeenLight> seen,
+                  const std::optional<Medium>& medium, const Vec3& point, const Kernel& kernel,
+                  GlossQuadrature quadrature)
+        : asked_(asked),
+          seen_(seen),
+          medium_(medium),
+          point_(point),
+          kernel_(kernel),
+          quadrature_(quadrature),
+          cone_(kernel.cone(least_share)) {}
+
+    std::vector<Rgb> operator()(const CPlane& plane) const {
+        const CPlaneFrame frame(plane);
+        const LampRange range = lamps_in_cone(frame, point_, kernel_.peak(), cone_);
+        const auto outline = plane.mirror == TubeLook::flat ? TubeOutline::rectangle
+                             : plane.luminous_caps          ? TubeOutline::capped
+                                                            : TubeOutline::lateral;
+        std::vector<Rgb> sent(asked_.size());
+        for (std::size_t k = 0; k < asked_.size(); ++k)
+            if (asked_[k] >= range.begin && asked_[k] < range.end)
+                sent[k] = plane.luminance * from_lamp(lamp_of(frame, asked_[k], plane.luminance),
+                                                      seen_[k].axis, outline);
+        return sent;
+    }
+
+    template <class Light>
+    std::vector<Rgb> operator()(const Light& light) const {
+        return {from(light)};
+    }
+
+private:
+    template <PointLight Light>
+    Rgb from(const Light& light) const {
+        const Vec3 towards = light.position - point_;
+        const double distance = towards.length();
+        if (!(distance > 0)) return {};
+        const Rgb share = kernel_(towards / distance);
+        if (share == Rgb()) return {};
+        const Rgb lx = inverse_square_illuminance(intensity_towards(light, point_), distance, 1);
+        if (lx == Rgb() || seen_[0].axis.empty()) return {};
+        return share * lx * passed(light.position);
+    }
+
+    Rgb from(const Sun& sun) const {
+        const Rgb share = kernel_(sun.towards());
+        if (share == Rgb()) return {};
+        const auto way = sun.way_to(point_);
+        if (!way || seen_[0].axis.empty()) return {};
+        return share * sun.illuminance * passed(point_ + sun.towards() * *way);
+    }
+
+    Rgb passed(const Vec3& from) const {
+        return medium_ ? transmittance(*medium_, {from, point_}) : Rgb(1);
+    }
+
+    Rgb from_lamp(const TubeLamp& lamp, const IntervalSet& seen, TubeOutline outline) const {
+        if (below_horizon(lamp, point_, kernel_.normal())) return {};
+        const auto view = view_of(lamp, point_, kernel_.normal());
+        if (!view) return {};
+        return sum_over_parts(*view, seen, [&](const VisiblePart& part) {
+            const TubeSlices slices(*view, part, outline);
+            const double middle = (part.begin + part.end) / 2;
+            return TubeGloss(slices, kernel_).integral(quadrature_) *
+                   passed(point_ - view->towards * view->distance + view->along * middle);
+        });
+    }
+
+    std::span<const int> asked_; ///< numbers of lamps
+    std::span<const SeenLight> seen_;
+    const std::optional<Medium>& medium_;
+    const Vec3& point_;
+    const Kernel& kernel_;
+    GlossQuadrature quadrature_;
+    double cone_;
+};
+
+} // namespace
+
+template <class Kernel>
+Rgb glossy_luminance_from(const LightSource& source, const std::optional<Medium>& medium,
+                          const Vec3& point, const Kernel& kernel, const Visible& visible,
+                          GlossQuadrature quadrature) {
+    const std::vector<int> lamps = lamp_numbers(source);
+    const std::vector<SeenLight> seen =
+        seen_lights(source, lamps, point, kernel.normal(), visible, TubeModel::preview);
+    Rgb sum;
+    for (const Rgb& sent :
+         glossy_luminance_by_lamp(source, lamps, seen, medium, point, kernel, quadrature))
+        sum += sent;
+    return sum;
+}
+
+template <class Kernel>
+std::vector<Rgb> glossy_luminance_by_lamp(const LightSource& source, std::span<const int> lamps,
+                                          std::span<const SeenLight> seen,
+                                          const std::optional<Medium>& medium, const Vec3& point,
+                                          const Kernel& kernel, GlossQuadrature quadrature) {
+    return std::visit(GlossReceiver(lamps, seen, medium, point, kernel, quadrature), source);
+}
+
+template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&, const Vec3&,
+                                   const GlossKernel&, const Visible&, GlossQuadrature);
+template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&, const Vec3&,
+                                   const FlakeKernel&, const Visible&, GlossQuadrature);
+
+template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, std::span<const int>,
+                                                   std::span<const SeenLight>,
+                                                   const std::optional<Medium>&, const Vec3&,
+                                                   const GlossKernel&, GlossQuadrature);
+template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, std::span<const int>,
+                                                   std::span<const SeenLight>,
+                                                   const std::optional<Medium>&, const Vec3&,
+                                                   const FlakeKernel&, GlossQuadrature);
+
+} // namespace keiko

@@ -1,0 +1,188 @@
+#include "keiko/light/rig/illuminance.h"
+
+#include "keiko/light/fog/transmittance.h"
+#include "keiko/light/rig/rig_light.h"
+#include "keiko/light/spotlight/point_light.h"
+#include "keiko/light/tubes/coat_entry.h"
+#include "keiko/light/tubes/comb_irradiance.h"
+#include "keiko/light/tubes/tube_irradiance.h"
+
+#include <numbers>
+#include <span>
+#include <vector>
+
+namespace keiko {
+namespace {
+
+/// Pieces of a visible part of a lamp that are attenuated by one distance each.
+constexpr int pieces_in_fog = 8;
+constexpr double pi = std::numbers::pi;
+
+/// Answers what some lamps of a source give to the point.
+class Receiver {
+public:
+    Receiver(std::span<const int> asked, std::span<const SeenLight> seen,
+             const std::optional<Medium>& medium, const Vec3& point, const Vec3& normal,
+             TubeModel model, const ClearCoat* coat)
+        : asked_(asked),
+          seen_(seen),
+          medium_(medium),
+          point_(point),
+          normal_(normal),
+          model_(model),
+          coat_(coat) {}
+
+    std::vector<Rgb> operator()(const CPlane& plane) const {
+        const CPlaneFrame frame(plane);
+        const TubeModel model = plane.diffuse == TubeModel::automatic ? model_ : plane.diffuse;
+        const CombIrradiance comb(frame, point_, normal_, model);
+        const bool width = weighs_width(plane, model_);
+        std::vector<Rgb> lx(asked_.size());
+        for (std::size_t i = 0; i < asked_.size(); ++i) {
+            const TubeLamp lamp = lamp_of(frame, asked_[i], plane.luminance);
+            if (!below_horizon(lamp, point_, normal_))
+                lx[i] = plane.luminance * (width ? lit_over_width(comb, asked_[i], lamp, seen_[i])
+                                                 : lit_over(comb, asked_[i], lamp, seen_[i].axis));
+        }
+        return lx;
+    }
+
+    template <class Light>
+    std::vector<Rgb> operator()(const Light& light) const {
+        return {from(light)};
+    }
+
+private:
+    template <PointLight Light>
+    Rgb from(const Light& light) const {
+        const Rgb lx = illuminance(light, point_, normal_);
+        if (lx == Rgb() || seen_[0].axis.empty()) return {};
+        const Vec3 towards = light.position - point_;
+        return lx * passed(light.position) *
+               (coat_ ? coat_->entering(normal_.dot(towards) / towards.length()) : 1);
+    }
+
+    Rgb from(const Sun& sun) const {
+        const double cosine = normal_.dot(sun.towards());
+        if (!(cosine > 0)) return {};
+        const auto way = sun.way_to(point_);
+        if (!way || seen_[0].axis.empty()) return {};
+        return sun.illuminance * passed(point_ + sun.towards() * *way) *
+               (cosine * (coat_ ? coat_->entering(cosine) : 1));
+    }
+
+    /// Of the whole lamp, the share that is seen over the width. What a coat and the medium leave
+    /// of it they leave of what is seen of the axis, or, where that lights nothing, of all of it.
+    Rgb lit_over_width(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+                       const SeenLight& seen) const {
+        if (!(seen.share > 0) && !(lamp.luminous_caps && seen.cap > 0)) return {};
+        const double all = seen_solid_angle(comb, index, lamp, seen);
+        if (!coat_ && !medium_) return Rgb(all);
+        for (const IntervalSet& parts : {seen.axis, IntervalSet::whole()})
+            if (const double lit = comb.solid_angle(index, parts); lit > 0)
+                return lit_over(comb, index, lamp, parts) * (all / lit);
+        return {};
+    }
+    double seen_solid_angle(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+                            const SeenLight& seen) const {
+        const double whole = comb.solid_angle(index, IntervalSet::whole());
+        if (!lamp.luminous_caps) return whole * seen.share;
+        const double cap = cap_solid_angle(lamp, point_, normal_);
+        return (whole - cap) * seen.share + cap * seen.cap;
+    }
+    /// Solid angle of parts of a lamp, dimmed by the medium; with a coat, of what enters it.
+    Rgb lit_over(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+                 const IntervalSet& parts) const {
+        return medium_ ? through_medium(comb, index, lamp, parts)
+                       : Rgb(entered(comb, index, lamp, parts));
+    }
+    Rgb passed(const Vec3& from) const {
+        return medium_ ? transmittance(*medium_, {from, point_}) : Rgb(1);
+    }
+
+    /// The lamp in pieces, each seen through the medium along one distance: to the mean of the
+    /// tube's near side, weighed as it is seen.
+    Rgb through_medium(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+                       const IntervalSet& seen) const {
+        const auto view = view_of(lamp, point_, normal_);
+        const Vec3 to_side = view ? view->towards * (view->radius * pi / 4) : Vec3(0);
+        Rgb sum;
+        for (const ParameterInterval& part : seen) {
+            const double step = part.length() / pieces_in_fog;
+            for (int i = 0; i < pieces_in_fog; ++i) {
+                const double begin = part.begin + i * step;
+                const double end = i + 1 < pieces_in_fog ? begin + step : part.end;
+                const Vec3 middle = lamp.a + (lamp.b - lamp.a) * ((begin + end) / 2);
+                sum += passed(middle + to_side) *
+                       entered(comb, index, lamp, IntervalSet::whole(begin, end));
+            }
+        }
+        return sum;
+    }
+
+    /// Solid angle of the visible parts of a lamp; with a coat, of what enters it.
+    double entered(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+                   const IntervalSet& seen) const {
+        if (!coat_) return comb.solid_angle(index, seen);
+        const auto view = view_of(lamp, point_, normal_);
+        if (!view) return comb.solid_angle(index, seen); // a cap alone, seen along the axis
+        const auto outline = lamp.luminous_caps ? TubeOutline::capped : TubeOutline::lateral;
+        const auto share = [&](const ParameterInterval& part) {
+            const VisiblePart visible{view->x_at(part.begin), view->x_at(part.end),
+                                      !(part.begin > 0), !(part.end < 1)};
+            return entering_share(*coat_, TubeSlices(*view, visible, outline), model_);
+        };
+        if (seen.size() == 1) return comb.solid_angle(index, seen) * share(seen[0]);
+        double sum = 0;
+        for (const ParameterInterval& part : seen)
+            sum += comb.solid_angle(index, IntervalSet({part})) * share(part);
+        return sum;
+    }
+
+    std::span<const int> asked_; ///< numbers of lamps
+    std::span<const SeenLight> seen_;
+    const std::optional<Medium>& medium_;
+    const Vec3 &point_, &normal_;
+    TubeModel model_;
+    const ClearCoat* coat_; ///< may be null
+};
+
+} // namespace
+
+Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& medium,
+                     const Vec3& point, const Vec3& normal, const Visible& visible, TubeModel model,
+                     const ClearCoat* coat) {
+    const std::vector<int> lamps = lamp_numbers(source);
+    const std::vector<SeenLight> seen =
+        seen_lights(source, lamps, point, normal, visible, model, coat || medium);
+    Rgb sum;
+    for (const Rgb& lx :
+         illuminance_by_lamp(source, lamps, seen, medium, point, normal, model, coat))
+        sum += lx;
+    return sum;
+}
+
+std::vector<Rgb> illuminance_by_lamp(const LightSource& source, std::span<const int> lamps,
+                                     std::span<const SeenLight> seen,
+                                     const std::optional<Medium>& medium, const Vec3& point,
+                                     const Vec3& normal, TubeModel model, const ClearCoat* coat) {
+    return std::visit(Receiver(lamps, seen, medium, point, normal, model, coat), source);
+}
+
+std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, const Vec3& normal,
+                                       const Visible& visible, TubeModel model) {
+    std::vector<Rgb> lx;
+    for (const LightSource& source : rig.sources)
+        lx.push_back(illuminance_from(source, rig.medium, point, normal, visible, model));
+    return lx;
+}
+
+Rgb direct_illuminance(const LightRig& rig, const Vec3& point, const Vec3& normal,
+                       const Visible& visible, TubeModel model, const ClearCoat* coat) {
+    Rgb sum;
+    for (const LightSource& source : rig.sources)
+        sum += illuminance_from(source, rig.medium, point, normal, visible, model, coat);
+    return sum;
+}
+
+} // namespace keiko

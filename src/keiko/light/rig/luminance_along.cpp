@@ -1,0 +1,103 @@
+#include "keiko/light/rig/luminance_along.h"
+
+#include "keiko/light/fog/transmittance.h"
+#include "keiko/light/spotlight/beam_kinks.h"
+#include "keiko/light/spotlight/point_light.h"
+
+namespace keiko {
+namespace {
+
+struct InLight {
+    const Segment& ray;
+
+    /// A lamp's own glow in the medium is left out: it is spread so wide that `ambient` stands
+    /// for it.
+    IntervalSet operator()(const CPlane&) const { return {}; }
+    template <PointLight Light>
+    IntervalSet operator()(const Light& light) const {
+        return light.shaft ? in_beam(light, ray) : IntervalSet();
+    }
+    IntervalSet operator()(const Sun& sun) const {
+        IntervalSet lit;
+        if (!sun.shaft) return lit;
+        for (const Window& window : sun.windows)
+            lit = lit.unite(in_window_beam(window, sun.direction.normalized(), ray));
+        return lit;
+    }
+};
+
+/// What of `parts` of a segment a source sees.
+IntervalSet seen_of(const IntervalSet& parts, const Segment& segment, std::size_t source,
+                    const VisibleFrom& visible_from) {
+    if (!visible_from) return parts;
+    std::vector<ParameterInterval> seen;
+    for (const ParameterInterval& part : parts)
+        for (const ParameterInterval& piece :
+             visible_from(source, {segment.at(part.begin), segment.at(part.end)}))
+            seen.push_back(
+                {part.begin + piece.begin * part.length(), part.begin + piece.end * part.length()});
+    return IntervalSet(std::move(seen));
+}
+
+PointEmitter emitter_of(const Spotlight& light, const Segment& ray) {
+    const auto* edge = std::get_if<EdgeProfile>(&light.profile);
+    const bool plain = std::holds_alternative<std::monostate>(light.pattern) && !light.hue;
+    PointEmitter emitter{light.position, BeamIntensity(light)};
+    if (plain && edge && edge->edge == BeamEdge::sharp) emitter.even = light.intensity;
+    emitter.kinks = intensity_kinks(light, ray);
+    return emitter;
+}
+
+PointEmitter emitter_of(const Luminaire& luminaire, const Segment& ray) {
+    PointEmitter emitter{luminaire.position, LuminaireIntensity(luminaire)};
+    emitter.kinks = intensity_kinks(luminaire, ray);
+    return emitter;
+}
+
+/// Answers what the medium scatters of one source into the eye ray.
+struct Inscatter {
+    const DimmedRay& ray;
+    const IntervalSet& lit;
+    double tolerance;
+
+    Rgb operator()(const CPlane&) const { return {}; }
+    template <PointLight Light>
+    Rgb operator()(const Light& light) const {
+        return scattered_light(ray, lit, emitter_of(light, ray.ray()), tolerance);
+    }
+    /// Where windows are behind each other the light counts once, from the first of them.
+    Rgb operator()(const Sun& sun) const {
+        Rgb sum;
+        IntervalSet left = lit;
+        for (const Window& window : sun.windows) {
+            const ParallelBeam beam{sun.direction.normalized(), sun.illuminance, window};
+            const IntervalSet own = in_window_beam(window, beam.direction, ray.ray());
+            sum += scattered_light(ray, left.intersect(own), beam, tolerance);
+            left = left.intersect(own.complement());
+        }
+        return sum;
+    }
+};
+
+} // namespace
+
+IntervalSet in_light(const LightSource& source, const Segment& eye_ray) {
+    return std::visit(InLight{eye_ray}, source);
+}
+
+Rgb luminance_along(const LightRig& rig, const Segment& eye_ray, const Rgb& surface,
+                    const VisibleFrom& visible_from, double tolerance) {
+    if (!rig.medium) return surface;
+    const DimmedRay dimmed(*rig.medium, eye_ray);
+    const Rgb depth = dimmed.depth_to(1);
+    Rgb sum = surface * transmittance(depth) + ambient_inscatter(*rig.medium, depth);
+    for (std::size_t i = 0; i < rig.sources.size(); ++i) {
+        const IntervalSet beam = in_light(rig.sources[i], eye_ray);
+        if (beam.empty()) continue;
+        const IntervalSet lit = seen_of(beam, eye_ray, i, visible_from);
+        sum += std::visit(Inscatter{dimmed, lit, tolerance}, rig.sources[i]);
+    }
+    return sum;
+}
+
+} // namespace keiko

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "keiko/light/rig/light_rig.h"
+#include "keiko/light/tubes/c_plane_lookup.h"
+#include "keiko/light/tubes/ray_bundle.h"
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// What a mirror ray sees of a rig.
+struct MirroredLight {
+    Rgb luminance;        ///< cd/m2, mean over the pixel; darkness between the lamps
+    double coverage = 0;  ///< share of the pixel that lamps fill; what lies behind fills the rest
+    bool resolved = true; ///< false: some stripes are too fine and show their mean
+};
+
+/// Where a ray meets the nearest C-plane of a rig, inside its rectangle or not.
+struct RigPlaneHit {
+    std::size_t source = 0; ///< index into LightRig::sources
+    CPlaneHit at;
+    const CPlaneFrame* frame = nullptr; ///< of the plane
+    std::size_t number = 0;             ///< of the plane among those of the rig
+};
+
+/// The C-planes of a rig, made ready for mirror rays. Sources without extent are not seen.
+class RigPlanes {
+public:
+    struct Plane {
+        std::size_t source; ///< index into LightRig::sources
+        CPlaneFrame frame;
+        Rgb luminance;
+        TubeLook mirror;
+        std::size_t level; ///< number of the first plane of the rig that lies in the same one:
+                           ///< rays meet both at the distance of that
+    };
+
+    explicit RigPlanes(const LightRig& rig);
+
+    /// The lamps of every C-plane that the ray meets with t up to `t_max` (in lengths of
+    /// `direction`; a lamp behind the next surface is not seen), a nearer row before those behind
+    /// it, rows at one distance in the order of the rig. With a `spread` each pixel is integrated
+    /// in closed form over its footprint on the plane, without one the ray is a point. Each row
+    /// looks as its `mirror` says.
+    MirroredLight luminance(const Vec3& origin, const Vec3& direction,
+                            const std::optional<RayDifferentials>& spread = {},
+                            double t_max = std::numeric_limits<double>::infinity()) const;
+    /// The same where the nearest plane has been found.
+    MirroredLight luminance(const std::optional<RigPlaneHit>& nearest, const Vec3& origin,
+                            const Vec3& direction, const std::optional<RayDifferentials>& spread,
+                            double t_max) const;
+    /// Whether it is proved that luminance() finds no lamp for any ray of a bundle.
+    bool are_missed_by(const RayBundle& rays) const;
+    /// Of planes at one distance the first of the rig.
+    std::optional<RigPlaneHit> nearest(const Vec3& origin, const Vec3& direction) const;
+    /// All, by their numbers.
+    std::span<const Plane> planes() const { return planes_; }
+
+private:
+    /// Where a ray meets a plane, at the distance of its level.
+    std::optional<CPlaneHit> meet(const Plane& plane, const Vec3& origin,
+                                  const Vec3& direction) const;
+    /// The nearest plane on the ray, or the nearest behind `last`.
+    std::optional<RigPlaneHit> next(const Vec3& origin, const Vec3& direction,
+                                    const std::optional<RigPlaneHit>& last) const;
+
+    std::vector<Plane> planes_;
+};
+
+} // namespace keiko

@@ -1,0 +1,196 @@
+#include "keiko/light/tubes/c_plane_lookup.h"
+
+#include "keiko/light/tubes/end_coverage.h"
+#include "keiko/light/tubes/stripe_coverage.h"
+#include "keiko/light/tubes/tube_hit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace keiko {
+namespace {
+
+/// Sine of the angle to the plane below which a ray counts as parallel
+/// (docs/theory/luminance.md#in-mirrors).
+constexpr double parallel = 1e-12;
+
+/// Stripes are given up, and their mean shown, where a pixel spans more pitches.
+constexpr double resolvable_pitches = 4;
+
+/// Derivative of (u, v) by one picture axis: the hit moves with the ray and stays on the plane.
+Vec2 slide(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin_rate,
+           const Vec3& direction_rate) {
+    const Vec3& d = hit.direction;
+    const Vec3 rate = frame.vector(origin_rate + direction_rate * hit.t);
+    const double t_rate = rate.z / d.z;
+    return {rate.x - d.x * t_rate, rate.y - d.y * t_rate};
+}
+
+bool tube_shines(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction) {
+    const auto tube = nearest_tube(frame, origin, direction);
+    return tube && (!tube->cap || frame.luminous_caps);
+}
+
+bool point_shines(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
+                  const Vec3& direction, TubeLook look) {
+    if (look == TubeLook::flat) return strip_at(frame, hit.u, hit.v, frame.diameter).has_value();
+    return tube_shines(frame, origin, direction);
+}
+
+/// The lamps that lie ahead of a ray that starts between the planes that touch all tubes: of those
+/// behind it the line may run through the strips as well.
+CPlaneFrame ahead(CPlaneFrame frame, const CPlaneHit& hit) {
+    const Vec3& d = hit.direction;
+    if (d.y == 0 || frame.lamps == 0) return frame;
+    const double nearest = hit.v - hit.t * (d.y * d.y + d.z * d.z) / d.y;
+    const double place =
+        std::clamp((nearest - frame.first) / frame.pitch, -1.0, double(frame.lamps));
+    const int behind = static_cast<int>(std::floor(place)) + 1; // lamps of lesser v
+    if (d.y > 0) frame.first = frame.axis(std::min(behind, frame.lamps));
+    frame.lamps = std::max(d.y > 0 ? frame.lamps - behind : std::min(behind, frame.lamps), 0);
+    return frame;
+}
+
+/// The direction, in frame coordinates, from which a pixel sees what is `way` off where its
+/// centre's ray meets the plane, or what of the pixel is nearest to that: what nears the plane's
+/// horizon is seen at another slant.
+Vec3 direction_to(const CPlaneHit& hit, const Footprint& footprint, const Vec2& way) {
+    if (way == Vec2(0)) return hit.direction;
+    // Of (x dx + y dy) / (1 + x descent.x + y descent.y) = way, the denominator.
+    const Vec2 dx = footprint.dx - way * footprint.descent.x;
+    const Vec2 dy = footprint.dy - way * footprint.descent.y;
+    const double descent = footprint.dx.cross(footprint.dy) / dx.cross(dy);
+    const double off = (std::abs(footprint.descent.x) + std::abs(footprint.descent.y)) / 2;
+    const double seen = descent > 0 ? std::clamp(descent, 1 - off, 1 + off) : 1 + off;
+    return {hit.direction.x, hit.direction.y, hit.direction.z * seen};
+}
+
+/// To the row's point next to the hit.
+Vec2 way_to_row(const CPlaneFrame& frame, const CPlaneHit& hit) {
+    return {std::clamp(hit.u, 0.0, frame.length) - hit.u,
+            std::clamp(hit.v, frame.first, frame.last()) - hit.v};
+}
+
+/// The ends of all lamps, each from one direction: that to the end of the lamp whose axis is
+/// nearest to the hit.
+LampEnds ends_of_tubes(const CPlaneFrame& frame, const CPlaneHit& hit, const Footprint& footprint,
+                       const Vec3& direction) {
+    const LampEnds guess = LampEnds::of_tubes(frame, direction);
+    const double lamp =
+        std::clamp(std::round((hit.v - frame.first) / frame.pitch), 0.0, frame.lamps - 1.0);
+    const double half = apparent_diameter(frame, direction) / 2;
+    const double axis = frame.first + lamp * frame.pitch;
+    const double q = std::clamp((hit.v - axis) / half, -1.0, 1.0);
+    const auto seen = [&](const LampEnd& end) {
+        const double u = end.at + end.shear * q + end.bulge * std::sqrt(1 - q * q);
+        const Vec2 way(u - hit.u, way_to_row(frame, hit).y);
+        return LampEnds::of_tubes(frame, direction_to(hit, footprint, way));
+    };
+    return {seen(guess.begin).begin, seen(guess.end).end};
+}
+
+/// The mean over a grid of parallel rays through the footprint.
+StripeLook sampled(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
+                   const Footprint& footprint) {
+    constexpr int side = 16;
+    int lit = 0;
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+            const Vec2 offset =
+                footprint.dx * ((i + 0.5) / side - 0.5) + footprint.dy * ((j + 0.5) / side - 0.5);
+            const Vec3 from = origin + frame.u * offset.x + frame.v * offset.y;
+            lit += tube_shines(frame, from, direction) ? 1 : 0;
+        }
+    return {lit / static_cast<double>(side * side), true};
+}
+
+StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Footprint& footprint,
+                    TubeLook look) {
+    const bool round = look == TubeLook::tube;
+    const PixelFilter across(footprint.dx.y, footprint.dy.y);
+    const bool resolved = across.width() <= resolvable_pitches * frame.pitch;
+    const double room = round ? footprint.widened(end_room(frame, hit.direction)) : 0;
+    const double reach = footprint.reach(0);
+    if (frame.lamps == 0 || hit.u + reach <= -room || hit.u - reach >= frame.length + room)
+        return {0, resolved};
+    if (!(hit.u - reach >= room && hit.u + reach <= frame.length - room)) {
+        const Vec3 d = round ? direction_to(hit, footprint, way_to_row(frame, hit)) : hit.direction;
+        const LampEnds ends =
+            round ? ends_of_tubes(frame, hit, footprint, d) : LampEnds::straight(frame);
+        const double width = round ? apparent_diameter(frame, d) : frame.diameter;
+        return {end_coverage(frame, width, resolved, ends, {hit.u, hit.v}, footprint), resolved};
+    }
+    const double width = round ? apparent_diameter(frame, hit.direction) : frame.diameter;
+    const auto coverage = resolved ? comb_coverage : mean_coverage;
+    return {coverage(frame, width, hit.v, across), resolved};
+}
+
+} // namespace
+
+double Footprint::reach(unsigned axis) const {
+    return widened((std::abs(dx[axis]) + std::abs(dy[axis])) / 2);
+}
+
+double Footprint::widened(double length) const {
+    const double least = 1 - (std::abs(descent.x) + std::abs(descent.y)) / 2;
+    return least > 0 ? length / least : std::numeric_limits<double>::infinity();
+}
+
+std::optional<CPlaneHit> c_plane_coordinates(const CPlaneFrame& frame, const Vec3& origin,
+                                             const Vec3& direction) {
+    const Vec3 o = frame.point(origin), d = frame.vector(direction);
+    if (!(std::abs(d.z) > parallel * direction.length())) return {};
+    const double t = -o.z / d.z;
+    if (!(t > 0)) return {};
+    return CPlaneHit{t, o.x + t * d.x, o.y + t * d.y, d};
+}
+
+std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& origin,
+                                             const Vec3& direction) {
+    return c_plane_coordinates(CPlaneFrame(plane), origin, direction);
+}
+
+bool starts_among_tubes(const CPlaneFrame& frame, const CPlaneHit& hit) {
+    return hit.t * std::abs(hit.direction.z) < frame.radius();
+}
+
+Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit,
+                       const RayDifferentials& spread) {
+    return {slide(frame, hit, spread.origin_dx, spread.direction_dx),
+            slide(frame, hit, spread.origin_dy, spread.direction_dy),
+            Vec2(frame.normal.dot(spread.direction_dx), frame.normal.dot(spread.direction_dy)) /
+                hit.direction.z};
+}
+
+std::optional<int> strip_at(const CPlaneFrame& frame, double u, double v, double width) {
+    if (frame.lamps == 0 || !(u > 0 && u < frame.length)) return {};
+    const double nearest = std::floor((v - frame.first) / frame.pitch + 0.5);
+    const int lamp = static_cast<int>(std::clamp(nearest, 0.0, frame.lamps - 1.0));
+    if (!(std::abs(v - frame.axis(lamp)) < width / 2)) return {};
+    return lamp;
+}
+
+StripeLook look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
+                   const Footprint& footprint, TubeLook look) {
+    const auto hit = c_plane_coordinates(frame, origin, direction);
+    return hit ? look_up(frame, *hit, origin, direction, footprint, look) : StripeLook();
+}
+
+StripeLook look_up(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
+                   const Vec3& direction, const Footprint& footprint, TubeLook look) {
+    if (footprint.is_point())
+        return {point_shines(frame, hit, origin, direction, look) ? 1.0 : 0.0, true};
+    if (look == TubeLook::exact) return sampled(frame, origin, direction, footprint);
+    if (look == TubeLook::tube && starts_among_tubes(frame, hit))
+        return filtered(ahead(frame, hit), hit, footprint, look);
+    return filtered(frame, hit, footprint, look);
+}
+
+Rgb mirrored_luminance(const CPlane& plane, const Vec3& origin, const Vec3& direction,
+                       const Footprint& footprint, TubeLook look) {
+    return plane.luminance *
+           look_up(CPlaneFrame(plane), origin, direction, footprint, look).coverage;
+}
+
+} // namespace keiko

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "keiko/light/tubes/c_plane_frame.h"
+#include "keiko/math/ray_differentials.h"
+
+#include <optional>
+
+namespace keiko {
+
+/// Where a ray meets a C-plane, inside its rectangle or not.
+struct CPlaneHit {
+    double t = 0;        ///< in lengths of the ray's direction, > 0
+    double u = 0, v = 0; ///< mm from the corner, along and across the lamps
+    Vec3 direction{0};   ///< of the ray, in frame coordinates
+};
+
+/// Nothing for a ray that runs away from the plane or within 1e-12 rad of parallel to it.
+std::optional<CPlaneHit> c_plane_coordinates(const CPlaneFrame& frame, const Vec3& origin,
+                                             const Vec3& direction);
+std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& origin,
+                                             const Vec3& direction);
+
+/// A pixel's image on a C-plane, as its rays have it if they change linearly with the picture's x
+/// and y: a place (x, y) off the pixel's centre, px, sees what is
+/// (x dx + y dy) / (1 + x descent.x + y descent.y) off the image's.
+struct Footprint {
+    Vec2 dx{0}, dy{0}; ///< derivatives of (u, v) at the centre, mm per pixel; all 0: a point
+    /// Of the component of the rays' direction across the plane, over itself, per pixel; 0: the
+    /// image is a parallelogram.
+    Vec2 descent{0};
+
+    /// An axis-parallel box of that extent, mm.
+    static Footprint box(double du, double dv) { return {{du, 0}, {0, dv}}; }
+    bool is_point() const { return dx == Vec2(0) && dy == Vec2(0); }
+    /// Nothing of it is farther from its centre along an axis of the plane, mm; infinite where the
+    /// plane's horizon runs through the pixel.
+    double reach(unsigned axis) const;
+    /// What is so long where the centre's ray meets the plane, where most nears its horizon.
+    double widened(double length) const;
+};
+
+/// Whether the ray starts between the two planes that touch all tubes of the row.
+bool starts_among_tubes(const CPlaneFrame& frame, const CPlaneHit& hit);
+
+/// The footprint of a ray at its `hit` on the plane, to first order.
+Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit,
+                       const RayDifferentials& spread);
+
+/// What a mirrored ray, or a pixel of them, sees of a row of lamps.
+struct StripeLook {
+    double coverage = 0;  ///< share of the pixel that lamps fill, 0 to 1
+    bool resolved = true; ///< false: over 4 pitches in a pixel; the coverage is the mean
+};
+
+/// Looks the lamps up on the plane (docs/theory/luminance.md#in-mirrors); both sides of it are
+/// visible. A point is met exactly, end caps included; a footprint is integrated in closed form
+/// over strips of the tubes' apparent width up to the images of their rims, or (exact) is the mean
+/// over 256 parallel rays. What lies between the lamps and what stands before them is the caller's.
+StripeLook look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
+                   const Footprint& footprint = {}, TubeLook look = TubeLook::tube);
+/// The same where the ray is known to meet the plane at `hit`.
+StripeLook look_up(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
+                   const Vec3& direction, const Footprint& footprint, TubeLook look);
+
+/// Luminance in cd/m2 of the same, darkness between the lamps.
+Rgb mirrored_luminance(const CPlane& plane, const Vec3& origin, const Vec3& direction,
+                       const Footprint& footprint = {}, TubeLook look = TubeLook::tube);
+
+/// The strip that holds the point (u, v), by rising v; nothing between the strips. `width` in mm.
+std::optional<int> strip_at(const CPlaneFrame& frame, double u, double v, double width);
+
+} // namespace keiko

@@ -1,0 +1,152 @@
+#include "keiko/light/tubes/cap_penumbra.h"
+
+#include "keiko/math/perpendicular.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace keiko {
+namespace {
+
+/// A disc that faces a point, in chords along the point's horizon.
+class FacingCap {
+public:
+    static std::optional<FacingCap> of(const TubeLamp& lamp, const Vec3& point,
+                                       const Vec3& normal) {
+        const Vec3 along = (lamp.b - lamp.a).normalized();
+        const Vec3 from_a = point - lamp.a, from_b = point - lamp.b;
+        // Seen edge-on a disc brings nothing, and what its chords bring is rounding.
+        constexpr double edge_on = 1e-9; // rad
+        if (along.dot(from_a) < -edge_on * from_a.length())
+            return FacingCap(lamp.a, along, lamp.diameter / 2, point, normal);
+        if (along.dot(from_b) > edge_on * from_b.length())
+            return FacingCap(lamp.b, along, lamp.diameter / 2, point, normal);
+        return std::nullopt;
+    }
+    bool above_horizon() const { return lowest_ < std::numbers::pi / 2; }
+
+    /// Of the lowest chord above the horizon.
+    double lowest() const { return lowest_; }
+    bool has_chord(double angle) const { return std::cos(angle) > 1e-9; }
+    Segment chord(double angle) const {
+        const Vec3 middle = centre_ + up_ * (radius_ * std::sin(angle));
+        const Vec3 half = along_chords_ * (radius_ * std::cos(angle));
+        return {middle - half, middle + half};
+    }
+    /// What parts of a chord bring, in the measure of the angle: it is the same all along it but
+    /// for the fourth power of the distance.
+    double light(double angle, const IntervalSet& parts) const {
+        const Segment line = chord(angle);
+        const Vec3 way = line.a - point_, step = line.b - line.a;
+        const double length = step.length(), nearest = -way.dot(step) / length;
+        const double off = std::sqrt(std::max(way.length2() - nearest * nearest, 1e-300));
+        const auto integral = [&](double t) {
+            const double l = (t * length - nearest) / off;
+            return (l / (1 + l * l) + std::atan(l)) / (2 * off * off * off);
+        };
+        double sum = 0;
+        for (const ParameterInterval& part : parts)
+            sum += integral(part.end) - integral(part.begin);
+        return sum * std::max(normal_.dot(way), 0.0) * std::cos(angle);
+    }
+
+private:
+    FacingCap(const Vec3& centre, const Vec3& axis, double radius, const Vec3& point,
+              const Vec3& normal)
+        : centre_(centre), point_(point), normal_(normal), radius_(radius) {
+        const Vec3 rise = normal - axis * axis.dot(normal);
+        constexpr double level = 1e-9;
+        up_ = rise.length() > level ? rise.normalized() : any_perpendicular(axis).normalized();
+        along_chords_ = axis.cross(up_);
+        const double slope = normal.dot(up_) * radius, height = normal.dot(centre - point);
+        const double lowest = slope > level * radius ? -height / slope : height > 0 ? -1 : 1;
+        lowest_ = std::asin(std::clamp(lowest, -1.0, 1.0));
+    }
+
+    Vec3 centre_, point_, normal_, up_{0}, along_chords_{0};
+    double radius_, lowest_ = 0; ///< angle of the lowest chord above the horizon
+};
+
+/// What a chord brings, and what is seen of that.
+struct Chord {
+    double angle = 0, all = 0, lit = 0;
+};
+
+std::vector<Chord> chords_at(const std::vector<double>& angles, const FacingCap& cap,
+                             const Visible& visible) {
+    std::vector<Segment> lines;
+    for (const double angle : angles)
+        if (cap.has_chord(angle)) lines.push_back(cap.chord(angle));
+    const std::vector<IntervalSet> seen = visible.intervals(lines);
+    auto next = seen.begin();
+    std::vector<Chord> chords;
+    for (const double angle : angles)
+        chords.push_back(cap.has_chord(angle) ? Chord{angle, cap.light(angle, IntervalSet::whole()),
+                                                      cap.light(angle, *next++)}
+                                              : Chord{angle});
+    return chords;
+}
+
+/// Between neighbouring chords, with the one in the middle.
+struct Gap {
+    Chord begin, end, middle{};
+
+    double width() const { return end.angle - begin.angle; }
+    /// By how much trapezoids disagree with and without the middle: at the edge of a shadow that
+    /// lies along the chords by a share of the jump, wherever between them it is.
+    double doubt() const { return std::abs(begin.lit - 2 * middle.lit + end.lit) / 4 * width(); }
+    double all() const { return (begin.all + 4 * middle.all + end.all) / 6 * width(); }
+    double lit() const { return (begin.lit + 4 * middle.lit + end.lit) / 6 * width(); }
+};
+
+std::vector<Gap> first_gaps(const FacingCap& cap, const Visible& visible) {
+    constexpr int count = 16;
+    std::vector<double> angles;
+    for (int i = 0; i <= count; ++i)
+        angles.push_back(cap.lowest() + (std::numbers::pi / 2 - cap.lowest()) * i / count);
+    const std::vector<Chord> chords = chords_at(angles, cap, visible);
+    std::vector<Gap> gaps;
+    for (std::size_t i = 1; i < chords.size(); ++i) gaps.push_back({chords[i - 1], chords[i]});
+    return gaps;
+}
+
+/// Halves gaps until all are told to within `tolerance`.
+double share(const FacingCap& cap, const Visible& visible, double tolerance) {
+    constexpr int most_halvings = 20;
+    std::vector<Gap> open = first_gaps(cap, visible);
+    double allowed = 0, all = 0, lit = 0;
+    for (const Gap& gap : open) allowed += (gap.begin.all + gap.end.all) / 2 * gap.width();
+    allowed *= tolerance / 8; // few gaps are in doubt
+    for (int halvings = 0; !open.empty(); ++halvings) {
+        std::vector<double> angles;
+        for (const Gap& gap : open) angles.push_back((gap.begin.angle + gap.end.angle) / 2);
+        const std::vector<Chord> middles = chords_at(angles, cap, visible);
+        std::vector<Gap> halves;
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            Gap& gap = open[i];
+            gap.middle = middles[i];
+            // What is no number is not told better by more chords.
+            if (!(gap.doubt() > allowed) || halvings == most_halvings)
+                all += gap.all(), lit += gap.lit();
+            else
+                halves.push_back({gap.begin, gap.middle}), halves.push_back({gap.middle, gap.end});
+        }
+        open = std::move(halves);
+    }
+    return all > 0 ? std::clamp(lit / all, 0.0, 1.0) : 0;
+}
+
+} // namespace
+
+double seen_share_of_cap(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
+                         const Visible& visible, double tolerance) {
+    const auto cap = FacingCap::of(lamp, point, normal);
+    if (!cap) return 1;
+    if (!cap->above_horizon()) return 0;
+    return share(*cap, visible, tolerance);
+}
+
+} // namespace keiko

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "keiko/light/tubes/cylinder_irradiance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace keiko {
+
+/// What of a lamp counts: the lateral surface, that and the luminous caps, or the facing rectangle.
+enum class TubeOutline { lateral, capped, rectangle };
+
+/// A part of a lamp cut by half-planes through the line parallel to its axis through the point, at
+/// wedge angles psi from the direction of the axis towards `sideways`
+/// (docs/theory/luminance.md#a-tube).
+class TubeSlices {
+public:
+    TubeSlices(const TubeView& view, const VisiblePart& part, TubeOutline outline)
+        : view_(view), part_(part), outline_(outline) {}
+
+    const TubeView& view() const { return view_; }
+    const VisiblePart& part() const { return part_; }
+    /// The lamp lies within +- this angle.
+    double half_angle() const {
+        return outline_ == TubeOutline::rectangle ? std::atan(view_.radius / view_.distance)
+                                                  : std::asin(view_.radius / view_.distance);
+    }
+    /// How near the lamp comes to the horizon: how far half its width dips towards the tangent
+    /// plane over the height of its axis, where the part is lowest, or, of a part that the plane
+    /// cuts across, four times that where it is highest. What is seen of a lamp changes across it
+    /// by about that share where light grazes. Infinite where the plane may cut it lengthwise.
+    double dip() const {
+        const double dips = view_.radius * std::abs(view_.n_sideways);
+        if (whole()) return dips / std::min(height(part_.begin), height(part_.end));
+        const double highest = std::max(height(part_.begin), height(part_.end));
+        return std::abs(height(0)) > dips && highest > view_.radius
+                   ? 4 * dips / highest
+                   : std::numeric_limits<double>::infinity();
+    }
+    /// Whether all of the part is surely above the horizon.
+    bool whole() const { return std::min(height(part_.begin), height(part_.end)) > view_.radius; }
+    /// Unit vector of the half-plane, across the axis.
+    Vec3 across(double psi) const {
+        return view_.sideways * std::sin(psi) - view_.towards * std::cos(psi);
+    }
+    /// Elevations towards end b that the part takes in the half-plane, above the horizon; empty
+    /// (begin >= end) where there are none.
+    ParameterInterval elevations(double psi) const {
+        const double across = view_.distance * std::sin(psi);
+        return elevations(
+            psi, std::sqrt(std::max(0.0, (view_.radius - across) * (view_.radius + across))));
+    }
+    /// The same where the lamp's near side stands out by `rim` mm, and its far side as much.
+    ParameterInterval elevations(double psi, double rim) const {
+        const ParameterInterval lit = lit_ends(psi, rim);
+        return {2 * std::atan(lit.begin), 2 * std::atan(lit.end)};
+    }
+    /// The same as tangents of half the elevations, which take no angles to find.
+    ParameterInterval lit_ends(double psi, double rim) const {
+        ParameterInterval lit = ends(psi, rim);
+        // The horizon: level cos eta + along sin eta = 0.
+        const double level = view_.n_lamp * std::cos(psi) + view_.n_sideways * std::sin(psi);
+        const double along = view_.n_along, length = std::sqrt(level * level + along * along);
+        const auto root = [&](double sense) { return -level / (along + sense * length); };
+        if (level > 0 || along > 0) lit.begin = std::max(lit.begin, root(1));
+        if (level > 0 || along < 0) lit.end = std::min(lit.end, root(-1));
+        if (!(level > 0) && along == 0) lit.end = lit.begin;
+        return lit;
+    }
+    /// The same without regard to the horizon, as tangents of half the elevations.
+    ParameterInterval ends(double psi, double rim) const {
+        const double cosine = std::cos(psi), cut = view_.distance / cosine;
+        double near = cut, far = cut;
+        if (outline_ != TubeOutline::rectangle) {
+            near = view_.distance * cosine - rim;
+            far = outline_ == TubeOutline::capped ? view_.distance * cosine + rim : near;
+        }
+        const auto tangent = [](double x, double r) { return x / (r + std::sqrt(x * x + r * r)); };
+        return {part_.begins ? std::min(tangent(part_.begin, near), tangent(part_.begin, far))
+                             : tangent(part_.begin, cut),
+                part_.ends ? std::max(tangent(part_.end, near), tangent(part_.end, far))
+                           : tangent(part_.end, cut)};
+    }
+
+private:
+    /// Of the axis over the tangent plane.
+    double height(double x) const { return view_.n_lamp * view_.distance + view_.n_along * x; }
+
+    const TubeView& view_;
+    VisiblePart part_;
+    TubeOutline outline_;
+};
+
+} // namespace keiko

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "keiko/import/worker/load_model.h"
+#include "keiko/report/content/regression.h"
+#include "keiko/report/record_files.h"
+
+namespace keiko {
+
+/// A share of a suite: fixture i, by name, is of shard i % count + 1.
+struct Shard {
+    int number = 1, count = 1;
+};
+
+/// What a suite is run by.
+struct RegressOptions {
+    std::filesystem::path suite;                    ///< folder of the fixtures
+    std::filesystem::path baselines;                ///< empty: suite / "baselines"
+    std::filesystem::path output = "keiko-regress"; ///< folder of candidates and reports
+    std::vector<std::string> only;                  ///< fixtures by name; empty: all
+    Shard shard;
+    bool fresh = false; ///< run fixtures again whose candidate is there
+    LoadOptions load;
+};
+
+/// Runs the fixtures of a suite and holds each against its baseline. Writes into the output folder
+/// NAME/candidate of each fixture once it is done, NAME/pictures of those that are not the same,
+/// and at the end regression.json, junit.xml and index.html; each whole or not at all. A candidate
+/// that is there is taken where all it was made from is the same, this program included. A fixture
+/// that cannot be run is told of in its outcome. Throws Error for a suite that cannot be read, and
+/// while another process writes to the output folder; Cancelled.
+Regression run_regression(const RegressOptions& options, const Job& job = {});
+
+/// What was accepted as a baseline.
+struct AcceptedBaseline {
+    std::string name;
+    BaselineChange change; ///< its `changed` empty: the baseline is what it was
+};
+
+/// Makes the candidates of the named fixtures, run if need be, their baselines, and adds who
+/// changed what to their manifests. Throws Error for an unknown name, before anything is changed.
+std::vector<AcceptedBaseline> update_baselines(const RegressOptions& options,
+                                               std::span<const std::string> names,
+                                               const std::string& by, const std::string& reason,
+                                               const Job& job = {});
+
+/// Joins the output folders of all shards of a run into one, as if it had not been divided; its
+/// reports are written into `output`. Throws Error where a shard is missing, there twice, or of
+/// another suite.
+Regression merge_regressions(std::span<const std::filesystem::path> shards,
+                             const std::filesystem::path& output);
+
+} // namespace keiko

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "keiko/files/scene/fixture_file.h"
+#include "keiko/regress/regress.h"
+
+namespace keiko {
+
+// The files of a suite: what its fixtures are now, were, and are told to be.
+
+std::vector<std::string> names_of(std::span<const FixtureFile> fixtures);
+
+/// The fixtures of these names, in the order of the suite. Throws Error for a name without one.
+std::vector<FixtureFile> chosen(std::vector<FixtureFile> fixtures,
+                                std::span<const std::string> names);
+
+/// Runs a fixture and keeps what it showed, or takes what an earlier run has kept of it.
+FixtureRecord candidate_of(const FixtureSpec& spec, const RegressOptions& options, const Job& job);
+
+std::filesystem::path baseline_folder(const RegressOptions& options);
+
+/// Nothing where there is no baseline. Throws Error for a damaged one.
+std::optional<KeptRecord> kept_baseline(const std::filesystem::path& folder);
+
+/// The baseline of a fixture, read while no one writes it.
+std::optional<KeptRecord> locked_baseline(const RegressOptions& options, const std::string& name);
+
+/// SHA-256 of the keys of all fixtures and of their baselines: the same for runs that must have the
+/// same outcome.
+std::string suite_key(std::span<const FixtureFile> suite, const RegressOptions& options);
+
+/// Names of baselines that belong to no fixture.
+std::vector<std::string> stale_baselines(std::span<const FixtureFile> suite,
+                                         const RegressOptions& options);
+
+/// Tells which fixture of how many a stage belongs to: "2/7 hood: render".
+Job job_of_fixture(const Job& job, std::size_t index, std::size_t count, const std::string& name);
+
+/// Removes the reports of an earlier run: they must not pass for this one's, whatever becomes of
+/// it. Throws Error while another process writes to the folder.
+void withdraw_reports(const std::filesystem::path& output);
+
+/// Throws Error where the output folder lies in that of the baselines, or has a fixture's folder
+/// there: a run would write into what it compares with, and wait for its own lock.
+void require_apart(const RegressOptions& options, std::span<const FixtureFile> fixtures);
+
+/// Writes pictures, junit.xml, index.html and, last, regression.json.
+void write_reports(const std::filesystem::path& output, const Regression& regression);
+/// What write_reports left in a folder. Throws Error.
+Regression read_reports(const std::filesystem::path& output);
+
+} // namespace keiko

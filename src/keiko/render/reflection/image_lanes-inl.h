@@ -1,0 +1,124 @@
+// Compiled once for each instruction set by stripe_kernels.cpp.
+#if defined(KEIKO_RENDER_IMAGE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KEIKO_RENDER_IMAGE_LANES_INL_H
+#undef KEIKO_RENDER_IMAGE_LANES_INL_H
+#else
+#define KEIKO_RENDER_IMAGE_LANES_INL_H
+#endif
+
+#include "keiko/intersect/kernels/lanes-inl.h"
+#include "keiko/light/tubes/c_plane_frame.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace keiko::HWY_NAMESPACE {
+
+using Real = hn::Vec<Wide>;
+using Truth = hn::Mask<Wide>;
+
+inline Real real(double x) {
+    return hn::Set(Wide(), x);
+}
+
+/// Vectors of space, one a lane: in the world, or in a plane's frame.
+struct Space {
+    Real x, y, z;
+
+    Space operator+(const Space& o) const {
+        return {hn::Add(x, o.x), hn::Add(y, o.y), hn::Add(z, o.z)};
+    }
+    Space operator-(const Space& o) const {
+        return {hn::Sub(x, o.x), hn::Sub(y, o.y), hn::Sub(z, o.z)};
+    }
+    /// This and s times another.
+    Space plus(Real s, const Space& o) const {
+        return {hn::MulAdd(s, o.x, x), hn::MulAdd(s, o.y, y), hn::MulAdd(s, o.z, z)};
+    }
+    Space plus(double s, const Space& o) const { return plus(real(s), o); }
+    Space scaled(double s) const {
+        return {hn::Mul(x, real(s)), hn::Mul(y, real(s)), hn::Mul(z, real(s))};
+    }
+    Real length2() const { return hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x))); }
+    Real length() const { return hn::Sqrt(length2()); }
+};
+
+/// A ray a lane, with how it changes by the picture's x and y.
+struct RayLanes {
+    Space origin, direction, origin_dx, origin_dy, direction_dx, direction_dy;
+};
+
+/// The axes of a plane.
+class FrameLanes {
+public:
+    explicit FrameLanes(const CPlaneFrame& frame)
+        : origin_(every(frame.origin)),
+          u_(every(frame.u)),
+          v_(every(frame.v)),
+          normal_(every(frame.normal)) {}
+
+    Space vector(const Space& w) const { return {dot(u_, w), dot(v_, w), dot(normal_, w)}; }
+    Space point(const Space& p) const { return vector(p - origin_); }
+    /// The last component of vector().
+    Real height(const Space& w) const { return dot(normal_, w); }
+
+private:
+    static Space every(const Vec3& a) { return {real(a.x), real(a.y), real(a.z)}; }
+    static Real dot(const Space& a, const Space& b) {
+        return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
+    }
+
+    Space origin_, u_, v_, normal_;
+};
+
+inline Real half_sum(Real x, Real y) {
+    return hn::Mul(real(0.5), hn::Add(hn::Abs(x), hn::Abs(y)));
+}
+
+/// Where rays meet a plane, in its frame, and their images on it.
+struct ImageLanes {
+    Space direction, at; ///< `at`: the place, but for its height
+    Real t;
+    Truth meets;
+    Space dx, dy; ///< how the rays change where they meet the plane
+    Real u_dx, v_dx, u_dy, v_dy, descent_x, descent_y; ///< Footprint
+
+    ImageLanes(const FrameLanes& frame, const RayLanes& rays)
+        : direction(frame.vector(rays.direction)) {
+        constexpr double parallel = 1e-12; // as in c_plane_lookup.cpp
+        const Space from = frame.point(rays.origin);
+        const Real per_z = hn::Div(real(1), direction.z);
+        t = hn::Neg(hn::Div(from.z, direction.z));
+        at = from.plus(t, direction);
+        meets = hn::And(hn::Gt(t, real(0)),
+                        hn::Gt(hn::Abs(direction.z), hn::Mul(real(parallel), direction.length())));
+        dx = frame.vector(rays.origin_dx.plus(t, rays.direction_dx));
+        dy = frame.vector(rays.origin_dy.plus(t, rays.direction_dy));
+        const Real slope_u = hn::Mul(direction.x, per_z), slope_v = hn::Mul(direction.y, per_z);
+        descent_x = hn::Mul(frame.height(rays.direction_dx), per_z);
+        descent_y = hn::Mul(frame.height(rays.direction_dy), per_z);
+        u_dx = hn::NegMulAdd(slope_u, dx.z, dx.x), v_dx = hn::NegMulAdd(slope_v, dx.z, dx.y);
+        u_dy = hn::NegMulAdd(slope_u, dy.z, dy.x), v_dy = hn::NegMulAdd(slope_v, dy.z, dy.y);
+    }
+    /// Footprint::reach() along the lamps.
+    Real reach_along() const { return widened(half_sum(u_dx, u_dy)); }
+    /// Footprint::widened().
+    Real widened(Real length) const {
+        const Real least = hn::Sub(real(1), half_sum(descent_x, descent_y));
+        return hn::IfThenElse(hn::Gt(least, real(0)), hn::Div(length, least), hn::Inf(Wide()));
+    }
+    Truth is_point() const {
+        const auto none = [](Real a, Real b) {
+            return hn::And(hn::Eq(a, real(0)), hn::Eq(b, real(0)));
+        };
+        return hn::And(none(u_dx, v_dx), none(u_dy, v_dy));
+    }
+};
+
+/// Of an end of tubes, as lamp_ends.h has it.
+inline Real end_room(const CPlaneFrame& frame, const Space& d) {
+    return hn::Div(hn::Mul(real(frame.radius()), hn::Abs(d.x)), hn::Abs(d.z));
+}
+
+} // namespace keiko::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

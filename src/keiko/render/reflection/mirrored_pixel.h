@@ -1,0 +1,75 @@
+#pragma once
+
+#include "keiko/geometry/bezier/ray.h"
+#include "keiko/light/rig/rig_planes.h"
+#include "keiko/render/reflection/pixel_cubic.h"
+
+#include <optional>
+
+namespace keiko {
+
+/// The mirrored rays of a pixel's centre and of its neighbours', all with differentials and on one
+/// smooth surface.
+struct PixelRays {
+    Ray centre, left, right, above, below;
+};
+
+/// The mirrored ray of a part of a pixel.
+struct PartOfPixel {
+    Vec3 origin, direction;
+    RayDifferentials spread;
+};
+
+/// A pixel's mirrored rays as a cubic in the place in the picture.
+class MirroredPixel {
+public:
+    explicit MirroredPixel(const PixelRays& rays);
+    /// Bounds of the rays of all its parts, itself with them.
+    static RayBundle bundle(const PixelRays& rays);
+
+    /// The ray of a pixel of `share` times the width and height around a place relative to the
+    /// centre, in pixels.
+    PartOfPixel part(double x, double y, double share) const;
+    /// By how much the rays of neighbours are off the cubic where they pass the plane that the
+    /// centre's ray meets at t, mm at the most: large where the surface's curvature jumps.
+    double misfit(const PixelRays& rays, double t) const;
+
+private:
+    /// Origin and direction, or a derivative of them.
+    struct Jet {
+        Vec3 origin{0}, direction{0};
+
+        Jet operator+(const Jet& o) const { return {origin + o.origin, direction + o.direction}; }
+        Jet operator-(const Jet& o) const { return {origin - o.origin, direction - o.direction}; }
+        Jet operator*(double s) const { return {origin * s, direction * s}; }
+    };
+    static Slopes<Jet> slopes_of(const Ray& ray);
+
+    PixelCubic<Jet> cubic_;
+};
+
+/// How far the image of a pixel, or of a part of one, may be off what its own rays tell:
+/// image_bend().
+constexpr double straight_image = 0.01;
+/// Whether a pixel's image is not smooth: neighbours' rays are off what the pixel tells of them by
+/// `misfit` mm, more than a tenth of the lamps' pitch, or a fiftieth where it is more of what the
+/// image spans across the lamps by the centre's `spread`.
+bool is_torn(double misfit, const RigPlaneHit& plane, const RayDifferentials& spread);
+/// A side of a pixel that are made of one whose image is bent so far, 1 to 8; the most where the
+/// bend is not a number. Not for negative ones.
+int parts_of_bend(double bend);
+
+/// What a pixel sees of the lamps by its mirrored rays.
+struct PixelMirror {
+    MirroredLight lamps;
+    std::optional<RigPlaneHit> plane; ///< the nearest that the centre's ray meets
+    bool torn = false; ///< its image on a C-plane is not smooth: more eye rays are needed
+};
+
+/// `centre`: the ray of the pixel's centre. Lamps are seen up to `t_max`. Where the pixel's image
+/// on a C-plane is bent, as `around` tells, the mean over as many parts as make each nearly
+/// straight. `tells_torn`: whether to find that out.
+PixelMirror mirror_of(const RigPlanes& planes, const Ray& centre,
+                      const std::optional<PixelRays>& around, double t_max, bool tells_torn);
+
+} // namespace keiko

@@ -1,0 +1,168 @@
+// Compiled once for each instruction set by stripe_kernels.cpp.
+#if defined(KEIKO_RENDER_STRIPE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KEIKO_RENDER_STRIPE_LANES_INL_H
+#undef KEIKO_RENDER_STRIPE_LANES_INL_H
+#else
+#define KEIKO_RENDER_STRIPE_LANES_INL_H
+#endif
+
+#include "keiko/light/tubes/c_plane_lookup.h"
+#include "keiko/render/reflection/image_lanes-inl.h"
+#include "keiko/render/reflection/stripe_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace keiko::HWY_NAMESPACE {
+
+/// PixelFilter.
+class FilterLanes {
+public:
+    FilterLanes(Real by_x, Real by_y)
+        : wide_(hn::Max(hn::Abs(by_x), hn::Abs(by_y))),
+          narrow_(hn::Min(hn::Abs(by_x), hn::Abs(by_y))),
+          reach_(hn::Mul(real(0.5), hn::Add(wide_, narrow_))),
+          per_wide_(hn::Div(real(1), wide_)),
+          per_both_(hn::Div(per_wide_, hn::Add(narrow_, narrow_))) {}
+
+    Real share(Real begin, Real end) const {
+        const Real between = hn::Sub(below(end), below(begin));
+        return hn::IfThenElseZero(hn::Lt(begin, end), between);
+    }
+    Real reach() const { return reach_; }
+    Real width() const { return wide_; }
+
+private:
+    /// Integral of the filter from its centre to x.
+    Real below(Real x) const {
+        const Real away = hn::Abs(x), rest = hn::Sub(reach_, away);
+        const Real slope = hn::NegMulAdd(hn::Mul(rest, rest), per_both_, real(0.5));
+        const Real flat = hn::Mul(away, per_wide_);
+        const Real inside = hn::IfThenElse(hn::Le(away, hn::Sub(reach_, narrow_)), flat, slope);
+        const Real half = hn::IfThenElse(hn::Ge(away, reach_), real(0.5), inside);
+        return hn::CopySignToAbs(half, x);
+    }
+
+    Real wide_, narrow_, reach_, per_wide_, per_both_;
+};
+
+/// comb_coverage() of strips narrower than the pitch.
+inline Real strips_coverage(const CPlaneFrame& frame, Truth wanted, Real half, Real center,
+                            const FilterLanes& filter) {
+    const Real first = real(frame.first), pitch = real(frame.pitch);
+    const double last = frame.lamps - 1;
+    const Real reach = hn::Add(filter.reach(), half), away = hn::Sub(center, first);
+    const Real begin = hn::Max(hn::Ceil(hn::Div(hn::Sub(away, reach), pitch)), real(0));
+    const Real end = hn::Min(hn::Floor(hn::Div(hn::Add(away, reach), pitch)), real(last));
+    Real sum = real(0);
+    for (Real lamp = begin;; lamp = hn::Add(lamp, real(1))) {
+        const Truth more = hn::And(wanted, hn::Le(lamp, end));
+        if (hn::AllFalse(Wide(), more)) return sum;
+        const Real at = hn::Sub(hn::MulAdd(lamp, pitch, first), center);
+        const Real share = filter.share(hn::Sub(at, half), hn::Add(at, half));
+        sum = hn::Add(sum, hn::IfThenElseZero(more, share));
+    }
+}
+
+constexpr double resolvable_pitches = 4; // as in c_plane_lookup.cpp
+
+/// comb_coverage() of strips `width` wide, or mean_coverage() where they are too fine.
+inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, Real center,
+                            const FilterLanes& filter) {
+    const Real pitch = real(frame.pitch), half = hn::Mul(real(0.5), width);
+    const auto row = [&](Real beyond) {
+        return filter.share(hn::Sub(hn::Sub(real(frame.first), beyond), center),
+                            hn::Sub(hn::Add(real(frame.last()), beyond), center));
+    };
+    const Truth fine = hn::Gt(filter.width(), real(resolvable_pitches * frame.pitch));
+    const Truth apart = hn::AndNot(fine, hn::Lt(width, pitch));
+    Real sum = strips_coverage(frame, hn::And(wanted, apart), half, center, filter);
+    if (hn::AllFalse(Wide(), hn::AndNot(apart, wanted))) return sum;
+    sum = hn::IfThenElse(apart, sum, row(half));
+    const Real mean = hn::Mul(hn::Div(width, pitch), row(real(frame.pitch / 2)));
+    const Truth grey = hn::And(fine, hn::Lt(width, pitch));
+    return hn::IfThenElse(grey, mean, sum);
+}
+
+/// How far the ends of lamps may look moved along them, and how wide strips are.
+struct LookLanes {
+    Real room, width;
+
+    LookLanes(const StripeRow& row, const ImageLanes& image) {
+        const CPlaneFrame& frame = row.frame;
+        const Space& d = image.direction;
+        room = real(0), width = real(frame.diameter);
+        if (row.look != TubeLook::tube) return;
+        const Real down = hn::Abs(d.z);
+        const Real flat = hn::Sqrt(hn::MulAdd(d.z, d.z, hn::Mul(d.y, d.y)));
+        width = hn::Div(hn::Mul(width, flat), down);
+        room = image.widened(end_room(frame, d));
+    }
+};
+
+/// look_up() of some lanes, which are few; elsewhere 0.
+inline Real coverage_one_by_one(const StripeRow& row, const ImageLanes& image, Truth wanted) {
+    const Wide d;
+    const CPlaneFrame& frame = row.frame;
+    const std::array all{image.t,           image.at.x,        image.at.y,      image.direction.x,
+                         image.direction.y, image.direction.z, image.u_dx,      image.v_dx,
+                         image.u_dy,        image.v_dy,        image.descent_x, image.descent_y};
+    std::array<std::array<double, StripeLooks::capacity>, all.size()> of;
+    for (std::size_t i = 0; i < all.size(); ++i) hn::StoreU(all[i], d, of[i].data());
+    std::array<double, StripeLooks::capacity> found{};
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+        if ((lane_bits(d, wanted, 0) >> lane & 1) == 0) continue;
+        const auto at = [&](std::size_t number) { return of[number][lane]; };
+        const CPlaneHit hit{at(0), at(1), at(2), {at(3), at(4), at(5)}};
+        const Vec3 direction = frame.u * at(3) + frame.v * at(4) + frame.normal * at(5);
+        const Footprint footprint{{at(6), at(7)}, {at(8), at(9)}, {at(10), at(11)}};
+        // The origin is asked for by points and exact looks alone.
+        found[lane] = look_up(frame, hit, Vec3(0), direction, footprint, row.look).coverage;
+    }
+    return hn::LoadU(d, found.data());
+}
+
+/// Images that lie between lamps or beside them, however near to their ends, by rays none of which
+/// sees wider strips than `width` by how much nearer it is to the plane's horizon than the
+/// centre's.
+inline Truth is_in_gap(const CPlaneFrame& frame, const ImageLanes& image, Real width) {
+    const Real pitch = real(frame.pitch), first = real(frame.first), v = image.at.y;
+    const Real least = hn::Sub(real(1), half_sum(image.descent_x, image.descent_y));
+    const Real half = hn::Mul(real(0.5), width);
+    const Real reach = half_sum(image.v_dx, image.v_dy);
+    const Real nearest = hn::Floor(hn::Add(hn::Div(hn::Sub(v, first), pitch), real(0.5)));
+    const Real lamp = hn::Min(hn::Max(nearest, real(0)), real(frame.lamps - 1.0));
+    const Real off = hn::Mul(least, hn::Abs(hn::Sub(v, hn::MulAdd(lamp, pitch, first))));
+    const Truth between = hn::And(hn::Gt(least, real(0)), hn::Gt(off, hn::Add(half, reach)));
+    return hn::And(between, hn::Lt(reach, hn::Mul(real(0.5), hn::Mul(least, pitch))));
+}
+
+/// StripeLook::coverage, of images that are no points.
+inline Real coverage(const StripeRow& row, const ImageLanes& image) {
+    const CPlaneFrame& frame = row.frame;
+    if (frame.lamps == 0) return real(0);
+    const LookLanes look(row, image);
+    const Real reach = image.reach_along();
+    const Real low = hn::Sub(image.at.x, reach), high = hn::Add(image.at.x, reach);
+    const Real length = real(frame.length);
+    const Truth beside =
+        hn::Or(hn::Le(high, hn::Neg(look.room)), hn::Ge(low, hn::Add(length, look.room)));
+    const Truth reached = hn::AndNot(beside, image.meets);
+    if (hn::AllFalse(Wide(), reached)) return real(0);
+    const Real layer = real(row.look == TubeLook::tube ? frame.radius() : 0);
+    const Real height = hn::Abs(hn::Mul(image.t, image.direction.z));
+    const Truth among = hn::And(reached, hn::Lt(height, layer)); // starts_among_tubes()
+    const Truth within = hn::And(hn::Ge(low, look.room), hn::Le(high, hn::Sub(length, look.room)));
+    const Truth amid = hn::AndNot(among, hn::And(reached, within));
+    const FilterLanes across(image.v_dx, image.v_dy);
+    const Real of_strips =
+        hn::IfThenElseZero(amid, across_coverage(frame, amid, look.width, image.at.y, across));
+    Truth others = hn::AndNot(amid, reached); // at ends, and among tubes
+    if (hn::AllFalse(Wide(), others)) return of_strips;
+    others = hn::AndNot(is_in_gap(frame, image, look.width), others);
+    if (hn::AllFalse(Wide(), others)) return of_strips;
+    return hn::IfThenElse(amid, of_strips, coverage_one_by_one(row, image, others));
+}
+
+} // namespace keiko::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,146 @@
+#include "keiko/render/shading/integrator.h"
+
+#include "keiko/light/fog/transmittance.h"
+#include "keiko/light/luminance/photometry.h"
+#include "keiko/light/rig/luminance_along.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+
+namespace {
+
+/// mm: where a ray that meets nothing ends, for the medium in between.
+constexpr double far_away = 1e6;
+
+} // namespace
+
+Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
+                       const std::optional<Vec3>& eye, const Job& job)
+    : scene_(scene),
+      options_(options),
+      planes_(scene.rig),
+      lights_(scene.rig, scene.occluders, scene.tracer),
+      tubes_(scene.occluders ? options.tubes : TubeModel::preview),
+      tells_illuminance_(std::count(options.aovs.begin(), options.aovs.end(), Aov::illuminance)),
+      refines_(options.edge_samples > 1),
+      keeps_hits_(refines_ || !options.aovs.empty()) {
+    std::vector<Material> known;
+    for (const Material& material : scene.materials) {
+        const auto found = std::find(known.begin(), known.end(), material);
+        paint_of_face_.push_back(static_cast<std::uint32_t>(found - known.begin()));
+        if (found != known.end()) continue;
+        known.push_back(material);
+        paints_.emplace_back(material);
+        mirrors_alone_ = mirrors_alone_ && !paints_.back().takes_light();
+    }
+    if (eye) pencils_ = shaft_pencils(scene.rig, scene.occluders, scene.tracer, *eye, job);
+}
+
+Segment Integrator::leg_of(const Ray& ray, const Hit* hit) {
+    return {ray.origin, hit ? hit->position : ray.origin + ray.direction.normalized() * far_away};
+}
+
+EyeView Integrator::follow(std::span<const Ray> eye_rays) const {
+    EyeView view = this->view(Rays(eye_rays.begin(), eye_rays.end()));
+    for (const LitSpot& spot : view.spots)
+        add_light(spot, light_on(spot), view.samples[spot.sample]);
+    return view;
+}
+
+bool Integrator::advance(Path& path, const Met& met, int depth, const VisibleFrom& shafts,
+                         EyeView& view) const {
+    EyeSample& sample = view.samples[path.sample];
+    note(path, met, depth, shafts, sample);
+    pass_medium(path, met, shafts, sample);
+    if (!met.hit) {
+        sample.luminance +=
+            path.weight * (depth == 0 ? scene_.background : even_luminance(scene_.rig.ambient));
+        return false;
+    }
+    sample.paths.count(*met.hit);
+    const std::uint32_t paint = paint_of_face_[met.hit->face];
+    if (takes_light(paint, depth)) {
+        view.spots.push_back(spot_at(path, met, depth));
+        sample.lit = true;
+        sample.luminance += path.weight * ambient_luminance(view.spots.back());
+    }
+    if (depth == 0) sample.cosine = met.incidence.cosine;
+    if (depth >= options_.max_depth) return false;
+    path.weight *= met.incidence.mirrored;
+    return max_channel(path.weight) >= options_.min_weight;
+}
+
+/// What a ray from the eye meets first, and what its mirrored ones pass.
+void Integrator::note(Path& path, const Met& met, int depth, const VisibleFrom& shafts,
+                      EyeSample& sample) const {
+    if (depth == 0) {
+        sample.covered = met.hit != nullptr;
+        sample.paint = met.hit ? paint_of_face_[met.hit->face] : 0;
+        return;
+    }
+    if (depth == 1 && keeps_hits_) note_mirrored(met, sample);
+    sample.torn = sample.torn || met.mirror.torn;
+    add_lamps(path, met, shafts, sample);
+}
+
+bool Integrator::only_mirrors() const {
+    return !refines_ && !tells_illuminance_ && !scene_.rig.medium && mirrors_alone_;
+}
+
+HitDetail Integrator::mirrored_detail() const {
+    const bool ends = options_.max_depth <= 1 && !scene_.rig.medium && mirrors_alone_;
+    return ends ? HitDetail::face : HitDetail::all;
+}
+
+/// Whether light on a paint, beside what it mirrors, is seen or asked for.
+bool Integrator::takes_light(std::uint32_t paint, int depth) const {
+    return paints_[paint].takes_light() || (depth == 0 && tells_illuminance_);
+}
+
+/// Its side that the path comes from.
+LitSpot Integrator::spot_at(const Path& path, const Met& met, int depth) const {
+    const Hit& hit = *met.hit;
+    const Vec3& direction = met.ray.direction;
+    const Vec3 normal = hit.normal.dot(direction) > 0 ? -hit.normal : hit.normal;
+    const Vec3 eye = direction / -direction.length();
+    return {path.sample, depth, {hit.position, normal, paint_of_face_[hit.face]},
+            hit.root,    eye,   path.weight};
+}
+
+void Integrator::note_mirrored(const Met& met, EyeSample& sample) {
+    if (met.hit) sample.mirrored_face = met.hit->face;
+    const auto& plane = met.mirror.plane;
+    if (!plane || (met.hit && met.hit->t < plane->at.t)) return;
+    sample.c_plane = Vec2(plane->at.u, plane->at.v);
+    sample.across_lamps = plane->at.v / plane->frame->pitch;
+}
+
+void Integrator::add_lamps(Path& path, const Met& met, const VisibleFrom& shafts,
+                           EyeSample& sample) const {
+    const MirroredLight& lamps = met.mirror.lamps;
+    if (lamps.coverage == 0) return;
+    const Ray& ray = met.ray;
+    Rgb seen = lamps.luminance;
+    if (scene_.rig.medium) {
+        const auto& plane = met.mirror.plane;
+        const Segment leg{ray.origin, plane ? ray.at(plane->at.t) : ray.origin};
+        seen *= transmittance(*scene_.rig.medium, leg);
+        seen += lamps.coverage *
+                luminance_along(scene_.rig, leg, Rgb(0), shafts, picture_scattering_tolerance);
+    }
+    sample.luminance += path.weight * seen;
+    path.weight *= 1 - lamps.coverage;
+}
+
+void Integrator::pass_medium(Path& path, const Met& met, const VisibleFrom& shafts,
+                             EyeSample& sample) const {
+    if (!scene_.rig.medium) return;
+    const Segment leg = leg_of(met.ray, met.hit);
+    sample.luminance += path.weight * luminance_along(scene_.rig, leg, Rgb(0), shafts,
+                                                      picture_scattering_tolerance);
+    path.weight *= transmittance(*scene_.rig.medium, leg);
+}
+
+} // namespace keiko

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "keiko/light/luminance/clear_coat.h"
+#include "keiko/light/luminance/flake_kernel.h"
+#include "keiko/scene/material.h"
+
+#include <optional>
+
+namespace keiko {
+
+/// A material made ready for shading: what it mirrors sharply, spreads in lobes, and scatters.
+class Paint {
+public:
+    explicit Paint(const Material& material);
+
+    /// Share of the light that a smooth border mirrors; 0 for a rough one.
+    Rgb mirrored(double cosine) const;
+    /// The base below its coat.
+    const ClearCoat& base() const { return base_; }
+    /// Lobes, if there are any.
+    const std::optional<Gloss>& gloss() const { return gloss_; }
+    const std::optional<Flakes>& flakes() const { return flakes_; }
+    /// Whether it shows any light but what it mirrors sharply.
+    bool takes_light() const { return takes_light_; }
+    /// Share of even light from all sides that the lobes send to an eye under `cosine`.
+    Rgb gloss_albedo(double cosine) const;
+
+private:
+    std::optional<Gloss> gloss_;
+    std::optional<Flakes> flakes_;
+    std::shared_ptr<const AlbedoTable> gloss_albedo_, flake_albedo_;
+    Reflectance mirror_;
+    ClearCoat base_;
+    bool takes_light_;
+};
+
+} // namespace keiko

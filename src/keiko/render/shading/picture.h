@@ -1,0 +1,48 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/film/film.h"
+#include "keiko/light/rig/light_rig.h"
+#include "keiko/light/tubes/tube_model.h"
+#include "keiko/scene/camera.h"
+#include "keiko/scene/material.h"
+#include "keiko/visibility/query/occluders.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// What is in a picture; everything is only looked at.
+struct PictureScene {
+    const Tracer& tracer;                ///< built with second_derivatives
+    std::span<const Material> materials; ///< one a face of the model
+    const LightRig& rig;
+    Rgb background{0}; ///< cd/m2 behind the body, for the eye; it is not mirrored
+    const Occluders* occluders = nullptr; ///< of the model; without them nothing casts shadows
+};
+
+/// How a picture is made.
+struct PictureOptions {
+    std::vector<Aov> aovs;
+    /// Cells a side that a pixel with outlines is divided into at the most; 1: one ray a pixel.
+    int edge_samples = 8;
+    /// Of what the eye sees: what the light on bases may be off by for being told by places a
+    /// few pixels apart. 0: found for each pixel.
+    double light_error = 2e-3;
+    int max_depth = 3;        ///< mirror reflections followed along one ray
+    double min_weight = 1e-3; ///< reflections that count less than this end the path
+    /// How tubes light bases past occluders: picture; automatic, as numbers have it; or preview,
+    /// whose shadows know no width of lamps.
+    TubeModel tubes = TubeModel::picture;
+};
+
+/// Renders luminance in cd/m2 with the AOVs asked for: one ray a pixel, whose footprint on the
+/// C-plane gives smooth lamp stripes. Pixels whose neighbourhood holds an outline, a trim border, a
+/// crease or the border of a reflection of the body in itself are split along it, or divided where
+/// it is not straight, into up to `edge_samples`^2 cells.
+/// The same bytes for any thread count. Throws Cancelled.
+Film render(const PictureScene& scene, const Camera& camera, const PictureOptions& options,
+            const Job& job = {});
+
+} // namespace keiko

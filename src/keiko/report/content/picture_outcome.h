@@ -1,0 +1,35 @@
+#pragma once
+
+#include "keiko/compare/outlines/film_difference.h"
+#include "keiko/report/markup/junit_suites.h"
+
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// How two pictures of a view are told to differ.
+struct PictureOutcome {
+    std::string view;
+    std::string problem{}; ///< as PictureDifference::problem
+    std::size_t pixels = 0, coverage_flips = 0, face_flips = 0;
+    bool flips_within = true;
+    std::vector<LayerDifference> layers{};
+    int width = 0, height = 0;
+    /// Names of the PNG files of the pictures before, after, and of their difference; empty where
+    /// there is none.
+    std::string before{}, after{}, difference{};
+
+    /// Takes over the numbers of a difference.
+    void take(const FilmDifference& found);
+    bool within() const;
+};
+
+/// The numbers of a view's layers as an HTML table with a line about its silhouette.
+std::string html_layers(const PictureOutcome& picture);
+
+/// A case for the silhouette and for each layer, or one for the problem.
+void add_picture_cases(const PictureOutcome& picture, const std::string& class_name,
+                       JunitSuite& suite);
+
+} // namespace keiko

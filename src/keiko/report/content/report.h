@@ -1,0 +1,66 @@
+#pragma once
+
+#include "keiko/inspect/inspection.h"
+#include "keiko/report/content/combs_text.h"
+#include "keiko/report/content/line_list.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// A number put on a picture, pixels from the upper left.
+struct PictureMarker {
+    int number = 0;
+    double x = 0, y = 0;
+};
+
+/// A finished picture and what to say of it.
+struct ReportPicture {
+    std::string title;     ///< e.g. "front"
+    std::string caption;   ///< one sentence, or empty
+    std::string file_name; ///< beside the report, e.g. "front.png"
+    std::string png;       ///< the file's bytes
+    int width = 0, height = 0;
+    std::vector<PictureMarker> markers; ///< the number is the rank of a worst seam, from 1
+};
+
+/// A close-up of a finding.
+struct CloseUp {
+    enum class Of { seam, face, crossing };
+    Of of = Of::seam;
+    /// Into Inspection::seams or faces, or into ranked_crossings.
+    std::uint32_t index = 0;
+    ReportPicture picture;
+};
+
+/// How much of the surface the lamps' reflections reach.
+struct CoverageSummary {
+    std::string rig;                    ///< path or name of the rig
+    double covered = 0;                 ///< share of 1
+    std::vector<std::string> unreached; ///< faces or regions, one line each
+};
+
+/// Everything a report tells. Values only: the same report gives the same bytes.
+struct Report {
+    std::string tool_version;
+    Inspection inspection;
+    std::optional<CoverageSummary> coverage;
+    std::optional<LineList> lines;            ///< of the views of `pictures`
+    std::vector<ReportPicture> pictures;      ///< stripe pictures, in order
+    std::vector<ReportPicture> line_pictures; ///< the same with the lines
+    /// The surface by other looks than the lamps', each named for its view.
+    std::vector<ReportPicture> form_pictures;
+    std::vector<CombPicture> combs; ///< where combs were asked for
+    std::vector<std::string> comb_remarks;
+    std::vector<CloseUp> close_ups;
+};
+
+/// The worst of the inspection's and the lines'.
+Verdict verdict_of(const Report& report);
+
+/// How many seams count as the worst ones, which pictures number and the first screen shows.
+constexpr std::size_t worst_seam_count = 5;
+
+} // namespace keiko

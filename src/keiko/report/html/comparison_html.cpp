@@ -1,0 +1,130 @@
+#include "keiko/report/content/comparison_words.h"
+#include "keiko/report/html/comparison_tables.h"
+#include "keiko/report/markup/base64.h"
+#include "keiko/report/markup/html_page.h"
+#include "keiko/report/markup/html_text.h"
+#include "keiko/report/markup/picture_slider.h"
+
+namespace keiko {
+namespace {
+
+constexpr std::string_view maps_style = R"css(
+.maps { display: grid; grid-template-columns: repeat(auto-fit, minmax(480px, 1fr)); gap: 16px;
+  margin-bottom: 16px; }
+.card.scroll + p { margin-top: 16px; }
+)css";
+
+/// "1 seam worse", "2 seams worse"
+std::string count(const std::string& tone, std::size_t number, const std::string& noun,
+                  const std::string& what) {
+    return "<div class=\"card count " + tone + (number == 0 ? " none" : "") + "\"><b>" +
+           std::to_string(number) + "</b>" + noun + (number == 1 ? " " : "s ") + what + "</div>";
+}
+
+std::size_t of_trend(const Comparison& c, SeamTrend trend) {
+    std::size_t number = 0;
+    for (const SeamChange& change : c.seams.changed) number += change.trend == trend;
+    return number;
+}
+
+std::string head(const Comparison& c) {
+    const bool same = c.same();
+    std::string html = "<header class=\"card head " + std::string(same ? "pass" : "fail") +
+                       "\"><div class=\"verdict\">" + (same ? "same" : "different") +
+                       "</div><div class=\"names\"><h1>" + html_escaped(c.after) +
+                       "</h1><div class=\"soft\">compared with " + html_escaped(c.before) +
+                       "</div></div></header>\n<div class=\"counts\">";
+    const std::size_t faces = faces_gone(c).size() + faces_new(c).size() + faces_turned(c).size();
+    html +=
+        count("fail", faces, "face", "gone, new or turned") +
+        count("fail", of_trend(c, SeamTrend::worse), "seam", "worse") +
+        count("pass", of_trend(c, SeamTrend::better), "seam", "better") +
+        count("undecided", c.seams.removed.size() + c.seams.added.size(), "seam", "gone or new") +
+        count("fail", c.seams.new_findings.size(), "finding", "new") +
+        count("pass", c.seams.solved_findings.size(), "finding", "fixed");
+    return html + "</div>\n";
+}
+
+std::string section(const std::string& title, const std::string& content) {
+    if (content.empty()) return "";
+    return "<section><h2>" + title + "</h2>" + content + "</section>\n";
+}
+
+std::string alignment(const Comparison& c) {
+    if (!c.alignment) return "";
+    return "<p>The part after was " + html_escaped(alignment_words(*c.alignment)) + ".</p>";
+}
+
+std::string_view png(const Comparison& c, const std::string& name) {
+    const auto found = c.pngs.find(name);
+    return found == c.pngs.end() ? std::string_view() : std::string_view(found->second);
+}
+
+std::string map(const Comparison& c, const ComparedView& view) {
+    return "<figure class=\"card\"><div class=\"picture\"><img alt=\"signed distance map, " +
+           html_escaped(view.picture.view) + "\" width=\"" + std::to_string(view.map_width) +
+           "\" height=\"" + std::to_string(view.map_height) + "\" src=\"data:image/png;base64," +
+           base64(png(c, view.map)) + "\"></div><figcaption><b>" + html_escaped(view.picture.view) +
+           "</b><br><span class=\"soft small\">distance of after from before: red outside, blue "
+           "inside; magenta: nothing within " +
+           short_number(c.deviation.reach) + " mm</span></figcaption></figure>\n";
+}
+
+std::string maps(const Comparison& c) {
+    std::string html;
+    for (const ComparedView& view : c.views) html += map(c, view);
+    return html.empty() ? "" : "<div class=\"maps\">" + html + "</div>\n";
+}
+
+std::string view_section(const Comparison& c, const ComparedView& view) {
+    const PictureOutcome& picture = view.picture;
+    std::string html = "<section><h2>View " + html_escaped(picture.view) + "</h2>";
+    if (!picture.problem.empty()) html += "<p>" + html_escaped(picture.problem) + "</p>";
+    html += html_slider({png(c, picture.before), png(c, picture.after), png(c, picture.difference),
+                         picture.width, picture.height},
+                        picture.view);
+    if (!picture.layers.empty()) html += html_layers(picture);
+    const std::string lines = html_line_shifts(view, c.tolerance);
+    if (!lines.empty())
+        html += "<p class=\"small soft\">Reflection lines, on the part:</p>" + lines;
+    return html + "</section>\n";
+}
+
+std::string list(const std::string& word, const std::vector<std::string>& faces) {
+    std::string html;
+    for (const std::string& face : faces)
+        html += "<li>" + word + ": " + html_escaped(face) + "</li>";
+    return html;
+}
+
+std::string faces(const Comparison& c) {
+    const std::string items = list("gone", faces_gone(c)) + list("new", faces_new(c)) +
+                              list("turned inside out", faces_turned(c));
+    return items.empty() ? "" : "<ul>" + items + "</ul>";
+}
+
+std::string footer(const Comparison& c) {
+    return "<footer><p>Distances are those to the nearest point of the exact trimmed surface, at " +
+           std::to_string(c.deviation.samples) + " and " + std::to_string(c.missing.samples) +
+           " places. Criteria <b>" + html_escaped(c.inspection_after.preset.name) + "</b>." +
+           (c.rig.empty() ? "" : " Lamps: " + html_escaped(c.rig) + ", the same for both.") +
+           "</p><p>Keiko " + html_escaped(c.tool_version) + "</p></footer>\n";
+}
+
+} // namespace
+
+std::string comparison_html(const Comparison& c) {
+    std::string html = head(c);
+    html += section("Checks", html_checks(c));
+    html += section("Alignment", alignment(c));
+    html += section("Deviation", maps(c) + html_percentiles(c));
+    html += section("Worst places", html_worst_places(c));
+    html += section("Faces", faces(c));
+    for (const ComparedView& view : c.views) html += view_section(c, view);
+    html += section("Seams", html_seam_changes(c));
+    html += section("Findings", html_finding_changes(c));
+    return html_page("comparison", std::string(slider_style) + std::string(maps_style),
+                     html + footer(c));
+}
+
+} // namespace keiko

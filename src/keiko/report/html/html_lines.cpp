@@ -1,0 +1,101 @@
+#include "keiko/base/counted.h"
+#include "keiko/report/html/html_inflections.h"
+#include "keiko/report/html/html_sections.h"
+#include "keiko/report/markup/html_table.h"
+#include "keiko/report/markup/html_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// Above these, crossings that pass are left to report.json.
+constexpr std::size_t most_rows = 400;
+
+std::string summary(const LineList& list) {
+    const CrossingCounts counts = count_crossings(list);
+    std::size_t lines = 0;
+    for (const ViewLines& view : list.views) lines += view.found.lines.size();
+    const std::string rig = list.rig.empty() ? "" : " of rig " + html_escaped(list.rig);
+    return "<p class=\"soft\">" + counted(lines, "line") + " of the lamps" + rig +
+           ", followed over the seams: " + counted(counts.fail, "crossing") +
+           (counts.fail == 1 ? " fails, " : " fail, ") + std::to_string(counts.undecided) +
+           " undecided, " + std::to_string(counts.pass) + " pass, " +
+           std::to_string(counts.not_judged) + " not judged.</p>";
+}
+
+std::string value_cell(const LineValue& value, int decimals) {
+    return html_number_cell(std::abs(value.value), fixed_number(std::abs(value.value), decimals),
+                            value.limit && value.verdict != Verdict::pass);
+}
+
+std::string row(const Report& report, std::size_t rank, const CrossingPlace& place) {
+    const LineCrossing& c = place.in(*report.lines);
+    const std::string& view = report.lines->views[place.view].view;
+    const std::string verdict(name_of(*c.verdict)), number = std::to_string(rank);
+    const std::string lamp = std::to_string(c.plane) + "." + std::to_string(c.lamp);
+    const std::string none = html_cell("", "–");
+    std::string html = "<tr class=\"" + verdict + "\"" +
+                       html_opens_close_up(report, CloseUp::Of::crossing, rank - 1) + ">" +
+                       html_cell(number, number) +
+                       html_cell(html_escaped(c.faces), html_escaped(c.faces), "left") +
+                       html_cell(html_escaped(view), html_escaped(view)) + html_cell(lamp, lamp) +
+                       html_cell(number, "<span class=\"chip\">" + verdict + "</span>");
+    html += value_cell(c.turn, 4);
+    if (c.continued()) {
+        html += value_cell(c.jump, 4) + value_cell(c.kink, 3);
+        html += html_number_cell(std::abs(c.bend.value), short_number(std::abs(c.bend.value)),
+                                 c.bend.limit && c.bend.verdict != Verdict::pass);
+    } else {
+        html += none + none + none;
+    }
+    return html + html_cell(short_number(c.place.x, 9), place_text(c.place)) + "</tr>\n";
+}
+
+/// The columns with their limits.
+std::vector<std::string> headings(const LineLimits& limits) {
+    const auto with = [](std::string name, const std::optional<double>& limit) {
+        return limit ? name + " ≤ " + short_number(*limit) : name;
+    };
+    return {"#",
+            "faces",
+            "view",
+            "lamp",
+            "verdict",
+            with("turn °", limits.turn),
+            with("jump mm", limits.jump),
+            with("kink °", limits.kink),
+            with("bend 1/mm", limits.bend),
+            "place x, y, z"};
+}
+
+std::string table(const Report& report) {
+    const LineList& list = *report.lines;
+    const std::vector<CrossingPlace> ranked = ranked_crossings(list);
+    if (ranked.empty()) return "";
+    const auto passing = std::find_if(
+        ranked.begin(), ranked.end(),
+        [&](const CrossingPlace& place) { return *place.in(list).verdict == Verdict::pass; });
+    const std::size_t bad = static_cast<std::size_t>(passing - ranked.begin());
+    const std::size_t shown = std::min(ranked.size(), std::max(bad, most_rows));
+    std::string html = html_table_head(headings(list.preset.lines), "faces");
+    for (std::size_t i = 0; i < shown; ++i) html += row(report, i + 1, ranked[i]);
+    html += html_table_end;
+    if (shown < ranked.size())
+        html += "<p class=\"soft\">and " + std::to_string(ranked.size() - shown) +
+                " more that pass; report.json has them all.</p>";
+    return html;
+}
+
+} // namespace
+
+std::string html_lines(const Report& report) {
+    if (!report.lines) return "";
+    std::string html = "<section><h2>Reflection lines</h2>" + summary(*report.lines) +
+                       "<div class=\"pictures\">\n";
+    for (const ReportPicture& picture : report.line_pictures) html += html_figure(picture);
+    return html + "</div>\n" + table(report) + html_inflections(*report.lines) + "</section>\n";
+}
+
+} // namespace keiko

@@ -1,0 +1,216 @@
+#include "keiko/base/units.h"
+#include "keiko/inspect/seams/curvature_match.h"
+#include "keiko/report/html/html_sections.h"
+#include "keiko/report/markup/html_table.h"
+#include "keiko/report/markup/html_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// How a seam is shown: by its verdict, scraps and passing creases apart.
+std::string tone_of(const MeasuredSeam& seam) {
+    if (seam.scrap || seam.is_passing_crease()) return "crease";
+    return std::string(name_of(seam.verdict));
+}
+
+/// One measure against its limit, with a bar that is full at the limit.
+std::string measure(std::string_view label, std::string_view tone, const std::string& value,
+                    const std::string& note, double share_of_limit) {
+    return "<div class=\"measure " + std::string(tone) + "\"><span class=\"soft\">" +
+           std::string(label) + "</span> <b>" + value + "</b>" + html_bar(share_of_limit) +
+           "<span class=\"soft small\">" + note + "</span></div>";
+}
+
+std::string gap_measure(const MeasuredSeam& seam) {
+    const Worst& gap = seam.gap;
+    return measure(seam.overlap ? "overlap" : "gap", name_of(gap.verdict),
+                   fixed_number(gap.value, 4) + " mm", "limit " + short_number(gap.limit) + " mm",
+                   share_of_limit(gap));
+}
+
+/// How far a seam angle moves a lamp's image on lamps 2 m away: docs/theory/verdict.md. Over a fold
+/// no image goes on.
+std::string lamp_shift(double degrees) {
+    constexpr double lamp_distance = 2000; // mm
+    constexpr double fold = 30;            // degrees
+    if (degrees > fold) return "";
+    const double shift = 2 * lamp_distance * std::tan(degrees_to_radians(degrees));
+    return " · " + fixed_number(shift, 1) + " mm at 2 m";
+}
+
+std::string angle_measure(const MeasuredSeam& seam) {
+    if (!seam.angle) return measure("angle", "crease", "–", "no normal on one side", 0);
+    const Worst& angle = *seam.angle;
+    const std::string value = fixed_number(angle.value, 3) + "°";
+    if (seam.kind == SeamClass::crease)
+        return measure("angle", "crease", value, "a crease, not judged", 1);
+    if (seam.kind == SeamClass::run_out)
+        return measure("angle", "crease", value, "fades out, judged with the crease", 1);
+    return measure("angle", name_of(angle.verdict), value,
+                   "limit " + short_number(angle.limit) + "°" + lamp_shift(angle.value),
+                   share_of_limit(angle));
+}
+
+std::string curvature_measure(const MeasuredSeam& seam) {
+    if (!seam.curvature)
+        return measure("curvature", "crease", "–", "judged where gap and angle pass", 0);
+    const CurvatureStep& step = *seam.curvature;
+    return measure("curvature", name_of(step.worst.verdict),
+                   fixed_number(step.mismatch * 100, 1) + " %",
+                   std::string(formula_text(step.formula)) + ", limit " +
+                       short_number(step.worst.limit * 100) + " %" +
+                       (step.flat ? ", against the flat radius" : ""),
+                   share_of_limit(step.worst));
+}
+
+/// Nothing of a seam that is no crease, or of a crease that does not fade out.
+std::string fading_measure(const MeasuredSeam& seam) {
+    if (!seam.fading) return "";
+    const Worst& worst = *seam.fading;
+    return measure("run-out", name_of(worst.verdict), short_number(worst.value) + " °/mm",
+                   "step of the slope, limit " + short_number(worst.limit) + " °/mm",
+                   share_of_limit(worst));
+}
+
+/// Nothing where the preset does not judge it.
+std::string slope_measure(const MeasuredSeam& seam, const CriteriaPreset& preset) {
+    if (!preset.curvature_slope) return "";
+    if (!seam.slope)
+        return measure("curvature's slope", "crease", "–",
+                       seam.curvature && seam.curvature->worst.verdict == Verdict::pass
+                           ? "nearly flat, not judged"
+                           : "judged where curvature passes",
+                       0);
+    const Worst& worst = seam.slope->worst;
+    return measure("curvature's slope", name_of(worst.verdict), fixed_number(worst.value, 3) + "°",
+                   "limit " + short_number(worst.limit) + "°", share_of_limit(worst));
+}
+
+/// Where a subdivision surface has no curvature a failed limit says nothing of the cage.
+std::string irregular_note(const MeasuredSeam& seam) {
+    return seam.irregular ? ", at an irregular point of the cage" : "";
+}
+
+/// What is not plain about the seam.
+std::string kind_note(const MeasuredSeam& seam) {
+    std::string note = seam.internal ? " · a knot line inside the face" : "";
+    if (seam.kind == SeamClass::fold)
+        note += " · folded back";
+    else if (seam.overlap)
+        note += " · one side lies on the other";
+    if (seam.parted) note += " · wider than the join distance";
+    return note;
+}
+
+std::string seam_card(const Report& report, std::size_t rank, std::uint32_t index) {
+    const MeasuredSeam& seam = report.inspection.seams[index];
+    return "<div class=\"card seam " + tone_of(seam) + "\"><div class=\"rank\">" +
+           std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" +
+           html_escaped(seam.faces) + "</div><div class=\"soft small\">at " +
+           place_text(worst_place(seam)) + irregular_note(seam) + " · " +
+           fixed_number(seam.length, 1) + " mm long" + kind_note(seam) +
+           "</div><div class=\"measures\">" + gap_measure(seam) + angle_measure(seam) +
+           curvature_measure(seam) + slope_measure(seam, report.inspection.preset) +
+           fading_measure(seam) + "</div></div>" + html_close_up(report, CloseUp::Of::seam, index) +
+           "</div>\n";
+}
+
+bool over(const Worst& worst) {
+    return worst.verdict != Verdict::pass;
+}
+
+/// Sorted by how far over its limit.
+std::string curvature_cell(const CurvatureStep& step) {
+    return html_number_cell(share_of_limit(step.worst), fixed_number(step.mismatch * 100, 1) + " %",
+                            over(step.worst));
+}
+
+std::string kind_of(const MeasuredSeam& seam) {
+    std::string kind = seam.internal ? "knot line" : "seam";
+    if (seam.kind != SeamClass::smooth) kind += ", " + std::string(name_of(seam.kind));
+    return kind + (seam.overlap ? ", overlap" : "") + (seam.parted ? ", parted" : "");
+}
+
+/// Sorts from good to bad: scraps and creases, pass, undecided, fail, each by how far over the
+/// limit.
+std::string verdict_cell(const MeasuredSeam& seam) {
+    const std::string tone = seam.scrap ? "scrap" : tone_of(seam);
+    const bool crease = tone_of(seam) == "crease";
+    const double rank = crease ? -1 : static_cast<double>(seam.verdict);
+    const double within = 1 - 1 / (1 + seam.severity);
+    return html_cell(short_number(rank + within, 9), "<span class=\"chip\">" + tone + "</span>");
+}
+
+std::string row(const Report& report, std::size_t index, bool with_slope) {
+    const MeasuredSeam& seam = report.inspection.seams[index];
+    const std::size_t number = index + 1;
+    const std::string none = html_cell("", "–");
+    std::string html = "<tr class=\"" + tone_of(seam) + "\"" +
+                       html_opens_close_up(report, CloseUp::Of::seam, index) + ">" +
+                       html_cell(std::to_string(number), std::to_string(number)) +
+                       html_cell(html_escaped(seam.faces), html_escaped(seam.faces), "left") +
+                       html_cell(kind_of(seam), kind_of(seam)) + verdict_cell(seam);
+    html += html_number_cell(seam.gap.value, fixed_number(seam.gap.value, 4),
+                             !seam.scrap && over(seam.gap));
+    html += seam.angle ? html_number_cell(seam.angle->value, fixed_number(seam.angle->value, 3),
+                                          seam.is_angle_judged() && over(*seam.angle))
+                       : none;
+    html += seam.curvature ? curvature_cell(*seam.curvature) : none;
+    if (with_slope)
+        html += seam.slope ? html_number_cell(seam.slope->worst.value,
+                                              fixed_number(seam.slope->worst.value, 3),
+                                              over(seam.slope->worst))
+                           : none;
+    html += seam.fading ? html_number_cell(seam.fading->value, short_number(seam.fading->value),
+                                           !seam.scrap && over(*seam.fading))
+                        : none;
+    html += html_number_cell(seam.length, fixed_number(seam.length, 1), false);
+    const Vec3 place = worst_place(seam);
+    return html + html_cell(short_number(place.x, 9), place_text(place) + irregular_note(seam)) +
+           "</tr>\n";
+}
+
+/// The columns with their limits.
+std::vector<std::string> headings(const CriteriaPreset& preset) {
+    const std::string at_most = " ≤ ";
+    std::vector<std::string> names{"#",
+                                   "faces",
+                                   "kind",
+                                   "verdict",
+                                   "gap mm" + at_most + short_number(preset.gap),
+                                   "angle °" + at_most + short_number(preset.angle),
+                                   "curvature"};
+    if (preset.curvature)
+        names.back() += at_most + short_number(preset.curvature->limit * 100) + " %";
+    if (preset.curvature_slope)
+        names.push_back("its slope °" + at_most + short_number(*preset.curvature_slope));
+    names.push_back("fading °/mm" + at_most + short_number(preset.fading));
+    names.insert(names.end(), {"length mm", "worst place x, y, z"});
+    return names;
+}
+
+} // namespace
+
+std::string html_worst_seams(const Report& report) {
+    const std::vector<std::uint32_t> worst = worst_seams(report.inspection, worst_seam_count);
+    if (worst.empty()) return "";
+    std::string html = "<section><h2>Worst stretches of seams</h2><div class=\"worst\">\n";
+    for (std::size_t i = 0; i < worst.size(); ++i) html += seam_card(report, i + 1, worst[i]);
+    return html + "</div></section>\n";
+}
+
+std::string html_all_seams(const Report& report) {
+    const std::vector<MeasuredSeam>& seams = report.inspection.seams;
+    if (seams.empty()) return "";
+    const CriteriaPreset& preset = report.inspection.preset;
+    std::string html =
+        "<section><h2>All stretches of seams</h2>" + html_table_head(headings(preset), "faces");
+    for (std::size_t i = 0; i < seams.size(); ++i)
+        html += row(report, i, preset.curvature_slope.has_value());
+    return html + std::string(html_table_end) + "</section>\n";
+}
+
+} // namespace keiko

@@ -1,0 +1,64 @@
+#include "keiko/report/json/picture_outcome_json.h"
+
+namespace keiko {
+namespace {
+
+Json layer_json(const LayerDifference& layer) {
+    return {{"layer", layer.layer},
+            {"beyond", layer.beyond},
+            {"largest", real_json(layer.largest)},
+            {"excess", real_json(layer.excess)},
+            {"root_mean_square", real_json(layer.root_mean_square)},
+            {"x", layer.x},
+            {"y", layer.y},
+            {"within", layer.within}};
+}
+
+LayerDifference layer_from(const Json& json) {
+    return {.layer = json.at("layer"),
+            .beyond = count_at<std::size_t>(json, "beyond"),
+            .largest = real_from(json.at("largest")),
+            .excess = real_from(json.at("excess")),
+            .root_mean_square = real_from(json.at("root_mean_square")),
+            .x = count_at<int>(json, "x"),
+            .y = count_at<int>(json, "y"),
+            .within = json.at("within")};
+}
+
+} // namespace
+
+Json picture_outcome_json(const PictureOutcome& picture) {
+    Json json = {{"view", picture.view},
+                 {"problem", picture.problem},
+                 {"pixels", picture.pixels},
+                 {"coverage_flips", picture.coverage_flips},
+                 {"face_flips", picture.face_flips},
+                 {"flips_within", picture.flips_within},
+                 {"layers", Json::array()},
+                 {"width", picture.width},
+                 {"height", picture.height},
+                 {"before", picture.before},
+                 {"after", picture.after},
+                 {"difference", picture.difference}};
+    for (const LayerDifference& layer : picture.layers) json["layers"].push_back(layer_json(layer));
+    return json;
+}
+
+PictureOutcome picture_outcome_from(const Json& json) {
+    PictureOutcome picture{.view = json.at("view"),
+                           .problem = json.at("problem"),
+                           .pixels = count_at<std::size_t>(json, "pixels"),
+                           .coverage_flips = count_at<std::size_t>(json, "coverage_flips"),
+                           .face_flips = count_at<std::size_t>(json, "face_flips"),
+                           .flips_within = json.at("flips_within"),
+                           .layers = {},
+                           .width = count_at<int>(json, "width"),
+                           .height = count_at<int>(json, "height"),
+                           .before = json.at("before"),
+                           .after = json.at("after"),
+                           .difference = json.at("difference")};
+    for (const Json& layer : json.at("layers")) picture.layers.push_back(layer_from(layer));
+    return picture;
+}
+
+} // namespace keiko

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/placement/placement.h"
+
+#include <span>
+#include <string>
+
+namespace keiko {
+
+/// A placement or the rating of a rig, "keiko-placement/1": tool {name, version}, rig, views,
+/// coverage, blocked, stripes {narrow, median, wide, in_range, uniformity}, planes [{origin, u, v,
+/// lamps, pitch, diameter, score}], faces [{id, name, instance, share, reached}], unreached [{view,
+/// because, share, place, box {lower, upper}, faces [ids], pixels [x0, y0, x1, y1]}], candidates
+/// [{towards, distance, score}]; a score is {coverage, stripes, uniformity, in_range, crossing,
+/// compactness, objective}. Lengths in mm, spacings in pixels, shares of 1.
+std::string placement_json(const Placement& placement, const SurfaceModel& model,
+                           std::span<const std::string> views, const std::string& tool_version);
+
+} // namespace keiko

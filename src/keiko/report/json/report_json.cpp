@@ -1,0 +1,277 @@
+#include "keiko/report/json/report_json.h"
+
+#include "keiko/inspect/seams/curvature_match.h"
+#include "keiko/report/json/line_verdicts_json.h"
+
+namespace keiko {
+namespace {
+
+Json worst(const Worst& w) {
+    return {{"value", w.value},
+            {"bound", w.bound},
+            {"limit", w.limit},
+            {"verdict", name_of(w.verdict)},
+            {"place", point(w.place)}};
+}
+
+std::string_view name_of(CurvatureFormula formula) {
+    return formula == CurvatureFormula::alias ? "alias" : "catia";
+}
+
+Json curvature(const CurvatureStep& step) {
+    Json json = worst(step.worst);
+    json["unit"] = "1";
+    json["flat"] = step.flat;
+    json["formula"] = name_of(step.formula);
+    json["formula_text"] = formula_text(step.formula);
+    json["mismatch"] = step.mismatch;
+    json["alias"] = step.alias;
+    json["catia"] = step.catia;
+    json["curvatures"] = {step.curvature_a, step.curvature_b};
+    return json;
+}
+
+Json slope(const CurvatureSlopeStep& step) {
+    Json json = worst(step.worst);
+    json["unit"] = "deg";
+    json["change"] = step.change;
+    json["slopes"] = {step.slope_a, step.slope_b};
+    return json;
+}
+
+/// A value that nothing was held against.
+Json without_verdict(Json json) {
+    json["limit"] = Json(), json["verdict"] = Json();
+    return json;
+}
+
+Json seam_json(const MeasuredSeam& seam, std::size_t number, const CriteriaPreset& preset) {
+    Json json = {{"number", number},
+                 {"line", seam.line + 1},
+                 {"faces", seam.faces},
+                 {"face_ids", {seam.id_a, seam.id_b}},
+                 {"instances", {seam.instance_a, seam.instance_b}},
+                 {"verdict", name_of(seam.verdict)},
+                 {"kind", name_of(seam.kind)},
+                 {"scrap", seam.scrap},
+                 {"irregular", seam.irregular},
+                 {"internal", seam.internal},
+                 {"overlap", seam.overlap},
+                 {"parted", seam.parted},
+                 {"severity", seam.severity},
+                 {"length", seam.length},
+                 {"middle", point(seam.middle)},
+                 {"from", point(seam.course.front().front())},
+                 {"to", point(seam.course.back().back())},
+                 {"gap", Json()}};
+    const auto judged = [](Json value, bool is_judged) {
+        return is_judged || value.is_null() ? value : without_verdict(std::move(value));
+    };
+    json["gap"] = judged(worst(seam.gap), !seam.scrap);
+    json["angle"] = judged(seam.angle ? worst(*seam.angle) : Json(), seam.is_angle_judged());
+    if (seam.angle) json["angle"]["smallest"] = seam.smallest_angle;
+    json["curvature"] = judged(seam.curvature ? curvature(*seam.curvature) : Json(),
+                               preset.curvature.has_value() && !seam.scrap);
+    json["curvature_slope"] = judged(seam.slope ? slope(*seam.slope) : Json(),
+                                     preset.curvature_slope.has_value() && !seam.scrap);
+    json["fading"] = judged(seam.fading ? worst(*seam.fading) : Json(), !seam.scrap);
+    return json;
+}
+
+Json extreme(const CurvatureExtreme& e) {
+    return {{"value", e.value},
+            {"bound", e.bound},
+            {"undecided", e.undecided},
+            {"place", point(e.place)}};
+}
+
+Json curvature(const FaceCurvature& c) {
+    return {{"largest", extreme(c.largest)},
+            {"smallest", extreme(c.smallest)},
+            {"largest_mean", extreme(c.largest_mean)},
+            {"smallest_mean", extreme(c.smallest_mean)},
+            {"largest_gaussian", extreme(c.largest_gaussian)},
+            {"smallest_gaussian", extreme(c.smallest_gaussian)},
+            {"singular", c.singular}};
+}
+
+std::string_view name_of(Flaw::Kind kind) {
+    return kind == Flaw::Kind::waves ? "waves" : kind == Flaw::Kind::dent ? "dent" : "bump";
+}
+
+Json flaw_json(const Flaw& flaw) {
+    Json json = {{"kind", name_of(flaw.kind)}, {"width", flaw.width}, {"window", flaw.window}};
+    json.update(worst(flaw.depth));
+    return json;
+}
+
+Json inflection_json(const InflectionCurve& curve) {
+    Json points = Json::array();
+    for (const Vec3& p : curve.points) points.push_back(point(p));
+    return {{"closed", curve.closed},       {"proved", curve.proved},
+            {"length", curve.length},       {"rate", curve.rate},
+            {"deviation", curve.deviation}, {"points", std::move(points)}};
+}
+
+Json face_json(const MeasuredFace& face, std::size_t number, const CriteriaPreset& preset) {
+    const SurfaceLimits& limits = preset.surface;
+    Json json = {{"number", number},
+                 {"name", face.name},
+                 {"face_id", face.id},
+                 {"instance", face.instance},
+                 {"verdict", name_of(face.verdict)},
+                 {"radius", Json()},
+                 {"curvature", face.curvature ? curvature(*face.curvature) : Json()}};
+    if (face.radius)
+        json["radius"] =
+            limits.minimum_radius ? worst(*face.radius) : without_verdict(worst(*face.radius));
+    json["inflections"] = Json::array();
+    for (const InflectionCurve& curve : face.inflections)
+        json["inflections"].push_back(inflection_json(curve));
+    if (!preset.flaw_limits().empty()) {
+        json["flaws"] = Json::array();
+        for (const Flaw& flaw : face.flaws) json["flaws"].push_back(flaw_json(flaw));
+    }
+    return json;
+}
+
+Json finding_json(const Check& finding) {
+    const bool look = finding.severity == Check::Severity::look;
+    Json json = {
+        {"code", finding.code}, {"rule", finding.rule}, {"severity", look ? "look" : "judged"}};
+    if (finding.seam != no_index) json["seam"] = finding.seam + 1;
+    if (finding.face != no_index) json["face"] = finding.face + 1;
+    json["faces"] = finding.faces;
+    json["quantity"] = finding.quantity;
+    json["unit"] = finding.unit;
+    if (!finding.formula.empty()) json["formula"] = finding.formula;
+    json.update(worst(finding.worst));
+    json["message"] = finding.message;
+    return json;
+}
+
+Json waviness_json(const WavinessLimit& limit) {
+    return {{"depth", limit.depth}, {"window", limit.window}, {"waves_only", limit.waves_only}};
+}
+
+Json preset_json(const CriteriaPreset& preset) {
+    Json json = {{"name", preset.name},
+                 {"source", preset.source},
+                 {"caveat", preset.caveat},
+                 {"gap", preset.gap},
+                 {"angle", preset.angle},
+                 {"curvature", Json()},
+                 {"feature_angle", preset.feature_angle},
+                 {"fading", preset.fading},
+                 {"longest_run_out", preset.longest_run_out},
+                 {"negligible", preset.negligible},
+                 {"flat_radius", preset.flat_radius}};
+    if (preset.curvature)
+        json["curvature"] = {{"formula", name_of(preset.curvature->formula)},
+                             {"formula_text", formula_text(preset.curvature->formula)},
+                             {"limit", preset.curvature->limit}};
+    if (preset.curvature_slope) json["curvature_slope"] = *preset.curvature_slope;
+    json["minimum_radius"] =
+        preset.surface.minimum_radius ? Json(*preset.surface.minimum_radius) : Json();
+    for (const WavinessLimit& limit : preset.surface.waviness)
+        json["waviness"].push_back(waviness_json(limit));
+    for (const WavinessLimit& limit : preset.look.waviness)
+        json["look"]["waviness"].push_back(waviness_json(limit));
+    if (preset.look.symmetry) json["look"]["symmetry"] = *preset.look.symmetry;
+    if (const auto& symmetry = preset.surface.symmetry)
+        json["symmetry"] = {{"plane", symmetry->plane.text()}, {"distance", symmetry->distance}};
+    return json;
+}
+
+/// Seams are numbered from 1, in JSON as in tables.
+std::vector<std::uint32_t> numbers_of(std::vector<std::uint32_t> indices) {
+    for (std::uint32_t& index : indices) ++index;
+    return indices;
+}
+
+Json inspection_json_value(const Inspection& inspection) {
+    const SeamCounts& counts = inspection.counts;
+    const FaceCounts& faces = inspection.face_counts;
+    Json json = {{"verdict", name_of(inspection.verdict)},
+                 {"counts",
+                  {{"fail", counts.fail},
+                   {"undecided", counts.undecided},
+                   {"pass", counts.pass},
+                   {"creases", counts.creases},
+                   {"run_outs", counts.run_outs},
+                   {"scraps", counts.scraps}}},
+                 {"face_counts",
+                  {{"fail", faces.fail}, {"undecided", faces.undecided}, {"pass", faces.pass}}},
+                 {"preset", preset_json(inspection.preset)},
+                 {"join", inspection.join},
+                 {"model", model_json(inspection.facts)},
+                 {"worst_seams", numbers_of(worst_seams(inspection, worst_seam_count))},
+                 {"seams", Json::array()},
+                 {"faces", Json::array()},
+                 {"findings", Json::array()}};
+    for (std::size_t i = 0; i < inspection.seams.size(); ++i)
+        json["seams"].push_back(seam_json(inspection.seams[i], i + 1, inspection.preset));
+    for (std::size_t i = 0; i < inspection.faces.size(); ++i)
+        json["faces"].push_back(face_json(inspection.faces[i], i + 1, inspection.preset));
+    for (const Check& finding : inspection.findings)
+        json["findings"].push_back(finding_json(finding));
+    for (const Check& look : inspection.looks) json["findings"].push_back(finding_json(look));
+    for (const Check& check : inspection.checks)
+        if (check.code == "KEIKO-SYMMETRY") json["symmetry"] = finding_json(check);
+    return json;
+}
+
+Json picture_json(const ReportPicture& picture) {
+    Json markers = Json::array();
+    for (const PictureMarker& m : picture.markers)
+        markers.push_back({{"number", m.number}, {"x", m.x}, {"y", m.y}});
+    return {{"title", picture.title},
+            {"file", picture.file_name},
+            {"width", picture.width},
+            {"height", picture.height},
+            {"markers", markers}};
+}
+
+const char* word_of(CloseUp::Of of) {
+    return of == CloseUp::Of::seam ? "seam" : of == CloseUp::Of::face ? "face" : "crossing";
+}
+
+Json coverage_json(const CoverageSummary& coverage) {
+    return {
+        {"rig", coverage.rig}, {"covered", coverage.covered}, {"unreached", coverage.unreached}};
+}
+
+} // namespace
+
+std::string report_json(const Report& report) {
+    Json json = {{"format", "keiko-report/1"},
+                 {"tool", {{"name", "keiko"}, {"version", report.tool_version}}}};
+    json.update(inspection_json_value(report.inspection));
+    json["verdict"] = name_of(verdict_of(report));
+    json["lines"] = report.lines ? line_verdicts_json(*report.lines) : Json();
+    json["coverage"] = report.coverage ? coverage_json(*report.coverage) : Json();
+    json["pictures"] = Json::array();
+    for (const ReportPicture& picture : report.pictures)
+        json["pictures"].push_back(picture_json(picture));
+    json["line_pictures"] = Json::array();
+    for (const ReportPicture& picture : report.line_pictures)
+        json["line_pictures"].push_back(picture_json(picture));
+    json["form_pictures"] = Json::array();
+    for (const ReportPicture& picture : report.form_pictures)
+        json["form_pictures"].push_back(picture_json(picture));
+    json["close_ups"] = Json::array();
+    for (const CloseUp& close_up : report.close_ups) {
+        json["close_ups"].push_back(picture_json(close_up.picture));
+        json["close_ups"].back()[word_of(close_up.of)] = close_up.index + 1;
+    }
+    return text_of(json);
+}
+
+std::string inspection_json(const Inspection& inspection, const std::string& tool_version) {
+    Json json = {{"format", "keiko-inspection/1"},
+                 {"tool", {{"name", "keiko"}, {"version", tool_version}}}};
+    json.update(inspection_json_value(inspection));
+    return text_of(json);
+}
+
+} // namespace keiko

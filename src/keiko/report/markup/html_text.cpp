@@ -1,0 +1,78 @@
+#include "keiko/report/markup/html_text.h"
+
+#include "keiko/base/utf8.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace keiko {
+namespace {
+
+void append_escaped(std::string& result, char c) {
+    switch (c) {
+        case '&':
+            result += "&amp;";
+            break;
+        case '<':
+            result += "&lt;";
+            break;
+        case '>':
+            result += "&gt;";
+            break;
+        case '"':
+            result += "&quot;";
+            break;
+        case '\'':
+            result += "&#39;";
+            break;
+        default:
+            result += static_cast<unsigned char>(c) < 0x20 && c != '\n' ? ' ' : c;
+    }
+}
+
+std::string formatted(const char* format, int precision, double value) {
+    char text[400]; // holds the largest double with all its digits
+    std::snprintf(text, sizeof text, format, precision, value);
+    return text;
+}
+
+} // namespace
+
+std::string html_escaped(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        if (length == 1)
+            append_escaped(result, text.front());
+        else
+            result += length == 0 ? std::string_view("\xef\xbf\xbd") : text.substr(0, length);
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return result;
+}
+
+std::string fixed_number(double value, int decimals) {
+    if (!std::isfinite(value)) return "–";
+    const double last = std::pow(10.0, -decimals);
+    if (value != 0 && std::abs(value) < last / 2) return "< " + formatted("%.*f", decimals, last);
+    return formatted("%.*f", decimals, value);
+}
+
+std::string html_bar(double share) {
+    const double width = share > 0 ? 100 * std::min(share, 1.0) : 0;
+    return "<div class=\"bar\"><i style=\"width:" + formatted("%.*f", 2, width) + "%\"></i></div>";
+}
+
+std::string short_number(double value, int digits) {
+    return std::isfinite(value) ? formatted("%.*g", digits, value) : "–";
+}
+
+std::string place_text(const Vec3& place) {
+    // + 0.0 turns a negative zero into a positive one.
+    const auto rounded = [](double x) {
+        return formatted("%.*f", 1, std::round(x * 10) / 10 + 0.0);
+    };
+    return rounded(place.x) + ", " + rounded(place.y) + ", " + rounded(place.z);
+}
+
+} // namespace keiko

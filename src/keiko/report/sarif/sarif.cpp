@@ -1,0 +1,196 @@
+#include "keiko/report/sarif/sarif.h"
+
+#include "keiko/base/sha256.h"
+#include "keiko/report/content/check_place.h"
+#include "keiko/report/sarif/sarif_location.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace keiko {
+namespace {
+
+/// The criteria of the run in the order in which they were first asked.
+std::vector<const Criterion*> rules_of(const Inspection& inspection) {
+    std::vector<const Criterion*> rules;
+    for (const Check& check : inspection.checks) {
+        const Criterion* rule = &criterion_of(check.code);
+        if (std::find(rules.begin(), rules.end(), rule) == rules.end()) rules.push_back(rule);
+    }
+    return rules;
+}
+
+/// A message that holds no arguments and no links: braces and brackets of names would be taken for
+/// such (SARIF 2.1.0, 3.11.5 and 3.11.6).
+Json text(std::string_view message) {
+    std::string plain;
+    for (std::size_t i = 0; i < message.size(); ++i) {
+        const char c = message[i];
+        if (c == '{' || c == '}') plain += c;
+        if (c == ']' && message.substr(i + 1).starts_with('(')) plain += '\\';
+        plain += c;
+    }
+    return {{"text", plain}};
+}
+
+std::string help_of(const Criterion& rule) {
+    return std::string(rule.description) +
+           " An error is over the limit of the preset; a warning cannot be distinguished from it "
+           "within the error bound of its measurement.";
+}
+
+Json rule_json(const Criterion& rule) {
+    return {{"id", rule.code},
+            {"name", rule.rule.empty() ? rule.quantity : rule.rule},
+            {"shortDescription", text(rule.description)},
+            {"fullDescription", text(rule.description)},
+            {"help", text(help_of(rule))},
+            {"defaultConfiguration", {{"level", "error"}}}};
+}
+
+Json location(const Check& check, const SarifPlace& place, SarifFiles files) {
+    Json json;
+    if (Json physical = physical_location(place, files); !physical.is_null())
+        json["physicalLocation"] = std::move(physical);
+    json["logicalLocations"] = Json::array({{{"name", check.faces},
+                                             {"fullyQualifiedName", subject_of(check)},
+                                             {"kind", check.face == no_index ? "seam" : "face"}}});
+    return json;
+}
+
+const char* level_of(const Check& check) {
+    if (check.is_worth_a_look()) return "note";
+    return check.worst.verdict == Verdict::fail ? "error" : "warning";
+}
+
+Json related_location(const SarifPlace& place, SarifFiles files) {
+    return {{"id", 1},
+            {"physicalLocation", physical_location(place, files)},
+            {"message", text(place.face)}};
+}
+
+Json properties_of(const Check& check) {
+    const Worst& worst = check.worst;
+    Json properties = {{"verdict", outcome_of(check)}, {"quantity", check.quantity},
+                       {"value", worst.value},         {"bound", worst.bound},
+                       {"limit", worst.limit},         {"unit", check.unit},
+                       {"place", point(worst.place)}};
+    if (!check.formula.empty()) properties["formula"] = check.formula;
+    return properties;
+}
+
+/// Hash of what a finding keeps from one run to the next: its code, and the names and files of its
+/// faces. Numbers of seams and measured values move.
+std::string fingerprint(const Check& check, std::span<const SarifPlace> places, SarifFiles files) {
+    constexpr std::size_t digits = 16;
+    std::string identity = check.code + "\n" + check.view;
+    for (const SarifPlace& place : places) {
+        identity += "\n" + place.face;
+        if (place.file < files.size()) identity += "\n" + files[place.file].filename().string();
+    }
+    return sha256_hex(identity).substr(0, digits);
+}
+
+/// Writes the results of one run.
+class SarifResults {
+public:
+    SarifResults(const Inspection& inspection, const std::vector<const Criterion*>& rules,
+                 SarifFiles files)
+        : inspection_(inspection), rules_(rules), files_(files) {}
+
+    Json result(const Check& check) {
+        const std::vector<SarifPlace> places = places_of(check, inspection_);
+        Json json = {{"ruleId", check.code},
+                     {"ruleIndex", rule_index(check)},
+                     {"level", level_of(check)},
+                     {"message", text(placed_message(check))},
+                     {"locations", Json::array({location(check, places.front(), files_)})}};
+        if (places.size() > 1 && !files_.empty())
+            json["relatedLocations"] = Json::array({related_location(places[1], files_)});
+        json["partialFingerprints"] = {
+            {"primaryLocationLineHash", numbered(fingerprint(check, places, files_))}};
+        json["properties"] = properties_of(check);
+        return json;
+    }
+
+private:
+    std::ptrdiff_t rule_index(const Check& check) const {
+        return std::find(rules_.begin(), rules_.end(), &criterion_of(check.code)) - rules_.begin();
+    }
+
+    /// Apart from earlier ones: two dents of one face have the same hash.
+    std::string numbered(const std::string& hash) {
+        return hash + ":" + std::to_string(++uses_[hash]);
+    }
+
+    const Inspection& inspection_;
+    const std::vector<const Criterion*>& rules_;
+    SarifFiles files_;
+    std::map<std::string, int> uses_;
+};
+
+/// Findings that a run has room for: failures before what is undecided, else in their order, and
+/// last what is worth a look.
+std::vector<const Check*> top_findings(const Inspection& inspection) {
+    std::vector<const Check*> top;
+    for (const Check& finding : inspection.findings) top.push_back(&finding);
+    std::stable_sort(top.begin(), top.end(), [](const Check* a, const Check* b) {
+        return a->worst.verdict > b->worst.verdict;
+    });
+    for (const Check& look : inspection.looks) top.push_back(&look);
+    top.resize(std::min(top.size(), most_sarif_results));
+    return top;
+}
+
+Json notification(const char* level, const std::string& message) {
+    return {{"level", level}, {"message", text(message)}};
+}
+
+/// Invocation, with notifications of all that the results leave out.
+Json invocation(const Inspection& inspection) {
+    Json json = {{"executionSuccessful", true}};
+    Json& notifications = json["toolExecutionNotifications"] = Json::array();
+    for (const LostFace& face : inspection.facts.lost_faces)
+        notifications.push_back(notification(
+            "error", "face " + std::to_string(face.id) + " is missing: " + face.reason));
+    const std::size_t found = inspection.findings.size() + inspection.looks.size();
+    if (found > most_sarif_results)
+        notifications.push_back(notification(
+            "warning", std::to_string(found - most_sarif_results) + " of " + std::to_string(found) +
+                           " findings are left out: a run has at most " +
+                           std::to_string(most_sarif_results) + " results"));
+    return json;
+}
+
+Json artifacts_of(SarifFiles files) {
+    Json artifacts = Json::array();
+    for (std::size_t i = 0; i < files.size(); ++i)
+        artifacts.push_back({{"location", artifact_location(files[i], i)},
+                             {"roles", Json::array({"analysisTarget"})}});
+    return artifacts;
+}
+
+} // namespace
+
+std::string sarif_json(const Inspection& inspection, const std::string& tool_version,
+                       std::span<const std::filesystem::path> files) {
+    const std::vector<const Criterion*> rules = rules_of(inspection);
+    Json driver = {{"name", "Keiko"}, {"version", tool_version}, {"rules", Json::array()}};
+    for (const Criterion* rule : rules) driver["rules"].push_back(rule_json(*rule));
+    SarifResults writer(inspection, rules, files);
+    Json results = Json::array();
+    for (const Check* finding : top_findings(inspection))
+        results.push_back(writer.result(*finding));
+    const Json run = {{"tool", {{"driver", driver}}},
+                      {"invocations", Json::array({invocation(inspection)})},
+                      {"originalUriBaseIds", uri_bases(files)},
+                      {"artifacts", artifacts_of(files)},
+                      {"results", results},
+                      {"properties", {{"preset", inspection.preset.name}}}};
+    return text_of({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                    {"version", "2.1.0"},
+                    {"runs", Json::array({run})}});
+}
+
+} // namespace keiko

@@ -1,0 +1,103 @@
+#pragma once
+
+#include "keiko/scene/mirror_plane.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// How two normal curvatures across a seam are compared; both printed beside their value.
+enum class CurvatureFormula {
+    alias, ///< |R1 - R2| / (R1 + R2), 100 % where the sides bend opposite ways
+    catia  ///< |C1 - C2| / max(|C1|, |C2|), up to 200 % where they bend opposite ways
+};
+
+struct CurvatureLimit {
+    CurvatureFormula formula = CurvatureFormula::alias;
+    double limit = 0.1; ///< share of 1
+
+    bool operator==(const CurvatureLimit&) const = default;
+};
+
+/// What reflection lines are held to where they cross a seam; what is absent is not judged. Keiko's
+/// own limits, derived in docs/theory/verdict.md.
+struct LineLimits {
+    std::optional<double> jump; ///< mm on the part, sideways
+    /// Degrees: the seam angle that would move the lamp's image on the C-plane as far.
+    std::optional<double> turn;
+    std::optional<double> kink; ///< degrees; only where jump and turn pass
+    std::optional<double> bend; ///< 1/mm, change of the line's curvature; only where kink passes
+
+    bool operator==(const LineLimits&) const = default;
+};
+
+/// How deep dents, bumps and waves inside a face may be.
+struct WavinessLimit {
+    double depth = 0.01;     ///< mm, off the form around them
+    double window = 100;     ///< mm: how wide a piece of the face that form is taken from
+    bool waves_only = false; ///< what bends there only once is form, however wide
+
+    bool operator==(const WavinessLimit&) const = default;
+};
+
+/// How far a body may be from its own mirror image.
+struct SymmetryLimit {
+    MirrorPlane plane;
+    double distance = 0.01; ///< mm, from any place of the surface to the image
+
+    bool operator==(const SymmetryLimit&) const = default;
+};
+
+/// What each face is held to, whatever its neighbours; what is absent is not judged.
+struct SurfaceLimits {
+    std::optional<double> minimum_radius;  ///< mm, G-SU-CR: of the principal curvatures
+    std::vector<WavinessLimit> waviness;   ///< G-SU-WV and KEIKO-DENT; by ascending windows
+    std::optional<SymmetryLimit> symmetry; ///< KEIKO-SYMMETRY, of the body as a whole
+
+    bool operator==(const SurfaceLimits&) const = default;
+};
+
+/// What is reported as worth a look beyond these limits, without a part in any verdict.
+struct LookLimits {
+    /// Dents, bumps and waves; by ascending windows. Used where SurfaceLimits has no such limit.
+    std::vector<WavinessLimit> waviness;
+    /// mm of the body from its image at the plane that it is nearly symmetric about, if there is
+    /// one; the plane is found. Used where SurfaceLimits has no such limit.
+    std::optional<double> symmetry{};
+
+    bool operator==(const LookLimits&) const = default;
+};
+
+/// What a surface is held to. Limits are practice, not a standard; `source` says whose. Users name
+/// or write a preset file (keiko-preset/1, read_preset); the values here are those of the
+/// class-a-outer that comes with Keiko, which looks for dents and waves too.
+struct CriteriaPreset {
+    std::string name = "class-a-outer";
+    std::string source = "class A as quoted in trade forums; practice, not a standard";
+    double gap = 0.01;                                          ///< mm, G0
+    double angle = 0.1;                                         ///< degrees, G1
+    std::optional<CurvatureLimit> curvature = CurvatureLimit{}; ///< G2; nothing: not judged
+    double feature_angle = 5; ///< degrees; places of a seam with more are a crease, no finding
+    /// Degrees/mm: how large a step the slope of a crease's angle may have where it fades out.
+    double fading = 0.0014;
+    double longest_run_out = 200; ///< mm; an angle that fades over more is no run-out of a crease
+    double negligible = 0.1;      ///< mm; a shorter stretch of a seam is a scrap, listed alone
+    double flat_radius =
+        100000;         ///< mm; larger radii of curvature are compared as if they were this
+    std::string caveat; ///< what the limits are not, or empty
+    std::optional<double> curvature_slope; ///< degrees, G3; nothing: not judged
+    LineLimits lines{std::nullopt, 0.1, 5.7, std::nullopt};
+    SurfaceLimits surface{};
+    LookLimits look{};
+
+    /// The limits by which dents and waves are looked for: those that are judged, else the others.
+    const std::vector<WavinessLimit>& flaw_limits() const {
+        return surface.waviness.empty() ? look.waviness : surface.waviness;
+    }
+
+    bool operator==(const CriteriaPreset&) const = default;
+};
+
+} // namespace keiko

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "keiko/light/rig/light_rig.h"
+#include "keiko/math/affine.h"
+#include "keiko/scene/animation.h"
+#include "keiko/scene/camera.h"
+#include "keiko/scene/material.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// Another paint for some faces of a model.
+struct PaintOverride {
+    std::vector<std::string> faces; ///< names, with * and ? as in file names
+    Material material;
+};
+
+/// How a model is placed: scaled, then turned about an axis through the origin, then moved.
+struct ModelTransform {
+    double scale = 1;    ///< above 0
+    Vec3 axis{0, 0, 1};  ///< of any length but 0
+    double angle = 0;    ///< degrees, right-handed
+    Vec3 translation{0}; ///< mm
+
+    Affine affine() const;
+};
+
+/// A model of a scene and how it is placed and painted.
+struct ModelSpec {
+    std::filesystem::path file; ///< absolute, or relative to the working directory
+    ModelTransform transform{};
+    Material material{};
+    std::vector<PaintOverride> overrides{}; ///< later ones win
+};
+
+/// The floor that a scene stands on.
+struct GroundSpec {
+    double z = 0; ///< mm
+    Material material;
+};
+
+/// A scene file's content (keiko-scene/1), every path resolved.
+struct SceneSpec {
+    std::vector<ModelSpec> models;
+    std::optional<Camera> camera;
+    std::optional<std::string> view; ///< a named view instead of a camera
+    int width = 960, height = 540;   ///< picture size, for named views
+    std::optional<LightRig> rig;     ///< none: to be placed
+    std::optional<GroundSpec> ground;
+    Rgb background{0};                   ///< cd/m2 where the eye ray meets nothing
+    std::optional<int> max_depth;        ///< mirror reflections followed along one ray
+    std::optional<double> min_weight;    ///< reflections that count less end the path
+    std::vector<Animation> animations{}; ///< without fault; see at_frame
+};
+
+} // namespace keiko

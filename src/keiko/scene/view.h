@@ -1,0 +1,36 @@
+#pragma once
+
+#include "keiko/scene/camera.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keiko {
+
+/// Names of the views in the vehicle frame: x rearwards, y to the right, z up.
+///
+/// front, rear, left, right: level, looked at from that side ("left" is the driver's left).
+/// three-quarter-front, three-quarter-rear (with -left or -right; left when not said): 15 degrees
+/// above the horizon. high-*: the same eight from 40 degrees above it. top: the front of the car to
+/// the left of the picture; bottom: to the right. standing-*: the same eight as a walking surfacer
+/// sees them, eye 1650 mm above the ground, 3 to 5 m from the body, farther where it is too large.
+const std::vector<std::string>& view_names();
+
+/// How a named view is framed.
+struct Framing {
+    int width = 960, height = 540;  ///< pixels
+    double vertical_fov = 28;       ///< degrees; standing views choose their own
+    double margin = 0.04;           ///< share of the picture left free at each border
+    std::optional<double> ground{}; ///< mm, z of the floor to stand on; none: the lowest z
+};
+
+/// The perspective camera of a named view that has the whole box in the picture and fills its
+/// width or height. Throws Error for an unknown name, naming the known ones, and for an empty box.
+Camera frame_view(std::string_view name, const Box3& bounds, const Framing& framing = {});
+
+/// The same for the eye in any direction from the box.
+Camera frame_direction(const Vec3& towards_eye, const Box3& bounds, const Framing& framing = {});
+
+} // namespace keiko

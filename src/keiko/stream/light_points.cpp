@@ -1,0 +1,178 @@
+#include "keiko/stream/light_points.h"
+
+#include "keiko/light/rig/within_lamp.h"
+#include "keiko/render/shading/lit_point.h"
+#include "keiko/render/shading/shadowed_rig.h"
+#include "keiko/stream/hit_columns.h"
+#include "keiko/stream/row_stream.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace keiko {
+namespace {
+
+/// What the points of some lines get: of each the lux from every source, then their sum.
+struct Piece : RowPiece {
+    std::vector<std::vector<double>> lux;
+};
+
+/// "c_plane.0", "c_plane.1", "spotlight.0", "sum": kinds in the order of LightSource.
+std::vector<std::string> columns_of(const LightRig& rig) {
+    constexpr std::array<std::string_view, std::variant_size_v<LightSource>> kinds{
+        "c_plane", "spotlight", "luminaire", "sun"};
+    std::array<int, kinds.size()> counts{};
+    std::vector<std::string> columns;
+    for (const LightSource& source : rig.sources) {
+        const std::size_t kind = source.index();
+        columns.push_back(std::string(kinds[kind]) + "." + std::to_string(counts[kind]++));
+    }
+    columns.emplace_back("sum");
+    return columns;
+}
+
+/// Ends the points before the first that lies in a lamp.
+void end_before_lamps(ParsedRays& points, const RayLines& lines, const LightRig& rig) {
+    for (std::size_t i = 0; i < points.rays.size(); ++i)
+        for (std::size_t source = 0; source < rig.sources.size(); ++source)
+            if (within_lamp(rig.sources[source], points.rays[i].origin))
+                return end_before(points, lines, i, "lies in a lamp of " + columns_of(rig)[source],
+                                  point_header);
+}
+
+/// A place on the surfaces, to be lit.
+struct Place {
+    Vec3 position;
+    std::optional<Root> root; ///< its own, if it is on one
+};
+
+/// The point of a surface that is nearest along the normal, if it is so near that it is meant:
+/// coordinates are written with a few digits.
+Place place_of(const Tracer& surfaces, const Vec3& point, const Vec3& normal) {
+    constexpr double meant = 1e-3; // mm
+    Ray across;
+    across.origin = point;
+    across.direction = normal;
+    across.t_min = -meant, across.t_max = meant;
+    Place place{point, {}};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Hit& hit : surfaces.all(across))
+        if (std::abs(hit.t) < nearest) nearest = std::abs(hit.t), place = {hit.position, hit.root};
+    return place;
+}
+
+std::vector<double> lux_at(const Scene& scene, const Ray& point) {
+    const Vec3 normal = point.direction.normalized();
+    const ShadowedRig lights(*scene.rig, scene.occluders ? &*scene.occluders : nullptr,
+                             scene.seen());
+    const Place place = place_of(scene.seen(), point.origin, normal);
+    constexpr TubeModel model = TubeModel::automatic;
+    const LitPoint lit(
+        *scene.rig, place.position, normal, model, lights.lights(),
+        lights.seen_from(place.position, normal, place.root, lights.lights(), model, false));
+    const std::vector<Rgb> by_light = lit.illuminance_by_light();
+    std::vector<double> lux;
+    Rgb sum;
+    each_source(lights.lights(), [&](std::size_t, std::span<const int> lamps, std::size_t first) {
+        Rgb lx;
+        for (std::size_t i = 0; i < lamps.size(); ++i) lx += by_light[first + i];
+        lux.push_back(luminance(lx));
+        sum += lx;
+    });
+    lux.push_back(luminance(sum));
+    return lux;
+}
+
+std::string row_of(const std::vector<double>& lux) {
+    std::string row;
+    for (const double value : lux) {
+        append_number(row, value);
+        row += ',';
+    }
+    row.back() = '\n';
+    return row;
+}
+
+void light(const Scene& scene, Piece& piece) {
+    ParsedRays parsed = rays_of(piece.lines, point_header);
+    end_before_lamps(parsed, piece.lines, *scene.rig);
+    piece.fault = std::move(parsed.fault);
+    piece.rows.clear();
+    piece.lux.clear();
+    for (const Ray& point : parsed.rays) piece.lux.push_back(lux_at(scene, point));
+}
+
+void require_points(std::uint64_t count) {
+    if (count == 0) throw Error("standard input", "", "holds no points");
+}
+
+void require_rig(const Scene& scene) {
+    if (!scene.rig) throw Error("", "", "illuminance needs a scene file with a rig");
+}
+
+/// One column of all rows.
+struct Column {
+    double minimum = std::numeric_limits<double>::infinity(), maximum = -minimum, sum = 0;
+
+    void add(double lux) {
+        minimum = std::min(minimum, lux);
+        maximum = std::max(maximum, lux);
+        sum += lux;
+    }
+    std::string row(const std::string& name, std::uint64_t points) const {
+        std::string text = name + ',' + std::to_string(points);
+        const double mean = sum / static_cast<double>(points);
+        for (const double value : {minimum, mean, maximum, minimum / mean}) {
+            text += ',';
+            if (std::isfinite(value)) append_number(text, value);
+        }
+        return text + '\n';
+    }
+};
+
+} // namespace
+
+std::uint64_t light_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
+                           const Job& job) {
+    require_rig(scene);
+    std::string header;
+    for (const std::string& column : columns_of(*scene.rig)) header += column + ',';
+    header.back() = '\n';
+    std::uint64_t count = 0;
+    if (!rows(header)) return count;
+    RayLineReader reader(points, point_header);
+    const auto work = [&](Piece& piece) {
+        light(scene, piece);
+        for (const std::vector<double>& lux : piece.lux) piece.rows += row_of(lux);
+    };
+    stream_rows<Piece>(reader, rows, job, work,
+                       [&](const Piece& piece) { count += piece.lux.size(); });
+    require_points(count);
+    return count;
+}
+
+std::uint64_t summarize_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
+                               const Job& job) {
+    require_rig(scene);
+    const std::vector<std::string> names = columns_of(*scene.rig);
+    std::vector<Column> columns(names.size());
+    std::uint64_t count = 0;
+    RayLineReader reader(points, point_header);
+    stream_rows<Piece>(
+        reader, rows, job, [&](Piece& piece) { light(scene, piece); },
+        [&](const Piece& piece) {
+            count += piece.lux.size();
+            for (const std::vector<double>& lux : piece.lux)
+                for (std::size_t i = 0; i < lux.size(); ++i) columns[i].add(lux[i]);
+        });
+    require_points(count);
+    std::string text = "source,points,minimum,mean,maximum,uniformity\n";
+    for (std::size_t i = 0; i < names.size(); ++i) text += columns[i].row(names[i], count);
+    rows(text);
+    return count;
+}
+
+} // namespace keiko

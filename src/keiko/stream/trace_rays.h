@@ -1,0 +1,35 @@
+#pragma once
+
+#include "keiko/intersect/hit/path_counts.h"
+#include "keiko/stream/ray_lines.h"
+#include "keiko/workflow/open_scene.h"
+
+namespace keiko {
+
+/// Where a stream of bytes goes; false: nobody reads it any more.
+using ByteSink = std::function<bool(std::string_view)>;
+
+struct TraceOptions {
+    std::string columns = "t,face,u,v,x,y,z,nx,ny,nz"; ///< as HitColumn names them
+    bool all = false; ///< every hit by rising t, after a column `ray`, rather than the first
+};
+
+/// What went through trace_rays.
+struct TraceCounts {
+    std::uint64_t rays = 0;
+    PathCounts hits;
+};
+
+/// Throws Error for columns that trace_rays would refuse for any scene: before the long work.
+void require_columns(const TraceOptions& options);
+
+/// Reads lines of rays (see rays_of) and writes hits as CSV: a header line, then for each ray in
+/// order the row of its first hit, empty fields where there is none. With `all` each hit has a
+/// row, led by the number of its ray from 0; a ray without hits has one with that number alone.
+/// Rows are written as rays come, in constant memory, and are the same bytes for any thread count.
+/// Ends early when the sink wants no more. Throws Error for the first malformed line, after the
+/// rows of those before it.
+TraceCounts trace_rays(const Scene& scene, const ByteSource& rays, const ByteSink& hits,
+                       const TraceOptions& options = {}, const Job& job = {});
+
+} // namespace keiko

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "keiko/visibility/boundaries/border_piece.h"
+
+#include <array>
+
+namespace keiko {
+
+using CurveMatrix = std::array<std::array<double, BorderPiece::points>, BorderPiece::points>;
+
+/// Parameter of the k-th place that a curve through places is given by: Chebyshev's in [0, 1], both
+/// ends among them.
+double curve_node(std::size_t k);
+
+/// What makes values at the nodes the control points of the polynomial through them.
+const CurveMatrix& control_points_of_values();
+
+/// Control points of the curve of degree 5 that has these values at the nodes.
+template <class T>
+std::array<T, BorderPiece::points> curve_through(const std::array<T, BorderPiece::points>& values) {
+    const CurveMatrix& matrix = control_points_of_values();
+    std::array<T, BorderPiece::points> curve = values;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        curve[i] = values[0] * matrix[i][0];
+        for (std::size_t k = 1; k < values.size(); ++k) curve[i] += values[k] * matrix[i][k];
+    }
+    return curve;
+}
+
+} // namespace keiko

@@ -1,0 +1,83 @@
+#include "keiko/visibility/boundaries/plane_cuts.h"
+
+namespace keiko {
+namespace {
+
+constexpr std::size_t degree = BorderPiece::points - 1;
+
+struct ValueAndSlope {
+    double value, slope;
+};
+
+/// A polynomial in powers of t.
+struct Powers {
+    PlaneDistances c;
+
+    explicit Powers(const PlaneDistances& bernstein) : c(bernstein) {
+        static_assert(degree == 5);
+        for (std::size_t level = 1; level < c.size(); ++level)
+            for (std::size_t i = c.size() - 1; i >= level; --i) c[i] -= c[i - 1];
+        c[1] *= 5, c[2] *= 10, c[3] *= 10, c[4] *= 5;
+    }
+    ValueAndSlope at(double t) const {
+        double value = c.back(), slope = 0;
+        for (std::size_t k = c.size() - 1; k-- > 0;) {
+            slope = slope * t + value;
+            value = value * t + c[k];
+        }
+        return {value, slope};
+    }
+};
+
+} // namespace
+
+int sign_changes(const PlaneDistances& c) {
+    int count = 0;
+    for (std::size_t i = 1; i < c.size(); ++i) count += (c[i - 1] < 0) != (c[i] < 0);
+    return count;
+}
+
+double single_zero(const PlaneDistances& c, double settled) {
+    const Powers powers(c);
+    double a = 0, b = 1;
+    double t = c.front() / (c.front() - c.back());
+    constexpr int most_steps = 60;
+    constexpr double narrowest = 1e-18;
+    for (int i = 0; i < most_steps; ++i) {
+        const auto [value, slope] = powers.at(t);
+        if (value == 0) return t;
+        ((value < 0) == (c.front() < 0) ? a : b) = t;
+        const double next = t - value / slope;
+        const bool inside = next >= a && next <= b;
+        const bool close = inside && std::abs(next - t) <= settled;
+        t = inside ? next : (a + b) / 2;
+        if (close || b - a <= narrowest) break;
+    }
+    return t;
+}
+
+std::array<PlaneDistances, 2> halved(const PlaneDistances& c) {
+    std::array<PlaneDistances, 2> halves{c, c};
+    auto& [low, high] = halves;
+    for (std::size_t level = 1; level < c.size(); ++level) {
+        for (std::size_t i = 0; i + level < c.size(); ++i) high[i] = (high[i] + high[i + 1]) / 2;
+        low[level] = high[0];
+    }
+    return halves;
+}
+
+PlaneDistances slope_of(const PlaneDistances& c) {
+    PlaneDistances slope{};
+    for (std::size_t i = 0; i < degree; ++i) {
+        const double step = c[i + 1] - c[i], share = static_cast<double>(i) / degree;
+        slope[i] += step * (1 - share);
+        slope[i + 1] += step * (share + 1.0 / degree);
+    }
+    return slope;
+}
+
+double value_at(const PlaneDistances& c, double t) {
+    return Powers(c).at(t).value;
+}
+
+} // namespace keiko

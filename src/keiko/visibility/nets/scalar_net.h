@@ -1,0 +1,49 @@
+#pragma once
+
+#include "keiko/visibility/nets/tangent_planes.h"
+
+#include <array>
+#include <vector>
+
+namespace keiko {
+
+/// Bernstein coefficients of one function over [0, 1]^2, u outer, of any degrees.
+struct ScalarNet {
+    std::size_t rows = 0, columns = 0;
+    std::vector<double> c;
+
+    double& at(std::size_t i, std::size_t j) { return c[i * columns + j]; }
+    double at(std::size_t i, std::size_t j) const { return c[i * columns + j]; }
+};
+
+/// Coefficients of sum weights[k] * component k.
+ScalarNet weighed(const HomogeneousNet& net, const Vec4& weights);
+
+/// The same function over a box of its parameters.
+ScalarNet restricted(const ScalarNet& net, const Box2& box);
+
+/// Over the two halves of [0, 1]^2, cut across the first axis or the second.
+std::array<ScalarNet, 2> halved(const ScalarNet& net, unsigned axis);
+std::array<HomogeneousNet, 2> halved(const HomogeneousNet& net, unsigned axis);
+
+/// Its derivative by x = 2 u - 1, or by y = 2 v - 1. Requires a degree of at least 1 there.
+ScalarNet derivative(const ScalarNet& net, bool by_x);
+
+/// Middle and half width of the values that a net may have.
+struct NetRange {
+    double middle = 0, half = 0;
+
+    double low() const { return middle - half; }
+    double high() const { return middle + half; }
+    double largest() const { return std::abs(middle) + half; }
+    bool holds_zero() const { return std::abs(middle) <= half; }
+};
+NetRange range(const ScalarNet& net);
+
+/// Whether a function may have a zero there that is known to within `error` and rounding.
+bool may_vanish(const ScalarNet& net, double error = 0);
+
+/// Range of the derivative of a derivative, 0 where the degree is used up.
+NetRange derivative_range(const ScalarNet& net, bool by_x);
+
+} // namespace keiko

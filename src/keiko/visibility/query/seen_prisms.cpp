@@ -1,0 +1,166 @@
+#include "keiko/math/middle_of.h"
+#include "keiko/visibility/nets/linear_pair.h"
+#include "keiko/visibility/query/apex_candidates.h"
+#include "keiko/visibility/query/faced_corners.h"
+#include "keiko/visibility/query/fold_line.h"
+
+#include <algorithm>
+#include <array>
+
+namespace keiko {
+namespace {
+
+std::vector<Vec3> corners_of(const PrismEdges& prism) {
+    std::vector<Vec3> corners;
+    for (const SegmentEnds& edge : prism) corners.insert(corners.end(), edge.begin(), edge.end());
+    return corners;
+}
+
+/// Along the screen, in the mean of the edges.
+ParameterInterval ends_of(const PrismEdges& prism, const ApexScreen& screen) {
+    ParameterInterval ends;
+    for (const SegmentEnds& edge : prism) {
+        ends.begin += screen.place(edge[0]).along / static_cast<double>(prism.size());
+        ends.end += screen.place(edge[1]).along / static_cast<double>(prism.size());
+    }
+    return ends;
+}
+
+/// Whether a border may hide or show any of `volume` in some part of it, by some of its sides.
+bool may_cross(const BorderPiece& border, const BorderPiece::Curve& part, const Apex& apex,
+               const ViewVolume& volume, ViewVolume::Sides sides, int most_halvings) {
+    if (!volume.may_hold(part, border.center, border.error, sides) ||
+        !border.may_be_edge_on(apex, part))
+        return false;
+    if (most_halvings == 0) return true;
+    const std::array halves = cut_at(part, 0.5);
+    return std::any_of(halves.begin(), halves.end(), [&](const BorderPiece::Curve& half) {
+        return may_cross(border, half, apex, volume, sides, most_halvings - 1);
+    });
+}
+
+} // namespace
+
+bool ApexView::Candidates::own_may_cross(const ViewVolume& volume,
+                                         std::span<const Vec3> corners) const {
+    if (!normal_) return true;
+    const ApexHorizon horizon{*normal_, least_elevation(apex_, *normal_, corners)};
+    return std::any_of(silhouettes_.own.begin(), silhouettes_.own.end(), [&](const auto& own) {
+        return own.steepest >= horizon.elevation && own.rings->may_be_in(volume, apex_, horizon);
+    });
+}
+
+bool ApexView::Candidates::nothing_crosses(const PrismEdges& prism,
+                                           std::span<const Vec3> corners) const {
+    const Screen& screen = screen_of((prism[0][1] - prism[0][0]).normalized());
+    const auto along = [&](const SegmentEnds& edge) {
+        return screen.screen.is_along(edge[1] - edge[0]);
+    };
+    if (!screen.screen.regular() || !std::all_of(prism.begin(), prism.end(), along)) return false;
+    const auto hull = screen.screen.hull(corners);
+    if (!hull) return false;
+    std::optional<ViewVolume> volume;
+    const auto inside = [&]() -> const ViewVolume& {
+        if (!volume) volume.emplace(apex_, corners, facing_);
+        return *volume;
+    };
+    constexpr int most_halvings = 8;
+    for (std::size_t i = 0; i < screen.borders.size(); ++i) {
+        const BorderPiece& border = scene_->borders[borders_[i]];
+        if (screen.borders[i].overlaps(*hull) &&
+            may_cross(border, border.curve, apex_, inside(), inside().all_sides(), most_halvings))
+            return false;
+    }
+    for (std::size_t i = 0; i < screen.pieces.size(); ++i)
+        if (screen.pieces[i].overlaps(*hull) &&
+            scene_->solver.may_be_in(inside(), silhouettes_.pieces[i], apex_))
+            return false;
+    return silhouettes_.own.empty() || !own_may_cross(inside(), corners);
+}
+
+/// A fold's tangent plane holds its line and the way to it. On the screen that has the slope
+/// -n_across / n_along of its normal n, which is at most `most_slope` where both mixtures of the
+/// two have one sign.
+bool ApexView::Candidates::runs_across(std::size_t i, double most_slope) const {
+    const SilhouetteCandidate& candidate = silhouettes_.pieces[i];
+    const SilhouettePiece& piece = scene_->silhouettes.pieces[candidate.piece];
+    const AffineBounds::Weighed& g = candidate.edge_on;
+    const Vec2 steepest(g.along_x, g.along_y);
+    const Vec2 on_fold = steepest * (-g.value / steepest.length2());
+    double sign = 1;
+    for (const double side : {-1.0, 1.0}) {
+        const Vec3 mixed = screen_->screen.along() * most_slope + screen_->screen.across() * side;
+        const AffineBounds::Weighed f =
+            piece.planes.weighed(piece.frame.local(Vec4(mixed.x, mixed.y, mixed.z, 0)));
+        if (!f.vanishes_nowhere() && !LinearPair(f, g).root_is_outside()) return false;
+        sign *= f.value + f.along_x * on_fold.x + f.along_y * on_fold.y;
+    }
+    return sign > 0;
+}
+
+void ApexView::Candidates::add_folds(std::size_t i, OutlineTurns& turns) const {
+    auto known = screen_->folds.find(i);
+    if (known == screen_->folds.end())
+        known = screen_->folds
+                    .emplace(i, fold_line(scene_->silhouettes, scene_->kernels,
+                                          silhouettes_.pieces[i], apex_, screen_->screen.along()))
+                    .first;
+    const auto& lines = known->second;
+    if (!lines) return turns.add_unclear(screen_->pieces[i]);
+    for (const BorderPiece& line : *lines) turns.add_fold(line);
+}
+
+std::vector<SeenTurn> ApexView::Candidates::turns(const PrismEdges& prism, double gap,
+                                                  double missed) const {
+    if (all_seen_ || apex_.infinite()) return {};
+    std::vector<Vec3> corners = corners_of(prism);
+    if (facing_) corners = faced_corners(apex_, *facing_, corners);
+    if (corners.empty()) return {};
+    const Screen& screen = screen_of((prism[0][1] - prism[0][0]).normalized());
+    const auto hull = screen.screen.regular() ? screen.screen.hull(corners) : std::nullopt;
+    if (!hull) return {};
+    const ViewVolume volume(apex_, corners, facing_);
+    OutlineTurns turns(apex_, screen.screen, *hull, volume, ends_of(prism, screen.screen), gap,
+                       missed);
+    add_outlines(*hull, turns);
+    std::vector<SeenTurn> found;
+    for (const OutlineTurns::Turn& turn : turns.found())
+        found.push_back({screen.screen.way_at(turn.across), turn.missed, turn.dark, turn.jump});
+    return found;
+}
+
+/// Those on the last screen that was asked for.
+void ApexView::Candidates::add_outlines(const ScreenBox& prism, OutlineTurns& turns) const {
+    for (std::size_t i = 0; i < screen_->borders.size(); ++i)
+        if (screen_->borders[i].overlaps(prism) && !turns.leaves_out(screen_->borders[i]))
+            turns.add_border(scene_->borders[borders_[i]]);
+    const double most_slope = turns.most_slope();
+    for (std::size_t i = 0; i < screen_->pieces.size(); ++i)
+        if (screen_->pieces[i].overlaps(prism) && !runs_across(i, most_slope) &&
+            !turns.leaves_out(screen_->pieces[i]))
+            add_folds(i, turns);
+}
+
+std::vector<std::optional<bool>> ApexView::Candidates::seen_as_whole(
+    std::span<const PrismEdges> prisms) const {
+    if (all_seen_) return std::vector<std::optional<bool>>(prisms.size(), all_seen_);
+    std::vector<std::optional<bool>> seen(prisms.size());
+    if (region_touched_ || has_horizon_) return seen;
+    std::vector<Ray> rays;
+    std::vector<std::size_t> proved;
+    for (std::size_t i = 0; i < prisms.size(); ++i) {
+        std::vector<Vec3> corners = corners_of(prisms[i]);
+        if (facing_) corners = faced_corners(apex_, *facing_, corners);
+        if (corners.empty())
+            seen[i] = false;
+        else if (nothing_crosses(prisms[i], corners)) {
+            rays.push_back(apex_.ray_to(middle_of(corners)));
+            proved.push_back(i);
+        }
+    }
+    const std::vector<bool> hidden = tracer_->any(std::span<const Ray>(rays));
+    for (std::size_t k = 0; k < proved.size(); ++k) seen[proved[k]] = !hidden[k];
+    return seen;
+}
+
+} // namespace keiko

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "keiko/geometry/visibility/apex.h"
+#include "keiko/visibility/nets/tangent_planes.h"
+
+#include <span>
+
+namespace keiko {
+
+/// Sine of the least elevation above the tangent plane with this unit normal, on either side of
+/// it, at which an apex sees a point of a convex body with these corners; 0 where the plane cuts
+/// the body.
+double least_elevation(const Apex& apex, const Vec3& normal, std::span<const Vec3> corners);
+
+/// The tangent plane at an apex that lies on a surface, and what is asked for over it.
+struct ApexHorizon {
+    Vec3 normal{0};       ///< unit
+    double elevation = 0; ///< sine of the least over the plane, 0 where it is cut
+};
+
+/// What a patch's homogeneous derivatives may be over a box of its parameters, by any positive
+/// factor: component by component, middle and half width.
+struct TangentBounds {
+    struct Range {
+        Vec4 middle{0}, half{0};
+    };
+    Range along_u, along_v;
+};
+TangentBounds tangent_bounds(const HomogeneousNet& net);
+
+/// As below, of what the bounds are known for and in the axes that they are in.
+double steepest_chord(const TangentBounds& bounds, const Vec3& point, const Vec3& normal);
+
+/// Bound of the sine of the elevation at which a point of a patch sees any other over a box of its
+/// parameters that holds the point: chords are mixtures of the patch's derivatives. `points` is
+/// relative to the same place as `point`; 1 where the bound says nothing.
+double steepest_chord(const HomogeneousNet& points, const Box2& uv, const Vec3& point,
+                      const Vec3& normal);
+
+} // namespace keiko

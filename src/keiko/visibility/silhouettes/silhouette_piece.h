@@ -1,0 +1,80 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/geometry/bezier/ray.h"
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/geometry/trim/trim_region.h"
+#include "keiko/geometry/visibility/apex.h"
+#include "keiko/visibility/nets/affine_net.h"
+#include "keiko/visibility/nets/lowered_net.h"
+#include "keiko/visibility/nets/net_frame.h"
+#include "keiko/visibility/silhouettes/chord_elevation.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// A placed patch, or a part of one, as an occluder: its points and its tangent planes, relative
+/// to `center`, world, mm.
+struct OccluderPatch {
+    std::uint32_t instance = 0, face = 0, patch = 0;
+    Box2 uv{Vec2(0), Vec2(1)}; ///< of the model's patch that this one covers
+    Vec3 center{0};
+    double size = 0; ///< mm, of its box
+    HomogeneousNet points, planes;
+    bool rational = false;
+    bool flat = false; ///< has no folds
+    ParameterMap map_u, map_v;
+
+    Vec2 patch_parameters(const Vec2& own) const { return uv.lower + uv.extent() * own; }
+    Vec2 face_parameters(const Vec2& own) const {
+        const Vec2 p = patch_parameters(own);
+        return {map_u.to_face(p.x), map_v.to_face(p.y)};
+    }
+};
+
+/// A part of an occluder patch over which points and tangent planes are nearly affine, so that a
+/// few products tell whether an apex can see it edge-on, and where a plane cuts that silhouette.
+struct SilhouettePiece {
+    std::uint32_t patch = 0; ///< into Silhouettes::patches
+    Box2 uv;                 ///< of that patch
+    bool trimmed = false;    ///< trim curves may cross it
+    Box3 box;                ///< world, mm
+    /// Of the nets. The last axis is about the normal: seen edge-on, an apex has little of that,
+    /// and bounds of what varies along the normal weigh little.
+    NetFrame frame;
+    AffineNet points, planes;
+    HomogeneousNet overlapped_points; ///< over the piece and its overlap
+    LoweredNet lowered_planes;        ///< over the same
+    TangentBounds chords;             ///< of `points`, for apexes whose foot is in surroundings()
+    double normal_angle =
+        4; ///< rad, half angle of the cone about the last axis that holds all normals
+
+    /// The piece's share of its patch with what it overlaps its neighbours by, so that no event
+    /// falls between them.
+    Box2 overlapped() const {
+        constexpr double overlap = 1e-7;
+        return {uv.lower - uv.extent() * overlap, uv.upper + uv.extent() * overlap};
+    }
+    /// The piece and half of its extent around: chords from an apex whose foot lies there to the
+    /// piece are mixtures of derivatives over this part of the patch.
+    Box2 surroundings() const { return {uv.lower - uv.extent() / 2, uv.upper + uv.extent() / 2}; }
+    /// What weighs `planes` into the function that is zero where `apex` sees the piece edge-on.
+    Vec4 weights(const Apex& apex) const { return frame.local(apex.seen_from(frame.center)); }
+};
+
+/// Everything of a model that an apex may see edge-on.
+struct Silhouettes {
+    std::vector<OccluderPatch> patches; ///< by instance, then by patch
+    std::vector<SilhouettePiece> pieces;
+    std::vector<TrimRegion> regions; ///< one a face of the model
+
+    /// Unit normal of either sense at a place of a placed patch; nothing where it has none.
+    std::optional<Vec3> normal_at(const Root& root) const;
+};
+
+/// Patches of higher degree than max_occluder_degree are approximated by pieces of that degree, to
+/// 1e-11 of their size. Throws Cancelled.
+Silhouettes silhouettes_of(const SurfaceModel& model, const Job& job);
+
+} // namespace keiko

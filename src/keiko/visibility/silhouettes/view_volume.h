@@ -1,0 +1,75 @@
+#pragma once
+
+#include "keiko/geometry/visibility/apex.h"
+#include "keiko/math/bounds.h"
+#include "keiko/visibility/boundaries/border_piece.h"
+#include "keiko/visibility/silhouettes/silhouette_piece.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace keiko {
+
+/// The pyramid between an apex and all that it may be asked about (a prism for parallel light):
+/// what lies outside hides nothing of it.
+class ViewVolume {
+public:
+    /// `region` holds corners of a convex body around every segment to come.
+    /// With `facing` only what lies on its side of the plane through the apex hides anything.
+    ViewVolume(const Apex& apex, std::span<const Vec3> region,
+               const std::optional<Vec3>& facing = {});
+
+    /// The hull of places and a region: what lies outside is between none of the two. With `facing`
+    /// only what lies on its side of all places, beyond rounding.
+    ViewVolume(std::span<const Vec3> places, std::span<const Vec3> region,
+               const std::optional<Vec3>& facing = {});
+
+    /// Sides of the volume, a bit each: those that something may lie across or beyond.
+    using Sides = std::uint32_t;
+    Sides all_sides() const { return (Sides{1} << count_) - 1; }
+
+    /// False when the box is proved to lie beyond one of `sides`. Takes those off inside of which
+    /// all of it lies: no part of it need be held against them.
+    bool may_hold(const Box3& box, Sides& sides) const;
+    /// The same of a piece, whose parallelogram or control points are tighter than its box.
+    bool may_hold(const SilhouettePiece& piece, Sides& sides) const;
+    bool may_hold(const BorderPiece& border, Sides& sides) const;
+    /// The same of a curve of degree 5, relative to `center`, and all within `error` of it.
+    bool may_hold(const BorderPiece::Curve& curve, const Vec3& center, double error,
+                  Sides& sides) const;
+    /// The same of bounded points in the axes of a frame.
+    bool may_hold(const AffineBounds& points, const NetFrame& frame, Sides& sides) const;
+    /// World box of the region itself.
+    const Box3& region() const { return region_; }
+
+private:
+    /// The side where normal.x >= offset.
+    struct HalfSpace {
+        Vec3 normal{0}, size{0};       ///< `size`: magnitudes of the normal's components
+        double offset = 0, length = 1; ///< of the normal
+    };
+    void add(const Vec3& normal, double offset);
+    /// How far something lies inside of a side.
+    struct Depth {
+        double least, most;
+    };
+    /// By `depth` of a half-space.
+    template <class DepthIn>
+    bool may_hold(Sides& sides, const DepthIn& depth) const {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Sides side = Sides{1} << i;
+            if ((sides & side) == 0) continue;
+            const Depth in = depth(half_spaces_[i]);
+            if (in.most < 0) return false;
+            if (in.least >= 0) sides &= ~side;
+        }
+        return true;
+    }
+
+    Box3 region_, hull_;
+    std::array<HalfSpace, 7> half_spaces_;
+    std::size_t count_ = 0;
+};
+
+} // namespace keiko

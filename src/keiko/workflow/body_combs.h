@@ -1,0 +1,25 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/inspect/combs/comb_curves.h"
+#include "keiko/report/content/combs_text.h"
+
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+/// Curves with how they bend all along, as files have them.
+struct Combs {
+    std::vector<CombCurve> curves;
+    std::vector<std::string> remarks; ///< of planes that miss the body, touch it or hold faces
+    std::string json, csv;
+    std::vector<CombPicture> pictures;
+};
+
+/// Whether the options ask for any curve.
+bool has_curves(const CombOptions& options);
+/// The sections and iso-curves of a body.
+Combs combs_of(const SurfaceModel& model, const CombOptions& options, const Job& job = {});
+
+} // namespace keiko

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "keiko/files/scene/preset_file.h"
+#include "keiko/import/worker/load_model.h"
+#include "keiko/inspect/inspection.h"
+#include "keiko/scene/criteria_preset.h"
+#include "keiko/workflow/body_combs.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+
+namespace keiko {
+
+struct CheckOptions {
+    LoadOptions load;
+    CriteriaPreset preset = standard_presets().front();
+    double join = 0.5; ///< mm
+    CombOptions combs{};
+};
+
+/// What a check made.
+struct CheckResult {
+    Inspection inspection;
+    std::optional<Combs> combs{}; ///< where any were asked for
+};
+
+/// Reads models, which together form one body, or one scene file (.toml), and holds their geometry
+/// against criteria, without lamps or pictures. Throws Error for input that cannot be read.
+CheckResult check_models(std::span<const std::filesystem::path> inputs,
+                         const CheckOptions& options = {}, const Job& job = {});
+
+} // namespace keiko

@@ -1,0 +1,60 @@
+#include "keiko/workflow/choose_views.h"
+
+#include "keiko/base/error.h"
+#include "keiko/base/field_error.h"
+#include "keiko/files/scene/view_file.h"
+
+namespace keiko {
+namespace {
+
+/// Named by the file's stem, as pictures of it are.
+NamedView view_of_file(const std::filesystem::path& path, const Framing& framing) {
+    Camera camera = read_view(path);
+    camera.width = framing.width, camera.height = framing.height;
+    return {path.stem().string(), camera};
+}
+
+NamedView view_by_name(const Scene& scene, const std::string& name, const Framing& framing,
+                       const Job& job) {
+    if (name == "auto") return best_view(scene.tracer, scene.model, framing, job);
+    if (name == "scene") {
+        if (!scene.camera) throw FieldError("views", "the scene has no camera of its own");
+        return {name, *scene.camera};
+    }
+    if (is_view_file(name)) return view_of_file(name, framing);
+    return {name, frame_view(name, scene.tracer.bounds(), framing)};
+}
+
+} // namespace
+
+void require_different_names(std::span<const NamedView> views) {
+    for (std::size_t i = 0; i < views.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (views[k].name == views[i].name)
+                throw FieldError("views", "two views are called '" + views[i].name + "'");
+}
+
+void require_view_names(std::span<const std::string> names) {
+    const Box3 any{Vec3(0), Vec3(1)};
+    for (const std::string& name : names) {
+        if (is_view_file(name))
+            read_view(name);
+        else if (name != "auto" && name != "scene")
+            frame_view(name, any);
+    }
+}
+
+std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::string> names,
+                                    int automatic, const Job& job) {
+    Framing framing{.width = scene.width, .height = scene.height};
+    if (scene.surroundings) framing.ground = scene.surroundings->ground;
+    std::vector<NamedView> views;
+    for (const std::string& name : names) views.push_back(view_by_name(scene, name, framing, job));
+    require_different_names(views);
+    if (!views.empty()) return views;
+    if (scene.camera) return {{"scene", *scene.camera}};
+    if (scene.view) return {view_by_name(scene, *scene.view, framing, job)};
+    return best_views(scene.tracer, scene.model, automatic, framing, job);
+}
+
+} // namespace keiko

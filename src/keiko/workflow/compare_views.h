@@ -1,0 +1,23 @@
+#pragma once
+
+#include "keiko/compare/shape/shared_faces.h"
+#include "keiko/workflow/compare_bodies.h"
+
+namespace keiko {
+
+/// Both bodies ready to be shown, and how they lie to each other.
+struct ComparedScenes {
+    const Scene& before;
+    const Scene& after;
+    const SurfaceFeet &feet_before, &feet_after;
+    SharedFaces& faces;
+    const Deviation& deviation; ///< of the latter from the former
+};
+
+/// Shows both under the same cameras and lamps and holds pictures and reflection lines against each
+/// other; draws the distance maps. Adds rig, views and pictures to the result. Throws Error,
+/// Cancelled.
+void compare_views(const ComparedScenes& scenes, const CompareBodiesOptions& options,
+                   CompareResult& result, const Job& job);
+
+} // namespace keiko

@@ -1,0 +1,121 @@
+#include "keiko/workflow/inspect_scene.h"
+
+#include "keiko/compare/shape/symmetry.h"
+#include "keiko/files/scene/rig_file.h"
+#include "keiko/film/image_file.h"
+#include "keiko/report/report_files.h"
+#include "keiko/workflow/choose_lights.h"
+#include "keiko/workflow/find_lines.h"
+#include "keiko/workflow/form_pictures.h"
+#include "keiko/workflow/lines_picture.h"
+#include "keiko/workflow/look_picture.h"
+#include "keiko/workflow/marked_pictures.h"
+#include "keiko/workflow/placement_mirror.h"
+#include "keiko/workflow/version.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace keiko {
+namespace {
+
+std::string percent(double share) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.1f %%", 100 * share);
+    return text.data();
+}
+
+CoverageSummary summary_of(const SurfaceModel& model, const Placement& placement) {
+    CoverageSummary summary{"rig.toml", placement.coverage, {}};
+    for (const FaceCoverage& face : placement.faces) {
+        constexpr double reached_enough = 0.5, worth_telling = 0.005;
+        if (face.reached >= reached_enough || face.share < worth_telling) continue;
+        summary.unreached.push_back(model.describe(model.faces[face.face]) + ": " +
+                                    percent(face.reached) + " of it reached, " +
+                                    percent(face.share) + " of the pictures");
+    }
+    return summary;
+}
+
+ReportPicture picture_of_lines(const std::string& view, Image drawn) {
+    return {.title = view,
+            .caption = "",
+            .file_name = view + "-lines.png",
+            .png = encode_png(drawn),
+            .width = drawn.width,
+            .height = drawn.height,
+            .markers = {}};
+}
+
+void add_lines(Report& report, const Scene& scene, const InspectResult& result,
+               const InspectOptions& options, std::span<const NamedView> views, const Job& job) {
+    if (!has_lines(result.rig)) return;
+    LinesOptions asked;
+    asked.preset = options.preset;
+    asked.join = options.join;
+    report.lines = lines_under(scene, result.rig, views, asked, job);
+    for (std::size_t i = 0; i < views.size(); ++i)
+        report.line_pictures.push_back(
+            picture_of_lines(views[i].name, with_lines(result.films[i].second, *report.lines, i)));
+}
+
+PictureOptions with_look_layers(PictureOptions options) {
+    for (const Aov layer : look_layers())
+        if (std::find(options.aovs.begin(), options.aovs.end(), layer) == options.aovs.end())
+            options.aovs.push_back(layer);
+    return options;
+}
+
+} // namespace
+
+InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, const Job& job) {
+    constexpr int automatic_views = 3;
+    const std::vector<NamedView> views = choose_views(scene, options.views, automatic_views, job);
+    InspectResult result;
+    if (options.register_hits) result.hits = register_hits(scene.tracer, scene.model, views, job);
+    PlacementOptions placing = options.placement;
+    if (!options.rig && !scene.rig)
+        placing.mirror =
+            placement_mirror(scene.model, cameras_of(views), placing, options.symmetry, job);
+    ChosenLights lights = choose_lights(scene, options.rig, views, placing, job);
+    result.rig = std::move(lights.rig);
+    result.report.tool_version = version();
+    if (lights.placement) result.report.coverage = summary_of(scene.model, *lights.placement);
+    result.report.inspection = inspect(scene.model, options.preset, options.join, job);
+    check_symmetry(scene.model, result.report.inspection, job);
+    result.report.inspection.facts.tracing = trace_facts(scene.tracer.statistics());
+    const PictureOptions picture = with_look_layers(options.picture);
+    for (const NamedView& view : views) {
+        Film film = render_view(scene, result.rig, view.camera, picture, job);
+        result.report.pictures.push_back(report_picture(
+            view.name, film, markers_in(scene, result.report.inspection, view.camera)));
+        result.films.emplace_back(view.name, std::move(film));
+    }
+    result.report.form_pictures = form_pictures(views, result.films, result.report.inspection);
+    add_lines(result.report, scene, result, options, views, job);
+    if (has_curves(options.combs)) {
+        result.combs = combs_of(scene.model, options.combs, job);
+        result.report.combs = result.combs->pictures;
+        result.report.comb_remarks = result.combs->remarks;
+    }
+    result.report.close_ups =
+        close_ups(scene, result.rig, result.report, views, options.picture, job);
+    return result;
+}
+
+FolderContent result_files(const std::filesystem::path& folder, const InspectResult& result) {
+    FolderContent files = report_files(result.report);
+    for (std::size_t i = 0; i < result.films.size(); ++i) {
+        const auto& [name, film] = result.films[i];
+        files[name + ".exr"] = encode_exr(film);
+        files[name + "-marked.png"] =
+            encode_png(marked_image(film, result.report.pictures[i].markers));
+    }
+    files["rig.toml"] = rig_text(result.rig, folder);
+    if (result.combs)
+        files["combs.json"] = result.combs->json, files["combs.csv"] = result.combs->csv;
+    return files;
+}
+
+} // namespace keiko

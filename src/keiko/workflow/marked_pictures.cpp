@@ -1,0 +1,154 @@
+#include "keiko/workflow/marked_pictures.h"
+
+#include "keiko/base/units.h"
+#include "keiko/film/image_file.h"
+#include "keiko/film/overlay.h"
+#include "keiko/film/tone_mapping.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+constexpr int close_up_width = 360, close_up_height = 240;
+
+/// The hit through which the camera sees a place of the body; nothing where something hides it.
+std::optional<Hit> seen_at(const Scene& scene, const Camera& camera, const Vec3& place) {
+    const auto pixel = project(camera, place);
+    if (!pixel || pixel->x < 0 || pixel->y < 0 || pixel->x >= camera.width ||
+        pixel->y >= camera.height)
+        return std::nullopt;
+    const double near = 1e-3 * scene.tracer.bounds().size();
+    // Borders lie at the rim of what can be hit: look a little beside them, too.
+    for (const Vec2& beside : {Vec2(0, 0), Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
+        const Ray ray = camera.ray(pixel->x + beside.x, pixel->y + beside.y);
+        auto hit = scene.tracer.nearest(ray);
+        const double depth = (place - ray.origin).dot(ray.direction);
+        if (hit && hit->t > depth - std::max(near, 0.02 * depth)) return hit;
+    }
+    return std::nullopt;
+}
+
+/// How squarely a view looks at a place, 0 to 1; 0 where it is hidden.
+double squareness(const Scene& scene, const Camera& camera, const Vec3& place) {
+    const auto hit = seen_at(scene, camera, place);
+    if (!hit) return 0;
+    return std::abs(hit->normal.dot((place - camera.eye).normalized()));
+}
+
+/// The same eye, turned to the place and zoomed in.
+Camera close_up_camera(const Scene& scene, const Camera& view, const Vec3& place) {
+    Camera camera = view;
+    camera.target = place;
+    camera.width = close_up_width;
+    camera.height = close_up_height;
+    const double height = 0.08 * scene.tracer.bounds().size();
+    const double distance = (place - view.eye).length();
+    camera.vertical_fov = radians_to_degrees(2 * std::atan(height / (2 * distance)));
+    camera.orthographic_height = height;
+    return camera;
+}
+
+/// What a close-up is made of.
+struct Finding {
+    CloseUp::Of of;
+    std::uint32_t index;
+    Vec3 place;
+};
+
+/// Adds the faces of checks, each once.
+class FaceFindings {
+public:
+    explicit FaceFindings(const Inspection& inspection) : shown_(inspection.faces.size()) {}
+
+    void add(const std::vector<Check>& checks, std::vector<Finding>& all) {
+        constexpr std::size_t most = 10;
+        for (const Check& check : checks) {
+            if (check.face == no_index || shown_[check.face] || count_ == most) continue;
+            shown_[check.face] = true, ++count_;
+            all.push_back({CloseUp::Of::face, check.face, check.worst.place});
+        }
+    }
+
+private:
+    std::vector<bool> shown_;
+    std::size_t count_ = 0;
+};
+
+/// The worst seams, of the seams, faces and crossings that do not pass the worst, and faces that
+/// are worth a look.
+std::vector<Finding> worst_findings(const Report& report) {
+    constexpr std::size_t most_seams = 20, most_crossings = 10;
+    const Inspection& inspection = report.inspection;
+    std::vector<Finding> all;
+    for (const std::uint32_t seam : worst_seams(inspection, most_seams))
+        if (all.size() < worst_seam_count || inspection.seams[seam].verdict != Verdict::pass)
+            all.push_back({CloseUp::Of::seam, seam, worst_place(inspection.seams[seam])});
+    FaceFindings faces(inspection);
+    faces.add(inspection.findings, all), faces.add(inspection.looks, all);
+    if (!report.lines) return all;
+    std::uint32_t rank = 0;
+    for (const CrossingPlace& crossing : ranked_crossings(*report.lines)) {
+        const LineCrossing& c = crossing.in(*report.lines);
+        if (*c.verdict == Verdict::pass || rank == most_crossings) break;
+        all.push_back({CloseUp::Of::crossing, rank++, c.place});
+    }
+    return all;
+}
+
+} // namespace
+
+std::vector<PictureMarker> markers_in(const Scene& scene, const Inspection& inspection,
+                                      const Camera& camera) {
+    std::vector<PictureMarker> markers;
+    int rank = 0;
+    for (const std::uint32_t index : worst_seams(inspection, worst_seam_count)) {
+        ++rank;
+        const Vec3 place = worst_place(inspection.seams[index]);
+        if (!seen_at(scene, camera, place)) continue;
+        const Vec2 pixel = *project(camera, place);
+        markers.push_back({rank, pixel.x, pixel.y});
+    }
+    return markers;
+}
+
+ReportPicture report_picture(const std::string& title, const Film& film,
+                             const std::vector<PictureMarker>& markers) {
+    const Image display = tone_mapped(film);
+    return {.title = title,
+            .caption = "",
+            .file_name = title + ".png",
+            .png = encode_png(display),
+            .width = display.width,
+            .height = display.height,
+            .markers = markers};
+}
+
+Image marked_image(const Film& film, const std::vector<PictureMarker>& markers) {
+    Overlay overlay;
+    for (const PictureMarker& marker : markers)
+        overlay.markers.push_back({{marker.x, marker.y}, std::to_string(marker.number)});
+    return with_overlay(tone_mapped(film), overlay);
+}
+
+std::vector<CloseUp> close_ups(const Scene& scene, const LightRig& rig, const Report& report,
+                               std::span<const NamedView> views, const PictureOptions& options,
+                               const Job& job) {
+    std::vector<CloseUp> pictures;
+    for (const Finding& finding : worst_findings(report)) {
+        const Vec3& place = finding.place;
+        const auto best = std::max_element(
+            views.begin(), views.end(), [&](const NamedView& a, const NamedView& b) {
+                return squareness(scene, a.camera, place) < squareness(scene, b.camera, place);
+            });
+        if (best == views.end() || squareness(scene, best->camera, place) == 0) continue;
+        const Camera camera = close_up_camera(scene, best->camera, place);
+        const Film film = render_view(scene, rig, camera, options, job);
+        const std::string title = "close-up-" + std::to_string(pictures.size() + 1);
+        pictures.push_back({finding.of, finding.index, report_picture(title, film, {})});
+    }
+    return pictures;
+}
+
+} // namespace keiko

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "keiko/film/film.h"
+#include "keiko/inspect/inspection.h"
+#include "keiko/placement/best_view.h"
+#include "keiko/report/content/report.h"
+#include "keiko/workflow/open_scene.h"
+
+namespace keiko {
+
+/// Where the worst seams of an inspection can be seen in a view: a marker with the seam's rank for
+/// each worst place that is in the picture and not hidden by the body.
+std::vector<PictureMarker> markers_in(const Scene& scene, const Inspection& inspection,
+                                      const Camera& camera);
+
+/// The display picture of a film as the report takes it, which draws the markers itself.
+ReportPicture report_picture(const std::string& title, const Film& film,
+                             const std::vector<PictureMarker>& markers);
+
+/// The display picture of a film with the markers drawn into it.
+Image marked_image(const Film& film, const std::vector<PictureMarker>& markers);
+
+/// Pictures close by the places of the worst seams, and of the worst seams, faces and crossings of
+/// lines that do not pass, each from the view that shows it most squarely; none of what no view
+/// shows.
+std::vector<CloseUp> close_ups(const Scene& scene, const LightRig& rig, const Report& report,
+                               std::span<const NamedView> views, const PictureOptions& options,
+                               const Job& job);
+
+} // namespace keiko

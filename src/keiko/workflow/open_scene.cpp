@@ -1,0 +1,95 @@
+#include "keiko/workflow/open_scene.h"
+
+#include "keiko/geometry/model/ground_plane.h"
+#include "keiko/workflow/painted_body.h"
+
+#include <array>
+
+namespace keiko {
+namespace {
+
+SurfaceModel on_ground(const SurfaceModel& body, const Box3& bounds, double z) {
+    const std::array models{body, ground_plane(z, bounds)};
+    return merge(models);
+}
+
+/// What of a scene is made to be traced.
+struct Traced {
+    Tracer tracer; ///< of the body
+    std::optional<Surroundings> surroundings{};
+    std::optional<Occluders> occluders{};
+};
+
+Traced traced(const SurfaceModel& body, const std::vector<Material>& materials,
+              const std::optional<GroundSpec>& ground, const SceneOptions& options,
+              const Job& job) {
+    const TracerOptions tracing{.second_derivatives = true, .clipping_only = options.clipping_only};
+    Traced all{Tracer(body, tracing, job)};
+    if (!ground) {
+        if (options.shadows) all.occluders.emplace(body, all.tracer, job);
+        return all;
+    }
+    const SurfaceModel seen = on_ground(body, all.tracer.bounds(), ground->z);
+    all.surroundings = Surroundings{ground->z, materials, Tracer(seen, tracing, job)};
+    all.surroundings->materials.push_back(ground->material);
+    if (options.shadows) all.occluders.emplace(seen, all.surroundings->tracer, job);
+    return all;
+}
+
+} // namespace
+
+void Scene::set_picture_size(int wide, int high) {
+    width = wide, height = high;
+    if (camera) camera->width = wide, camera->height = high;
+}
+
+Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options,
+                 const Job& job) {
+    const SceneSpec spec = spec_of(inputs, options.material, options.frame);
+    auto [body, materials] = read_body(spec, options.load, job);
+    Traced all = traced(body, materials, spec.ground, options, job);
+    return {.model = std::move(body),
+            .materials = std::move(materials),
+            .tracer = std::move(all.tracer),
+            .occluders = std::move(all.occluders),
+            .camera = spec.camera,
+            .view = spec.view,
+            .rig = spec.rig,
+            .background = spec.background,
+            .width = spec.width,
+            .height = spec.height,
+            .surroundings = std::move(all.surroundings),
+            .max_depth = spec.max_depth,
+            .min_weight = spec.min_weight};
+}
+
+Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options, const Job& job) {
+    for (Instance& instance : scene.model.instances)
+        instance.transform = motion * instance.transform;
+    std::optional<GroundSpec> ground;
+    if (scene.surroundings)
+        ground = {scene.surroundings->ground, scene.surroundings->materials.back()};
+    Traced all = traced(scene.model, scene.materials, ground, options, job);
+    scene.tracer = std::move(all.tracer);
+    scene.surroundings = std::move(all.surroundings);
+    scene.occluders = std::move(all.occluders);
+    return scene;
+}
+
+PictureOptions picture_options(const Scene& scene, PictureOptions options) {
+    options.max_depth = scene.max_depth.value_or(options.max_depth);
+    options.min_weight = scene.min_weight.value_or(options.min_weight);
+    return options;
+}
+
+Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
+                 const PictureOptions& options, const Job& job) {
+    Film film = render(scene.picture(rig), camera, picture_options(scene, options), job);
+    if (const auto layer = film.aovs.find(Aov::face); layer != film.aovs.end())
+        for (float& value : layer->second.values)
+            if (value >= 0)
+                value = static_cast<float>(scene.face_id(static_cast<std::size_t>(value)));
+    return film;
+}
+
+} // namespace keiko

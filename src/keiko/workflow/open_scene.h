@@ -1,0 +1,87 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/film/film.h"
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/import/worker/load_model.h"
+#include "keiko/intersect/traversal/tracer.h"
+#include "keiko/light/rig/light_rig.h"
+#include "keiko/math/affine.h"
+#include "keiko/render/shading/picture.h"
+#include "keiko/scene/camera.h"
+#include "keiko/scene/material.h"
+#include "keiko/visibility/query/occluders.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace keiko {
+
+struct SceneOptions {
+    LoadOptions load;
+    std::string material = "black-show-car"; ///< of models that no scene file paints
+    bool clipping_only = false;              ///< trace by Bezier clipping alone, see TracerOptions
+    bool shadows = false;                    ///< bodies cast shadows, in pictures and numbers
+    double frame = 0;                        ///< of a scene file with [[animation]]
+};
+
+/// The body on its ground, as pictures show it: the faces of the body, then that of the ground.
+struct Surroundings {
+    double ground = 0; ///< mm, its z
+    std::vector<Material> materials;
+    Tracer tracer;
+};
+
+/// A body ready to be looked at.
+struct Scene {
+    SurfaceModel model;
+    std::vector<Material> materials; ///< one a face of the model
+    Tracer tracer;
+    std::optional<Occluders> occluders; ///< of what is seen, if it shall cast shadows
+    std::optional<Camera> camera;       ///< as the scene file has it
+    std::optional<std::string> view;    ///< a named view of the scene file
+    std::optional<LightRig> rig;
+    Rgb background{0};
+    int width = 960, height = 540;
+    std::optional<Surroundings> surroundings{}; ///< of a scene file with [ground]
+    std::optional<int> max_depth{};             ///< as the scene file has them, else as
+    std::optional<double> min_weight{};         ///< PictureOptions
+
+    /// What pictures and traced rays see: the body, and the ground if there is one.
+    const Tracer& seen() const { return surroundings ? surroundings->tracer : tracer; }
+    const std::vector<Material>& seen_materials() const {
+        return surroundings ? surroundings->materials : materials;
+    }
+    /// What pictures show under a rig, which is only looked at, as is the scene.
+    PictureScene picture(const LightRig& under) const {
+        return {seen(), seen_materials(), under, background, occluders ? &*occluders : nullptr};
+    }
+    /// Of its pictures, in pixels; of its camera too.
+    void set_picture_size(int wide, int high);
+    /// The number that files and reports give a face of what is seen; 0: the ground.
+    std::uint32_t face_id(std::size_t face) const {
+        return face < model.faces.size() ? model.faces[face].id : 0;
+    }
+};
+
+/// What a scene file says of how far reflections are followed, before what `options` says.
+PictureOptions picture_options(const Scene& scene, PictureOptions options = {});
+
+/// Opens models, which together form one body, or one scene file (.toml). Throws Error for input
+/// that cannot be read.
+Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options = {},
+                 const Job& job = {});
+
+/// The same scene with its body moved; ground, lamps and camera stay. `options` as it was opened
+/// by.
+Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options = {},
+                  const Job& job = {});
+
+/// Renders one picture of the scene under a rig.
+Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
+                 const PictureOptions& options = {}, const Job& job = {});
+
+} // namespace keiko

@@ -1,0 +1,148 @@
+"""The house: which room of src/keiko may include which, and which chambers a room has.
+
+ROOMS names for each room, from the bottom up, the rooms that it is built on. It may include these,
+what those may include, and itself. CHAMBERS does the same for the folders inside a room: a chamber
+may include those that it names and what those may include. Files that lie in a room itself, beside
+its chambers, may include every chamber, and no chamber includes them.
+EXTERNAL keeps each third-party library inside the room that adapts it.
+FRONT_ENDS see the rooms that they name and nothing below these, so that they hold no logic.
+"""
+
+ROOMS = {
+    "base": set(),
+    "math": {"base"},
+    "geometry": {"math"},
+    "intersect": {"geometry"},
+    "visibility": {"intersect"},
+    "light": {"geometry"},
+    "scene": {"geometry", "light"},
+    "film": {"math"},
+    "files": {"scene"},
+    "import": {"files"},
+    "render": {"visibility", "light", "scene", "film"},
+    "placement": {"intersect", "scene"},
+    "inspect": {"intersect", "scene"},
+    "compare": {"inspect", "film"},
+    "report": {"inspect", "placement", "compare", "film"},
+    "workflow": {"import", "render", "report"},
+    "stream": {"workflow"},
+    "regress": {"workflow"},
+    "api": {"stream", "regress"},
+    "cli": {"api", "base"},
+}
+FRONT_ENDS = {"cli"}
+CHAMBERS = {
+    "geometry": {
+        "bernstein": set(),
+        "bezier": {"bernstein"},
+        "visibility": {"bezier"},
+        "model": {"bezier"},
+        "trim": {"model"},
+        "bvh": set(),
+        "seam": {"model", "bvh"},
+    },
+    "intersect": {
+        "roots": set(),
+        "subpatch": {"roots"},
+        "kernels": {"subpatch"},
+        "hit": {"kernels"},
+        "traversal": {"hit"},
+    },
+    "visibility": {
+        "nets": set(),
+        "boundaries": set(),
+        "silhouettes": {"nets", "boundaries"},
+        "query": {"silhouettes"},
+        "epipolar": {"query"},
+    },
+    "light": {
+        "luminance": set(),
+        "tubes": {"luminance"},
+        "spotlight": {"luminance"},
+        "fog": {"luminance"},
+        "rig": {"tubes", "spotlight", "fog"},
+    },
+    "files": {
+        "toml": set(),
+        "photometric": set(),
+        "model": {"toml", "photometric"},
+        "scene": {"toml", "photometric"},
+    },
+    "import": {
+        "cad": set(),
+        "subdivision": set(),
+        "worker": {"cad", "subdivision"},
+    },
+    "render": {
+        "reflection": set(),
+        "shading": {"reflection"},
+        "lighting": {"shading"},
+        "antialias": {"lighting"},
+    },
+    "inspect": {
+        "basics": set(),
+        "seams": {"basics"},
+        "openings": {"seams"},
+        "lines": {"seams"},
+        "combs": {"basics"},
+        "flaws": {"seams"},
+        "curvature": {"flaws"},
+    },
+    "compare": {
+        "alignment": set(),
+        "shape": {"alignment"},
+        "outlines": {"alignment"},
+    },
+    "report": {
+        "markup": set(),
+        "content": {"markup"},
+        "json": {"content"},
+        "html": {"content"},
+        "junit": {"content"},
+        "sarif": {"content"},
+        "svg": {"content"},
+        "csv": {"json"},
+        "text": {"json"},
+    },
+}
+EXTERNAL = {
+    "embree3/": {"intersect"},
+    "hwy/": {"intersect", "render"},
+    "opensubdiv/": {"import/subdivision"},
+    ".hxx": {"import/cad"},
+    "OpenImageIO/": {"film"},
+    "toml++/": {"files/toml"},
+    "nlohmann/": {"files", "report/markup"},
+    "Imath/": {"math"},
+    "tbb/": {"base"},
+    "oneapi/": {"base"},
+    "spdlog/": {"base"},
+    "fmt/": {"base"},
+    "CLI/": {"cli"},
+}
+
+
+def reachable(graph: dict, start: str) -> set:
+    """`start`, all that it names, and what those may include."""
+    found, todo = {start}, [start]
+    while todo:
+        for lower in graph[todo.pop()] - found:
+            found.add(lower)
+            todo.append(lower)
+    return found
+
+
+def home(parts: tuple) -> str:
+    """Room or room/chamber of a file's path below src/keiko."""
+    return "/".join(parts[:-1])
+
+
+def may_include(user: str, used: str) -> bool:
+    """Whether a file in `user` may include one in `used`: rooms, or rooms with a chamber."""
+    room, _, chamber = user.partition("/")
+    other, _, inner = used.partition("/")
+    if room != other:
+        return other in (ROOMS[room] if room in FRONT_ENDS else reachable(ROOMS, room))
+    if not chamber:
+        return True
+    return bool(inner) and inner in reachable(CHAMBERS[room], chamber)

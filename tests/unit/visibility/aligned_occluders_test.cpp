@@ -1,0 +1,135 @@
+#include "keiko/visibility/epipolar/shadow_pencil.h"
+#include "keiko/visibility/query/occluders.h"
+
+#include "tests/support/long_run.h"
+#include "tests/support/round_scenes.h"
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+/// Scenes on a grid of round numbers: apex, segment and edge in one plane, apexes in the planes of
+/// faces, edges end to end. What is exactly on a boundary may be told either way, but only as a
+/// segment moved by next to nothing would be.
+using namespace keiko;
+using namespace keiko::test;
+
+namespace {
+
+/// A segment, and four so near to it that only what is exactly aligned can tell them apart.
+std::vector<SegmentEnds> with_neighbours(const SegmentEnds& ends) {
+    constexpr double little = 1e-5;
+    std::vector<SegmentEnds> row;
+    for (const Vec3& step : {Vec3(0), Vec3(little, 0, 0), Vec3(-little, 0, 0), Vec3(0, 0, little),
+                             Vec3(0, 0, -little)})
+        row.push_back({ends[0] + step, ends[1] + step});
+    return row;
+}
+
+/// Of a box around a segment along y.
+std::vector<Vec3> corners(const SegmentEnds& ends) {
+    std::vector<Vec3> all;
+    for (const Vec3& end : ends)
+        for (const double x : {-2.0, 2.0})
+            for (const double z : {-2.0, 2.0}) all.push_back(end + Vec3(x, 0, z));
+    return all;
+}
+
+bool is_in(const IntervalSet& seen, double t) {
+    for (const ParameterInterval& i : seen)
+        if (t > i.begin && t < i.end) return true;
+    return false;
+}
+
+/// Whether an end lies so near to t that moving the segment may carry it past.
+bool ends_near(const IntervalSet& seen, double t) {
+    constexpr double near = 2e-3;
+    for (const ParameterInterval& i : seen)
+        if (std::abs(i.begin - t) < near || std::abs(i.end - t) < near) return true;
+    return false;
+}
+
+/// Places where all segments beside one are told the same, and it itself differently.
+int told_alone(const std::vector<IntervalSet>& seen) {
+    int alone = 0;
+    constexpr int places = 101;
+    for (int p = 1; p < places; ++p) {
+        const double t = double(p) / places;
+        int lit = 0;
+        bool near_end = false;
+        for (std::size_t k = 1; k < seen.size(); ++k)
+            lit += is_in(seen[k], t), near_end = near_end || ends_near(seen[k], t);
+        if (near_end || (lit != 0 && lit != 4)) continue;
+        if (is_in(seen[0], t) != (lit == 4)) ++alone;
+    }
+    return alone;
+}
+
+} // namespace
+
+TEST(AlignedOccluders, AreSeenAsFromNextToNothingBeside) {
+    Random random(first_seed() + 6);
+    const std::size_t scenes = ray_count(200, 20000);
+    int alone = 0, alone_in_rows = 0;
+    std::size_t certain = 0, partly = 0;
+    for (std::size_t scene = 0; scene < scenes; ++scene) {
+        const SurfaceModel model = round_scene(random);
+        const Tracer tracer(model);
+        const Occluders occluders(model, tracer);
+        for (int trial = 0; trial < 50; ++trial) {
+            const Vec3 apex = round_place(random, -3, 12);
+            // Above all bodies, which reach up to 120.
+            const Vec3 a(round_number(random, -3, 12), -40, round_number(random, 13, 16));
+            if (apex.x == a.x && apex.z == a.z) continue; // in the midst of the segment
+            const std::vector<SegmentEnds> row = with_neighbours({a, a + Vec3(0, 170, 0)});
+            const ApexView view(occluders, tracer, Apex::at(apex), corners(row[0]));
+            const SeenParts single = view.intervals(row[0][0], row[0][1]);
+            if (!single.certain) continue; // the apex on a surface
+            std::vector<IntervalSet> seen{single.intervals}, in_row;
+            for (std::size_t k = 1; k < row.size(); ++k)
+                seen.push_back(view.intervals(row[k][0], row[k][1]).intervals);
+            for (const SeenParts& parts : view.intervals(row)) in_row.push_back(parts.intervals);
+            ++certain;
+            partly += !seen[0].empty() && seen[0].measure() < 1;
+            alone += told_alone(seen);
+            alone_in_rows += told_alone(in_row);
+        }
+    }
+    EXPECT_EQ(alone, 0);
+    EXPECT_EQ(alone_in_rows, 0);
+    EXPECT_GT(certain, 45 * scenes);
+    EXPECT_GT(partly, 10 * scenes);
+}
+
+TEST(AlignedOccluders, ArePastRaysOfAPencilAsFromNextToNothingBeside) {
+    Random random(first_seed() + 11);
+    const std::size_t scenes = ray_count(100, 10000);
+    int alone = 0;
+    std::size_t partly = 0;
+    for (std::size_t scene = 0; scene < scenes; ++scene) {
+        const SurfaceModel model = round_scene(random);
+        const Tracer tracer(model);
+        const Occluders occluders(model, tracer);
+        const Vec3 light = round_place(random, -3, 12), eye = round_place(random, -3, 12);
+        if (light == eye) continue;
+        const ShadowPencil pencil(occluders, tracer, light, eye);
+        for (int trial = 0; trial < 50; ++trial) {
+            const Vec3 target = round_place(random, -3, 12);
+            if (target == eye || (target - eye).cross(light - eye).length() == 0) continue;
+            std::vector<SegmentEnds> rays = with_neighbours({eye, target});
+            for (SegmentEnds& ray : rays) ray[0] = eye;
+            double end = 1;
+            for (const SegmentEnds& ray : rays)
+                if (const auto hit = tracer.nearest({.origin = eye, .direction = ray[1] - eye}))
+                    end = std::min(end, hit->t - 1e-6);
+            if (!(end > 1e-3)) continue; // the eye on a surface
+            for (SegmentEnds& ray : rays) ray[1] = eye + (ray[1] - eye) * end;
+            const std::vector<IntervalSet> seen = pencil.intervals(rays);
+            partly += !seen[0].empty() && seen[0].measure() < 1;
+            alone += told_alone(seen);
+        }
+    }
+    EXPECT_EQ(alone, 0);
+    EXPECT_GT(partly, 5 * scenes);
+}

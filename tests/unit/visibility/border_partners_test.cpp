@@ -1,0 +1,62 @@
+#include "keiko/visibility/boundaries/border_piece.h"
+
+#include "tests/support/model_builder.h"
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace keiko {
+namespace {
+
+/// The square [0, 10]^2 at z = 0 and, from its side x = 10 on, another face of the same size that
+/// rises by `rise`, begins `gap` farther off and is `width` wide along y.
+std::vector<BorderPiece> pieces_of_two(double rise, double gap, double width, int neighbours = 1) {
+    test::ModelBuilder builder;
+    builder.plane({0, 0, 0}, {10, 0, 0}, {0, 10, 0});
+    for (int i = 0; i < neighbours; ++i)
+        builder.plane({10 + gap, 0, 0}, {10, 0, rise * (i + 1)}, {0, width, 0});
+    builder.instance(Affine());
+    const SurfaceModel model = builder.build();
+    return border_pieces(model, Tracer(model), Job());
+}
+
+/// How many pieces of border the surface is known to go on beyond.
+std::ptrdiff_t covered(const std::vector<BorderPiece>& pieces) {
+    return std::count_if(pieces.begin(), pieces.end(), [](const BorderPiece& piece) {
+        return piece.normal_angle < std::numbers::pi / 2;
+    });
+}
+
+TEST(BorderPartners, GoOnWhereBordersWithoutAnEdgeAreOneCurve) {
+    const std::vector<BorderPiece> pieces = pieces_of_two(0, 0, 10);
+    EXPECT_EQ(covered(pieces), 2);
+    for (const BorderPiece& piece : pieces)
+        if (piece.normal_angle < 1) {
+            EXPECT_NEAR(piece.center.x, 10, 1e-12);
+            EXPECT_LT(piece.normal_angle, 1e-5);
+            EXPECT_NEAR(std::abs(piece.normal.z), 1, 1e-12);
+        }
+}
+
+TEST(BorderPartners, HaveAConeOfBothSidesNormals) {
+    for (const BorderPiece& piece : pieces_of_two(10, 0, 10)) {
+        if (piece.normal_angle > 1) continue;
+        EXPECT_NEAR(piece.normal_angle, std::numbers::pi / 8, 1e-5);
+        EXPECT_NEAR(std::abs(piece.normal.dot(Vec3(-1, 0, 1 + std::numbers::sqrt2).normalized())),
+                    1, 1e-12);
+    }
+    EXPECT_EQ(covered(pieces_of_two(10, 0, 10)), 2);
+}
+
+TEST(BorderPartners, OfAPartOfABorderAreThatPartsAlone) {
+    EXPECT_EQ(covered(pieces_of_two(0, 0, 9)), 1);
+}
+
+TEST(BorderPartners, AreNotFoundAcrossGapsOrBetweenThree) {
+    EXPECT_EQ(covered(pieces_of_two(0, 1e-6, 10)), 0);
+    EXPECT_EQ(covered(pieces_of_two(3, 0, 10, 2)), 0);
+}
+
+} // namespace
+} // namespace keiko
