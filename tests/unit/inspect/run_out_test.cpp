@@ -66,6 +66,23 @@ TEST(FollowRunOut, MeasuresTheStepOfTheSlope) {
     }
 }
 
+TEST(FollowRunOut, MeasuresTheSameWhereABorderEndsJustBefore) {
+    const SlopedSeam seam(smooth_fade);
+    const SeamProbe& probe = seam.probes().front();
+    const auto parts = partition_seam(probe, 0, {});
+    ASSERT_EQ(parts.front().kind, SeamClass::crease);
+    const double cut = parts.front().end.t - 0.1 / 260; // 0.1 mm before the end
+    std::vector<SeamPart> divided = parts;
+    divided.insert(divided.begin(), parts.front());
+    divided[0].end = divided[1].begin = probe.at(cut);
+    for (SeamPart& part : divided) part.length = probe.part(part.begin, part.end).length();
+    const auto whole = follow_run_out(seam.probes(), parts, 0, true, {});
+    const auto halves = follow_run_out(seam.probes(), divided, 1, true, {});
+    ASSERT_TRUE(whole && halves);
+    EXPECT_LE(halves->step.value, halves->step.bound); // the fade has no corner
+    EXPECT_LT(halves->step.bound, 2 * whole->step.bound);
+}
+
 TEST(FollowRunOut, IsNoneWhereTheAngleStaysOverItsLimit) {
     for (const double rest : {0.11, 0.5, 4.0}) {
         const SeamSlope plateau{

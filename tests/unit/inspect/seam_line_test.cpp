@@ -29,8 +29,8 @@ SurfaceModel wavy_gap(int degree, double rise) {
 }
 
 TEST(SeamLine, FindsTheWidestPlaceHoweverManyPieces) {
-    for (const int degree : {14, 16})
-        for (const int pieces : {4, 8})
+    for (const int degree : {14, 16, 20})
+        for (const int pieces : {1, 4, 8})
             for (const double rise : {-0.001, 0.001}) {
                 const SurfaceModel model = wavy_gap(degree, rise);
                 const BoundaryCurves curves(model);

@@ -3,6 +3,7 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/math/quadrature.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keiko {
@@ -51,6 +52,11 @@ SurfaceCurve::Place SurfaceCurve::place(double t, int order) const {
 std::uint32_t SurfaceCurve::patch_at(double t) const {
     const std::array<Vec2, 4> p = evaluate(p_curve_, t, 1);
     return grid_->locate(p[0], Vec2(-p[1].y, p[1].x) * side_);
+}
+
+int SurfaceCurve::degree_at(double t) const {
+    const BezierPatchView patch = model_->patch(patch_at(t));
+    return std::max(patch.degree_u, patch.degree_v);
 }
 
 namespace {

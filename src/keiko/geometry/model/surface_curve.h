@@ -44,6 +44,8 @@ public:
     Vec2 parameters(double t) const { return evaluate(p_curve_, t, 0)[0]; }
     /// Index of the patch that it runs on at t, on the side of its material.
     std::uint32_t patch_at(double t) const;
+    /// Highest degree of that patch, in either parameter.
+    int degree_at(double t) const;
     /// How many patches it may run through.
     int patch_count() const { return 1 + grid_->lines_through(hull_bounds(p_curve_)); }
     /// Parameters between `begin` and `end`, begin < end, at which it passes from patch to patch,

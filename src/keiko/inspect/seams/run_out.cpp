@@ -145,6 +145,7 @@ private:
 
     std::optional<Entry> neighbour(std::size_t part, bool forward) const;
     void sample_crease(std::size_t crease, bool forward);
+    double sample_back(const Entry& entry, double along);
     bool follow(const Entry& entry);
     bool note(double along, const SeamPoint& to, const Vec3& way, bool joint);
     bool turns_corner(double along, const Vec3& way) const;
@@ -194,24 +195,37 @@ std::optional<FadeWalk::Entry> FadeWalk::neighbour(std::size_t part, bool forwar
     return nearest;
 }
 
-/// The last window of the crease, in the order of the way out.
+/// Samples of the crease before its end, over as many of its parts as it takes, in the order of the
+/// way out.
 void FadeWalk::sample_crease(std::size_t crease, bool forward) {
     const SeamPart& part = parts_[crease];
-    const SeamProbe& probe = probes_[part.piece];
     const SeamPoint& out = point_at(part, forward);
     samples_.push_back({0, out.signed_angle, out.place, way_out(part, out.t, forward), true});
+    std::optional<Entry> back = Entry{crease, !forward};
     double along = 0;
-    SeamPoint last = out;
-    for (const SampleStep& next : sample_steps(probe, part, !forward, step())) {
+    while (back && parts_[back->part].kind == SeamClass::crease && along <= 4 * window()) {
+        used_[back->part] = true;
+        along = sample_back(*back, along);
+        back = neighbour(back->part, back->forward);
+    }
+    std::reverse(samples_.begin(), samples_.end());
+}
+
+/// Samples one part of the crease, entered `along` mm before its end; returns how far it came.
+double FadeWalk::sample_back(const Entry& entry, double along) {
+    const SeamPart& part = parts_[entry.part];
+    const SeamProbe& probe = probes_[part.piece];
+    SeamPoint last = point_at(part, !entry.forward);
+    for (const SampleStep& next : sample_steps(probe, part, entry.forward, step())) {
         const SeamPoint point = probe.at(next.t, last.s);
         along += (point.place - last.place).length();
         if (point.angle)
             samples_.push_back({-along, point.signed_angle, point.place,
-                                way_out(part, next.t, forward), next.joint});
+                                way_out(part, next.t, !entry.forward), next.joint});
         if (along > 4 * window()) break;
         last = point;
     }
-    std::reverse(samples_.begin(), samples_.end());
+    return along;
 }
 
 /// Goes through one smooth part. Returns false where the angle does not fade.

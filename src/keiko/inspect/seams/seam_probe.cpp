@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace keiko {
 namespace {
@@ -41,6 +42,11 @@ double unexplained_turn(const Side& from, const Side& into, double way) {
 double uneven(int i) {
     constexpr double golden = 0.6180339887498949, most = 0.1;
     return most * (2 * std::fmod(i * golden, 1.0) - 1);
+}
+
+/// Steps of a polynomial's parameter that are shorter towards its ends, as its waves may be.
+double polynomial_share(double share) {
+    return (1 - std::cos(std::numbers::pi * share)) / 2;
 }
 
 } // namespace
@@ -96,6 +102,13 @@ std::vector<double> SeamProbe::patch_changes() const {
     return changes;
 }
 
+/// In which a search of the steps' ends and middles sees the waves of a polynomial of that degree.
+int SeamProbe::least_steps(double from, double stop) const {
+    const double t = (from + stop) / 2, span = on_a_.end - on_a_.begin;
+    const double s = on_b_.begin + (t - on_a_.begin) / span * (on_b_.end - on_b_.begin);
+    return std::max({2, a_.degree_at(t), b_.degree_at(s)});
+}
+
 std::vector<double> SeamProbe::steps(int least) const {
     const double span = on_a_.end - on_a_.begin;
     std::vector<double> stops = patch_changes();
@@ -105,11 +118,10 @@ std::vector<double> SeamProbe::steps(int least) const {
     for (const double stop : stops) {
         const double from = result.back();
         if (!(stop - from > distinct * span)) continue;
-        constexpr int least_in_patch = 2;
-        const int count =
-            std::max(least_in_patch, static_cast<int>(std::ceil((stop - from) / span * least)));
+        const int count = std::max(least_steps(from, stop),
+                                   static_cast<int>(std::ceil((stop - from) / span * least)));
         for (int i = 1; i < count; ++i)
-            result.push_back(from + (stop - from) * (i + uneven(i)) / count);
+            result.push_back(from + (stop - from) * polynomial_share((i + uneven(i)) / count));
         result.push_back(stop);
     }
     if (result.size() > 1) result.back() = on_a_.end;

@@ -68,13 +68,16 @@ public:
     Vec3 middle() const { return place((begin() + end()) / 2); }
 
     /// Parameters of side a from begin to end in at least `least` steps, every patch change among
-    /// them: between two of them all quantities are smooth.
+    /// them: between two of them all quantities are smooth. Between two patch changes there are at
+    /// least as many as the higher of the degrees of both patches.
     std::vector<double> steps(int least) const;
     /// Parameters of side a at which either side passes from one patch to the next, in rising
     /// order.
     std::vector<double> patch_changes() const;
 
 private:
+    int least_steps(double from, double stop) const;
+
     SurfaceCurve a_, b_;
     ParameterInterval on_a_, on_b_; ///< that of b runs backwards where begin > end
     ParameterInterval reach_b_;     ///< where the nearest point of side b is searched
