@@ -124,11 +124,19 @@ Check unknown_angle(const MeasuredSeam& seam, const CriteriaPreset& preset) {
     return check;
 }
 
+/// Whether a value is undecided for places that have none, not for its bound.
+bool is_known_in_part(const Worst& worst) {
+    return worst.verdict == Verdict::undecided && worst.value + worst.bound <= worst.limit;
+}
+
 Check angle_check(const MeasuredSeam& seam, const CriteriaPreset& preset) {
     if (const char* excuse = excuse_of(seam)) return not_judged("G-SU-NT", excuse);
     if (!seam.angle) return unknown_angle(seam, preset);
     Check check = judged("G-SU-NT", "deg", *seam.angle, {"the angle", " degrees"});
     if (seam.kind == SeamClass::fold) check.message += "; the sides lie on each other";
+    if (is_known_in_part(*seam.angle))
+        check.message = "the angle is " + short_number(seam.angle->value) +
+                        " degrees where it can be measured: a side has no normal elsewhere";
     return check;
 }
 

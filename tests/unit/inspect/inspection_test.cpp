@@ -45,6 +45,22 @@ TEST(Inspect, PassesASmoothModelWithoutFindings) {
     EXPECT_TRUE(result.findings.empty());
 }
 
+TEST(Inspect, SaysWhereASideHasNoNormal) {
+    ModelBuilder builder;
+    test::flat_sheet(builder, {0, 50, 0});
+    // The rows of control points by the seam coincide over the second half.
+    NurbsSurface half{1, 2, {0, 0, 1, 2, 2}, {0, 0, 0, 1, 1, 1}, {}};
+    for (int i = 0; i < 3; ++i)
+        for (const double y : {0.0, i == 0 ? -25.0 : 0.0, -50.0})
+            half.points.emplace_back(test::sheet_length * i / 2, y, 0, 1);
+    builder.nurbs(half);
+    const Inspection result = inspect(builder.build());
+    EXPECT_EQ(result.verdict, Verdict::undecided);
+    ASSERT_EQ(result.findings.size(), 1u);
+    EXPECT_NE(result.findings[0].message.find("a side has no normal"), std::string::npos)
+        << result.findings[0].message;
+}
+
 TEST(Inspect, ListsFindingsWorstFirst) {
     const Inspection result = inspect(strips({0.2, 0.4, 0.3}));
     ASSERT_EQ(result.findings.size(), 3u);
