@@ -63,11 +63,11 @@ class Illuminance(KeikoTest):
         thick = SCENE.replace("-20, 1000", "-100, 1000").replace("[0, 40, 0]", "[0, 200, 0]")
         thick = thick.replace("diameter = 10", "diameter = 100")
         lux = {}
-        for word in "seed", "exact":
+        for word in "paper", "exact":
             row = self.rows("0,0,0,0,0,1\n", scene=thick + f'fidelity = "{word}"\n')[0]
             lux[word] = float(row["c_plane.0"])
         # d / D is 0.1: the paper is about 2.8 % too dark.
-        self.assertAlmostEqual(lux["seed"] / lux["exact"], 1 - 0.028, delta=0.004)
+        self.assertAlmostEqual(lux["paper"] / lux["exact"], 1 - 0.028, delta=0.004)
 
     def test_a_malformed_line_ends_it_with_its_number(self):
         for line, reason in (("1,2,3,4,5\n", "expected x,y,z,nx,ny,nz, got 5 fields"),

@@ -245,7 +245,7 @@ TEST(SpotlightFile, EveryKindReadsBackBitForBit) {
     expect_round_trip(sun +
                       "shaft = false\n[[window]]\ncorners = [[0, 0, 0], [0, 1, 0], [0, 0, 1]]\n");
     expect_round_trip(fog +
-                      "fidelity = \"seed\"\nlight_leg = \"clear\"\n"
+                      "fidelity = \"paper\"\nlight_leg = \"clear\"\n"
                       "phase = { kind = \"henyey-greenstein\", g = -0.3 }\n"
                       "layer = { height = 0.1, extinction_above = 0.2, bump = \"noise\", "
                       "amplitude = 100, wavelength = 700 }\n");

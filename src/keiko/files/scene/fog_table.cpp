@@ -142,7 +142,8 @@ Medium medium_from(const TomlTable& table) {
     medium.density = density_from(table);
     if (const auto leg = table.choice("light_leg", {"dimmed", "clear"}))
         medium.dims_light_leg = *leg == 0;
-    if (table.choice("fidelity", {"seed", "corrected"}) == 0) medium.rule = ScatteringRule::simpson;
+    if (table.choice("fidelity", {"paper", "corrected"}) == 0)
+        medium.rule = ScatteringRule::simpson;
     table.finish();
     return medium;
 }
@@ -158,7 +159,7 @@ std::string table_text(const Medium& medium, const std::filesystem::path& folder
     if (const auto* grid = std::get_if<GridDensity>(&medium.density))
         text += toml_line("density", toml_string(named_from(folder, grid->file)));
     if (!medium.dims_light_leg) text += toml_line("light_leg", "\"clear\"");
-    if (medium.rule == ScatteringRule::simpson) text += toml_line("fidelity", "\"seed\"");
+    if (medium.rule == ScatteringRule::simpson) text += toml_line("fidelity", "\"paper\"");
     return text;
 }
 

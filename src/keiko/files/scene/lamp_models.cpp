@@ -18,7 +18,7 @@ constexpr Words<TubeModel, 6> diffuse_models{{{"automatic", TubeModel::automatic
                                               {"cylinder", TubeModel::cylinder},
                                               {"rectangle", TubeModel::rectangle},
                                               {"line", TubeModel::line},
-                                              {"seed", TubeModel::seed}}};
+                                              {"nishita", TubeModel::nishita}}};
 constexpr Words<TubeLook, 3> mirror_looks{
     {{"tube", TubeLook::tube}, {"flat", TubeLook::flat}, {"exact", TubeLook::exact}}};
 
@@ -46,8 +46,8 @@ std::string_view word_for(T value, const Words<T, n>& words) {
 } // namespace
 
 void take_lamp_models(const TomlTable& table, CPlane& plane) {
-    if (const auto fidelity = table.choice("fidelity", {"seed", "corrected", "exact"})) {
-        constexpr std::array diffuse{TubeModel::seed, TubeModel::automatic, TubeModel::cylinder};
+    if (const auto fidelity = table.choice("fidelity", {"paper", "corrected", "exact"})) {
+        constexpr std::array diffuse{TubeModel::nishita, TubeModel::automatic, TubeModel::cylinder};
         constexpr std::array mirror{TubeLook::flat, TubeLook::tube, TubeLook::exact};
         plane.diffuse = diffuse[*fidelity];
         plane.mirror = mirror[*fidelity];

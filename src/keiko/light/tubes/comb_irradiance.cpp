@@ -11,7 +11,7 @@ namespace keiko {
 namespace {
 
 bool leaves_hidden_out(TubeModel model) {
-    return model != TubeModel::seed && model != TubeModel::rectangle && model != TubeModel::line;
+    return model != TubeModel::nishita && model != TubeModel::rectangle && model != TubeModel::line;
 }
 
 } // namespace

@@ -11,8 +11,8 @@ namespace keiko {
 
 /// The lamps of a C-plane as they light a point. Where lamps of the row hide each other, the models
 /// automatic, picture, preview, strip and cylinder take the cylinders with what is hidden left out
-/// (docs/theory/luminance.md#lamps-that-hide-each-other). The models seed, rectangle and line count
-/// every lamp in full, as [NishitaTubes] does.
+/// (docs/theory/luminance.md#lamps-that-hide-each-other). The models nishita, rectangle and line
+/// count every lamp in full, as [NishitaTubes] does.
 class CombIrradiance {
 public:
     /// The frame must outlive this.

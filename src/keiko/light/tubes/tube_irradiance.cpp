@@ -24,7 +24,7 @@ TubeModel chosen(TubeModel model, const TubeView& view) {
 
 double solid_angle_of(const VisiblePart& part, const TubeView& view, TubeModel model) {
     switch (model) {
-        case TubeModel::seed:
+        case TubeModel::nishita:
             return seed_solid_angle(view, part);
         case TubeModel::rectangle:
             return rectangle_solid_angle(view, part);
@@ -38,7 +38,7 @@ double solid_angle_of(const VisiblePart& part, const TubeView& view, TubeModel m
 }
 
 bool has_caps(TubeModel model) {
-    return model != TubeModel::seed && model != TubeModel::rectangle && model != TubeModel::line;
+    return model != TubeModel::nishita && model != TubeModel::rectangle && model != TubeModel::line;
 }
 
 } // namespace

@@ -9,7 +9,7 @@ enum class TubeModel {
     automatic, ///< strip up to d/D = 0.018, where its error is 1e-4 at most; cylinder beyond
     picture,   ///< strip up to d/D = 0.2, where its error is 2.3e-3; cylinder beyond
     preview,   ///< the same, and shadows cut the lamp along its axis alone
-    seed,      ///< [NishitaTubes, eq. 1] with its indices corrected: -0.27 d/D
+    nishita,   ///< [NishitaTubes, eq. 1] with its indices corrected: -0.27 d/D
     rectangle, ///< the facing rectangle, exactly: -0.27 d/D
     line,      ///< the limit of a thin lamp: -0.26 d/D
     strip,     ///< mean-rim strip: -0.058 (d/D)^2, aside and aslant up to 0.28

@@ -104,7 +104,7 @@ TEST(SingleScattering, TheRuleOfThePapersIsNearWhereTheLampIsFar) {
     const PointEmitter light = isotropic({3000, 3000, 0}, Rgb(1000));
     const double exact = scattered_light({medium, ray}, IntervalSet::whole(), light).g;
     medium.rule = ScatteringRule::simpson;
-    const double seed = scattered_light({medium, ray}, IntervalSet::whole(), light).g;
-    EXPECT_NEAR(seed, exact, 1e-4 * exact);
-    EXPECT_NE(seed, exact);
+    const double paper = scattered_light({medium, ray}, IntervalSet::whole(), light).g;
+    EXPECT_NEAR(paper, exact, 1e-4 * exact);
+    EXPECT_NE(paper, exact);
 }

@@ -210,9 +210,9 @@ TEST(DirectIlluminance, ARowThatNamesItsModelKeepsIt) {
         near.diffuse = own;
         return illuminance_from(near, {}, Vec3(0), up, AllVisible(), asked).g;
     };
-    const double seed = lux(TubeModel::automatic, TubeModel::seed);
-    EXPECT_EQ(lux(TubeModel::seed, TubeModel::automatic), seed);
-    EXPECT_NE(lux(TubeModel::automatic, TubeModel::automatic), seed);
+    const double nishita = lux(TubeModel::automatic, TubeModel::nishita);
+    EXPECT_EQ(lux(TubeModel::nishita, TubeModel::automatic), nishita);
+    EXPECT_NE(lux(TubeModel::automatic, TubeModel::automatic), nishita);
 }
 
 TEST(DirectIlluminance, TheSunIsParallelAndMayBeHidden) {

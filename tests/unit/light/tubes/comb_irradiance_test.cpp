@@ -142,6 +142,6 @@ TEST(CombIrradiance, ThePaperCountsHiddenLampsInFull) {
     const CPlaneFrame frame(close_row);
     const Vec3 point(50, -900, 200), normal = Vec3(0, 1, 0.3).normalized();
     const double hidden = sum_of_row(frame, point, normal, TubeModel::automatic);
-    EXPECT_GT(sum_of_row(frame, point, normal, TubeModel::seed), 1.5 * hidden);
-    EXPECT_FALSE(CombIrradiance(frame, point, normal, TubeModel::seed).overlapping());
+    EXPECT_GT(sum_of_row(frame, point, normal, TubeModel::nishita), 1.5 * hidden);
+    EXPECT_FALSE(CombIrradiance(frame, point, normal, TubeModel::nishita).overlapping());
 }

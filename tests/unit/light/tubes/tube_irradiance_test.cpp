@@ -105,7 +105,7 @@ const Vec3 normal = Vec3(0.2, -0.3, 1).normalized();
 
 TEST(TubeIrradiance, AgreesWithOracle) {
     const test::OracleTable table("lamp_irradiance");
-    test::WorstError rectangle("E_rect"), line("E_line"), strip("E_strip2"), seed("E_eq1");
+    test::WorstError rectangle("E_rect"), line("E_line"), strip("E_strip2"), nishita("E_eq1");
     for (const auto& row : table) {
         if (row.text("note").starts_with("P inside")) continue;
         rectangle.compare(row, lux(row, TubeModel::rectangle), row.number("out.E_rect"), 1e-11);
@@ -113,7 +113,7 @@ TEST(TubeIrradiance, AgreesWithOracle) {
         if (row.has("out.E_strip2"))
             strip.compare(row, lux(row, TubeModel::strip), row.number("out.E_strip2"), 1e-11);
         if (row.has("out.E_eq1"))
-            seed.compare(row, lux(row, TubeModel::seed), row.number("out.E_eq1"), 1e-11);
+            nishita.compare(row, lux(row, TubeModel::nishita), row.number("out.E_eq1"), 1e-11);
     }
 }
 
@@ -177,7 +177,7 @@ TEST(TubeIrradiance, ErrorsOfTheModelsAreThoseOfTheOracle) {
     const test::OracleTable table("lamp_eq1_error");
     test::WorstError truth("E_over_L_true_lat");
     const std::vector<std::pair<TubeModel, std::string>> columns{
-        {TubeModel::seed, "out.relerr_eq1_lat"},
+        {TubeModel::nishita, "out.relerr_eq1_lat"},
         {TubeModel::rectangle, "out.relerr_rect_lat"},
         {TubeModel::strip, "out.relerr_strip2_lat"},
         {TubeModel::line, "out.relerr_line_lat"}};
@@ -244,14 +244,14 @@ TEST(TubeIrradiance, CylinderAgreesWithItsFacets) {
 
 TEST(TubeIrradiance, PartsAddUpInEveryModel) {
     const IntervalSet visible({{0, 0.2}, {0.35, 0.6}, {0.8, 1}});
-    for (const auto model : {TubeModel::seed, TubeModel::rectangle, TubeModel::line,
+    for (const auto model : {TubeModel::nishita, TubeModel::rectangle, TubeModel::line,
                              TubeModel::strip, TubeModel::cylinder}) {
         const auto omega = [&](const IntervalSet& parts) {
             return projected_solid_angle(lamp, Vec3(0), normal, parts, model);
         };
         const double all = omega(IntervalSet::whole());
-        // The seed takes chords for the angles of the short edges, which leaves a trace.
-        const double tolerance = model == TubeModel::seed ? 1e-5 : 1e-12;
+        // The paper takes chords for the angles of the short edges, which leaves a trace.
+        const double tolerance = model == TubeModel::nishita ? 1e-5 : 1e-12;
         EXPECT_NEAR(omega(visible) + omega(visible.complement()), all, tolerance * all);
         EXPECT_GT(omega(visible.complement()), 0.1 * all);
         EXPECT_EQ(omega(IntervalSet()), 0);
@@ -294,7 +294,7 @@ TEST(TubeIrradiance, CarriesColour) {
 
 TEST(TubeIrradiance, VanishesBelowTheHorizonInsideTheGlassAndWithoutExtent) {
     for (const auto model :
-         {TubeModel::automatic, TubeModel::seed, TubeModel::line, TubeModel::cylinder}) {
+         {TubeModel::automatic, TubeModel::nishita, TubeModel::line, TubeModel::cylinder}) {
         const auto omega = [&](const TubeLamp& tube, const Vec3& point, const Vec3& n) {
             return projected_solid_angle(tube, point, n, IntervalSet::whole(), model);
         };
