@@ -29,8 +29,9 @@ constexpr std::array criteria{
     Criterion{"G-SU-WV", "", "waviness", "Depth of waves of a surface, off the form around them."},
     Criterion{"KEIKO-DENT", "", "dent",
               "Depth of a dent or height of a bump of a surface, off the form around it."},
-    Criterion{"KEIKO-OPENING", "", "opening",
-              "Width of a notch, slit or small hole between free edges that begins at a seam."},
+    Criterion{
+        "KEIKO-OPENING", "", "opening",
+        "Width of a notch, slit or small hole between free edges of faces that meet or nearly do."},
     Criterion{"KEIKO-SYMMETRY", "", "symmetry",
               "Largest distance of a body's surface from its own mirror image."},
     Criterion{"KEIKO-LINE-JUMP", "", "line_jump",

@@ -130,7 +130,7 @@ void add_openings(const SurfaceModel& model, Inspection& result, const Job& job)
                 return face.instance == a.instance && face.face == a.face;
             });
         check.face = static_cast<std::uint32_t>(first - result.faces.begin());
-        if (check.is_worth_a_look()) result.checks.push_back(std::move(check));
+        result.checks.push_back(std::move(check));
     }
 }
 

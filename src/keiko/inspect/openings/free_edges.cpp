@@ -12,7 +12,7 @@
 namespace keiko {
 namespace {
 
-/// mm: how far the polyline of a free edge may be from the edge.
+/// mm: how far the polyline of a free edge is to be from the edge at most.
 constexpr double chord_error = 0.002;
 
 using BorderKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
@@ -91,7 +91,7 @@ std::vector<Run> free_runs(const std::vector<BoundaryInterval>& loop,
 }
 
 FreeEdge edge_of(const BoundaryCurves& curves, Run run) {
-    FreeEdge edge{std::move(run.pieces), {}, {}, run.closed};
+    FreeEdge edge{std::move(run.pieces), {}, {}, 0, run.closed};
     const auto add = [&](const FreePlace& place) {
         if (edge.places.empty())
             edge.ways.push_back(0);
@@ -104,6 +104,7 @@ FreeEdge edge_of(const BoundaryCurves& curves, Run run) {
         const BoundaryInterval& piece = edge.pieces[i];
         const SurfaceCurve curve = curves.curve(piece);
         const CurvePolyline line = make_polyline(curve, chord_error);
+        edge.deviation = std::max({edge.deviation, chord_error, line.deviation});
         add({0, i, piece.begin, curve.at(piece.begin).position});
         for (std::size_t k = 0; k < line.t.size(); ++k)
             if (line.t[k] > piece.begin && line.t[k] < piece.end)
@@ -205,18 +206,17 @@ FreePlace FreeEdge::at(double way) const {
 }
 
 FreeEdges free_edges(const SurfaceModel& model, const BoundaryCurves& curves,
-                     std::span<const Seam> seams, double negligible, double join, const Job& job) {
+                     std::span<const Seam> seams, double least, double join, const Job& job) {
     const std::map<BorderKey, IntervalSet> covered = covered_borders(seams);
     const auto loops = loops_of(model, curves);
     std::vector<std::vector<FreeEdge>> found(loops.size());
     parallel_for(loops.size(), job, "", [&](std::size_t i) {
         for (Run& run : free_runs(loops[i], covered)) {
             FreeEdge edge = edge_of(curves, std::move(run));
-            if (edge.length() > negligible) found[i].push_back(std::move(edge));
+            if (edge.length() > least) found[i].push_back(std::move(edge));
         }
     });
     FreeEdges result;
-    result.chord_error = chord_error;
     for (auto& edges : found)
         for (FreeEdge& edge : edges) {
             for (FreePlace& place : edge.places)

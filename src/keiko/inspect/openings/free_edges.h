@@ -23,6 +23,7 @@ struct FreeEdge {
     std::vector<BoundaryInterval> pieces;
     std::vector<FreePlace> places; ///< at least two, in the order of the face's loop
     std::vector<double> ways;      ///< mm along the edge to each place, rising from 0
+    double deviation = 0;          ///< mm, of the polyline from the borders
     bool closed = false;           ///< a whole loop: it ends where it began
 
     double length() const { return ways.back(); }
@@ -45,7 +46,6 @@ struct FreeEdges {
     /// The end that follows upon each end: 2 edge, or 2 edge + 1 of its last one; nothing where no
     /// end is near.
     std::vector<std::optional<FreeEnd>> next;
-    double chord_error = 0; ///< mm, of the polylines
 
     std::optional<FreeEnd> next_of(const FreeEnd& end) const {
         return next[2 * std::size_t{end.edge} + end.last];
@@ -56,10 +56,9 @@ struct FreeEdges {
     }
 };
 
-/// The free edges beside some seams. Edges shorter than `negligible` mm are left out; ends without
+/// The free edges beside some seams. Edges no longer than `least` mm are left out; ends without
 /// a seam between them are joined within `join` mm, the nearest first.
 FreeEdges free_edges(const SurfaceModel& model, const BoundaryCurves& curves,
-                     std::span<const Seam> seams, double negligible, double join,
-                     const Job& job = {});
+                     std::span<const Seam> seams, double least, double join, const Job& job = {});
 
 } // namespace keiko

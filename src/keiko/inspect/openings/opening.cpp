@@ -2,7 +2,9 @@
 
 #include "keiko/base/units.h"
 #include "keiko/inspect/openings/free_edges.h"
+#include "keiko/inspect/openings/hole_form.h"
 #include "keiko/inspect/openings/near_edges.h"
+#include "keiko/inspect/openings/strand.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,54 +15,11 @@
 namespace keiko {
 namespace {
 
+/// Of the join distance: no outline is followed farther.
+constexpr double longest_outline = 6 * opening_reach;
+
 /// Radians: corners of cut-outs and of panels have 90 degrees and more.
 constexpr double opening_angle = degrees_to_radians(85);
-
-/// The way along free edges from the end of a seam.
-class Strand {
-public:
-    /// From `start` until an edge ends without a next one, to `reach` mm or to the end `back`.
-    Strand(const FreeEdges& edges, FreeEnd start, FreeEnd back, double reach) : edges_(&edges) {
-        for (;;) {
-            parts_.push_back({start, length_});
-            length_ += edges.all[start.edge].length();
-            const FreeEnd far{start.edge, !start.last};
-            if (far == back) closed_ = true;
-            const auto next = edges.next_of(far);
-            if (closed_ || !next || length_ >= reach) return;
-            start = *next;
-        }
-    }
-
-    double length() const { return length_; }
-    /// The lowest number of its free edges.
-    std::uint32_t lowest_edge() const {
-        std::uint32_t lowest = parts_.front().from.edge;
-        for (const Part& part : parts_) lowest = std::min(lowest, part.from.edge);
-        return lowest;
-    }
-    /// It leads around a hole.
-    bool closed() const { return closed_; }
-
-    FreePlace at(double way) const {
-        std::size_t i = parts_.size() - 1;
-        while (i > 0 && parts_[i].begin > way) --i;
-        const Part& part = parts_[i];
-        const FreeEdge& edge = edges_->all[part.from.edge];
-        const double along = way - part.begin;
-        return edge.at(part.from.last ? edge.length() - along : along);
-    }
-
-private:
-    struct Part {
-        FreeEnd from;
-        double begin; ///< mm
-    };
-    const FreeEdges* edges_;
-    std::vector<Part> parts_;
-    double length_ = 0;
-    bool closed_ = false;
-};
 
 class OpeningSearch {
 public:
@@ -77,7 +36,7 @@ public:
         }
         for (const NearEdges& n : near) {
             const Opening between = opening(n.a, n.b, n.length);
-            if (n.distance > limits_.closed && is_new(between, n.a.edge, n.b.edge))
+            if (n.distance > limits_.gap && is_new(between, n.a.edge, n.b.edge))
                 found.push_back(between);
         }
         return found;
@@ -87,12 +46,15 @@ private:
     using Key = std::pair<std::uint32_t, std::uint32_t>; ///< two free edges, the lower one first
 
     std::optional<Opening> from_end_of_seam(FreeEnd start_a, FreeEnd start_b);
+    std::optional<Opening> around_hole(const Strand& a, const Strand& b, double reach) const;
     std::optional<Opening> between(const Strand& a, const Strand& b, double reach) const;
     /// Both free edges at equal ways from the end of the seam.
     struct Across {
         FreePlace a, b;
         double distance() const { return (a.position - b.position).length(); }
     };
+    std::optional<Across> widest(const std::vector<Across>& over, const Strand& a,
+                                 const Strand& b) const;
     bool over_a_gap(const Across& across) const;
     double touching(const Strand& a, const Strand& b, double reach) const;
 
@@ -103,7 +65,7 @@ private:
         };
         return {.sides = {side(a), side(b)},
                 .width = (a.position - b.position).length(),
-                .width_bound = 2 * edges_.chord_error,
+                .width_bound = edges_.all[a.edge].deviation + edges_.all[b.edge].deviation,
                 .length = length,
                 .place = (a.position + b.position) / 2};
     }
@@ -130,7 +92,7 @@ private:
 
 /// How far from the end of the seam the edges go on as close as those of a seam.
 double OpeningSearch::touching(const Strand& a, const Strand& b, double reach) const {
-    const double step = limits_.closed;
+    const double step = limits_.gap;
     double way = 0;
     while (way + step < reach && Across{a.at(way + step), b.at(way + step)}.distance() <= step)
         way += step;
@@ -153,16 +115,30 @@ bool OpeningSearch::over_a_gap(const Across& across) const {
 /// Nothing where one was found before in the same hole or near by between the same free edges.
 std::optional<Opening> OpeningSearch::from_end_of_seam(FreeEnd start_a, FreeEnd start_b) {
     const double most = opening_reach * limits_.join;
-    const Strand a(edges_, start_a, start_b, 4 * most), b(edges_, start_b, start_a, 4 * most);
-    // Twice as long as those that are followed all around: each is listed once.
-    const bool hole = a.closed() && a.length() <= 4 * most;
+    const double follow = longest_outline * limits_.join;
+    const Strand a(edges_, start_a, start_b, follow), b(edges_, start_b, start_a, follow);
+    const bool hole = a.closed() && a.length() <= follow;
     if (hole && holes_.count(a.lowest_edge()) > 0) return std::nullopt;
     const double reach = std::min({most, hole ? a.length() / 2 : most, a.length(), b.length()});
-    std::optional<Opening> found = between(a, b, reach);
+    std::optional<Opening> found = hole ? around_hole(a, b, reach) : between(a, b, reach);
     if (!found || !is_new(*found, start_a.edge, start_b.edge)) return std::nullopt;
-    constexpr double nearly_all = 0.95;
-    found->goes_on = reach >= most && found->length >= nearly_all * most;
     if (hole) holes_.insert(a.lowest_edge());
+    return found;
+}
+
+/// Of a hole that `a` leads around one way and `b` the other.
+std::optional<Opening> OpeningSearch::around_hole(const Strand& a, const Strand& b,
+                                                  double reach) const {
+    std::optional<Opening> found = between(a, b, reach);
+    const std::optional<HoleForm> form = hole_form(curves_, edges_, a);
+    if (!form || form->width <= limits_.gap) return found;
+    const bool small = a.length() <= 2 * opening_reach * limits_.join;
+    if (!found && small && form->is_within_faces())
+        found = opening(a.at(a.length() / 4), b.at(b.length() / 4), 0);
+    if (!found) return std::nullopt;
+    found->width = form->width, found->length = form->length, found->place = form->middle;
+    found->width_bound = 2 * a.deviation();
+    found->goes_on = false;
     return found;
 }
 
@@ -170,19 +146,43 @@ std::optional<Opening> OpeningSearch::between(const Strand& a, const Strand& b,
                                               double reach) const {
     const double from = touching(a, b, reach);
     const double narrow = 2 * std::sin(opening_angle / 2);
-    constexpr double growth = 1.05;
-    std::optional<Across> widest;
+    constexpr double growth = 1.05, nearly_all = 0.95;
+    std::vector<Across> over;
     double length = 0;
-    for (double way = std::min(limits_.negligible, (reach - from) / 4); way <= reach - from;
+    for (double way = std::min(limits_.from, (reach - from) / 4); way <= reach - from;
          way *= growth) {
         const Across across{a.at(from + way), b.at(from + way)};
         const double distance = across.distance();
-        if (distance > narrow * way || distance <= limits_.closed || !over_a_gap(across)) continue;
-        length = way;
-        if (!widest || distance > widest->distance()) widest = across;
+        if (distance > narrow * way || distance <= limits_.gap || !over_a_gap(across)) continue;
+        length = way, over.push_back(across);
     }
-    if (!widest) return std::nullopt;
-    return opening(widest->a, widest->b, length);
+    const std::optional<Across> most = widest(over, a, b);
+    if (!most) return std::nullopt;
+    Opening found = opening(most->a, most->b, length);
+    const double whole = opening_reach * limits_.join;
+    found.goes_on = reach >= whole && length >= nearly_all * whole;
+    return found;
+}
+
+/// The largest of the ways from either side to the nearest place of the other.
+std::optional<OpeningSearch::Across> OpeningSearch::widest(const std::vector<Across>& over,
+                                                           const Strand& a, const Strand& b) const {
+    if (over.empty()) return std::nullopt;
+    // Each up to half of an outline that is closed or longer than the strands.
+    const auto side = [&](const Strand& s) {
+        return s.places(s.closed() ? s.length() / 2 : longest_outline * limits_.join / 2);
+    };
+    const std::vector<FreePlace> side_a = side(a), side_b = side(b);
+    std::optional<Across> widest;
+    const auto consider = [&](const Across& across) {
+        if (across.distance() <= limits_.gap) return;
+        if (!widest || across.distance() > widest->distance()) widest = across;
+    };
+    for (const Across& across : over) {
+        consider({across.a, nearest_place(side_b, across.a.position)});
+        consider({nearest_place(side_a, across.b.position), across.b});
+    }
+    return widest;
 }
 
 } // namespace
@@ -190,7 +190,7 @@ std::optional<Opening> OpeningSearch::between(const Strand& a, const Strand& b,
 std::vector<Opening> find_openings(const SurfaceModel& model, std::span<const Seam> seams,
                                    const OpeningLimits& limits, const Job& job) {
     const BoundaryCurves curves(model);
-    const FreeEdges edges = free_edges(model, curves, seams, limits.closed, limits.join, job);
+    const FreeEdges edges = free_edges(model, curves, seams, limits.gap, limits.join, job);
     return OpeningSearch(curves, edges, limits).run(near_edges(edges, limits.join, job));
 }
 

@@ -9,31 +9,34 @@
 
 namespace keiko {
 
-/// A notch, slit or small hole between free edges, which may be a fault of a seam or meant.
+/// A notch, slit or small hole between free edges, which may be a fault of a seam or meant. The
+/// sizes of a hole, up to an outline of six times the reach, are those of the narrowest rectangle
+/// around it as seen along its normal.
 struct Opening {
     struct Side {
         std::uint32_t instance = 0, face = 0;
     };
-    std::array<Side, 2> sides{}; ///< the faces at the widest place; one face twice in its own slit
-    double width = 0;            ///< mm, the largest way over the opening found
+    std::array<Side, 2> sides{}; ///< the faces on either side; one face twice in its own slit
+    double width = 0;            ///< mm, the largest way from a side to the nearest of the other
     double width_bound = 0;      ///< mm, error of the width
     double length = 0;           ///< mm along either side, as far as it was followed
     bool goes_on = false;        ///< beyond that length
-    Vec3 place{0};               ///< world, mm: the middle of the way over
+    Vec3 place{0};               ///< world, mm: the middle of the way over, or of the hole
 };
 
 /// How small openings are.
 struct OpeningLimits {
-    double join = 0.5;       ///< mm, within which borders are paired
-    double negligible = 0.1; ///< mm, length of free edge that counts
-    double closed = 0.01;    ///< mm: borders no farther apart are no opening
+    double join = 0.5; ///< mm, within which borders are paired
+    double from = 0.1; ///< mm from the end of a seam, the first way at which its edges are compared
+    double gap = 0.01; ///< mm: borders no farther apart are no opening
 };
 
 /// The openings of a model whose seams are `seams`, each once, in the order of their free edges:
+///  - where free edges that go out from the end of a seam enclose a hole in the faces whose outline
+///    is 2 `opening_reach` times the join distance long at most;
 ///  - where two free edges go out from one end of a seam and, `opening_reach` times the join
 ///    distance along them at most, their distance is less than that of edges which diverge by
-///    `opening_angle`, with no material between them. Holes whose outline is twice that long at
-///    most are among them;
+///    `opening_angle`, with no material between them;
 ///  - where a free edge stays within the join distance of another face's for longer than the
 ///    wedge at a corner of `parallel_borders` does.
 std::vector<Opening> find_openings(const SurfaceModel& model, std::span<const Seam> seams,

@@ -1,0 +1,116 @@
+#include "keiko/inspect/openings/hole_form.h"
+
+#include "keiko/math/perpendicular.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace keiko {
+namespace {
+
+Vec3 centroid_of(const std::vector<FreePlace>& outline) {
+    Vec3 sum{0};
+    double length = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec3 &p = outline[i].position, &q = outline[(i + 1) % outline.size()].position;
+        sum += (p + q) / 2 * (q - p).length();
+        length += (q - p).length();
+    }
+    return sum / length;
+}
+
+/// At right angles to the outline, as long as what it encloses is large.
+Vec3 area_of(const std::vector<FreePlace>& outline, const Vec3& middle) {
+    Vec3 area{0};
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        area += (outline[i].position - middle)
+                    .cross(outline[(i + 1) % outline.size()].position - middle) /
+                2;
+    return area;
+}
+
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Counter-clockwise.
+std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
+    std::sort(points.begin(), points.end(),
+              [](const Vec2& a, const Vec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    std::vector<Vec2> hull;
+    for (const bool back : {false, true}) {
+        const std::size_t begin = hull.size();
+        for (const Vec2& p : points) {
+            while (hull.size() >= begin + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0)
+                hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();
+        if (!back) std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
+/// Width and length of the narrowest rectangle around a convex polygon: one of its sides lies on
+/// the rectangle.
+void measure(const std::vector<Vec2>& hull, HoleForm& form) {
+    form.width = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const Vec2 &p = hull[i], &q = hull[(i + 1) % hull.size()];
+        const double side = std::hypot(q.x - p.x, q.y - p.y);
+        double breadth = 0, least = 0, most = 0;
+        for (const Vec2& r : hull) {
+            breadth = std::max(breadth, turn(p, q, r) / side);
+            const double along = ((r.x - p.x) * (q.x - p.x) + (r.y - p.y) * (q.y - p.y)) / side;
+            least = std::min(least, along), most = std::max(most, along);
+        }
+        if (breadth < form.width) form.width = breadth, form.length = most - least;
+    }
+}
+
+void add_sides(const BoundaryCurves& curves, const FreeEdges& edges,
+               const std::vector<FreePlace>& outline, HoleForm& form) {
+    double weight = 0;
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+        const FreePlace &p = outline[i], &q = outline[i + 1];
+        const Vec3 chord = q.position - p.position;
+        if (p.edge != q.edge || p.piece != q.piece || chord.length() == 0) continue;
+        const auto frame = curves.curve(edges.all[p.edge].pieces[p.piece]).frame((p.t + q.t) / 2);
+        Vec3 out = (p.position + q.position) / 2 - form.middle;
+        out -= chord * (out.dot(chord) / chord.dot(chord));
+        if (!frame) continue;
+        weight += out.length() * chord.length();
+        const double share = out.dot(frame->inward) * chord.length();
+        (share > 0 ? form.away : form.nearer) += std::abs(share);
+    }
+    if (weight > 0) form.away /= weight, form.nearer /= weight;
+}
+
+} // namespace
+
+bool HoleForm::is_within_faces() const {
+    constexpr double taper = 0.25; // sine of 14 degrees: so much do tubes narrow towards their rims
+    constexpr double one_side = 0.4, level = 0.9;
+    return away - nearer >= taper || (away >= one_side && away >= level * nearer);
+}
+
+std::optional<HoleForm> hole_form(const BoundaryCurves& curves, const FreeEdges& edges,
+                                  const Strand& outline) {
+    const std::vector<FreePlace> places = outline.places(outline.length());
+    HoleForm form;
+    form.middle = centroid_of(places);
+    const Vec3 area = area_of(places, form.middle);
+    constexpr double nothing = 1e-6;
+    if (!(area.length() > nothing * outline.length() * outline.length())) return std::nullopt;
+    const Vec3 normal = area / area.length(), u = any_perpendicular(normal).normalized(),
+               v = normal.cross(u);
+    std::vector<Vec2> points;
+    for (const FreePlace& place : places)
+        points.emplace_back(place.position.dot(u), place.position.dot(v));
+    measure(convex_hull(std::move(points)), form);
+    add_sides(curves, edges, places, form);
+    return form;
+}
+
+} // namespace keiko
