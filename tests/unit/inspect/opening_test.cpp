@@ -98,7 +98,7 @@ TEST(Openings, AreDeepSlitsOfOneFaceThatBeginAtASeam) {
 
 TEST(Openings, AreNotchesAtACrease) {
     for (const Vec3& other : {Vec3(0, 0, 50), Vec3(0, 20, 50), Vec3(0, -20, 50), Vec3(0, -50, 20)})
-        for (const double deep : {1.0, 5.0}) {
+        for (const double deep : {1.0, 5.0, 20.0}) {
             test::ModelBuilder builder;
             builder.plane({0, 0, 0}, {length, 0, 0}, other);
             notched_sheet(builder, bordered({{50 + deep, 0}, {50, -deep}, {50 - deep, 0}}));

@@ -21,7 +21,7 @@ struct HoleForm {
     bool is_within_faces() const;
 };
 
-/// Of an outline that is closed; nothing where it encloses no area.
+/// The form of a closed outline; nothing where it encloses no area.
 std::optional<HoleForm> hole_form(const BoundaryCurves& curves, const FreeEdges& edges,
                                   const Strand& outline);
 

@@ -15,7 +15,7 @@
 namespace keiko {
 namespace {
 
-/// Of the join distance: no outline is followed farther.
+/// Times the join distance: so far is the outline of a hole followed.
 constexpr double longest_outline = 6 * opening_reach;
 
 /// Radians: corners of cut-outs and of panels have 90 degrees and more.
@@ -47,7 +47,8 @@ private:
 
     std::optional<Opening> from_end_of_seam(FreeEnd start_a, FreeEnd start_b);
     std::optional<Opening> around_hole(const Strand& a, const Strand& b, double reach) const;
-    std::optional<Opening> between(const Strand& a, const Strand& b, double reach) const;
+    std::optional<Opening> between(const Strand& a, const Strand& b, double reach,
+                                   bool in_hole) const;
     /// Both free edges at equal ways from the end of the seam.
     struct Across {
         FreePlace a, b;
@@ -120,30 +121,32 @@ std::optional<Opening> OpeningSearch::from_end_of_seam(FreeEnd start_a, FreeEnd 
     const bool hole = a.closed() && a.length() <= follow;
     if (hole && holes_.count(a.lowest_edge()) > 0) return std::nullopt;
     const double reach = std::min({most, hole ? a.length() / 2 : most, a.length(), b.length()});
-    std::optional<Opening> found = hole ? around_hole(a, b, reach) : between(a, b, reach);
+    std::optional<Opening> found = hole ? around_hole(a, b, reach) : between(a, b, reach, false);
     if (!found || !is_new(*found, start_a.edge, start_b.edge)) return std::nullopt;
     if (hole) holes_.insert(a.lowest_edge());
     return found;
 }
 
-/// Of a hole that `a` leads around one way and `b` the other.
+/// The opening that is a hole; `a` leads around it one way and `b` the other.
 std::optional<Opening> OpeningSearch::around_hole(const Strand& a, const Strand& b,
                                                   double reach) const {
-    std::optional<Opening> found = between(a, b, reach);
     const std::optional<HoleForm> form = hole_form(curves_, edges_, a);
-    if (!form || form->width <= limits_.gap) return found;
+    const bool in_hole = form && form->is_within_faces();
     const bool small = a.length() <= 2 * opening_reach * limits_.join;
-    if (!found && small && form->is_within_faces())
-        found = opening(a.at(a.length() / 4), b.at(b.length() / 4), 0);
-    if (!found) return std::nullopt;
-    found->width = form->width, found->length = form->length, found->place = form->middle;
-    found->width_bound = 2 * a.deviation();
-    found->goes_on = false;
+    const bool measurable = form && form->width > limits_.gap;
+    if (!(small && in_hole && measurable)) {
+        const std::optional<Opening> found = between(a, b, reach, in_hole);
+        if (!found || !measurable) return found;
+    }
+    Opening found = opening(a.at(a.length() / 4), b.at(b.length() / 4), form->length);
+    found.width = form->width, found.width_bound = 2 * a.deviation();
+    found.place = form->middle;
     return found;
 }
 
-std::optional<Opening> OpeningSearch::between(const Strand& a, const Strand& b,
-                                              double reach) const {
+/// `in_hole`: what lies between them is known to be no material.
+std::optional<Opening> OpeningSearch::between(const Strand& a, const Strand& b, double reach,
+                                              bool in_hole) const {
     const double from = touching(a, b, reach);
     const double narrow = 2 * std::sin(opening_angle / 2);
     constexpr double growth = 1.05, nearly_all = 0.95;
@@ -153,8 +156,8 @@ std::optional<Opening> OpeningSearch::between(const Strand& a, const Strand& b,
          way *= growth) {
         const Across across{a.at(from + way), b.at(from + way)};
         const double distance = across.distance();
-        if (distance > narrow * way || distance <= limits_.gap || !over_a_gap(across)) continue;
-        length = way, over.push_back(across);
+        if (distance > narrow * way || distance <= limits_.gap) continue;
+        if (in_hole || over_a_gap(across)) length = way, over.push_back(across);
     }
     const std::optional<Across> most = widest(over, a, b);
     if (!most) return std::nullopt;

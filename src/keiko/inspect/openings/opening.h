@@ -10,8 +10,8 @@
 namespace keiko {
 
 /// A notch, slit or small hole between free edges, which may be a fault of a seam or meant. The
-/// sizes of a hole, up to an outline of six times the reach, are those of the narrowest rectangle
-/// around it as seen along its normal.
+/// sizes of a hole, up to an outline of 300 times the join distance, are those of the narrowest
+/// rectangle around it as seen along its normal.
 struct Opening {
     struct Side {
         std::uint32_t instance = 0, face = 0;
@@ -31,12 +31,12 @@ struct OpeningLimits {
     double gap = 0.01; ///< mm: borders no farther apart are no opening
 };
 
-/// The openings of a model whose seams are `seams`, each once, in the order of their free edges:
-///  - where free edges that go out from the end of a seam enclose a hole in the faces whose outline
-///    is 2 `opening_reach` times the join distance long at most;
-///  - where two free edges go out from one end of a seam and, `opening_reach` times the join
-///    distance along them at most, their distance is less than that of edges which diverge by
-///    `opening_angle`, with no material between them;
+/// The openings of a model whose seams are `seams`, each once, in the order of their free edges.
+/// There is one
+///  - where free edges that go out from the end of a seam enclose a hole in the faces, with an
+///    outline of twice the reach at most. The reach is `opening_reach` times the join distance;
+///  - where two free edges that go out from one end of a seam come nearer, within the reach, than
+///    edges that diverge by `opening_angle`, with no material between them;
 ///  - where a free edge stays within the join distance of another face's for longer than the
 ///    wedge at a corner of `parallel_borders` does.
 std::vector<Opening> find_openings(const SurfaceModel& model, std::span<const Seam> seams,
