@@ -139,6 +139,21 @@ TEST(TrimRegion, KnowsTheInsideOfARingToTheLastDigits) {
     }
 }
 
+TEST(TrimRegion, KnowsWhereLinesCrossItsCurves) {
+    const TrimRegion disk = region_of(face_with({circle(Vec2(3, 4), 2, 0.3)}));
+    for (const unsigned axis : {0U, 1U}) {
+        const double middle = axis == 0 ? 3 : 4, other = axis == 0 ? 4 : 3;
+        for (const double off : {-1.9, -0.4, 0.0, 1.2}) {
+            const auto found = disk.crossings(axis, middle + off);
+            ASSERT_EQ(found.size(), 2u);
+            const double half = std::sqrt(4 - off * off);
+            EXPECT_NEAR(found[0], other - half, 1e-13);
+            EXPECT_NEAR(found[1], other + half, 1e-13);
+        }
+        EXPECT_TRUE(disk.crossings(axis, middle + 2.1).empty());
+    }
+}
+
 TEST(TrimRegion, HoldsAtTheHeightsOfCornersAndExtrema) {
     // A star whose corners share heights with each other; v is taken exactly there.
     const TrimRegion star = region_of(

@@ -53,13 +53,16 @@ Section one_patch(int degree) {
     return spline(degree, places);
 }
 
-SurfaceModel sheet(const Section& section, double degrees, bool along_u, double weight = 1) {
+/// `drawn`: times its size.
+SurfaceModel sheet(const Section& section, double degrees, bool along_u, double weight = 1,
+                   double drawn = 1) {
     std::vector<Vec4> rows[2];
     const auto count = section.places.size();
     for (std::size_t row = 0; row < 2; ++row)
         for (std::size_t i = 0; i < count; ++i) {
             const Vec3 p =
-                section.point(section.places[i], degrees) + Vec3(0, width * double(row), 0);
+                (section.point(section.places[i], degrees) + Vec3(0, width * double(row), 0)) *
+                drawn;
             const double w = std::pow(weight, double(i));
             rows[row].emplace_back(p.x * w, p.y * w, p.z * w, w);
         }
@@ -148,6 +151,48 @@ TEST(BendsInside, EndWhereTrimsDo) {
     half.nurbs(surface);
     half.polygon({{0, 0}, {end / 2, 0}, {end / 2, 1}, {0, 1}});
     EXPECT_TRUE(measure_knot_lines(half.build(), {}).empty());
+}
+
+TEST(BendsInside, AreKeptInNarrowMaterial) {
+    const Section section = coincident(3);
+    NurbsSurface surface{3, 1, section.knots, {0, 0, 1, 1}, {}};
+    for (const double place : section.places)
+        for (const double y : {0.0, width}) {
+            const Vec3 p = section.point(place, 3);
+            surface.points.emplace_back(p.x, y, p.z, 1);
+        }
+    test::ModelBuilder builder;
+    builder.nurbs(surface);
+    const double end = section.knots.back();
+    builder.polygon({{0, 0.47}, {end, 0.47}, {end, 0.49}, {0, 0.49}});
+    const auto lines = measure_knot_lines(builder.build(), {});
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_NEAR(lines[0].length, 0.02 * width, 1e-6);
+}
+
+/// A sheet drawn `drawn` times as large, in two instances that bring it back to its size.
+SurfaceModel redrawn(double apart, double drawn) {
+    SurfaceModel model = sheet(coincident(3, apart), 3, true, 1, drawn);
+    model.instances.push_back(model.instances.at(0));
+    for (std::size_t i = 0; i < 2; ++i)
+        model.instances[i].transform =
+            Affine::translate({0, 500.0 * double(i), 0}) * Affine::scale(1 / drawn);
+    return model;
+}
+
+TEST(BendsInside, AreFoundByTheSizeAtWhichAFaceIsPlaced) {
+    for (const double drawn : {0.01, 1.0, 100.0})
+        for (const double apart : {0.03, 0.5}) {
+            const auto lines = measure_knot_lines(redrawn(apart, drawn), {});
+            ASSERT_EQ(lines.size(), apart < 0.1 ? 2u : 0u) << drawn << ' ' << apart;
+            for (const MeasuredSeam& line : lines) EXPECT_GT(line.angle->value, 2);
+        }
+    // Each instance has its own window.
+    SurfaceModel mixed = redrawn(0.5, 1);
+    mixed.instances[1].transform = Affine::scale(0.05);
+    const auto lines = measure_knot_lines(mixed, {});
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].instance_a, 1u);
 }
 
 TEST(BendsInside, AreNotSeenInSmoothSheets) {

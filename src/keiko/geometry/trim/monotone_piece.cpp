@@ -10,6 +10,9 @@
 namespace keiko {
 namespace {
 
+/// A coordinate that shows no side of a piece.
+constexpr double anywhere = std::numeric_limits<double>::quiet_NaN();
+
 /// Of what is added up across a chord, where places are far from 0.
 constexpr double rounding = 1e-14;
 
@@ -169,21 +172,22 @@ Vec2 MonotonePiece::point(double t) const {
     return projected(sum + points_[n] * (power * t));
 }
 
-MonotonePiece::Bracket MonotonePiece::bracket(double y, double x) const {
-    const double noise = 4e-16 * (std::abs(first_.y) + std::abs(last_.y));
+template <unsigned axis>
+MonotonePiece::Bracket MonotonePiece::bracket(double at, double beside) const {
+    const double noise = 4e-16 * (std::abs(first_[axis]) + std::abs(last_[axis]));
     Bracket found{0, 1, first_, last_};
-    double fa = first_.y - y, fb = last_.y - y;
+    double fa = first_[axis] - at, fb = last_[axis] - at;
     if (std::abs(fa) <= noise) return {0, 0, first_, first_};
     if (std::abs(fb) <= noise) return {1, 1, last_, last_};
     // Regula falsi with the Illinois weight [DowellJarratt1971]; a bisection now and then bounds
     // the worst case.
     for (int step = 0; step < 100; ++step) {
-        const auto [low, high] = std::minmax(found.at_a.x, found.at_b.x);
-        if (x < low || x > high) break;
+        const auto [low, high] = std::minmax(found.at_a[1 - axis], found.at_b[1 - axis]);
+        if (beside < low || beside > high) break;
         const double t = step % 8 == 7 ? (found.a + found.b) / 2
                                        : found.b - fb * (found.b - found.a) / (fb - fa);
         const Vec2 p = point(t);
-        const double f = p.y - y;
+        const double f = p[axis] - at;
         if (std::abs(f) <= noise || t == found.a || t == found.b) return {t, t, p, p};
         if ((f < 0) == (fb < 0))
             fa /= 2;
@@ -198,8 +202,16 @@ bool MonotonePiece::crossed_from(const Vec2& p) const {
     if ((first_.y <= p.y) == (last_.y <= p.y)) return false;
     if (p.x < box_.lower.x) return true;
     if (!(p.x < box_.upper.x)) return false;
-    const Bracket at = bracket(p.y, p.x);
+    const Bracket at = bracket<1>(p.y, p.x);
     return p.x < (at.at_a.x + at.at_b.x) / 2;
+}
+
+std::vector<double> MonotonePiece::crossings(unsigned axis, double at) const {
+    const double from = first_[axis], to = last_[axis];
+    if (std::max(from, to) < at || std::min(from, to) > at) return {};
+    if (from == to) return {first_[1 - axis], last_[1 - axis]};
+    const Bracket found = axis == 0 ? bracket<0>(at, anywhere) : bracket<1>(at, anywhere);
+    return {(found.at_a[1 - axis] + found.at_b[1 - axis]) / 2};
 }
 
 bool MonotonePiece::touches(const Box2& box) const {
@@ -207,7 +219,7 @@ bool MonotonePiece::touches(const Box2& box) const {
     Box2 inside;
     const auto cut_at = [&](double y, const Vec2& end) {
         if (!(box_.lower.y < y && y < box_.upper.y)) return inside.extend(end);
-        const Bracket at = bracket(y, std::numeric_limits<double>::quiet_NaN());
+        const Bracket at = bracket<1>(y, anywhere);
         inside.extend(at.at_a);
         inside.extend(at.at_b);
     };

@@ -30,6 +30,9 @@ public:
     /// the side above, so that a closed chain is crossed an even or odd number of times whatever
     /// p is.
     bool crossed_from(const Vec2& p) const;
+    /// Where the piece meets the line on which coordinate `axis` (0 is x, 1 is y) is `at`, to
+    /// rounding: the other coordinate. Of a piece that runs along the line, both of its ends.
+    std::vector<double> crossings(unsigned axis, double at) const;
     /// Whether any point of the piece lies in the box.
     bool touches(const Box2& box) const;
     /// False for boxes beside the strip along its chord that holds the control points: of such it
@@ -49,9 +52,11 @@ private:
         double a, b;
         Vec2 at_a, at_b;
     };
-    /// Closes in on y(t) = y, which must lie between the ends, until t is known to rounding or
-    /// the bracket shows which side of the piece (x, y) is on.
-    Bracket bracket(double y, double x) const;
+    /// Closes in on coordinate `axis` being `at`, which must lie between the ends, until t is known
+    /// to rounding or the bracket shows which side of the piece a place there is on, whose other
+    /// coordinate is `beside`.
+    template <unsigned axis>
+    Bracket bracket(double at, double beside) const;
 
     std::vector<Vec3> points_;
     std::vector<double> binomials_; ///< one a point

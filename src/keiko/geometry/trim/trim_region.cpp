@@ -179,6 +179,14 @@ bool TrimRegion::contains(const Vec2& p) const {
     return inside;
 }
 
+std::vector<double> TrimRegion::crossings(unsigned axis, double at) const {
+    std::vector<double> all;
+    for (const MonotonePiece& piece : pieces_)
+        for (const double place : piece.crossings(axis, at)) all.push_back(place);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
 TrimSide TrimRegion::classify(const Box2& box) const {
     // Rounding of box and curves must not turn a near miss into a proof.
     const double away = std::max(box.lower.length(), box.upper.length());

@@ -28,6 +28,9 @@ public:
     /// Whether the point of the parameter plane is material. Points on a curve itself may go
     /// either way.
     bool contains(const Vec2& face_parameters) const;
+    /// Between which places a line on which coordinate `axis` (0 is u, 1 is v) is `at` is either
+    /// inside or outside, to rounding: the other coordinate of where trim curves meet it, rising.
+    std::vector<double> crossings(unsigned axis, double at) const;
     /// inside or outside when no trim curve can touch the box.
     TrimSide classify(const Box2& box) const;
     /// The nearest point of any trim curve within `radius` mm of the point, or nothing.

@@ -1,6 +1,7 @@
 #include "keiko/inspect/seams/bend_pieces.h"
 
 #include "keiko/base/units.h"
+#include "keiko/inspect/seams/isoline_places.h"
 #include "keiko/inspect/seams/slow_lines.h"
 
 #include <algorithm>
@@ -38,7 +39,8 @@ private:
     void add_bends(const Patch& patch, const BezierPatchView& points, bool constant_u) {
         const ParameterMap& across = constant_u ? patch.map_u : patch.map_v;
         const ParameterMap& along = constant_u ? patch.map_v : patch.map_u;
-        for (const double t : slow_lines(points, constant_u, window_)) {
+        tested_ = isoline_places((constant_u ? points.degree_v : points.degree_u) + 1);
+        for (const double t : slow_lines(points, constant_u, tested_, window_)) {
             const double at = t == 0 ? across.begin : t == 1 ? across.end : across.to_face(t);
             const KnotPiece line{constant_u, at, along.begin, along.end};
             const auto is_known = [&](const Bend& b) { return b.piece.order() == line.order(); };
@@ -97,7 +99,7 @@ private:
         const Affine unmoved;
         const SeamProbe probe = face_.probe(piece, unmoved, left, right);
         std::vector<SeamPoint> points;
-        for (const double t : tested_places) points.push_back(probe.at(t));
+        for (const double t : tested_) points.push_back(probe.at(t));
         return points;
     }
 
@@ -146,7 +148,7 @@ private:
 
     double farthest(const KnotPiece& line, double beside) const {
         double most = 0;
-        for (const double t : tested_places) {
+        for (const double t : tested_) {
             const double x = line.begin + t * (line.end - line.begin);
             const Vec3 way =
                 face_.point(line.point(beside, x)) - face_.point(line.point(line.at, x));
@@ -160,13 +162,14 @@ private:
         const auto place = [&](double t) {
             return face_.point(line.point(line.at, line.begin + t * (line.end - line.begin)));
         };
-        const Vec3 first = place(tested_places.front());
-        return std::all_of(tested_places.begin(), tested_places.end(),
+        const Vec3 first = place(tested_.front());
+        return std::all_of(tested_.begin(), tested_.end(),
                            [&](double t) { return (place(t) - first).length() < window_ / 2000; });
     }
 
     const KnottedFace& face_;
     double window_;
+    std::vector<double> tested_; ///< shares of the line at hand
     std::vector<Bend> bends_;
 };
 

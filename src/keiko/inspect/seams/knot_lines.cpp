@@ -1,10 +1,11 @@
 #include "keiko/inspect/seams/knot_lines.h"
 
 #include "keiko/base/parallel.h"
-#include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/basics/face_names.h"
 #include "keiko/inspect/seams/bend_pieces.h"
+#include "keiko/inspect/seams/broken_knots.h"
 #include "keiko/inspect/seams/face_sizes.h"
+#include "keiko/inspect/seams/knot_chains.h"
 #include "keiko/inspect/seams/seam_line.h"
 
 #include <algorithm>
@@ -15,12 +16,6 @@
 namespace keiko {
 namespace {
 
-/// The far sides of a patch, where another one may follow.
-std::array<KnotPiece, 2> far_sides(const Patch& patch) {
-    const ParameterMap &u = patch.map_u, &v = patch.map_v;
-    return {KnotPiece{true, u.end, v.begin, v.end}, KnotPiece{false, v.end, u.begin, u.end}};
-}
-
 bool has_irregular_patch(const SurfaceModel& model, std::uint32_t face) {
     const auto by_face = [](const IrregularPatch& patch, std::uint32_t f) {
         return patch.face < f;
@@ -30,143 +25,71 @@ bool has_irregular_patch(const SurfaceModel& model, std::uint32_t face) {
     return found != model.irregular_patches.end() && found->face == face;
 }
 
+using KnotLine = std::vector<KnotPiece>;
+
 class FaceKnots {
 public:
     FaceKnots(const SurfaceModel& model, std::uint32_t face)
-        : model_(model), index_(face), face_(model, face) {}
+        : model_(model), index_(face), face_(model, face), knots_(broken_knots(face_)) {}
 
     std::vector<std::vector<MeasuredSeam>> measured(const CriteriaPreset& preset,
-                                                    const FaceSizes& sizes) const {
+                                                    const FaceSizes& sizes) {
         std::vector<std::vector<MeasuredSeam>> seams;
-        const std::vector<KnotPiece> knots = broken();
-        const std::vector<std::vector<KnotPiece>> breaks = chained(kept(knots));
+        const std::vector<KnotLine> breaks = knot_chains(model_, face_.face(), knots_.pieces);
         for (std::uint32_t i = 0; i < model_.instances.size(); ++i) {
             const Part& part = model_.parts[model_.instances[i].part];
             if (index_ - part.first_face >= part.face_count) continue;
             const double size = sizes.of(i, index_);
             const StretchLimits limits = stretch_limits(size, size, preset, 0);
-            for (const auto& line : breaks) seams.push_back(measure(i, line, preset, limits));
-            for (const auto& line : chained(kept(bends(knots, limits.negligible))))
+            const double scale = std::cbrt(std::abs(model_.instances[i].transform.determinant()));
+            for (const KnotLine& line : breaks) seams.push_back(measure(i, line, preset, limits));
+            for (const KnotLine& line : bends_within(limits.negligible / scale))
                 seams.push_back(measure(i, line, preset, limits));
         }
         return seams;
     }
 
 private:
-    std::vector<KnotPiece> broken() const;
-    bool is_torn(const KnotPiece& knot) const;
-    std::vector<KnotPiece> bends(const std::vector<KnotPiece>& knots, double window) const;
-    std::vector<KnotPiece> kept(const std::vector<KnotPiece>& pieces) const;
-    static std::vector<std::vector<KnotPiece>> chained(std::vector<KnotPiece> pieces);
-    std::vector<MeasuredSeam> measure(std::uint32_t instance, const std::vector<KnotPiece>& line,
+    const std::vector<KnotLine>& bends_within(double window);
+    std::vector<KnotPiece> untorn_bends(double window) const;
+    std::vector<MeasuredSeam> measure(std::uint32_t instance, const KnotLine& line,
                                       const CriteriaPreset& preset,
                                       const StretchLimits& limits) const;
+
+    /// The bends that are narrower than a window, mm of the face as it is not placed.
+    struct WindowBends {
+        double window = 0;
+        std::vector<KnotLine> lines;
+    };
 
     const SurfaceModel& model_;
     std::uint32_t index_;
     KnottedFace face_;
+    BrokenKnots knots_;
+    std::vector<WindowBends> searched_;
 };
 
-std::vector<KnotPiece> FaceKnots::broken() const {
-    std::vector<KnotPiece> pieces;
-    const Box2 domain = face_.domain();
-    const Affine unmoved;
-    for (const Patch& patch : model_.patches_of(face_.face()))
-        for (const KnotPiece& piece : far_sides(patch)) {
-            const bool at_end = piece.at >= (piece.constant_u ? domain.upper.x : domain.upper.y);
-            if (at_end || !(piece.end > piece.begin)) continue;
-            const std::array<Vec3, 2> line = piece.side(true);
-            const SeamProbe across = face_.probe(piece, unmoved, line, line);
-            const auto breaks = [&](double t) { return breaks_at(across.at(t)); };
-            if (std::any_of(tested_places.begin(), tested_places.end(), breaks))
-                pieces.push_back(piece);
-        }
-    return pieces;
-}
-
-bool FaceKnots::is_torn(const KnotPiece& knot) const {
-    constexpr double closed = 1e-4; // mm
-    const Affine unmoved;
-    const std::array<Vec3, 2> line = knot.side(true);
-    const SeamProbe across = face_.probe(knot, unmoved, line, line);
-    return std::any_of(tested_places.begin(), tested_places.end(),
-                       [&](double t) { return across.at(t).gap > closed; });
+/// Each window is searched once, for all instances that have it.
+const std::vector<KnotLine>& FaceKnots::bends_within(double window) {
+    constexpr double rounding = 1e-9; // share, of the scales of turned instances
+    const auto is_same = [&](const WindowBends& bends) {
+        return std::abs(bends.window - window) <= rounding * window;
+    };
+    const auto known = std::find_if(searched_.begin(), searched_.end(), is_same);
+    if (known != searched_.end()) return known->lines;
+    searched_.push_back({window, knot_chains(model_, face_.face(), untorn_bends(window))});
+    return searched_.back().lines;
 }
 
 /// The bends of the face, without those at which it is torn.
-std::vector<KnotPiece> FaceKnots::bends(const std::vector<KnotPiece>& knots, double window) const {
+std::vector<KnotPiece> FaceKnots::untorn_bends(double window) const {
     std::vector<KnotPiece> bends = bend_pieces(face_, window);
-    if (bends.empty()) return bends;
-    for (const KnotPiece& knot : knots)
-        if (is_torn(knot))
-            std::erase_if(bends, [&](const KnotPiece& bend) { return bend.meets(knot); });
+    for (const KnotPiece& knot : knots_.torn)
+        std::erase_if(bends, [&](const KnotPiece& bend) { return bend.meets(knot); });
     return bends;
 }
 
-/// What the trims leave of the pieces: where they change sides between two of 16 places is found by
-/// halving; what enters and leaves in between is too short to be told.
-std::vector<KnotPiece> FaceKnots::kept(const std::vector<KnotPiece>& pieces) const {
-    const Face& face = model_.faces[index_];
-    if (face.loop_count == 0 || pieces.empty()) return pieces;
-    constexpr int places = 16, halvings = 40;
-    const TrimRegion region(model_, face);
-    std::vector<KnotPiece> kept;
-    for (const KnotPiece& piece : pieces) {
-        const auto inside = [&](double x) {
-            return region.contains(piece.point(piece.low, x)) &&
-                   (!piece.is_bend() || region.contains(piece.point(piece.high, x)));
-        };
-        const auto border = [&](double in, double out) {
-            for (int i = 0; i < halvings; ++i) (inside((in + out) / 2) ? in : out) = (in + out) / 2;
-            return in;
-        };
-        const auto at = [&](int i) {
-            return piece.begin + (piece.end - piece.begin) * (i + 0.5) / places;
-        };
-        for (int i = 0; i < places; ++i) {
-            if (!inside(at(i))) continue;
-            const int first = i;
-            while (i + 1 < places && inside(at(i + 1))) ++i;
-            KnotPiece part = piece;
-            part.begin = border(at(first), first == 0 ? piece.begin : at(first - 1));
-            part.end = border(at(i), i + 1 == places ? piece.end : at(i + 1));
-            kept.push_back(part);
-        }
-    }
-    return kept;
-}
-
-/// Bends of one line are found in patch after patch, each with a rounding of its own.
-void align(std::vector<KnotPiece>& pieces) {
-    const auto rises = [](const KnotPiece& a, const KnotPiece& b) { return a.order() < b.order(); };
-    std::sort(pieces.begin(), pieces.end(), rises);
-    for (std::size_t i = 1; i < pieces.size(); ++i) {
-        const KnotPiece& before = pieces[i - 1];
-        KnotPiece& piece = pieces[i];
-        if (piece.constant_u == before.constant_u && before.low < piece.at &&
-            piece.at < before.high)
-            piece.at = before.at;
-    }
-    std::sort(pieces.begin(), pieces.end(), rises);
-}
-
-std::vector<std::vector<KnotPiece>> FaceKnots::chained(std::vector<KnotPiece> pieces) {
-    align(pieces);
-    std::vector<std::vector<KnotPiece>> lines;
-    constexpr double touching = 1e-6; // share of a piece: trims end where knots do
-    for (const KnotPiece& piece : pieces) {
-        const KnotPiece* before = lines.empty() ? nullptr : &lines.back().back();
-        const bool goes_on = before && before->constant_u == piece.constant_u &&
-                             before->at == piece.at &&
-                             piece.begin - before->end <= touching * (piece.end - piece.begin);
-        if (!goes_on) lines.emplace_back();
-        lines.back().push_back(piece);
-    }
-    return lines;
-}
-
-std::vector<MeasuredSeam> FaceKnots::measure(std::uint32_t instance,
-                                             const std::vector<KnotPiece>& line,
+std::vector<MeasuredSeam> FaceKnots::measure(std::uint32_t instance, const KnotLine& line,
                                              const CriteriaPreset& preset,
                                              const StretchLimits& limits) const {
     std::vector<std::array<Vec3, 2>> points;
@@ -213,7 +136,6 @@ std::vector<MeasuredSeam> measure_knot_lines(const SurfaceModel& model,
             ++number;
             std::move(line.begin(), line.end(), std::back_inserter(all));
         }
-    excuse_scraps(all);
     return all;
 }
 

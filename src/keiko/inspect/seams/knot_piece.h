@@ -60,7 +60,4 @@ private:
 /// their curvatures, 0.1 % and 2e-7 /mm.
 bool breaks_at(const SeamPoint& point);
 
-/// Parameters of a piece's curves at which it is tested.
-constexpr std::array<double, 3> tested_places{0.11, 0.5, 0.87};
-
 } // namespace keiko

@@ -26,10 +26,9 @@ Seam cut_seam(Seam seam, const SeamPart& part) {
     return seam;
 }
 
-} // namespace
-
-MeasuredSeams measure_seams(const SurfaceModel& model, std::span<const Seam> paired,
-                            const CriteriaPreset& preset, double join, const Job& job) {
+/// The seams between faces, with scraps that are judged.
+MeasuredSeams with_judged_scraps(const SurfaceModel& model, std::span<const Seam> paired,
+                                 const CriteriaPreset& preset, double join, const Job& job) {
     const BoundaryCurves curves(model);
     const std::vector<Seam> seams = widened_seams(curves, paired, join);
     const std::vector<std::vector<std::uint32_t>> chains = seam_chains(curves, seams, join);
@@ -55,18 +54,27 @@ MeasuredSeams measure_seams(const SurfaceModel& model, std::span<const Seam> pai
             }
             result.seams.push_back(std::move(seam));
         }
-    excuse_scraps(result.seams);
     return result;
+}
+
+} // namespace
+
+MeasuredSeams measure_seams(const SurfaceModel& model, std::span<const Seam> seams,
+                            const CriteriaPreset& preset, double join, const Job& job) {
+    MeasuredSeams measured = with_judged_scraps(model, seams, preset, join, job);
+    excuse_scraps(measured.seams);
+    return measured;
 }
 
 MeasuredSeams measure_all_seams(const SurfaceModel& model, std::span<const Seam> seams,
                                 const CriteriaPreset& preset, double join, const Job& job) {
-    MeasuredSeams all = measure_seams(model, seams, preset, join, job);
+    MeasuredSeams all = with_judged_scraps(model, seams, preset, join, job);
     const auto lines = static_cast<std::uint32_t>(line_count(all.seams));
     for (MeasuredSeam& seam : measure_knot_lines(model, preset, job)) {
         seam.line += lines;
         all.seams.push_back(std::move(seam));
     }
+    excuse_scraps(all.seams);
     return all;
 }
 

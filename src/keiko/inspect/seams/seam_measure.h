@@ -97,7 +97,8 @@ struct MeasuredSeams {
 MeasuredSeams measure_seams(const SurfaceModel& model, std::span<const Seam> seams,
                             const CriteriaPreset& preset, double join, const Job& job = {});
 
-/// The same, followed by the stretches of knot lines inside faces (measure_knot_lines).
+/// The same, followed by the stretches of knot lines inside faces (measure_knot_lines). The scraps
+/// of a face are excused by the length of all of them, of seams and of knot lines.
 MeasuredSeams measure_all_seams(const SurfaceModel& model, std::span<const Seam> seams,
                                 const CriteriaPreset& preset, double join, const Job& job = {});
 

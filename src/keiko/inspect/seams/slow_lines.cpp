@@ -113,12 +113,13 @@ void add_slow(const CrossSpeed& speed, int degree, double window, std::vector<do
 
 } // namespace
 
-std::vector<double> slow_lines(const BezierPatchView& patch, bool constant_u, double window) {
+std::vector<double> slow_lines(const BezierPatchView& patch, bool constant_u,
+                               std::span<const double> along, double window) {
     std::vector<double> lines;
     if (advances(patch, constant_u, window)) return lines;
     const int degree = constant_u ? patch.degree_u : patch.degree_v;
-    for (const double along : isoline_samples)
-        add_slow(CrossSpeed(patch, constant_u, along), degree, window, lines);
+    for (const double place : along)
+        add_slow(CrossSpeed(patch, constant_u, place), degree, window, lines);
     std::sort(lines.begin(), lines.end());
     constexpr double same = 1e-6;
     const auto near = [](double a, double b) { return b - a < same; };
