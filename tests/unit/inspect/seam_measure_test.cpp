@@ -475,10 +475,10 @@ TEST(MeasureKnotLines, CountWithSeamsInTheScrapsOfAFace) {
         }
     builder.nurbs(sheet);
     const SurfaceModel model = builder.build();
-    constexpr double join = 0.01;
+    constexpr double near = 0.01;
     CriteriaPreset preset;
     preset.negligible = 0.1;
-    const auto seams = measure_all_seams(model, pair_seams(model, join), preset, join).seams;
+    const auto seams = measure_all_seams(model, pair_seams(model, near), preset, near).seams;
     int failing = 0;
     for (const MeasuredSeam& seam : seams)
         if (seam.angle && seam.angle->value > 2) failing += seam.verdict == Verdict::fail;
