@@ -131,6 +131,33 @@ TEST(Openings, AreTallHolesAcrossASeam) {
     }
 }
 
+/// A whole sheet beside one whose border runs through `border`, x and mm out of the plane.
+SurfaceModel risen_border(const std::vector<Vec2>& border) {
+    test::ModelBuilder builder;
+    whole_sheet(builder);
+    NurbsSurface risen{1, 1, {0}, {0, 0, 1, 1}, {}};
+    for (std::size_t i = 0; i < border.size(); ++i) {
+        risen.knots_u.push_back(double(i));
+        risen.points.emplace_back(border[i].x, 0, border[i].y, 1);
+        risen.points.emplace_back(border[i].x, -depth, 0, 1);
+    }
+    risen.knots_u.push_back(double(border.size() - 1));
+    builder.nurbs(risen);
+    return builder.build();
+}
+
+TEST(Openings, AreTearsAcrossTheSheets) {
+    for (const double high : {0.45, 2.0, 8.0})
+        for (const double flank : {11.0, 30.0, 80.0}) {
+            const double run = high / std::tan(degrees_to_radians(flank));
+            const SurfaceModel torn = risen_border(
+                {{0, 0}, {45 - run, 0}, {45, high}, {55, high}, {55 + run, 0}, {length, 0}});
+            EXPECT_FALSE(inspect(torn).verdict == Verdict::pass && openings_of(torn).empty())
+                << high << " mm, " << flank << " degrees";
+        }
+    EXPECT_TRUE(openings_of(risen_border({{0, 0}, {45, 0}, {length, 0}})).empty());
+}
+
 TEST(Openings, AreHolesBetweenInstancesOfOneFace) {
     test::ModelBuilder builder;
     notched_sheet(builder, bordered({{51, 0}, {50, -2}, {49, 0}}));

@@ -57,6 +57,7 @@ private:
     std::optional<Across> widest(const std::vector<Across>& over, const Strand& a,
                                  const Strand& b) const;
     bool over_a_gap(const Across& across) const;
+    Vec3 inward(const FreePlace& p) const;
     double touching(const Strand& a, const Strand& b, double reach) const;
 
     Opening opening(const FreePlace& a, const FreePlace& b, double length) const {
@@ -100,17 +101,22 @@ double OpeningSearch::touching(const Strand& a, const Strand& b, double reach) c
     return way;
 }
 
-/// Whether the way across leaves one of the faces and does not go straight into the other. It runs
-/// beside both at the rim of a tube, and beside one in a notch at a crease.
+/// Whether the way across leaves one of the faces and does not go straight into the other, or runs
+/// beside two faces that lie on either side of it, as where one border rises from the other. It
+/// runs beside both on one side at the rim of a tube, and beside one in a notch at a crease.
 bool OpeningSearch::over_a_gap(const Across& across) const {
     const Vec3 way = across.b.position - across.a.position;
-    const auto entered = [&](const FreePlace& p, const Vec3& out) {
-        const auto frame = curves_.curve(edges_.all[p.edge].pieces[p.piece]).frame(p.t);
-        return frame ? out.dot(frame->inward) / out.length() : 1;
-    };
-    const auto [least, most] = std::minmax({entered(across.a, way), entered(across.b, -way)});
-    constexpr double leaves = -0.5, enters = 0.8;
+    const Vec3 a = inward(across.a), b = inward(across.b);
+    const auto [least, most] = std::minmax({way.dot(a) / way.length(), -way.dot(b) / way.length()});
+    constexpr double leaves = -0.5, enters = 0.8, opposite = -0.5;
+    if (least > leaves && most < -leaves) return a.dot(b) < opposite;
     return least <= leaves && most <= enters;
+}
+
+/// Into the face at a free edge, unit; 0 where that is not known.
+Vec3 OpeningSearch::inward(const FreePlace& p) const {
+    const auto frame = curves_.curve(edges_.all[p.edge].pieces[p.piece]).frame(p.t);
+    return frame ? frame->inward : Vec3(0);
 }
 
 /// Nothing where one was found before in the same hole or near by between the same free edges.
