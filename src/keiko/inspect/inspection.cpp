@@ -119,7 +119,7 @@ void add_openings(const SurfaceModel& model, Inspection& result, const Job& job)
     const CriteriaPreset& preset = result.preset;
     for (const Opening& opening :
          find_openings(model, result.pieces, {result.join, preset.negligible, preset.gap}, job)) {
-        const auto& [a, b] = opening.sides;
+        const Opening::Side &a = opening.sides[0], &b = opening.sides[1];
         const std::string name = placed_face_name(model, a.instance, a.face);
         const bool of_one = a.instance == b.instance && a.face == b.face;
         Check check = check_of_opening(
