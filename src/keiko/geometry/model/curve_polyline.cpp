@@ -9,13 +9,6 @@
 namespace keiko {
 namespace {
 
-/// Parameter in [0, 1] of the point of the segment that is nearest to p.
-double nearest_on_segment(const Vec3& p0, const Vec3& p1, const Vec3& p) {
-    const Vec3 along = p1 - p0;
-    const double square = along.dot(along);
-    return square > 0 ? std::clamp((p - p0).dot(along) / square, 0.0, 1.0) : 0;
-}
-
 class PolylineMaker {
 public:
     PolylineMaker(const SurfaceCurve& curve, double chord_error)
@@ -92,6 +85,12 @@ double CurvePolyline::nearest(const Vec3& p) const {
 
 CurvePolyline make_polyline(const SurfaceCurve& curve, double chord_error) {
     return PolylineMaker(curve, chord_error).make();
+}
+
+double nearest_on_segment(const Vec3& p0, const Vec3& p1, const Vec3& p) {
+    const Vec3 along = p1 - p0;
+    const double square = along.dot(along);
+    return square > 0 ? std::clamp((p - p0).dot(along) / square, 0.0, 1.0) : 0;
 }
 
 double segment_distance(const Vec3& p0, const Vec3& p1, const Vec3& p) {

@@ -23,6 +23,8 @@ struct CurvePolyline {
 /// Halves the curve until the chords are within `chord_error` mm of it and turn little.
 CurvePolyline make_polyline(const SurfaceCurve& curve, double chord_error);
 
+/// Parameter in [0, 1] of the point of the segment p0 p1 that is nearest to p; 0 of a point.
+double nearest_on_segment(const Vec3& p0, const Vec3& p1, const Vec3& p);
 /// Distance in mm between a point and the segment p0 p1.
 double segment_distance(const Vec3& p0, const Vec3& p1, const Vec3& p);
 

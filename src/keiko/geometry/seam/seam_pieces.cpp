@@ -1,6 +1,7 @@
 #include "keiko/geometry/seam/seam_pieces.h"
 
 #include "keiko/geometry/bvh/box_tree.h"
+#include "keiko/geometry/seam/seam_corner.h"
 #include "keiko/math/disjoint_sets.h"
 
 namespace keiko {
@@ -16,9 +17,7 @@ bool long_enough(double length, double widest, double join, bool fills_border) {
 }
 
 bool goes_on(const SeamPiece::Tip& x, const SeamPiece::Tip& y, double near) {
-    constexpr double cos_corner = 0.866; // 30 degrees
-    return (x.position - y.position).length() <= near &&
-           x.onward.dot(y.onward) <= -cos_corner * x.onward.length() * y.onward.length();
+    return (x.position - y.position).length() <= near && !is_corner(x.onward, -y.onward);
 }
 
 /// Calls `work(i, j)`, i < j, for the ends of pieces that go on into each other on both borders.

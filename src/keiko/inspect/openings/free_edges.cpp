@@ -138,11 +138,9 @@ public:
         std::vector<Pair> pairs;
         for (std::uint32_t i = 0; i < edges_.next.size(); ++i) {
             if (edges_.next[i] || edges_.all[i / 2].closed) continue;
-            const Vec3 from = edges_.position(end_of(i));
-            Box3 box;
-            box.extend(from);
-            for (const std::uint32_t j : tree_.overlapping(box.padded(near)))
-                if (const double d = (edges_.position(end_of(j)) - from).length();
+            const Vec3 from = position(i);
+            for (const std::uint32_t j : ends_about(from, near))
+                if (const double d = (position(j) - from).length();
                     j > i && !edges_.next[j] && d <= near && may_meet(i, j, d))
                     pairs.push_back({d, i, j});
         }
@@ -152,12 +150,19 @@ public:
     }
 
 private:
-    static FreeEnd end_of(std::uint32_t number) { return {number / 2, number % 2 == 1}; }
+    Vec3 position(std::uint32_t end) const { return edges_.position(FreeEnd::of_number(end)); }
+
+    /// Ends of edges within a box of `near` mm around a place.
+    std::vector<std::uint32_t> ends_about(const Vec3& place, double near) const {
+        Box3 box;
+        box.extend(place);
+        return tree_.overlapping(box.padded(near));
+    }
 
     static std::vector<Box3> boxes_of_ends(const FreeEdges& edges) {
         std::vector<Box3> boxes(2 * edges.all.size());
         for (std::uint32_t i = 0; i < boxes.size(); ++i)
-            if (!edges.all[i / 2].closed) boxes[i].extend(edges.position(end_of(i)));
+            if (!edges.all[i / 2].closed) boxes[i].extend(edges.position(FreeEnd::of_number(i)));
         return boxes;
     }
 
@@ -168,21 +173,19 @@ private:
 
     void join(std::uint32_t i, std::uint32_t j) {
         if (edges_.next[i] || edges_.next[j]) return;
-        edges_.next[i] = end_of(j), edges_.next[j] = end_of(i);
+        edges_.next[i] = FreeEnd::of_number(j), edges_.next[j] = FreeEnd::of_number(i);
     }
 
     std::optional<std::uint32_t> end_near(const BoundaryCurves& curves, const BoundaryInterval& on,
                                           bool at_end, double near) const {
         const Vec3 place = curves.curve(on).at(at_end ? on.end : on.begin).position;
-        Box3 box;
-        box.extend(place);
         std::optional<std::uint32_t> best;
-        for (const std::uint32_t i : tree_.overlapping(box.padded(near))) {
+        for (const std::uint32_t i : ends_about(place, near)) {
             const BoundaryInterval& piece = edges_.all[i / 2].pieces.front();
             if (edges_.next[i] || piece.face != on.face || piece.instance != on.instance) continue;
-            const double d = (edges_.position(end_of(i)) - place).length();
+            const double d = (position(i) - place).length();
             if (d > near) continue;
-            if (!best || d < (edges_.position(end_of(*best)) - place).length()) best = i;
+            if (!best || d < (position(*best) - place).length()) best = i;
         }
         return best;
     }

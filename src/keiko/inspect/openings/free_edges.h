@@ -36,6 +36,9 @@ struct FreeEnd {
     std::uint32_t edge = 0;
     bool last = false; ///< else the first
 
+    /// Its place in FreeEdges::next.
+    std::uint32_t number() const { return 2 * edge + last; }
+    static FreeEnd of_number(std::uint32_t number) { return {number / 2, number % 2 == 1}; }
     bool operator==(const FreeEnd&) const = default;
 };
 
@@ -43,13 +46,10 @@ struct FreeEnd {
 /// of one face to that of the next.
 struct FreeEdges {
     std::vector<FreeEdge> all;
-    /// The end that follows upon each end: 2 edge, or 2 edge + 1 of its last one; nothing where no
-    /// end is near.
+    /// The end that follows upon each end, by FreeEnd::number; nothing where no end is near.
     std::vector<std::optional<FreeEnd>> next;
 
-    std::optional<FreeEnd> next_of(const FreeEnd& end) const {
-        return next[2 * std::size_t{end.edge} + end.last];
-    }
+    std::optional<FreeEnd> next_of(const FreeEnd& end) const { return next[end.number()]; }
     Vec3 position(const FreeEnd& end) const {
         const FreeEdge& edge = all[end.edge];
         return (end.last ? edge.places.back() : edge.places.front()).position;

@@ -2,6 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/bvh/box_tree.h"
+#include "keiko/geometry/model/curve_polyline.h"
 #include "keiko/geometry/seam/border_approach.h"
 
 #include <algorithm>
@@ -49,9 +50,8 @@ private:
     }
 
     static double way_of_nearest(const FreeEdge& edge, std::size_t i, const Vec3& p) {
-        const Vec3 from = edge.places[i].position, along = edge.places[i + 1].position - from;
-        const double square = along.dot(along);
-        const double share = square > 0 ? std::clamp((p - from).dot(along) / square, 0.0, 1.0) : 0;
+        const double share =
+            nearest_on_segment(edge.places[i].position, edge.places[i + 1].position, p);
         return edge.ways[i] + share * (edge.ways[i + 1] - edge.ways[i]);
     }
 

@@ -29,10 +29,10 @@ public:
     std::vector<Opening> run(const std::vector<NearEdges>& near) {
         std::vector<Opening> found;
         for (std::uint32_t i = 0; i < edges_.next.size(); ++i) {
-            const FreeEnd a{i / 2, i % 2 == 1};
             const std::optional<FreeEnd> b = edges_.next[i];
-            if (!b || 2 * std::size_t{b->edge} + b->last < i) continue;
-            if (const auto opening = from_end_of_seam(a, *b)) found.push_back(*opening);
+            if (!b || b->number() < i) continue;
+            if (const auto opening = from_end_of_seam(FreeEnd::of_number(i), *b))
+                found.push_back(*opening);
         }
         for (const NearEdges& n : near) {
             const Opening between = opening(n.a, n.b, n.length);

@@ -1,5 +1,7 @@
 #include "keiko/inspect/openings/strand.h"
 
+#include "keiko/geometry/model/curve_polyline.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -61,10 +63,9 @@ FreePlace nearest_place(const std::vector<FreePlace>& line, const Vec3& p) {
     FreePlace best = line.front();
     double least = (best.position - p).length();
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const Vec3 from = line[i].position, along = line[i + 1].position - from;
-        const double square = along.dot(along);
-        const double share = square > 0 ? std::clamp((p - from).dot(along) / square, 0.0, 1.0) : 0;
-        const Vec3 foot = from + along * share;
+        const Vec3 &from = line[i].position, &to = line[i + 1].position;
+        const double share = nearest_on_segment(from, to, p);
+        const Vec3 foot = from + (to - from) * share;
         if (const double distance = (foot - p).length(); distance < least) {
             least = distance, best = line[share < 0.5 ? i : i + 1];
             best.position = foot;

@@ -1,18 +1,11 @@
 #include "keiko/inspect/seams/seam_end.h"
 
-#include <cmath>
-
 namespace keiko {
 
 SeamEnd end_of(const SeamProbe& probe, const SeamPart& part, bool last) {
     const SeamPoint& point = last ? part.end : part.begin;
     const Vec3 run = probe.run(point.t);
     return {point.place, last ? run : -run};
-}
-
-bool is_corner(const Vec3& before, const Vec3& after) {
-    static const double cosine = std::cos(seam_corner);
-    return before.dot(after) < cosine * before.length() * after.length();
 }
 
 bool goes_on(const SeamEnd& from, const SeamEnd& into, double reach) {

@@ -1,12 +1,10 @@
 #pragma once
 
-#include "keiko/base/units.h"
+#include "keiko/geometry/seam/seam_corner.h"
 #include "keiko/inspect/seams/seam_partition.h"
 
 namespace keiko {
 
-/// Radians: where a seam turns by more than this it has a corner, and another seam begins.
-constexpr double seam_corner = degrees_to_radians(30);
 /// mm: ends as near as this are one vertex of a file. CAD systems write vertices to 1e-5 to 1e-2.
 constexpr double same_vertex = 0.01;
 
@@ -18,10 +16,6 @@ struct SeamEnd {
 
 /// One of the two ends of a part.
 SeamEnd end_of(const SeamProbe& probe, const SeamPart& part, bool last);
-
-/// Whether a line turns a corner where it runs on from one direction into another. False where one
-/// of them is 0.
-bool is_corner(const Vec3& before, const Vec3& after);
 
 /// Whether a line that leaves a piece at one end goes on into another piece at the other: where the
 /// ends are one vertex and the line turns no corner there, or where the straight way between them
