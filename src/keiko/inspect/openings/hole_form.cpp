@@ -106,6 +106,7 @@ std::optional<HoleForm> hole_form(const BoundaryCurves& curves, const FreeEdges&
     const Vec3 normal = area / area.length(), u = any_perpendicular(normal).normalized(),
                v = normal.cross(u);
     std::vector<Vec2> points;
+    points.reserve(places.size());
     for (const FreePlace& place : places)
         points.emplace_back(place.position.dot(u), place.position.dot(v));
     measure(convex_hull(std::move(points)), form);

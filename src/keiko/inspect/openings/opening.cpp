@@ -141,7 +141,7 @@ std::optional<Opening> OpeningSearch::around_hole(const Strand& a, const Strand&
     const bool small = a.length() <= 2 * opening_reach * limits_.join;
     const bool measurable = form && form->width > limits_.gap;
     if (!(small && in_hole && measurable)) {
-        const std::optional<Opening> found = between(a, b, reach, in_hole);
+        std::optional<Opening> found = between(a, b, reach, in_hole);
         if (!found || !measurable) return found;
     }
     Opening found = opening(a.at(a.length() / 4), b.at(b.length() / 4), form->length);

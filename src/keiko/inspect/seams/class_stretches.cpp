@@ -67,6 +67,7 @@ std::vector<std::vector<std::size_t>> StretchMaker::groups() const {
     std::map<std::size_t, std::vector<std::size_t>> by_root;
     for (std::size_t i = 0; i < parts_.size(); ++i) by_root[sets.root(i)].push_back(i);
     std::vector<std::vector<std::size_t>> result;
+    result.reserve(by_root.size());
     for (auto& [root, group] : by_root) result.push_back(std::move(group));
     return result;
 }
