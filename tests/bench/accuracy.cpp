@@ -1,7 +1,7 @@
 #include "tests/bench/accuracy.h"
 
 #include "keiko/base/units.h"
-#include "keiko/intersect/hit/mirror_ray.h"
+#include "keiko/intersect/hit/reflect_ray.h"
 
 #include "tests/bench/summary.h"
 
@@ -30,7 +30,7 @@ double lateral_error(const Ray& ray, const Hit& truth, const Answer& answer) {
 
 /// Edge of a pixel's image at the lamps, mm.
 std::optional<double> pixel_footprint(const Ray& ray, const Hit& truth) {
-    const Ray mirrored = mirror_ray(ray, truth);
+    const Ray mirrored = reflect_ray(ray, truth);
     if (!mirrored.differentials) return std::nullopt;
     const RayDifferentials& d = *mirrored.differentials;
     const Vec3 dx = across(d.origin_dx + d.direction_dx * lamp_distance, mirrored.direction);

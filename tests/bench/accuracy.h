@@ -19,7 +19,7 @@ struct Accuracy {
     std::size_t missed = 0;                ///< of those, nothing found there
     std::size_t false_hits = 0;            ///< found where in truth is nothing
     double normal_p50 = 0, normal_p99 = 0; ///< arcsec
-    double lateral_p99 = 0;                ///< mm, of the mirrored ray at 3 m
+    double lateral_p99 = 0;                ///< mm, of the reflected ray at 3 m
     std::optional<ZebraError> zebra{};     ///< of rays that come from pixels
 };
 

@@ -13,9 +13,9 @@ namespace keiko::HWY_NAMESPACE {
 
 /// As look_at in leaf_view-inl.h.
 template <class D>
-void bare_look_at(D d, const RayBlock& rays, std::size_t lane, const HotLeaf& leaf,
-                  LeafLook& result) {
-    const View<D> v(d, rays, lane, SameLeaf{leaf, nullptr});
+void bare_look_at(D d, const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch,
+                  ExistenceResult& result) {
+    const View<D> v(d, rays, lane, SameSubPatch{sub_patch, nullptr});
     const auto one = hn::Set(d, 1);
     const auto near_s = hn::Sub(v.depth, v.reach()), far_s = hn::Add(v.depth, v.reach());
     const auto missed = hn::Or(hn::Or(hn::Gt(hn::Abs(v.a), hn::Add(one, v.strip_u())),
@@ -29,9 +29,9 @@ void bare_look_at(D d, const RayBlock& rays, std::size_t lane, const HotLeaf& le
 
 /// As solve_lanes in newton-inl.h.
 template <class D>
-LaneMask bare_solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask wanted,
-                          const SameLeaf& leaf, LeafRoots& result) {
-    const View<D> v(d, rays, lane, leaf);
+LaneMask bare_solve_lanes(D d, const RayPacket& rays, std::size_t lane, LaneMask wanted,
+                          const SameSubPatch& sub_patch, SubPatchRoots& result) {
+    const View<D> v(d, rays, lane, sub_patch);
     const auto one = hn::Set(d, 1);
     const auto clamped = [&](auto t) { return hn::Min(hn::Max(t, hn::Neg(one)), one); };
     std::uint8_t start_bits[8] = {static_cast<std::uint8_t>(wanted >> lane)};
@@ -39,7 +39,7 @@ LaneMask bare_solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask 
     auto found = hn::FirstN(d, 0);
     auto x = clamped(v.a), y = clamped(v.b), s = hn::Zero(d);
     for (int i = 0; i < most_steps && !hn::AllFalse(d, active); ++i) {
-        const auto at = jet_of(d, leaf, x, y);
+        const auto at = jet_of(d, sub_patch, x, y);
         const auto seen = [&](const auto& c, auto turn, auto place, std::size_t own) {
             return hn::NegMulAdd(place, c[3], hn::NegMulAdd(turn, c[2], c[own]));
         };
@@ -65,31 +65,33 @@ LaneMask bare_solve_lanes(D d, const RayBlock& rays, std::size_t lane, LaneMask 
     return lane_bits(d, found, lane);
 }
 
-void bare_look(const RayBlock& rays, LaneMask mask, const HotLeaf& leaf, LeafLook& result) {
+void bare_look(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch,
+               ExistenceResult& result) {
     result.certain = result.material = result.single = result.undecided = 0;
-    for_vectors(mask, [&](std::size_t lane) { bare_look_at(Wide(), rays, lane, leaf, result); });
+    for_vectors(mask,
+                [&](std::size_t lane) { bare_look_at(Wide(), rays, lane, sub_patch, result); });
     result.undecided &= mask;
 }
 
-void bare_look_single(const RayBlock& rays, std::size_t lane, const HotLeaf& leaf,
-                      LeafLook& result) {
+void bare_look_single(const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch,
+                      ExistenceResult& result) {
     result.certain = result.material = result.single = result.undecided = 0;
-    bare_look_at(One(), rays, lane, leaf, result);
+    bare_look_at(One(), rays, lane, sub_patch, result);
 }
 
-void bare_solve(const RayBlock& rays, LaneMask mask, const HotLeaf& leaf,
-                const Component4* polynomial, LeafRoots& result) {
+void bare_solve(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch,
+                const Component4* polynomial, SubPatchRoots& result) {
     result.found = result.failed = 0;
     for_vectors(mask, [&](std::size_t lane) {
-        result.found |= bare_solve_lanes(Wide(), rays, lane, mask, {leaf, polynomial}, result);
+        result.found |= bare_solve_lanes(Wide(), rays, lane, mask, {sub_patch, polynomial}, result);
     });
 }
 
-void bare_solve_single(const RayBlock& rays, std::size_t lane, const HotLeaf& leaf,
-                       const Component4* polynomial, LeafRoots& result) {
+void bare_solve_single(const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch,
+                       const Component4* polynomial, SubPatchRoots& result) {
     result.failed = 0;
     result.found =
-        bare_solve_lanes(One(), rays, lane, LaneMask{1} << lane, {leaf, polynomial}, result);
+        bare_solve_lanes(One(), rays, lane, LaneMask{1} << lane, {sub_patch, polynomial}, result);
 }
 
 bench::BareKernels bare_kernels() {

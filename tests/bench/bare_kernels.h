@@ -1,19 +1,22 @@
 #pragma once
 
-#include "keiko/intersect/kernels/leaf_kernels.h"
+#include "keiko/intersect/kernels/sub_patch_kernels.h"
 
 namespace keiko::bench {
 
-/// What LeafKernels would do without proofs, on the same records and for the same rays, to tell
+/// What SubPatchKernels would do without proofs, on the same records and for the same rays, to tell
 /// what the proofs cost.
 struct BareKernels {
-    /// The strips alone: `undecided` for lanes that may meet the leaf, nothing about how often.
-    void (*look)(const RayBlock&, LaneMask, const HotLeaf&, LeafLook&);
-    void (*look_single)(const RayBlock&, std::size_t lane, const HotLeaf&, LeafLook&);
+    /// The strips alone: `undecided` for lanes that may meet the sub-patch, nothing about how
+    /// often.
+    void (*look)(const RayPacket&, LaneMask, const PackedSubPatch&, ExistenceResult&);
+    void (*look_single)(const RayPacket&, std::size_t lane, const PackedSubPatch&,
+                        ExistenceResult&);
     /// Newton's method until a step is so small that the next would be rounding; no bound.
-    void (*solve)(const RayBlock&, LaneMask, const HotLeaf&, const Component4*, LeafRoots&);
-    void (*solve_single)(const RayBlock&, std::size_t lane, const HotLeaf&, const Component4*,
-                         LeafRoots&);
+    void (*solve)(const RayPacket&, LaneMask, const PackedSubPatch&, const Component4*,
+                  SubPatchRoots&);
+    void (*solve_single)(const RayPacket&, std::size_t lane, const PackedSubPatch&,
+                         const Component4*, SubPatchRoots&);
 };
 
 /// The widest that this processor has.

@@ -44,7 +44,7 @@ struct ContenderFacts {
     std::string name{};
     double deflection = 0;    ///< mm, that was asked for
     double deviation = 0;     ///< mm, that it is off the surface, p99.9
-    std::size_t elements = 0; ///< leaves, faces, triangles, boxes
+    std::size_t elements = 0; ///< sub-patches, faces, triangles, boxes
     std::size_t bytes = 0;    ///< of all that tracing needs, the box hierarchy included
     double mesh_seconds = 0;  ///< of processor time
     double build_seconds = 0; ///< of processor time: hierarchy, or Keiko's Tracer

@@ -5,7 +5,7 @@
 #include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/light/rig/luminance_along.h"
-#include "keiko/render/shading/shaft_shadows.h"
+#include "keiko/render/shading/volumetric_shadows.h"
 
 #include "tests/support/paths.h"
 
@@ -15,12 +15,12 @@ namespace keiko::bench {
 namespace {
 
 /// mm: from right to left below the bodies of the scene.
-const Segment eye_ray{Vec3(2450, 0, 1250), Vec3(-2600, 0, 850)};
+const Segment camera_ray{Vec3(2450, 0, 1250), Vec3(-2600, 0, 850)};
 
 /// The parts of a ray that the first lamp of a scene lights.
 std::vector<Segment> lit_parts(const Scene& scene, const Segment& ray) {
     const std::array rays{ray};
-    const ShaftShadows shadows(*scene.rig, &*scene.occluders, scene.seen(), rays);
+    const VolumetricShadows shadows(*scene.rig, &*scene.occluders, scene.seen(), rays);
     std::vector<Segment> lit;
     for (const ParameterInterval& part : in_light(scene.rig->sources.front(), ray)) {
         const Segment beam{ray.at(part.begin), ray.at(part.end)};
@@ -63,13 +63,13 @@ void draw_cut_shaft(const std::filesystem::path& output) {
     const Rgb grey(0.55), yellow(1, 0.85, 0.2), thin(0.95, 0.55, 0.2);
     const Vec3 lamp = std::get<Spotlight>(scene.rig->sources.front()).position;
     Drawing drawing(camera);
-    drawing.line(eye_ray.a, eye_ray.b, grey, 2);
-    for (const Segment& part : lit_parts(scene, eye_ray)) {
+    drawing.line(camera_ray.a, camera_ray.b, grey, 2);
+    for (const Segment& part : lit_parts(scene, camera_ray)) {
         for (const Vec3& end : {part.a, part.b}) drawing.line(lamp, end, thin, 1);
         drawing.line(part.a, part.b, yellow, 5);
     }
     drawing.label(lamp, Vec2(12, -8), "lamp");
-    drawing.label(eye_ray.a, Vec2(8, -8), "eye");
+    drawing.label(camera_ray.a, Vec2(8, -8), "eye");
     ToneMapping tone;
     tone.curve = ToneMapping::Curve::reinhard;
     write_png(output, with_overlay(tone_mapped(film, tone), drawing.overlay()));

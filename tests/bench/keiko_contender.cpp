@@ -92,7 +92,7 @@ KeikoContender::KeikoContender(const SurfaceModel& model)
       }()) {
     facts_.kind = Kind::keiko;
     facts_.name = "Keiko";
-    facts_.elements = tracer_.statistics().leaves;
+    facts_.elements = tracer_.statistics().sub_patches;
     facts_.bytes = tracer_.statistics().bytes;
 }
 

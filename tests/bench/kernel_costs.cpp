@@ -14,7 +14,7 @@
 namespace keiko::bench {
 namespace {
 
-/// LeafKernels or BareKernels at work on pairs.
+/// SubPatchKernels or BareKernels at work on pairs.
 template <class Kernels>
 class Work {
 public:
@@ -24,7 +24,7 @@ public:
     double look_seconds() {
         return thread_seconds([&] {
             for (const LeafVisit& v : visits_.visits) {
-                look(visits_.blocks[v.block], v.rays, model_.hot[v.leaf]);
+                look(visits_.blocks[v.block], v.rays, model_.hot[v.sub_patch]);
                 kept_ += look_.certain | look_.single | look_.undecided;
             }
         });
@@ -33,34 +33,34 @@ public:
         return thread_seconds([&] {
             for (const LeafVisit& v : visits_.visits) {
                 if (v.solved == 0) continue;
-                solve(visits_.blocks[v.block], v.solved, model_.hot[v.leaf]);
+                solve(visits_.blocks[v.block], v.solved, model_.hot[v.sub_patch]);
                 kept_ += roots_.found;
             }
         });
     }
 
 private:
-    void look(const RayBlock& rays, LaneMask mask, const HotLeaf& leaf) {
+    void look(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch) {
         if (std::has_single_bit(mask))
-            kernels_.look_single(rays, static_cast<std::size_t>(std::countr_zero(mask)), leaf,
+            kernels_.look_single(rays, static_cast<std::size_t>(std::countr_zero(mask)), sub_patch,
                                  look_);
         else
-            kernels_.look(rays, mask, leaf, look_);
+            kernels_.look(rays, mask, sub_patch, look_);
     }
-    void solve(const RayBlock& rays, LaneMask mask, const HotLeaf& leaf) {
-        const Component4* polynomial = &model_.leaves.polynomials[leaf.polynomial];
+    void solve(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch) {
+        const Component4* polynomial = &model_.sub_patches.polynomials[sub_patch.polynomial];
         if (std::has_single_bit(mask))
-            kernels_.solve_single(rays, static_cast<std::size_t>(std::countr_zero(mask)), leaf,
+            kernels_.solve_single(rays, static_cast<std::size_t>(std::countr_zero(mask)), sub_patch,
                                   polynomial, roots_);
         else
-            kernels_.solve(rays, mask, leaf, polynomial, roots_);
+            kernels_.solve(rays, mask, sub_patch, polynomial, roots_);
     }
 
     const Kernels& kernels_;
     const TracedModel& model_;
     const LeafVisits& visits_;
-    LeafLook look_;
-    LeafRoots roots_;
+    ExistenceResult look_;
+    SubPatchRoots roots_;
     LaneMask kept_ = 0; ///< so that no compiler drops the work
 };
 
@@ -78,13 +78,13 @@ struct Bench {
     Tracer tracer;
     TracedModel model;
     EmbreeScene boxes;
-    LeafKernels kernels = leaf_kernels();
+    SubPatchKernels kernels = sub_patch_kernels();
     BareKernels bare = bare_kernels();
 
     explicit Bench(const SurfaceModel& source)
         : tracer(source),
-          model(
-              traced_model(source, TracerOptions().join, TracerOptions().leaf_contraction, Job{})),
+          model(traced_model(source, TracerOptions().join, TracerOptions().sub_patch_contraction,
+                             Job{})),
           boxes(tracer.boxes(), 1) {}
 
     KernelCosts measure(const RaySet& rays, Mode mode, int rounds) const {

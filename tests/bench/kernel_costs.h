@@ -8,10 +8,10 @@
 
 namespace keiko::bench {
 
-/// What the tests of a ray against a leaf cost in one mode, in cycles of the processor's time-stamp
-/// counter: medians over the rounds.
+/// What the tests of a ray against a sub-patch cost in one mode, in cycles of the processor's
+/// time-stamp counter: medians over the rounds.
 struct KernelCosts {
-    double look = 0;  ///< cycles, the first look of one ray at one leaf
+    double look = 0;  ///< cycles, the first look of one ray at one sub-patch
     double solve = 0; ///< cycles, one root with its bound
     double proof = 0; ///< share of the search for t and uv that is left out without proofs
 };

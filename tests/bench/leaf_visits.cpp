@@ -12,19 +12,19 @@ std::size_t count(LaneMask mask) {
 
 class Gatherer final : public EmbreeScene::Visitor {
 public:
-    Gatherer(const TracedModel& model, const LeafKernels& kernels, LeafVisits& to)
+    Gatherer(const TracedModel& model, const SubPatchKernels& kernels, LeafVisits& to)
         : model_(model), kernels_(kernels), to_(to) {}
 
     void begin(std::size_t block) {
         block_ = block;
         nearest_.fill(nowhere);
     }
-    LaneMask visit(std::uint32_t leaf, LaneMask lanes) override {
-        RayBlock& rays = to_.blocks[block_];
-        const HotLeaf& hot = model_.hot[leaf];
+    LaneMask visit(std::uint32_t sub_patch, LaneMask lanes) override {
+        RayPacket& rays = to_.blocks[block_];
+        const PackedSubPatch& hot = model_.hot[sub_patch];
         kernels_.look(rays, lanes, hot, look_);
         const std::size_t here = to_.visits.size();
-        to_.visits.push_back({block_, leaf, lanes});
+        to_.visits.push_back({block_, sub_patch, lanes});
         if (!hot.material) return 0;
         LaneMask lowered = 0;
         for (LaneMask left = look_.certain; left != 0; left &= left - 1) {
@@ -44,11 +44,11 @@ private:
     static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
     const TracedModel& model_;
-    const LeafKernels& kernels_;
+    const SubPatchKernels& kernels_;
     LeafVisits& to_;
     std::size_t block_ = 0;
-    RayBlock::Lanes<std::size_t> nearest_{};
-    LeafLook look_;
+    RayPacket::Lanes<std::size_t> nearest_{};
+    ExistenceResult look_;
 };
 
 } // namespace
@@ -66,13 +66,13 @@ std::size_t LeafVisits::solved() const {
 }
 
 LeafVisits leaf_visits(const TracedModel& model, const EmbreeScene& boxes,
-                       const LeafKernels& kernels, std::span<const Ray> rays, Mode mode) {
+                       const SubPatchKernels& kernels, std::span<const Ray> rays, Mode mode) {
     LeafVisits result;
-    const std::size_t step = mode == Mode::single ? 1 : RayBlock::capacity;
+    const std::size_t step = mode == Mode::single ? 1 : RayPacket::capacity;
     result.blocks.resize((rays.size() + step - 1) / step);
     Gatherer gatherer(model, kernels, result);
     for (std::size_t b = 0; b < result.blocks.size(); ++b) {
-        RayBlock& block = result.blocks[b];
+        RayPacket& block = result.blocks[b];
         block.count = std::min(step, rays.size() - b * step);
         for (std::size_t lane = 0; lane < block.count; ++lane)
             block.rays[lane] = &rays[b * step + lane];

@@ -20,7 +20,7 @@ public:
 private:
     TriangleMesh mesh_;
     Ball ball_;
-    double lift_; ///< mm over the surface where mirrored rays begin
+    double lift_; ///< mm over the surface where reflected rays begin
     EmbreeBody body_;
 };
 

@@ -1,10 +1,10 @@
 #include "tests/bench/penumbra_methods.h"
 
-#include "keiko/light/rig/rig_light.h"
+#include "keiko/light/rig/light_id.h"
 #include "keiko/light/tubes/tube_irradiance.h"
 #include "keiko/light/tubes/tube_penumbra.h"
-#include "keiko/render/shading/seen_past.h"
-#include "keiko/render/shading/source_region.h"
+#include "keiko/render/shading/light_bounds.h"
+#include "keiko/render/shading/occluded_visibility.h"
 
 #include "tests/bench/cpu_clock.h"
 #include "tests/support/random.h"
@@ -18,11 +18,11 @@ namespace {
 using namespace test;
 
 std::vector<Vec3> region_of(const Receiver& at, const CPlane& row) {
-    return source_region(row, lamp_numbers(row), at.position);
+    return light_bounds(row, lamp_numbers(row), at.position);
 }
 
-ApexView view_from(const PenumbraScene& scene, const Receiver& at, const CPlane& row) {
-    return {scene.occluders, scene.tracer, Apex::at(at.position, at.root), region_of(at, row),
+VisibilityQuery view_from(const PenumbraScene& scene, const Receiver& at, const CPlane& row) {
+    return {scene.occluders, scene.tracer, Viewpoint::at(at.position, at.root), region_of(at, row),
             at.normal};
 }
 
@@ -90,7 +90,7 @@ void add_samples(const TubeLamp& lamp, const Receiver& at, Emitter emitter, cons
             const double cosine = at.normal.dot(way), squared = way.length2();
             if (!(cosine > 0)) continue;
             const double light = -cosine * lit.facing.dot(way) / (squared * squared) * share;
-            samples.push_back({Apex::at(at.position, at.root).ray_to(x), light});
+            samples.push_back({Viewpoint::at(at.position, at.root).ray_to(x), light});
         }
 }
 
@@ -106,10 +106,10 @@ bool next_to_an_end(const IntervalSet& set, double t) {
 Shares by_intervals(const PenumbraScene& scene, const CPlane& row) {
     return shares(scene, row, Emitter::axis,
                   [&](const Receiver& at, const std::vector<TubeLamp>& lamps) {
-                      const ApexView view = view_from(scene, at, row);
+                      const VisibilityQuery view = view_from(scene, at, row);
                       std::vector<SegmentEnds> axes;
                       for (const TubeLamp& lamp : lamps) axes.push_back({lamp.a, lamp.b});
-                      const std::vector<SeenParts> seen = view.intervals(axes);
+                      const std::vector<VisibleIntervals> seen = view.intervals(axes);
                       double sum = 0;
                       for (std::size_t i = 0; i < lamps.size(); ++i)
                           sum += projected_solid_angle(lamps[i], at.position, at.normal,
@@ -121,13 +121,14 @@ Shares by_intervals(const PenumbraScene& scene, const CPlane& row) {
 Shares by_width(const PenumbraScene& scene, const CPlane& row, double tolerance, Emitter emitter) {
     const TubeShape shape = emitter == Emitter::tube ? TubeShape::cylinder : TubeShape::rectangle;
     return shares(scene, row, emitter, [&](const Receiver& at, const std::vector<TubeLamp>& lamps) {
-        const SeenPast visible(&scene.occluders, scene.tracer, Apex::at(at.position, at.root),
-                               region_of(at, row), {}, at.normal);
+        const OccludedVisibility visible(&scene.occluders, scene.tracer,
+                                         Viewpoint::at(at.position, at.root), region_of(at, row),
+                                         {}, at.normal);
         std::vector<TubeLamp> above = lamps;
         std::erase_if(above, [&](const TubeLamp& lamp) {
             return below_horizon(lamp, at.position, at.normal);
         });
-        const std::vector<SeenLight> seen =
+        const std::vector<LightVisibility> seen =
             seen_tubes(above, at.position, at.normal, visible, {tolerance, shape});
         double sum = 0;
         for (std::size_t i = 0; i < above.size(); ++i)
@@ -173,11 +174,11 @@ WrongLamps wrong_lamps(const PenumbraScene& scene, const CPlane& row, int probes
     WrongLamps count;
     Random random(4);
     for (const Receiver& at : scene.receivers) {
-        const ApexView view = view_from(scene, at, row);
-        const Apex apex = Apex::at(at.position, at.root);
+        const VisibilityQuery view = view_from(scene, at, row);
+        const Viewpoint viewpoint = Viewpoint::at(at.position, at.root);
         std::vector<SegmentEnds> axes;
         for (const TubeLamp& lamp : lamps_of(row)) axes.push_back({lamp.a, lamp.b});
-        const std::vector<SeenParts> seen = view.intervals(axes);
+        const std::vector<VisibleIntervals> seen = view.intervals(axes);
         for (std::size_t i = 0; i < axes.size(); ++i) {
             std::vector<Ray> rays;
             std::vector<double> places;
@@ -186,7 +187,7 @@ WrongLamps wrong_lamps(const PenumbraScene& scene, const CPlane& row, int probes
                 const Vec3 x = axes[i][0] + (axes[i][1] - axes[i][0]) * t;
                 if (next_to_an_end(seen[i].intervals, t)) continue;
                 if (!(at.normal.dot(x - at.position) > 0)) continue;
-                rays.push_back(apex.ray_to(x));
+                rays.push_back(viewpoint.ray_to(x));
                 places.push_back(t);
             }
             const std::vector<bool> hidden = scene.tracer.any(std::span<const Ray>(rays));

@@ -15,7 +15,7 @@ public:
     PenumbraPicture(PenumbraScene& scene, int width, std::size_t count);
 
     /// Those receivers as the picture has them, rendered by one thread with light taken linear to
-    /// within `light_error`; their share of the processor time, eye rays included. Axis or tube.
+    /// within `light_error`; their share of the processor time, camera rays included. Axis or tube.
     Shares render(Emitter emitter, double light_error) const;
 
 private:

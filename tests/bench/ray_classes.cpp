@@ -1,6 +1,6 @@
 #include "tests/bench/ray_classes.h"
 
-#include "keiko/intersect/hit/mirror_ray.h"
+#include "keiko/intersect/hit/reflect_ray.h"
 #include "keiko/placement/best_view.h"
 
 #include "tests/bench/grazing_rays.h"
@@ -50,7 +50,7 @@ RaySet mirrored_rays(const RaySet& primary, const Tracer& tracer) {
     RaySet set{.name = "mirrored", .coherent = true};
     for (std::size_t i = 0; i < primary.rays.size(); ++i) {
         if (!primary.truth[i]) continue;
-        set.rays.push_back(mirror_ray(primary.rays[i], *primary.truth[i]));
+        set.rays.push_back(reflect_ray(primary.rays[i], *primary.truth[i]));
         set.leaving_sine.push_back(
             std::abs(set.rays.back().direction.dot(primary.truth[i]->normal)));
     }

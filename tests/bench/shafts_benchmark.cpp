@@ -121,14 +121,14 @@ ShaftCost measure(std::string bodies, const SurfaceModel& model, int lamps,
             cost.patches += model.faces[part.first_face + f].patch_count;
     }
     cost.build_seconds = trial.occluders().statistics().build_seconds;
-    std::vector<std::optional<ShadowPencil>> pencils;
+    std::vector<std::optional<EpipolarShadows>> pencils;
     cost.pencil_seconds = process_seconds([&] { pencils = trial.pencils(); }) / lamps;
     std::vector<Segment> rays;
     std::vector<Rgb> reference, light;
     double seconds = 0;
     for (int tile = 0; tile < tiles; ++tile) {
         const std::vector<Segment> some =
-            trial.eye_rays(Vec2(0.3 + 0.4 * (tile + 0.5) / tiles, 0.57), tile_size);
+            trial.camera_rays(Vec2(0.3 + 0.4 * (tile + 0.5) / tiles, 0.57), tile_size);
         const std::vector<Rgb> good = trial.exact(some, 1e-8);
         std::vector<Rgb> quick;
         seconds += thread_seconds([&] { quick = trial.exact(some, shaft_error, pencils); });

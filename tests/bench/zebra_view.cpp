@@ -15,7 +15,8 @@ constexpr double dark = 0.02, beside = 0.35;
 double seen(const Ray& ray, const std::optional<Answer>& answer, const CPlaneFrame& lamps) {
     if (!answer) return beside;
     const Vec3 mirrored = reflect(ray.direction, answer->normal);
-    return std::max(dark, look_up(lamps, ray.at(answer->t), mirrored, {}, TubeLook::flat).coverage);
+    return std::max(dark,
+                    look_up(lamps, ray.at(answer->t), mirrored, {}, MirrorModel::flat).coverage);
 }
 
 RaySet rays_of_row(const Camera& camera, int y) {

@@ -83,13 +83,13 @@ class Info(KeikoTest):
         self.assertNotIn("keiko: build\n", plain.stderr)
         self.assertIsNone(self.facts("hood.step")["tracing"])
         text = self.keiko("info", surface("hood.step"), "--verbose").stdout
-        self.assertRegex(text, r"(?m)^tracing +\d+ leaves, \d+ cut by trims, \d+ trimmed away, "
+        self.assertRegex(text, r"(?m)^tracing +\d+ sub-patches, \d+ cut by trims, \d+ trimmed away, "
                                r"\d+ bytes, built in [\d.e-]+ ms$")
         tracing = json.loads(self.keiko("info", surface("trimmed-hole.step"), "--json",
                                         "--verbose").stdout)["tracing"]
         self.assertGreater(tracing["build_milliseconds"], 0)
-        self.assertTrue(0 < tracing["mixed_leaves"] <= tracing["leaves"])
-        self.assertGreater(tracing["bytes"], tracing["leaves"])
+        self.assertTrue(0 < tracing["mixed_sub_patches"] <= tracing["sub_patches"])
+        self.assertGreater(tracing["bytes"], tracing["sub_patches"])
 
     def test_a_model_kept_in_the_cache_comes_back_the_same(self):
         first = self.keiko("info", surface("hood.step"), "--json", "--cache", "kept/models")

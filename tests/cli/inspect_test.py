@@ -61,7 +61,7 @@ class Inspect(KeikoTest):
 
     def test_every_file_that_the_report_names_is_there(self):
         report = self.inspect("seam-g0-gap.step")[1]
-        names = [p["file"] for key in ("pictures", "line_pictures", "form_pictures", "close_ups")
+        names = [p["file"] for key in ("pictures", "line_pictures", "curvature_pictures", "close_ups")
                  for p in report[key]]
         self.assertGreaterEqual(len(names), 2)
         for name in names:
@@ -122,7 +122,7 @@ class Inspect(KeikoTest):
     def test_the_report_is_the_same_for_any_thread_count_and_tells_no_time(self):
         def reports(threads: str):
             tracing = self.inspect("trimmed-hole.step", "--threads", threads)[1]["model"]["tracing"]
-            self.assertEqual(set(tracing), {"leaves", "mixed_leaves", "trimmed_away_leaves",
+            self.assertEqual(set(tracing), {"sub_patches", "mixed_sub_patches", "trimmed_away_sub_patches",
                                             "bytes"})
             return [(self.folder / "out" / n).read_bytes() for n in ("report.json", "report.html")]
         self.assertEqual(reports("1"), reports("3"))

@@ -1,5 +1,5 @@
 #include "keiko/import/worker/load_model.h"
-#include "keiko/intersect/hit/mirror_ray.h"
+#include "keiko/intersect/hit/reflect_ray.h"
 
 #include "tests/integration/closed_model.h"
 #include "tests/support/file_test_name.h"
@@ -58,7 +58,7 @@ private:
     double size_;
 };
 
-/// Mirrored rays and rays to lamps from beside an edge, however near: the room that rounding gets
+/// Reflected rays and rays to lamps from beside an edge, however near: the room that rounding gets
 /// beyond a neighbour's border must not stand in their way.
 void expect_free(const std::filesystem::path& file) {
     const Hull hull(file);
@@ -78,7 +78,7 @@ void expect_free(const std::filesystem::path& file) {
         to_lamp.excluded = hit.root;
         rays += 2;
         blocked += hull.tracer().any(to_lamp);
-        if (out.dot(ray.direction) < -0.01) blocked += hull.tracer().any(mirror_ray(ray, hit));
+        if (out.dot(ray.direction) < -0.01) blocked += hull.tracer().any(reflect_ray(ray, hit));
     }
     EXPECT_GE(rays, wanted / 4);
     EXPECT_EQ(blocked, 0u);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-/// A body that random apexes on it and beside it look out from, at rows of parallel segments.
+/// A body that random viewpoints on it and beside it look out from, at rows of parallel segments.
 class ScanLines : public testing::TestWithParam<const char*> {
 protected:
     explicit ScanLines(const TracerOptions& options = {}) : tracer_(model_, options) {}
@@ -31,18 +31,18 @@ protected:
         }
         return row;
     }
-    ApexView view_of(const std::vector<SegmentEnds>& row, const Apex& apex,
-                     const std::optional<Vec3>& facing) const {
+    VisibilityQuery view_of(const std::vector<SegmentEnds>& row, const Viewpoint& viewpoint,
+                            const std::optional<Vec3>& facing) const {
         const Vec3 corners[4] = {row[0][0], row[0][1], row.back()[0], row.back()[1]};
-        return {occluders_, tracer_, apex, corners, facing};
+        return {occluders_, tracer_, viewpoint, corners, facing};
     }
 
-    void expect_same_intervals(const Apex& apex, const std::optional<Vec3>& facing) {
+    void expect_same_intervals(const Viewpoint& viewpoint, const std::optional<Vec3>& facing) {
         const std::vector<SegmentEnds> row = random_row();
-        const ApexView view = view_of(row, apex, facing);
-        const std::vector<SeenParts> together = view.intervals(row);
+        const VisibilityQuery view = view_of(row, viewpoint, facing);
+        const std::vector<VisibleIntervals> together = view.intervals(row);
         for (std::size_t i = 0; i < row.size(); ++i) {
-            const SeenParts alone = view.intervals(row[i][0], row[i][1]);
+            const VisibleIntervals alone = view.intervals(row[i][0], row[i][1]);
             const double seen = alone.intervals.measure();
             partly_hidden_ += seen > 0 && seen < 1;
             EXPECT_EQ(together[i].intervals, alone.intervals) << "line " << i;
@@ -64,15 +64,15 @@ protected:
     }
 
     /// Lines all through those prisms of which something is told, on the side that is faced.
-    void expect_seen_as_told(const Apex& apex, const std::optional<Vec3>& facing) {
+    void expect_seen_as_told(const Viewpoint& viewpoint, const std::optional<Vec3>& facing) {
         const std::vector<SegmentEnds> row = random_row();
         const std::vector<PrismEdges> prisms = prisms_of(row);
         std::vector<Vec3> corners;
         for (const PrismEdges& prism : {prisms.front(), prisms.back()})
             for (const SegmentEnds& edge : prism)
                 corners.insert(corners.end(), edge.begin(), edge.end());
-        const ApexView view(occluders_, tracer_, apex, corners, facing);
-        const std::vector<std::optional<bool>> told = view.seen_as_whole(prisms);
+        const VisibilityQuery view(occluders_, tracer_, viewpoint, corners, facing);
+        const std::vector<std::optional<bool>> told = view.classify_prisms(prisms);
         for (std::size_t i = 0; i < prisms.size(); ++i) {
             if (!told[i]) continue;
             ++(*told[i] ? seen_ : hidden_);
@@ -84,7 +84,7 @@ protected:
                            (p[2][end] * (1 - s) + p[3][end] * s) * t;
                 };
                 const Vec3 a = inside(0), b = inside(1);
-                const double faced = faced_length(apex, facing, a, b);
+                const double faced = faced_length(viewpoint, facing, a, b);
                 const double seen = view.intervals(a, b).intervals.measure();
                 cut_ += faced > 0 && faced < 1;
                 constexpr double shortest = 2e-9;
@@ -94,10 +94,11 @@ protected:
         }
     }
     /// Share of a segment on the side that is faced.
-    static double faced_length(const Apex& apex, const std::optional<Vec3>& facing, const Vec3& a,
-                               const Vec3& b) {
+    static double faced_length(const Viewpoint& viewpoint, const std::optional<Vec3>& facing,
+                               const Vec3& a, const Vec3& b) {
         if (!facing) return 1;
-        const double at_a = facing->dot(apex.way_to(a)), at_b = facing->dot(apex.way_to(b));
+        const double at_a = facing->dot(viewpoint.way_to(a)),
+                     at_b = facing->dot(viewpoint.way_to(b));
         if (at_a >= 0 && at_b >= 0) return 1;
         return std::max({0.0, at_a, at_b}) / std::abs(at_a - at_b);
     }
@@ -105,16 +106,16 @@ protected:
     template <class Expect>
     void for_apexes_of_all_kinds(const Expect& expect) {
         for (int i = 0; i < 60; ++i) {
-            expect(Apex::towards(random_direction(random_)), std::optional<Vec3>());
+            expect(Viewpoint::towards(random_direction(random_)), std::optional<Vec3>());
             const Vec3 outside = leaf_bounds(tracer_).center() +
                                  random_direction(random_) * leaf_bounds(tracer_).size();
-            expect(Apex::at(outside), std::optional<Vec3>());
+            expect(Viewpoint::at(outside), std::optional<Vec3>());
             Ray ray;
             ray.origin = outside;
             ray.direction = leaf_bounds(tracer_).center() - outside;
             const auto hit = tracer_.nearest(ray);
             if (!hit) continue;
-            const Apex on_surface = Apex::at(hit->position, hit->root);
+            const Viewpoint on_surface = Viewpoint::at(hit->position, hit->root);
             expect(on_surface, std::optional<Vec3>());
             expect(on_surface, std::optional(hit->normal));
         }
@@ -130,14 +131,16 @@ protected:
 };
 
 TEST_P(ScanLines, GiveTheIntervalsOfSingleSegments) {
-    for_apexes_of_all_kinds(
-        [&](const Apex& apex, const auto& facing) { expect_same_intervals(apex, facing); });
+    for_apexes_of_all_kinds([&](const Viewpoint& viewpoint, const auto& facing) {
+        expect_same_intervals(viewpoint, facing);
+    });
     EXPECT_GT(partly_hidden_, 50);
 }
 
 TEST_P(ScanLines, AreSeenOrHiddenInPrismsAsIsTold) {
-    for_apexes_of_all_kinds(
-        [&](const Apex& apex, const auto& facing) { expect_seen_as_told(apex, facing); });
+    for_apexes_of_all_kinds([&](const Viewpoint& viewpoint, const auto& facing) {
+        expect_seen_as_told(viewpoint, facing);
+    });
     EXPECT_GT(seen_, 100);
     EXPECT_GT(hidden_, 100);
     // On leaves as small as they are by default nothing of the saddle is proved where the horizon
@@ -149,12 +152,13 @@ TEST_P(ScanLines, AreSeenOrHiddenInPrismsAsIsTold) {
 
 class ScanLinesOnLargeLeaves : public ScanLines {
 protected:
-    ScanLinesOnLargeLeaves() : ScanLines({.leaf_contraction = 0.65}) {}
+    ScanLinesOnLargeLeaves() : ScanLines({.sub_patch_contraction = 0.65}) {}
 };
 
 TEST_P(ScanLinesOnLargeLeaves, AreSeenOrHiddenInPrismsAsIsTold) {
-    for_apexes_of_all_kinds(
-        [&](const Apex& apex, const auto& facing) { expect_seen_as_told(apex, facing); });
+    for_apexes_of_all_kinds([&](const Viewpoint& viewpoint, const auto& facing) {
+        expect_seen_as_told(viewpoint, facing);
+    });
     EXPECT_GT(seen_, 100);
     EXPECT_GT(hidden_, 100);
     EXPECT_GT(cut_, 20);

@@ -62,7 +62,7 @@ struct StretchPiece {
 struct Quantity {
     std::string name;
     double tolerance;
-    std::function<std::optional<Worst>(const MeasuredSeam&)> stated;
+    std::function<std::optional<MeasuredValue>(const MeasuredSeam&)> stated;
     std::function<std::optional<double>(const PeerSeamPlace&)> peer;
     double excess = -std::numeric_limits<double>::infinity(); ///< over value and bound, anywhere
     double difference = 0;                                    ///< at the worst place
@@ -204,7 +204,7 @@ private:
     }
 
     void visit(Quantity& quantity, const std::vector<const StretchPiece*>& pieces,
-               const Worst& stated) {
+               const MeasuredValue& stated) {
         double least = std::numeric_limits<double>::infinity();
         for (const StretchPiece* piece : pieces)
             if (piece->distance(stated.place) <= same_place) {
@@ -222,7 +222,7 @@ private:
     }
 
     double difference(const Quantity& quantity, const StretchPiece& piece,
-                      const Worst& stated) const {
+                      const MeasuredValue& stated) const {
         double least = std::numeric_limits<double>::infinity();
         for (const std::size_t border : piece.borders_a)
             for (const PeerSeamPlace& place : peer_->at(border, stated.place, widest_gap * join))

@@ -14,7 +14,7 @@ namespace {
 using namespace test;
 using From = VisibilityProbe::From;
 
-/// Looks out from many apexes and holds every segment against single rays.
+/// Looks out from many viewpoints and holds every segment against single rays.
 void expect_intervals_as_probed(const std::filesystem::path& file) {
     const VisibilityProbe probe(load_model(file));
     constexpr int lamps = 6, probes = 24;

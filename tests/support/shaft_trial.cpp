@@ -4,7 +4,7 @@
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/rig/luminance_along.h"
 #include "keiko/light/spotlight/beam_intensity.h"
-#include "keiko/render/shading/shaft_shadows.h"
+#include "keiko/render/shading/volumetric_shadows.h"
 
 #include <cmath>
 #include <numbers>
@@ -36,7 +36,7 @@ public:
         : medium_(medium),
           tracer_(tracer),
           intensity_(light),
-          apex_(Apex::at(light.position)),
+          viewpoint_(Viewpoint::at(light.position)),
           origin_(ray.a),
           length_((ray.b - ray.a).length()),
           direction_((ray.b - ray.a) / length_) {
@@ -55,7 +55,7 @@ public:
             const double s = even ? u : foot_ + distance_ * std::tan(u);
             const double off = s - foot_, r2 = distance_ * distance_ + off * off;
             places_.push_back({s, even ? step : step * r2 / distance_});
-            rays_.push_back(apex_.ray_to(origin_ + direction_ * s));
+            rays_.push_back(viewpoint_.ray_to(origin_ + direction_ * s));
         }
         const std::vector<bool> hidden = tracer_.any(rays_);
         Rgb sum;
@@ -81,7 +81,7 @@ private:
     const Medium& medium_;
     const Tracer& tracer_;
     BeamIntensity intensity_;
-    Apex apex_;
+    Viewpoint viewpoint_;
     Vec3 origin_;
     double length_;
     Vec3 direction_;
@@ -101,11 +101,11 @@ Camera ShaftTrial::camera() const {
     return {.eye = body.center() + to_eye, .target = body.center(), .vertical_fov = 30};
 }
 
-std::vector<std::optional<ShadowPencil>> ShaftTrial::pencils() const {
+std::vector<std::optional<EpipolarShadows>> ShaftTrial::pencils() const {
     return shaft_pencils(rig_, &occluders_, tracer_, camera().eye);
 }
 
-std::vector<Segment> ShaftTrial::eye_rays(const Vec2& corner, int side) const {
+std::vector<Segment> ShaftTrial::camera_rays(const Vec2& corner, int side) const {
     const Camera camera = this->camera();
     const double left = camera.width * corner.x, top = camera.height * corner.y;
     std::vector<Segment> rays;
@@ -120,8 +120,8 @@ std::vector<Segment> ShaftTrial::eye_rays(const Vec2& corner, int side) const {
 }
 
 std::vector<Rgb> ShaftTrial::exact(std::span<const Segment> rays, double tolerance,
-                                   std::span<const std::optional<ShadowPencil>> pencils) const {
-    const ShaftShadows shadows(rig_, &occluders_, tracer_, rays, pencils);
+                                   std::span<const std::optional<EpipolarShadows>> pencils) const {
+    const VolumetricShadows shadows(rig_, &occluders_, tracer_, rays, pencils);
     const VisibleFrom visible = shadows.visible();
     std::vector<Rgb> light;
     light.reserve(rays.size());

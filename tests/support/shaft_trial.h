@@ -3,7 +3,7 @@
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/scene/camera.h"
-#include "keiko/visibility/epipolar/shadow_pencil.h"
+#include "keiko/visibility/epipolar/epipolar_shadows.h"
 #include "keiko/visibility/query/occluders.h"
 
 #include <span>
@@ -30,14 +30,14 @@ public:
     /// Rays of `side` x `side` neighbouring pixels of a picture of 960 x 540 that shows the model
     /// from before, a little above its middle: each to where it meets the model or far beyond.
     /// `corner`: upper left, as shares of the picture; (0.5, 0.5) looks at the model's middle.
-    std::vector<Segment> eye_rays(const Vec2& corner, int side) const;
+    std::vector<Segment> camera_rays(const Vec2& corner, int side) const;
 
     /// Of the lamps, for the eye of those rays.
-    std::vector<std::optional<ShadowPencil>> pencils() const;
+    std::vector<std::optional<EpipolarShadows>> pencils() const;
     /// Scattered light of each ray, cd/m2, as a picture's tile of all of them has it.
     /// With the pencils of the rays' eye, or at full precision.
     std::vector<Rgb> exact(std::span<const Segment> rays, double tolerance,
-                           std::span<const std::optional<ShadowPencil>> pencils = {}) const;
+                           std::span<const std::optional<EpipolarShadows>> pencils = {}) const;
     /// The same of one ray with so many steps in each part of it that lies in a beam.
     Rgb marched(const Segment& ray, int steps, Marching marching) const;
 

@@ -34,12 +34,12 @@ struct Row {
     }
 };
 
-std::string describe(const Apex& apex, const Vec3& a, const Vec3& b, double t,
+std::string describe(const Viewpoint& viewpoint, const Vec3& a, const Vec3& b, double t,
                      const IntervalSet& seen) {
     std::ostringstream text;
     text.precision(17);
-    text << (apex.infinite() ? "direction " : "apex ") << apex.place() << " segment " << a << " to "
-         << b << " at t = " << t << ", seen";
+    text << (viewpoint.infinite() ? "direction " : "viewpoint ") << viewpoint.place() << " segment "
+         << a << " to " << b << " at t = " << t << ", seen";
     for (const ParameterInterval& i : seen) text << " [" << i.begin << ", " << i.end << "]";
     return text.str();
 }
@@ -57,29 +57,29 @@ std::string ProbeCounts::text() const {
 VisibilityProbe::VisibilityProbe(const SurfaceModel& model)
     : tracer_(model), occluders_(model, tracer_) {}
 
-std::optional<Apex> VisibilityProbe::random_apex(From from, Random& random) const {
+std::optional<Viewpoint> VisibilityProbe::random_apex(From from, Random& random) const {
     const Box3 body = leaf_bounds(tracer_);
-    if (from == From::infinity) return Apex::towards(random_direction(random));
+    if (from == From::infinity) return Viewpoint::towards(random_direction(random));
     const Vec3 outside = body.center() + random_direction(random) * body.size();
-    if (from == From::space) return Apex::at(outside);
+    if (from == From::space) return Viewpoint::at(outside);
     Ray ray;
     ray.origin = outside;
     for (unsigned k = 0; k < 3; ++k)
         ray.direction[k] = uniform(random, body.lower[k], body.upper[k]) - ray.origin[k];
     const auto hit = tracer_.nearest(ray);
     if (!hit) return std::nullopt;
-    return Apex::at(hit->position, hit->root);
+    return Viewpoint::at(hit->position, hit->root);
 }
 
 void VisibilityProbe::look(From from, int lamps, int probes, Random& random,
                            ProbeCounts& counts) const {
-    const auto apex = random_apex(from, random);
-    if (!apex) return;
+    const auto viewpoint = random_apex(from, random);
+    if (!viewpoint) return;
     const Row row(leaf_bounds(tracer_), random);
-    const ApexView view(occluders_, tracer_, *apex, row.corners());
+    const VisibilityQuery view(occluders_, tracer_, *viewpoint, row.corners());
     for (int i = 0; i < lamps; ++i) {
         const Vec3 a = row.begin + row.across * ((i + 0.5) / lamps), b = a + row.along;
-        const SeenParts parts = view.intervals(a, b);
+        const VisibleIntervals parts = view.intervals(a, b);
         ++counts.segments;
         counts.uncertain += !parts.certain;
         const double seen = parts.intervals.measure();
@@ -89,10 +89,10 @@ void VisibilityProbe::look(From from, int lamps, int probes, Random& random,
             const double t = uniform(random, 0, 1);
             if (next_to_an_end(parts.intervals, t)) continue;
             ++counts.probes;
-            const bool hidden = tracer_.any(apex->ray_to(a + (b - a) * t));
+            const bool hidden = tracer_.any(viewpoint->ray_to(a + (b - a) * t));
             if (hidden != parts.intervals.contains(t)) continue;
             if (counts.first_wrong.empty())
-                counts.first_wrong = describe(*apex, a, b, t, parts.intervals);
+                counts.first_wrong = describe(*viewpoint, a, b, t, parts.intervals);
             wrong = true;
         }
         counts.wrong_segments += wrong;

@@ -17,20 +17,20 @@ struct ProbeCounts {
     std::string text() const;
 };
 
-/// A body that random apexes on it and around it look out from.
+/// A body that random viewpoints on it and around it look out from.
 class VisibilityProbe {
 public:
     explicit VisibilityProbe(const SurfaceModel& model);
 
     enum class From { surface, space, infinity };
-    /// One random apex with `lamps` parallel segments over the body, each probed at `probes`
+    /// One random viewpoint with `lamps` parallel segments over the body, each probed at `probes`
     /// places.
     void look(From from, int lamps, int probes, Random& random, ProbeCounts& counts) const;
 
     const Occluders& occluders() const { return occluders_; }
 
 private:
-    std::optional<Apex> random_apex(From from, Random& random) const;
+    std::optional<Viewpoint> random_apex(From from, Random& random) const;
 
     Tracer tracer_;
     Occluders occluders_;

@@ -7,5 +7,5 @@
 #include "keiko/report/json/report_json.h"
 #include "keiko/report/svg/polar_curve.h"
 #include "keiko/report/text/facts_text.h"
-#include "keiko/workflow/file_facts.h"
+#include "keiko/workflow/model_info.h"
 #include "keiko/workflow/version.h"

@@ -5,5 +5,5 @@
 #include "keiko/film/false_color_picture.h"
 #include "keiko/film/image_file.h"
 #include "keiko/render/shading/picture.h"
-#include "keiko/workflow/look_picture.h"
-#include "keiko/workflow/thick_fog.h"
+#include "keiko/workflow/analysis_picture.h"
+#include "keiko/workflow/scattering_depth.h"

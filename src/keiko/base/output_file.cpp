@@ -1,7 +1,7 @@
 #include "keiko/base/output_file.h"
 
+#include "keiko/base/atomic_file.h"
 #include "keiko/base/descriptor.h"
-#include "keiko/base/pending_file.h"
 
 #include <fcntl.h>
 
@@ -15,7 +15,7 @@ void sync_to_disk(const fs::path& folder) {
 }
 
 void write_text_file(const fs::path& target, std::string_view text) {
-    PendingFile file(target);
+    AtomicFile file(target);
     file.fill(text);
     file.put_in_place();
 }

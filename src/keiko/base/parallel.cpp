@@ -1,7 +1,7 @@
 #include "keiko/base/parallel.h"
 
-#include "keiko/base/happens_before.h"
 #include "keiko/base/stop_scope.h"
+#include "keiko/base/tsan_annotations.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
@@ -46,12 +46,12 @@ void parallel_for(std::size_t count, const Job& job, std::string_view stage,
                   const std::function<void(std::size_t)>& body) {
     StageProgress progress(job, stage, count);
     const StopScope scope(job);
-    HappensBefore end;
+    TsanAnnotations end;
     tbb::task_arena arena(arena_size(job.threads));
     arena.execute([&] {
         // simple_partitioner: one task an index, so that a stop request is seen soon.
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1),
-                          HandedOver([&](const tbb::blocked_range<std::size_t>& range) {
+                          AnnotatedCallable([&](const tbb::blocked_range<std::size_t>& range) {
                               const StopScope::Shared shared(&scope);
                               for (std::size_t i = range.begin(); i != range.end(); ++i) {
                                   check_stop();
@@ -69,10 +69,10 @@ void parallel_stream(std::size_t slots, const Job& job, const StreamStages& stag
     const StopScope scope(job);
     std::size_t begun = 0;
     std::atomic<bool> enough = false;
-    HappensBefore reads, writes;
-    std::vector<HappensBefore> stages_of(slots);
+    TsanAnnotations reads, writes;
+    std::vector<TsanAnnotations> stages_of(slots);
     // At most `slots` are under way and they are written in order: the next one is free again.
-    const HandedOver read([&](tbb::flow_control& control) -> std::size_t {
+    const AnnotatedCallable read([&](tbb::flow_control& control) -> std::size_t {
         const StopScope::Shared shared(&scope);
         const Turn turn(reads);
         check_stop();
@@ -81,13 +81,13 @@ void parallel_stream(std::size_t slots, const Job& job, const StreamStages& stag
         if (enough || !stages.read(slot)) control.stop();
         return slot;
     });
-    const HandedOver work([&](std::size_t slot) {
+    const AnnotatedCallable work([&](std::size_t slot) {
         const StopScope::Shared shared(&scope);
         const Turn stage(stages_of[slot]);
         if (!enough) stages.work(slot);
         return slot;
     });
-    const HandedOver write([&](std::size_t slot) {
+    const AnnotatedCallable write([&](std::size_t slot) {
         const StopScope::Shared shared(&scope);
         const Turn turn(writes), stage(stages_of[slot]);
         check_stop();
@@ -103,7 +103,7 @@ void parallel_stream(std::size_t slots, const Job& job, const StreamStages& stag
                        tbb::make_filter<std::size_t, void>(filter_mode::serial_in_order, write));
     });
     reads.after(), writes.after();
-    for (HappensBefore& stages_done : stages_of) stages_done.after();
+    for (TsanAnnotations& stages_done : stages_of) stages_done.after();
 }
 
 std::size_t thread_count(const Job& job) {

@@ -49,7 +49,7 @@ int check(CheckArguments arguments, const Job& job) {
         log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
     if (const std::string warning = nothing_judged(inspection); !warning.empty())
         log_warning(warning);
-    OutputBatch outputs;
+    FileTransaction outputs;
     arguments.files.add_to(outputs, inspection);
     if (result.combs) arguments.combs.add_to(outputs, *result.combs);
     outputs.write();

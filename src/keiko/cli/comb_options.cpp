@@ -56,7 +56,7 @@ void CombArguments::require_places() const {
     }
 }
 
-void CombArguments::add_to(OutputBatch& batch, const Combs& combs) const {
+void CombArguments::add_to(FileTransaction& batch, const Combs& combs) const {
     for (const std::filesystem::path& file : files_) {
         if (file.extension() == ".json") batch.add(file, combs.json);
         if (file.extension() == ".csv") batch.add(file, combs.csv);

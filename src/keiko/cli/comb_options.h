@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/api/check.h"
-#include "keiko/base/output_batch.h"
+#include "keiko/base/file_transaction.h"
 
 #include <CLI/App.hpp>
 
@@ -27,7 +27,7 @@ public:
     /// The files that the options name; pictures of several planes have other names.
     const std::vector<std::filesystem::path>& files() const { return files_; }
     /// Adds every file that was asked for; pictures of several planes are FILE-PLANE.svg.
-    void add_to(OutputBatch& batch, const Combs& combs) const;
+    void add_to(FileTransaction& batch, const Combs& combs) const;
 
 private:
     std::vector<std::string> planes_;

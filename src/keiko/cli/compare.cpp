@@ -2,9 +2,9 @@
 
 #include "keiko/api/results.h"
 #include "keiko/base/error.h"
+#include "keiko/base/file_transaction.h"
 #include "keiko/base/log.h"
 #include "keiko/base/lower_case.h"
-#include "keiko/base/output_batch.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"
@@ -54,7 +54,7 @@ void require_outputs(const CompareArguments& arguments) {
 
 void write_outputs(const CompareArguments& arguments, const CompareResult& result) {
     const Comparison& comparison = result.comparison;
-    OutputBatch batch;
+    FileTransaction batch;
     if (is_page(arguments.output))
         batch.add(arguments.output, comparison_html(comparison));
     else if (!arguments.output.empty())

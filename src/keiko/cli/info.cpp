@@ -33,7 +33,7 @@ int info(const InfoArguments& arguments, bool verbose, const Job& job) {
     if (!arguments.svg.empty())
         throw Error(file.string(), "", "--svg draws luminaires alone: an .ies or .ldt file");
     const FactsOptions options{.load = load_options(arguments.scene), .tracing = verbose};
-    const ModelFacts facts = file_facts(file, options, job);
+    const ModelFacts facts = model_info(file, options, job);
     print(arguments.json ? facts_json(facts) : facts_text(facts));
     return exit_pass;
 }
@@ -53,7 +53,7 @@ void add_info(CLI::App& app, Session& session) {
                        "of a luminaire: draw its polar curve into this file");
     add_load_options(command, arguments->scene);
     command.footer(
-        "With --verbose also the leaves, the memory and the build time of the ray tracer.\n"
+        "With --verbose also the sub_patches, the memory and the build time of the ray tracer.\n"
         "Example: keiko info fender.step --json\n"
         "Example: keiko info street.ldt --svg street.svg");
     session.add_command(command, [arguments, &session](const Job& job) {

@@ -71,7 +71,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     options.picture.aovs = every_aov();
     options.register_hits = !arguments.hits.empty();
     const InspectResult result = inspect_scene(scene, options, job);
-    OutputBatch outputs;
+    FileTransaction outputs;
     outputs.add_folder(arguments.output, with_manifest(result_files(arguments.output, result)));
     if (result.hits) outputs.add(arguments.hits, hits_text(*result.hits));
     const Report& report = result.report;

@@ -69,7 +69,7 @@ std::vector<fs::path> InspectionFiles::paths() const {
     return paths;
 }
 
-void InspectionFiles::add_to(OutputBatch& batch, const Inspection& inspection) const {
+void InspectionFiles::add_to(FileTransaction& batch, const Inspection& inspection) const {
     for (const auto& [path, format] : files()) switch (format) {
             case Format::json:
                 batch.add(path, inspection_json(inspection, version()));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/api/check.h"
-#include "keiko/base/output_batch.h"
+#include "keiko/base/file_transaction.h"
 
 #include <CLI/App.hpp>
 
@@ -26,7 +26,7 @@ public:
     /// The files that the options name. Throws Error for an ending that names no format.
     std::vector<std::filesystem::path> paths() const;
     /// Adds every file that was asked for.
-    void add_to(OutputBatch& batch, const Inspection& inspection) const;
+    void add_to(FileTransaction& batch, const Inspection& inspection) const;
 
 private:
     enum class Format { json, junit, sarif, csv };

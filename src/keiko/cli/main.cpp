@@ -1,6 +1,6 @@
 #include "keiko/api/model.h"
 #include "keiko/base/error_text.h"
-#include "keiko/base/kept_memory.h"
+#include "keiko/base/malloc_tuning.h"
 #include "keiko/cli/commands.h"
 
 #include <cstdio>

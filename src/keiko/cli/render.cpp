@@ -22,12 +22,12 @@ LightRig rig_of(const Scene& scene, const RenderArguments& arguments, const Came
 }
 
 /// Only highlight lines are of a rig's lamps; the rest of the light is not asked for.
-void render_look(const RenderArguments& arguments, const ChosenLook& chosen, const Scene& scene,
+void render_look(const RenderArguments& arguments, const ChosenMode& chosen, const Scene& scene,
                  const Camera& camera, const Job& job) {
     const LightRig rig =
-        chosen.look == Look::highlight ? rig_of(scene, arguments, camera, job) : LightRig{};
+        chosen.look == AnalysisMode::highlight ? rig_of(scene, arguments, camera, job) : LightRig{};
     const Film film = render_view(scene, {}, camera, {.aovs = look_layers(), .max_depth = 0}, job);
-    write_png(arguments.output, look_picture(chosen.look, film, camera, rig, chosen.full));
+    write_png(arguments.output, analysis_picture(chosen.look, film, camera, rig, chosen.full));
 }
 
 /// "picture.png" of frame 7 is "picture-0007.png".

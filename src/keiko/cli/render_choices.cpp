@@ -24,13 +24,13 @@ bool is_png(const std::filesystem::path& path) {
 
 std::vector<std::string> look_names() {
     std::vector<std::string> names{"lamps"};
-    for (const Look look : every_look()) names.emplace_back(name_of(look));
+    for (const AnalysisMode look : every_look()) names.emplace_back(name_of(look));
     return names;
 }
 
 /// Of "curvature:gauss=1e-4" the name.
-Look look_by_name(const std::string& name) {
-    for (const Look look : every_look())
+AnalysisMode look_by_name(const std::string& name) {
+    for (const AnalysisMode look : every_look())
         if (name_of(look) == name) return look;
     const std::vector<std::string> names = look_names();
     throw Error("", "--look",
@@ -38,7 +38,7 @@ Look look_by_name(const std::string& name) {
                     did_you_mean(name, names));
 }
 
-double full_curvature(Look look, const std::string& text) {
+double full_curvature(AnalysisMode look, const std::string& text) {
     double full = 0;
     const char* end = text.data() + text.size();
     const auto [rest, fault] = std::from_chars(text.data(), end, full);
@@ -98,10 +98,10 @@ TubeModel RenderArguments::tubes() const {
     return penumbrae_ == "exact" ? TubeModel::automatic : PictureOptions().tubes;
 }
 
-std::optional<ChosenLook> RenderArguments::look() const {
+std::optional<ChosenMode> RenderArguments::look() const {
     if (look_ == "lamps") return std::nullopt;
     const std::size_t sign = std::min(look_.find('='), look_.size());
-    ChosenLook chosen{look_by_name(look_.substr(0, sign))};
+    ChosenMode chosen{look_by_name(look_.substr(0, sign))};
     if (sign < look_.size()) chosen.full = full_curvature(chosen.look, look_.substr(sign + 1));
     return chosen;
 }
@@ -134,7 +134,7 @@ void RenderArguments::require() const {
 }
 
 /// It shows the surface, whatever the light is; only highlight lines are of a rig's lamps.
-void RenderArguments::require_look(const ChosenLook& look) const {
+void RenderArguments::require_look(const ChosenMode& look) const {
     const std::string option = "--look " + std::string(name_of(look.look));
     if (!is_png(output)) throw Error(output.string(), "", option + " makes a .png");
     const auto refuse = [&](const CLI::Option* other) {
@@ -142,7 +142,7 @@ void RenderArguments::require_look(const ChosenLook& look) const {
             throw Error("", option, "shows the surface by itself, without " + other->get_name());
     };
     for (const CLI::Option* other : of_lamps_) refuse(other);
-    if (look.look != Look::highlight) refuse(rig_);
+    if (look.look != AnalysisMode::highlight) refuse(rig_);
 }
 
 std::string RenderArguments::key() const {

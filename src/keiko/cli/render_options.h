@@ -11,8 +11,8 @@ namespace keiko::cli {
 
 /// A look and how much of a curvature its colours are full at, 1/mm or 1/mm2; none: as the picture
 /// has it.
-struct ChosenLook {
-    Look look = Look::zebra;
+struct ChosenMode {
+    AnalysisMode look = AnalysisMode::zebra;
     std::optional<double> full{};
 };
 
@@ -37,7 +37,7 @@ public:
     /// and for a place that cannot be written to.
     void require() const;
     /// Nothing: under the lamps. Throws Error for a name that no look has.
-    std::optional<ChosenLook> look() const;
+    std::optional<ChosenMode> look() const;
     std::vector<Aov> aovs() const;
     FalseColorScale scale() const;
     ShownQuantity quantity() const;
@@ -53,7 +53,7 @@ private:
     void add_false_colors(CLI::App& command);
     void add_display(CLI::App& command);
     void add_frames(CLI::App& command);
-    void require_look(const ChosenLook& look) const;
+    void require_look(const ChosenMode& look) const;
 
     std::string aovs_, look_ = "lamps", scale_, quantity_ = "luminance", penumbrae_ = "width",
                        tone_ = "linear", frames_;

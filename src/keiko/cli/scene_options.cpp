@@ -29,13 +29,14 @@ std::uint64_t bytes_of(double gibibytes) {
 void tell_build(const Scene& scene) {
     const TracerStatistics& built = scene.tracer.statistics();
     log_detail(std::to_string(scene.model.patches.size()) + " patches in " +
-               std::to_string(built.leaves) + " leaves (" + std::to_string(built.leaves_mixed) +
-               " cut by trims), " + std::to_string(built.bytes) + " bytes, built in " +
+               std::to_string(built.sub_patches) + " sub-patches (" +
+               std::to_string(built.sub_patches_mixed) + " cut by trims), " +
+               std::to_string(built.bytes) + " bytes, built in " +
                std::to_string(built.build_seconds) + " s");
     if (!scene.occluders) return;
     const Occluders::Statistics& hiding = scene.occluders->statistics();
     log_detail("shadows: " + std::to_string(hiding.silhouette_pieces) + " pieces of surfaces and " +
-               std::to_string(hiding.border_pieces) + " of borders, made ready in " +
+               std::to_string(hiding.boundary_pieces) + " of borders, made ready in " +
                std::to_string(hiding.build_seconds) + " s");
 }
 

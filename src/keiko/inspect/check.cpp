@@ -64,7 +64,7 @@ struct Wording {
     double scale = 1; ///< what is printed is the value times this
 };
 
-std::string sentence(const Worst& worst, const Wording& wording) {
+std::string sentence(const MeasuredValue& worst, const Wording& wording) {
     const char* relation =
         worst.verdict == Verdict::fail
             ? (worst.at_least ? " is under the limit of " : " is over the limit of ")
@@ -84,7 +84,7 @@ Check named(std::string_view code) {
     return check;
 }
 
-Check judged(std::string_view code, const std::string& unit, const Worst& worst,
+Check judged(std::string_view code, const std::string& unit, const MeasuredValue& worst,
              const Wording& wording) {
     Check check = named(code);
     check.unit = unit, check.worst = worst, check.message = sentence(worst, wording);
@@ -126,7 +126,7 @@ Check unknown_angle(const MeasuredSeam& seam, const CriteriaPreset& preset) {
 }
 
 /// Whether a value is undecided for places that have none, not for its bound.
-bool is_known_in_part(const Worst& worst) {
+bool is_known_in_part(const MeasuredValue& worst) {
     return worst.verdict == Verdict::undecided && worst.value + worst.bound <= worst.limit;
 }
 
@@ -191,7 +191,7 @@ std::vector<Check> flaw_checks(const MeasuredFace& face, const WavinessLimit& li
     std::vector<Check> checks;
     for (const Flaw& flaw : face.flaws) checks.push_back(flaw_check(flaw));
     if (!checks.empty()) return checks;
-    Worst none;
+    MeasuredValue none;
     none.limit = limit.depth, none.place = face.curvature->largest.place;
     const char* what = limit.waves_only ? "the depth of waves" : "the depth of dents and waves";
     checks.push_back(judged("G-SU-WV", "mm", none, {what, " mm"}));
@@ -211,7 +211,7 @@ std::vector<Check> looks_of(const MeasuredFace& face) {
 
 } // namespace
 
-Check check_of_lines(std::string_view code, const Worst& worst, std::size_t lines,
+Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::size_t lines,
                      std::size_t failing) {
     struct LineWording {
         std::string_view code;
@@ -233,14 +233,14 @@ Check check_of_lines(std::string_view code, const Worst& worst, std::size_t line
     return check;
 }
 
-Check check_of_symmetry(const Worst& worst, const std::string& plane) {
+Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane) {
     const std::string what = "the deviation from the mirror image at " + plane;
     return judged("KEIKO-SYMMETRY", "mm", worst, {what.c_str(), " mm"});
 }
 
 Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,
                        const std::string& faces) {
-    Worst worst{opening.width, opening.width_bound, preset.gap, opening.place};
+    MeasuredValue worst{opening.width, opening.width_bound, preset.gap, opening.place};
     worst.verdict = judge(worst.value, worst.bound, worst.limit);
     Check check = judged("KEIKO-OPENING", "mm", worst, {"the opening between free edges", " mm"});
     check.message += opening.goes_on ? ", more than " : ", some ";

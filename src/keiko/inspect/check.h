@@ -34,7 +34,7 @@ struct Check {
     std::string quantity; ///< as Criterion
     std::string unit;     ///< "mm", "deg", "deg/mm", "1" (a share of 1) or "1/mm"
     std::string formula;  ///< of a curvature mismatch, or empty
-    Worst worst;          ///< value, bound, limit, place, verdict; none where not judged
+    MeasuredValue worst;  ///< value, bound, limit, place, verdict; none where not judged
     bool judged = true;   ///< else `message` says why not
     Severity severity = Severity::judged;
     std::uint32_t seam = no_index; ///< into Inspection::seams; no_index: of a face
@@ -52,12 +52,12 @@ private:
 
 /// A criterion of reflection lines, "KEIKO-LINE-...", held against the worst of `lines` that cross
 /// a seam in a view, of which `failing` do not pass. Without seam and face.
-Check check_of_lines(std::string_view code, const Worst& worst, std::size_t lines,
+Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::size_t lines,
                      std::size_t failing);
 
 /// KEIKO-SYMMETRY held against how far a body is from its image at a plane, "y = 0", at its worst
 /// place. Without face.
-Check check_of_symmetry(const Worst& worst, const std::string& plane);
+Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane);
 
 /// KEIKO-OPENING: an opening that is wider than the preset's gap is worth a look. `faces`: the
 /// names of its sides. Without face.

@@ -196,8 +196,8 @@ std::vector<std::uint32_t> worst_seams(const Inspection& inspection, std::size_t
 }
 
 Vec3 worst_place(const MeasuredSeam& seam) {
-    const Worst* furthest = &seam.gap;
-    const auto take = [&](const Worst& worst) {
+    const MeasuredValue* furthest = &seam.gap;
+    const auto take = [&](const MeasuredValue& worst) {
         if (share_of_limit(worst) > share_of_limit(*furthest)) furthest = &worst;
     };
     if (seam.angle && seam.is_angle_judged()) take(*seam.angle);

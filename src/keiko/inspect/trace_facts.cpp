@@ -3,9 +3,9 @@
 namespace keiko {
 
 TraceFacts trace_facts(const TracerStatistics& statistics) {
-    return {.leaves = statistics.leaves,
-            .mixed_leaves = statistics.leaves_mixed,
-            .trimmed_away_leaves = statistics.leaves_trimmed_away,
+    return {.sub_patches = statistics.sub_patches,
+            .mixed_sub_patches = statistics.sub_patches_mixed,
+            .trimmed_away_sub_patches = statistics.sub_patches_trimmed_away,
             .bytes = statistics.bytes};
 }
 

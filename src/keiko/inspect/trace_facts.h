@@ -8,10 +8,10 @@ namespace keiko {
 
 /// What the ray tracer made of a model: the same for every run and thread count, but for the time.
 struct TraceFacts {
-    std::size_t leaves = 0;              ///< placed pieces of patches that rays are tested against
-    std::size_t mixed_leaves = 0;        ///< of them those that trim curves cut
-    std::size_t trimmed_away_leaves = 0; ///< left out, since trimming removes all of them
-    std::size_t bytes = 0;               ///< of Keiko's own records, without Embree's box hierarchy
+    std::size_t sub_patches = 0;       ///< placed pieces of patches that rays are tested against
+    std::size_t mixed_sub_patches = 0; ///< of them those that trim curves cut
+    std::size_t trimmed_away_sub_patches = 0; ///< left out, since trimming removes all of them
+    std::size_t bytes = 0; ///< of Keiko's own records, without Embree's box hierarchy
     std::optional<double> build_milliseconds{};
 };
 

@@ -12,7 +12,7 @@ constexpr double neighbourhood = 0.5; ///< cosine to a direction of those gather
 constexpr int rounds = 8;             ///< of the mean shift
 constexpr double same = 0.985;        ///< cosine of directions that are not worth telling apart
 
-/// Mean direction of the waiting mirrored rays within the neighbourhood of `around`, or of all.
+/// Mean direction of the waiting reflected rays within the neighbourhood of `around`, or of all.
 std::optional<Vec3> mean_direction(const LampField& field, const std::optional<Vec3>& around) {
     Vec3 sum(0);
     for (std::size_t i = 0; i < field.samples().size(); ++i) {

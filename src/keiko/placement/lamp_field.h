@@ -47,7 +47,7 @@ private:
     std::size_t region_count_ = 0;
 };
 
-/// Cosine of the angle of incidence on a lamp plane below which a mirrored ray does not count.
+/// Cosine of the angle of incidence on a lamp plane below which a reflected ray does not count.
 constexpr double grazing_cosine = 0.05;
 
 } // namespace keiko

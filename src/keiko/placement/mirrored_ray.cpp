@@ -1,6 +1,6 @@
 #include "keiko/placement/mirrored_ray.h"
 
-#include "keiko/intersect/hit/mirror_ray.h"
+#include "keiko/intersect/hit/reflect_ray.h"
 
 namespace keiko {
 
@@ -17,12 +17,12 @@ Vec3 facing_normal(const Hit& hit, const Ray& ray) {
     return hit.normal.dot(ray.direction) > 0 ? -hit.normal : hit.normal;
 }
 
-Ray mirrored_ray(const SurfaceModel& model, const Hit& hit, const Ray& eye_ray) {
-    if (hit.second) return mirror_ray(eye_ray, hit);
+Ray mirrored_ray(const SurfaceModel& model, const Hit& hit, const Ray& camera_ray) {
+    if (hit.second) return reflect_ray(camera_ray, hit);
     const SurfaceDerivatives s = world_derivatives(model, hit);
     Hit whole = hit;
     whole.second = {s.duu(), s.duv(), s.dvv()};
-    return mirror_ray(eye_ray, whole);
+    return reflect_ray(camera_ray, whole);
 }
 
 } // namespace keiko

@@ -5,9 +5,9 @@
 
 namespace keiko {
 
-/// mirror_ray for hits of any tracer: second derivatives that the hit lacks are taken from the
+/// reflect_ray for hits of any tracer: second derivatives that the hit lacks are taken from the
 /// model.
-Ray mirrored_ray(const SurfaceModel& model, const Hit& hit, const Ray& eye_ray);
+Ray mirrored_ray(const SurfaceModel& model, const Hit& hit, const Ray& camera_ray);
 
 /// The hit's unit normal on the side the ray comes from.
 Vec3 facing_normal(const Hit& hit, const Ray& ray);

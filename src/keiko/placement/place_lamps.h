@@ -28,7 +28,7 @@ struct PlacementOptions {
 };
 
 /// Hangs parallel lamps so that their mirror images cover what the cameras see of the body: the
-/// histogram of mirrored rays on candidate planes chooses plane, rectangle and direction of the
+/// histogram of reflected rays on candidate planes chooses plane, rectangle and direction of the
 /// lamps; further planes serve what the ones before leave. Lamps never cut the body's box, stand
 /// between eye and body as little as possible, and scale with the body. The same input gives the
 /// same rig for any thread count. Throws Error where the cameras see no surface, or where no plane

@@ -55,7 +55,7 @@ struct Placement {
 void tell_what_is_reached(Placement& placement, const LampField& field, const SurfaceModel& model,
                           const StripeSpacing& wanted);
 
-/// Where the mirrored rays of all samples meet the plane of some lamps.
+/// Where the reflected rays of all samples meet the plane of some lamps.
 HitHistogram hit_histogram(const LampField& field, const CPlane& plane);
 
 } // namespace keiko

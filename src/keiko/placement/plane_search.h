@@ -51,7 +51,7 @@ public:
     LampRectangle best() const;
 
 private:
-    /// A sample whose mirrored ray meets the plane.
+    /// A sample whose reflected ray meets the plane.
     struct Reached {
         std::size_t sample = 0;
         Vec2 place{0};
@@ -72,7 +72,7 @@ private:
     bool own_image_ = false; ///< of the demand's mirror
     LampDemand demand_;
     std::vector<Reached> reached_;
-    std::vector<std::size_t> seen_through_; ///< samples whose eye ray crosses the plane
+    std::vector<std::size_t> seen_through_; ///< samples whose camera ray crosses the plane
 };
 
 } // namespace keiko

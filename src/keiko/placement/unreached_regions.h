@@ -9,7 +9,7 @@ namespace keiko {
 
 /// Why a place mirrors no lamp.
 enum class UnreachedBecause {
-    beyond_lamps, ///< its mirrored ray passes beside all lamps
+    beyond_lamps, ///< its reflected ray passes beside all lamps
     blocked,      ///< it mirrors the body itself
     hidden        ///< lamps stand between it and the eye
 };

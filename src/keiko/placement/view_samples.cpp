@@ -2,7 +2,7 @@
 
 #include "keiko/base/log.h"
 #include "keiko/base/parallel.h"
-#include "keiko/intersect/hit/path_counts.h"
+#include "keiko/intersect/hit/hit_statistics.h"
 #include "keiko/placement/mirrored_ray.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ public:
 
     /// The samples of one row of a picture; counts all that it meets.
     std::vector<ViewSample> row(const Camera& camera, std::uint32_t view, double y, int step,
-                                PathCounts& paths) const {
+                                HitStatistics& paths) const {
         std::vector<Ray> rays;
         std::vector<double> columns;
         for (double x = step / 2.0; x < camera.width; x += step) {
@@ -99,13 +99,13 @@ std::vector<ViewSample> sample_views(const Tracer& tracer, const SurfaceModel& m
     }
     const Sampler sampler(tracer, model, options);
     std::vector<std::vector<ViewSample>> found(rows.size());
-    std::vector<PathCounts> paths(rows.size());
+    std::vector<HitStatistics> paths(rows.size());
     parallel_for(rows.size(), job, "look", [&](std::size_t i) {
         found[i] =
             sampler.row(cameras[rows[i].view], rows[i].view, rows[i].y, rows[i].step, paths[i]);
     });
-    PathCounts sum;
-    for (const PathCounts& row : paths) sum += row;
+    HitStatistics sum;
+    for (const HitStatistics& row : paths) sum += row;
     log_detail("looks of " + path_text(sum));
     std::vector<ViewSample> all;
     for (const auto& row : found) all.insert(all.end(), row.begin(), row.end());

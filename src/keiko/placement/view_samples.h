@@ -23,10 +23,10 @@ struct ViewSample {
     Vec2 pixel{0};
     int edge = 1; ///< pixels, of the square that it stands for
     double weight = 0;
-    Vec3 eye{0};          ///< origin of the eye ray
+    Vec3 eye{0};          ///< origin of the camera ray
     Vec3 normal{0};       ///< unit, on the side of the eye
     Ray mirror;           ///< from the surface along the mirror direction
-    bool blocked = false; ///< the mirrored ray meets the body again
+    bool blocked = false; ///< the reflected ray meets the body again
     FeatureDirection feature;
 
     const Vec3& position() const { return mirror.origin; }

@@ -14,28 +14,27 @@ constexpr int band_width = 126, most_rows = 10 * rows_at_once;
 constexpr std::size_t least_bands = 32;
 
 /// A grid below one that was looked at.
-void leave_out_seen_rows(EyeGrid& grid) {
+void leave_out_seen_rows(TileRays& grid) {
     std::erase_if(grid.places, [](const GridPlace& place) { return place.y < 2; });
     grid.continues_above = true;
 }
 
 } // namespace
 
-std::vector<PictureTile> picture_bands(const Camera& camera, std::size_t threads) {
+std::vector<Tile> picture_bands(const Camera& camera, std::size_t threads) {
     for (int rows = most_rows; rows > rows_at_once; rows -= rows_at_once)
-        if (auto bands = picture_tiles(camera, band_width, rows);
-            bands.size() >= least_bands * threads)
+        if (auto bands = tiles_of(camera, band_width, rows); bands.size() >= least_bands * threads)
             return bands;
-    return picture_tiles(camera, band_width, rows_at_once);
+    return tiles_of(camera, band_width, rows_at_once);
 }
 
-PathCounts render_band(const Integrator& integrator, const PictureRays& eye,
-                       const PictureTile& band, Film& film) {
+HitStatistics render_band(const Integrator& integrator, const PictureRays& eye, const Tile& band,
+                          Film& film) {
     std::optional<EyeBand> seen;
-    PathCounts paths;
+    HitStatistics paths;
     for (int y = band.y0; y < band.y1; y += rows_at_once) {
-        const PictureTile rows{band.x0, y, band.x1, std::min(y + rows_at_once, band.y1)};
-        EyeGrid grid = grid_of(eye, rows);
+        const Tile rows{band.x0, y, band.x1, std::min(y + rows_at_once, band.y1)};
+        TileRays grid = grid_of(eye, rows);
         if (grid.places.empty()) {
             write_unseen(integrator, rows, film);
             seen.reset();
@@ -46,7 +45,7 @@ PathCounts render_band(const Integrator& integrator, const PictureRays& eye,
             leave_out_seen_rows(grid);
         else
             seen.emplace(grid.width, grid.height);
-        integrator.look_down(grid, *seen);
+        integrator.trace_tile(grid, *seen);
         paths += write_samples(seen->view.samples, 1, rows, film);
     }
     return paths;

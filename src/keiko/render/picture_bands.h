@@ -1,8 +1,8 @@
 #pragma once
 
-#include "keiko/intersect/hit/path_counts.h"
-#include "keiko/render/picture_tiles.h"
+#include "keiko/intersect/hit/hit_statistics.h"
 #include "keiko/render/shading/picture.h"
+#include "keiko/render/tiles.h"
 
 #include <vector>
 
@@ -11,11 +11,11 @@ namespace keiko {
 /// The picture in bands, each of which one thread renders from top to bottom, some rows at a time.
 /// What is found beyond the border of one is found for its neighbours again, so they are as high as
 /// leaves enough of them for that many threads.
-std::vector<PictureTile> picture_bands(const Camera& camera, std::size_t threads);
+std::vector<Tile> picture_bands(const Camera& camera, std::size_t threads);
 
 /// Where Integrator::only_mirrors(): one ray a pixel, and those around the band. How many hits were
 /// found in which way for its own.
-PathCounts render_band(const Integrator& integrator, const PictureRays& eye,
-                       const PictureTile& band, Film& film);
+HitStatistics render_band(const Integrator& integrator, const PictureRays& eye, const Tile& band,
+                          Film& film);
 
 } // namespace keiko

@@ -47,7 +47,7 @@ void write_curvature(Image& image, int x, int y, const Hit& hit) {
     put(image, x, y, {k.k1, k.k2, k.mean(), k.gaussian()});
 }
 
-void write_aov(Aov aov, Image& image, int x, int y, const EyeSample& sample) {
+void write_aov(Aov aov, Image& image, int x, int y, const PixelSample& sample) {
     const Hit& hit = *sample.hit;
     switch (aov) {
         case Aov::luminance:
@@ -77,7 +77,7 @@ void write_aov(Aov aov, Image& image, int x, int y, const EyeSample& sample) {
     }
 }
 
-void write_aovs(Film& film, int x, int y, const EyeSample& sample) {
+void write_aovs(Film& film, int x, int y, const PixelSample& sample) {
     write_light_aovs(film, x, y, sample.luminance, sample.illuminance);
     if (!sample.hit) return;
     for (auto& [aov, image] : film.aovs) write_aov(aov, image, x, y, sample);
@@ -93,18 +93,18 @@ Film blank_film(int width, int height, std::span<const Aov> aovs) {
     return film;
 }
 
-void write_row(Film& film, int x, int y, std::span<const EyeSample> samples) {
+void write_row(Film& film, int x, int y, std::span<const PixelSample> samples) {
     float *color = film.color.pixel(x, y), *alpha = film.alpha.pixel(x, y);
-    for (const EyeSample& sample : samples) {
+    for (const PixelSample& sample : samples) {
         for (const double value : {sample.luminance.r, sample.luminance.g, sample.luminance.b})
             *color++ = static_cast<float>(value);
         *alpha++ = sample.covered ? 1 : 0;
     }
     if (film.aovs.empty()) return;
-    for (const EyeSample& sample : samples) write_aovs(film, x++, y, sample);
+    for (const PixelSample& sample : samples) write_aovs(film, x++, y, sample);
 }
 
-void write_mean(Film& film, int x, int y, std::span<const EyeSample> samples,
+void write_mean(Film& film, int x, int y, std::span<const PixelSample> samples,
                 std::span<const double> shares) {
     Rgb color;
     double all = 0, covered = 0, illuminance = 0; // illuminance: of the covered share

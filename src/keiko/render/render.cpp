@@ -1,8 +1,8 @@
 #include "keiko/base/log.h"
 #include "keiko/base/parallel.h"
-#include "keiko/render/antialias/outlines.h"
-#include "keiko/render/antialias/shared_light.h"
-#include "keiko/render/lighting/interpolated_light.h"
+#include "keiko/render/antialias/edge_detection.h"
+#include "keiko/render/antialias/edge_pixel_lighting.h"
+#include "keiko/render/lighting/light_interpolation.h"
 #include "keiko/render/picture_bands.h"
 #include "keiko/render/pixel_writer.h"
 
@@ -16,38 +16,40 @@ namespace {
 /// Pixels a side of a tile, rendered by one thread, whose pixels may be refined.
 constexpr int tile_size = 32;
 
-/// One ray a pixel, those of pixels `in_parts` without the light of spots. The view is one pixel
-/// wider.
-PathCounts render_centres(const Integrator& integrator, const PictureTile& tile, double light_error,
-                          const std::vector<bool>& in_parts, EyeView view, Film& film) {
-    if (view.spots.empty()) return write_samples(view.samples, 1, tile, film);
+/// One ray a pixel, those of pixels `in_parts` without the light of shading points. The view is one
+/// pixel wider.
+HitStatistics render_centres(const Integrator& integrator, const Tile& tile, double light_error,
+                             const std::vector<bool>& in_parts, SampleBatch view, Film& film) {
+    if (view.points.empty()) return write_samples(view.samples, 1, tile, film);
     view = without_border(std::move(view), tile.width() + 2);
     add_interpolated_light(integrator, tile.width(), in_parts, light_error, view);
     return write_samples(view.samples, 0, tile, film);
 }
 
-/// The pixels of a tile that may hold outlines, with what their centres show unless they are torn.
-std::vector<OutlineCell> outlined_cells(const PictureTile& tile, std::span<const Outline> outlines,
-                                        std::span<const EyeSample> samples) {
+/// The pixels of a tile that may hold outlines, with what their centres show unless they are
+/// discontinuous.
+std::vector<EdgeCell> outlined_cells(const Tile& tile, std::span<const Outline> outlines,
+                                     std::span<const PixelSample> samples) {
     const auto width = static_cast<std::size_t>(tile.width());
-    std::vector<OutlineCell> cells;
+    std::vector<EdgeCell> cells;
     for (std::size_t pixel = 0; pixel < outlines.size(); ++pixel) {
         const Outline outline = outlines[pixel];
         if (outline == Outline::none) continue;
         const std::size_t x = pixel % width, y = pixel / width;
         const std::size_t place = (y + 1) * (width + 2) + x + 1; // the view is one pixel wider
         const Vec2 at(tile.x0 + static_cast<double>(x), tile.y0 + static_cast<double>(y));
-        cells.push_back({pixel, at, Vec2(1), outline == Outline::torn ? nullptr : &samples[place]});
+        cells.push_back(
+            {pixel, at, Vec2(1), outline == Outline::discontinuous ? nullptr : &samples[place]});
     }
     return cells;
 }
 
 /// Replaces the luminance of pixels by the mean over their parts.
-void write_parts(const RefinedPixels& refined, const PictureTile& tile, Film& film) {
+void write_parts(const RefinedPixels& refined, const Tile& tile, Film& film) {
     const auto width = static_cast<std::size_t>(tile.width());
-    std::vector<EyeSample> samples;
+    std::vector<PixelSample> samples;
     std::vector<double> shares;
-    const std::vector<PixelPart>& parts = refined.parts;
+    const std::vector<Subpixel>& parts = refined.parts;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         samples.push_back(parts[i].sample), shares.push_back(parts[i].share);
         const std::size_t pixel = parts[i].pixel;
@@ -59,7 +61,7 @@ void write_parts(const RefinedPixels& refined, const PictureTile& tile, Film& fi
 }
 
 RefinedPixels refine_outlines(const Integrator& integrator, const PictureRays& eye,
-                              const PictureTile& tile, int edge_samples, const EyeView& view) {
+                              const Tile& tile, int edge_samples, const SampleBatch& view) {
     if (edge_samples == 1) return {};
     const std::vector<Outline> outlines = outlines_of(view.samples, tile.width() + 2);
     return refined_pixels(integrator, eye.camera, outlined_cells(tile, outlines, view.samples),
@@ -67,20 +69,20 @@ RefinedPixels refine_outlines(const Integrator& integrator, const PictureRays& e
 }
 
 /// Neighbours beyond the tile tell where outlines are and how the images of pixels are bent.
-PathCounts render_tile(const Integrator& integrator, const PictureRays& eye,
-                       const PictureTile& tile, const PictureOptions& options, Film& film) {
-    const EyeGrid grid = grid_of(eye, tile);
+HitStatistics render_tile(const Integrator& integrator, const PictureRays& eye, const Tile& tile,
+                          const PictureOptions& options, Film& film) {
+    const TileRays grid = grid_of(eye, tile);
     if (grid.places.empty()) {
         write_unseen(integrator, tile, film);
         return {};
     }
-    EyeView view = integrator.view(grid);
+    SampleBatch view = integrator.view(grid);
     RefinedPixels refined = refine_outlines(integrator, eye, tile, options.edge_samples, view);
     add_shared_light(integrator, tile.width(), options.light_error, refined);
     const int width = tile.width();
     std::vector<bool> in_parts(static_cast<std::size_t>(width * tile.height()));
-    for (const PixelPart& part : refined.parts) in_parts[part.pixel] = true;
-    PathCounts paths =
+    for (const Subpixel& part : refined.parts) in_parts[part.pixel] = true;
+    HitStatistics paths =
         render_centres(integrator, tile, options.light_error, in_parts, std::move(view), film);
     write_parts(refined, tile, film);
     paths += refined.paths;
@@ -97,15 +99,15 @@ Film render(const PictureScene& scene, const Camera& camera, const PictureOption
                                 job);
     const PictureRays eye(scene, camera);
     const bool in_bands = integrator.only_mirrors();
-    const std::vector<PictureTile> tiles = in_bands ? picture_bands(camera, thread_count(job))
-                                                    : picture_tiles(camera, tile_size, tile_size);
-    std::vector<PathCounts> paths(tiles.size());
+    const std::vector<Tile> tiles = in_bands ? picture_bands(camera, thread_count(job))
+                                             : tiles_of(camera, tile_size, tile_size);
+    std::vector<HitStatistics> paths(tiles.size());
     parallel_for(tiles.size(), job, "render", [&](std::size_t i) {
         paths[i] = in_bands ? render_band(integrator, eye, tiles[i], film)
                             : render_tile(integrator, eye, tiles[i], options, film);
     });
-    PathCounts sum;
-    for (const PathCounts& tile : paths) sum += tile;
+    HitStatistics sum;
+    for (const HitStatistics& tile : paths) sum += tile;
     log_detail("picture of " + path_text(sum));
     return film;
 }

@@ -9,7 +9,8 @@ namespace keiko {
 
 FolderContent report_files(const Report& report) {
     FolderContent files;
-    for (const auto* pictures : {&report.pictures, &report.line_pictures, &report.form_pictures})
+    for (const auto* pictures :
+         {&report.pictures, &report.line_pictures, &report.curvature_pictures})
         for (const ReportPicture& picture : *pictures) files[picture.file_name] = picture.png;
     for (const CloseUp& close_up : report.close_ups)
         files[close_up.picture.file_name] = close_up.picture.png;

@@ -51,7 +51,7 @@ struct SceneSpec {
     int width = 960, height = 540;   ///< picture size, for named views
     std::optional<LightRig> rig;     ///< none: to be placed
     std::optional<GroundSpec> ground;
-    Rgb background{0};                   ///< cd/m2 where the eye ray meets nothing
+    Rgb background{0};                   ///< cd/m2 where the camera ray meets nothing
     std::optional<int> max_depth;        ///< mirror reflections followed along one ray
     std::optional<double> min_weight;    ///< reflections that count less end the path
     std::vector<Animation> animations{}; ///< without fault; see at_frame

@@ -1,8 +1,8 @@
 #include "keiko/stream/light_points.h"
 
 #include "keiko/light/rig/within_lamp.h"
-#include "keiko/render/shading/lit_point.h"
-#include "keiko/render/shading/shadowed_rig.h"
+#include "keiko/render/shading/direct_lighting.h"
+#include "keiko/render/shading/point_lighting.h"
 #include "keiko/stream/hit_columns.h"
 #include "keiko/stream/row_stream.h"
 
@@ -66,13 +66,13 @@ Place place_of(const Tracer& surfaces, const Vec3& point, const Vec3& normal) {
 
 std::vector<double> lux_at(const Scene& scene, const Ray& point) {
     const Vec3 normal = point.direction.normalized();
-    const ShadowedRig lights(*scene.rig, scene.occluders ? &*scene.occluders : nullptr,
-                             scene.seen());
+    const DirectLighting lights(*scene.rig, scene.occluders ? &*scene.occluders : nullptr,
+                                scene.seen());
     const Place place = place_of(scene.seen(), point.origin, normal);
     constexpr TubeModel model = TubeModel::automatic;
-    const LitPoint lit(
+    const PointLighting lit(
         *scene.rig, place.position, normal, model, lights.lights(),
-        lights.seen_from(place.position, normal, place.root, lights.lights(), model, false));
+        lights.light_visibility(place.position, normal, place.root, lights.lights(), model, false));
     const std::vector<Rgb> by_light = lit.illuminance_by_light();
     std::vector<double> lux;
     Rgb sum;

@@ -10,7 +10,7 @@ namespace {
 
 struct Piece : RowPiece {
     std::uint64_t rays = 0;
-    PathCounts hits;
+    HitStatistics hits;
 };
 
 /// Follows rays and writes what they hit.
@@ -76,8 +76,8 @@ void RowWriter::write_first(Piece& piece, std::span<const Ray> rays) const {
 }
 
 void RowWriter::write_seen(Piece& piece, std::span<const Ray> rays) const {
-    const EyeView view = integrator_.follow(rays);
-    for (const EyeSample& sample : view.samples) write(piece, sample.hit, sample.luminance);
+    const SampleBatch view = integrator_.follow(rays);
+    for (const PixelSample& sample : view.samples) write(piece, sample.hit, sample.luminance);
 }
 
 void RowWriter::write_all(Piece& piece, std::span<const Ray> rays) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/intersect/hit/path_counts.h"
+#include "keiko/intersect/hit/hit_statistics.h"
 #include "keiko/stream/ray_lines.h"
 #include "keiko/workflow/open_scene.h"
 
@@ -17,7 +17,7 @@ struct TraceOptions {
 /// What went through trace_rays.
 struct TraceCounts {
     std::uint64_t rays = 0;
-    PathCounts hits;
+    HitStatistics hits;
 };
 
 /// Throws Error for columns that trace_rays would refuse for any scene: before the long work.

@@ -35,16 +35,17 @@ Scene opened_after(const fs::path& file, const CompareBodiesOptions& options, co
 }
 
 /// Moves the latter onto the former, if that is asked for.
-SurfaceFeet aligned(Scene& after, const SurfaceFeet& before, const CompareBodiesOptions& options,
-                    Comparison& comparison, const Job& job) {
-    SurfaceFeet feet(placed_model(after.model), job);
+ClosestPointQuery aligned(Scene& after, const ClosestPointQuery& before,
+                          const CompareBodiesOptions& options, Comparison& comparison,
+                          const Job& job) {
+    ClosestPointQuery feet(placed_model(after.model), job);
     if (!options.align) return feet;
     comparison.alignment = align_bodies(feet, before, {}, job);
     after = moved_scene(std::move(after), comparison.alignment->motion, options.scene, job);
-    return SurfaceFeet(placed_model(after.model), job);
+    return ClosestPointQuery(placed_model(after.model), job);
 }
 
-void compare_geometry(const SurfaceFeet& before, const SurfaceFeet& after,
+void compare_geometry(const ClosestPointQuery& before, const ClosestPointQuery& after,
                       const CompareBodiesOptions& options, Comparison& comparison, const Job& job) {
     DeviationOptions deviation = options.deviation;
     constexpr double fiftieth = 0.02;
@@ -75,8 +76,9 @@ CompareResult compare_bodies(const fs::path& before, const fs::path& after,
     comparison.tolerance = options.tolerance;
     const Scene scene_before = opened(before, options, job);
     Scene scene_after = opened_after(after, options, job);
-    const SurfaceFeet feet_before(placed_model(scene_before.model), job);
-    const SurfaceFeet feet_after = aligned(scene_after, feet_before, options, comparison, job);
+    const ClosestPointQuery feet_before(placed_model(scene_before.model), job);
+    const ClosestPointQuery feet_after =
+        aligned(scene_after, feet_before, options, comparison, job);
     comparison.faces_before = names_of(scene_before.model, feet_before.body());
     comparison.faces_after = names_of(scene_after.model, feet_after.body());
     compare_geometry(feet_before, feet_after, options, comparison, job);

@@ -42,7 +42,7 @@ double map_scale(const Deviation& deviation, double tolerance) {
 
 /// A body as its pictures show it, with the names that `name` gives its faces by their numbers.
 template <class Name>
-OutlineBody outline_body(const Scene& scene, const SurfaceFeet& feet, const Name& name) {
+OutlineBody outline_body(const Scene& scene, const ClosestPointQuery& feet, const Name& name) {
     OutlineBody body{.tracer = scene.seen(),
                      .feet = feet,
                      .paints = scene.seen_materials(),

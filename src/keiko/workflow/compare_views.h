@@ -9,7 +9,7 @@ namespace keiko {
 struct ComparedScenes {
     const Scene& before;
     const Scene& after;
-    const SurfaceFeet &feet_before, &feet_after;
+    const ClosestPointQuery &feet_before, &feet_after;
     SharedFaces& faces;
     const Deviation& deviation; ///< of the latter from the former
 };

@@ -5,7 +5,7 @@
 #include "keiko/base/sha256.h"
 #include "keiko/files/toml/named_files.h"
 #include "keiko/import/worker/import_worker.h"
-#include "keiko/intersect/kernels/leaf_kernels.h"
+#include "keiko/intersect/kernels/sub_patch_kernels.h"
 
 namespace keiko {
 namespace {
@@ -18,7 +18,7 @@ std::string file_hash(const fs::path& file) {
 
 /// Build of Keiko, and the instruction set that it found here.
 std::string program() {
-    return build_id() + " " + leaf_kernels().name;
+    return build_id() + " " + sub_patch_kernels().name;
 }
 
 std::vector<fs::path> files_of(const fs::path& input) {

@@ -4,11 +4,11 @@
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/image_file.h"
 #include "keiko/report/report_files.h"
+#include "keiko/workflow/analysis_picture.h"
 #include "keiko/workflow/choose_lights.h"
+#include "keiko/workflow/curvature_pictures.h"
 #include "keiko/workflow/find_lines.h"
-#include "keiko/workflow/form_pictures.h"
 #include "keiko/workflow/lines_picture.h"
-#include "keiko/workflow/look_picture.h"
 #include "keiko/workflow/marked_pictures.h"
 #include "keiko/workflow/placement_mirror.h"
 #include "keiko/workflow/version.h"
@@ -92,7 +92,8 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
             view.name, film, markers_in(scene, result.report.inspection, view.camera)));
         result.films.emplace_back(view.name, std::move(film));
     }
-    result.report.form_pictures = form_pictures(views, result.films, result.report.inspection);
+    result.report.curvature_pictures =
+        curvature_pictures(views, result.films, result.report.inspection);
     add_lines(result.report, scene, result, options, views, job);
     if (has_curves(options.combs)) {
         result.combs = combs_of(scene.model, options.combs, job);

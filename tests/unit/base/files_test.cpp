@@ -1,8 +1,8 @@
+#include "keiko/base/atomic_file.h"
 #include "keiko/base/error.h"
 #include "keiko/base/field_error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
-#include "keiko/base/pending_file.h"
 #include "keiko/base/real_path.h"
 #include "keiko/base/stop_scope.h"
 
@@ -66,7 +66,7 @@ TEST_F(Files, WritingRoundTripsAndLeavesNothingElse) {
 
 TEST_F(Files, AnOutputThatIsNotPutInPlaceLeavesTheOldFileAndNothingElse) {
     write_text_file(folder_ / "x.txt", "old");
-    PendingFile(folder_ / "x.txt").fill("half");
+    AtomicFile(folder_ / "x.txt").fill("half");
     EXPECT_EQ(read_file(folder_ / "x.txt"), "old");
     EXPECT_EQ(entries(), 1u);
 }

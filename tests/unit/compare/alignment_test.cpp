@@ -36,8 +36,8 @@ Affine about_middle(const Vec3& axis, double degrees, const Vec3& shift) {
 
 /// mm that the copy, moved and brought back, is off at the corners of the sheet.
 double left_over(const SurfaceModel& model, const Affine& motion, const Job& job = {}) {
-    const Alignment found = align_bodies(SurfaceFeet(placed_model(model, motion)),
-                                         SurfaceFeet(placed_model(model)), {}, job);
+    const Alignment found = align_bodies(ClosestPointQuery(placed_model(model, motion)),
+                                         ClosestPointQuery(placed_model(model)), {}, job);
     EXPECT_TRUE(found.converged);
     const Affine both = found.motion * motion;
     double worst = 0;
@@ -62,16 +62,16 @@ TEST(Alignment, LetsBordersSettleWhatAPlaneLeavesFree) {
 
 TEST(Alignment, TellsTheMotionInWords) {
     const Affine motion = about_middle({0, 0, 1}, 2, {5, 0, 0});
-    const Alignment found = align_bodies(SurfaceFeet(placed_model(sheet(), motion)),
-                                         SurfaceFeet(placed_model(sheet())));
+    const Alignment found = align_bodies(ClosestPointQuery(placed_model(sheet(), motion)),
+                                         ClosestPointQuery(placed_model(sheet())));
     EXPECT_NEAR(found.angle, 2, 1e-8);
     EXPECT_NEAR(found.axis.z, -1, 1e-9); // it turns back
     EXPECT_LT(found.residual, 1e-9);
 }
 
 TEST(Alignment, IsTheSameForAnyNumberOfThreads) {
-    const SurfaceFeet moved(placed_model(sheet(), about_middle({1, 0, 0}, 3, {1, 2, 3})));
-    const SurfaceFeet still(placed_model(sheet()));
+    const ClosestPointQuery moved(placed_model(sheet(), about_middle({1, 0, 0}, 3, {1, 2, 3})));
+    const ClosestPointQuery still(placed_model(sheet()));
     EXPECT_EQ(align_bodies(moved, still, {}, {.threads = 1}).motion,
               align_bodies(moved, still, {}, {.threads = 3}).motion);
 }

@@ -24,8 +24,8 @@ SurfaceModel sheet(double change = 0) {
 }
 
 Deviation between(const SurfaceModel& body, const SurfaceModel& other, const Job& job = {}) {
-    return measure_deviation(SurfaceFeet(placed_model(body)), SurfaceFeet(placed_model(other)), {},
-                             job);
+    return measure_deviation(ClosestPointQuery(placed_model(body)),
+                             ClosestPointQuery(placed_model(other)), {}, job);
 }
 
 TEST(Deviation, IsNoneOfABodyToItself) {
@@ -111,8 +111,8 @@ SurfaceModel plates(bool both) {
 
 TEST(Deviation, TellsWhatIsFurtherThanTheReachWithoutItsDistance) {
     const Deviation found =
-        measure_deviation(SurfaceFeet(placed_model(plates(true))),
-                          SurfaceFeet(placed_model(plates(false))), {.reach = 20});
+        measure_deviation(ClosestPointQuery(placed_model(plates(true))),
+                          ClosestPointQuery(placed_model(plates(false))), {.reach = 20});
     EXPECT_EQ(found.worst.value, std::numeric_limits<double>::infinity());
     EXPECT_NEAR(found.beyond, 0.4, 0.01); // 80 of 200 mm
     EXPECT_LT(found.median, 1e-9);
@@ -130,8 +130,9 @@ TEST(Deviation, TellsAFaceThatTheOtherDoesNotHave) {
 TEST(Deviation, EndsSoonForBodiesThatAreFarApart) {
     ModelBuilder far;
     far.plane({1e5, 0, 0}, {100, 0, 0}, {0, 100, 0});
-    const Deviation found = measure_deviation(
-        SurfaceFeet(placed_model(sheet())), SurfaceFeet(placed_model(far.build())), {.reach = 20});
+    const Deviation found =
+        measure_deviation(ClosestPointQuery(placed_model(sheet())),
+                          ClosestPointQuery(placed_model(far.build())), {.reach = 20});
     EXPECT_EQ(found.beyond, 1);
     EXPECT_EQ(found.faces[0].partner, no_index);
     EXPECT_EQ(found.worst_border.value, std::numeric_limits<double>::infinity());

@@ -23,7 +23,7 @@ struct Body {
     OutlineBody view() const { return {tracer, feet, paints, names, names, {}}; }
 
     Tracer tracer;
-    SurfaceFeet feet;
+    ClosestPointQuery feet;
     std::vector<Material> paints;
     std::vector<std::size_t> names;
 };

@@ -337,11 +337,11 @@ TEST(RigFile, NamesWhatLampsAreTakenFor) {
     EXPECT_EQ(only_plane(head + whole_plane).diffuse, TubeModel::automatic);
     const CPlane paper = only_plane(head + whole_plane + "fidelity = \"paper\"\n");
     EXPECT_EQ(paper.diffuse, TubeModel::nishita);
-    EXPECT_EQ(paper.mirror, TubeLook::flat);
+    EXPECT_EQ(paper.mirror, MirrorModel::flat);
     const CPlane mixed =
         only_plane(head + whole_plane + "fidelity = \"exact\"\ndiffuse = \"line\"\n");
     EXPECT_EQ(mixed.diffuse, TubeModel::line);
-    EXPECT_EQ(mixed.mirror, TubeLook::exact);
+    EXPECT_EQ(mixed.mirror, MirrorModel::exact);
     EXPECT_EQ(rig_error(head + whole_plane + "diffuse = \"stripe\"\n"),
               "bad.toml:6:11: c_plane[0].diffuse: 'stripe' is none of automatic, strip, cylinder, "
               "rectangle, line, nishita (did you mean 'strip'?)");
@@ -359,7 +359,7 @@ TEST(RigFile, LuminousCapsShareTheFlux) {
 TEST(RigFile, WrittenLampsKeepTheirCapsAndModels) {
     for (const auto model : {TubeModel::automatic, TubeModel::strip, TubeModel::cylinder,
                              TubeModel::rectangle, TubeModel::line, TubeModel::nishita}) {
-        for (const auto look : {TubeLook::tube, TubeLook::flat, TubeLook::exact}) {
+        for (const auto look : {MirrorModel::tube, MirrorModel::flat, MirrorModel::exact}) {
             LightRig rig;
             rig.sources = {CPlane{.luminous_caps = true, .diffuse = model, .mirror = look}};
             const CPlane back = only_plane(rig_text(rig));

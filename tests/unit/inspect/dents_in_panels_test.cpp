@@ -64,7 +64,7 @@ std::vector<Flaw> found_in(const SurfaceModel& model) {
 /// Holds the deepest flaw of a panel against what is planted.
 void expect_honest(const std::vector<Flaw>& found, double truth, double widest_share) {
     ASSERT_FALSE(found.empty()) << truth;
-    const Worst& depth = found[0].depth;
+    const MeasuredValue& depth = found[0].depth;
     EXPECT_LE(std::abs(depth.value - truth), depth.bound + 2e-3 * truth) << depth.value;
     EXPECT_LT(depth.bound, widest_share * depth.value) << truth;
     EXPECT_NE(depth.verdict, Verdict::pass) << depth.value << ' ' << truth;
@@ -93,7 +93,7 @@ TEST(DentsInPanels, OneOfSixtyMillimetresFailsByThePreset) {
         const Inspection found =
             inspect(dented_panel(form, dent), preset_by_name("class-a-waviness"));
         ASSERT_EQ(found.findings.size(), 1u);
-        const Worst& worst = found.findings[0].worst;
+        const MeasuredValue& worst = found.findings[0].worst;
         EXPECT_EQ(worst.verdict, Verdict::fail) << found.findings[0].message;
         EXPECT_LT(worst.bound, worst.value / 10);
         EXPECT_NEAR(worst.value, planted_depth(form, dent), worst.bound + 1e-4);
@@ -124,7 +124,7 @@ TEST(DentsInPanels, AreWorthALookByTheDefaultPreset) {
 TEST(DentsInPanels, AnUndecidedOneStatesItsBound) {
     MeasuredFace face;
     face.curvature.emplace();
-    Worst depth{0.0486, 0.037, 0.01, Vec3(0), Verdict::undecided, false};
+    MeasuredValue depth{0.0486, 0.037, 0.01, Vec3(0), Verdict::undecided, false};
     face.flaws = {{Flaw::Kind::dent, depth, 60, 100}};
     CriteriaPreset preset;
     preset.surface.waviness = {{0.01, 100}};

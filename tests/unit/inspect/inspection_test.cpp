@@ -118,7 +118,7 @@ TEST(WorstPlace, IsThatOfTheQuantityFurthestOverItsLimit) {
     MeasuredSeam seam;
     seam.gap = {
         .value = 0.02, .bound = 0, .limit = 0.01, .place = Vec3(1, 0, 0), .verdict = Verdict::fail};
-    seam.angle = Worst{
+    seam.angle = MeasuredValue{
         .value = 0.3, .bound = 0, .limit = 0.1, .place = Vec3(2, 0, 0), .verdict = Verdict::fail};
     EXPECT_EQ(worst_place(seam), Vec3(2, 0, 0));
     seam.gap.value = 0.04;

@@ -3,7 +3,7 @@
 #include "keiko/files/scene/preset_file.h"
 #include "keiko/import/worker/load_model.h"
 #include "keiko/inspect/seams/seam_measure.h"
-#include "keiko/intersect/hit/mirror_ray.h"
+#include "keiko/intersect/hit/reflect_ray.h"
 
 #include "tests/support/paths.h"
 #include "tests/unit/inspect/flawed_sheets.h"
@@ -21,7 +21,7 @@ using test::lamps_turned;
 using test::parallel_camera;
 using test::plane_height;
 
-/// Of an eye ray that a plane mirrors: where it meets the C-plane, less its start, in level.
+/// Of a camera ray that a plane mirrors: where it meets the C-plane, less its start, in level.
 Vec3 image_of(const Vec3& direction, const Vec3& normal) {
     const Vec3 ray = reflect(direction, normal);
     return ray * (plane_height / ray.z);
@@ -174,7 +174,7 @@ std::optional<Traced> traced(const Tracer& tracer, const CPlaneFrame& frame, con
     ray.origin = camera.eye, ray.direction = (place - camera.eye).normalized();
     const std::optional<Hit> hit = tracer.nearest(ray);
     if (!hit) return std::nullopt;
-    const Ray mirrored = mirror_ray(ray, *hit);
+    const Ray mirrored = reflect_ray(ray, *hit);
     const Vec3 from = frame.point(mirrored.origin), slope = frame.vector(mirrored.direction);
     return Traced{from.y - slope.y * from.z / slope.z, hit->position, hit->normal};
 }

@@ -1,6 +1,6 @@
 #include "keiko/inspect/basics/patch_lines.h"
 
-#include "keiko/intersect/hit/mirror_ray.h"
+#include "keiko/intersect/hit/reflect_ray.h"
 #include "keiko/intersect/traversal/tracer.h"
 
 #include "tests/support/analytic_models.h"
@@ -28,19 +28,19 @@ std::vector<double> twelve_lamps() {
     return levels;
 }
 
-/// The coordinate across the lamps of the traced and mirrored ray through a place of the surface.
+/// The coordinate across the lamps of the traced and reflected ray through a place of the surface.
 std::optional<double> traced_value(const Tracer& tracer, const Vec3& eye, const Vec3& place) {
     Ray ray;
     ray.origin = eye, ray.direction = (place - eye).normalized();
     const std::optional<Hit> hit = tracer.nearest(ray);
     if (!hit || (hit->position - place).length() > 1e-3) return std::nullopt;
     const CPlaneFrame frame(lamps_over());
-    const Ray mirrored = mirror_ray(ray, *hit);
+    const Ray mirrored = reflect_ray(ray, *hit);
     const Vec3 from = frame.point(mirrored.origin), slope = frame.vector(mirrored.direction);
     return from.y - slope.y * from.z / slope.z;
 }
 
-/// Bisects mirrored rays of the tracer along a tangent through the point and across the line.
+/// Bisects reflected rays of the tracer along a tangent through the point and across the line.
 void expect_on_traced_line(const Tracer& tracer, const SurfaceModel& model, const LinePoint& point,
                            double level, int& compared) {
     const Vec3 eye = camera_before().eye;

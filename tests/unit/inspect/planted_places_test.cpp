@@ -131,7 +131,7 @@ double length_over_limits(const Case& c, const CriteriaPreset& preset) {
 /// The seams that do not pass.
 std::string description(const std::vector<MeasuredSeam>& seams) {
     std::ostringstream text;
-    const auto add = [&](const char* name, const Worst& worst) {
+    const auto add = [&](const char* name, const MeasuredValue& worst) {
         text << ", " << name << ' ' << worst.value << " +- " << worst.bound << " at "
              << worst.place.x;
     };

@@ -46,7 +46,7 @@ TEST(SeamLine, FindsTheWidestPlaceHoweverManyPieces) {
                 const auto stretches =
                     measure_line(model, line, {}, stretch_limits(50, 50, {}, 0.5));
                 ASSERT_EQ(stretches.size(), 1U);
-                const Worst& gap = stretches.front().seam.gap;
+                const MeasuredValue& gap = stretches.front().seam.gap;
                 EXPECT_GE(gap.value + gap.bound, widest - 1e-9) << degree << ", " << pieces;
                 EXPECT_LE(gap.value, widest + 1e-6) << degree << ", " << pieces;
             }

@@ -1,7 +1,7 @@
 #include "keiko/inspect/lines/surface_lines.h"
 
 #include "keiko/import/worker/load_model.h"
-#include "keiko/intersect/hit/mirror_ray.h"
+#include "keiko/intersect/hit/reflect_ray.h"
 #include "keiko/scene/view.h"
 
 #include "tests/support/analytic_models.h"
@@ -39,7 +39,7 @@ Compared compare(const SurfaceModel& model, const Tracer& tracer, const Camera& 
                 ++compared.hidden;
                 continue;
             }
-            const Ray mirrored = mirror_ray(ray, *hit);
+            const Ray mirrored = reflect_ray(ray, *hit);
             const Vec3 from = frame.point(mirrored.origin),
                        slope = frame.vector(mirrored.direction);
             const double reach = -from.z / slope.z;

@@ -94,7 +94,7 @@ TEST(SharedBorders, AreTight) {
     const Tracer tracer(model), clipping(model, {.clipping_only = true});
     Random random(22);
     for (int i = 0; i < 20000; ++i) {
-        // Multiples of 1/16 are where leaves may have been cut, 0 and 1 where patches end.
+        // Multiples of 1/16 are where sub-patches may have been cut, 0 and 1 where patches end.
         Vec2 uv(std::floor(uniform(random, 0, 17)) / 16, uniform(random, 0, 1));
         if (i % 3 == 1) std::swap(uv.x, uv.y);
         if (i % 3 == 2) uv.y = std::floor(uniform(random, 0, 17)) / 16;

@@ -86,7 +86,7 @@ TEST(InstructionSets, GiveARayTheSameBitsInAnyCompany) {
         const std::vector<Crossing> together = tracer.nearest_crossings(all);
         for (std::size_t i = 0; i < all.size(); ++i) {
             const Crossing alone = tracer.nearest_crossings(std::span(&all[i], 1)).front();
-            ASSERT_EQ(alone.leaf, together[i].leaf) << i;
+            ASSERT_EQ(alone.sub_patch, together[i].sub_patch) << i;
             EXPECT_EQ(alone.t, together[i].t) << i;
             EXPECT_EQ(alone.uv, together[i].uv) << i;
             EXPECT_EQ(alone.error, together[i].error) << i;
@@ -94,7 +94,7 @@ TEST(InstructionSets, GiveARayTheSameBitsInAnyCompany) {
     }
 }
 
-/// Hits of one leaf are evaluated side by side where there are many: to the bits of one alone.
+/// Hits of one sub-patch are evaluated side by side where there are many: to the bits of one alone.
 TEST(InstructionSets, EvaluateAHitToTheSameBitsInAnyCompany) {
     const SurfaceModel model = sheets();
     const std::vector<Ray> all = rays();

@@ -164,7 +164,7 @@ TEST(Build, ReportsProgressAndStops) {
     };
     const Tracer tracer(layers(), {}, job);
     EXPECT_EQ(last, 1);
-    EXPECT_GT(tracer.statistics().leaves, 0u);
+    EXPECT_GT(tracer.statistics().sub_patches, 0u);
     EXPECT_GT(tracer.statistics().bytes, 0u);
     std::stop_source stop;
     stop.request_stop();

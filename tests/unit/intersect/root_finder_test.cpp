@@ -47,7 +47,7 @@ TEST_P(RootFinderModes, FindFourRootsOfCrossedParabolas) {
         ASSERT_EQ(roots.size(), 4u) << angle;
         for (const double u : {0.2, 0.7})
             for (const double v : {0.1, 0.9})
-                EXPECT_TRUE(std::any_of(roots.begin(), roots.end(), [&](const LeafRoot& r) {
+                EXPECT_TRUE(std::any_of(roots.begin(), roots.end(), [&](const SubPatchRoot& r) {
                     return (r.uv - Vec2(u, v)).length() < 1e-13 && !r.tangential;
                 }));
     }
@@ -96,7 +96,7 @@ TEST_P(RootFinderModes, FindTheRootOfRandomNets) {
             net.g[k] -= at.value.y;
         }
         const auto roots = finder.find(net, 4 * slack);
-        const bool found = std::any_of(roots.begin(), roots.end(), [&](const LeafRoot& r) {
+        const bool found = std::any_of(roots.begin(), roots.end(), [&](const SubPatchRoot& r) {
             const Vec2 off = r.uv - root;
             return std::abs(off.x) <= 2 * r.error.x + 1e-12 &&
                    std::abs(off.y) <= 2 * r.error.y + 1e-12;
@@ -113,7 +113,7 @@ TEST(RootFinder, CallsEndsOfALineInTheSurfaceTangential) {
     RootFinder finder;
     const auto roots = finder.find(net, slack);
     ASSERT_EQ(roots.size(), 2u);
-    for (const LeafRoot& r : roots) {
+    for (const SubPatchRoot& r : roots) {
         EXPECT_TRUE(r.tangential);
         EXPECT_NEAR(r.uv.x + r.uv.y, 0.5, 1e-12);
     }

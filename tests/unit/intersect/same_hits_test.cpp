@@ -206,11 +206,12 @@ bool touches(const std::vector<Hit>& hits) {
                        [](const Hit& hit) { return has(hit.flags, HitFlags::tangential); });
 }
 
-/// Finer and coarser leaves prove and clip otherwise, but find the same, each within its bound.
-TEST_F(SameHits, ForAnySizeOfTheLeaves) {
+/// Finer and coarser sub-patches prove and clip otherwise, but find the same, each within its
+/// bound.
+TEST_F(SameHits, ForAnySizeOfTheSubPatches) {
     for (const double contraction : {0.1, 0.3, 2.0, 10.0}) {
-        const Tracer other(model_, {.leaf_contraction = contraction});
-        ASSERT_NE(other.statistics().leaves, tracer_.statistics().leaves) << contraction;
+        const Tracer other(model_, {.sub_patch_contraction = contraction});
+        ASSERT_NE(other.statistics().sub_patches, tracer_.statistics().sub_patches) << contraction;
         const auto found = other.all(std::span<const Ray>(rays_));
         for (std::size_t i = 0; i < rays_.size(); ++i) {
             if (touches(found[i]) || touches(all_[i])) continue;

@@ -29,7 +29,8 @@ TEST(Poles, AreHitOnceOnEachSide) {
         }
 }
 
-/// 7e-11 mm off the pole: one leaf proves the root, its neighbour's clipping ends at it unproved.
+/// 7e-11 mm off the pole: one sub-patch proves the root, its neighbour's clipping ends at it
+/// unproved.
 TEST(Poles, AreHitOnceWhereClippingEndsBesideAProof) {
     const Tracer tracer(ShapeBuilder().face(sphere(Vec3(0), 10)).model());
     const Ray ray =
@@ -61,7 +62,7 @@ TEST(CollapsedEdges, AreHitOnce) {
             if (x > 1e-10) {
                 EXPECT_EQ(hits, std::abs(share) < 0.5 ? 1u : 0u) << x << ' ' << share;
             } else {
-                EXPECT_LE(hits, 1u) << x << ' ' << share; // within the leaf's own overlap
+                EXPECT_LE(hits, 1u) << x << ' ' << share; // within the sub-patch's own overlap
             }
         }
     }

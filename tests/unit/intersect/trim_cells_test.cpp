@@ -27,23 +27,23 @@ TEST(TrimCells, AreMetByTheBoxesThatTouchThem) {
     EXPECT_EQ(TrimCells::met({Vec2(-9), Vec2(-5)}), 1U) << "beyond the square: at its border";
 }
 
-/// The only leaf that curves cross.
-struct MixedLeaf {
-    TracedModel model =
-        traced_model(sheet_with_hole(), TracerOptions().join, TracerOptions().leaf_contraction, {});
-    const Leaf& leaf = model.leaves.leaves.front();
+/// The only sub-patch that curves cross.
+struct MixedSubPatch {
+    TracedModel model = traced_model(sheet_with_hole(), TracerOptions().join,
+                                     TracerOptions().sub_patch_contraction, {});
+    const SubPatch& sub_patch = model.sub_patches.sub_patches.front();
     const TrimCells& cells = model.hot.front().cells;
 
     const TrimRegion& region() const { return model.faces.front().region; }
     Vec2 on_face(const Vec2& uv) const {
-        return model.patches.front().to_face(leaf.patch_parameters(uv));
+        return model.patches.front().to_face(sub_patch.patch_parameters(uv));
     }
 };
 
 TEST(TrimCells, AgreeWithTheLoopsEverywhere) {
-    const MixedLeaf mixed;
+    const MixedSubPatch mixed;
     ASSERT_EQ(mixed.model.hot.size(), 1U);
-    ASSERT_EQ(mixed.leaf.trim, TrimSide::mixed);
+    ASSERT_EQ(mixed.sub_patch.trim, TrimSide::mixed);
     Random random(7);
     for (int k = 0; k < 20000; ++k) {
         const Vec2 uv(uniform(random, 0, 1), uniform(random, 0, 1)), at = uv * 2 - Vec2(1);
@@ -55,7 +55,7 @@ TEST(TrimCells, AgreeWithTheLoopsEverywhere) {
 }
 
 TEST(TrimCells, TellEveryCellThatNoCurveCrosses) {
-    const MixedLeaf mixed;
+    const MixedSubPatch mixed;
     int told = 0;
     for (unsigned cell = 0; cell < 64; ++cell) {
         const Vec2 corner = Vec2(cell % 8, cell / 8) / 8, margin(1e-6);

@@ -20,7 +20,7 @@ TEST(TrimmedPlane, HasAHoleWhereItsLoopSays) {
             .face({rectangle(-10, 10, -10, 10, 0)}, {square(8), circle(Vec2(1, 2), 3)})
             .model();
     const Tracer tracer(model), clipping(model, {.clipping_only = true});
-    EXPECT_GT(tracer.statistics().leaves_mixed, 0u);
+    EXPECT_GT(tracer.statistics().sub_patches_mixed, 0u);
     Random random(41);
     for (int i = 0; i < 20000; ++i) {
         const double x = uniform(random, -11, 11), y = uniform(random, -11, 11);
@@ -36,7 +36,7 @@ TEST(TrimmedSphere, IsCutInItsLongitudeAndLatitude) {
     // A window of 1 rad by 0.5 rad whose corners lie inside different patches.
     const std::vector<Vec2> corners{{1.2, -0.2}, {2.2, -0.2}, {2.2, 0.3}, {1.2, 0.3}};
     const Tracer tracer(ShapeBuilder().face(sphere(Vec3(0), 10), {polygon(corners)}).model());
-    EXPECT_GT(tracer.statistics().leaves_trimmed_away, 0u);
+    EXPECT_GT(tracer.statistics().sub_patches_trimmed_away, 0u);
     Random random(42);
     int hits = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -57,7 +57,7 @@ TEST(Leaves, ThatAreTrimmedAwayDoNotExist) {
     const PatchData patch = random_patch(random, 3, 3, 30, 1);
     const Tracer whole(ShapeBuilder().face({patch}).model());
     const Tracer corner(ShapeBuilder().face({patch}, {circle(Vec2(0.2, 0.2), 0.1)}).model());
-    EXPECT_LT(corner.statistics().leaves, whole.statistics().leaves / 2 + 1);
+    EXPECT_LT(corner.statistics().sub_patches, whole.statistics().sub_patches / 2 + 1);
 }
 
 /// Two squares that should meet at x = 0 but leave a gap there.

@@ -128,7 +128,7 @@ TEST(ViewSamples, TellWhereTheBodyMirrorsItself) {
     for (const ViewSample& s : sample_views(tracer, model, std::span(&camera, 1), {})) {
         if (s.face != floor) continue;
         ++of_floor;
-        const double rise = -s.mirror.direction.z / s.mirror.direction.x; // of the mirrored ray
+        const double rise = -s.mirror.direction.z / s.mirror.direction.x; // of the reflected ray
         const double at_wall = s.position().z - rise * (1000 - s.position().x);
         const double aside =
             s.position().y + s.mirror.direction.y / s.mirror.direction.x * (1000 - s.position().x);

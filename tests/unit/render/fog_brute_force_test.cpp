@@ -1,7 +1,7 @@
 #include "keiko/files/photometric/luminaire_file.h"
 #include "keiko/light/spotlight/beam_intensity.h"
 #include "keiko/light/spotlight/luminaire.h"
-#include "keiko/render/shading/shaft_shadows.h"
+#include "keiko/render/shading/volumetric_shadows.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/paths.h"
@@ -48,7 +48,7 @@ struct SampledMedium {
     Rgb transmittance(const Vec3& a, const Vec3& b) const {
         const double metres = (b - a).length() / 1000;
         Rgb depth;
-        const bool even = std::holds_alternative<EvenDensity>(medium.density);
+        const bool even = std::holds_alternative<HomogeneousDensity>(medium.density);
         const int steps = even ? 1 : 300;
         for (int i = 0; i < steps; ++i) depth += extinction(a + (b - a) * ((i + 0.5) / steps));
         depth = depth * (metres / steps);
@@ -80,7 +80,7 @@ Arriving arriving(const LightSource& source, const Vec3& x) {
         const double r2 = (x - light.position).length2() / 1e6;
         return Arriving{intensity_towards(light, x) * (1 / r2), light.position};
     };
-    if (const auto* spot = std::get_if<Spotlight>(&source)) return lamp(*spot);
+    if (const auto* point = std::get_if<Spotlight>(&source)) return lamp(*point);
     return lamp(std::get<Luminaire>(source));
 }
 
@@ -165,7 +165,7 @@ TEST(Fog, IsWhatItsDefinitionComesTo) {
         for (std::size_t m = 0; m < media().size(); ++m) {
             const LightRig rig{
                 .name = "", .sources = {source}, .ambient = Rgb(0), .medium = media()[m]};
-            const ShaftShadows shadows(rig, &occluders, tracer, rays);
+            const VolumetricShadows shadows(rig, &occluders, tracer, rays);
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 const Rgb exact = luminance_along(rig, rays[i], Rgb(0), shadows.visible());
                 const Rgb shown = luminance_along(rig, rays[i], Rgb(0), shadows.visible(),

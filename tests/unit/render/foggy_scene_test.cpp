@@ -136,7 +136,7 @@ double fresnel(double cosine) {
 
 enum class Meets { nothing, ball, tube };
 
-/// Along an eye ray to the floor and what its mirror image there meets, term by term.
+/// Along a camera ray to the floor and what its mirror image there meets, term by term.
 Rgb by_definition(const LanternFile& file, const Vec3& direction, Meets meets) {
     const Vec3 floor = eye - direction * (eye.z / direction.z);
     const Vec3 up(direction.x, direction.y, -direction.z);
@@ -213,8 +213,8 @@ TEST(FoggyScene, MirrorsWhatItsDefinitionComesTo) {
         rays.back().direction = direction;
     }
     const Integrator plain(scene, options), picture(scene, options, eye);
-    const std::vector<EyeSample> found = plain.follow(rays).samples;
-    const std::vector<EyeSample> shown = picture.follow(rays).samples;
+    const std::vector<PixelSample> found = plain.follow(rays).samples;
+    const std::vector<PixelSample> shown = picture.follow(rays).samples;
     for (std::size_t i = 0; i < ways.size(); ++i) {
         const Rgb expected = by_definition(file, ways[i].first, ways[i].second);
         for (const auto channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {

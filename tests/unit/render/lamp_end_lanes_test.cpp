@@ -1,6 +1,6 @@
 // What the kernels tell of pixels at the ends of lamps, held against their rays one by one.
 #include "keiko/light/tubes/tube_hit.h"
-#include "keiko/render/reflection/stripe_kernels.h"
+#include "keiko/render/reflection/lamp_kernels.h"
 
 #include "tests/support/instruction_sets.h"
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using namespace keiko::test;
 
 namespace {
 
-constexpr std::size_t width = StripeLooks::capacity + 2, first = width + 1;
+constexpr std::size_t width = LampCoverageBatch::capacity + 2, first = width + 1;
 
 bool has(std::uint32_t set, std::size_t lane) {
     return (set >> lane & 1) != 0;
@@ -34,7 +34,7 @@ CPlane three_lamps(double length, double pitch, bool luminous_caps) {
 struct EndStrip {
     CPlane plane;
     Vec3 direction, dx{30, 4, 0}, dy{-5, 25, 0};
-    MirroredRays numbers{3 * width};
+    ReflectedRays numbers{3 * width};
 
     EndStrip(const CPlane& row, const Vec3& towards, double end) : plane(row), direction(towards) {
         const CPlaneFrame frame(plane);
@@ -72,14 +72,14 @@ private:
 /// The kernels' pixels against their rays.
 void expect_truth(const EndStrip& strip) {
     const CPlaneFrame frame(strip.plane);
-    std::array<double, StripeLooks::capacity> truth{};
+    std::array<double, LampCoverageBatch::capacity> truth{};
     for (std::size_t lane = 0; lane < truth.size(); ++lane) truth[lane] = strip.truth(first + lane);
     EXPECT_TRUE(
         std::any_of(truth.begin(), truth.end(), [](double t) { return t > 0.1 && t < 0.9; }));
     for (const std::int64_t set : instruction_sets()) {
         const WithInstructionSet only(set);
-        StripeLooks looks;
-        stripe_kernels().look({frame, TubeLook::tube}, strip.numbers, first, width, true, looks);
+        LampCoverageBatch looks;
+        lamp_kernels().look({frame, MirrorModel::tube}, strip.numbers, first, width, true, looks);
         for (std::size_t lane = 0; lane < truth.size(); ++lane)
             EXPECT_NEAR(has(looks.missed, lane) ? 0 : looks.coverage[lane], truth[lane], 0.01)
                 << strip.direction.x << ", " << strip.plane.u.x << ", " << strip.plane.v.y << ", "

@@ -132,7 +132,7 @@ TEST(Render, MirrorsAloneShowTheSameInBandsAndInTiles) {
     }
 }
 
-// Surfaces that mirrored rays meet are left out where they show nothing: against paint that takes
+// Surfaces that reflected rays meet are left out where they show nothing: against paint that takes
 // light, but too little for a picture to show.
 TEST(Render, MirroredBodiesHideLampsWithoutTheirSurface) {
     test::ModelBuilder builder;
@@ -212,8 +212,8 @@ TEST(Render, TheBodyMirrorsItself) {
         for (int y = 20; y < 34; ++y) rays.push_back(stage.camera.ray(48, y));
         return Integrator(scene, options).follow(rays);
     };
-    const EyeView blocked_view = follow(corner), open_view = follow(alone);
-    const std::vector<EyeSample>&blocked = blocked_view.samples, &open = open_view.samples;
+    const SampleBatch blocked_view = follow(corner), open_view = follow(alone);
+    const std::vector<PixelSample>&blocked = blocked_view.samples, &open = open_view.samples;
     double brightest_blocked = 0, brightest_open = 0;
     for (std::size_t i = 0; i < open.size(); ++i) {
         ASSERT_TRUE(blocked[i].hit && open[i].hit);

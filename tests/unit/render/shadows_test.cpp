@@ -1,7 +1,7 @@
 #include "keiko/light/tubes/tube_penumbra.h"
-#include "keiko/render/shading/lit_point.h"
-#include "keiko/render/shading/seen_past.h"
-#include "keiko/render/shading/shadowed_rig.h"
+#include "keiko/render/shading/direct_lighting.h"
+#include "keiko/render/shading/occluded_visibility.h"
+#include "keiko/render/shading/point_lighting.h"
 
 #include "tests/support/occluder_row.h"
 #include <gtest/gtest.h>
@@ -33,7 +33,9 @@ struct Shade {
                 for (const double y : {-r, r})
                     for (const double z : {-r, r}) region.push_back(end + Vec3(x, y, z));
     }
-    SeenPast visible() const { return {&occluders, tracer, Apex::at(point), region}; }
+    OccludedVisibility visible() const {
+        return {&occluders, tracer, Viewpoint::at(point), region};
+    }
 };
 
 TEST(Shadows, MeetTheOracleOfOccludedLampsByTheAxis) {
@@ -54,12 +56,12 @@ TEST(Shadows, MeetTheOracleOfPenumbraeAcrossTheWidth) {
     for (const OracleRow& row : OracleTable("lamp_occluded")) {
         if (!row.has("out.E_rect_area")) continue;
         const Shade shade(row);
-        const SeenPast visible = shade.visible();
+        const OccludedVisibility visible = shade.visible();
         const double whole = irradiance(shade.lamp, shade.point, shade.normal, IntervalSet::whole(),
                                         TubeModel::rectangle)
                                  .r;
         for (const double tolerance : {1e-4, 1e-7}) {
-            const std::vector<SeenLight> seen =
+            const std::vector<LightVisibility> seen =
                 seen_tubes({&shade.lamp, 1}, shade.point, shade.normal, visible,
                            {tolerance, TubeShape::rectangle});
             area.compare(row, whole * seen[0].share, row.number("out.E_rect_area"), tolerance,
@@ -87,10 +89,10 @@ TEST(Shadows, TakeHalfOfALampThatABoardHalfHides) {
     const auto under = [&](const LightRig& lights, const Occluders* shadows) {
         constexpr TubeModel asked = TubeModel::automatic;
         const Vec3 up(0, 0, 1);
-        const ShadowedRig shadowed(lights, shadows, tracer);
-        const LitPoint lit(
+        const DirectLighting shadowed(lights, shadows, tracer);
+        const PointLighting lit(
             lights, hit->position, up, asked, shadowed.lights(),
-            shadowed.seen_from(hit->position, up, hit->root, shadowed.lights(), asked));
+            shadowed.light_visibility(hit->position, up, hit->root, shadowed.lights(), asked));
         return lit.illuminance_by_light()[0].r;
     };
     for (const TubeModel named : {TubeModel::automatic, TubeModel::cylinder, TubeModel::strip}) {

@@ -12,7 +12,7 @@ using namespace keiko;
 /// Keiko's.
 TEST(Shafts, AreWhatMarchingWithShadowRaysComesTo) {
     const test::ShaftTrial trial(load_model(test::repository("surfaces/dome.bpt")), 3);
-    const std::vector<Segment> rays = trial.eye_rays(Vec2(0.47, 0.62), 8);
+    const std::vector<Segment> rays = trial.camera_rays(Vec2(0.47, 0.62), 8);
     const std::vector<Rgb> exact = trial.exact(rays, 1e-8);
     const std::vector<Rgb> shown = trial.exact(rays, 1e-5, trial.pencils());
     double brightest = 0, cut = 0;

@@ -1,5 +1,5 @@
 #include "keiko/light/tubes/c_plane_frame.h"
-#include "keiko/render/shading/shadowed_rig.h"
+#include "keiko/render/shading/direct_lighting.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>
@@ -46,13 +46,13 @@ struct TurnedScene {
         rig.sources = {plane};
         return rig;
     }
-    SeenLight seen(const Vec3& point, const SurfaceModel& model) const {
+    LightVisibility seen(const Vec3& point, const SurfaceModel& model) const {
         const Tracer tracer(model);
         const Occluders occluders(model, tracer);
         const LightRig lit = rig();
-        const ShadowedRig shadowed(lit, &occluders, tracer);
-        return shadowed.seen_from(turn(point), turn({0, 0, 1}), {}, shadowed.lights(),
-                                  TubeModel::automatic)[0];
+        const DirectLighting shadowed(lit, &occluders, tracer);
+        return shadowed.light_visibility(turn(point), turn({0, 0, 1}), {}, shadowed.lights(),
+                                         TubeModel::automatic)[0];
     }
 };
 
@@ -128,7 +128,8 @@ TEST(TurnedLamps, AreHiddenByTheirSockets) {
             const auto& plane = std::get<CPlane>(rig.sources[0]);
             const CPlaneFrame frame(plane);
             const Vec3 corners[] = {frame.at(0, 200), frame.at(frame.length, 200)};
-            const ApexView view(occluders, tracer, Apex::at(turn(point)), corners, turn({0, 0, 1}));
+            const VisibilityQuery view(occluders, tracer, Viewpoint::at(turn(point)), corners,
+                                       turn({0, 0, 1}));
             const IntervalSet axis = view.intervals(corners[0], corners[1]).intervals;
             const IntervalSet told = scene.seen(point, model).axis;
             ASSERT_EQ(told.size(), axis.size()) << point.x;

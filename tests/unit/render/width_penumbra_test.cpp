@@ -1,9 +1,9 @@
-#include "keiko/light/rig/seen_light.h"
+#include "keiko/light/rig/light_visibility.h"
 #include "keiko/light/tubes/c_plane_frame.h"
 #include "keiko/light/tubes/lamp_width.h"
 #include "keiko/light/tubes/tube_view.h"
-#include "keiko/render/shading/seen_past.h"
-#include "keiko/render/shading/source_region.h"
+#include "keiko/render/shading/light_bounds.h"
+#include "keiko/render/shading/occluded_visibility.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>
@@ -78,8 +78,9 @@ struct Under {
     LightSource source{plane};
     std::vector<int> lamps{0, 1};
 
-    SeenPast past(const Vec3& point) const {
-        return {&occluders, tracer, Apex::at(point), source_region(source, lamps, point), {}, up};
+    OccludedVisibility past(const Vec3& point) const {
+        return {&occluders, tracer, Viewpoint::at(point), light_bounds(source, lamps, point),
+                {},         up};
     }
     /// The middles of many strips along a lamp.
     double share_by_lines(const Vec3& point, int lamp, int lines) const {
@@ -104,8 +105,8 @@ struct Under {
     int expect_as_by_lines(const std::vector<Vec3>& points, int lines) const {
         int partly = 0;
         for (const Vec3& point : points) {
-            const std::vector<SeenLight> seen =
-                seen_lights(source, lamps, point, up, past(point), TubeModel::automatic, false);
+            const std::vector<LightVisibility> seen = light_visibilities(
+                source, lamps, point, up, past(point), TubeModel::automatic, false);
             for (const int lamp : lamps) {
                 const double share = share_by_lines(point, lamp, lines);
                 EXPECT_NEAR(seen[static_cast<std::size_t>(lamp)].share, share, 1e-4)

@@ -1,4 +1,4 @@
-#include "keiko/visibility/epipolar/shadow_pencil.h"
+#include "keiko/visibility/epipolar/epipolar_shadows.h"
 #include "keiko/visibility/query/occluders.h"
 
 #include "tests/support/long_run.h"
@@ -9,9 +9,9 @@
 #include <cmath>
 #include <vector>
 
-/// Scenes on a grid of round numbers: apex, segment and edge in one plane, apexes in the planes of
-/// faces, edges end to end. What is exactly on a boundary may be told either way, but only as a
-/// segment moved by next to nothing would be.
+/// Scenes on a grid of round numbers: viewpoint, segment and edge in one plane, viewpoints in the
+/// planes of faces, edges end to end. What is exactly on a boundary may be told either way, but
+/// only as a segment moved by next to nothing would be.
 using namespace keiko;
 using namespace keiko::test;
 
@@ -78,18 +78,20 @@ TEST(AlignedOccluders, AreSeenAsFromNextToNothingBeside) {
         const Tracer tracer(model);
         const Occluders occluders(model, tracer);
         for (int trial = 0; trial < 50; ++trial) {
-            const Vec3 apex = round_place(random, -3, 12);
+            const Vec3 viewpoint = round_place(random, -3, 12);
             // Above all bodies, which reach up to 120.
             const Vec3 a(round_number(random, -3, 12), -40, round_number(random, 13, 16));
-            if (apex.x == a.x && apex.z == a.z) continue; // in the midst of the segment
+            if (viewpoint.x == a.x && viewpoint.z == a.z) continue; // in the midst of the segment
             const std::vector<SegmentEnds> row = with_neighbours({a, a + Vec3(0, 170, 0)});
-            const ApexView view(occluders, tracer, Apex::at(apex), corners(row[0]));
-            const SeenParts single = view.intervals(row[0][0], row[0][1]);
-            if (!single.certain) continue; // the apex on a surface
+            const VisibilityQuery view(occluders, tracer, Viewpoint::at(viewpoint),
+                                       corners(row[0]));
+            const VisibleIntervals single = view.intervals(row[0][0], row[0][1]);
+            if (!single.certain) continue; // the viewpoint on a surface
             std::vector<IntervalSet> seen{single.intervals}, in_row;
             for (std::size_t k = 1; k < row.size(); ++k)
                 seen.push_back(view.intervals(row[k][0], row[k][1]).intervals);
-            for (const SeenParts& parts : view.intervals(row)) in_row.push_back(parts.intervals);
+            for (const VisibleIntervals& parts : view.intervals(row))
+                in_row.push_back(parts.intervals);
             ++certain;
             partly += !seen[0].empty() && seen[0].measure() < 1;
             alone += told_alone(seen);
@@ -113,7 +115,7 @@ TEST(AlignedOccluders, ArePastRaysOfAPencilAsFromNextToNothingBeside) {
         const Occluders occluders(model, tracer);
         const Vec3 light = round_place(random, -3, 12), eye = round_place(random, -3, 12);
         if (light == eye) continue;
-        const ShadowPencil pencil(occluders, tracer, light, eye);
+        const EpipolarShadows pencil(occluders, tracer, light, eye);
         for (int trial = 0; trial < 50; ++trial) {
             const Vec3 target = round_place(random, -3, 12);
             if (target == eye || (target - eye).cross(light - eye).length() == 0) continue;

@@ -11,17 +11,18 @@ namespace {
 
 using namespace test;
 
-SeenParts seen(const SurfaceModel& model, const Vec3& apex, const Vec3& a, const Vec3& b) {
+VisibleIntervals seen(const SurfaceModel& model, const Vec3& viewpoint, const Vec3& a,
+                      const Vec3& b) {
     const Tracer tracer(model);
     const Occluders occluders(model, tracer);
     const Vec3 region[2] = {a, b};
-    return ApexView(occluders, tracer, Apex::at(apex), region).intervals(a, b);
+    return VisibilityQuery(occluders, tracer, Viewpoint::at(viewpoint), region).intervals(a, b);
 }
 
 TEST(Occluders, MeetTheOracleOfVisibleIntervals) {
     constexpr double tolerance = 1e-12;
     for (const OracleRow& row : OracleTable("visible_intervals")) {
-        const SeenParts parts =
+        const VisibleIntervals parts =
             seen(occluders_of(row), row.vector("in.P"), row.vector("in.A"), row.vector("in.B"));
         EXPECT_TRUE(parts.certain) << row.id();
         EXPECT_EQ(static_cast<int>(parts.intervals.size()), row.integer("out.n")) << row.id();
@@ -41,9 +42,10 @@ struct Ball {
     Tracer tracer{model};
     Occluders occluders{model, tracer};
 
-    IntervalSet seen(const Apex& apex, const Vec3& a, const Vec3& b) const {
+    IntervalSet seen(const Viewpoint& viewpoint, const Vec3& a, const Vec3& b) const {
         const Vec3 region[2] = {a, b};
-        const SeenParts parts = ApexView(occluders, tracer, apex, region).intervals(a, b);
+        const VisibleIntervals parts =
+            VisibilityQuery(occluders, tracer, viewpoint, region).intervals(a, b);
         EXPECT_TRUE(parts.certain);
         return parts.intervals;
     }
@@ -58,19 +60,19 @@ void expect_parts(const IntervalSet& seen, const std::vector<ParameterInterval>&
 }
 
 TEST(Occluders, CastTheShadowOfParallelLight) {
-    expect_parts(Ball().seen(Apex::towards({0, 0, 2}), {-2, 0, -5}, {2, 0, -5}),
+    expect_parts(Ball().seen(Viewpoint::towards({0, 0, 2}), {-2, 0, -5}, {2, 0, -5}),
                  {{0, 0.25}, {0.75, 1}});
-    expect_parts(Ball().seen(Apex::towards({0, 0, 2}), {-2, 0, 5}, {2, 0, 5}), {{0, 1}});
+    expect_parts(Ball().seen(Viewpoint::towards({0, 0, 2}), {-2, 0, 5}, {2, 0, 5}), {{0, 1}});
 }
 
 TEST(Occluders, EndAVisiblePartWhereTheSegmentEntersThem) {
     const double top = std::sqrt(0.75);
-    expect_parts(Ball().seen(Apex::at({0, 0, 10}), {0.5, 0, 3}, {0.5, 0, -3}),
+    expect_parts(Ball().seen(Viewpoint::at({0, 0, 10}), {0.5, 0, 3}, {0.5, 0, -3}),
                  {{0, (3 - top) / 6}});
 }
 
 TEST(Occluders, HideASegmentSeenEndOnFromTheFirstSurfaceOn) {
-    expect_parts(Ball().seen(Apex::at({0, 0, 10}), {0, 0, 5}, {0, 0, -5}), {{0, 0.4}});
+    expect_parts(Ball().seen(Viewpoint::at({0, 0, 10}), {0, 0, 5}, {0, 0, -5}), {{0, 0.4}});
 }
 
 TEST(Occluders, HideWhatLiesBelowTheHorizonOfTheirOwnPoint) {
@@ -81,13 +83,14 @@ TEST(Occluders, HideWhatLiesBelowTheHorizonOfTheirOwnPoint) {
     const auto hit = ball.tracer.nearest(down);
     ASSERT_TRUE(hit);
     const Vec3 n = hit->position, across = n.cross(Vec3(1, 0, 0)).normalized() * 3;
-    expect_parts(ball.seen(Apex::at(hit->position, hit->root), n * 3 + across, n * -1 + across),
-                 {{0, 0.5}});
+    expect_parts(
+        ball.seen(Viewpoint::at(hit->position, hit->root), n * 3 + across, n * -1 + across),
+        {{0, 0.5}});
 }
 
 TEST(Occluders, SeeAPointAsAWholeOrNotAtAll) {
-    expect_parts(Ball().seen(Apex::at({0, 0, 10}), {0, 0, -5}, {0, 0, -5}), {});
-    expect_parts(Ball().seen(Apex::at({0, 0, 10}), {3, 0, -5}, {3, 0, -5}), {{0, 1}});
+    expect_parts(Ball().seen(Viewpoint::at({0, 0, 10}), {0, 0, -5}, {0, 0, -5}), {});
+    expect_parts(Ball().seen(Viewpoint::at({0, 0, 10}), {3, 0, -5}, {3, 0, -5}), {{0, 1}});
 }
 
 } // namespace

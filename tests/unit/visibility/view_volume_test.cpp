@@ -15,23 +15,24 @@ Vec3 random_place(Random& random, double size) {
 
 /// Four corners of a parallelogram some way off, now and then with the side that is faced.
 struct View {
-    Apex apex;
+    Viewpoint viewpoint;
     std::vector<Vec3> corners;
     std::optional<Vec3> facing;
 
-    explicit View(Random& random) : apex(Apex::at(random_place(random, 20), {})) {
-        const Vec3 middle = apex.place() + random_direction(random) * uniform(random, 200, 400);
+    explicit View(Random& random) : viewpoint(Viewpoint::at(random_place(random, 20), {})) {
+        const Vec3 middle =
+            viewpoint.place() + random_direction(random) * uniform(random, 200, 400);
         const Vec3 a = random_direction(random) * 60, b = random_direction(random) * 60;
         corners = {middle - a - b, middle + a - b, middle - a + b, middle + a + b};
-        if (pick(random, 2) == 0) facing = (middle - apex.place()).normalized();
+        if (pick(random, 2) == 0) facing = (middle - viewpoint.place()).normalized();
     }
-    ViewVolume volume() const { return {apex, corners, facing}; }
-    /// Between the apex and somewhere in the region.
+    ViewVolume volume() const { return {viewpoint, corners, facing}; }
+    /// Between the viewpoint and somewhere in the region.
     Vec3 place_inside(Random& random) const {
         const double s = uniform(random, 0, 1), t = uniform(random, 0, 1);
         const Vec3 in_region =
             corners[0] + (corners[1] - corners[0]) * s + (corners[2] - corners[0]) * t;
-        return apex.place() + (in_region - apex.place()) * uniform(random, 0.001, 1);
+        return viewpoint.place() + (in_region - viewpoint.place()) * uniform(random, 0.001, 1);
     }
 };
 
@@ -39,7 +40,7 @@ struct View {
 struct Thing {
     NetFrame frame;
     HomogeneousNet net{3, 3, {}};
-    BorderPiece::Curve curve{Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0)};
+    BoundaryPiece::Curve curve{Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0)};
     Box3 box;
 
     Thing(Random& random, const Vec3& center) {

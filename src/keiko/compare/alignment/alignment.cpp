@@ -12,7 +12,7 @@
 namespace keiko {
 namespace {
 
-SampleCloud cloud_of(const SurfaceFeet& body, std::size_t count) {
+SampleCloud cloud_of(const ClosestPointQuery& body, std::size_t count) {
     const double spacing = sample_spacing(body, count);
     SampleCloud cloud;
     for (std::size_t i = 0; i < body.piece_count(); ++i)
@@ -35,7 +35,7 @@ struct Held {
     bool border;
 };
 
-std::vector<Held> held_places(const SurfaceFeet& body, const SampleCloud& cloud,
+std::vector<Held> held_places(const ClosestPointQuery& body, const SampleCloud& cloud,
                               std::size_t most_borders) {
     constexpr double border_share = 1e-3;
     std::vector<Held> held;
@@ -59,7 +59,7 @@ struct Off {
     Vec3 direction{0};
 };
 
-Off off(const SurfaceFeet& other, const Held& held, const Vec3& p, double reach) {
+Off off(const ClosestPointQuery& other, const Held& held, const Vec3& p, double reach) {
     Vec3 to = p, normal(0);
     if (held.border) {
         const auto foot = other.border_foot(p, reach);
@@ -82,7 +82,7 @@ struct Turn {
     double square = 0; ///< mean square distance of the places on surfaces, mm2
 };
 
-Turn turn_from(const SurfaceFeet& other, const std::vector<Held>& held, const Affine& motion,
+Turn turn_from(const ClosestPointQuery& other, const std::vector<Held>& held, const Affine& motion,
                const Vec3& pivot, double size, double reach, const Job& job) {
     std::vector<Off> offs(held.size());
     constexpr std::size_t chunk = 64;
@@ -122,7 +122,7 @@ void tell_motion(Alignment& found, const Vec3& centre) {
 
 } // namespace
 
-Alignment align_bodies(const SurfaceFeet& body, const SurfaceFeet& other,
+Alignment align_bodies(const ClosestPointQuery& body, const ClosestPointQuery& other,
                        const AlignmentOptions& options, const Job& job) {
     constexpr std::size_t most_borders = 1000, few = 400;
     const SampleCloud cloud = cloud_of(body, options.samples);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/compare/alignment/surface_feet.h"
+#include "keiko/compare/alignment/closest_point_query.h"
 
 namespace keiko {
 
@@ -27,7 +27,7 @@ struct AlignmentOptions {
 /// where the body is, its centre on the other's, and the four turns that lay principal axes on each
 /// other, each tried on samples first. The same for any number of threads. Reports stage "align".
 /// Throws Cancelled.
-Alignment align_bodies(const SurfaceFeet& body, const SurfaceFeet& other,
+Alignment align_bodies(const ClosestPointQuery& body, const ClosestPointQuery& other,
                        const AlignmentOptions& options = {}, const Job& job = {});
 
 } // namespace keiko

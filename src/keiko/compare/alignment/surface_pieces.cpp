@@ -7,7 +7,7 @@
 namespace keiko {
 namespace {
 
-/// Bound of LeafFrame::contraction. Kept apart from TracerOptions: where an alignment from afar
+/// Bound of SubPatchFrame::contraction. Kept apart from TracerOptions: where an alignment from afar
 /// begins changes with the pieces.
 constexpr double piece_contraction = 0.65;
 
@@ -23,14 +23,14 @@ std::array<Box2, 2> halves(const BezierPatchView& piece, const Box2& box) {
     return both;
 }
 
-std::array<Convexity, 4> quarter_convexity(const BezierPatchView& leaf) {
+std::array<Convexity, 4> quarter_convexity(const BezierPatchView& sub_patch) {
     std::array<Convexity, 4> quarters;
     auto next = quarters.begin();
-    for (const Box2& half : halves(leaf, unit_square)) {
-        const std::vector<Vec4> points = subpatch(leaf, half);
-        for (const Box2& quarter : halves({leaf.degree_u, leaf.degree_v, points}, half)) {
-            const std::vector<Vec4> part = subpatch(leaf, quarter);
-            *next++ = Convexity({leaf.degree_u, leaf.degree_v, part});
+    for (const Box2& half : halves(sub_patch, unit_square)) {
+        const std::vector<Vec4> points = subpatch(sub_patch, half);
+        for (const Box2& quarter : halves({sub_patch.degree_u, sub_patch.degree_v, points}, half)) {
+            const std::vector<Vec4> part = subpatch(sub_patch, quarter);
+            *next++ = Convexity({sub_patch.degree_u, sub_patch.degree_v, part});
         }
     }
     return quarters;
@@ -53,47 +53,48 @@ Vec3 outward_normal(const SurfaceDerivatives& s, const Vec2& uv, const Face& fac
     return face.reversed ? -*normal : *normal;
 }
 
-SurfaceFeet::Pieces::Pieces(PlacedModel placed, const Job& job) : body(std::move(placed)) {
+ClosestPointQuery::Pieces::Pieces(PlacedModel placed, const Job& job) : body(std::move(placed)) {
     const SurfaceModel& model = body.model;
     if (model.patches.empty()) throw Error(model.source, "", "has no faces to compare");
     for (const Face& face : model.faces) trims.emplace_back(model, face);
-    std::vector<LeafSet> sets(model.faces.size());
+    std::vector<SubPatchSet> sets(model.faces.size());
     parallel_for(sets.size(), job, "", [&](std::size_t f) {
-        sets[f] = make_leaves(model, model.faces[f], trims[f], 0, piece_contraction);
+        sets[f] = subdivide(model, model.faces[f], trims[f], 0, piece_contraction);
     });
-    for (LeafSet& set : sets) append(leaves, std::move(set));
+    for (SubPatchSet& set : sets) append(sub_patches, std::move(set));
     std::vector<Box3> boxes;
-    for (const Leaf& leaf : leaves.leaves) {
-        const BezierPatchView view = leaves.view(leaf);
+    for (const SubPatch& sub_patch : sub_patches.sub_patches) {
+        const BezierPatchView view = sub_patches.view(sub_patch);
         const Box3 box = hull_bounds(view);
-        boxes.push_back({box.lower + leaf.center, box.upper + leaf.center});
+        boxes.push_back({box.lower + sub_patch.center, box.upper + sub_patch.center});
         convex.emplace_back(view);
     }
-    quarters.resize(leaves.leaves.size());
+    quarters.resize(sub_patches.sub_patches.size());
     parallel_for(quarters.size(), job, "", [&](std::size_t i) {
-        quarters[i] = quarter_convexity(leaves.view(leaves.leaves[i]));
+        quarters[i] = quarter_convexity(sub_patches.view(sub_patches.sub_patches[i]));
     });
     tree.emplace(std::move(boxes));
     borders.emplace(model);
 }
 
-std::optional<SurfacePoint> SurfaceFeet::Pieces::point(std::uint32_t index, const Vec2& uv) const {
-    const Leaf& leaf = leaves.leaves[index];
-    if (!is_material(leaf, uv)) return std::nullopt;
-    const std::uint32_t face = body.model.patches[leaf.patch].face;
-    const SurfaceDerivatives s = evaluate(leaves.view(leaf), uv, 2);
+std::optional<SurfacePoint> ClosestPointQuery::Pieces::point(std::uint32_t index,
+                                                             const Vec2& uv) const {
+    const SubPatch& sub_patch = sub_patches.sub_patches[index];
+    if (!is_material(sub_patch, uv)) return std::nullopt;
+    const std::uint32_t face = body.model.patches[sub_patch.patch].face;
+    const SurfaceDerivatives s = evaluate(sub_patches.view(sub_patch), uv, 2);
     return SurfacePoint{.piece = index,
                         .uv = uv,
                         .face = face,
-                        .position = s.position() + leaf.center,
+                        .position = s.position() + sub_patch.center,
                         .normal = outward_normal(s, uv, body.model.faces[face]),
                         .stretch = s.du().cross(s.dv()).length()};
 }
 
-bool SurfaceFeet::Pieces::is_material(const Leaf& leaf, const Vec2& uv) const {
-    if (leaf.trim == TrimSide::inside) return true;
-    return trims[body.model.patches[leaf.patch].face].contains(
-        body.model.face_parameters(leaf.patch, leaf.patch_parameters(uv)));
+bool ClosestPointQuery::Pieces::is_material(const SubPatch& sub_patch, const Vec2& uv) const {
+    if (sub_patch.trim == TrimSide::inside) return true;
+    return trims[body.model.patches[sub_patch.patch].face].contains(
+        body.model.face_parameters(sub_patch.patch, sub_patch.patch_parameters(uv)));
 }
 
 } // namespace keiko

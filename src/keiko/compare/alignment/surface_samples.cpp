@@ -5,15 +5,15 @@
 
 namespace keiko {
 
-double sample_spacing(const SurfaceFeet& body, std::size_t count) {
+double sample_spacing(const ClosestPointQuery& body, std::size_t count) {
     double area = 0;
     for (std::size_t i = 0; i < body.piece_count(); ++i)
         area += body.piece_size(i).x * body.piece_size(i).y;
     return std::sqrt(area / static_cast<double>(count));
 }
 
-std::vector<SurfaceSample> piece_samples(const SurfaceFeet& body, std::size_t piece, double spacing,
-                                         int least) {
+std::vector<SurfaceSample> piece_samples(const ClosestPointQuery& body, std::size_t piece,
+                                         double spacing, int least) {
     constexpr int most = 256;
     const auto cells = [&](double length) {
         return static_cast<int>(

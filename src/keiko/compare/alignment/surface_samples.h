@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/compare/alignment/surface_feet.h"
+#include "keiko/compare/alignment/closest_point_query.h"
 
 #include <vector>
 
@@ -14,10 +14,10 @@ struct SurfaceSample {
 };
 
 /// How far apart about so many places of a body are, mm.
-double sample_spacing(const SurfaceFeet& body, std::size_t count);
+double sample_spacing(const ClosestPointQuery& body, std::size_t count);
 
 /// The middles of a piece's cells of `spacing` mm, at least `least` a side, that are material.
-std::vector<SurfaceSample> piece_samples(const SurfaceFeet& body, std::size_t piece, double spacing,
-                                         int least);
+std::vector<SurfaceSample> piece_samples(const ClosestPointQuery& body, std::size_t piece,
+                                         double spacing, int least);
 
 } // namespace keiko

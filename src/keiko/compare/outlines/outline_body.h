@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/compare/alignment/surface_feet.h"
+#include "keiko/compare/alignment/closest_point_query.h"
 #include "keiko/intersect/traversal/tracer.h"
 #include "keiko/scene/material.h"
 
@@ -15,7 +15,7 @@ namespace keiko {
 /// name, which SharedFaces gives them.
 struct OutlineBody {
     const Tracer& tracer;                   ///< of what is visible: the body, then the ground
-    const SurfaceFeet& feet;                ///< of the body alone
+    const ClosestPointQuery& feet;          ///< of the body alone
     std::span<const Material> paints;       ///< by Hit::face
     std::vector<std::size_t> visible_names; ///< by Hit::face
     std::vector<std::size_t> placed_names;  ///< by face of the PlacedModel

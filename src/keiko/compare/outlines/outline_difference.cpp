@@ -22,9 +22,9 @@ bool is_partly_covered(const Film& film, int x, int y) {
 }
 
 /// Whether the depth bends between three pixels as it does at a contour.
-bool is_torn(float before, float here, float after, double pixel) {
-    constexpr double torn = 4; // pixels in depth
-    return std::abs(double{before} - 2 * double{here} + double{after}) > torn * pixel;
+bool is_discontinuous(float before, float here, float after, double pixel) {
+    constexpr double discontinuous = 4; // pixels in depth
+    return std::abs(double{before} - 2 * double{here} + double{after}) > discontinuous * pixel;
 }
 
 /// Whether an outline may run through a pixel or beside it, by what the pixels around show.
@@ -51,8 +51,8 @@ private:
         const double pixel = camera_.projection == Projection::orthographic
                                  ? camera_.pixel_size()
                                  : camera_.pixel_size() * double{here};
-        return is_torn(*depth_.pixel(x - 1, y), here, *depth_.pixel(x + 1, y), pixel) ||
-               is_torn(*depth_.pixel(x, y - 1), here, *depth_.pixel(x, y + 1), pixel);
+        return is_discontinuous(*depth_.pixel(x - 1, y), here, *depth_.pixel(x + 1, y), pixel) ||
+               is_discontinuous(*depth_.pixel(x, y - 1), here, *depth_.pixel(x, y + 1), pixel);
     }
 
     const Film& film_;

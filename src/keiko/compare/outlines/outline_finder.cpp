@@ -39,10 +39,10 @@ double OutlineFinder::facing(const Hit& hit) const {
 bool OutlineFinder::differ(const Sighting& a, const Sighting& b) const {
     if (!a.hit && !b.hit) return false;
     if (!a.hit || !b.hit || a.name != b.name) return true;
-    constexpr double torn = 4;
+    constexpr double discontinuous = 4;
     const double step = (b.place - a.place).length() * pixel_length(camera_, a.hit->position);
     const double cosine = std::max(facing(*a.hit), facing(*b.hit));
-    return (b.hit->position - a.hit->position).length() * cosine > torn * step;
+    return (b.hit->position - a.hit->position).length() * cosine > discontinuous * step;
 }
 
 std::vector<OutlineFinder::Crossing> OutlineFinder::crossings(std::span<const Sighting> grid,

@@ -12,7 +12,8 @@
 namespace keiko {
 namespace {
 
-std::vector<DeviationSample> measured_samples(const SurfaceFeet& body, const SurfaceFeet& other,
+std::vector<DeviationSample> measured_samples(const ClosestPointQuery& body,
+                                              const ClosestPointQuery& other,
                                               const DeviationOptions& options, const Job& job) {
     constexpr int least = 4;
     const double spacing = sample_spacing(body, options.samples);
@@ -29,7 +30,7 @@ std::vector<DeviationSample> measured_samples(const SurfaceFeet& body, const Sur
 
 /// Climbs by steps that shrink, within the piece and its material.
 template <class Quantity>
-DeviationSample climbed(const SurfaceFeet& body, const SurfaceFeet& other, double reach,
+DeviationSample climbed(const ClosestPointQuery& body, const ClosestPointQuery& other, double reach,
                         DeviationSample best, const Quantity& quantity) {
     Vec2 step = best.cell * 0.5;
     for (int round = 0; round < 40 && step.x > best.cell.x * 1e-3; ++round) {
@@ -51,9 +52,9 @@ DeviationSample climbed(const SurfaceFeet& body, const SurfaceFeet& other, doubl
 /// Where a quantity is largest, climbed to from the samples that have most of it; the largest
 /// first.
 template <class Quantity>
-std::vector<DeviationSample> peaks(const SurfaceFeet& body, const SurfaceFeet& other, double reach,
-                                   const std::vector<DeviationSample>& samples, const Job& job,
-                                   const Quantity& quantity) {
+std::vector<DeviationSample> peaks(const ClosestPointQuery& body, const ClosestPointQuery& other,
+                                   double reach, const std::vector<DeviationSample>& samples,
+                                   const Job& job, const Quantity& quantity) {
     constexpr std::size_t starts = 16;
     std::vector<std::size_t> order(samples.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -140,14 +141,14 @@ void take_peaks(const std::vector<DeviationSample>& peaks, Deviation& result) {
 }
 
 /// Whether the nearest point may as well be that of a neighbouring face, with another normal.
-bool at_border(const SurfaceFeet& other, const DeviationSample& sample) {
+bool at_border(const ClosestPointQuery& other, const DeviationSample& sample) {
     constexpr double there = 1e-3; // mm
     return sample.foot && sample.tilt() > 0 &&
            other.border_distance(sample.foot->position, there) < there;
 }
 
 /// Finds where the body's borders are farthest from those of the other.
-void take_borders(const SurfaceFeet& body, const SurfaceFeet& other, const Job& job,
+void take_borders(const ClosestPointQuery& body, const ClosestPointQuery& other, const Job& job,
                   Deviation& result) {
     const std::vector<BorderPoint> points = body.border_points();
     std::vector<double> distances(points.size());
@@ -165,7 +166,7 @@ void take_borders(const SurfaceFeet& body, const SurfaceFeet& other, const Job& 
 
 } // namespace
 
-Deviation measure_deviation(const SurfaceFeet& body, const SurfaceFeet& other,
+Deviation measure_deviation(const ClosestPointQuery& body, const ClosestPointQuery& other,
                             const DeviationOptions& options, const Job& job) {
     const std::vector<DeviationSample> samples = measured_samples(body, other, options, job);
     Deviation result;

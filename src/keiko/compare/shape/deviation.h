@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/compare/alignment/surface_feet.h"
+#include "keiko/compare/alignment/closest_point_query.h"
 
 #include <limits>
 #include <vector>
@@ -62,7 +62,7 @@ struct Deviation {
 /// Measures how far `body` is from `other` by the nearest points of places spread over it, and
 /// climbs from the farthest of them to the worst place. The same for any number of threads. Reports
 /// stage "deviation". Throws Cancelled.
-Deviation measure_deviation(const SurfaceFeet& body, const SurfaceFeet& other,
+Deviation measure_deviation(const ClosestPointQuery& body, const ClosestPointQuery& other,
                             const DeviationOptions& options = {}, const Job& job = {});
 
 } // namespace keiko

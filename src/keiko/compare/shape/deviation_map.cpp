@@ -13,7 +13,7 @@ namespace {
 /// by no more than the way, which bounds the search.
 class DistanceRow {
 public:
-    DistanceRow(const SurfaceFeet& other, double reach) : other_(other), reach_(reach) {}
+    DistanceRow(const ClosestPointQuery& other, double reach) : other_(other), reach_(reach) {}
 
     float at(const Vec3& place) {
         const auto foot = foot_of(place);
@@ -25,7 +25,7 @@ public:
     }
 
 private:
-    std::optional<SurfaceFoot> foot_of(const Vec3& place) const {
+    std::optional<ClosestSurfacePoint> foot_of(const Vec3& place) const {
         constexpr double rounding = 1e-6; // mm
         const double bound = last_distance_ + (place - last_).length() + rounding;
         if (bound < reach_)
@@ -33,7 +33,7 @@ private:
         return other_.foot(place, reach_);
     }
 
-    const SurfaceFeet& other_;
+    const ClosestPointQuery& other_;
     double reach_;
     Vec3 last_{0};
     double last_distance_ = std::numeric_limits<double>::infinity(); ///< mm
@@ -41,7 +41,7 @@ private:
 
 } // namespace
 
-DeviationMap deviation_map(const Tracer& body, const Camera& camera, const SurfaceFeet& other,
+DeviationMap deviation_map(const Tracer& body, const Camera& camera, const ClosestPointQuery& other,
                            double reach, const Job& job) {
     DeviationMap map{Image(camera.width, camera.height, 1, std::numeric_limits<float>::quiet_NaN()),
                      Image(camera.width, camera.height, 1)};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/compare/alignment/surface_feet.h"
+#include "keiko/compare/alignment/closest_point_query.h"
 #include "keiko/film/film.h"
 #include "keiko/intersect/traversal/tracer.h"
 #include "keiko/scene/camera.h"
@@ -17,7 +17,7 @@ struct DeviationMap {
 /// Follows the ray of every pixel's centre to the body and finds the nearest point of the other, up
 /// to `reach` mm. The same for any number of threads. Reports stage "deviation map". Throws
 /// Cancelled.
-DeviationMap deviation_map(const Tracer& body, const Camera& camera, const SurfaceFeet& other,
+DeviationMap deviation_map(const Tracer& body, const Camera& camera, const ClosestPointQuery& other,
                            double reach, const Job& job = {});
 
 } // namespace keiko

@@ -10,7 +10,7 @@ namespace keiko {
 
 /// A place of the body and its nearest point of the other.
 struct DeviationSample : SurfaceSample {
-    std::optional<SurfaceFoot> foot; ///< nothing: beyond reach
+    std::optional<ClosestSurfacePoint> foot; ///< nothing: beyond reach
 
     double distance() const {
         return foot ? foot->distance : std::numeric_limits<double>::infinity();

@@ -29,8 +29,8 @@ struct SelfDeviation {
 SelfDeviation self_deviation(const SurfaceModel& model, const MirrorPlane& plane,
                              std::span<const std::uint32_t> chosen, const DeviationOptions& options,
                              const Job& job) {
-    const SurfaceFeet body(placed_model(model, {}, chosen), job);
-    const SurfaceFeet image(placed_model(model, plane.motion(), chosen), job);
+    const ClosestPointQuery body(placed_model(model, {}, chosen), job);
+    const ClosestPointQuery image(placed_model(model, plane.motion(), chosen), job);
     DeviationOptions within = options;
     within.reach = fiftieth * material_bounds(body.body().model, job).size();
     return {body.body(), measure_deviation(body, image, within, job), within.reach};
@@ -59,7 +59,7 @@ void add_check_at(const SurfaceModel& model, const SymmetryLimit& limit, Check::
                   Inspection& inspection, const Job& job) {
     const DeviationOptions options;
     const SelfDeviation self = self_deviation(model, limit.plane, {}, options, job);
-    Worst worst;
+    MeasuredValue worst;
     worst.value = self.distance();
     worst.bound = std::max(self.found.largest_uncertainty, options.certainty);
     worst.limit = limit.distance, worst.place = self.found.worst.place;

@@ -101,7 +101,7 @@ Density density_from(const TomlTable& table) {
     if (file)
         return GridDensity{std::make_shared<const VoxelDensity>(read_density(*file)),
                            file->string()};
-    return EvenDensity{};
+    return HomogeneousDensity{};
 }
 
 std::string text_of(const Vec2& pair) {

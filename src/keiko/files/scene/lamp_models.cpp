@@ -19,8 +19,8 @@ constexpr Words<TubeModel, 6> diffuse_models{{{"automatic", TubeModel::automatic
                                               {"rectangle", TubeModel::rectangle},
                                               {"line", TubeModel::line},
                                               {"nishita", TubeModel::nishita}}};
-constexpr Words<TubeLook, 3> mirror_looks{
-    {{"tube", TubeLook::tube}, {"flat", TubeLook::flat}, {"exact", TubeLook::exact}}};
+constexpr Words<MirrorModel, 3> mirror_looks{
+    {{"tube", MirrorModel::tube}, {"flat", MirrorModel::flat}, {"exact", MirrorModel::exact}}};
 
 /// The value that goes with the word at `key`.
 template <class T, std::size_t n>
@@ -48,7 +48,7 @@ std::string_view word_for(T value, const Words<T, n>& words) {
 void take_lamp_models(const TomlTable& table, CPlane& plane) {
     if (const auto fidelity = table.choice("fidelity", {"paper", "corrected", "exact"})) {
         constexpr std::array diffuse{TubeModel::nishita, TubeModel::automatic, TubeModel::cylinder};
-        constexpr std::array mirror{TubeLook::flat, TubeLook::tube, TubeLook::exact};
+        constexpr std::array mirror{MirrorModel::flat, MirrorModel::tube, MirrorModel::exact};
         plane.diffuse = diffuse[*fidelity];
         plane.mirror = mirror[*fidelity];
     }
@@ -60,7 +60,7 @@ std::string_view word_of(TubeModel model) {
     return word_for(model, diffuse_models);
 }
 
-std::string_view word_of(TubeLook look) {
+std::string_view word_of(MirrorModel look) {
     return word_for(look, mirror_looks);
 }
 

@@ -15,6 +15,6 @@ void take_lamp_models(const TomlTable& table, CPlane& plane);
 /// The word of a rig file for a model, which no file has for TubeModel::picture and preview: then
 /// Error.
 std::string_view word_of(TubeModel model);
-std::string_view word_of(TubeLook look);
+std::string_view word_of(MirrorModel look);
 
 } // namespace keiko

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/blank_allocator.h"
+#include "keiko/base/default_init_allocator.h"
 #include "keiko/math/bounds.h"
 #include "keiko/math/ray_differentials.h"
 
@@ -31,6 +31,6 @@ struct Ray {
 };
 
 /// Many of them.
-using Rays = std::vector<Ray, BlankAllocator<Ray>>;
+using Rays = std::vector<Ray, DefaultInitAllocator<Ray>>;
 
 } // namespace keiko

@@ -9,7 +9,7 @@
 namespace keiko {
 namespace {
 
-constexpr std::uint32_t leaf_size = 4;
+constexpr std::uint32_t sub_patch_size = 4;
 
 unsigned longest_axis(const Box3& box) {
     const Vec3 e = box.extent();
@@ -34,7 +34,7 @@ std::uint32_t BoxTree::build(std::uint32_t first, std::uint32_t count) {
         centers.extend(boxes_[order_[k]].center());
     }
     nodes_.push_back(node);
-    if (count <= leaf_size) return self;
+    if (count <= sub_patch_size) return self;
 
     const unsigned axis = longest_axis(centers);
     const auto begin = order_.begin() + first;

@@ -11,7 +11,7 @@ namespace keiko {
 
 /// Which curves on a surface are looked at.
 enum class LineLook {
-    reflection, ///< where the mirrored eye ray meets a line of the C-plane
+    reflection, ///< where the mirrored camera ray meets a line of the C-plane
     highlight,  ///< where the surface's normal meets it [BeierChen1994]; the same for all eyes
     isophote    ///< where the normal keeps an angle to the C-plane's normal
 };
@@ -38,7 +38,7 @@ struct LineRatio {
 };
 
 /// The function on the surface whose level sets are the lines of one C-plane: the coordinate v, mm
-/// from the plane's corner, at which the mirrored ray or the normal meets the plane; for isophotes
+/// from the plane's corner, at which the reflected ray or the normal meets the plane; for isophotes
 /// the cosine of the angle between the normal and the plane's. See docs/theory/reflection-lines.md.
 class LineField {
 public:
@@ -80,7 +80,7 @@ public:
     double normal_turn(const Image& image, double change) const;
 
     /// How far the field's value moves at a place when the normal turns the way that moves it most:
-    /// mm a radian, 2 D where a mirrored ray of length D meets the C-plane at a right angle; for
+    /// mm a radian, 2 D where a reflected ray of length D meets the C-plane at a right angle; for
     /// isophotes of the cosine.
     double turn_gain(const Vec3& place, const Vec3& normal) const;
 
@@ -89,7 +89,7 @@ private:
     static Triple<T> constant(const Vec3& w) {
         return {T(w.x), T(w.y), T(w.z)};
     }
-    /// The eye ray mirrored at the normal, times the squared length of the normal.
+    /// The camera ray mirrored at the normal, times the squared length of the normal.
     template <class T>
     Triple<T> mirrored(const Triple<T>& place, const Triple<T>& normal) const {
         const Triple<T> ray =

@@ -4,7 +4,7 @@
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/inspect/basics/curve_chains.h"
 #include "keiko/inspect/basics/face_names.h"
-#include "keiko/inspect/combs/doubled_pieces.h"
+#include "keiko/inspect/combs/duplicate_segments.h"
 #include "keiko/inspect/combs/face_combs.h"
 
 #include <algorithm>

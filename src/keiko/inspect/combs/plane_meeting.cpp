@@ -1,6 +1,6 @@
 #include "keiko/inspect/combs/plane_meeting.h"
 
-#include "keiko/inspect/basics/divided_sides.h"
+#include "keiko/inspect/basics/boundary_factors.h"
 #include "keiko/inspect/basics/field_cells.h"
 #include "keiko/inspect/basics/field_zeros.h"
 
@@ -71,7 +71,7 @@ PlaneMeeting plane_meeting(const PlacedPatch& patch, const BezierPatchView& view
     meeting.within = meeting.height.magnitude() <= meeting.tolerance;
     if (meeting.within) return meeting;
     BernsteinField inner = meeting.height;
-    for (const DividedSide& side : divide_sides(inner, 2 * meeting.tolerance))
+    for (const BoundaryFactor& side : divide_sides(inner, 2 * meeting.tolerance))
         meeting.fields.push_back({iso_field(side.by_u, side.upper ? 1 : 0),
                                   {{unit_square, 0, true, side.by_u}},
                                   side.times > 1,

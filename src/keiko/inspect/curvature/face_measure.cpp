@@ -10,7 +10,7 @@ namespace keiko {
 namespace {
 
 /// 1 / the largest curvature either way; the true radius is smaller by the bound at most.
-std::optional<Worst> smallest_radius(const FaceCurvature& c, std::optional<double> limit) {
+std::optional<MeasuredValue> smallest_radius(const FaceCurvature& c, std::optional<double> limit) {
     const CurvatureExtreme& k =
         std::abs(c.largest.value) > std::abs(c.smallest.value) ? c.largest : c.smallest;
     const double curvature = std::abs(k.value);
@@ -19,7 +19,7 @@ std::optional<Worst> smallest_radius(const FaceCurvature& c, std::optional<doubl
     constexpr double flat = 1e-9; // of 1 / size: what rounding leaves of a plane
     if (!(std::max(curvature, most) * c.size > flat)) return std::nullopt;
     const double radius = 1 / std::max(curvature, flat / c.size);
-    Worst worst{
+    MeasuredValue worst{
         radius, radius - 1 / std::max(most, curvature), limit.value_or(0), k.place, Verdict::pass,
         true};
     if (!limit) return worst;

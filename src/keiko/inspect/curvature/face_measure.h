@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/job.h"
-#include "keiko/inspect/basics/worst.h"
+#include "keiko/inspect/basics/measured_value.h"
 #include "keiko/inspect/curvature/face_curvature.h"
 #include "keiko/inspect/curvature/inflection_curves.h"
 #include "keiko/inspect/flaws/flaw.h"
@@ -23,7 +23,7 @@ struct MeasuredFace {
     std::optional<FaceCurvature> curvature;
     /// The smallest radius of curvature, mm; nothing of a plane. Measured where the preset does not
     /// judge it too; its limit is then 0.
-    std::optional<Worst> radius;
+    std::optional<MeasuredValue> radius;
     /// Dents, bumps and waves at least half as deep as the limit, the deepest first; `inspect`
     /// looks for them (find_flaws) where the preset has a limit, judged or not.
     std::vector<Flaw> flaws;

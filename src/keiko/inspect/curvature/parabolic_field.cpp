@@ -1,6 +1,6 @@
 #include "keiko/inspect/curvature/parabolic_field.h"
 
-#include "keiko/inspect/basics/divided_sides.h"
+#include "keiko/inspect/basics/boundary_factors.h"
 
 #include <array>
 
@@ -70,7 +70,7 @@ int sign_of(const Interval& range) {
 
 ParabolicField without_sides(BernsteinField field) {
     std::vector<ParabolicSide> sides;
-    for (const DividedSide& side : divide_sides(field, 0))
+    for (const BoundaryFactor& side : divide_sides(field, 0))
         sides.push_back({side.by_u, side.upper, 0});
     for (ParabolicSide& side : sides) side.sign = sign_of(field.side_range(side.by_u, side.upper));
     return {std::move(field), std::move(sides)};

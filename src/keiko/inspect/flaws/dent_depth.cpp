@@ -16,19 +16,19 @@ constexpr int directions = 32;
 constexpr int rings = 12;     ///< within half a window
 constexpr int all_rings = 31; ///< within the widest reach
 
-std::optional<TangentFrame> outlook(const SmoothFaces& faces, const SheetPlace& at) {
+std::optional<TangentFrame> outlook(const FaceAdjacency& faces, const SheetPoint& at) {
     const auto s = faces.evaluate(at, 1);
     return s ? faces.frame(at, s->du()) : std::nullopt;
 }
 
 /// The surface around a place by samples in all directions that stand for equal areas; each
 /// straight way ends where material does.
-std::vector<Height> heights_around(const SmoothFaces& faces, const SheetPlace& at,
+std::vector<Height> heights_around(const FaceAdjacency& faces, const SheetPoint& at,
                                    const TangentFrame& from, double reach) {
     std::vector<Height> heights;
     for (int d = 0; d < directions; ++d) {
         const double angle = 2 * std::numbers::pi * (d + 0.5) / directions;
-        SheetPlace last = at;
+        SheetPoint last = at;
         for (int r = 0; r < all_rings; ++r) {
             const double radius = reach * std::sqrt((r + 0.5) / rings);
             const Vec2 to(radius * std::cos(angle), radius * std::sin(angle));
@@ -58,7 +58,7 @@ bool is_one_sided(std::span<const Height> heights) {
 }
 
 /// Whether less than a quarter of the samples are more than `far` off the form.
-bool is_alone(std::span<const Height> heights, const SmoothBase& under, double far) {
+bool is_alone(std::span<const Height> heights, const ReferenceForm& under, double far) {
     const auto off = std::count_if(heights.begin(), heights.end(), [&](const Height& h) {
         return std::abs(under.offset(h)) > far;
     });
@@ -66,9 +66,9 @@ bool is_alone(std::span<const Height> heights, const SmoothBase& under, double f
 }
 
 /// By steps in the plane that are halved where none leads further off.
-SheetPlace furthest(const SmoothFaces& faces, const SheetPlace& begin, const TangentFrame& from,
-                    const SmoothBase& under, double reach) {
-    SheetPlace at = begin;
+SheetPoint furthest(const FaceAdjacency& faces, const SheetPoint& begin, const TangentFrame& from,
+                    const ReferenceForm& under, double reach) {
+    SheetPoint at = begin;
     Vec2 here(0);
     const double side = under.at_origin() > 0 ? -1 : 1;
     double best = -under.at_origin() * side, step = reach / 10;
@@ -91,11 +91,11 @@ SheetPlace furthest(const SmoothFaces& faces, const SheetPlace& begin, const Tan
 
 } // namespace
 
-std::optional<DentDepth> dent_depth(const SmoothFaces& faces, const SheetPlace& begin,
+std::optional<DentDepth> dent_depth(const FaceAdjacency& faces, const SheetPoint& begin,
                                     double reach) {
     constexpr std::size_t fewest = directions * rings / 8; // half of a corner's quarter
     constexpr int rounds = 3;
-    SheetPlace at = begin;
+    SheetPoint at = begin;
     for (int i = 0;; ++i) {
         const auto from = outlook(faces, at);
         if (!from) return std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/flaws/smooth_base.h"
+#include "keiko/inspect/flaws/reference_form.h"
 
 #include <array>
 #include <optional>
@@ -10,7 +10,7 @@ namespace keiko {
 
 /// The form under a dent, and how well its surroundings tell it.
 struct DentForm {
-    SmoothBase base;
+    ReferenceForm base;
     double bound = 0; ///< mm: how far its height at the origin may be off, an estimate
 };
 

@@ -1,8 +1,8 @@
 #include "keiko/inspect/flaws/face_ripples.h"
 
 #include "keiko/inspect/flaws/face_grid.h"
+#include "keiko/inspect/flaws/geodesic_trace.h"
 #include "keiko/inspect/flaws/ripple.h"
-#include "keiko/inspect/flaws/straight_walk.h"
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ constexpr double follow_share = 0.75;
 /// A line over a face and what it goes on in at either end.
 class RippleLine {
 public:
-    RippleLine(const SmoothFaces& faces, std::size_t face, bool along_u, double window)
+    RippleLine(const FaceAdjacency& faces, std::size_t face, bool along_u, double window)
         : faces_(faces), face_(face), along_u_(along_u), window_(window) {}
 
     void add(const Vec2& place, const FaceSample& sample) {
@@ -33,7 +33,7 @@ public:
 
     std::vector<FaceRipple> ripples(double depth) const {
         std::vector<WalkPoint> points;
-        const StraightWalk before = beyond(own_.front(), -1), behind = beyond(own_.back(), 1);
+        const GeodesicTrace before = beyond(own_.front(), -1), behind = beyond(own_.back(), 1);
         points.assign(before.points.rbegin(), before.points.rend());
         const std::size_t begin = points.size(), end = begin + own_.size();
         points.insert(points.end(), own_.begin(), own_.end());
@@ -62,9 +62,9 @@ private:
         return (along_u_ ? s->du() : s->dv()).normalized();
     }
     /// Without its first point, which is the line's own.
-    StraightWalk beyond(const WalkPoint& end, double side) const {
-        StraightWalk walk = walk_straight(faces_, end.at, direction(end) * side, spacing(),
-                                          follow_share * window_, true);
+    GeodesicTrace beyond(const WalkPoint& end, double side) const {
+        GeodesicTrace walk = walk_straight(faces_, end.at, direction(end) * side, spacing(),
+                                           follow_share * window_, true);
         if (!walk.points.empty()) walk.points.erase(walk.points.begin());
         return walk;
     }
@@ -77,7 +77,7 @@ private:
         return line;
     }
 
-    const SmoothFaces& faces_;
+    const FaceAdjacency& faces_;
     std::size_t face_;
     bool along_u_;
     double window_;
@@ -86,7 +86,7 @@ private:
 
 } // namespace
 
-std::vector<FaceRipple> find_face_ripples(const SmoothFaces& faces, std::size_t face,
+std::vector<FaceRipple> find_face_ripples(const FaceAdjacency& faces, std::size_t face,
                                           const WavinessLimit& limit) {
     const FaceGrid grid(faces.face(face), limit.window * sample_share);
     std::vector<FaceRipple> found;

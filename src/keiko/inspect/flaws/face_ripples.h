@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/flaws/smooth_faces.h"
+#include "keiko/inspect/flaws/face_adjacency.h"
 #include "keiko/scene/criteria_preset.h"
 
 #include <vector>
@@ -13,7 +13,7 @@ constexpr double widest_share = 0.5;
 
 /// A ripple of a line of constant u or v on a face.
 struct FaceRipple {
-    SheetPlace at;
+    SheetPoint at;
     Vec3 position{0};
     Vec3 along{0};      ///< unit, the way of the line
     double width = 0;   ///< mm
@@ -23,7 +23,7 @@ struct FaceRipple {
 };
 
 /// All that a face has: lines are followed over smooth seams, and up to borders.
-std::vector<FaceRipple> find_face_ripples(const SmoothFaces& faces, std::size_t face,
+std::vector<FaceRipple> find_face_ripples(const FaceAdjacency& faces, std::size_t face,
                                           const WavinessLimit& limit);
 
 } // namespace keiko

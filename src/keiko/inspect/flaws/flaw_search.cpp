@@ -32,14 +32,14 @@ constexpr std::size_t most_measured = 6, most_tried = 30;
 
 struct PlacedFlaw {
     Flaw flaw;
-    std::size_t face = 0;        ///< into SmoothFaces
+    std::size_t face = 0;        ///< into FaceAdjacency
     bool alone = false;          ///< of a dent: nothing around is as far off
     std::vector<Vec3> ripples{}; ///< world, mm: the places of all that show it
 };
 
 class FlawMeasure {
 public:
-    FlawMeasure(const SmoothFaces& faces, const WavinessLimit& limit)
+    FlawMeasure(const FaceAdjacency& faces, const WavinessLimit& limit)
         : faces_(faces), limit_(limit) {}
 
     /// Of the ripples of one, the deepest first. What seems to be waves but has no two of them, as
@@ -96,7 +96,7 @@ private:
         });
     }
 
-    Worst depth(double value, double bound, const Vec3& place) const {
+    MeasuredValue depth(double value, double bound, const Vec3& place) const {
         constexpr double doubtful = 2; // fits that do not agree tell little of how far they are off
         const bool form = bound > form_share * value;
         if (form) bound *= doubtful;
@@ -132,7 +132,7 @@ private:
 
     /// Whether it is a dent that looks like waves by its rims, or beside another bend.
     static bool is_no_wave(const PlacedFlaw& dent, const PlacedFlaw& waves) {
-        const Worst &a = dent.flaw.depth, &b = waves.flaw.depth;
+        const MeasuredValue &a = dent.flaw.depth, &b = waves.flaw.depth;
         return dent.alone && (a.value - a.bound > b.value || a.verdict > b.verdict);
     }
 
@@ -144,11 +144,11 @@ private:
         });
     }
 
-    const SmoothFaces& faces_;
+    const FaceAdjacency& faces_;
     WavinessLimit limit_;
 };
 
-std::vector<FaceRipple> all_ripples(const SmoothFaces& faces, const std::vector<bool>& searched,
+std::vector<FaceRipple> all_ripples(const FaceAdjacency& faces, const std::vector<bool>& searched,
                                     const WavinessLimit& limit, const Job& job) {
     std::vector<std::vector<FaceRipple>> found(faces.size());
     parallel_for(found.size(), job, "ripples", [&](std::size_t i) {
@@ -161,7 +161,8 @@ std::vector<FaceRipple> all_ripples(const SmoothFaces& faces, const std::vector<
 }
 
 /// All that one window shows.
-std::vector<PlacedFlaw> flaws_in_window(const SmoothFaces& faces, const std::vector<bool>& searched,
+std::vector<PlacedFlaw> flaws_in_window(const FaceAdjacency& faces,
+                                        const std::vector<bool>& searched,
                                         const WavinessLimit& limit, const Job& job) {
     const std::vector<std::vector<FaceRipple>> groups =
         ripple_groups(faces, all_ripples(faces, searched, limit, job), limit.window / 4);
@@ -220,7 +221,7 @@ std::vector<std::vector<Flaw>> find_flaws(const SurfaceModel& model,
                                           std::span<const Seam> pieces,
                                           const std::vector<bool>& searched,
                                           std::span<const WavinessLimit> limits, const Job& job) {
-    const SmoothFaces faces(model, seams, pieces, limits.front().window / 20);
+    const FaceAdjacency faces(model, seams, pieces, limits.front().window / 20);
     std::vector<PlacedFlaw> placed;
     for (const WavinessLimit& limit : limits)
         for (const PlacedFlaw& flaw : flaws_in_window(faces, searched, limit, job))

@@ -9,7 +9,7 @@
 
 namespace keiko {
 
-std::vector<std::vector<FaceRipple>> ripple_groups(const SmoothFaces& faces,
+std::vector<std::vector<FaceRipple>> ripple_groups(const FaceAdjacency& faces,
                                                    std::vector<FaceRipple> ripples, double cell) {
     using Cell = std::array<long, 4>; // of a sheet, in space
     const auto number = [cell](double x) { return static_cast<long>(std::floor(x / cell)); };

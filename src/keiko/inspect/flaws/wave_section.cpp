@@ -1,6 +1,6 @@
 #include "keiko/inspect/flaws/wave_section.h"
 
-#include "keiko/inspect/flaws/bent_profile.h"
+#include "keiko/inspect/flaws/roughness_profile.h"
 
 #include <array>
 #include <cmath>
@@ -17,14 +17,14 @@ struct Wave {
 };
 
 /// By the fourth difference over two waves, which has no part in a form to its third derivative.
-double swing_at(const BentProfile& profile, double middle, double length) {
+double swing_at(const RoughnessProfile& profile, double middle, double length) {
     const auto height = [&](double waves) { return profile.height(middle + waves * length); };
     return (6 * height(0) - 4 * (height(0.5) + height(-0.5)) + height(1) + height(-1)) / 16;
 }
 
 /// A wave of this length whose crest is there; by the waves about the crest or, where the profile
 /// is too short for that, about the next places half a wave apart.
-std::optional<Wave> wave_at(const BentProfile& profile, double crest, double length) {
+std::optional<Wave> wave_at(const RoughnessProfile& profile, double crest, double length) {
     for (const int shift : {0, 1, -1, 2, -2}) {
         const double middle = crest + shift * length / 2;
         if (!profile.holds(middle - length) || !profile.holds(middle + length)) continue;
@@ -35,7 +35,7 @@ std::optional<Wave> wave_at(const BentProfile& profile, double crest, double len
 }
 
 /// The wave that is deepest near a first guess.
-std::optional<Wave> deepest(const BentProfile& profile, double side, double length) {
+std::optional<Wave> deepest(const RoughnessProfile& profile, double side, double length) {
     auto best = wave_at(profile, 0, length);
     double step = 0.1;
     constexpr int halvings = 7, most_rounds = 60;
@@ -59,7 +59,7 @@ struct Upright {
     double depth = 0, length = 0; ///< mm
 };
 
-Upright upright(const BentProfile& profile, double middle, double length) {
+Upright upright(const RoughnessProfile& profile, double middle, double length) {
     const double swing = swing_at(profile, middle, length);
     const auto under = [&](int halves) { // the form under a crest or a trough
         return profile.height(middle + halves * length / 2) - (halves % 2 == 0 ? swing : -swing);
@@ -87,13 +87,13 @@ Upright upright(const BentProfile& profile, double middle, double length) {
 
 /// A place that a profile is looked at from, and the wave found there.
 struct Found {
-    SheetPlace at;
+    SheetPoint at;
     double depth = 0, length = 0, bound = 0; ///< mm
 };
 
-std::optional<Found> found_from(const SmoothFaces& faces, const SheetPlace& at, const Vec3& along,
+std::optional<Found> found_from(const FaceAdjacency& faces, const SheetPoint& at, const Vec3& along,
                                 double side, double length) {
-    const auto profile = BentProfile::through(faces, at, along, length);
+    const auto profile = RoughnessProfile::through(faces, at, along, length);
     if (!profile) return std::nullopt;
     const auto wave = deepest(*profile, side, length);
     if (!wave) return std::nullopt;
@@ -106,7 +106,7 @@ std::optional<Found> found_from(const SmoothFaces& faces, const SheetPlace& at, 
 
 } // namespace
 
-std::optional<WaveSection> wave_section(const SmoothFaces& faces, const SheetPlace& at,
+std::optional<WaveSection> wave_section(const FaceAdjacency& faces, const SheetPoint& at,
                                         const Vec3& along, bool crest, double length) {
     const double side = crest ? 1 : -1;
     auto best = found_from(faces, at, along, side, length);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/flaws/smooth_faces.h"
+#include "keiko/inspect/flaws/face_adjacency.h"
 
 #include <optional>
 
@@ -11,7 +11,7 @@ struct WaveSection {
     double depth = 0;  ///< mm, from the form to a crest or a trough
     double length = 0; ///< mm, of the wave
     double bound = 0;  ///< mm, by how much `depth` changes with a length that is 5 % shorter
-    SheetPlace at;
+    SheetPoint at;
     Vec3 position{0}; ///< world, mm
 };
 
@@ -19,7 +19,7 @@ struct WaveSection {
 /// a straight way in the direction `along`. By fourth differences over two waves around the place
 /// or, where the surface ends, to one side (docs/theory/inspection.md). Nothing where less than two
 /// waves are there.
-std::optional<WaveSection> wave_section(const SmoothFaces& faces, const SheetPlace& at,
+std::optional<WaveSection> wave_section(const FaceAdjacency& faces, const SheetPoint& at,
                                         const Vec3& along, bool crest, double length);
 
 } // namespace keiko

@@ -104,7 +104,7 @@ private:
     void measure();
     RunOutPlaces run_outs_of(std::uint32_t chain, const FaceSizes& sizes) const;
     void excuse_run_outs();
-    void add_inflections(JoinedLine& line, const LineShape& shape,
+    void add_inflections(JoinedLine& line, const LineStatistics& shape,
                          std::span<const CourseAt> courses, std::span<const std::uint32_t> pieces,
                          double along) const;
     void shape();
@@ -118,7 +118,7 @@ private:
     std::vector<LampLevels> lamps_;
     JoinedLines result_;
     std::vector<StudiedPiece> studied_;
-    std::vector<LineMeeting> meetings_;
+    std::vector<LineEndpoint> meetings_;
     std::vector<LinePair> pairs_;
     std::vector<std::uint32_t> next_, before_, line_of_; ///< by piece
     std::vector<bool> breaks_after_;                     ///< by piece: a crossing is told there
@@ -194,7 +194,7 @@ void LineJoiner::follow(std::uint32_t first) {
 void LineJoiner::measure() {
     std::vector<LineCrossing> found(pairs_.size());
     parallel_for(pairs_.size(), job_, "crossings", [&](std::size_t i) {
-        const LineMeeting &tail = meetings_[pairs_[i].tail], &head = meetings_[pairs_[i].head];
+        const LineEndpoint &tail = meetings_[pairs_[i].tail], &head = meetings_[pairs_[i].head];
         found[i] = line_crossing(tail, head, lamps_[tail.plane], preset_.lines);
     });
     breaks_after_.assign(studied_.size(), false);
@@ -206,7 +206,7 @@ void LineJoiner::measure() {
     for (std::uint32_t i = 0; i < studied_.size(); ++i)
         for (const bool tail : {false, true}) {
             if ((tail ? next_ : before_)[i] != no_index) continue;
-            for (const LineMeeting& m : studied_[i].ends[tail].meetings) {
+            for (const LineEndpoint& m : studied_[i].ends[tail].meetings) {
                 const bool jumps = m.border.seam != no_index && std::isfinite(m.jump) &&
                                    m.angle <= preset_.feature_angle;
                 if (!jumps) continue;
@@ -266,7 +266,7 @@ std::string LineJoiner::faces_at(const LineBorder& border) const {
 }
 
 /// Of one stretch, which begins `along` mm from where the line does. `pieces`: a course.
-void LineJoiner::add_inflections(JoinedLine& line, const LineShape& shape,
+void LineJoiner::add_inflections(JoinedLine& line, const LineStatistics& shape,
                                  std::span<const CourseAt> courses,
                                  std::span<const std::uint32_t> pieces, double along) const {
     std::size_t reached = 0;

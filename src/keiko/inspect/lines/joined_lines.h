@@ -3,7 +3,7 @@
 #include "keiko/inspect/lines/line_crossing.h"
 #include "keiko/inspect/lines/line_end.h"
 #include "keiko/inspect/lines/line_inflections.h"
-#include "keiko/inspect/lines/line_shape.h"
+#include "keiko/inspect/lines/line_statistics.h"
 #include "keiko/inspect/lines/surface_lines.h"
 
 #include <vector>
@@ -14,9 +14,9 @@ namespace keiko {
 struct JoinedLine {
     std::uint32_t plane = 0, lamp = 0;
     LineEnd begin = LineEnd::hidden, end = LineEnd::hidden;
-    std::vector<std::uint32_t> pieces; ///< into JoinedLines::pieces, in the order along the line
-    double length = 0;                 ///< mm, of the chords
-    std::vector<LineShape> shapes;     ///< between the crossings, in order
+    std::vector<std::uint32_t> pieces;  ///< into JoinedLines::pieces, in the order along the line
+    double length = 0;                  ///< mm, of the chords
+    std::vector<LineStatistics> shapes; ///< between the crossings, in order
     /// As the shapes count them, in order; a place at a border where the bend jumps over 0 there.
     std::vector<LineInflection> inflections;
 };

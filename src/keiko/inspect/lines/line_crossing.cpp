@@ -22,11 +22,11 @@ LineValue judged(double value, double bound, const std::optional<double>& limit)
 
 /// What is known of one side of a crossing: its errors.
 struct SideErrors {
-    LineCourseBounds course;
+    LineGeometryBounds course;
     double place = 0; ///< mm along the border
 };
 
-SideErrors errors_of(const LineMeeting& m, const LampLevels& lamps) {
+SideErrors errors_of(const LineEndpoint& m, const LampLevels& lamps) {
     const auto bounds = [&](double off) {
         return line_course_bounds(lamps.field, lamps.level(m.lamp), m.surface, m.degree, off);
     };
@@ -37,7 +37,7 @@ SideErrors errors_of(const LineMeeting& m, const LampLevels& lamps) {
 }
 
 /// Of the line against its border, turning left, radians.
-double angle_to_border(const LineMeeting& m) {
+double angle_to_border(const LineEndpoint& m) {
     const Vec3 beside = m.course.normal.cross(m.along);
     return std::atan2(beside.dot(m.course.tangent), m.along.dot(m.course.tangent));
 }
@@ -48,7 +48,7 @@ void take(LineCrossing& crossing, const LineValue& value) {
     crossing.severity = std::max(crossing.severity, std::abs(value.value) / *value.limit);
 }
 
-LineCrossing crossing_at(const LineMeeting& end, const LampLevels& lamps, double place_error,
+LineCrossing crossing_at(const LineEndpoint& end, const LampLevels& lamps, double place_error,
                          const LineLimits& limits) {
     LineCrossing crossing;
     crossing.from = end.piece, crossing.plane = end.plane, crossing.lamp = end.lamp;
@@ -69,7 +69,7 @@ LineCrossing crossing_at(const LineMeeting& end, const LampLevels& lamps, double
 
 } // namespace
 
-LineCrossing line_crossing(const LineMeeting& tail, const LineMeeting& head,
+LineCrossing line_crossing(const LineEndpoint& tail, const LineEndpoint& head,
                            const LampLevels& lamps, const LineLimits& limits) {
     const SideErrors from = errors_of(tail, lamps), into = errors_of(head, lamps);
     LineCrossing crossing = crossing_at(tail, lamps, from.place, limits);
@@ -97,7 +97,8 @@ LineCrossing line_crossing(const LineMeeting& tail, const LineMeeting& head,
     return crossing;
 }
 
-LineCrossing line_break(const LineMeeting& end, const LampLevels& lamps, const LineLimits& limits) {
+LineCrossing line_break(const LineEndpoint& end, const LampLevels& lamps,
+                        const LineLimits& limits) {
     LineCrossing crossing = crossing_at(end, lamps, errors_of(end, lamps).place, limits);
     if (crossing.turn.limit && crossing.turn.verdict == Verdict::fail) {
         crossing.verdict = Verdict::pass;

@@ -50,11 +50,11 @@ struct LineCrossing {
 };
 
 /// Measures where the line of `tail` goes on in that of `head`.
-LineCrossing line_crossing(const LineMeeting& tail, const LineMeeting& head,
+LineCrossing line_crossing(const LineEndpoint& tail, const LineEndpoint& head,
                            const LampLevels& lamps, const LineLimits& limits);
 
 /// Measures an end of a line that goes on nowhere: only the jump of the image and what it amounts
 /// to.
-LineCrossing line_break(const LineMeeting& end, const LampLevels& lamps, const LineLimits& limits);
+LineCrossing line_break(const LineEndpoint& end, const LampLevels& lamps, const LineLimits& limits);
 
 } // namespace keiko

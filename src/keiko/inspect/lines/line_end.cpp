@@ -17,7 +17,7 @@ std::string_view name_of(LineEnd end) {
 LineEnd line_end(const SurfaceModel& model, const SurfaceLine& piece, bool head,
                  const LineBorders::End& end, const LineField& field, double feature_angle) {
     bool at_seam = false;
-    for (const LineMeeting& meeting : end.meetings) {
+    for (const LineEndpoint& meeting : end.meetings) {
         if (meeting.angle > feature_angle) return LineEnd::crease;
         at_seam = at_seam || meeting.border.seam != no_index;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/lines/line_meeting.h"
+#include "keiko/inspect/lines/line_endpoint.h"
 
 #include <string_view>
 

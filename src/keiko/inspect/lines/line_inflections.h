@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/inspect/lines/lamp_levels.h"
-#include "keiko/inspect/lines/line_shape.h"
+#include "keiko/inspect/lines/line_statistics.h"
 #include "keiko/inspect/lines/surface_lines.h"
 
 #include <vector>

@@ -16,12 +16,12 @@ constexpr double alike = 0.5;
 /// either end, and may change between them by this factor.
 constexpr double prediction_slack = 4;
 
-double distance(const LineMeeting& a, const LineMeeting& b) {
+double distance(const LineEndpoint& a, const LineEndpoint& b) {
     return (a.place - b.place).length();
 }
 
 /// Whether the field's jump from one side to the other explains how far apart the ends lie.
-bool explained(const LineMeeting& tail, const LineMeeting& head) {
+bool explained(const LineEndpoint& tail, const LineEndpoint& head) {
     const double jump = std::max(std::abs(tail.jump), std::abs(head.jump));
     const double least_slope = std::min(std::abs(tail.slope()), std::abs(head.slope()));
     const double reach = std::max(tail.gap, head.gap) + prediction_slack * jump / least_slope;
@@ -35,17 +35,17 @@ using Candidate = std::tuple<double, std::uint32_t, std::uint32_t>;
 
 class Pairing {
 public:
-    Pairing(std::span<const LineMeeting> meetings, double crease)
+    Pairing(std::span<const LineEndpoint> meetings, double crease)
         : meetings_(meetings), crease_(crease) {}
 
     std::vector<LinePair> run() {
-        join(candidates([](const LineMeeting& m) { return m.border; }, false));
-        join(candidates([](const LineMeeting&) { return LineBorder{}; }, true));
+        join(candidates([](const LineEndpoint& m) { return m.border; }, false));
+        join(candidates([](const LineEndpoint&) { return LineBorder{}; }, true));
         return std::move(pairs_);
     }
 
 private:
-    bool crossable(const LineMeeting& meeting) const {
+    bool crossable(const LineEndpoint& meeting) const {
         return std::isfinite(meeting.jump) && meeting.angle <= crease_ &&
                !done_.count({meeting.piece, meeting.head});
     }
@@ -56,7 +56,7 @@ private:
         std::map<std::tuple<LineBorder, std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>
             groups;
         for (std::uint32_t i = 0; i < meetings_.size(); ++i) {
-            const LineMeeting& m = meetings_[i];
+            const LineEndpoint& m = meetings_[i];
             const bool asked = !any_seam || m.border.seam != no_index;
             if (asked && crossable(m)) groups[{border_of(m), m.plane, m.lamp}].push_back(i);
         }
@@ -74,7 +74,7 @@ private:
     void join(std::vector<Candidate> found) {
         std::sort(found.begin(), found.end());
         for (const auto& [apart, tail, head] : found) {
-            const LineMeeting &t = meetings_[tail], &h = meetings_[head];
+            const LineEndpoint &t = meetings_[tail], &h = meetings_[head];
             if (done_.count({t.piece, false}) || done_.count({h.piece, true})) continue;
             done_.insert({t.piece, false});
             done_.insert({h.piece, true});
@@ -82,7 +82,7 @@ private:
         }
     }
 
-    std::span<const LineMeeting> meetings_;
+    std::span<const LineEndpoint> meetings_;
     double crease_;
     std::set<std::pair<std::uint32_t, bool>> done_; ///< ends by piece; true: its head
     std::vector<LinePair> pairs_;
@@ -90,7 +90,7 @@ private:
 
 } // namespace
 
-std::vector<LinePair> pair_meetings(std::span<const LineMeeting> meetings, double crease) {
+std::vector<LinePair> pair_meetings(std::span<const LineEndpoint> meetings, double crease) {
     return Pairing(meetings, crease).run();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/lines/line_meeting.h"
+#include "keiko/inspect/lines/line_endpoint.h"
 
 #include <vector>
 
@@ -16,6 +16,6 @@ struct LinePair {
 /// than the gap and the jump of the field between the sides allow, and that jump is about the same
 /// at both. The nearest are joined first, each end once. Borders with more than `crease` degrees
 /// are not crossed. The result does not depend on the order of the meetings but for exact ties.
-std::vector<LinePair> pair_meetings(std::span<const LineMeeting> meetings, double crease);
+std::vector<LinePair> pair_meetings(std::span<const LineEndpoint> meetings, double crease);
 
 } // namespace keiko

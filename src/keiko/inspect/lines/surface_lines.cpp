@@ -1,13 +1,13 @@
 #include "keiko/inspect/lines/surface_lines.h"
 
 #include "keiko/base/parallel.h"
-#include "keiko/geometry/bezier/steady_normal.h"
+#include "keiko/geometry/bezier/robust_normal.h"
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/basics/level_function.h"
 #include "keiko/inspect/basics/visible_pieces.h"
 #include "keiko/inspect/lines/lamp_levels.h"
-#include "keiko/inspect/lines/line_sight.h"
+#include "keiko/inspect/lines/line_visibility.h"
 
 #include <algorithm>
 #include <tuple>
@@ -69,7 +69,7 @@ private:
         const LampLevels& lamps = fields_[plane];
         for (const PatchLine& line : patch_lines(patch, lamps.field, lamps.levels, lines_)) {
             const LevelFunction f(patch, lamps.field, lamps.levels[line.level]);
-            const LineSight sight(seen_, lamps.field, lamps.levels[line.level]);
+            const LineVisibility sight(seen_, lamps.field, lamps.levels[line.level]);
             const auto visible = [&](const LinePoint& p) {
                 return sees(sight, placed, patch, p.uv);
             };
@@ -79,13 +79,13 @@ private:
         }
     }
 
-    bool sees(const LineSight& sight, const PlacedPatch& placed, const BezierPatchView& patch,
+    bool sees(const LineVisibility& sight, const PlacedPatch& placed, const BezierPatchView& patch,
               const Vec2& uv) const {
         const TrimRegion& trim = trims_[placed.face];
         if (!trim.untrimmed() && !trim.contains(model_.face_parameters(placed.patch, uv)))
             return false;
         const SurfaceDerivatives s = evaluate(patch, uv, 2);
-        const std::optional<Vec3> normal = steady_normal(s, uv);
+        const std::optional<Vec3> normal = robust_normal(s, uv);
         const Root root{placed.instance, placed.patch, Box2{uv, uv}.padded(own_root)};
         return normal && sight.sees(s.position(), *normal, root);
     }

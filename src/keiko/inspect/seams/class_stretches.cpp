@@ -44,7 +44,7 @@ private:
     const StretchLimits& limits_;
     std::vector<SeamPart> parts_;
     /// Of creases that fade, by piece and parameter of the crease's begin.
-    std::map<std::pair<std::uint32_t, double>, Worst> fading_;
+    std::map<std::pair<std::uint32_t, double>, MeasuredValue> fading_;
 };
 
 /// Indices of parts of one class that go on into each other, by their first.
@@ -117,7 +117,7 @@ SeamStretch StretchMaker::stretch_of(const std::vector<std::size_t>& group) cons
         stretch.parts.push_back(parts_[i]);
         const auto fading = fading_.find({parts_[i].piece, parts_[i].begin.t});
         if (stretch.kind != SeamClass::crease || fading == fading_.end()) continue;
-        const Worst& step = fading->second;
+        const MeasuredValue& step = fading->second;
         stretch.fading = stretch.fading ? worse_of(*stretch.fading, step) : step;
     }
     stretch.length = length_of(parts_, group);
@@ -130,7 +130,7 @@ SeamStretch StretchMaker::stretch_of(const std::vector<std::size_t>& group) cons
 
 } // namespace
 
-const Worst& worse_of(const Worst& a, const Worst& b) {
+const MeasuredValue& worse_of(const MeasuredValue& a, const MeasuredValue& b) {
     if (a.verdict != b.verdict) return a.verdict > b.verdict ? a : b;
     return a.value + a.bound >= b.value + b.bound ? a : b;
 }

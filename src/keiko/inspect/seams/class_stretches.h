@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/basics/worst.h"
+#include "keiko/inspect/basics/measured_value.h"
 #include "keiko/inspect/seams/seam_partition.h"
 
 #include <span>
@@ -16,11 +16,11 @@ struct SeamStretch {
     bool scrap = false;          ///< shorter than what the limits call negligible
     bool unknown = false;        ///< a side has no normal for more than is negligible
     /// Of a crease that fades out: the worst step of its angle's slope, degrees/mm.
-    std::optional<Worst> fading;
+    std::optional<MeasuredValue> fading;
 };
 
 /// The worse of two: by verdict, then by the largest value that it may have.
-const Worst& worse_of(const Worst& a, const Worst& b);
+const MeasuredValue& worse_of(const MeasuredValue& a, const MeasuredValue& b);
 
 /// Cuts the pieces of a seam into stretches, by their first parts. The smooth part beside a crease
 /// becomes a run-out as far as its angle fades to the limit, if it is no longer than the crease.

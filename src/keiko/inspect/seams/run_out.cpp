@@ -152,7 +152,7 @@ private:
     void take(const Entry& entry, const SeamPoint& until);
     SeamPoint faded_between(const Entry& entry, SeamPoint over, SeamPoint under) const;
     void end_seam();
-    Worst largest_step() const;
+    MeasuredValue largest_step() const;
 
     std::span<const SeamProbe> probes_;
     std::span<const SeamPart> parts_;
@@ -305,8 +305,8 @@ void FadeWalk::end_seam() {
         samples_.push_back({last.along + beyond, last.angle, last.place, last.run, false});
 }
 
-Worst FadeWalk::largest_step() const {
-    std::optional<Worst> worst;
+MeasuredValue FadeWalk::largest_step() const {
+    std::optional<MeasuredValue> worst;
     for (std::size_t i = 1; i + 1 < samples_.size(); ++i) {
         const FadeSample& sample = samples_[i];
         if (!sample.joint || sample.along < 0 || sample.along > lowest_at_ + 2 * window()) continue;
@@ -314,11 +314,12 @@ Worst FadeWalk::largest_step() const {
         const BoundedSlope after = slope_beside(samples_, i, window(), true);
         const double here = std::abs(after.slope - before.slope);
         const double bound = before.bound + after.bound + 16 * angle_rounding / window();
-        const Worst step{here, bound, limits_.fading, sample.place,
-                         judge(here, bound, limits_.fading)};
+        const MeasuredValue step{here, bound, limits_.fading, sample.place,
+                                 judge(here, bound, limits_.fading)};
         worst = worst ? worse_of(*worst, step) : step;
     }
-    return worst.value_or(Worst{0, 0, limits_.fading, samples_.back().place, Verdict::pass});
+    return worst.value_or(
+        MeasuredValue{0, 0, limits_.fading, samples_.back().place, Verdict::pass});
 }
 
 } // namespace

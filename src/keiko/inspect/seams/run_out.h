@@ -17,7 +17,7 @@ struct RunOut {
         std::optional<SeamPart> left;
     };
     std::vector<Piece> pieces; ///< none where the angle falls to the limit at once
-    Worst step;                ///< of the angle's slope, degrees/mm
+    MeasuredValue step;        ///< of the angle's slope, degrees/mm
 
     /// mm along the seam.
     double length() const {

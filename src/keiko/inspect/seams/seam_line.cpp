@@ -107,7 +107,7 @@ StretchExtremes extremes_of(const std::vector<SeamProbe>& probes, const Criteria
     return all;
 }
 
-Worst worst(const SeamExtreme& extreme, double rounding, double limit) {
+MeasuredValue worst(const SeamExtreme& extreme, double rounding, double limit) {
     return {extreme.value, extreme.bound + rounding, limit, extreme.point.place,
             judge_maximum(extreme.value, extreme.bound, rounding, limit)};
 }
@@ -142,7 +142,7 @@ CurvatureSlopeStep slope_step(const SeamExtreme& extreme, const CriteriaPreset& 
     return step;
 }
 
-void take(MeasuredSeam& seam, const Worst& worst) {
+void take(MeasuredSeam& seam, const MeasuredValue& worst) {
     seam.verdict = std::max(seam.verdict, worst.verdict);
     seam.severity = std::max(seam.severity, share_of_limit(worst));
 }

@@ -2,7 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/seam/seam.h"
-#include "keiko/inspect/basics/worst.h"
+#include "keiko/inspect/basics/measured_value.h"
 #include "keiko/inspect/seams/seam_class.h"
 #include "keiko/scene/criteria_preset.h"
 
@@ -20,14 +20,14 @@ struct CurvatureStep {
     double mismatch = 0;         ///< by the formula, share of 1
     double alias = 0, catia = 0; ///< by either formula, whichever is judged
     bool flat = false; ///< the preset's flat radius stands in for what the change is compared with
-    Worst worst;       ///< share of 1
+    MeasuredValue worst; ///< share of 1
 };
 
 /// How the curvatures across the seam change, where that differs most (G3).
 struct CurvatureSlopeStep {
     double slope_a = 0, slope_b = 0; ///< 1/mm2, on the way from a to b
     double change = 0;               ///< 1/mm2, of the slope
-    Worst worst;                     ///< degrees, see slope_angle
+    MeasuredValue worst;             ///< degrees, see slope_angle
 };
 
 /// A stretch of the line along which two faces meet, all of one class; or of a line inside one
@@ -47,16 +47,16 @@ struct MeasuredSeam {
     SeamClass kind = SeamClass::smooth;
     /// Shorter than the preset's negligible length, and so not judged: `verdict` is pass.
     bool scrap = false;
-    double negligible = 0;      ///< mm: a shorter stretch of the line is a scrap
-    Worst gap;                  ///< G0, mm
-    std::optional<Worst> angle; ///< G1, degrees; nothing where a side has no normal
-    double smallest_angle = 0;  ///< degrees, where there is an angle
+    double negligible = 0;              ///< mm: a shorter stretch of the line is a scrap
+    MeasuredValue gap;                  ///< G0, mm
+    std::optional<MeasuredValue> angle; ///< G1, degrees; nothing where a side has no normal
+    double smallest_angle = 0;          ///< degrees, where there is an angle
     /// G2; only where smooth, and gap and angle pass.
     std::optional<CurvatureStep> curvature;
     /// G3; only where gap, angle and curvature pass, and not all along nearly flat.
     std::optional<CurvatureSlopeStep> slope;
     /// Degrees/mm: of a crease that fades out, the largest step of its angle's slope there.
-    std::optional<Worst> fading;
+    std::optional<MeasuredValue> fading;
 
     /// Its worst place lies in the last ring around an irregular point of a subdivision surface,
     /// which has no curvature there.

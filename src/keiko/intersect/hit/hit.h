@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/blank_allocator.h"
+#include "keiko/base/default_init_allocator.h"
 #include "keiko/geometry/bezier/bezier_patch.h"
 #include "keiko/geometry/bezier/ray.h"
 
@@ -47,7 +47,7 @@ struct Hit {
 };
 
 /// Many of them.
-using Hits = std::vector<Hit, BlankAllocator<Hit>>;
+using Hits = std::vector<Hit, DefaultInitAllocator<Hit>>;
 
 /// Position and derivatives by patch parameters. Requires `second`.
 inline SurfaceDerivatives derivatives_of(const Hit& hit) {

@@ -14,19 +14,19 @@ namespace {
 /// Sine of an angle: along rays still lower over a surface it bends away before it is measured.
 constexpr double lowest = 0.02;
 
-bool same_sense(const BorderHit& a, const BorderHit& b) {
+bool same_sense(const BoundaryHit& a, const BoundaryHit& b) {
     return (a.sine > 0) == (b.sine > 0);
 }
 
-double sine(const BorderHit& a) {
+double sine(const BoundaryHit& a) {
     return std::max(lowest, std::abs(a.sine));
 }
 
-double apart(const BorderHit& a, const BorderHit& b) {
+double apart(const BoundaryHit& a, const BoundaryHit& b) {
     return (b.hit.position - a.hit.position).length();
 }
 
-double bounds(const BorderHit& a, const BorderHit& b) {
+double bounds(const BoundaryHit& a, const BoundaryHit& b) {
     return a.hit.position_bound + b.hit.position_bound;
 }
 
@@ -35,7 +35,7 @@ public:
     Merger(const TracedModel& model, const Vec3& direction)
         : model_(model), direction_(direction.normalized()) {}
 
-    void add(BorderHit next) {
+    void add(BoundaryHit next) {
         const auto twin = find_twin(next);
         if (twin == kept_.rend())
             kept_.push_back(std::move(next));
@@ -43,10 +43,10 @@ public:
             unite(*twin, std::move(next));
     }
 
-    std::vector<BorderHit> take() { return std::move(kept_); }
+    std::vector<BoundaryHit> take() { return std::move(kept_); }
 
 private:
-    std::vector<BorderHit>::reverse_iterator find_twin(const BorderHit& next) {
+    std::vector<BoundaryHit>::reverse_iterator find_twin(const BoundaryHit& next) {
         bool other_sense = false;
         for (auto k = kept_.rbegin(); k != kept_.rend(); ++k) {
             if (k->hit.instance != next.hit.instance) continue;
@@ -56,42 +56,44 @@ private:
         return kept_.rend();
     }
 
-    const Leaf& leaf(const BorderHit& a) const {
-        return model_.leaves.leaves[model_.placed[a.leaf].leaf];
+    const SubPatch& sub_patch(const BoundaryHit& a) const {
+        return model_.sub_patches.sub_patches[model_.placed[a.sub_patch].sub_patch];
     }
-    const FaceTrim& trim(const BorderHit& a) const { return model_.faces[a.hit.face]; }
+    const FaceTrim& trim(const BoundaryHit& a) const { return model_.faces[a.hit.face]; }
 
-    bool are_copies(const BorderHit& a, const BorderHit& b) const {
+    bool are_copies(const BoundaryHit& a, const BoundaryHit& b) const {
         if (!same_sense(a, b)) return false;
         if (!(apart(a, b) * std::min(sine(a), sine(b)) <= bounds(a, b))) return false;
         if (a.hit.face == b.hit.face) return are_copies_in_face(a, b);
-        const auto at_border = [&](const BorderHit& x) { return x.at_end || leaf(x).near_border; };
+        const auto at_border = [&](const BoundaryHit& x) {
+            return x.at_end || sub_patch(x).near_border;
+        };
         return at_border(a) && at_border(b);
     }
 
-    bool are_copies_in_face(const BorderHit& a, const BorderHit& b) const {
+    bool are_copies_in_face(const BoundaryHit& a, const BoundaryHit& b) const {
         if (a.own && b.own) return false;
         // Leaves of different size reach over each other by different lengths: the smaller may hold
         // well inside what is at the end of the larger.
         const bool at_end = (a.at_end || b.at_end) && apart(a, b) <= bounds(a, b);
         const bool ends = at_end || (a.at_end && b.at_end) || a.beyond || b.beyond;
-        return ends && (a.leaf != b.leaf || meet_around(a, b));
+        return ends && (a.sub_patch != b.sub_patch || meet_around(a, b));
     }
 
     /// Whether one of them ended in a box without a proof.
-    static bool clipped(const BorderHit& a, const BorderHit& b) {
+    static bool clipped(const BoundaryHit& a, const BoundaryHit& b) {
         return has(a.hit.flags, HitFlags::clipped) || has(b.hit.flags, HitFlags::clipped);
     }
 
-    /// On one leaf: whether the hits are at opposite ends, which may be closed on each other, or
-    /// where clipping could not tell, as on a side that is collapsed into a point.
-    static bool meet_around(const BorderHit& a, const BorderHit& b) {
+    /// On one sub-patch: whether the hits are at opposite ends, which may be closed on each other,
+    /// or where clipping could not tell, as on a side that is collapsed into a point.
+    static bool meet_around(const BoundaryHit& a, const BoundaryHit& b) {
         constexpr double far = 0.5;
         const Vec2 off = b.uv - a.uv;
         return std::abs(off.x) > far || std::abs(off.y) > far || clipped(a, b);
     }
 
-    bool cross_one_seam(const BorderHit& a, const BorderHit& b) const {
+    bool cross_one_seam(const BoundaryHit& a, const BoundaryHit& b) const {
         if (!same_sense(a, b)) return false;
         // Seams are measured in the part.
         const double away = to_part(a, b.hit.position - a.hit.position).length();
@@ -111,9 +113,9 @@ private:
 
     /// How far from the hit's surface the ray is, so far along it from the hit: by the angle, and
     /// by the curvature along the ray.
-    double off_surface(const BorderHit& a, double away) const {
-        const Leaf& own = leaf(a);
-        const SurfaceDerivatives s = evaluate(model_.leaves.view(own), a.uv, 2);
+    double off_surface(const BoundaryHit& a, double away) const {
+        const SubPatch& own = sub_patch(a);
+        const SurfaceDerivatives s = evaluate(model_.sub_patches.view(own), a.uv, 2);
         // The step in parameters that goes with the ray.
         const double uu = s.du().dot(s.du()), uv = s.du().dot(s.dv()), vv = s.dv().dot(s.dv());
         const Vec3 along = to_part(a, direction_).normalized();
@@ -126,17 +128,17 @@ private:
         return away * std::abs(a.sine) + 0.5 * turning * away * away;
     }
 
-    double off_seam(double width, const BorderHit& a, const BorderHit& b) const {
+    double off_seam(double width, const BoundaryHit& a, const BoundaryHit& b) const {
         return 2 * width + bounds(a, b) * model_.placements[a.hit.instance].reduction;
     }
 
-    Vec3 to_part(const BorderHit& a, const Vec3& vector) const {
+    Vec3 to_part(const BoundaryHit& a, const Vec3& vector) const {
         return model_.placements[a.hit.instance].to_part.vector(vector);
     }
 
     /// Of the seam that the first hit is near, if that may be one with the other's face; or less
     /// than nothing. Beyond its own border a hit stands for any face that the ray may meet there.
-    double joint_width(const BorderHit& at, const BorderHit& other) const {
+    double joint_width(const BoundaryHit& at, const BoundaryHit& other) const {
         if (at.hit.face == other.hit.face) return -infinity;
         if (at.hit.seam) return model_.seam_widths[*at.hit.seam];
         const auto edge = near_edge(at, trim(other).region.edges());
@@ -144,10 +146,10 @@ private:
     }
 
     /// An edge within whose seam the hit is.
-    std::optional<std::uint32_t> near_edge(const BorderHit& a,
+    std::optional<std::uint32_t> near_edge(const BoundaryHit& a,
                                            std::span<const std::uint32_t> among = {}) const {
         const FaceTrim& own = trim(a);
-        if (!(own.reach > 0) || !leaf(a).near_border) return std::nullopt;
+        if (!(own.reach > 0) || !sub_patch(a).near_border) return std::nullopt;
         const PatchFrame& patch = model_.patches[a.hit.patch];
         const ParameterMetric width =
             seam_width(patch, a.hit.uv, to_part(a, a.hit.dpdu), to_part(a, a.hit.dpdv),
@@ -156,13 +158,13 @@ private:
         return near ? std::optional(near->edge) : std::nullopt;
     }
 
-    void unite(BorderHit& kept, BorderHit next) const {
-        const auto seam = [](const BorderHit& x) { return has(x.hit.flags, HitFlags::seam); };
-        const auto rank = [&](const BorderHit& x) { return (seam(x) ? 0 : 2) + x.own; };
+    void unite(BoundaryHit& kept, BoundaryHit next) const {
+        const auto seam = [](const BoundaryHit& x) { return has(x.hit.flags, HitFlags::seam); };
+        const auto rank = [&](const BoundaryHit& x) { return (seam(x) ? 0 : 2) + x.own; };
         const bool alone = rank(next) != rank(kept);
         const bool steeper = std::abs(next.sine) > 2 * std::abs(kept.sine);
         const bool swap = alone ? rank(next) > rank(kept) : steeper;
-        const BorderHit& dropped = swap ? kept : next;
+        const BoundaryHit& dropped = swap ? kept : next;
         const double cover = apart(kept, next) + dropped.hit.position_bound;
         // But for a seam hit, what is dropped may stand for a root of its own beside the other's:
         // where the ray leaves a sharp edge low over the next face, say.
@@ -178,17 +180,17 @@ private:
 
     const TracedModel& model_;
     Vec3 direction_;
-    std::vector<BorderHit> kept_;
+    std::vector<BoundaryHit> kept_;
 };
 
 } // namespace
 
-std::vector<Hit> merged(std::vector<BorderHit> hits, const TracedModel& model,
+std::vector<Hit> merged(std::vector<BoundaryHit> hits, const TracedModel& model,
                         const Vec3& direction) {
     Merger merger(model, direction);
-    for (BorderHit& next : hits) merger.add(std::move(next));
+    for (BoundaryHit& next : hits) merger.add(std::move(next));
     std::vector<Hit> result;
-    for (BorderHit& k : merger.take()) result.push_back(std::move(k.hit));
+    for (BoundaryHit& k : merger.take()) result.push_back(std::move(k.hit));
     std::stable_sort(result.begin(), result.end(),
                      [](const Hit& a, const Hit& b) { return a.t < b.t; });
     return result;

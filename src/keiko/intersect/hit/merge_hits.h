@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/intersect/hit/border_hit.h"
+#include "keiko/intersect/hit/boundary_hit.h"
 
 #include <vector>
 
@@ -8,11 +8,12 @@ namespace keiko {
 
 /// Sorted hits of one ray without the doubles that overlapping borders make. Two hits of an
 /// instance are one
-/// - as copies: neighbouring leaves overlap by rounding, so that both may find what lies between
-///   them. They are crossed in the same sense; each is at an end of its leaf or patch, or on a leaf
-///   that trim curves cross, and they are no farther apart, measured across the surface, than their
-///   position bounds, or one is at an end and they are no farther apart at all; and they are not
-///   both proved to be on their own shares of one face, for then they are two;
+/// - as copies: neighbouring sub-patches overlap by rounding, so that both may find what lies
+/// between
+///   them. They are crossed in the same sense; each is at an end of its sub-patch or patch, or on a
+///   sub-patch that trim curves cross, and they are no farther apart, measured across the surface,
+///   than their position bounds, or one is at an end and they are no farther apart at all; and they
+///   are not both proved to be on their own shares of one face, for then they are two;
 /// - as one crossing of a seam: faces need to meet only within its width, so a ray may cross both
 ///   near it, or one beyond its border. Both are crossed in the same sense (in or out), with no
 ///   hit of the other sense between them; no farther apart across the surface than two widths
@@ -24,7 +25,7 @@ namespace keiko {
 /// The hit that is not a seam hit is kept, else the one on its own share, else one whose surface
 /// the ray meets at more than twice the angle, else the first; unless the other is a seam hit, its
 /// bound is widened to cover both, and it is tangential if either is.
-std::vector<Hit> merged(std::vector<BorderHit> hits, const TracedModel& model,
+std::vector<Hit> merged(std::vector<BoundaryHit> hits, const TracedModel& model,
                         const Vec3& direction);
 
 } // namespace keiko

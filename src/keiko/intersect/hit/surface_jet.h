@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/intersect/kernels/leaf_kernels.h"
+#include "keiko/intersect/kernels/sub_patch_kernels.h"
 
 #include <optional>
 

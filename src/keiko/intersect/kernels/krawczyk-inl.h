@@ -1,4 +1,4 @@
-// Compiled once for each instruction set by leaf_kernels.cpp.
+// Compiled once for each instruction set by sub_patch_kernels.cpp.
 #if defined(KEIKO_TRACE_KRAWCZYK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef KEIKO_TRACE_KRAWCZYK_INL_H
 #undef KEIKO_TRACE_KRAWCZYK_INL_H
@@ -12,12 +12,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-/// Of the leaf's half size: what is narrower and still undecided is a tangency.
+/// Of the sub-patch's half size: what is narrower and still undecided is a tangency.
 constexpr double narrowest = 1e-7;
 
 /// What one step makes of a vector of boxes.
 template <class D>
-struct NarrowedBoxes {
+struct ContractedBoxes {
     Boxes<hn::Vec<D>> boxes;
     hn::Mask<D> left, single, root, poor;
 };
@@ -31,8 +31,8 @@ class KrawczykStep {
     using Pair = std::array<V, 2>; ///< one a plane
 
 public:
-    /// `at`: the leaf's components at the boxes' middles.
-    KrawczykStep(const PlanePairs<V>& planes, const HotLeaf& leaf, const Jet<V>& at,
+    /// `at`: the sub-patch's components at the boxes' middles.
+    KrawczykStep(const PlanePairs<V>& planes, const PackedSubPatch& sub_patch, const Jet<V>& at,
                  const Boxes<V>& boxes)
         : boxes_(boxes),
           r_(hn::Max(boxes.half_x, boxes.half_y)),
@@ -42,11 +42,11 @@ public:
           noise_(planes.noise),
           bend_(planes.bend) {
         scale_ = hn::Div(one(), hn::NegMulAdd(by_y_[0], by_x_[1], hn::Mul(by_x_[0], by_y_[1])));
-        const V degrees = hn::Set(d_, degrees_of(leaf));
+        const V degrees = hn::Set(d_, degrees_of(sub_patch));
         rest_ = {rest(0, degrees), rest(1, degrees)};
     }
 
-    NarrowedBoxes<D> narrowed() const {
+    ContractedBoxes<D> narrowed() const {
         const auto& [f, g] = value_;
         const V newton_x =
             hn::MulAdd(hn::NegMulAdd(by_y_[1], f, hn::Mul(by_y_[0], g)), scale_, boxes_.x);
@@ -126,10 +126,10 @@ private:
     }
     /// Of a root Newton's own place and bound, not the middle of what two boxes have in common.
     static V place(const Range& r, hn::Mask<D> sane, hn::Mask<D> root, V old) {
-        const V on_leaf = hn::Min(hn::Max(r.newton, hn::Neg(one())), one());
+        const V on_sub_patch = hn::Min(hn::Max(r.newton, hn::Neg(one())), one());
         const V middle =
             hn::IfThenElse(sane, hn::Mul(hn::Set(d_, 0.5), hn::Add(r.low, r.high)), old);
-        return hn::IfThenElse(root, on_leaf, middle);
+        return hn::IfThenElse(root, on_sub_patch, middle);
     }
 
     static constexpr D d_{};

@@ -1,4 +1,4 @@
-// Compiled once for each instruction set by leaf_kernels.cpp.
+// Compiled once for each instruction set by sub_patch_kernels.cpp.
 #if defined(KEIKO_TRACE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef KEIKO_TRACE_LANES_INL_H
 #undef KEIKO_TRACE_LANES_INL_H
@@ -6,7 +6,7 @@
 #define KEIKO_TRACE_LANES_INL_H
 #endif
 
-#include "keiko/intersect/kernels/ray_block.h"
+#include "keiko/intersect/kernels/ray_packet.h"
 
 #include <hwy/highway.h>
 
@@ -30,7 +30,7 @@ template <class Work>
 void for_vectors(LaneMask mask, const Work& work) {
     const std::size_t width = hn::Lanes(Wide());
     const LaneMask all = (LaneMask{1} << width) - 1;
-    for (std::size_t lane = 0; lane < RayBlock::capacity; lane += width)
+    for (std::size_t lane = 0; lane < RayPacket::capacity; lane += width)
         if ((mask >> lane & all) != 0) work(lane);
 }
 

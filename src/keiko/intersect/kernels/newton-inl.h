@@ -1,4 +1,4 @@
-// Compiled once for each instruction set by leaf_kernels.cpp.
+// Compiled once for each instruction set by sub_patch_kernels.cpp.
 #if defined(KEIKO_TRACE_NEWTON_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef KEIKO_TRACE_NEWTON_INL_H
 #undef KEIKO_TRACE_NEWTON_INL_H
@@ -6,15 +6,15 @@
 #define KEIKO_TRACE_NEWTON_INL_H
 #endif
 
-#include "keiko/intersect/kernels/leaf_jet-inl.h"
-#include "keiko/intersect/kernels/leaf_view-inl.h"
+#include "keiko/intersect/kernels/ray_projection-inl.h"
+#include "keiko/intersect/kernels/sub_patch_jet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
 /// Newton needs three steps from the plane; what takes more is in trouble.
 constexpr int most_steps = 8;
-/// Of half a leaf: a bound beyond this is no place; clipping has to tell what is there.
+/// Of half a sub-patch: a bound beyond this is no place; clipping has to tell what is there.
 constexpr double widest_root = 1e-3;
 
 /// What Newton's remainder may add to a root, in the frame's unit: rounding is usually far smaller
@@ -24,19 +24,19 @@ hn::Vec<D> far_below(D d, hn::Vec<D> noise) {
     return hn::MulAdd(hn::Set(d, 1e-3), noise, hn::Set(d, 2e-14));
 }
 
-/// Newton's method on F = w X - p w Z - a w and G likewise, clamped to the leaf. With c the
-/// contraction, a root on the leaf is within r = |F| / (1 - c) of the place z, and within 2; with J
-/// the Jacobian at z, m a bound of its inverse, K the bend and s = |J^-1 F(z)| the step, within m K
-/// r^2 / 2 of where the step leads. Hence r <= s + m K r^2 / 2, and where m K r < 1 that leaves the
-/// smaller solution, r <= s (1 + 2 h) with h = m K s <= 1/2 [Kantorovich1948]. No root is on the
-/// leaf when the step leads farther off it than the bound.
+/// Newton's method on F = w X - p w Z - a w and G likewise, clamped to the sub-patch. With c the
+/// contraction, a root on the sub-patch is within r = |F| / (1 - c) of the place z, and within 2;
+/// with J the Jacobian at z, m a bound of its inverse, K the bend and s = |J^-1 F(z)| the step,
+/// within m K r^2 / 2 of where the step leads. Hence r <= s + m K r^2 / 2, and where m K r < 1 that
+/// leaves the smaller solution, r <= s (1 + 2 h) with h = m K s <= 1/2 [Kantorovich1948]. No root
+/// is on the sub-patch when the step leads farther off it than the bound.
 template <class D, class Leaves>
 class Newton {
     using V = hn::Vec<D>;
 
 public:
-    Newton(const RayBlock& rays, std::size_t lane, LaneMask wanted, const Leaves& leaves)
-        : leaves_(leaves), lane_(lane), v_(d_, rays, lane, leaves) {
+    Newton(const RayPacket& rays, std::size_t lane, LaneMask wanted, const Leaves& sub_patches)
+        : sub_patches_(sub_patches), lane_(lane), v_(d_, rays, lane, sub_patches) {
         std::uint8_t bits[8] = {static_cast<std::uint8_t>(wanted >> lane)};
         active_ = hn::LoadMaskBits(d_, bits);
         x_ = clamped(v_.a), y_ = clamped(v_.b);
@@ -47,7 +47,7 @@ public:
     bool working() const { return !hn::AllFalse(d_, active_); }
 
     void step() {
-        const Jet<V> at = jet_of(d_, leaves_, active_, x_, y_);
+        const Jet<V> at = jet_of(d_, sub_patches_, active_, x_, y_);
         const auto seen = [&](const std::array<V, 4>& c, V turn, V place, std::size_t own) {
             return hn::NegMulAdd(place, c[3], hn::NegMulAdd(turn, c[2], c[own]));
         };
@@ -65,7 +65,7 @@ public:
     }
 
     /// Returns the lanes that have a root.
-    LaneMask write(LeafRoots& result) const {
+    LaneMask write(SubPatchRoots& result) const {
         hn::Store(x_, d_, result.x.data() + lane_);
         hn::Store(y_, d_, result.y.data() + lane_);
         hn::Store(error_, d_, result.error.data() + lane_);
@@ -95,14 +95,14 @@ private:
         const V off = hn::IfThenElse(smaller, hn::Min(far, near), far);
         const V remainder = hn::Mul(hn::Mul(half, bend), hn::Mul(off, off));
         // The Jacobian is rounded, too: by the noise, times the degrees, over the way to the root.
-        const V turned = hn::Mul(noise_, leaves_.degrees(d_));
+        const V turned = hn::Mul(noise_, sub_patches_.degrees(d_));
         return {remainder, hn::Add(remainder, hn::MulAdd(turned, off, noise_))};
     }
 
     /// Distance along the ray of the place that a step leads to.
     V distance(const Jet<V>& at, V dx, V dy) const {
         V height = hn::MulAdd(at.by_y[2], dy, hn::MulAdd(at.by_x[2], dx, at.value[2]));
-        if (leaves_.rational())
+        if (sub_patches_.rational())
             height = hn::Div(height,
                              hn::MulAdd(at.by_y[3], dy, hn::MulAdd(at.by_x[3], dx, at.value[3])));
         return hn::MulAdd(height, v_.step, v_.depth);
@@ -125,7 +125,7 @@ private:
     }
 
     static constexpr D d_{};
-    Leaves leaves_;
+    Leaves sub_patches_;
     std::size_t lane_;
     View<D> v_;
     V regain_, noise_, x_, y_, error_ = hn::Zero(d_), s_ = hn::Zero(d_);
@@ -134,32 +134,33 @@ private:
 
 /// Lets some vectors of rays step in turns, so that none waits for its own last step alone.
 template <class... Vectors>
-LaneMask solve_in_turns(LeafRoots& result, Vectors&... vectors) {
+LaneMask solve_in_turns(SubPatchRoots& result, Vectors&... vectors) {
     for (int i = 0; i < most_steps && (vectors.working() || ...); ++i)
         ((vectors.working() ? vectors.step() : void()), ...);
     return (vectors.write(result) | ...);
 }
 
-/// For the lanes of a mask, two vectors at a time; `leaves_at(lane)` are those of the vector that
-/// begins there.
-template <class LeavesAt>
-void solve_lanes(const RayBlock& rays, LaneMask mask, const LeavesAt& leaves_at,
-                 LeafRoots& result) {
-    using Lanes = Newton<Wide, decltype(leaves_at(0))>;
+/// For the lanes of a mask, two vectors at a time; `sub_patches_at(lane)` are those of the vector
+/// that begins there.
+template <class SubPatchesAt>
+void solve_lanes(const RayPacket& rays, LaneMask mask, const SubPatchesAt& sub_patches_at,
+                 SubPatchRoots& result) {
+    using Lanes = Newton<Wide, decltype(sub_patches_at(0))>;
     result.found = result.failed = 0;
-    constexpr std::size_t none = RayBlock::capacity;
+    constexpr std::size_t none = RayPacket::capacity;
     std::size_t first = none;
     for_vectors(mask, [&](std::size_t lane) {
         if (first == none) {
             first = lane;
             return;
         }
-        Lanes a(rays, first, mask, leaves_at(first)), b(rays, lane, mask, leaves_at(lane));
+        Lanes a(rays, first, mask, sub_patches_at(first)),
+            b(rays, lane, mask, sub_patches_at(lane));
         result.found |= solve_in_turns(result, a, b);
         first = none;
     });
     if (first == none) return;
-    Lanes last(rays, first, mask, leaves_at(first));
+    Lanes last(rays, first, mask, sub_patches_at(first));
     result.found |= solve_in_turns(result, last);
 }
 

@@ -1,4 +1,4 @@
-// Compiled once for each instruction set by leaf_kernels.cpp.
+// Compiled once for each instruction set by sub_patch_kernels.cpp.
 #if defined(KEIKO_TRACE_PATCH_JET_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef KEIKO_TRACE_PATCH_JET_INL_H
 #undef KEIKO_TRACE_PATCH_JET_INL_H
@@ -7,7 +7,7 @@
 #endif
 
 #include "keiko/intersect/kernels/lanes-inl.h"
-#include "keiko/intersect/kernels/leaf_kernels.h"
+#include "keiko/intersect/kernels/sub_patch_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {

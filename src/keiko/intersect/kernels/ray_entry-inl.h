@@ -1,4 +1,4 @@
-// Compiled once for each instruction set by leaf_kernels.cpp.
+// Compiled once for each instruction set by sub_patch_kernels.cpp.
 #if defined(KEIKO_TRACE_RAY_ENTRY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef KEIKO_TRACE_RAY_ENTRY_INL_H
 #undef KEIKO_TRACE_RAY_ENTRY_INL_H
@@ -28,7 +28,7 @@ V dot(const std::array<V, 3>& a, const std::array<V, 3>& b) {
 
 /// The lanes of an array of vectors that begin at `lane`.
 template <class D>
-std::array<hn::Vec<D>, 3> load_vectors(D d, const std::array<RayBlock::Lanes<double>, 3>& from,
+std::array<hn::Vec<D>, 3> load_vectors(D d, const std::array<RayPacket::Lanes<double>, 3>& from,
                                        std::size_t lane) {
     return {hn::Load(d, from[0].data() + lane), hn::Load(d, from[1].data() + lane),
             hn::Load(d, from[2].data() + lane)};
@@ -47,7 +47,7 @@ struct BallPass {
     V ball;              ///< radius of the ball, and what may pass for it
     V half_square, half; ///< of half the chord, mm
 
-    BallPass(D d, const SceneBall& scene, const RayBlock& rays, std::size_t lane)
+    BallPass(D d, const SceneBall& scene, const RayPacket& rays, std::size_t lane)
         : origin(load_vectors(d, rays.start, lane)), given(load_vectors(d, rays.direction, lane)) {
         speed = hn::Sqrt(dot(given, given));
         std::array<V, 3> to_center, off;
@@ -88,10 +88,10 @@ struct BallPass {
 
 /// The start moved up to the ball; no lane of the result that has no direction, or misses it.
 template <class D>
-LaneMask enter_lanes(D d, const SceneBall& scene, RayBlock& rays, std::size_t lane) {
+LaneMask enter_lanes(D d, const SceneBall& scene, RayPacket& rays, std::size_t lane) {
     using V = hn::Vec<D>;
     const BallPass<D> pass(d, scene, rays, lane);
-    const auto store = [&](V value, RayBlock::Lanes<double>& to) {
+    const auto store = [&](V value, RayPacket::Lanes<double>& to) {
         hn::Store(value, d, to.data() + lane);
     };
     const V t_start = pass.t_start();
@@ -111,7 +111,7 @@ LaneMask enter_lanes(D d, const SceneBall& scene, RayBlock& rays, std::size_t la
     store(pass.speed, rays.speed);
     store(error, rays.error);
     store(slack, rays.slack);
-    // No leaf's frame is centred farther away than across the ball.
+    // No sub-patch's frame is centred farther away than across the ball.
     store(hn::Add(error, hn::Set(d, ray_rounding * 2.5 * scene.radius)), rays.blur);
     // What the boxes are padded by has so much room for a blurred start: see pad_in_radii.
     const V most_error = hn::Set(d, 0x1p-22 * std::max(scene.radius, 1e-30));
@@ -120,13 +120,13 @@ LaneMask enter_lanes(D d, const SceneBall& scene, RayBlock& rays, std::size_t la
 }
 
 /// Whether all active rays are close to the first, in direction and in where they start.
-bool are_coherent(const SceneBall& scene, const RayBlock& rays) {
+bool are_coherent(const SceneBall& scene, const RayPacket& rays) {
     constexpr double widest_turn = 0.1, widest_spread = 0.1;
     const Wide d;
     const auto first = static_cast<std::size_t>(std::countr_zero(rays.active));
     const auto limit = [&](double x) { return hn::Set(d, x * x); };
     for (std::size_t lane = 0; lane < rays.count; lane += hn::Lanes(d)) {
-        const auto apart = [&](const std::array<RayBlock::Lanes<double>, 3>& a) {
+        const auto apart = [&](const std::array<RayPacket::Lanes<double>, 3>& a) {
             auto sum = hn::Zero(d);
             for (unsigned k = 0; k < 3; ++k) {
                 const auto off = hn::Sub(hn::Load(d, a[k].data() + lane), hn::Set(d, a[k][first]));
@@ -142,7 +142,7 @@ bool are_coherent(const SceneBall& scene, const RayBlock& rays) {
     return true;
 }
 
-void enter(const SceneBall& scene, RayBlock& rays) {
+void enter(const SceneBall& scene, RayPacket& rays) {
     for (std::size_t lane = 0; lane < rays.count; ++lane) {
         const Ray& ray = *rays.rays[lane];
         for (unsigned k = 0; k < 3; ++k) {

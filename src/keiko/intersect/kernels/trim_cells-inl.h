@@ -1,4 +1,4 @@
-// Compiled once for each instruction set by leaf_kernels.cpp.
+// Compiled once for each instruction set by sub_patch_kernels.cpp.
 #if defined(KEIKO_TRACE_TRIM_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef KEIKO_TRACE_TRIM_CELLS_INL_H
 #undef KEIKO_TRACE_TRIM_CELLS_INL_H

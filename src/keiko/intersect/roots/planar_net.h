@@ -8,8 +8,8 @@
 
 namespace keiko {
 
-/// A leaf seen along a ray: Bernstein coefficients over [0, 1]^2 of two functions f and g, the
-/// distances to two planes through the ray times the weight. The ray meets the leaf where both
+/// A sub-patch seen along a ray: Bernstein coefficients over [0, 1]^2 of two functions f and g, the
+/// distances to two planes through the ray times the weight. The ray meets the sub-patch where both
 /// are zero. The weight needs no division: where it is positive, it has no say in the zeros.
 struct PlanarNet {
     static constexpr std::size_t capacity = std::size_t{max_degree + 1} * (max_degree + 1);

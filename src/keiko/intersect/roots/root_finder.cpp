@@ -1,7 +1,7 @@
 #include "keiko/intersect/roots/root_finder.h"
 
 #include "keiko/geometry/bernstein/bernstein_roots.h"
-#include "keiko/intersect/roots/hull_clip.h"
+#include "keiko/intersect/roots/clip_interval.h"
 #include "keiko/intersect/roots/newton.h"
 #include "keiko/intersect/roots/preconditioner.h"
 
@@ -17,8 +17,8 @@ namespace {
 constexpr double poor_clip = 0.8;
 /// Of the domain: no box is split below.
 constexpr double narrowest = 1e-12;
-/// More boxes than any leaf with isolated roots was ever seen to need (a tangency mostly takes some
-/// hundreds). What may hold a root then is taken as it is and flagged.
+/// More boxes than any sub-patch with isolated roots was ever seen to need (a tangency mostly takes
+/// some hundreds). What may hold a root then is taken as it is and flagged.
 constexpr int most_boxes = 20000;
 
 /// Of the domain: a narrower box may look flat only because it is narrow.
@@ -99,11 +99,11 @@ struct Clip {
 Clip clip(const Preconditioned& p) {
     const std::size_t rows = p.net.rows(), columns = p.net.columns();
     const std::span<const double> f = f_of(p.net), g = g_of(p.net);
-    Clip c{hull_clip(f, rows, columns, Axis::u, p.slack_f),
-           hull_clip(g, rows, columns, Axis::v, p.slack_g)};
+    Clip c{clip_interval(f, rows, columns, Axis::u, p.slack_f),
+           clip_interval(g, rows, columns, Axis::v, p.slack_g)};
     if (p.regular) return c;
-    const ParameterInterval u = hull_clip(g, rows, columns, Axis::u, p.slack_g);
-    const ParameterInterval v = hull_clip(f, rows, columns, Axis::v, p.slack_f);
+    const ParameterInterval u = clip_interval(g, rows, columns, Axis::u, p.slack_g);
+    const ParameterInterval v = clip_interval(f, rows, columns, Axis::v, p.slack_f);
     return {{std::max(c.u.begin, u.begin), std::min(c.u.end, u.end)},
             {std::max(c.v.begin, v.begin), std::min(c.v.end, v.end)}};
 }
@@ -124,7 +124,7 @@ bool is_noise(const Preconditioned& p) {
 
 } // namespace
 
-std::span<const LeafRoot> RootFinder::find(const PlanarNet& net, double slack) {
+std::span<const SubPatchRoot> RootFinder::find(const PlanarNet& net, double slack) {
     whole_ = &net;
     slack_ = slack;
     roots_.start(net, slack);
@@ -194,7 +194,7 @@ void RootFinder::accept_box(const Box2& box) {
         if (const auto root = newton(wide, Vec2(0.5)))
             return roots_.add({grown.lower + grown.extent() * root->uv,
                                grown.extent() * root->error, false, false});
-    const LeafRoot root{box.center(), half, true, !single, single ? half * wider : Vec2(0)};
+    const SubPatchRoot root{box.center(), half, true, !single, single ? half * wider : Vec2(0)};
     if (std::max(half.x, half.y) > long_box) return roots_.add_stretch(root);
     roots_.add(root);
 }

@@ -17,7 +17,7 @@ public:
     explicit RootFinder(bool clipping_only = false) : clipping_only_(clipping_only) {}
 
     /// `slack` bounds the error of each coefficient. Valid until the next call; in no order.
-    std::span<const LeafRoot> find(const PlanarNet& net, double slack);
+    std::span<const SubPatchRoot> find(const PlanarNet& net, double slack);
 
 private:
     /// `net` is the whole net over `box`.

@@ -7,16 +7,16 @@ namespace keiko {
 namespace {
 
 /// Whether all of b lies where a has no second root beside it.
-bool has_no_other(const LeafRoot& a, const LeafRoot& b) {
+bool has_no_other(const SubPatchRoot& a, const SubPatchRoot& b) {
     const Vec2 apart = b.uv - a.uv;
     return std::abs(apart.x) + b.error.x <= a.alone.x && std::abs(apart.y) + b.error.y <= a.alone.y;
 }
 
-LeafRoot united(const LeafRoot& a, const LeafRoot& b) {
+SubPatchRoot united(const SubPatchRoot& a, const SubPatchRoot& b) {
     Box2 box{a.uv - a.error, a.uv + a.error};
     box.extend(Box2{b.uv - b.error, b.uv + b.error});
     const Vec2 middle = box.center();
-    const LeafRoot& wider = a.alone.length2() > b.alone.length2() ? a : b;
+    const SubPatchRoot& wider = a.alone.length2() > b.alone.length2() ? a : b;
     const Vec2 moved(std::abs(middle.x - wider.uv.x), std::abs(middle.y - wider.uv.y));
     const Vec2 alone(std::max(0.0, wider.alone.x - moved.x),
                      std::max(0.0, wider.alone.y - moved.y));
@@ -33,9 +33,9 @@ void RootList::start(const PlanarNet& net, double slack) {
     stretches_.clear();
 }
 
-void RootList::add(LeafRoot root) {
+void RootList::add(SubPatchRoot root) {
     for (std::size_t i = 0; i < roots_.size();) {
-        const LeafRoot& known = roots_[i];
+        const SubPatchRoot& known = roots_[i];
         if (!same(known, root)) {
             ++i;
             continue;
@@ -54,15 +54,15 @@ void RootList::add(LeafRoot root) {
     roots_.push_back(root);
 }
 
-void RootList::add_stretch(const LeafRoot& root) {
+void RootList::add_stretch(const SubPatchRoot& root) {
     stretches_.push_back(root);
     add(root);
 }
 
-std::span<const LeafRoot> RootList::finish() {
+std::span<const SubPatchRoot> RootList::finish() {
     split_stretches();
     // A tangency reaches on where rounding has just let go of it.
-    for (LeafRoot& root : roots_)
+    for (SubPatchRoot& root : roots_)
         if (root.tangential) root.error *= 4;
     return roots_;
 }
@@ -71,23 +71,23 @@ std::span<const LeafRoot> RootList::finish() {
 /// Any other stretch is one tangency, however long rounding makes it.
 void RootList::split_stretches() {
     if (stretches_.empty()) return;
-    std::vector<LeafRoot> ends;
-    std::erase_if(roots_, [&](const LeafRoot& root) {
-        const std::vector<LeafRoot> own = ends_of(root);
+    std::vector<SubPatchRoot> ends;
+    std::erase_if(roots_, [&](const SubPatchRoot& root) {
+        const std::vector<SubPatchRoot> own = ends_of(root);
         ends.insert(ends.end(), own.begin(), own.end());
         return !own.empty();
     });
-    for (const LeafRoot& end : ends) add(end);
+    for (const SubPatchRoot& end : ends) add(end);
 }
 
-std::vector<LeafRoot> RootList::ends_of(const LeafRoot& root) const {
+std::vector<SubPatchRoot> RootList::ends_of(const SubPatchRoot& root) const {
     constexpr double rounding = 1e-12;
-    std::vector<LeafRoot> ends;
+    std::vector<SubPatchRoot> ends;
     for (unsigned axis = 0; axis < 2; ++axis) {
         if (!(root.uv[axis] - root.error[axis] <= rounding &&
               root.uv[axis] + root.error[axis] >= 1 - rounding))
             continue;
-        for (const LeafRoot& s : stretches_)
+        for (const SubPatchRoot& s : stretches_)
             for (const double at : {0.0, 1.0}) {
                 if (!(std::abs(s.uv[axis] - at) <= s.error[axis] + rounding)) continue;
                 ends.push_back(s);
@@ -100,7 +100,7 @@ std::vector<LeafRoot> RootList::ends_of(const LeafRoot& root) const {
     return ends;
 }
 
-bool RootList::same(const LeafRoot& a, const LeafRoot& b) const {
+bool RootList::same(const SubPatchRoot& a, const SubPatchRoot& b) const {
     const Vec2 apart = a.uv - b.uv, reach = a.error + b.error + Vec2(1e-13);
     if (std::abs(apart.x) <= reach.x && std::abs(apart.y) <= reach.y) return true;
     if (has_no_other(a, b) || has_no_other(b, a)) return true;

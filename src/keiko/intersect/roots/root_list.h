@@ -8,7 +8,7 @@
 namespace keiko {
 
 /// A common zero of the two functions of a PlanarNet.
-struct LeafRoot {
+struct SubPatchRoot {
     Vec2 uv;         ///< in the net's own [0, 1]^2
     Vec2 error;      ///< half the size of the box that holds the exact root
     bool clipped;    ///< found by clipping down to rounding, not by a uniqueness proof
@@ -21,23 +21,23 @@ class RootList {
 public:
     /// For roots of `net`, which must stay; `slack` bounds the error of each coefficient.
     void start(const PlanarNet& net, double slack);
-    void add(LeafRoot root);
+    void add(SubPatchRoot root);
     /// A root whose box rounding may have stretched to where the ray leaves the surface.
-    void add_stretch(const LeafRoot& root);
+    void add_stretch(const SubPatchRoot& root);
     /// All of them, in no order, until the next start().
-    std::span<const LeafRoot> finish();
+    std::span<const SubPatchRoot> finish();
 
 private:
     void split_stretches();
     /// The two ends, across an axis, of a root that reaches from one side to the other.
-    std::vector<LeafRoot> ends_of(const LeafRoot& root) const;
+    std::vector<SubPatchRoot> ends_of(const SubPatchRoot& root) const;
     /// Whether two finds are one root, or pieces of one tangency.
-    bool same(const LeafRoot& a, const LeafRoot& b) const;
+    bool same(const SubPatchRoot& a, const SubPatchRoot& b) const;
 
     const PlanarNet* net_ = nullptr;
     double slack_ = 0;
-    std::vector<LeafRoot> roots_;
-    std::vector<LeafRoot> stretches_; ///< as they were before they were put together
+    std::vector<SubPatchRoot> roots_;
+    std::vector<SubPatchRoot> stretches_; ///< as they were before they were put together
 };
 
 } // namespace keiko

@@ -8,10 +8,10 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Vector from the leaf's centre to the place of the ray nearest to it. Starting from there keeps
-/// the numbers as small as the leaf, however far off the ray begins.
-Vec3 foot_point(const PartRay& ray, const Leaf& leaf, double& foot) {
-    const Vec3 to_center = leaf.center - ray.origin;
+/// Vector from the sub-patch's centre to the place of the ray nearest to it. Starting from there
+/// keeps the numbers as small as the sub-patch, however far off the ray begins.
+Vec3 foot_point(const PartRay& ray, const SubPatch& sub_patch, double& foot) {
+    const Vec3 to_center = sub_patch.center - ray.origin;
     foot = to_center.dot(ray.direction);
     return ray.direction * foot - to_center;
 }
@@ -32,18 +32,19 @@ PartRay part_ray(const Vec3& origin, const Vec3& direction, double error) {
     return ray;
 }
 
-bool near_leaf(const PartRay& ray, const Leaf& leaf) {
+bool near_sub_patch(const PartRay& ray, const SubPatch& sub_patch) {
     double foot = 0;
-    const Vec3 off = foot_point(ray, leaf, foot);
+    const Vec3 off = foot_point(ray, sub_patch, foot);
     const double reach =
-        leaf.radius + leaf.coefficient_error + ray.error + ray.turn * std::abs(foot);
+        sub_patch.radius + sub_patch.coefficient_error + ray.error + ray.turn * std::abs(foot);
     // The 1 + 1e-9 covers the rounding of the three lines above.
     return off.dot(off) <= reach * reach * (1 + 1e-9) + 1e-30 * foot * foot;
 }
 
-LeafView look_at(const PartRay& ray, const Leaf& leaf, const BezierPatchView& points) {
-    LeafView view;
-    const Vec3 off = foot_point(ray, leaf, view.foot);
+RayProjection project_ray(const PartRay& ray, const SubPatch& sub_patch,
+                          const BezierPatchView& points) {
+    RayProjection view;
+    const Vec3 off = foot_point(ray, sub_patch, view.foot);
     const double off_f = ray.normal_f.dot(off), off_g = ray.normal_g.dot(off);
     view.net.degree_u = points.degree_u;
     view.net.degree_v = points.degree_v;
@@ -53,11 +54,11 @@ LeafView look_at(const PartRay& ray, const Leaf& leaf, const BezierPatchView& po
         view.net.f[i] = ray.normal_f.dot(xyz) - p.w * off_f;
         view.net.g[i] = ray.normal_g.dot(xyz) - p.w * off_g;
     }
-    const double size = leaf.radius + off.length();
+    const double size = sub_patch.radius + off.length();
     const double steps = 8 + 4.0 * (points.degree_u + points.degree_v);
-    view.slack =
-        leaf.weight * (epsilon * steps * size + (4 * epsilon + ray.turn) * std::abs(view.foot) +
-                       leaf.coefficient_error + ray.error);
+    view.slack = sub_patch.weight *
+                 (epsilon * steps * size + (4 * epsilon + ray.turn) * std::abs(view.foot) +
+                  sub_patch.coefficient_error + ray.error);
     return view;
 }
 

@@ -2,11 +2,11 @@
 
 #include "keiko/geometry/bezier/ray.h"
 #include "keiko/intersect/roots/planar_net.h"
-#include "keiko/intersect/subpatch/leaf.h"
+#include "keiko/intersect/subpatch/sub_patch.h"
 
 namespace keiko {
 
-/// A ray in the coordinates of a part, made ready for its leaves.
+/// A ray in the coordinates of a part, made ready for its sub-patches.
 struct PartRay {
     Vec3 origin{0};
     Vec3 direction{0};             ///< unit
@@ -19,16 +19,18 @@ struct PartRay {
 /// `error`: by how much the given origin may miss the exact ray, mm.
 PartRay part_ray(const Vec3& origin, const Vec3& direction, double error);
 
-/// A leaf as a part ray sees it.
-struct LeafView {
+/// A sub-patch as a part ray sees it.
+struct RayProjection {
     PlanarNet net;
     double slack; ///< bound of the error of a coefficient of `net`
-    double foot;  ///< mm along the ray from its origin to the place nearest to the leaf's centre
+    double
+        foot; ///< mm along the ray from its origin to the place nearest to the sub-patch's centre
 };
 
-/// False when the ray stays clear of the ball around the leaf.
-bool near_leaf(const PartRay& ray, const Leaf& leaf);
+/// False when the ray stays clear of the ball around the sub-patch.
+bool near_sub_patch(const PartRay& ray, const SubPatch& sub_patch);
 
-LeafView look_at(const PartRay& ray, const Leaf& leaf, const BezierPatchView& points);
+RayProjection project_ray(const PartRay& ray, const SubPatch& sub_patch,
+                          const BezierPatchView& points);
 
 } // namespace keiko

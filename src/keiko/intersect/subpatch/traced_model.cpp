@@ -53,12 +53,12 @@ void require_placeable(const Instance& instance, const Affine& inverse) {
 }
 
 std::vector<PartPlacement> placements(const SurfaceModel& model,
-                                      const std::vector<std::uint32_t>& first_leaf_of_face) {
+                                      const std::vector<std::uint32_t>& first_sub_patch_of_face) {
     std::vector<PartPlacement> result;
     for (const Instance& instance : model.instances) {
         const Part& part = model.parts[instance.part];
-        const std::uint32_t first = first_leaf_of_face[part.first_face];
-        const std::uint32_t end = first_leaf_of_face[part.first_face + part.face_count];
+        const std::uint32_t first = first_sub_patch_of_face[part.first_face];
+        const std::uint32_t end = first_sub_patch_of_face[part.first_face + part.face_count];
         const Affine to_part = instance.transform.inverse();
         require_placeable(instance, to_part);
         const bool identity = instance.transform.is_identity();
@@ -69,8 +69,8 @@ std::vector<PartPlacement> placements(const SurfaceModel& model,
                           .magnification = stretch(instance.transform),
                           .reduction = stretch(to_part) * (1 + 2 * error),
                           .inverse_error = error,
-                          .first_leaf = first,
-                          .leaf_count = end - first});
+                          .first_sub_patch = first,
+                          .sub_patch_count = end - first});
     }
     return result;
 }
@@ -95,19 +95,20 @@ PatchFrame patch_frame(const SurfaceModel& model, const Patch& patch) {
     return {patch.face, patch.map_u, patch.map_v, model.faces[patch.face].reversed};
 }
 
-/// `cells`, a leaf.
-void place_leaves(TracedModel& traced, const std::vector<TrimCells>& cells) {
+/// `cells`, a sub-patch.
+void place_sub_patches(TracedModel& traced, const std::vector<TrimCells>& cells) {
     for (std::uint32_t i = 0; i < traced.placements.size(); ++i) {
         const PartPlacement& placement = traced.placements[i];
-        for (std::uint32_t k = 0; k < placement.leaf_count; ++k) {
-            traced.placed.push_back({i, placement.first_leaf + k});
-            traced.hot.push_back(hot_leaf(traced.leaves, placement.first_leaf + k, placement));
-            traced.hot.back().cells = cells[placement.first_leaf + k];
+        for (std::uint32_t k = 0; k < placement.sub_patch_count; ++k) {
+            traced.placed.push_back({i, placement.first_sub_patch + k});
+            traced.hot.push_back(
+                packed_sub_patch(traced.sub_patches, placement.first_sub_patch + k, placement));
+            traced.hot.back().cells = cells[placement.first_sub_patch + k];
         }
     }
     // The records hold all that tracing reads of them.
-    traced.leaves.frames = {};
-    traced.leaves.roundings = {};
+    traced.sub_patches.frames = {};
+    traced.sub_patches.roundings = {};
 }
 
 } // namespace
@@ -118,33 +119,34 @@ TracedModel traced_model(const SurfaceModel& model, double join, double flat_eno
     std::vector<double> widths;
     for (const SeamGap& gap : gaps) widths.push_back(gap.width);
     std::vector<std::optional<FaceTrim>> trims(model.faces.size());
-    std::vector<LeafSet> sets(model.faces.size());
+    std::vector<SubPatchSet> sets(model.faces.size());
     std::vector<std::vector<TrimCells>> cells_by_face(model.faces.size());
     parallel_for(model.faces.size(), job, "build", [&](std::size_t i) {
         const Face& face = model.faces[i];
         trims[i] = FaceTrim{TrimRegion(model, face, widths), widest_seam(model, face, gaps)};
         sets[i] =
-            make_leaves(model, face, trims[i]->region, seam_depth * trims[i]->reach, flat_enough);
-        for (const Leaf& leaf : sets[i].leaves)
-            cells_by_face[i].push_back(
-                trim_cells(leaf, patch_frame(model, model.patches[leaf.patch]), *trims[i]));
+            subdivide(model, face, trims[i]->region, seam_depth * trims[i]->reach, flat_enough);
+        for (const SubPatch& sub_patch : sets[i].sub_patches)
+            cells_by_face[i].push_back(trim_cells(
+                sub_patch, patch_frame(model, model.patches[sub_patch.patch]), *trims[i]));
     });
 
     TracedModel traced;
-    std::vector<std::uint32_t> first_leaf;
+    std::vector<std::uint32_t> first_sub_patch;
     std::vector<TrimCells> cells;
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        first_leaf.push_back(static_cast<std::uint32_t>(traced.leaves.leaves.size()));
-        append(traced.leaves, std::move(sets[i]));
+        first_sub_patch.push_back(
+            static_cast<std::uint32_t>(traced.sub_patches.sub_patches.size()));
+        append(traced.sub_patches, std::move(sets[i]));
         cells.insert(cells.end(), cells_by_face[i].begin(), cells_by_face[i].end());
         traced.faces.push_back(std::move(*trims[i]));
     }
-    first_leaf.push_back(static_cast<std::uint32_t>(traced.leaves.leaves.size()));
+    first_sub_patch.push_back(static_cast<std::uint32_t>(traced.sub_patches.sub_patches.size()));
     for (const Patch& patch : model.patches) traced.patches.push_back(patch_frame(model, patch));
     traced.seam_widths = edge_widths(model, gaps);
     traced.seam_gaps = std::move(gaps);
-    traced.placements = placements(model, first_leaf);
-    place_leaves(traced, cells);
+    traced.placements = placements(model, first_sub_patch);
+    place_sub_patches(traced, cells);
     return traced;
 }
 
@@ -160,30 +162,31 @@ PartRay TracedModel::to_part(const PartPlacement& placement, const Vec3& origin,
     return ray;
 }
 
-Box3 TracedModel::bounds(const PlacedLeaf& at) const {
-    const Leaf& leaf = leaves.leaves[at.leaf];
+Box3 TracedModel::bounds(const PlacedSubPatch& at) const {
+    const SubPatch& sub_patch = sub_patches.sub_patches[at.sub_patch];
     const PartPlacement& placement = placements[at.instance];
     Box3 box;
-    // A bent leaf's quarters have far smaller hulls than its whole.
+    // A bent sub-patch's quarters have far smaller hulls than its whole.
     for (const Vec2& corner : {Vec2(0, 0), Vec2(0.5, 0), Vec2(0, 0.5), Vec2(0.5, 0.5)})
-        for (const Vec4& p : subpatch(leaves.view(leaf), {corner, corner + Vec2(0.5)})) {
-            const Vec3 point = leaf.center + Vec3(p.x, p.y, p.z) / p.w;
+        for (const Vec4& p : subpatch(sub_patches.view(sub_patch), {corner, corner + Vec2(0.5)})) {
+            const Vec3 point = sub_patch.center + Vec3(p.x, p.y, p.z) / p.w;
             box.extend(placement.identity ? point : placement.to_world.point(point));
         }
-    // What the leaf is off, and the rounding of placing it.
-    const double away = leaf.center.length() + leaf.radius;
+    // What the sub-patch is off, and the rounding of placing it.
+    const double away = sub_patch.center.length() + sub_patch.radius;
     const double rounding =
         4 * epsilon * (placement.magnification * away + placement.to_world.translation.length());
-    return box.padded(placement.magnification * leaf.coefficient_error + rounding);
+    return box.padded(placement.magnification * sub_patch.coefficient_error + rounding);
 }
 
 std::size_t TracedModel::bytes() const {
     std::size_t trims = 0;
     for (const FaceTrim& face : faces) trims += face.region.bytes();
     for (const SeamGap& gap : seam_gaps) trims += gap.samples.size() * sizeof(SeamGap::Sample);
-    return trims + leaves.leaves.size() * sizeof(Leaf) + leaves.points.size() * sizeof(Vec4) +
-           leaves.polynomials.size() * sizeof(leaves.polynomials.front()) +
-           placed.size() * (sizeof(PlacedLeaf) + sizeof(HotLeaf)) +
+    return trims + sub_patches.sub_patches.size() * sizeof(SubPatch) +
+           sub_patches.points.size() * sizeof(Vec4) +
+           sub_patches.polynomials.size() * sizeof(sub_patches.polynomials.front()) +
+           placed.size() * (sizeof(PlacedSubPatch) + sizeof(PackedSubPatch)) +
            patches.size() * sizeof(PatchFrame) + faces.size() * sizeof(FaceTrim) +
            seam_gaps.size() * sizeof(SeamGap) + seam_widths.size() * sizeof(double) +
            placements.size() * sizeof(PartPlacement);

@@ -2,7 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/seam/seam_gap.h"
-#include "keiko/intersect/subpatch/hot_leaf.h"
+#include "keiko/intersect/subpatch/packed_sub_patch.h"
 #include "keiko/intersect/subpatch/part_ray.h"
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace keiko {
 
-/// A leaf of a placed part: what the box hierarchy is built of.
-struct PlacedLeaf {
-    std::uint32_t instance = 0, leaf = 0;
+/// A sub-patch of a placed part: what the box hierarchy is built of.
+struct PlacedSubPatch {
+    std::uint32_t instance = 0, sub_patch = 0;
 };
 
 /// Where a part is placed.
@@ -21,7 +21,7 @@ struct PartPlacement {
     bool identity = true;
     double magnification = 1, reduction = 1; ///< bounds of a length's stretch, and of its inverse
     double inverse_error = 0; ///< bound of how far to_part after to_world is from the identity
-    std::uint32_t first_leaf = 0, leaf_count = 0;
+    std::uint32_t first_sub_patch = 0, sub_patch_count = 0;
 };
 
 /// A patch's way to its face's parameters.
@@ -46,20 +46,20 @@ struct FaceTrim {
 
 /// All that the tracer keeps of a SurfaceModel.
 struct TracedModel {
-    LeafSet leaves;
+    SubPatchSet sub_patches;
     std::vector<PatchFrame> patches;
     std::vector<FaceTrim> faces;
     std::vector<SeamGap> seam_gaps;  ///< by trim curve
     std::vector<double> seam_widths; ///< by edge, the widest of its curves, mm
     std::vector<PartPlacement> placements;
-    std::vector<PlacedLeaf> placed; ///< by instance, then by leaf
-    std::vector<HotLeaf> hot;       ///< one for each of `placed`
+    std::vector<PlacedSubPatch> placed; ///< by instance, then by sub-patch
+    std::vector<PackedSubPatch> hot;    ///< one for each of `placed`
 
     /// The ray seen from a placement. `origin` is any point of it; `error` as in part_ray, world.
     PartRay to_part(const PartPlacement& placement, const Vec3& origin, const Vec3& direction,
                     double error) const;
-    /// World box of a placed leaf's control points, mm.
-    Box3 bounds(const PlacedLeaf& at) const;
+    /// World box of a placed sub-patch's control points, mm.
+    Box3 bounds(const PlacedSubPatch& at) const;
     /// Of the arrays, roughly.
     std::size_t bytes() const;
 };

@@ -7,16 +7,16 @@ namespace {
 
 class Classifier {
 public:
-    Classifier(const Leaf& leaf, const PatchFrame& patch, const FaceTrim& trim)
-        : leaf_(leaf), patch_(patch), trim_(trim) {}
+    Classifier(const SubPatch& sub_patch, const PatchFrame& patch, const FaceTrim& trim)
+        : sub_patch_(sub_patch), patch_(patch), trim_(trim) {}
 
     /// The cells of a square of `count` x `count`, the first of which is (i, j).
     void classify(unsigned i, unsigned j, unsigned count) {
         const Vec2 first(i, j), last(i + count, j + count);
         // Roots are rounded on their way to the face's parameters.
         const Vec2 room(1e-9);
-        const Box2 here{leaf_.patch_parameters((first - room) / 8),
-                        leaf_.patch_parameters((last + room) / 8)};
+        const Box2 here{sub_patch_.patch_parameters((first - room) / 8),
+                        sub_patch_.patch_parameters((last + room) / 8)};
         const TrimSide side =
             within(here, unit_square) ? trim_.region.classify(on_face(here)) : TrimSide::mixed;
         const TrimCells::Set cells =
@@ -45,12 +45,12 @@ private:
         // Where the reach is wider, or not known at a pole, boxes of curves tell nothing.
         constexpr double widest = 0.01;
         if (!(trim_.reach > 0)) return false;
-        const Vec2& reach = leaf_.seam_reach;
+        const Vec2& reach = sub_patch_.seam_reach;
         if (!(reach.x < widest && reach.y < widest)) return true;
         return trim_.region.may_be_near_edge(on_face({box.lower - reach, box.upper + reach}));
     }
 
-    const Leaf& leaf_;
+    const SubPatch& sub_patch_;
     const PatchFrame& patch_;
     const FaceTrim& trim_;
     TrimCells cells_;
@@ -58,9 +58,9 @@ private:
 
 } // namespace
 
-TrimCells trim_cells(const Leaf& leaf, const PatchFrame& patch, const FaceTrim& trim) {
-    if (leaf.trim != TrimSide::mixed) return {};
-    Classifier classifier(leaf, patch, trim);
+TrimCells trim_cells(const SubPatch& sub_patch, const PatchFrame& patch, const FaceTrim& trim) {
+    if (sub_patch.trim != TrimSide::mixed) return {};
+    Classifier classifier(sub_patch, patch, trim);
     classifier.classify(0, 0, 8);
     return classifier.cells();
 }

@@ -7,13 +7,13 @@
 
 namespace keiko {
 
-struct Leaf;
+struct SubPatch;
 struct PatchFrame;
 struct FaceTrim;
 
-/// A leaf's square [-1, 1]^2 as 8 x 8 cells that are material or not, where that is the same for
-/// the whole cell: most roots on a leaf that trim curves cross need no curve. No cell is either
-/// where no curve crosses the leaf.
+/// A sub-patch's square [-1, 1]^2 as 8 x 8 cells that are material or not, where that is the same
+/// for the whole cell: most roots on a sub-patch that trim curves cross need no curve. No cell is
+/// either where no curve crosses the sub-patch.
 struct TrimCells {
     /// Set of cells: bit 8 j + i is the i-th in x of the j-th row in y.
     using Set = std::uint64_t;
@@ -40,7 +40,7 @@ private:
     }
 };
 
-/// Those of a leaf of a face, in its part.
-TrimCells trim_cells(const Leaf& leaf, const PatchFrame& patch, const FaceTrim& trim);
+/// Those of a sub-patch of a face, in its part.
+TrimCells trim_cells(const SubPatch& sub_patch, const PatchFrame& patch, const FaceTrim& trim);
 
 } // namespace keiko

@@ -25,7 +25,7 @@ constexpr double pad_in_radii = 16.0 / (1 << 24);
 
 /// Found by the callbacks through the context, and in it by ray.id: Embree may shuffle lanes.
 struct Search : RTCIntersectContext {
-    const RayBlock* rays = nullptr;
+    const RayPacket* rays = nullptr;
     EmbreeScene::Visitor* visitor = nullptr;
     std::exception_ptr failure;
 };
@@ -42,7 +42,7 @@ float far_end(double high) {
 
 /// mm along a ray to where Embree's own begins: it knows no distances below 0, and a ray may be
 /// met behind its start.
-double begin_of(const RayBlock& rays, std::size_t lane) {
+double begin_of(const RayPacket& rays, std::size_t lane) {
     return rays.low[lane] < 0 ? rays.low[lane] : 0;
 }
 
@@ -147,7 +147,7 @@ EmbreeScene::~EmbreeScene() = default;
 namespace {
 
 void trace_single(RTCScene scene, Search& search, const Vec3& center, std::size_t lane) {
-    const RayBlock& rays = *search.rays;
+    const RayPacket& rays = *search.rays;
     RTCRayHit query;
     const double begin = begin_of(rays, lane);
     const auto origin = [&](std::size_t k, double middle) {
@@ -170,13 +170,13 @@ void trace_single(RTCScene scene, Search& search, const Vec3& center, std::size_
 }
 
 void trace_packet(RTCScene scene, Search& search, const Vec3& center) {
-    const RayBlock& rays = *search.rays;
+    const RayPacket& rays = *search.rays;
     RTCRayHit16 query;
-    alignas(64) int valid[RayBlock::capacity];
-    RayBlock::Lanes<double> begin;
-    for (std::size_t i = 0; i < RayBlock::capacity; ++i) begin[i] = begin_of(rays, i);
+    alignas(64) int valid[RayPacket::capacity];
+    RayPacket::Lanes<double> begin;
+    for (std::size_t i = 0; i < RayPacket::capacity; ++i) begin[i] = begin_of(rays, i);
     const auto set = [&](std::size_t k, double middle, float* origin, float* direction) {
-        for (std::size_t i = 0; i < RayBlock::capacity; ++i) {
+        for (std::size_t i = 0; i < RayPacket::capacity; ++i) {
             origin[i] =
                 static_cast<float>(rays.start[k][i] + rays.direction[k][i] * begin[i] - middle);
             direction[i] = static_cast<float>(rays.direction[k][i]);
@@ -185,7 +185,7 @@ void trace_packet(RTCScene scene, Search& search, const Vec3& center) {
     set(0, center.x, query.ray.org_x, query.ray.dir_x);
     set(1, center.y, query.ray.org_y, query.ray.dir_y);
     set(2, center.z, query.ray.org_z, query.ray.dir_z);
-    for (unsigned i = 0; i < RayBlock::capacity; ++i) {
+    for (unsigned i = 0; i < RayPacket::capacity; ++i) {
         valid[i] = (rays.active >> i & 1) != 0 ? -1 : 0;
         query.ray.tnear[i] = near_end(rays.low[i] - begin[i]);
         query.ray.tfar[i] = far_end(rays.high[i] - begin[i]);
@@ -201,7 +201,7 @@ void trace_packet(RTCScene scene, Search& search, const Vec3& center) {
 
 } // namespace
 
-void EmbreeScene::trace(const RayBlock& rays, Visitor& visitor) const {
+void EmbreeScene::trace(const RayPacket& rays, Visitor& visitor) const {
     Search search;
     rtcInitIntersectContext(&search);
     search.rays = &rays;

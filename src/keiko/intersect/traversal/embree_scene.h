@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/intersect/kernels/ray_block.h"
+#include "keiko/intersect/kernels/ray_packet.h"
 #include "keiko/math/bounds.h"
 
 #include <memory>
@@ -17,7 +17,7 @@ public:
     class Visitor {
     public:
         virtual ~Visitor() = default;
-        /// May lower RayBlock::high of the lanes, and returns those whose it did; -infinity ends a
+        /// May lower RayPacket::high of the lanes, and returns those whose it did; -infinity ends a
         /// lane's search.
         virtual LaneMask visit(std::uint32_t box, LaneMask lanes) = 0;
     };
@@ -33,7 +33,7 @@ public:
     /// starts are in or near the ball around the boxes. A coherent block goes through as a
     /// packet. An exception of the visitor ends the search and is rethrown here, for none may
     /// cross Embree.
-    void trace(const RayBlock& rays, Visitor& visitor) const;
+    void trace(const RayPacket& rays, Visitor& visitor) const;
 
     const Box3& bounds() const { return bounds_; }
     const Vec3& center() const { return center_; }

@@ -2,10 +2,10 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/trim/material_bounds.h"
-#include "keiko/intersect/hit/evaluated_hit.h"
 #include "keiko/intersect/hit/merge_hits.h"
+#include "keiko/intersect/hit/surface_interaction.h"
 #include "keiko/intersect/kernels/prefetch.h"
-#include "keiko/intersect/traversal/block_search.h"
+#include "keiko/intersect/traversal/packet_intersector.h"
 
 #include <algorithm>
 #include <chrono>
@@ -25,8 +25,8 @@ std::optional<Hit> first_of(std::vector<Hit> hits) {
     return hits.empty() ? std::nullopt : std::optional(std::move(hits.front()));
 }
 
-BlockSearch& block_search() {
-    thread_local BlockSearch search;
+PacketIntersector& block_search() {
+    thread_local PacketIntersector search;
     return search;
 }
 
@@ -35,34 +35,34 @@ BlockSearch& block_search() {
 struct Tracer::Scene {
     TracerOptions options;
     TracedModel model;
-    std::vector<Box3> leaf_boxes;
+    std::vector<Box3> sub_patch_boxes;
     EmbreeScene boxes;
     Box3 material;
-    LeafKernels kernels = leaf_kernels();
+    SubPatchKernels kernels = sub_patch_kernels();
     TracerStatistics statistics;
 
     Scene(const SurfaceModel& source, const TracerOptions& chosen, const Job& job)
         : options(chosen),
-          model(traced_model(source, chosen.join, chosen.leaf_contraction, job)),
-          leaf_boxes(boxes_of(model, job)),
-          boxes(leaf_boxes, job.threads),
+          model(traced_model(source, chosen.join, chosen.sub_patch_contraction, job)),
+          sub_patch_boxes(boxes_of(model, job)),
+          boxes(sub_patch_boxes, job.threads),
           material(material_bounds(source, job)) {
         if (!options.clipping_only) return;
-        for (HotLeaf& leaf : model.hot) leaf.set_unbounded();
+        for (PackedSubPatch& sub_patch : model.hot) sub_patch.set_unbounded();
     }
 
     template <class Work>
     void each_block(std::span<const Ray> rays, const Work& work) const;
     /// Puts the nearest crossing of each ray into `found`, which must hold as many without a hit.
     void find_nearest(std::span<const Ray> rays, std::span<Crossing> found) const {
-        each_block(rays, [&](BlockSearch& search, const SearchScene& scene, std::size_t begin,
+        each_block(rays, [&](PacketIntersector& search, const SearchScene& scene, std::size_t begin,
                              std::span<const Ray> block) {
             search.nearest(scene, block, found.subspan(begin, block.size()));
         });
     }
     /// All that Tracer::all has of a ray that crosses the model there.
     std::vector<Hit> merged_hits(const Ray& ray, std::span<const Crossing> crossings) const;
-    HitEvaluation evaluation() const { return {model, kernels, options.second_derivatives}; }
+    SurfaceInteraction evaluation() const { return {model, kernels, options.second_derivatives}; }
     Hit evaluate(const Crossing& crossing) const {
         return evaluated(model, kernels, crossing, options.second_derivatives);
     }
@@ -72,13 +72,13 @@ struct Tracer::Scene {
 template <class Work>
 void Tracer::Scene::each_block(std::span<const Ray> rays, const Work& work) const {
     if (boxes.bounds().empty()) return;
-    BlockSearch& search = block_search();
+    PacketIntersector& search = block_search();
     const SearchScene scene{model, boxes, kernels, options.clipping_only};
-    for (std::size_t begin = 0; begin < rays.size(); begin += RayBlock::capacity) {
-        const std::size_t count = std::min(RayBlock::capacity, rays.size() - begin);
+    for (std::size_t begin = 0; begin < rays.size(); begin += RayPacket::capacity) {
+        const std::size_t count = std::min(RayPacket::capacity, rays.size() - begin);
         // Read when the block before them is done.
-        prefetch(
-            rays.subspan(begin + count, std::min(RayBlock::capacity, rays.size() - begin - count)));
+        prefetch(rays.subspan(begin + count,
+                              std::min(RayPacket::capacity, rays.size() - begin - count)));
         work(search, scene, begin, rays.subspan(begin, count));
     }
 }
@@ -87,10 +87,11 @@ Tracer::Tracer(const SurfaceModel& model, const TracerOptions& options, const Jo
     const auto begin = std::chrono::steady_clock::now();
     scene_ = std::make_unique<Scene>(model, options, job);
     TracerStatistics& s = scene_->statistics;
-    s.leaves = scene_->model.placed.size();
-    s.leaves_trimmed_away = scene_->model.leaves.trimmed_away;
-    for (const PlacedLeaf& placed : scene_->model.placed)
-        s.leaves_mixed += scene_->model.leaves.leaves[placed.leaf].trim == TrimSide::mixed;
+    s.sub_patches = scene_->model.placed.size();
+    s.sub_patches_trimmed_away = scene_->model.sub_patches.trimmed_away;
+    for (const PlacedSubPatch& placed : scene_->model.placed)
+        s.sub_patches_mixed +=
+            scene_->model.sub_patches.sub_patches[placed.sub_patch].trim == TrimSide::mixed;
     s.bytes = scene_->model.bytes();
     s.instruction_set = scene_->kernels.name;
     s.build_seconds =
@@ -116,7 +117,7 @@ std::optional<Hit> Tracer::nearest(const Ray& ray) const {
 bool Tracer::any(const Ray& ray) const {
     bool hit = false;
     scene_->each_block(std::span(&ray, 1),
-                       [&](BlockSearch& search, const SearchScene& scene, std::size_t,
+                       [&](PacketIntersector& search, const SearchScene& scene, std::size_t,
                            std::span<const Ray> block) { hit = search.any(scene, block) != 0; });
     return hit;
 }
@@ -139,8 +140,8 @@ template <class Slot, class Replace>
 void Tracer::evaluate(std::span<const Ray> rays, std::span<const Crossing> crossings,
                       HitDetail detail, const Slot& slot, const Replace& replace) const {
     std::vector<Ray> in_seams;
-    HitEvaluation evaluation = scene_->evaluation();
-    constexpr std::size_t ahead = HitBlock::capacity;
+    SurfaceInteraction evaluation = scene_->evaluation();
+    constexpr std::size_t ahead = HitPacket::capacity;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (detail == HitDetail::all && i + ahead < rays.size() && crossings[i + ahead])
             evaluation.announce(crossings[i + ahead]);
@@ -188,8 +189,8 @@ FirstHits Tracer::first_hits(std::span<const Ray> rays, HitDetail detail) const 
 
 std::vector<bool> Tracer::any(std::span<const Ray> rays) const {
     std::vector<bool> hits(rays.size());
-    scene_->each_block(rays, [&](BlockSearch& search, const SearchScene& scene, std::size_t begin,
-                                 std::span<const Ray> block) {
+    scene_->each_block(rays, [&](PacketIntersector& search, const SearchScene& scene,
+                                 std::size_t begin, std::span<const Ray> block) {
         const LaneMask met = search.any(scene, block);
         for (std::size_t lane = 0; lane < block.size(); ++lane)
             hits[begin + lane] = (met >> lane & 1) != 0;
@@ -203,20 +204,20 @@ std::vector<Hit> Tracer::Scene::merged_hits(const Ray& ray,
     std::sort(sorted.begin(), sorted.end(),
               [](const Crossing& a, const Crossing& b) { return a.before(b); });
     std::vector<Hit> at(sorted.size());
-    HitEvaluation several = evaluation();
+    SurfaceInteraction several = evaluation();
     for (std::size_t k = 0; k < sorted.size(); ++k) several.add(sorted[k], at[k]);
     several.finish();
-    std::vector<BorderHit> border_hits;
+    std::vector<BoundaryHit> border_hits;
     border_hits.reserve(sorted.size());
     for (std::size_t k = 0; k < sorted.size(); ++k)
-        border_hits.push_back(border_hit(model, sorted[k], std::move(at[k]), ray.direction));
+        border_hits.push_back(boundary_hit(model, sorted[k], std::move(at[k]), ray.direction));
     return merged(std::move(border_hits), model, ray.direction);
 }
 
 std::vector<std::vector<Hit>> Tracer::all(std::span<const Ray> rays) const {
     std::vector<std::vector<Hit>> hits(rays.size());
-    scene_->each_block(rays, [&](BlockSearch& search, const SearchScene& scene, std::size_t begin,
-                                 std::span<const Ray> block) {
+    scene_->each_block(rays, [&](PacketIntersector& search, const SearchScene& scene,
+                                 std::size_t begin, std::span<const Ray> block) {
         const std::span<const std::vector<Crossing>> found = search.all(scene, block);
         for (std::size_t lane = 0; lane < block.size(); ++lane)
             hits[begin + lane] = scene_->merged_hits(block[lane], found[lane]);
@@ -225,7 +226,7 @@ std::vector<std::vector<Hit>> Tracer::all(std::span<const Ray> rays) const {
 }
 
 std::span<const Box3> Tracer::boxes() const {
-    return scene_->leaf_boxes;
+    return scene_->sub_patch_boxes;
 }
 
 const TracerStatistics& Tracer::statistics() const {

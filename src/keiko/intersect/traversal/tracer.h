@@ -2,7 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/surface_model.h"
-#include "keiko/intersect/hit/crossing.h"
+#include "keiko/intersect/hit/intersection.h"
 
 #include <memory>
 #include <optional>
@@ -20,15 +20,15 @@ struct TracerOptions {
     /// mm: the widest gap between the borders of two faces that share an edge in which a hit still
     /// counts, flagged as seam, so that sewn faces do not leak; see SeamGap.
     double join = 0.5;
-    /// Patches are halved until LeafFrame::contraction is no larger, at most a few times. Changes
-    /// what a ray costs, not what it hits; but where two faces lie on each other, it is on the
-    /// leaves whether they count as one there.
-    double leaf_contraction = 0.4;
+    /// Patches are halved until SubPatchFrame::contraction is no larger, at most a few times.
+    /// Changes what a ray costs, not what it hits; but where two faces lie on each other, it is on
+    /// the sub-patches whether they count as one there.
+    double sub_patch_contraction = 0.4;
 };
 
 /// What a build cost, and what it made.
 struct TracerStatistics {
-    std::size_t leaves = 0, leaves_trimmed_away = 0, leaves_mixed = 0;
+    std::size_t sub_patches = 0, sub_patches_trimmed_away = 0, sub_patches_mixed = 0;
     std::size_t bytes = 0; ///< of Keiko's own records
     double build_seconds = 0;
     const char* instruction_set = ""; ///< that the kernels were chosen for
@@ -91,7 +91,7 @@ public:
     Hit evaluate(const Crossing& crossing) const;
 
     const TracerStatistics& statistics() const;
-    /// World boxes of the leaves, mm: what the box hierarchy is made of.
+    /// World boxes of the sub-patches, mm: what the box hierarchy is made of.
     std::span<const Box3> boxes() const;
     /// World box of the material, mm.
     const Box3& bounds() const;

@@ -1,6 +1,6 @@
 #include "keiko/light/fog/height_along.h"
 
-#include "keiko/math/turn_sines.h"
+#include "keiko/math/sincos_2pi.h"
 
 #include <cmath>
 #include <numbers>
@@ -32,7 +32,7 @@ HeightAlong::HeightAlong(const HeightField& field, const Segment& segment)
 HeightAlong::Value HeightAlong::at(double t) const {
     const auto places = column(3), cosines = column(4), sines = column(5);
     for (std::size_t i = 0; i < count_; ++i) places[i] = phases()[i] + turns()[i] * t;
-    turn_sines(places, cosines, sines);
+    sincos_2pi(places, cosines, sines);
     double height = 0, slope = 0;
     for (std::size_t i = 0; i < count_; ++i) {
         height += amplitudes()[i] * cosines[i];

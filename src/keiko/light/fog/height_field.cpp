@@ -2,7 +2,7 @@
 
 #include "keiko/base/stop_scope.h"
 #include "keiko/light/fog/height_along.h"
-#include "keiko/math/turn_sines.h"
+#include "keiko/math/sincos_2pi.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 std::array<double, 2> sines_of(const Vec2& turns) {
     const std::array both{turns.x, turns.y};
     std::array<double, 2> cosines{}, sines{};
-    turn_sines(both, cosines, sines);
+    sincos_2pi(both, cosines, sines);
     return sines;
 }
 

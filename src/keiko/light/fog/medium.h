@@ -12,8 +12,8 @@
 namespace keiko {
 
 /// The same everywhere.
-struct EvenDensity {
-    bool operator==(const EvenDensity&) const = default;
+struct HomogeneousDensity {
+    bool operator==(const HomogeneousDensity&) const = default;
 };
 
 /// Two media, one over the other: dry ice, valley fog. The medium's own extinction lies below.
@@ -28,9 +28,9 @@ struct GridDensity {
     std::string file{}; ///< where it was read from
 };
 
-using Density = std::variant<EvenDensity, LayeredDensity, GridDensity>;
+using Density = std::variant<HomogeneousDensity, LayeredDensity, GridDensity>;
 
-/// What the integral along an eye ray is taken by.
+/// What the integral along a camera ray is taken by.
 enum class ScatteringRule {
     gauss,  ///< in the angle at the lamp, refined to a tolerance; closed form where there is one
     simpson ///< of the papers: evenly along the ray, 16 steps a lit part

@@ -18,13 +18,13 @@ constexpr int simpson_steps = 16;
 /// The ray in the angle nu at the emitter: s = foot + h tan(nu), ds / r^2 = dnu / h.
 class EquiAngular {
 public:
-    EquiAngular(const DimmedRay& eye_ray, const PointEmitter& emitter)
-        : medium_(eye_ray.medium()),
+    EquiAngular(const AttenuatedRay& camera_ray, const PointEmitter& emitter)
+        : medium_(camera_ray.medium()),
           emitter_(emitter),
-          origin_(eye_ray.ray().a),
-          length_((eye_ray.ray().b - origin_).length()),
-          direction_((eye_ray.ray().b - origin_) / length_),
-          dimmed_(eye_ray) {
+          origin_(camera_ray.ray().a),
+          length_((camera_ray.ray().b - origin_).length()),
+          direction_((camera_ray.ray().b - origin_) / length_),
+          dimmed_(camera_ray) {
         foot_ = direction_.dot(emitter.position - origin_);
         const Vec3 nearest = origin_ + direction_ * foot_;
         distance_ = std::max((nearest - emitter.position).length(), lamp_radius);
@@ -78,7 +78,7 @@ public:
 
 private:
     Rgb light_leg(const Vec3& point, double distance) const {
-        if (std::holds_alternative<EvenDensity>(medium_.density))
+        if (std::holds_alternative<HomogeneousDensity>(medium_.density))
             return medium_.extinction * metres(distance);
         return optical_depth(medium_, {emitter_.position, point});
     }
@@ -88,14 +88,14 @@ private:
     Vec3 origin_;
     double length_;
     Vec3 direction_;
-    const DimmedRay& dimmed_;
+    const AttenuatedRay& dimmed_;
     double foot_ = 0, distance_ = 0; ///< mm: of the emitter along and from the ray
 };
 
 bool has_closed_form(const Medium& medium, const PointEmitter& emitter) {
     const auto* haze = std::get_if<HazePhase>(&medium.phase);
     return emitter.even && haze && haze->k == 0 && medium.dims_light_leg &&
-           std::holds_alternative<EvenDensity>(medium.density);
+           std::holds_alternative<HomogeneousDensity>(medium.density);
 }
 
 Rgb simpson(const EquiAngular& f, const ParameterInterval& part) {
@@ -114,11 +114,11 @@ Rgb gauss(const EquiAngular& f, const ParameterInterval& part, double tolerance)
 
 } // namespace
 
-Rgb scattered_light(const DimmedRay& eye_ray, const IntervalSet& lit, const PointEmitter& emitter,
-                    double tolerance) {
-    const Medium& medium = eye_ray.medium();
-    if (!(eye_ray.ray().b != eye_ray.ray().a) || lit.empty()) return {};
-    const EquiAngular f(eye_ray, emitter);
+Rgb scattered_light(const AttenuatedRay& camera_ray, const IntervalSet& lit,
+                    const PointEmitter& emitter, double tolerance) {
+    const Medium& medium = camera_ray.medium();
+    if (!(camera_ray.ray().b != camera_ray.ray().a) || lit.empty()) return {};
+    const EquiAngular f(camera_ray, emitter);
     const bool closed = has_closed_form(medium, emitter);
     Rgb sum;
     for (const ParameterInterval& part : lit)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/light/fog/dimmed_ray.h"
+#include "keiko/light/fog/attenuated_ray.h"
 
 #include <functional>
 #include <optional>
@@ -20,13 +20,13 @@ struct PointEmitter {
 /// Of a ray's scattered light: what numbers may be off by, and pictures.
 constexpr double scattering_tolerance = 1e-8, picture_scattering_tolerance = 1e-5;
 
-/// Luminance in cd/m2 that light of the emitter, scattered once in the `lit` parts of an eye ray
+/// Luminance in cd/m2 that light of the emitter, scattered once in the `lit` parts of a camera ray
 /// (from the eye at a to b, parameters 0 to 1), adds at the eye; dimmed on both legs. Equi-angular
 /// Gauss quadrature (docs/theory/fog.md#the-integral) between the kinks of the intensity and of the
 /// density, refined until `tolerance` of the whole is estimated; `airlight` where emitter, medium
 /// and phase are even; or the medium's own rule. A ray that runs closer than 5 mm past the emitter
 /// is taken at 5 mm, the lamp's own size: the integral has no limit there.
-Rgb scattered_light(const DimmedRay& eye_ray, const IntervalSet& lit, const PointEmitter& emitter,
-                    double tolerance = scattering_tolerance);
+Rgb scattered_light(const AttenuatedRay& camera_ray, const IntervalSet& lit,
+                    const PointEmitter& emitter, double tolerance = scattering_tolerance);
 
 } // namespace keiko

@@ -29,7 +29,7 @@ struct At {
     const Medium& medium;
     const Vec3& point;
 
-    Rgb operator()(const EvenDensity&) const { return medium.extinction; }
+    Rgb operator()(const HomogeneousDensity&) const { return medium.extinction; }
     Rgb operator()(const LayeredDensity& layers) const {
         return layers.border.above(point) > 0 ? layers.extinction_above : medium.extinction;
     }
@@ -43,7 +43,7 @@ struct Mean {
     const Medium& medium;
     const Segment& segment;
 
-    Rgb operator()(const EvenDensity&) const { return medium.extinction; }
+    Rgb operator()(const HomogeneousDensity&) const { return medium.extinction; }
     Rgb operator()(const LayeredDensity& layers) const {
         const double above = share_above(layers.border, segment);
         return layers.extinction_above * above + medium.extinction * (1 - above);
@@ -57,7 +57,7 @@ struct Mean {
 struct Breaks {
     const Segment& segment;
 
-    std::vector<double> operator()(const EvenDensity&) const { return {}; }
+    std::vector<double> operator()(const HomogeneousDensity&) const { return {}; }
     std::vector<double> operator()(const LayeredDensity& layers) const {
         return crossings(layers.border, segment);
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visible.h"
+#include "keiko/geometry/visibility/visibility.h"
 #include "keiko/light/fog/medium.h"
 #include "keiko/light/luminance/photometry.h"
 

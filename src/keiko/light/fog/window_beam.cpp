@@ -35,14 +35,14 @@ double depth_behind(const Window& window, const Vec3& normal, const Vec3& direct
 /// The light along the ray, at a parameter of it.
 class BeamRay {
 public:
-    BeamRay(const DimmedRay& eye_ray, const ParallelBeam& beam)
-        : medium_(eye_ray.medium()),
-          ray_(eye_ray.ray()),
+    BeamRay(const AttenuatedRay& camera_ray, const ParallelBeam& beam)
+        : medium_(camera_ray.medium()),
+          ray_(camera_ray.ray()),
           beam_(beam),
           normal_(window_normal(beam.window)),
           length_((ray_.b - ray_.a).length()),
           phase_(phase(medium_.phase, -(ray_.b - ray_.a).dot(beam.direction) / length_)),
-          dimmed_(eye_ray) {}
+          dimmed_(camera_ray) {}
 
     /// Scattered luminance per parameter of the ray.
     Rgb operator()(double t) const {
@@ -85,7 +85,7 @@ private:
     Vec3 normal_;
     double length_;
     double phase_;
-    const DimmedRay& dimmed_;
+    const AttenuatedRay& dimmed_;
 };
 
 } // namespace
@@ -128,11 +128,11 @@ IntervalSet in_window_beam(const Window& window, const Vec3& direction, const Se
     return IntervalSet(std::move(lit));
 }
 
-Rgb scattered_light(const DimmedRay& eye_ray, const IntervalSet& lit, const ParallelBeam& beam,
-                    double tolerance) {
-    if (!(eye_ray.ray().b != eye_ray.ray().a) || lit.empty()) return {};
-    const BeamRay f(eye_ray, beam);
-    const bool even = std::holds_alternative<EvenDensity>(eye_ray.medium().density);
+Rgb scattered_light(const AttenuatedRay& camera_ray, const IntervalSet& lit,
+                    const ParallelBeam& beam, double tolerance) {
+    if (!(camera_ray.ray().b != camera_ray.ray().a) || lit.empty()) return {};
+    const BeamRay f(camera_ray, beam);
+    const bool even = std::holds_alternative<HomogeneousDensity>(camera_ray.medium().density);
     Rgb sum;
     for (const ParameterInterval& part : lit)
         sum += even ? f.closed_form(part) : RefinedIntegral(f, tolerance)(f.pieces(part));

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visible.h"
-#include "keiko/light/fog/dimmed_ray.h"
+#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/light/fog/attenuated_ray.h"
 
 #include <optional>
 #include <vector>
@@ -34,10 +34,10 @@ struct ParallelBeam {
     const Window& window;
 };
 
-/// Luminance in cd/m2 that the beam, scattered once in the `lit` parts of an eye ray, adds at the
+/// Luminance in cd/m2 that the beam, scattered once in the `lit` parts of a camera ray, adds at the
 /// eye, dimmed from the window on. In closed form where the medium is uniform
 /// (docs/theory/fog.md#the-integral), else by Gauss quadrature refined to `tolerance`.
-Rgb scattered_light(const DimmedRay& eye_ray, const IntervalSet& lit, const ParallelBeam& beam,
-                    double tolerance = 1e-8);
+Rgb scattered_light(const AttenuatedRay& camera_ray, const IntervalSet& lit,
+                    const ParallelBeam& beam, double tolerance = 1e-8);
 
 } // namespace keiko

@@ -2,7 +2,7 @@
 
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/photometry.h"
-#include "keiko/light/rig/rig_light.h"
+#include "keiko/light/rig/light_id.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/lobe_reach.h"
 #include "keiko/light/tubes/tube_irradiance.h"
@@ -16,7 +16,7 @@ constexpr double least_share = 1e-4; ///< of a lobe's peak
 template <class Kernel>
 class GlossReceiver {
 public:
-    GlossReceiver(std::span<const int> asked, std::span<const SeenLight> seen,
+    GlossReceiver(std::span<const int> asked, std::span<const LightVisibility> seen,
                   const std::optional<Medium>& medium, const Vec3& point, const Kernel& kernel,
                   GlossQuadrature quadrature)
         : asked_(asked),
@@ -30,9 +30,9 @@ public:
     std::vector<Rgb> operator()(const CPlane& plane) const {
         const CPlaneFrame frame(plane);
         const LampRange range = lamps_in_cone(frame, point_, kernel_.peak(), cone_);
-        const auto outline = plane.mirror == TubeLook::flat ? TubeOutline::rectangle
-                             : plane.luminous_caps          ? TubeOutline::capped
-                                                            : TubeOutline::lateral;
+        const auto outline = plane.mirror == MirrorModel::flat ? TubeOutline::rectangle
+                             : plane.luminous_caps             ? TubeOutline::capped
+                                                               : TubeOutline::lateral;
         std::vector<Rgb> sent(asked_.size());
         for (std::size_t k = 0; k < asked_.size(); ++k)
             if (asked_[k] >= range.begin && asked_[k] < range.end)
@@ -84,7 +84,7 @@ private:
     }
 
     std::span<const int> asked_; ///< numbers of lamps
-    std::span<const SeenLight> seen_;
+    std::span<const LightVisibility> seen_;
     const std::optional<Medium>& medium_;
     const Vec3& point_;
     const Kernel& kernel_;
@@ -96,11 +96,11 @@ private:
 
 template <class Kernel>
 Rgb glossy_luminance_from(const LightSource& source, const std::optional<Medium>& medium,
-                          const Vec3& point, const Kernel& kernel, const Visible& visible,
+                          const Vec3& point, const Kernel& kernel, const Visibility& visible,
                           GlossQuadrature quadrature) {
     const std::vector<int> lamps = lamp_numbers(source);
-    const std::vector<SeenLight> seen =
-        seen_lights(source, lamps, point, kernel.normal(), visible, TubeModel::preview);
+    const std::vector<LightVisibility> seen =
+        light_visibilities(source, lamps, point, kernel.normal(), visible, TubeModel::preview);
     Rgb sum;
     for (const Rgb& sent :
          glossy_luminance_by_lamp(source, lamps, seen, medium, point, kernel, quadrature))
@@ -110,23 +110,23 @@ Rgb glossy_luminance_from(const LightSource& source, const std::optional<Medium>
 
 template <class Kernel>
 std::vector<Rgb> glossy_luminance_by_lamp(const LightSource& source, std::span<const int> lamps,
-                                          std::span<const SeenLight> seen,
+                                          std::span<const LightVisibility> seen,
                                           const std::optional<Medium>& medium, const Vec3& point,
                                           const Kernel& kernel, GlossQuadrature quadrature) {
     return std::visit(GlossReceiver(lamps, seen, medium, point, kernel, quadrature), source);
 }
 
 template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&, const Vec3&,
-                                   const GlossKernel&, const Visible&, GlossQuadrature);
+                                   const GlossKernel&, const Visibility&, GlossQuadrature);
 template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&, const Vec3&,
-                                   const FlakeKernel&, const Visible&, GlossQuadrature);
+                                   const FlakeKernel&, const Visibility&, GlossQuadrature);
 
 template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, std::span<const int>,
-                                                   std::span<const SeenLight>,
+                                                   std::span<const LightVisibility>,
                                                    const std::optional<Medium>&, const Vec3&,
                                                    const GlossKernel&, GlossQuadrature);
 template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, std::span<const int>,
-                                                   std::span<const SeenLight>,
+                                                   std::span<const LightVisibility>,
                                                    const std::optional<Medium>&, const Vec3&,
                                                    const FlakeKernel&, GlossQuadrature);
 

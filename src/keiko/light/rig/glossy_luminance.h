@@ -1,9 +1,9 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visible.h"
+#include "keiko/geometry/visibility/visibility.h"
 #include "keiko/light/luminance/flake_kernel.h"
 #include "keiko/light/luminance/gloss_kernel.h"
-#include "keiko/light/rig/seen_light.h"
+#include "keiko/light/rig/light_visibility.h"
 #include "keiko/light/tubes/tube_gloss.h"
 
 #include <span>
@@ -18,37 +18,37 @@ namespace keiko {
 /// all.
 template <class Kernel>
 Rgb glossy_luminance_from(const LightSource& source, const std::optional<Medium>& medium,
-                          const Vec3& point, const Kernel& kernel, const Visible& visible,
+                          const Vec3& point, const Kernel& kernel, const Visibility& visible,
                           GlossQuadrature quadrature = GlossQuadrature::picture);
 
 /// The same from some lamps of a source, each by itself, of whose axes `seen` is known, as
-/// seen_lights() has it.
+/// light_visibilities() has it.
 template <class Kernel>
 std::vector<Rgb> glossy_luminance_by_lamp(const LightSource& source, std::span<const int> lamps,
-                                          std::span<const SeenLight> seen,
+                                          std::span<const LightVisibility> seen,
                                           const std::optional<Medium>& medium, const Vec3& point,
                                           const Kernel& kernel,
                                           GlossQuadrature quadrature = GlossQuadrature::picture);
 
 extern template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&,
-                                          const Vec3&, const GlossKernel&, const Visible&,
+                                          const Vec3&, const GlossKernel&, const Visibility&,
                                           GlossQuadrature);
 extern template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&,
-                                          const Vec3&, const FlakeKernel&, const Visible&,
+                                          const Vec3&, const FlakeKernel&, const Visibility&,
                                           GlossQuadrature);
 extern template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, std::span<const int>,
-                                                          std::span<const SeenLight>,
+                                                          std::span<const LightVisibility>,
                                                           const std::optional<Medium>&, const Vec3&,
                                                           const GlossKernel&, GlossQuadrature);
 extern template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, std::span<const int>,
-                                                          std::span<const SeenLight>,
+                                                          std::span<const LightVisibility>,
                                                           const std::optional<Medium>&, const Vec3&,
                                                           const FlakeKernel&, GlossQuadrature);
 
 /// Of all sources of a rig.
 template <class Kernel>
 Rgb glossy_luminance(const LightRig& rig, const Vec3& point, const Kernel& kernel,
-                     const Visible& visible,
+                     const Visibility& visible,
                      GlossQuadrature quadrature = GlossQuadrature::picture) {
     Rgb sum;
     for (const LightSource& source : rig.sources)

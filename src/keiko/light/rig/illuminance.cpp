@@ -1,11 +1,11 @@
 #include "keiko/light/rig/illuminance.h"
 
 #include "keiko/light/fog/transmittance.h"
-#include "keiko/light/rig/rig_light.h"
+#include "keiko/light/rig/light_id.h"
 #include "keiko/light/spotlight/point_light.h"
-#include "keiko/light/tubes/coat_entry.h"
-#include "keiko/light/tubes/comb_irradiance.h"
+#include "keiko/light/tubes/coat_transmittance.h"
 #include "keiko/light/tubes/tube_irradiance.h"
+#include "keiko/light/tubes/tube_row_irradiance.h"
 
 #include <numbers>
 #include <span>
@@ -21,7 +21,7 @@ constexpr double pi = std::numbers::pi;
 /// Answers what some lamps of a source give to the point.
 class Receiver {
 public:
-    Receiver(std::span<const int> asked, std::span<const SeenLight> seen,
+    Receiver(std::span<const int> asked, std::span<const LightVisibility> seen,
              const std::optional<Medium>& medium, const Vec3& point, const Vec3& normal,
              TubeModel model, const ClearCoat* coat)
         : asked_(asked),
@@ -35,7 +35,7 @@ public:
     std::vector<Rgb> operator()(const CPlane& plane) const {
         const CPlaneFrame frame(plane);
         const TubeModel model = plane.diffuse == TubeModel::automatic ? model_ : plane.diffuse;
-        const CombIrradiance comb(frame, point_, normal_, model);
+        const TubeRowIrradiance comb(frame, point_, normal_, model);
         const bool width = weighs_width(plane, model_);
         std::vector<Rgb> lx(asked_.size());
         for (std::size_t i = 0; i < asked_.size(); ++i) {
@@ -73,8 +73,8 @@ private:
 
     /// Of the whole lamp, the share that is seen over the width. What a coat and the medium leave
     /// of it they leave of what is seen of the axis, or, where that lights nothing, of all of it.
-    Rgb lit_over_width(const CombIrradiance& comb, int index, const TubeLamp& lamp,
-                       const SeenLight& seen) const {
+    Rgb lit_over_width(const TubeRowIrradiance& comb, int index, const TubeLamp& lamp,
+                       const LightVisibility& seen) const {
         if (!(seen.share > 0) && !(lamp.luminous_caps && seen.cap > 0)) return {};
         const double all = seen_solid_angle(comb, index, lamp, seen);
         if (!coat_ && !medium_) return Rgb(all);
@@ -83,15 +83,15 @@ private:
                 return lit_over(comb, index, lamp, parts) * (all / lit);
         return {};
     }
-    double seen_solid_angle(const CombIrradiance& comb, int index, const TubeLamp& lamp,
-                            const SeenLight& seen) const {
+    double seen_solid_angle(const TubeRowIrradiance& comb, int index, const TubeLamp& lamp,
+                            const LightVisibility& seen) const {
         const double whole = comb.solid_angle(index, IntervalSet::whole());
         if (!lamp.luminous_caps) return whole * seen.share;
         const double cap = cap_solid_angle(lamp, point_, normal_);
         return (whole - cap) * seen.share + cap * seen.cap;
     }
     /// Solid angle of parts of a lamp, dimmed by the medium; with a coat, of what enters it.
-    Rgb lit_over(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+    Rgb lit_over(const TubeRowIrradiance& comb, int index, const TubeLamp& lamp,
                  const IntervalSet& parts) const {
         return medium_ ? through_medium(comb, index, lamp, parts)
                        : Rgb(entered(comb, index, lamp, parts));
@@ -102,7 +102,7 @@ private:
 
     /// The lamp in pieces, each seen through the medium along one distance: to the mean of the
     /// tube's near side, weighed as it is seen.
-    Rgb through_medium(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+    Rgb through_medium(const TubeRowIrradiance& comb, int index, const TubeLamp& lamp,
                        const IntervalSet& seen) const {
         const auto view = view_of(lamp, point_, normal_);
         const Vec3 to_side = view ? view->towards * (view->radius * pi / 4) : Vec3(0);
@@ -121,7 +121,7 @@ private:
     }
 
     /// Solid angle of the visible parts of a lamp; with a coat, of what enters it.
-    double entered(const CombIrradiance& comb, int index, const TubeLamp& lamp,
+    double entered(const TubeRowIrradiance& comb, int index, const TubeLamp& lamp,
                    const IntervalSet& seen) const {
         if (!coat_) return comb.solid_angle(index, seen);
         const auto view = view_of(lamp, point_, normal_);
@@ -140,7 +140,7 @@ private:
     }
 
     std::span<const int> asked_; ///< numbers of lamps
-    std::span<const SeenLight> seen_;
+    std::span<const LightVisibility> seen_;
     const std::optional<Medium>& medium_;
     const Vec3 &point_, &normal_;
     TubeModel model_;
@@ -150,11 +150,11 @@ private:
 } // namespace
 
 Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& medium,
-                     const Vec3& point, const Vec3& normal, const Visible& visible, TubeModel model,
-                     const ClearCoat* coat) {
+                     const Vec3& point, const Vec3& normal, const Visibility& visible,
+                     TubeModel model, const ClearCoat* coat) {
     const std::vector<int> lamps = lamp_numbers(source);
-    const std::vector<SeenLight> seen =
-        seen_lights(source, lamps, point, normal, visible, model, coat || medium);
+    const std::vector<LightVisibility> seen =
+        light_visibilities(source, lamps, point, normal, visible, model, coat || medium);
     Rgb sum;
     for (const Rgb& lx :
          illuminance_by_lamp(source, lamps, seen, medium, point, normal, model, coat))
@@ -163,14 +163,14 @@ Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& med
 }
 
 std::vector<Rgb> illuminance_by_lamp(const LightSource& source, std::span<const int> lamps,
-                                     std::span<const SeenLight> seen,
+                                     std::span<const LightVisibility> seen,
                                      const std::optional<Medium>& medium, const Vec3& point,
                                      const Vec3& normal, TubeModel model, const ClearCoat* coat) {
     return std::visit(Receiver(lamps, seen, medium, point, normal, model, coat), source);
 }
 
 std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, const Vec3& normal,
-                                       const Visible& visible, TubeModel model) {
+                                       const Visibility& visible, TubeModel model) {
     std::vector<Rgb> lx;
     for (const LightSource& source : rig.sources)
         lx.push_back(illuminance_from(source, rig.medium, point, normal, visible, model));
@@ -178,7 +178,7 @@ std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, c
 }
 
 Rgb direct_illuminance(const LightRig& rig, const Vec3& point, const Vec3& normal,
-                       const Visible& visible, TubeModel model, const ClearCoat* coat) {
+                       const Visibility& visible, TubeModel model, const ClearCoat* coat) {
     Rgb sum;
     for (const LightSource& source : rig.sources)
         sum += illuminance_from(source, rig.medium, point, normal, visible, model, coat);

@@ -54,9 +54,9 @@ PointEmitter emitter_of(const Luminaire& luminaire, const Segment& ray) {
     return emitter;
 }
 
-/// Answers what the medium scatters of one source into the eye ray.
+/// Answers what the medium scatters of one source into the camera ray.
 struct Inscatter {
-    const DimmedRay& ray;
+    const AttenuatedRay& ray;
     const IntervalSet& lit;
     double tolerance;
 
@@ -81,20 +81,20 @@ struct Inscatter {
 
 } // namespace
 
-IntervalSet in_light(const LightSource& source, const Segment& eye_ray) {
-    return std::visit(InLight{eye_ray}, source);
+IntervalSet in_light(const LightSource& source, const Segment& camera_ray) {
+    return std::visit(InLight{camera_ray}, source);
 }
 
-Rgb luminance_along(const LightRig& rig, const Segment& eye_ray, const Rgb& surface,
+Rgb luminance_along(const LightRig& rig, const Segment& camera_ray, const Rgb& surface,
                     const VisibleFrom& visible_from, double tolerance) {
     if (!rig.medium) return surface;
-    const DimmedRay dimmed(*rig.medium, eye_ray);
+    const AttenuatedRay dimmed(*rig.medium, camera_ray);
     const Rgb depth = dimmed.depth_to(1);
     Rgb sum = surface * transmittance(depth) + ambient_inscatter(*rig.medium, depth);
     for (std::size_t i = 0; i < rig.sources.size(); ++i) {
-        const IntervalSet beam = in_light(rig.sources[i], eye_ray);
+        const IntervalSet beam = in_light(rig.sources[i], camera_ray);
         if (beam.empty()) continue;
-        const IntervalSet lit = seen_of(beam, eye_ray, i, visible_from);
+        const IntervalSet lit = seen_of(beam, camera_ray, i, visible_from);
         sum += std::visit(Inscatter{dimmed, lit, tolerance}, rig.sources[i]);
     }
     return sum;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visible.h"
+#include "keiko/geometry/visibility/visibility.h"
 #include "keiko/light/fog/single_scattering.h"
 #include "keiko/light/rig/light_rig.h"
 
@@ -12,17 +12,17 @@ namespace keiko {
 /// nothing stands in the way.
 using VisibleFrom = std::function<IntervalSet(std::size_t source, const Segment& segment)>;
 
-/// Parts of an eye ray that a source lights in the medium, but for what stands in the way: in the
+/// Parts of a camera ray that a source lights in the medium, but for what stands in the way: in the
 /// beam of a spotlight or luminaire, behind the windows of a sun. None where it lights no medium.
-IntervalSet in_light(const LightSource& source, const Segment& eye_ray);
+IntervalSet in_light(const LightSource& source, const Segment& camera_ray);
 
-/// Luminance in cd/m2 at the eye of an eye ray that ends on a surface with luminance `surface`
-/// (docs/theory/fog.md#the-sum-along-an-eye-ray). It is the sum of the surface through the medium,
+/// Luminance in cd/m2 at the eye of a camera ray that ends on a surface with luminance `surface`
+/// (docs/theory/fog.md#the-sum-along-a-camera-ray). It is the sum of the surface through the medium,
 /// the medium's ambient light, and the light of each source scattered once in the lit parts of the
 /// ray, to `tolerance` of itself. Lamps on C-planes, and a sun without windows, light surfaces
 /// only. Without a medium it is `surface`. A ray that meets nothing ends far away, but not at
 /// infinity.
-Rgb luminance_along(const LightRig& rig, const Segment& eye_ray, const Rgb& surface,
+Rgb luminance_along(const LightRig& rig, const Segment& camera_ray, const Rgb& surface,
                     const VisibleFrom& visible_from = {}, double tolerance = scattering_tolerance);
 
 } // namespace keiko

@@ -71,14 +71,14 @@ MirroredLight RigPlanes::luminance(const std::optional<RigPlaneHit>& nearest, co
         const CPlaneFrame& frame = *on->frame;
         const Plane& plane = planes_[on->number];
         const Footprint footprint = spread ? footprint_on(frame, on->at, *spread) : Footprint();
-        const StripeLook row = look_up(frame, on->at, origin, direction, footprint, plane.mirror);
+        const LampCoverage row = look_up(frame, on->at, origin, direction, footprint, plane.mirror);
         rows.add(plane.luminance, row.coverage);
         resolved = resolved && (row.resolved || row.coverage == 0);
     }
     return {rows.light, rows.opacity, resolved};
 }
 
-bool RigPlanes::are_missed_by(const RayBundle& rays) const {
+bool RigPlanes::are_missed_by(const RayCone& rays) const {
     return std::all_of(planes_.begin(), planes_.end(),
                        [&](const Plane& plane) { return misses_lamps(plane.frame, rays); });
 }

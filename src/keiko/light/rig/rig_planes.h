@@ -2,7 +2,7 @@
 
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/light/tubes/c_plane_lookup.h"
-#include "keiko/light/tubes/ray_bundle.h"
+#include "keiko/light/tubes/ray_cone.h"
 
 #include <limits>
 #include <span>
@@ -32,7 +32,7 @@ public:
         std::size_t source; ///< index into LightRig::sources
         CPlaneFrame frame;
         Rgb luminance;
-        TubeLook mirror;
+        MirrorModel mirror;
         std::size_t level; ///< number of the first plane of the rig that lies in the same one:
                            ///< rays meet both at the distance of that
     };
@@ -52,7 +52,7 @@ public:
                             const Vec3& direction, const std::optional<RayDifferentials>& spread,
                             double t_max) const;
     /// Whether it is proved that luminance() finds no lamp for any ray of a bundle.
-    bool are_missed_by(const RayBundle& rays) const;
+    bool are_missed_by(const RayCone& rays) const;
     /// Of planes at one distance the first of the rig.
     std::optional<RigPlaneHit> nearest(const Vec3& origin, const Vec3& direction) const;
     /// All, by their numbers.

@@ -18,7 +18,7 @@ struct CPlane {
     Rgb luminance{9000};        ///< cd/m2 of the tube's surface, colour included
     bool luminous_caps = false; ///< whether the tubes' end discs shine like the rest
     TubeModel diffuse = TubeModel::automatic; ///< what lights surfaces
-    TubeLook mirror = TubeLook::tube;         ///< what mirrors show
+    MirrorModel mirror = MirrorModel::tube;   ///< what mirrors show
 
     double spacing() const { return pitch > 0 ? pitch : v.length() / lamps; }
 };

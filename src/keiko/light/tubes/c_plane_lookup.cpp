@@ -33,8 +33,8 @@ bool tube_shines(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direc
 }
 
 bool point_shines(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
-                  const Vec3& direction, TubeLook look) {
-    if (look == TubeLook::flat) return strip_at(frame, hit.u, hit.v, frame.diameter).has_value();
+                  const Vec3& direction, MirrorModel look) {
+    if (look == MirrorModel::flat) return strip_at(frame, hit.u, hit.v, frame.diameter).has_value();
     return tube_shines(frame, origin, direction);
 }
 
@@ -91,8 +91,8 @@ LampEnds ends_of_tubes(const CPlaneFrame& frame, const CPlaneHit& hit, const Foo
 }
 
 /// The mean over a grid of parallel rays through the footprint.
-StripeLook sampled(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
-                   const Footprint& footprint) {
+LampCoverage sampled(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
+                     const Footprint& footprint) {
     constexpr int side = 16;
     int lit = 0;
     for (int j = 0; j < side; ++j)
@@ -105,9 +105,9 @@ StripeLook sampled(const CPlaneFrame& frame, const Vec3& origin, const Vec3& dir
     return {lit / static_cast<double>(side * side), true};
 }
 
-StripeLook filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Footprint& footprint,
-                    TubeLook look) {
-    const bool round = look == TubeLook::tube;
+LampCoverage filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Footprint& footprint,
+                      MirrorModel look) {
+    const bool round = look == MirrorModel::tube;
     const PixelFilter across(footprint.dx.y, footprint.dy.y);
     const bool resolved = across.width() <= resolvable_pitches * frame.pitch;
     const double room = round ? footprint.widened(end_room(frame, hit.direction)) : 0;
@@ -171,24 +171,24 @@ std::optional<int> strip_at(const CPlaneFrame& frame, double u, double v, double
     return lamp;
 }
 
-StripeLook look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
-                   const Footprint& footprint, TubeLook look) {
+LampCoverage look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
+                     const Footprint& footprint, MirrorModel look) {
     const auto hit = c_plane_coordinates(frame, origin, direction);
-    return hit ? look_up(frame, *hit, origin, direction, footprint, look) : StripeLook();
+    return hit ? look_up(frame, *hit, origin, direction, footprint, look) : LampCoverage();
 }
 
-StripeLook look_up(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
-                   const Vec3& direction, const Footprint& footprint, TubeLook look) {
+LampCoverage look_up(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
+                     const Vec3& direction, const Footprint& footprint, MirrorModel look) {
     if (footprint.is_point())
         return {point_shines(frame, hit, origin, direction, look) ? 1.0 : 0.0, true};
-    if (look == TubeLook::exact) return sampled(frame, origin, direction, footprint);
-    if (look == TubeLook::tube && starts_among_tubes(frame, hit))
+    if (look == MirrorModel::exact) return sampled(frame, origin, direction, footprint);
+    if (look == MirrorModel::tube && starts_among_tubes(frame, hit))
         return filtered(ahead(frame, hit), hit, footprint, look);
     return filtered(frame, hit, footprint, look);
 }
 
 Rgb mirrored_luminance(const CPlane& plane, const Vec3& origin, const Vec3& direction,
-                       const Footprint& footprint, TubeLook look) {
+                       const Footprint& footprint, MirrorModel look) {
     return plane.luminance *
            look_up(CPlaneFrame(plane), origin, direction, footprint, look).coverage;
 }

@@ -46,8 +46,8 @@ bool starts_among_tubes(const CPlaneFrame& frame, const CPlaneHit& hit);
 Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit,
                        const RayDifferentials& spread);
 
-/// What a mirrored ray, or a pixel of them, sees of a row of lamps.
-struct StripeLook {
+/// What a reflected ray, or a pixel of them, sees of a row of lamps.
+struct LampCoverage {
     double coverage = 0;  ///< share of the pixel that lamps fill, 0 to 1
     bool resolved = true; ///< false: over 4 pitches in a pixel; the coverage is the mean
 };
@@ -56,15 +56,15 @@ struct StripeLook {
 /// visible. A point is met exactly, end caps included; a footprint is integrated in closed form
 /// over strips of the tubes' apparent width up to the images of their rims, or (exact) is the mean
 /// over 256 parallel rays. What lies between the lamps and what stands before them is the caller's.
-StripeLook look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
-                   const Footprint& footprint = {}, TubeLook look = TubeLook::tube);
+LampCoverage look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
+                     const Footprint& footprint = {}, MirrorModel look = MirrorModel::tube);
 /// The same where the ray is known to meet the plane at `hit`.
-StripeLook look_up(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
-                   const Vec3& direction, const Footprint& footprint, TubeLook look);
+LampCoverage look_up(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
+                     const Vec3& direction, const Footprint& footprint, MirrorModel look);
 
 /// Luminance in cd/m2 of the same, darkness between the lamps.
 Rgb mirrored_luminance(const CPlane& plane, const Vec3& origin, const Vec3& direction,
-                       const Footprint& footprint = {}, TubeLook look = TubeLook::tube);
+                       const Footprint& footprint = {}, MirrorModel look = MirrorModel::tube);
 
 /// The strip that holds the point (u, v), by rising v; nothing between the strips. `width` in mm.
 std::optional<int> strip_at(const CPlaneFrame& frame, double u, double v, double width);

@@ -76,7 +76,7 @@ struct Chord {
 };
 
 std::vector<Chord> chords_at(const std::vector<double>& angles, const FacingCap& cap,
-                             const Visible& visible) {
+                             const Visibility& visible) {
     std::vector<Segment> lines;
     for (const double angle : angles)
         if (cap.has_chord(angle)) lines.push_back(cap.chord(angle));
@@ -102,7 +102,7 @@ struct Gap {
     double lit() const { return (begin.lit + 4 * middle.lit + end.lit) / 6 * width(); }
 };
 
-std::vector<Gap> first_gaps(const FacingCap& cap, const Visible& visible) {
+std::vector<Gap> first_gaps(const FacingCap& cap, const Visibility& visible) {
     constexpr int count = 16;
     std::vector<double> angles;
     for (int i = 0; i <= count; ++i)
@@ -114,7 +114,7 @@ std::vector<Gap> first_gaps(const FacingCap& cap, const Visible& visible) {
 }
 
 /// Halves gaps until all are told to within `tolerance`.
-double share(const FacingCap& cap, const Visible& visible, double tolerance) {
+double share(const FacingCap& cap, const Visibility& visible, double tolerance) {
     constexpr int most_halvings = 20;
     std::vector<Gap> open = first_gaps(cap, visible);
     double allowed = 0, all = 0, lit = 0;
@@ -142,7 +142,7 @@ double share(const FacingCap& cap, const Visible& visible, double tolerance) {
 } // namespace
 
 double seen_share_of_cap(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
-                         const Visible& visible, double tolerance) {
+                         const Visibility& visible, double tolerance) {
     const auto cap = FacingCap::of(lamp, point, normal);
     if (!cap) return 1;
     if (!cap->above_horizon()) return 0;

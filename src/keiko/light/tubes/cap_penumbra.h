@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visible.h"
+#include "keiko/geometry/visibility/visibility.h"
 #include "keiko/light/tubes/tube_lamp.h"
 
 namespace keiko {
@@ -10,6 +10,6 @@ namespace keiko {
 /// neighbours is not in line, to about `tolerance`. What lies between the first 33 and hides none
 /// of them is missed. 1 where no cap faces the point.
 double seen_share_of_cap(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
-                         const Visible& visible, double tolerance);
+                         const Visibility& visible, double tolerance);
 
 } // namespace keiko

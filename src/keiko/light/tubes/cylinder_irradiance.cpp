@@ -64,7 +64,7 @@ void split_at_cut(Pieces& pieces, const TubeView& view, double x) {
 
 /// At the kinks of another tube, and ever closer to them where the point is so near to the endless
 /// tube's surface that its bends on either side are as sharp.
-void split_at_kinks(Pieces& pieces, const TubeView& view, const HidingTube& tube) {
+void split_at_kinks(Pieces& pieces, const TubeView& view, const OccludingTube& tube) {
     constexpr double sharp = 0.25, farthest = 1;
     const double share = view.radius / tube.distance;
     const double bend = std::sqrt(std::abs(1 - share * share)); // radians, how wide it is
@@ -78,19 +78,19 @@ void split_at_kinks(Pieces& pieces, const TubeView& view, const HidingTube& tube
 }
 
 Pieces pieces_of(const TubeView& view, const VisiblePart& part,
-                 std::span<const HidingTube> hiding) {
+                 std::span<const OccludingTube> hiding) {
     Pieces pieces(view);
     pieces.split_at(-view.n_lamp, view.n_sideways);
     part.begins ? split_at_rim(pieces, view, part.begin) : split_at_cut(pieces, view, part.begin);
     part.ends ? split_at_rim(pieces, view, part.end) : split_at_cut(pieces, view, part.end);
-    for (const HidingTube& tube : hiding) split_at_kinks(pieces, view, tube);
+    for (const OccludingTube& tube : hiding) split_at_kinks(pieces, view, tube);
     return pieces;
 }
 
 } // namespace
 
 double cylinder_solid_angle(const TubeView& view, const VisiblePart& part,
-                            std::span<const HidingTube> hiding) {
+                            std::span<const OccludingTube> hiding) {
     const double sine_limit = view.radius / view.distance;
     const auto slice = [&](double t) {
         const double sine = sine_limit * std::sin(t);

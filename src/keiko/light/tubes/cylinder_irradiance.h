@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/light/tubes/hiding_tube.h"
+#include "keiko/light/tubes/occluding_tube.h"
 
 namespace keiko {
 
@@ -10,6 +10,6 @@ namespace keiko {
 /// direction. What the tubes in `hiding`, parallel to it, of its radius and its ends, hide of it is
 /// left out (docs/theory/luminance.md#lamps-that-hide-each-other).
 double cylinder_solid_angle(const TubeView& view, const VisiblePart& part,
-                            std::span<const HidingTube> hiding = {});
+                            std::span<const OccludingTube> hiding = {});
 
 } // namespace keiko

@@ -1,6 +1,6 @@
 #include "keiko/light/tubes/end_coverage.h"
 
-#include "keiko/light/tubes/end_cutter.h"
+#include "keiko/light/tubes/tube_end_clipper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ public:
     /// Of strips narrower than the pitch.
     double of_strips_apart() const {
         double sum = 0;
-        for_each_lamp([&](double axis, const PixelCut& strip) {
+        for_each_lamp([&](double axis, const ClippedPixel& strip) {
             sum += seen_of(cut_convex(strip, axis), axis);
         });
         return sum;
@@ -36,8 +36,8 @@ public:
     /// shine all over may be taken in either order.)
     double of_overlapping_strips() const {
         double sum = 0;
-        for_each_lamp([&](double axis, const PixelCut& strip) {
-            const PixelCut part = cut_convex(strip, axis);
+        for_each_lamp([&](double axis, const ClippedPixel& strip) {
+            const ClippedPixel part = cut_convex(strip, axis);
             sum += seen_of(part, axis) - hidden_of(part, axis);
         });
         return std::clamp(sum, 0.0, 1.0);
@@ -51,39 +51,39 @@ public:
             const auto at = [&](const LampEnd& end) {
                 return end.at + end.shear * q + pi / 4 * end.bulge;
             };
-            const PixelCut part = pixel_.where(image_.past({1, 0}, {at(ends_.begin), 0}, 0))
-                                      .where(image_.past({-1, 0}, {at(ends_.end), 0}, 0));
+            const ClippedPixel part = pixel_.where(image_.past({1, 0}, {at(ends_.begin), 0}, 0))
+                                          .where(image_.past({-1, 0}, {at(ends_.end), 0}, 0));
             sum += band(part, frame_.pitch / 2);
         }
         return 2 * half_ / frame_.pitch * sum / count;
     }
 
 private:
-    double band(const PixelCut& part, double beyond) const {
+    double band(const ClippedPixel& part, double beyond) const {
         return image_.between(part, frame_.first - beyond, frame_.last() + beyond).area();
     }
     /// What of a strip is on the lamp's side of its end without a dark cap, or of its begin: it is
     /// convex.
-    PixelCut cut_convex(const PixelCut& strip, double axis) const {
+    ClippedPixel cut_convex(const ClippedPixel& strip, double axis) const {
         return ends_.begins_with_cap() ? cutter_.cut(strip, axis, ends_.end, Side::before)
                                        : cutter_.cut(strip, axis, ends_.begin, Side::past);
     }
     /// Of what is cut so, the area that is on the lamp's side of its other end too.
-    double seen_of(const PixelCut& part, double axis) const {
+    double seen_of(const ClippedPixel& part, double axis) const {
         return ends_.begins_with_cap() ? cutter_.area(part, axis, ends_.begin, Side::past)
                                        : cutter_.area(part, axis, ends_.end, Side::before);
     }
     /// Of the same, the area behind the neighbour that rays meet before the lamp.
-    double hidden_of(const PixelCut& part, double axis) const {
+    double hidden_of(const ClippedPixel& part, double axis) const {
         const bool from_begin = ends_.begins_with_cap();
         const bool is_lesser = from_begin == (ends_.begin.shear > 0);
         const double before = is_lesser ? axis - frame_.pitch : axis + frame_.pitch;
         const double room = frame_.pitch / 2;
         if (before < frame_.first - room || before > frame_.last() + room) return 0;
-        const PixelCut both = image_.between(part, before - half_, before + half_);
-        const PixelCut hidden = from_begin
-                                    ? cutter_.cut(both, before, rim(ends_.begin, -1), Side::past)
-                                    : cutter_.cut(both, before, rim(ends_.end, 1), Side::before);
+        const ClippedPixel both = image_.between(part, before - half_, before + half_);
+        const ClippedPixel hidden =
+            from_begin ? cutter_.cut(both, before, rim(ends_.begin, -1), Side::past)
+                       : cutter_.cut(both, before, rim(ends_.end, 1), Side::before);
         return seen_of(hidden, axis);
     }
     /// The half of an end's rim that bulges to greater u, or to lesser.
@@ -111,8 +111,8 @@ private:
     double half_;
     const LampEnds& ends_;
     PixelImage image_;
-    EndCutter cutter_;
-    PixelCut pixel_;
+    TubeEndClipper cutter_;
+    ClippedPixel pixel_;
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/light/tubes/width_slices.h"
+#include "keiko/light/tubes/width_samples.h"
 
 namespace keiko {
 

@@ -2,7 +2,7 @@
 
 #include "keiko/light/luminance/lobe_chart.h"
 #include "keiko/light/tubes/tube_slices.h"
-#include "keiko/math/paired_quadrature.h"
+#include "keiko/math/gauss_kronrod.h"
 
 namespace keiko {
 
@@ -52,8 +52,8 @@ private:
             return kernel_(across_ * cosine + along_ * std::sin(eta)) * cosine;
         };
     }
-    CutRange cut(const ParameterInterval& range, const std::array<double, 2>& spreads) const {
-        CutRange cut(range.begin, range.end);
+    Breakpoints cut(const ParameterInterval& range, const std::array<double, 2>& spreads) const {
+        Breakpoints cut(range.begin, range.end);
         for (const double step : spreads) {
             cut.cut_at(crest_ - step * spread_);
             cut.cut_at(crest_ + step * spread_);

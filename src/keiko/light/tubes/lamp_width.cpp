@@ -54,7 +54,7 @@ double LampWidth::place_in(const Vec3& way) const {
 
 std::vector<double> LampWidth::cuts() const {
     std::vector<double> cuts{-1, 1};
-    for (const HidingTube& tube : hiding_)
+    for (const OccludingTube& tube : hiding_)
         for (const double psi : tube.kinks(view_.radius))
             if (const double place = place_of(psi); std::abs(place) < 1) cuts.push_back(place);
     std::sort(cuts.begin(), cuts.end());

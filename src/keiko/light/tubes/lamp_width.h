@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visible.h"
-#include "keiko/light/tubes/hiding_tube.h"
+#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/light/tubes/occluding_tube.h"
 #include "keiko/light/tubes/tube_view.h"
 
 #include <span>
@@ -26,7 +26,7 @@ public:
     /// `hiding`: other tubes, of the lamp's radius and ends, that may hide some of it; only looked
     /// at.
     LampWidth(const TubeView& view, const Vec3& point, TubeShape shape,
-              std::span<const HidingTube> hiding)
+              std::span<const OccludingTube> hiding)
         : view_(view), point_(point), shape_(shape), hiding_(hiding) {}
 
     SubAxis sub_axis(double place) const {
@@ -54,7 +54,7 @@ private:
     TubeView view_;
     Vec3 point_;
     TubeShape shape_;
-    std::span<const HidingTube> hiding_;
+    std::span<const OccludingTube> hiding_;
 };
 
 } // namespace keiko

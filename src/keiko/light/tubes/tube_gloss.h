@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/light/tubes/across_rule.h"
 #include "keiko/light/tubes/gloss_slice.h"
+#include "keiko/light/tubes/width_quadrature.h"
 
 namespace keiko {
 
@@ -53,15 +53,15 @@ private:
     }
 
     Rgb for_picture() const {
-        if (slices_.whole() && within(one)) return at(across_rule(1)[0]) * (2 * half_);
+        if (slices_.whole() && within(one)) return at(width_quadrature(1)[0]) * (2 * half_);
         if (slices_.whole() && within(two)) {
-            const Rgb left = at(across_rule(2)[0]), right = at(across_rule(2)[1]);
+            const Rgb left = at(width_quadrature(2)[0]), right = at(width_quadrature(2)[1]);
             if (largest_part(left - right) < steepest * largest_part(left + right))
                 return (left + right) * half_;
         }
         if (!within(four)) return across_adaptively();
         Rgb sum;
-        for (const AcrossNode& node : across_rule(4)) sum += at(node) * (node.weight * half_);
+        for (const AcrossNode& node : width_quadrature(4)) sum += at(node) * (node.weight * half_);
         return sum;
     }
     Rgb at(const AcrossNode& node) const {
@@ -100,9 +100,9 @@ private:
         };
     }
     /// t, cut about the peak.
-    CutRange outline() const {
+    Breakpoints outline() const {
         const double quarter = std::numbers::pi / 2, limit = std::sin(half_);
-        CutRange range(-quarter, quarter);
+        Breakpoints range(-quarter, quarter);
         range.cut_at(0);
         for (const double step : {-1.5, -0.5, 0.5, 1.5}) {
             const double psi = psi_ + step * psi_spread_, sine = std::sin(psi) / limit;

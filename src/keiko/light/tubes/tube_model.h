@@ -17,7 +17,7 @@ enum class TubeModel {
 };
 
 /// Models of the mirror image of a row of lamps (docs/theory/luminance.md#in-mirrors).
-enum class TubeLook {
+enum class MirrorModel {
     tube, ///< round tubes in closed form: strips of their apparent width, rims at the ends
     flat, ///< the flat strips of [NishitaTubes]
     exact ///< the capped cylinders; a pixel as the mean over a grid of rays

@@ -2,7 +2,7 @@
 
 #include "keiko/light/tubes/cap_penumbra.h"
 #include "keiko/light/tubes/ends_and_middles.h"
-#include "keiko/light/tubes/width_turns.h"
+#include "keiko/light/tubes/penumbra_breakpoints.h"
 #include "keiko/math/perpendicular.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ IntervalSet above_horizon(const TubeLamp& lamp, const Vec3& point, const Vec3& n
 }
 
 /// A cap alone lights.
-SeenLight seen_end_on(const TubeLamp& lamp, const Visible& visible) {
+LightVisibility seen_end_on(const TubeLamp& lamp, const Visibility& visible) {
     const IntervalSet axis = visible.intervals({lamp.a, lamp.b});
     return {axis, axis.empty() ? 0.0 : 1.0};
 }
@@ -56,8 +56,9 @@ public:
         add_ends_and_middles(width_, parts_, lines);
     }
     /// By what is seen of those lines, from `next` on.
-    SeenLight seen(const Visible& visible, std::vector<IntervalSet>::const_iterator& next) {
-        SeenLight seen;
+    LightVisibility seen(const Visibility& visible,
+                         std::vector<IntervalSet>::const_iterator& next) {
+        LightVisibility seen;
         if (options_.axes && !middle_tells_) seen.axis = *next++;
         hide_parts(next);
         if (options_.axes && middle_tells_) seen.axis = width_.of_axis(*parts_[0].seen[1]);
@@ -84,17 +85,18 @@ private:
     }
     /// Cuts the width at turns of outlines, as many as it takes that no more than the tolerance may
     /// be missed between lines.
-    void look_between(const Visible& visible) {
+    void look_between(const Visibility& visible) {
         const double gap = options_.widest_gap / 2, allowed = options_.tolerance;
         const auto line = [&](double place) { return width_.line_of(width_.sub_axis(place)); };
         const Prism lines{line(-1), line(0), line(0), line(1)};
         const std::vector<PrismTurn> found = visible.turns(lines, {gap, allowed / 2});
         if (found.empty()) return;
-        const std::vector<WidthCut> cuts = WidthTurns(width_, found, gap).cuts(allowed, agree());
+        const std::vector<WidthCut> cuts =
+            PenumbraBreakpoints(width_, found, gap).cuts(allowed, agree());
         if (!cuts.empty()) cut_at(cuts, visible);
     }
     /// What is seen of both ends is known.
-    void cut_at(std::span<const WidthCut> cuts, const Visible& visible) {
+    void cut_at(std::span<const WidthCut> cuts, const Visibility& visible) {
         std::vector<Slices> parts = parts_of(width_, cuts);
         if (parts.front().begin() == -1) parts.front().seen.front() = parts_.front().seen.front();
         if (parts.back().end() == 1) parts.back().seen.back() = parts_.back().seen.back();
@@ -116,12 +118,12 @@ private:
 
 } // namespace
 
-std::vector<SeenLight> seen_tubes(std::span<const TubeLamp> row, const Vec3& point,
-                                  const Vec3& normal, const Visible& visible,
-                                  const PenumbraOptions& options,
-                                  std::span<const std::vector<HidingTube>> hiding) {
-    const std::vector<std::optional<bool>> wholes = visible.seen_as_whole(boxes_around(row));
-    std::vector<SeenLight> seen(row.size(), SeenLight{{}, 0, 0});
+std::vector<LightVisibility> seen_tubes(std::span<const TubeLamp> row, const Vec3& point,
+                                        const Vec3& normal, const Visibility& visible,
+                                        const PenumbraOptions& options,
+                                        std::span<const std::vector<OccludingTube>> hiding) {
+    const std::vector<std::optional<bool>> wholes = visible.classify_prisms(boxes_around(row));
+    std::vector<LightVisibility> seen(row.size(), LightVisibility{{}, 0, 0});
     std::vector<PartlySeen> parts;
     std::vector<std::size_t> lamp_of;
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -134,8 +136,8 @@ std::vector<SeenLight> seen_tubes(std::span<const TubeLamp> row, const Vec3& poi
             seen[i] = seen_end_on(row[i], visible);
             continue;
         }
-        const std::span<const HidingTube> others =
-            hiding.empty() ? std::span<const HidingTube>() : hiding[i];
+        const std::span<const OccludingTube> others =
+            hiding.empty() ? std::span<const OccludingTube>() : hiding[i];
         lamp_of.push_back(i);
         parts.emplace_back(row[i], LampWidth(*view, point, options.shape, others), options);
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visible.h"
-#include "keiko/light/luminance/seen_light.h"
+#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/light/luminance/light_visibility.h"
 #include "keiko/light/tubes/lamp_width.h"
 #include "keiko/light/tubes/tube_lamp.h"
 
@@ -31,9 +31,9 @@ struct PenumbraOptions {
 /// seen alike; else sub-axes across the lamp do, more of them until the estimated error is below
 /// the tolerance. `hiding`: empty, or for each lamp others of the row that hide some of it; the
 /// share is of what they leave.
-std::vector<SeenLight> seen_tubes(std::span<const TubeLamp> row, const Vec3& point,
-                                  const Vec3& normal, const Visible& visible,
-                                  const PenumbraOptions& options,
-                                  std::span<const std::vector<HidingTube>> hiding = {});
+std::vector<LightVisibility> seen_tubes(std::span<const TubeLamp> row, const Vec3& point,
+                                        const Vec3& normal, const Visibility& visible,
+                                        const PenumbraOptions& options,
+                                        std::span<const std::vector<OccludingTube>> hiding = {});
 
 } // namespace keiko

@@ -6,7 +6,7 @@
 
 namespace keiko {
 
-/// A place in a grid of eye rays.
+/// A place in a grid of camera rays.
 struct Pixel {
     int x, y;
 };

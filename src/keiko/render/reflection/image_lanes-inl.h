@@ -1,4 +1,4 @@
-// Compiled once for each instruction set by stripe_kernels.cpp.
+// Compiled once for each instruction set by lamp_kernels.cpp.
 #if defined(KEIKO_RENDER_IMAGE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef KEIKO_RENDER_IMAGE_LANES_INL_H
 #undef KEIKO_RENDER_IMAGE_LANES_INL_H

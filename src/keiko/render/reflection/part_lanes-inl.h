@@ -1,4 +1,4 @@
-// Compiled once for each instruction set by stripe_kernels.cpp.
+// Compiled once for each instruction set by lamp_kernels.cpp.
 #if defined(KEIKO_RENDER_PART_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef KEIKO_RENDER_PART_LANES_INL_H
 #undef KEIKO_RENDER_PART_LANES_INL_H
@@ -11,15 +11,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-/// MirroredPixel: one pixel, and parts of it a lane.
+/// ReflectedFootprint: one pixel, and parts of it a lane.
 class CubicLanes {
 public:
-    CubicLanes(const MirroredRays& rays, std::size_t place, std::size_t width)
-        : origin_(rays, {MirroredRays::origin, MirroredRays::origin_dx, MirroredRays::origin_dy},
+    CubicLanes(const ReflectedRays& rays, std::size_t place, std::size_t width)
+        : origin_(rays, {ReflectedRays::origin, ReflectedRays::origin_dx, ReflectedRays::origin_dy},
                   place, width),
           direction_(
               rays,
-              {MirroredRays::direction, MirroredRays::direction_dx, MirroredRays::direction_dy},
+              {ReflectedRays::direction, ReflectedRays::direction_dx, ReflectedRays::direction_dy},
               place, width) {}
 
     /// The rays of parts of `share` times the width and height around places in the pixel.
@@ -49,10 +49,10 @@ private:
         std::size_t value, dx, dy;
     };
 
-    /// PixelCubic of a vector.
+    /// CubicFootprint of a vector.
     class Cubic {
     public:
-        Cubic(const MirroredRays& rays, const Numbers& numbers, std::size_t place,
+        Cubic(const ReflectedRays& rays, const Numbers& numbers, std::size_t place,
               std::size_t width) {
             const auto all = [&](std::size_t number, std::size_t at) {
                 const auto one = [&](std::size_t k) { return real(*rays.at(number + k, at)); };

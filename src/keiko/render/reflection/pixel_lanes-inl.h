@@ -1,4 +1,4 @@
-// Compiled once for each instruction set by stripe_kernels.cpp.
+// Compiled once for each instruction set by lamp_kernels.cpp.
 #if defined(KEIKO_RENDER_PIXEL_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef KEIKO_RENDER_PIXEL_LANES_INL_H
 #undef KEIKO_RENDER_PIXEL_LANES_INL_H
@@ -7,29 +7,29 @@
 #endif
 
 #include "keiko/render/reflection/image_lanes-inl.h"
-#include "keiko/render/reflection/stripe_kernels.h"
+#include "keiko/render/reflection/lamp_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-inline Space load_space(const MirroredRays& rays, std::size_t number, std::size_t place) {
+inline Space load_space(const ReflectedRays& rays, std::size_t number, std::size_t place) {
     const Wide d;
     return {hn::LoadU(d, rays.at(number, place)), hn::LoadU(d, rays.at(number + 1, place)),
             hn::LoadU(d, rays.at(number + 2, place))};
 }
 
-inline RayLanes load_rays(const MirroredRays& rays, std::size_t place) {
+inline RayLanes load_rays(const ReflectedRays& rays, std::size_t place) {
     const auto get = [&](std::size_t number) { return load_space(rays, number, place); };
-    return {get(MirroredRays::origin),       get(MirroredRays::direction),
-            get(MirroredRays::origin_dx),    get(MirroredRays::origin_dy),
-            get(MirroredRays::direction_dx), get(MirroredRays::direction_dy)};
+    return {get(ReflectedRays::origin),       get(ReflectedRays::direction),
+            get(ReflectedRays::origin_dx),    get(ReflectedRays::origin_dy),
+            get(ReflectedRays::direction_dx), get(ReflectedRays::direction_dy)};
 }
 
 /// PixelRays, a pixel a lane.
 struct PixelLanes {
     RayLanes centre, left, right, above, below;
 
-    PixelLanes(const MirroredRays& rays, std::size_t place, std::size_t width)
+    PixelLanes(const ReflectedRays& rays, std::size_t place, std::size_t width)
         : centre(load_rays(rays, place)),
           left(load_rays(rays, place - 1)),
           right(load_rays(rays, place + 1)),
@@ -37,7 +37,7 @@ struct PixelLanes {
           below(load_rays(rays, place + width)) {}
 };
 
-/// MirroredPixel::bundle, but for the centre and its spread.
+/// ReflectedFootprint::bundle, but for the centre and its spread.
 struct BundleLanes {
     Real origin_rest, direction_rest, origin_slope_rest, direction_slope_rest;
 
@@ -131,7 +131,7 @@ inline Truth misses_lamps(const CPlaneFrame& frame, const PixelLanes& pixel,
 }
 
 /// What of a ray, or of a derivative of one, tells where it meets a plane along one of its axes:
-/// see image_bend.cpp.
+/// see footprint_nonlinearity.cpp.
 struct SliceLanes {
     Real origin, origin_height, direction, direction_height;
 
@@ -163,7 +163,7 @@ struct SliceSlopes {
           y(frame.vector(rays.origin_dy), frame.vector(rays.direction_dy), axis) {}
 };
 
-/// PixelCubic::corners. That template itself knows nothing of instruction sets.
+/// CubicFootprint::corners. That template itself knows nothing of instruction sets.
 inline std::array<SliceLanes, 4> corners(const FrameLanes& frame, const PixelLanes& pixel,
                                          const Space& direction, unsigned axis) {
     const SliceLanes value(frame.point(pixel.centre.origin), direction, axis);
@@ -192,7 +192,7 @@ inline std::array<Real, 4> linear_corners(Real by_x, Real by_y) {
     return {hn::Neg(sum), rise, hn::Neg(rise), sum};
 }
 
-/// image_bend(), and the lanes where it has a value.
+/// footprint_nonlinearity(), and the lanes where it has a value.
 struct BendLanes {
     Real bend = real(0);
     Truth bounded = hn::FirstN(Wide(), hn::Lanes(Wide()));
@@ -220,7 +220,7 @@ struct BendLanes {
     }
 
 private:
-    /// As in image_bend.cpp.
+    /// As in footprint_nonlinearity.cpp.
     static Real bend_along(const FrameLanes& frame, const PixelLanes& pixel,
                            const ImageLanes& image) {
         const auto told = linear_corners(image.u_dx, image.u_dy);
@@ -238,8 +238,8 @@ private:
     }
 };
 
-/// MirroredPixel::misfit.
-inline Real misfit(const PixelLanes& pixel, Real t) {
+/// ReflectedFootprint::misfit.
+inline Real residual(const PixelLanes& pixel, Real t) {
     const auto off = [](const Space& value, const Space& own, const Space& there,
                         const Space& opposite, double side, const Space& is) {
         // The cubic a step to one side: its slope there and at the opposite neighbour say it all.

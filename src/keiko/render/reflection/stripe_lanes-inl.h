@@ -1,4 +1,4 @@
-// Compiled once for each instruction set by stripe_kernels.cpp.
+// Compiled once for each instruction set by lamp_kernels.cpp.
 #if defined(KEIKO_RENDER_STRIPE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef KEIKO_RENDER_STRIPE_LANES_INL_H
 #undef KEIKO_RENDER_STRIPE_LANES_INL_H
@@ -8,7 +8,7 @@
 
 #include "keiko/light/tubes/c_plane_lookup.h"
 #include "keiko/render/reflection/image_lanes-inl.h"
-#include "keiko/render/reflection/stripe_kernels.h"
+#include "keiko/render/reflection/lamp_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
@@ -90,7 +90,7 @@ struct LookLanes {
         const CPlaneFrame& frame = row.frame;
         const Space& d = image.direction;
         room = real(0), width = real(frame.diameter);
-        if (row.look != TubeLook::tube) return;
+        if (row.look != MirrorModel::tube) return;
         const Real down = hn::Abs(d.z);
         const Real flat = hn::Sqrt(hn::MulAdd(d.z, d.z, hn::Mul(d.y, d.y)));
         width = hn::Div(hn::Mul(width, flat), down);
@@ -105,9 +105,9 @@ inline Real coverage_one_by_one(const StripeRow& row, const ImageLanes& image, T
     const std::array all{image.t,           image.at.x,        image.at.y,      image.direction.x,
                          image.direction.y, image.direction.z, image.u_dx,      image.v_dx,
                          image.u_dy,        image.v_dy,        image.descent_x, image.descent_y};
-    std::array<std::array<double, StripeLooks::capacity>, all.size()> of;
+    std::array<std::array<double, LampCoverageBatch::capacity>, all.size()> of;
     for (std::size_t i = 0; i < all.size(); ++i) hn::StoreU(all[i], d, of[i].data());
-    std::array<double, StripeLooks::capacity> found{};
+    std::array<double, LampCoverageBatch::capacity> found{};
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
         if ((lane_bits(d, wanted, 0) >> lane & 1) == 0) continue;
         const auto at = [&](std::size_t number) { return of[number][lane]; };
@@ -135,7 +135,7 @@ inline Truth is_in_gap(const CPlaneFrame& frame, const ImageLanes& image, Real w
     return hn::And(between, hn::Lt(reach, hn::Mul(real(0.5), hn::Mul(least, pitch))));
 }
 
-/// StripeLook::coverage, of images that are no points.
+/// LampCoverage::coverage, of images that are no points.
 inline Real coverage(const StripeRow& row, const ImageLanes& image) {
     const CPlaneFrame& frame = row.frame;
     if (frame.lamps == 0) return real(0);
@@ -147,7 +147,7 @@ inline Real coverage(const StripeRow& row, const ImageLanes& image) {
         hn::Or(hn::Le(high, hn::Neg(look.room)), hn::Ge(low, hn::Add(length, look.room)));
     const Truth reached = hn::AndNot(beside, image.meets);
     if (hn::AllFalse(Wide(), reached)) return real(0);
-    const Real layer = real(row.look == TubeLook::tube ? frame.radius() : 0);
+    const Real layer = real(row.look == MirrorModel::tube ? frame.radius() : 0);
     const Real height = hn::Abs(hn::Mul(image.t, image.direction.z));
     const Truth among = hn::And(reached, hn::Lt(height, layer)); // starts_among_tubes()
     const Truth within = hn::And(hn::Ge(low, look.room), hn::Le(high, hn::Sub(length, look.room)));

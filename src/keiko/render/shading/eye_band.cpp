@@ -23,7 +23,7 @@ void take_over_row(std::vector<T>& places, std::size_t width, std::size_t size, 
 
 } // namespace
 
-void EyeBand::begin(const EyeGrid& grid, const EyeSample& unseen) {
+void EyeBand::begin(const TileRays& grid, const PixelSample& unseen) {
     if (!grid.continues_above) {
         view.samples.assign(mirrors.grid.size(), unseen);
         return;

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "keiko/render/reflection/eye_view.h"
-#include "keiko/render/reflection/first_mirrors.h"
+#include "keiko/render/reflection/reflection_buffer.h"
+#include "keiko/render/reflection/sample_batch.h"
 
 #include <vector>
 
 namespace keiko {
 
-/// A grid of eye rays that are followed, and then, as long as its pixels are not refined, the grids
-/// below it, each of which takes over two rows of the one above: neighbours of its own rows that
-/// need no rays again.
+/// A grid of camera rays that are followed, and then, as long as its pixels are not refined, the
+/// grids below it, each of which takes over two rows of the one above: neighbours of its own rows
+/// that need no rays again.
 class EyeBand {
 public:
     /// The size of the first grid; others are no higher.
@@ -17,13 +17,13 @@ public:
 
     /// Makes room for what the rays of a grid find: all samples show `unseen` yet, but for those
     /// of rows taken over.
-    void begin(const EyeGrid& grid, const EyeSample& unseen);
+    void begin(const TileRays& grid, const PixelSample& unseen);
 
     /// Asks for what is soon written of a place.
     void announce(std::size_t place) const;
 
-    EyeView view;
-    FirstMirrors mirrors;
+    SampleBatch view;
+    ReflectionBuffer mirrors;
 
 private:
     std::vector<Hits> above_; ///< what rows taken over point to

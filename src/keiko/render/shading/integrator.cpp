@@ -42,17 +42,17 @@ Segment Integrator::leg_of(const Ray& ray, const Hit* hit) {
     return {ray.origin, hit ? hit->position : ray.origin + ray.direction.normalized() * far_away};
 }
 
-EyeView Integrator::follow(std::span<const Ray> eye_rays) const {
-    EyeView view = this->view(Rays(eye_rays.begin(), eye_rays.end()));
-    for (const LitSpot& spot : view.spots)
-        add_light(spot, light_on(spot), view.samples[spot.sample]);
+SampleBatch Integrator::follow(std::span<const Ray> camera_rays) const {
+    SampleBatch view = this->view(Rays(camera_rays.begin(), camera_rays.end()));
+    for (const ShadingPoint& point : view.points)
+        add_light(point, direct_light(point), view.samples[point.sample]);
     return view;
 }
 
-bool Integrator::advance(Path& path, const Met& met, int depth, const VisibleFrom& shafts,
-                         EyeView& view) const {
-    EyeSample& sample = view.samples[path.sample];
-    note(path, met, depth, shafts, sample);
+bool Integrator::shade(PathState& path, const PathVertex& met, int depth, const VisibleFrom& shafts,
+                       SampleBatch& view) const {
+    PixelSample& sample = view.samples[path.sample];
+    record_aovs(path, met, depth, shafts, sample);
     pass_medium(path, met, shafts, sample);
     if (!met.hit) {
         sample.luminance +=
@@ -62,9 +62,9 @@ bool Integrator::advance(Path& path, const Met& met, int depth, const VisibleFro
     sample.paths.count(*met.hit);
     const std::uint32_t paint = paint_of_face_[met.hit->face];
     if (takes_light(paint, depth)) {
-        view.spots.push_back(spot_at(path, met, depth));
+        view.points.push_back(shading_point_at(path, met, depth));
         sample.lit = true;
-        sample.luminance += path.weight * ambient_luminance(view.spots.back());
+        sample.luminance += path.weight * ambient_luminance(view.points.back());
     }
     if (depth == 0) sample.cosine = met.incidence.cosine;
     if (depth >= options_.max_depth) return false;
@@ -73,15 +73,15 @@ bool Integrator::advance(Path& path, const Met& met, int depth, const VisibleFro
 }
 
 /// What a ray from the eye meets first, and what its mirrored ones pass.
-void Integrator::note(Path& path, const Met& met, int depth, const VisibleFrom& shafts,
-                      EyeSample& sample) const {
+void Integrator::record_aovs(PathState& path, const PathVertex& met, int depth,
+                             const VisibleFrom& shafts, PixelSample& sample) const {
     if (depth == 0) {
         sample.covered = met.hit != nullptr;
         sample.paint = met.hit ? paint_of_face_[met.hit->face] : 0;
         return;
     }
     if (depth == 1 && keeps_hits_) note_mirrored(met, sample);
-    sample.torn = sample.torn || met.mirror.torn;
+    sample.discontinuous = sample.discontinuous || met.mirror.discontinuous;
     add_lamps(path, met, shafts, sample);
 }
 
@@ -100,7 +100,8 @@ bool Integrator::takes_light(std::uint32_t paint, int depth) const {
 }
 
 /// Its side that the path comes from.
-LitSpot Integrator::spot_at(const Path& path, const Met& met, int depth) const {
+ShadingPoint Integrator::shading_point_at(const PathState& path, const PathVertex& met,
+                                          int depth) const {
     const Hit& hit = *met.hit;
     const Vec3& direction = met.ray.direction;
     const Vec3 normal = hit.normal.dot(direction) > 0 ? -hit.normal : hit.normal;
@@ -109,7 +110,7 @@ LitSpot Integrator::spot_at(const Path& path, const Met& met, int depth) const {
             hit.root,    eye,   path.weight};
 }
 
-void Integrator::note_mirrored(const Met& met, EyeSample& sample) {
+void Integrator::note_mirrored(const PathVertex& met, PixelSample& sample) {
     if (met.hit) sample.mirrored_face = met.hit->face;
     const auto& plane = met.mirror.plane;
     if (!plane || (met.hit && met.hit->t < plane->at.t)) return;
@@ -117,8 +118,8 @@ void Integrator::note_mirrored(const Met& met, EyeSample& sample) {
     sample.across_lamps = plane->at.v / plane->frame->pitch;
 }
 
-void Integrator::add_lamps(Path& path, const Met& met, const VisibleFrom& shafts,
-                           EyeSample& sample) const {
+void Integrator::add_lamps(PathState& path, const PathVertex& met, const VisibleFrom& shafts,
+                           PixelSample& sample) const {
     const MirroredLight& lamps = met.mirror.lamps;
     if (lamps.coverage == 0) return;
     const Ray& ray = met.ray;
@@ -134,8 +135,8 @@ void Integrator::add_lamps(Path& path, const Met& met, const VisibleFrom& shafts
     path.weight *= 1 - lamps.coverage;
 }
 
-void Integrator::pass_medium(Path& path, const Met& met, const VisibleFrom& shafts,
-                             EyeSample& sample) const {
+void Integrator::pass_medium(PathState& path, const PathVertex& met, const VisibleFrom& shafts,
+                             PixelSample& sample) const {
     if (!scene_.rig.medium) return;
     const Segment leg = leg_of(met.ray, met.hit);
     sample.luminance += path.weight * luminance_along(scene_.rig, leg, Rgb(0), shafts,

@@ -22,12 +22,12 @@ constexpr std::array criteria{LineCriterion{"KEIKO-LINE-TURN", &LineCrossing::tu
 
 /// The crossings of one seam by one criterion.
 struct Tally {
-    Worst worst;
+    MeasuredValue worst;
     std::size_t lines = 0, failing = 0;
 
     void add(const LineValue& value, const Vec3& place) {
-        const Worst one{std::abs(value.value), value.bound, *value.limit, place,
-                        value.verdict,         false};
+        const MeasuredValue one{std::abs(value.value), value.bound, *value.limit, place,
+                                value.verdict,         false};
         failing += value.verdict == Verdict::pass ? 0 : 1;
         const bool worse =
             one.verdict != worst.verdict ? one.verdict > worst.verdict : one.value > worst.value;

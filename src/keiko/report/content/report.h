@@ -51,7 +51,7 @@ struct Report {
     std::vector<ReportPicture> pictures;      ///< stripe pictures, in order
     std::vector<ReportPicture> line_pictures; ///< the same with the lines
     /// The surface by other looks than the lamps', each named for its view.
-    std::vector<ReportPicture> form_pictures;
+    std::vector<ReportPicture> curvature_pictures;
     std::vector<CombPicture> combs; ///< where combs were asked for
     std::vector<std::string> comb_remarks;
     std::vector<CloseUp> close_ups;

@@ -22,7 +22,7 @@ std::string row(std::initializer_list<std::string> fields) {
 }
 
 std::string row(const Check& check) {
-    const Worst& w = check.worst;
+    const MeasuredValue& w = check.worst;
     const auto if_judged = [&](double value) { return check.judged ? csv_number(value) : ""; };
     return row({check.seam == no_index ? "" : std::to_string(check.seam + 1), field(check.view),
                 field(check.faces), field(check.code), field(check.quantity),

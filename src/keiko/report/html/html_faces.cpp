@@ -33,7 +33,7 @@ std::string curvature_cells(const MeasuredFace& face) {
 }
 
 /// The radius found, and where it is not settled how small the true one may be.
-std::string radius_cell(const Worst& radius) {
+std::string radius_cell(const MeasuredValue& radius) {
     std::string text = short_number(radius.value, 4);
     if (radius.bound > curvature_tolerance * radius.value)
         text += soft_note("to " + short_number(radius.value - radius.bound, 4));

@@ -39,9 +39,9 @@ std::string box_text(const Box3& box) {
 
 std::string tracing_text(const TraceFacts& facts) {
     constexpr double mebibyte = 1 << 20;
-    return std::to_string(facts.leaves) + " leaves, " + std::to_string(facts.mixed_leaves) +
-           " cut by trims, " + fixed_number(static_cast<double>(facts.bytes) / mebibyte, 2) +
-           " MiB";
+    return std::to_string(facts.sub_patches) + " sub-patches, " +
+           std::to_string(facts.mixed_sub_patches) + " cut by trims, " +
+           fixed_number(static_cast<double>(facts.bytes) / mebibyte, 2) + " MiB";
 }
 
 std::string lost_faces(const ModelFacts& facts) {

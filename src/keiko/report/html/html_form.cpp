@@ -4,13 +4,13 @@
 namespace keiko {
 
 std::string html_form(const Report& report) {
-    if (report.form_pictures.empty()) return "";
+    if (report.curvature_pictures.empty()) return "";
     std::string html =
         "<section><h2>Form</h2><p class=\"soft\">Gaussian curvature, blue where the face is a "
         "saddle; black are the inflection curves, along which it changes its sign. Zebra: rings "
         "about the vertical, mirrored; they run smoothly where the curvature does.</p>"
         "<div class=\"pictures\">\n";
-    for (const ReportPicture& picture : report.form_pictures) html += html_figure(picture);
+    for (const ReportPicture& picture : report.curvature_pictures) html += html_figure(picture);
     return html + "</div></section>\n";
 }
 

@@ -8,7 +8,7 @@ namespace {
 std::string row(const Report& report, const Check& look) {
     const std::string opens =
         look.face == no_index ? "" : html_opens_close_up(report, CloseUp::Of::face, look.face);
-    const Worst& worst = look.worst;
+    const MeasuredValue& worst = look.worst;
     return "<tr class=\"undecided\"" + opens + ">" +
            html_cell(html_escaped(look.faces), html_escaped(look.faces), "left") +
            html_cell(look.code, look.code, "left") +

@@ -25,7 +25,7 @@ std::string measure(std::string_view label, std::string_view tone, const std::st
 }
 
 std::string gap_measure(const MeasuredSeam& seam) {
-    const Worst& gap = seam.gap;
+    const MeasuredValue& gap = seam.gap;
     return measure(seam.overlap ? "overlap" : "gap", name_of(gap.verdict),
                    fixed_number(gap.value, 4) + " mm", "limit " + short_number(gap.limit) + " mm",
                    share_of_limit(gap));
@@ -43,7 +43,7 @@ std::string lamp_shift(double degrees) {
 
 std::string angle_measure(const MeasuredSeam& seam) {
     if (!seam.angle) return measure("angle", "crease", "–", "no normal on one side", 0);
-    const Worst& angle = *seam.angle;
+    const MeasuredValue& angle = *seam.angle;
     const std::string value = fixed_number(angle.value, 3) + "°";
     if (seam.kind == SeamClass::crease)
         return measure("angle", "crease", value, "a crease, not judged", 1);
@@ -69,7 +69,7 @@ std::string curvature_measure(const MeasuredSeam& seam) {
 /// Nothing of a seam that is no crease, or of a crease that does not fade out.
 std::string fading_measure(const MeasuredSeam& seam) {
     if (!seam.fading) return "";
-    const Worst& worst = *seam.fading;
+    const MeasuredValue& worst = *seam.fading;
     return measure("run-out", name_of(worst.verdict), short_number(worst.value) + " °/mm",
                    "step of the slope, limit " + short_number(worst.limit) + " °/mm",
                    share_of_limit(worst));
@@ -84,7 +84,7 @@ std::string slope_measure(const MeasuredSeam& seam, const CriteriaPreset& preset
                            ? "nearly flat, not judged"
                            : "judged where curvature passes",
                        0);
-    const Worst& worst = seam.slope->worst;
+    const MeasuredValue& worst = seam.slope->worst;
     return measure("curvature's slope", name_of(worst.verdict), fixed_number(worst.value, 3) + "°",
                    "limit " + short_number(worst.limit) + "°", share_of_limit(worst));
 }
@@ -118,7 +118,7 @@ std::string seam_card(const Report& report, std::size_t rank, std::uint32_t inde
            "</div>\n";
 }
 
-bool over(const Worst& worst) {
+bool over(const MeasuredValue& worst) {
     return worst.verdict != Verdict::pass;
 }
 

@@ -16,9 +16,9 @@ Json box_json(const Box3& box) {
 }
 
 Json tracing_json(const TraceFacts& facts) {
-    Json json = {{"leaves", facts.leaves},
-                 {"mixed_leaves", facts.mixed_leaves},
-                 {"trimmed_away_leaves", facts.trimmed_away_leaves},
+    Json json = {{"sub_patches", facts.sub_patches},
+                 {"mixed_sub_patches", facts.mixed_sub_patches},
+                 {"trimmed_away_sub_patches", facts.trimmed_away_sub_patches},
                  {"bytes", facts.bytes}};
     if (facts.build_milliseconds) json["build_milliseconds"] = *facts.build_milliseconds;
     return json;

@@ -28,7 +28,7 @@ Json piece_json(const SurfaceLine& piece, const SurfaceModel& model) {
             {"points", points}};
 }
 
-Json shape_json(const LineShape& shape) {
+Json shape_json(const LineStatistics& shape) {
     return {{"length", shape.length},
             {"turning", shape.turning},
             {"waviness", shape.waviness},
@@ -45,7 +45,7 @@ Json line_json(const JoinedLine& line, const ViewLines& view, const SurfaceModel
                  {"end", name_of(line.end)}, {"length", line.length},
                  {"shapes", Json::array()},  {"inflections", Json::array()},
                  {"pieces", Json::array()}};
-    for (const LineShape& shape : line.shapes) json["shapes"].push_back(shape_json(shape));
+    for (const LineStatistics& shape : line.shapes) json["shapes"].push_back(shape_json(shape));
     for (const LineInflection& turn : line.inflections)
         json["inflections"].push_back({{"along", turn.along}, {"place", point(turn.place)}});
     for (const std::uint32_t piece : line.pieces)

@@ -6,7 +6,7 @@
 namespace keiko {
 namespace {
 
-Json worst(const Worst& w) {
+Json worst(const MeasuredValue& w) {
     return {{"value", w.value},
             {"bound", w.bound},
             {"limit", w.limit},
@@ -256,9 +256,9 @@ std::string report_json(const Report& report) {
     json["line_pictures"] = Json::array();
     for (const ReportPicture& picture : report.line_pictures)
         json["line_pictures"].push_back(picture_json(picture));
-    json["form_pictures"] = Json::array();
-    for (const ReportPicture& picture : report.form_pictures)
-        json["form_pictures"].push_back(picture_json(picture));
+    json["curvature_pictures"] = Json::array();
+    for (const ReportPicture& picture : report.curvature_pictures)
+        json["curvature_pictures"].push_back(picture_json(picture));
     json["close_ups"] = Json::array();
     for (const CloseUp& close_up : report.close_ups) {
         json["close_ups"].push_back(picture_json(close_up.picture));

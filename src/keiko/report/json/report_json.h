@@ -15,8 +15,8 @@ namespace keiko {
 /// rational_patches, surface_kinds {kind: faces}, degrees [{u, v, patches}],
 /// bounds {lower, upper}, edges, degenerate_edges, largest_edge_tolerance, join, seams,
 /// border_length, free_border_length, lost_faces [{id, name, reason}], remarks {notes, warnings,
-/// errors}, diagnostics [{severity, entity, message}], tracing {leaves, mixed_leaves,
-/// trimmed_away_leaves, bytes, build_milliseconds?} where a tracer was built, face_list [{id,
+/// errors}, diagnostics [{severity, entity, message}], tracing {sub_patches, mixed_sub_patches,
+/// trimmed_away_sub_patches, bytes, build_milliseconds?} where a tracer was built, face_list [{id,
 /// name, part, layer, color, surface_kind, patches, degree [u, v], rational, loops,
 /// approximated}] with `part` an index of part_list.
 std::string facts_json(const ModelFacts& facts);
@@ -40,9 +40,9 @@ std::string inspection_json(const Inspection& inspection, const std::string& too
 /// The whole report, "keiko-report/1": tool {name, version}, the keys of inspection_json with the
 /// verdict of lines and seams together, then lines {rig, look, preset, verdict, counts, crossings}
 /// with the keys of lines_json or null, coverage {rig, covered, unreached}, pictures,
-/// line_pictures, form_pictures and close_ups [{title, file, width, height, markers [{number, x,
-/// y}]}], close-ups with the number of their seam or face, or the rank of their crossing, from 1.
-/// It holds no time, so that every run gives the same bytes.
+/// line_pictures, curvature_pictures and close_ups [{title, file, width, height, markers [{number,
+/// x, y}]}], close-ups with the number of their seam or face, or the rank of their crossing,
+/// from 1. It holds no time, so that every run gives the same bytes.
 std::string report_json(const Report& report);
 
 } // namespace keiko

@@ -71,7 +71,7 @@ Json related_location(const SarifPlace& place, SarifFiles files) {
 }
 
 Json properties_of(const Check& check) {
-    const Worst& worst = check.worst;
+    const MeasuredValue& worst = check.worst;
     Json properties = {{"verdict", outcome_of(check)}, {"quantity", check.quantity},
                        {"value", worst.value},         {"bound", worst.bound},
                        {"limit", worst.limit},         {"unit", check.unit},

@@ -63,8 +63,8 @@ void write_remarks(TextLines& lines, const ModelFacts& facts) {
 
 void write_tracing(TextLines& lines, const TraceFacts& facts) {
     std::ostream& out = lines.line("tracing");
-    out << facts.leaves << " leaves, " << facts.mixed_leaves << " cut by trims, "
-        << facts.trimmed_away_leaves << " trimmed away, " << facts.bytes << " bytes";
+    out << facts.sub_patches << " sub-patches, " << facts.mixed_sub_patches << " cut by trims, "
+        << facts.trimmed_away_sub_patches << " trimmed away, " << facts.bytes << " bytes";
     if (facts.build_milliseconds) out << ", built in " << *facts.build_milliseconds << " ms";
 }
 

@@ -19,8 +19,8 @@ constexpr double most_inward_error = 0.03;
 constexpr int most_halvings_for_inward = 3;
 
 /// The curve of degree 5 with these ends, over an interval of length h [Farin2002, section 7.6].
-std::array<Vec3, BorderPiece::points> hermite(const SurfaceCurve::Point& a,
-                                              const SurfaceCurve::Point& b, double h) {
+std::array<Vec3, BoundaryPiece::points> hermite(const SurfaceCurve::Point& a,
+                                                const SurfaceCurve::Point& b, double h) {
     const Vec3 a1 = a.position + a.first * (h / 5), b1 = b.position - b.first * (h / 5);
     return {a.position,
             a1,
@@ -33,7 +33,7 @@ std::array<Vec3, BorderPiece::points> hermite(const SurfaceCurve::Point& a,
 /// Covers one curve with pieces.
 class CurveCover {
 public:
-    CurveCover(const SurfaceCurve& curve, const Beyond& beyond, const BorderPiece& kind)
+    CurveCover(const SurfaceCurve& curve, const Beyond& beyond, const BoundaryPiece& kind)
         : curve_(curve), beyond_(beyond), kind_(kind) {
         Box3 box;
         constexpr int samples = 8;
@@ -43,7 +43,7 @@ public:
         tolerance_ = std::max(accuracy * size_, rounding * scale_);
     }
 
-    std::vector<BorderPiece> run() {
+    std::vector<BoundaryPiece> run() {
         constexpr double collapsed = 1e-11;
         if (size_ > collapsed * scale_) by_patch(0, 1);
         return std::move(pieces_);
@@ -74,7 +74,7 @@ private:
     void cover(double a, double b, int halvings) {
         check_stop();
         if (!(a < b)) return;
-        BorderPiece piece = kind_;
+        BoundaryPiece piece = kind_;
         const auto curve = hermite(curve_.at(a), curve_.at(b), b - a);
         const double error = error_of(curve, a, b);
         piece.error = kind_.error + error;
@@ -92,7 +92,8 @@ private:
         pieces_.push_back(piece);
     }
 
-    double error_of(const std::array<Vec3, BorderPiece::points>& curve, double a, double b) const {
+    double error_of(const std::array<Vec3, BoundaryPiece::points>& curve, double a,
+                    double b) const {
         double most = 0;
         for (const double t : {0.15, 0.3, 0.5, 0.7, 0.85})
             most =
@@ -101,7 +102,7 @@ private:
     }
 
     /// The direction into the surface at three places, held against two others.
-    void find_inward(BorderPiece& piece, double a, double b) const {
+    void find_inward(BoundaryPiece& piece, double a, double b) const {
         const auto inward = [&](double t) -> std::optional<Vec3> {
             const auto frame = curve_.frame(a + (b - a) * t);
             return frame ? std::optional(frame->inward) : std::nullopt;
@@ -124,7 +125,7 @@ private:
 
     /// The normals on both sides at five places, with as much room as they turn by from one place
     /// to the next.
-    void find_normals(BorderPiece& piece, double a, double b) const {
+    void find_normals(BoundaryPiece& piece, double a, double b) const {
         constexpr std::size_t places = 5;
         std::array<Vec3, 2 * places> normals;
         Vec3 sum(0);
@@ -149,14 +150,14 @@ private:
         piece.normal_angle = farthest + turn + rounding_of_normals;
     }
 
-    static bool turns(const std::array<Vec3, BorderPiece::points>& curve) {
+    static bool turns(const std::array<Vec3, BoundaryPiece::points>& curve) {
         const Vec3 chord = curve.back() - curve.front();
         for (std::size_t i = 1; i < curve.size(); ++i)
             if (!(angle_between(chord, curve[i] - curve[i - 1]) < widest_turn)) return true;
         return false;
     }
 
-    void place(BorderPiece& piece, const std::array<Vec3, BorderPiece::points>& curve, double a,
+    void place(BoundaryPiece& piece, const std::array<Vec3, BoundaryPiece::points>& curve, double a,
                double b) const {
         for (const Vec3& p : curve) piece.box.extend(p);
         piece.center = piece.box.center();
@@ -170,15 +171,15 @@ private:
 
     const SurfaceCurve& curve_;
     const Beyond& beyond_;
-    const BorderPiece& kind_;
-    std::vector<BorderPiece> pieces_;
+    const BoundaryPiece& kind_;
+    std::vector<BoundaryPiece> pieces_;
     double size_ = 0, scale_ = 0, tolerance_ = 0;
 };
 
 } // namespace
 
-std::vector<BorderPiece> curve_cover(const SurfaceCurve& curve, const Beyond& beyond,
-                                     const BorderPiece& kind) {
+std::vector<BoundaryPiece> curve_cover(const SurfaceCurve& curve, const Beyond& beyond,
+                                       const BoundaryPiece& kind) {
     return CurveCover(curve, beyond, kind).run();
 }
 

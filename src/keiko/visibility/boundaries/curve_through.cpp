@@ -9,7 +9,7 @@
 namespace keiko {
 namespace {
 
-constexpr std::size_t points = BorderPiece::points;
+constexpr std::size_t points = BoundaryPiece::points;
 
 /// Of the Bernstein polynomials' values at the nodes, by Gauss and Jordan.
 CurveMatrix inverse() {

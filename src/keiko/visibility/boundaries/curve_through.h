@@ -1,12 +1,12 @@
 #pragma once
 
-#include "keiko/visibility/boundaries/border_piece.h"
+#include "keiko/visibility/boundaries/boundary_piece.h"
 
 #include <array>
 
 namespace keiko {
 
-using CurveMatrix = std::array<std::array<double, BorderPiece::points>, BorderPiece::points>;
+using CurveMatrix = std::array<std::array<double, BoundaryPiece::points>, BoundaryPiece::points>;
 
 /// Parameter of the k-th place that a curve through places is given by: Chebyshev's in [0, 1], both
 /// ends among them.
@@ -17,9 +17,10 @@ const CurveMatrix& control_points_of_values();
 
 /// Control points of the curve of degree 5 that has these values at the nodes.
 template <class T>
-std::array<T, BorderPiece::points> curve_through(const std::array<T, BorderPiece::points>& values) {
+std::array<T, BoundaryPiece::points> curve_through(
+    const std::array<T, BoundaryPiece::points>& values) {
     const CurveMatrix& matrix = control_points_of_values();
-    std::array<T, BorderPiece::points> curve = values;
+    std::array<T, BoundaryPiece::points> curve = values;
     for (std::size_t i = 0; i < curve.size(); ++i) {
         curve[i] = values[0] * matrix[i][0];
         for (std::size_t k = 1; k < values.size(); ++k) curve[i] += values[k] * matrix[i][k];

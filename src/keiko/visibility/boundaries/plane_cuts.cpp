@@ -3,7 +3,7 @@
 namespace keiko {
 namespace {
 
-constexpr std::size_t degree = BorderPiece::points - 1;
+constexpr std::size_t degree = BoundaryPiece::points - 1;
 
 struct ValueAndSlope {
     double value, slope;

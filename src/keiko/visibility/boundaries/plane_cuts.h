@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/bernstein/bernstein_roots.h"
-#include "keiko/visibility/boundaries/border_piece.h"
+#include "keiko/visibility/boundaries/boundary_piece.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 namespace keiko {
 
 /// Bernstein coefficients of the distance of a border piece to a plane.
-using PlaneDistances = std::array<double, BorderPiece::points>;
+using PlaneDistances = std::array<double, BoundaryPiece::points>;
 
 /// Where a piece of a border meets a plane.
 struct PlaneCut {

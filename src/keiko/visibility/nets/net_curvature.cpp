@@ -22,7 +22,7 @@ NetCurvature net_curvature(const ScalarNet& net) {
     return second;
 }
 
-NetCurvature net_curvature(const LoweredScalar& lowered, const ScalarNet& exact) {
+NetCurvature net_curvature(const DegreeReducedScalar& lowered, const ScalarNet& exact) {
     NetCurvature second = net_curvature(lowered.net);
     const auto square = [](std::size_t count) {
         return static_cast<double>((count - 1) * (count - 1));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/visibility/nets/lowered_net.h"
+#include "keiko/visibility/nets/degree_reduced_net.h"
 
 namespace keiko {
 
@@ -15,6 +15,6 @@ struct NetCurvature {
 NetCurvature net_curvature(const ScalarNet& net);
 /// Of the function that `lowered` approximates, `exact`, cheaper where the approximation is so
 /// close that Markov's inequality says enough of its derivatives.
-NetCurvature net_curvature(const LoweredScalar& lowered, const ScalarNet& exact);
+NetCurvature net_curvature(const DegreeReducedScalar& lowered, const ScalarNet& exact);
 
 } // namespace keiko

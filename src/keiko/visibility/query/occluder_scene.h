@@ -1,8 +1,8 @@
 #pragma once
 
-#include "keiko/visibility/boundaries/border_piece.h"
+#include "keiko/visibility/boundaries/boundary_piece.h"
 #include "keiko/visibility/query/occluders.h"
-#include "keiko/visibility/silhouettes/piece_tree.h"
+#include "keiko/visibility/silhouettes/bounds_tree.h"
 #include "keiko/visibility/silhouettes/silhouette_events.h"
 
 namespace keiko {
@@ -10,9 +10,9 @@ namespace keiko {
 /// All that Occluders know of a model.
 struct Occluders::Scene {
     Silhouettes silhouettes;
-    std::vector<BorderPiece> borders;
-    PieceTree silhouette_pieces, border_pieces, surface;
-    LeafKernels kernels = leaf_kernels();
+    std::vector<BoundaryPiece> borders;
+    BoundsTree silhouette_pieces, boundary_pieces, surface;
+    SubPatchKernels kernels = sub_patch_kernels();
     CandidateMaker candidates{silhouettes, kernels};
     SilhouetteSolver solver{silhouettes, kernels};
     Statistics statistics;

@@ -1,38 +1,38 @@
 #include "keiko/visibility/query/occluders.h"
 
-#include "keiko/visibility/query/apex_candidates.h"
+#include "keiko/visibility/query/visibility_query.h"
 
 #include <chrono>
 
 namespace keiko {
 namespace {
 
-PieceTree silhouette_tree(const std::vector<SilhouettePiece>& pieces) {
+BoundsTree silhouette_tree(const std::vector<SilhouettePiece>& pieces) {
     std::vector<PieceBound> bounds;
     for (const SilhouettePiece& p : pieces)
         bounds.push_back({p.box, p.frame.rows[2], p.normal_angle});
-    return PieceTree(std::move(bounds));
+    return BoundsTree(std::move(bounds));
 }
 
-PieceTree border_tree(const std::vector<BorderPiece>& pieces) {
+BoundsTree border_tree(const std::vector<BoundaryPiece>& pieces) {
     std::vector<PieceBound> bounds;
-    for (const BorderPiece& p : pieces) bounds.push_back({p.box, p.normal, p.normal_angle});
-    return PieceTree(std::move(bounds));
+    for (const BoundaryPiece& p : pieces) bounds.push_back({p.box, p.normal, p.normal_angle});
+    return BoundsTree(std::move(bounds));
 }
 
-PieceTree surface_tree(std::span<const Box3> boxes) {
+BoundsTree surface_tree(std::span<const Box3> boxes) {
     std::vector<PieceBound> bounds;
     for (const Box3& box : boxes) bounds.push_back({box});
-    return PieceTree(std::move(bounds));
+    return BoundsTree(std::move(bounds));
 }
 
 } // namespace
 
 Occluders::Scene::Scene(const SurfaceModel& model, const Tracer& tracer, const Job& job)
     : silhouettes(silhouettes_of(model, job)),
-      borders(keiko::border_pieces(model, tracer, job)),
+      borders(keiko::boundary_pieces(model, tracer, job)),
       silhouette_pieces(silhouette_tree(silhouettes.pieces)),
-      border_pieces(border_tree(borders)),
+      boundary_pieces(border_tree(borders)),
       surface(surface_tree(tracer.boxes())) {}
 
 Occluders::Occluders(const SurfaceModel& model, const Tracer& tracer, const Job& job) {
@@ -51,30 +51,34 @@ const Occluders::Statistics& Occluders::statistics() const {
     return scene_->statistics;
 }
 
-ApexView::ApexView(const Occluders& occluders, const Tracer& tracer, const Apex& apex,
-                   std::span<const Vec3> region, const std::optional<Vec3>& facing)
-    : candidates_(std::make_unique<Candidates>(*occluders.scene_, tracer, apex, region, facing)) {}
+VisibilityQuery::VisibilityQuery(const Occluders& occluders, const Tracer& tracer,
+                                 const Viewpoint& viewpoint, std::span<const Vec3> region,
+                                 const std::optional<Vec3>& facing)
+    : candidates_(
+          std::make_unique<Candidates>(*occluders.scene_, tracer, viewpoint, region, facing)) {}
 
-ApexView::~ApexView() = default;
-ApexView::ApexView(ApexView&&) noexcept = default;
-ApexView& ApexView::operator=(ApexView&&) noexcept = default;
+VisibilityQuery::~VisibilityQuery() = default;
+VisibilityQuery::VisibilityQuery(VisibilityQuery&&) noexcept = default;
+VisibilityQuery& VisibilityQuery::operator=(VisibilityQuery&&) noexcept = default;
 
-SeenParts ApexView::intervals(const Vec3& a, const Vec3& b) const {
+VisibleIntervals VisibilityQuery::intervals(const Vec3& a, const Vec3& b) const {
     return candidates_->intervals({a, b});
 }
 
-std::vector<SeenParts> ApexView::intervals(std::span<const SegmentEnds> row) const {
+std::vector<VisibleIntervals> VisibilityQuery::intervals(std::span<const SegmentEnds> row) const {
     if (auto parts = candidates_->intervals_of_row(row)) return std::move(*parts);
-    std::vector<SeenParts> parts;
+    std::vector<VisibleIntervals> parts;
     for (const SegmentEnds& ends : row) parts.push_back(candidates_->intervals(ends));
     return parts;
 }
 
-std::vector<std::optional<bool>> ApexView::seen_as_whole(std::span<const PrismEdges> prisms) const {
-    return candidates_->seen_as_whole(prisms);
+std::vector<std::optional<bool>> VisibilityQuery::classify_prisms(
+    std::span<const PrismEdges> prisms) const {
+    return candidates_->classify_prisms(prisms);
 }
 
-std::vector<SeenTurn> ApexView::turns(const PrismEdges& prism, double gap, double missed) const {
+std::vector<CriticalSlice> VisibilityQuery::turns(const PrismEdges& prism, double gap,
+                                                  double missed) const {
     return candidates_->turns(prism, gap, missed);
 }
 

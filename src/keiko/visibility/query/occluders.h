@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/job.h"
-#include "keiko/geometry/visibility/apex.h"
+#include "keiko/geometry/visibility/viewpoint.h"
 #include "keiko/intersect/traversal/tracer.h"
 #include "keiko/math/interval_set.h"
 
@@ -18,8 +18,8 @@ using SegmentEnds = std::array<Vec3, 2>;
 /// The parallel edges of a prism.
 using PrismEdges = std::array<SegmentEnds, 4>;
 
-/// What an apex sees of a segment.
-struct SeenParts {
+/// What a viewpoint sees of a segment.
+struct VisibleIntervals {
     IntervalSet intervals; ///< of the segment's parameter, 0 at its begin, 1 at its end
     /// False when somewhere events could not be told apart: an end may be off, or a narrow part
     /// missing there.
@@ -28,8 +28,8 @@ struct SeenParts {
 
 /// A place across a prism where what is seen of its lines may jump or bend: where the outline of
 /// something before it begins, ends or turns back, runs along it, or leaves it by its ends.
-struct SeenTurn {
-    Vec3 way{0};       ///< from the apex, at right angles to the prism
+struct CriticalSlice {
+    Vec3 way{0};       ///< from the viewpoint, at right angles to the prism
     double missed = 0; ///< what lines a gap apart may miss of the prism if they know nothing of it
     /// The side of it that is dark, by rising angle about the prism's direction: 1 or -1, or 0
     /// where that is not known.
@@ -37,10 +37,10 @@ struct SeenTurn {
     bool jump = true; ///< what is hidden may change at once there; else only how fast it does
 };
 
-class ApexView;
+class VisibilityQuery;
 
-/// All that may hide something in a model, made ready to be asked from many apexes which parts of
-/// segments they see past it: the ends of those parts are silhouettes and borders found on the
+/// All that may hide something in a model, made ready to be asked from many viewpoints which parts
+/// of segments they see past it: the ends of those parts are silhouettes and borders found on the
 /// surfaces by Newton's method to some 1e-12 of the segment, not by sampling rays
 /// (docs/theory/visibility.md). Immutable after construction; may be asked from any thread.
 class Occluders {
@@ -52,7 +52,7 @@ public:
     Occluders& operator=(Occluders&&) noexcept;
 
     struct Statistics {
-        std::size_t silhouette_pieces = 0, border_pieces = 0;
+        std::size_t silhouette_pieces = 0, boundary_pieces = 0;
         double build_seconds = 0;
     };
     const Statistics& statistics() const;
@@ -61,46 +61,46 @@ public:
     /// all of the hull of `region` or nothing of it: what any of them may see edge-on is not
     /// between. With `facing`, a unit normal, only what lies on its side of all places counts,
     /// beyond rounding: what a flat surface is lit from.
-    bool may_come_between(std::span<const Vec3> places, std::span<const Vec3> region,
-                          const std::optional<Vec3>& facing = {}) const;
+    bool may_occlude(std::span<const Vec3> places, std::span<const Vec3> region,
+                     const std::optional<Vec3>& facing = {}) const;
 
 private:
-    friend class ApexView;
-    friend class ShadowPencil;
+    friend class VisibilityQuery;
+    friend class EpipolarShadows;
     struct Scene;
     std::unique_ptr<Scene> scene_;
 };
 
-/// What one apex may ask: candidates are collected once, for all segments of a region. Not for two
-/// threads at once.
-class ApexView {
+/// What one viewpoint may ask: candidates are collected once, for all segments of a region. Not for
+/// two threads at once.
+class VisibilityQuery {
 public:
     /// `region`: corners of a convex body that holds every segment to come. Looks into the
     /// occluders and into `tracer`, which are of one model. With `facing`, a unit normal, only what
-    /// lies on its side of the plane through the apex is looked for, the rest counts as hidden:
-    /// what a surface is lit from.
-    ApexView(const Occluders& occluders, const Tracer& tracer, const Apex& apex,
-             std::span<const Vec3> region, const std::optional<Vec3>& facing = {});
-    ~ApexView();
-    ApexView(ApexView&&) noexcept;
-    ApexView& operator=(ApexView&&) noexcept;
+    /// lies on its side of the plane through the viewpoint is looked for, the rest counts as
+    /// hidden: what a surface is lit from.
+    VisibilityQuery(const Occluders& occluders, const Tracer& tracer, const Viewpoint& viewpoint,
+                    std::span<const Vec3> region, const std::optional<Vec3>& facing = {});
+    ~VisibilityQuery();
+    VisibilityQuery(VisibilityQuery&&) noexcept;
+    VisibilityQuery& operator=(VisibilityQuery&&) noexcept;
 
-    /// Parts of the segment from a to b such that nothing lies between them and the apex. Parts
-    /// and gaps shorter than 1e-9 of the segment are dropped. A segment without length is
+    /// Parts of the segment from a to b such that nothing lies between them and the viewpoint.
+    /// Parts and gaps shorter than 1e-9 of the segment are dropped. A segment without length is
     /// seen as a whole or not at all.
-    SeenParts intervals(const Vec3& a, const Vec3& b) const;
+    VisibleIntervals intervals(const Vec3& a, const Vec3& b) const;
     /// The same of several segments. Parallel ones are scan lines of a screen on which every
     /// candidate is placed once, and share rays (docs/theory/visibility.md).
-    std::vector<SeenParts> intervals(std::span<const SegmentEnds> row) const;
+    std::vector<VisibleIntervals> intervals(std::span<const SegmentEnds> row) const;
 
     /// Of each prism, all in the region, true where it is proved to be seen as a whole, false where
     /// nothing of it is, in both cases but for what of it lies on the side that is not faced;
     /// nothing where neither is proved.
-    std::vector<std::optional<bool>> seen_as_whole(std::span<const PrismEdges> prisms) const;
+    std::vector<std::optional<bool>> classify_prisms(std::span<const PrismEdges> prisms) const;
     /// Turns of a prism in the region. `gap`: between the lines that are looked at, of its width.
     /// Some are left out that together make those miss no more than `missed` of the prism, and
-    /// those of the apex's own patch.
-    std::vector<SeenTurn> turns(const PrismEdges& prism, double gap, double missed) const;
+    /// those of the viewpoint's own patch.
+    std::vector<CriticalSlice> turns(const PrismEdges& prism, double gap, double missed) const;
 
 private:
     class Candidates;

@@ -1,5 +1,5 @@
-#include "keiko/visibility/boundaries/border_events.h"
-#include "keiko/visibility/query/apex_candidates.h"
+#include "keiko/visibility/boundaries/boundary_events.h"
+#include "keiko/visibility/query/visibility_query.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +33,10 @@ void find_free(std::vector<ParameterInterval>& blocked, double low, double high,
 
 } // namespace
 
-const ApexView::Candidates::Screen& ApexView::Candidates::screen_of(const Vec3& along) const {
+const VisibilityQuery::Candidates::Screen& VisibilityQuery::Candidates::screen_of(
+    const Vec3& along) const {
     if (screen_ && screen_->screen.is_along(along)) return *screen_;
-    screen_.emplace(Screen{ApexScreen(apex_, along, middle_), {}, {}, {}});
+    screen_.emplace(Screen{ScanPlane(viewpoint_, along, middle_), {}, {}, {}});
     if (!screen_->screen.regular()) return *screen_;
     screen_->pieces.reserve(silhouettes_.pieces.size());
     for (const SilhouetteCandidate& c : silhouettes_.pieces)
@@ -47,8 +48,9 @@ const ApexView::Candidates::Screen& ApexView::Candidates::screen_of(const Vec3& 
     return *screen_;
 }
 
-std::optional<std::vector<ApexView::Candidates::ScanLine>> ApexView::Candidates::scan_lines(
-    const ApexScreen& screen, std::span<const SegmentEnds> row) const {
+std::optional<std::vector<VisibilityQuery::Candidates::ScanLine>>
+VisibilityQuery::Candidates::scan_lines(const ScanPlane& screen,
+                                        std::span<const SegmentEnds> row) const {
     if (!screen.regular()) return std::nullopt;
     std::vector<ScanLine> lines;
     lines.reserve(row.size());
@@ -63,9 +65,9 @@ std::optional<std::vector<ApexView::Candidates::ScanLine>> ApexView::Candidates:
     return lines;
 }
 
-void ApexView::Candidates::scan(const Screen& screen, std::span<const ScanLine> scan_lines,
-                                std::vector<Line>& lines) const {
-    const auto each_crossed = [&](const ScreenBox& box, const auto& visit) {
+void VisibilityQuery::Candidates::scan(const Screen& screen, std::span<const ScanLine> scan_lines,
+                                       std::vector<Line>& lines) const {
+    const auto each_crossed = [&](const ScanBounds& box, const auto& visit) {
         for (const ScanLine& l : between(scan_lines, box.across_low, box.across_high))
             if (box.along_low <= std::max(l.begin, l.end) &&
                 box.along_high >= std::min(l.begin, l.end))
@@ -86,13 +88,13 @@ void ApexView::Candidates::scan(const Screen& screen, std::span<const ScanLine> 
 
 /// Two gaps of neighbouring lines are one where a way from one to the other along the screen meets
 /// no candidate: nothing that can change what is seen lies there.
-void ApexView::Candidates::join_neighbours(const Screen& screen,
-                                           std::span<const ScanLine> scan_lines,
-                                           std::span<const std::size_t> first_gap,
-                                           GapGroups& groups) const {
+void VisibilityQuery::Candidates::join_neighbours(const Screen& screen,
+                                                  std::span<const ScanLine> scan_lines,
+                                                  std::span<const std::size_t> first_gap,
+                                                  IntervalClasses& groups) const {
     const auto gaps_of = [&](const ScanLine& l, const auto& visit) {
         for (std::size_t g = first_gap[l.line]; g < first_gap[l.line + 1]; ++g) {
-            const SegmentGap& gap = groups.gap(g);
+            const EventInterval& gap = groups.gap(g);
             const double step = l.end - l.begin;
             visit(g, l.begin + step * gap.begin, l.begin + step * gap.end);
         }
@@ -102,7 +104,7 @@ void ApexView::Candidates::join_neighbours(const Screen& screen,
         const ScanLine &a = scan_lines[i], &b = scan_lines[i + 1];
         blocked.clear();
         for (const auto* boxes : {&screen.pieces, &screen.borders})
-            for (const ScreenBox& box : *boxes)
+            for (const ScanBounds& box : *boxes)
                 if (box.across_low <= b.across && box.across_high >= a.across && !box.empty())
                     blocked.push_back({box.along_low, box.along_high});
         const double low = std::max(a.begin, b.begin), high = std::min(a.end, b.end);
@@ -119,7 +121,7 @@ void ApexView::Candidates::join_neighbours(const Screen& screen,
     }
 }
 
-std::optional<std::vector<SeenParts>> ApexView::Candidates::intervals_of_row(
+std::optional<std::vector<VisibleIntervals>> VisibilityQuery::Candidates::intervals_of_row(
     std::span<const SegmentEnds> row) const {
     if (row.empty() || all_seen_) return std::nullopt;
     const Screen& screen = screen_of((row[0][1] - row[0][0]).normalized());
@@ -134,19 +136,19 @@ std::optional<std::vector<SeenParts>> ApexView::Candidates::intervals_of_row(
     }
     scan(screen, *scan_lines, lines);
 
-    GapGroups groups;
+    IntervalClasses groups;
     std::vector<std::size_t> first_gap;
     first_gap.reserve(row.size() + 1);
     bool joinable = !region_touched_ && !has_horizon_;
     for (Line& line : lines) {
         add_own_events(line);
-        first_gap.push_back(groups.add(line.plane, gaps_between(line.events, line.asked)));
+        first_gap.push_back(groups.add(line.plane, event_intervals(line.events, line.asked)));
         joinable = joinable && line.certain && !line.searches_own;
     }
     first_gap.push_back(groups.size());
     if (joinable) join_neighbours(screen, *scan_lines, first_gap, groups);
     groups.classify(*tracer_);
-    std::vector<SeenParts> parts;
+    std::vector<VisibleIntervals> parts;
     parts.reserve(row.size());
     for (std::size_t i = 0; i < lines.size(); ++i)
         parts.push_back(

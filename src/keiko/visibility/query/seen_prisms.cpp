@@ -1,8 +1,8 @@
 #include "keiko/math/middle_of.h"
-#include "keiko/visibility/nets/linear_pair.h"
-#include "keiko/visibility/query/apex_candidates.h"
-#include "keiko/visibility/query/faced_corners.h"
-#include "keiko/visibility/query/fold_line.h"
+#include "keiko/visibility/nets/linearized_system.h"
+#include "keiko/visibility/query/clip_to_half_space.h"
+#include "keiko/visibility/query/contour_generator.h"
+#include "keiko/visibility/query/visibility_query.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ std::vector<Vec3> corners_of(const PrismEdges& prism) {
 }
 
 /// Along the screen, in the mean of the edges.
-ParameterInterval ends_of(const PrismEdges& prism, const ApexScreen& screen) {
+ParameterInterval ends_of(const PrismEdges& prism, const ScanPlane& screen) {
     ParameterInterval ends;
     for (const SegmentEnds& edge : prism) {
         ends.begin += screen.place(edge[0]).along / static_cast<double>(prism.size());
@@ -27,31 +27,33 @@ ParameterInterval ends_of(const PrismEdges& prism, const ApexScreen& screen) {
 }
 
 /// Whether a border may hide or show any of `volume` in some part of it, by some of its sides.
-bool may_cross(const BorderPiece& border, const BorderPiece::Curve& part, const Apex& apex,
-               const ViewVolume& volume, ViewVolume::Sides sides, int most_halvings) {
+bool may_cross(const BoundaryPiece& border, const BoundaryPiece::Curve& part,
+               const Viewpoint& viewpoint, const ViewVolume& volume, ViewVolume::Sides sides,
+               int most_halvings) {
     if (!volume.may_hold(part, border.center, border.error, sides) ||
-        !border.may_be_edge_on(apex, part))
+        !border.may_be_edge_on(viewpoint, part))
         return false;
     if (most_halvings == 0) return true;
     const std::array halves = cut_at(part, 0.5);
-    return std::any_of(halves.begin(), halves.end(), [&](const BorderPiece::Curve& half) {
-        return may_cross(border, half, apex, volume, sides, most_halvings - 1);
+    return std::any_of(halves.begin(), halves.end(), [&](const BoundaryPiece::Curve& half) {
+        return may_cross(border, half, viewpoint, volume, sides, most_halvings - 1);
     });
 }
 
 } // namespace
 
-bool ApexView::Candidates::own_may_cross(const ViewVolume& volume,
-                                         std::span<const Vec3> corners) const {
+bool VisibilityQuery::Candidates::own_may_cross(const ViewVolume& volume,
+                                                std::span<const Vec3> corners) const {
     if (!normal_) return true;
-    const ApexHorizon horizon{*normal_, least_elevation(apex_, *normal_, corners)};
+    const ViewpointHorizon horizon{*normal_, least_elevation(viewpoint_, *normal_, corners)};
     return std::any_of(silhouettes_.own.begin(), silhouettes_.own.end(), [&](const auto& own) {
-        return own.steepest >= horizon.elevation && own.rings->may_be_in(volume, apex_, horizon);
+        return own.steepest >= horizon.elevation &&
+               own.rings->may_be_in(volume, viewpoint_, horizon);
     });
 }
 
-bool ApexView::Candidates::nothing_crosses(const PrismEdges& prism,
-                                           std::span<const Vec3> corners) const {
+bool VisibilityQuery::Candidates::nothing_crosses(const PrismEdges& prism,
+                                                  std::span<const Vec3> corners) const {
     const Screen& screen = screen_of((prism[0][1] - prism[0][0]).normalized());
     const auto along = [&](const SegmentEnds& edge) {
         return screen.screen.is_along(edge[1] - edge[0]);
@@ -61,19 +63,20 @@ bool ApexView::Candidates::nothing_crosses(const PrismEdges& prism,
     if (!hull) return false;
     std::optional<ViewVolume> volume;
     const auto inside = [&]() -> const ViewVolume& {
-        if (!volume) volume.emplace(apex_, corners, facing_);
+        if (!volume) volume.emplace(viewpoint_, corners, facing_);
         return *volume;
     };
     constexpr int most_halvings = 8;
     for (std::size_t i = 0; i < screen.borders.size(); ++i) {
-        const BorderPiece& border = scene_->borders[borders_[i]];
+        const BoundaryPiece& border = scene_->borders[borders_[i]];
         if (screen.borders[i].overlaps(*hull) &&
-            may_cross(border, border.curve, apex_, inside(), inside().all_sides(), most_halvings))
+            may_cross(border, border.curve, viewpoint_, inside(), inside().all_sides(),
+                      most_halvings))
             return false;
     }
     for (std::size_t i = 0; i < screen.pieces.size(); ++i)
         if (screen.pieces[i].overlaps(*hull) &&
-            scene_->solver.may_be_in(inside(), silhouettes_.pieces[i], apex_))
+            scene_->solver.may_be_in(inside(), silhouettes_.pieces[i], viewpoint_))
             return false;
     return silhouettes_.own.empty() || !own_may_cross(inside(), corners);
 }
@@ -81,7 +84,7 @@ bool ApexView::Candidates::nothing_crosses(const PrismEdges& prism,
 /// A fold's tangent plane holds its line and the way to it. On the screen that has the slope
 /// -n_across / n_along of its normal n, which is at most `most_slope` where both mixtures of the
 /// two have one sign.
-bool ApexView::Candidates::runs_across(std::size_t i, double most_slope) const {
+bool VisibilityQuery::Candidates::runs_across(std::size_t i, double most_slope) const {
     const SilhouetteCandidate& candidate = silhouettes_.pieces[i];
     const SilhouettePiece& piece = scene_->silhouettes.pieces[candidate.piece];
     const AffineBounds::Weighed& g = candidate.edge_on;
@@ -92,56 +95,58 @@ bool ApexView::Candidates::runs_across(std::size_t i, double most_slope) const {
         const Vec3 mixed = screen_->screen.along() * most_slope + screen_->screen.across() * side;
         const AffineBounds::Weighed f =
             piece.planes.weighed(piece.frame.local(Vec4(mixed.x, mixed.y, mixed.z, 0)));
-        if (!f.vanishes_nowhere() && !LinearPair(f, g).root_is_outside()) return false;
+        if (!f.vanishes_nowhere() && !LinearizedSystem(f, g).root_is_outside()) return false;
         sign *= f.value + f.along_x * on_fold.x + f.along_y * on_fold.y;
     }
     return sign > 0;
 }
 
-void ApexView::Candidates::add_folds(std::size_t i, OutlineTurns& turns) const {
+void VisibilityQuery::Candidates::add_folds(std::size_t i, ContourExtrema& turns) const {
     auto known = screen_->folds.find(i);
     if (known == screen_->folds.end())
         known = screen_->folds
-                    .emplace(i, fold_line(scene_->silhouettes, scene_->kernels,
-                                          silhouettes_.pieces[i], apex_, screen_->screen.along()))
+                    .emplace(i, contour_generator(scene_->silhouettes, scene_->kernels,
+                                                  silhouettes_.pieces[i], viewpoint_,
+                                                  screen_->screen.along()))
                     .first;
     const auto& lines = known->second;
     if (!lines) return turns.add_unclear(screen_->pieces[i]);
-    for (const BorderPiece& line : *lines) turns.add_fold(line);
+    for (const BoundaryPiece& line : *lines) turns.add_fold(line);
 }
 
-std::vector<SeenTurn> ApexView::Candidates::turns(const PrismEdges& prism, double gap,
-                                                  double missed) const {
-    if (all_seen_ || apex_.infinite()) return {};
+std::vector<CriticalSlice> VisibilityQuery::Candidates::turns(const PrismEdges& prism, double gap,
+                                                              double missed) const {
+    if (all_seen_ || viewpoint_.infinite()) return {};
     std::vector<Vec3> corners = corners_of(prism);
-    if (facing_) corners = faced_corners(apex_, *facing_, corners);
+    if (facing_) corners = clip_to_half_space(viewpoint_, *facing_, corners);
     if (corners.empty()) return {};
     const Screen& screen = screen_of((prism[0][1] - prism[0][0]).normalized());
     const auto hull = screen.screen.regular() ? screen.screen.hull(corners) : std::nullopt;
     if (!hull) return {};
-    const ViewVolume volume(apex_, corners, facing_);
-    OutlineTurns turns(apex_, screen.screen, *hull, volume, ends_of(prism, screen.screen), gap,
-                       missed);
+    const ViewVolume volume(viewpoint_, corners, facing_);
+    ContourExtrema turns(viewpoint_, screen.screen, *hull, volume, ends_of(prism, screen.screen),
+                         gap, missed);
     add_outlines(*hull, turns);
-    std::vector<SeenTurn> found;
-    for (const OutlineTurns::Turn& turn : turns.found())
+    std::vector<CriticalSlice> found;
+    for (const ContourExtrema::Turn& turn : turns.found())
         found.push_back({screen.screen.way_at(turn.across), turn.missed, turn.dark, turn.jump});
     return found;
 }
 
 /// Those on the last screen that was asked for.
-void ApexView::Candidates::add_outlines(const ScreenBox& prism, OutlineTurns& turns) const {
+void VisibilityQuery::Candidates::add_outlines(const ScanBounds& prism,
+                                               ContourExtrema& turns) const {
     for (std::size_t i = 0; i < screen_->borders.size(); ++i)
-        if (screen_->borders[i].overlaps(prism) && !turns.leaves_out(screen_->borders[i]))
+        if (screen_->borders[i].overlaps(prism) && !turns.sub_patches_out(screen_->borders[i]))
             turns.add_border(scene_->borders[borders_[i]]);
     const double most_slope = turns.most_slope();
     for (std::size_t i = 0; i < screen_->pieces.size(); ++i)
         if (screen_->pieces[i].overlaps(prism) && !runs_across(i, most_slope) &&
-            !turns.leaves_out(screen_->pieces[i]))
+            !turns.sub_patches_out(screen_->pieces[i]))
             add_folds(i, turns);
 }
 
-std::vector<std::optional<bool>> ApexView::Candidates::seen_as_whole(
+std::vector<std::optional<bool>> VisibilityQuery::Candidates::classify_prisms(
     std::span<const PrismEdges> prisms) const {
     if (all_seen_) return std::vector<std::optional<bool>>(prisms.size(), all_seen_);
     std::vector<std::optional<bool>> seen(prisms.size());
@@ -150,11 +155,11 @@ std::vector<std::optional<bool>> ApexView::Candidates::seen_as_whole(
     std::vector<std::size_t> proved;
     for (std::size_t i = 0; i < prisms.size(); ++i) {
         std::vector<Vec3> corners = corners_of(prisms[i]);
-        if (facing_) corners = faced_corners(apex_, *facing_, corners);
+        if (facing_) corners = clip_to_half_space(viewpoint_, *facing_, corners);
         if (corners.empty())
             seen[i] = false;
         else if (nothing_crosses(prisms[i], corners)) {
-            rays.push_back(apex_.ray_to(middle_of(corners)));
+            rays.push_back(viewpoint_.ray_to(middle_of(corners)));
             proved.push_back(i);
         }
     }

@@ -1,4 +1,4 @@
-#include "keiko/visibility/query/outline_turns.h"
+#include "keiko/visibility/query/contour_extrema.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 namespace keiko {
 
 /// A line runs on where one part goes up from a place and one down, but for how it bends there.
-std::vector<OutlineTurns::Turn> OutlineTurns::turning_ends() const {
+std::vector<ContourExtrema::Turn> ContourExtrema::turning_ends() const {
     std::vector<Turn> turns;
     std::vector<End> ends = ends_;
     std::sort(ends.begin(), ends.end(),
@@ -34,7 +34,7 @@ std::vector<OutlineTurns::Turn> OutlineTurns::turning_ends() const {
 }
 
 /// Two faces of one edge have it twice.
-std::vector<OutlineTurns::Turn> OutlineTurns::all_turns() const {
+std::vector<ContourExtrema::Turn> ContourExtrema::all_turns() const {
     std::vector<Turn> turns = turning_ends();
     turns.insert(turns.end(), turns_.begin(), turns_.end());
     std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
@@ -48,7 +48,7 @@ std::vector<OutlineTurns::Turn> OutlineTurns::all_turns() const {
     return turns;
 }
 
-std::vector<OutlineTurns::Turn> OutlineTurns::found() const {
+std::vector<ContourExtrema::Turn> ContourExtrema::found() const {
     std::vector<Turn> turns = all_turns();
     std::sort(turns.begin(), turns.end(),
               [](const Turn& a, const Turn& b) { return a.missed < b.missed; });

@@ -54,10 +54,11 @@ double steepest(const DerivativeRange& u, const DerivativeRange& v) {
 
 } // namespace
 
-double least_elevation(const Apex& apex, const Vec3& normal, std::span<const Vec3> corners) {
+double least_elevation(const Viewpoint& viewpoint, const Vec3& normal,
+                       std::span<const Vec3> corners) {
     double least = 1, above = 0;
     for (const Vec3& corner : corners) {
-        const Vec3 way = apex.way_to(corner);
+        const Vec3 way = viewpoint.way_to(corner);
         const double sine = normal.dot(way) / way.length();
         if (above == 0) above = sine < 0 ? -1 : 1;
         least = std::min(least, above * sine);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/apex.h"
+#include "keiko/geometry/visibility/viewpoint.h"
 #include "keiko/visibility/nets/tangent_planes.h"
 
 #include <span>
@@ -8,12 +8,13 @@
 namespace keiko {
 
 /// Sine of the least elevation above the tangent plane with this unit normal, on either side of
-/// it, at which an apex sees a point of a convex body with these corners; 0 where the plane cuts
-/// the body.
-double least_elevation(const Apex& apex, const Vec3& normal, std::span<const Vec3> corners);
+/// it, at which a viewpoint sees a point of a convex body with these corners; 0 where the plane
+/// cuts the body.
+double least_elevation(const Viewpoint& viewpoint, const Vec3& normal,
+                       std::span<const Vec3> corners);
 
-/// The tangent plane at an apex that lies on a surface, and what is asked for over it.
-struct ApexHorizon {
+/// The tangent plane at a viewpoint that lies on a surface, and what is asked for over it.
+struct ViewpointHorizon {
     Vec3 normal{0};       ///< unit
     double elevation = 0; ///< sine of the least over the plane, 0 where it is cut
 };

@@ -1,6 +1,6 @@
 #include "keiko/visibility/silhouettes/silhouette_events.h"
 
-#include "keiko/visibility/nets/linear_pair.h"
+#include "keiko/visibility/nets/linearized_system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ struct Jacobian {
 Jacobian jacobian(const SurfaceJet& s, const Vec3& center, const SegmentPlane& plane) {
     const Vec3& m = plane.normal();
     const Vec3 x = center + s.position;
-    const Vec3 way = plane.apex().way_to(x);
+    const Vec3 way = plane.viewpoint().way_to(x);
     const Vec3 n = s.du.cross(s.dv);
     const double off = plane.weights(x).w;
     return {Vec2(off, n.dot(way)),
@@ -56,44 +56,45 @@ SurfaceJet SilhouetteSolver::jet_at(const OccluderPatch& patch, const Vec2& uv) 
 }
 
 bool SilhouetteSolver::find(const OwnCandidate& own, const SegmentPlane& plane,
-                            const SeenWedge& wedge, std::vector<VisibilityEvent>& events) const {
+                            const ShadowWedge& wedge, std::vector<VisibilityEvent>& events) const {
     const OccluderPatch& patch = silhouettes_.patches[own.patch];
     const Section section(own.rings->frame(), patch.size, plane, wedge);
     bool certain = true;
     own.rings->each_part(
         section,
-        [&](const EdgeOnPart& in, const LinearPair& pair) {
+        [&](const SilhouettePart& in, const LinearizedSystem& pair) {
             return add_only_root(pair, own.patch, in.uv(), own.trimmed, plane, events);
         },
-        [&](const EdgeOnPart& in) {
+        [&](const SilhouettePart& in) {
             const Part part{own.patch, in.uv(), own.trimmed, patch.size};
             certain = search(in, section, part, plane, events) && certain;
         });
     return certain;
 }
 
-void SilhouetteSolver::find_part(const SilhouetteCandidate& candidate, const Apex& apex) const {
+void SilhouetteSolver::find_part(const SilhouetteCandidate& candidate,
+                                 const Viewpoint& viewpoint) const {
     const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
-    const Vec4 weights = piece.weights(apex);
-    LoweredScalar edge_on{weighed(piece.lowered_planes.net, weights),
-                          magnitudes(weights).dot(piece.lowered_planes.error)};
+    const Vec4 weights = piece.weights(viewpoint);
+    DegreeReducedScalar edge_on{weighed(piece.lowered_planes.net, weights),
+                                magnitudes(weights).dot(piece.lowered_planes.error)};
     candidate.part.emplace();
     if (!may_vanish(edge_on.net, edge_on.error)) return;
-    *candidate.part = std::make_unique<EdgeOnPart>(piece.overlapped(), piece.overlapped_points,
-                                                   std::move(edge_on), Vec2(1));
+    *candidate.part = std::make_unique<SilhouettePart>(piece.overlapped(), piece.overlapped_points,
+                                                       std::move(edge_on), Vec2(1));
 }
 
 bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
-                            const SeenWedge& wedge, std::vector<VisibilityEvent>& events) const {
+                            const ShadowWedge& wedge, std::vector<VisibilityEvent>& events) const {
     if (candidate.nowhere_edge_on()) return true;
     const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
     const NetFrame& frame = piece.frame;
     const AffineBounds::Weighed f = piece.points.weighed(frame.local(plane.weights(frame.center)));
     if (f.vanishes_nowhere()) return true;
-    const LinearPair pair(f, candidate.edge_on);
+    const LinearizedSystem pair(f, candidate.edge_on);
     if (pair.root_is_outside()) return true;
     if (add_only_root(pair, piece.patch, piece.uv, piece.trimmed, plane, events)) return true;
-    if (!candidate.part) find_part(candidate, plane.apex());
+    if (!candidate.part) find_part(candidate, plane.viewpoint());
     if (candidate.nowhere_edge_on()) return true;
     constexpr int most_halvings = 10;
     const Section section(frame, piece.box.size(), plane, wedge);
@@ -101,10 +102,10 @@ bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentP
     (*candidate.part)
         ->each_part(
             section, most_halvings,
-            [&](const EdgeOnPart& in, const LinearPair& of_part) {
+            [&](const SilhouettePart& in, const LinearizedSystem& of_part) {
                 return add_only_root(of_part, piece.patch, in.uv(), piece.trimmed, plane, events);
             },
-            [&](const EdgeOnPart& in) {
+            [&](const SilhouettePart& in) {
                 const Part part{piece.patch, in.uv(), piece.trimmed, piece.box.size()};
                 certain = search(in, section, part, plane, events) && certain;
             });
@@ -112,18 +113,18 @@ bool SilhouetteSolver::find(const SilhouetteCandidate& candidate, const SegmentP
 }
 
 bool SilhouetteSolver::may_be_in(const ViewVolume& volume, const SilhouetteCandidate& candidate,
-                                 const Apex& apex) const {
+                                 const Viewpoint& viewpoint) const {
     if (candidate.nowhere_edge_on()) return false;
     const SilhouettePiece& piece = silhouettes_.pieces[candidate.piece];
     ViewVolume::Sides sides = volume.all_sides();
     if (!volume.may_hold(piece, sides)) return false;
-    if (!candidate.part) find_part(candidate, apex);
+    if (!candidate.part) find_part(candidate, viewpoint);
     if (candidate.nowhere_edge_on()) return false;
     constexpr int most_halvings = 8;
     return (*candidate.part)->may_be_in(volume, sides, piece.frame, most_halvings);
 }
 
-bool SilhouetteSolver::search(const EdgeOnPart& in, const Section& section, const Part& part,
+bool SilhouetteSolver::search(const SilhouettePart& in, const Section& section, const Part& part,
                               const SegmentPlane& plane,
                               std::vector<VisibilityEvent>& events) const {
     constexpr int few = 60, many = 200;
@@ -132,23 +133,23 @@ bool SilhouetteSolver::search(const EdgeOnPart& in, const Section& section, cons
     if (!found.unclear.empty()) {
         const OccluderPatch& patch = silhouettes_.patches[part.patch];
         ScalarNet exact =
-            restricted(weighed(patch.planes, plane.apex().seen_from(patch.center)), part.uv);
+            restricted(weighed(patch.planes, plane.viewpoint().seen_from(patch.center)), part.uv);
         found = run({std::move(distance), std::move(exact)}, part, plane, many);
     }
     return add(found, part, plane, events);
 }
 
-bool SilhouetteSolver::add_only_root(const LinearPair& pair, std::uint32_t index, const Box2& uv,
-                                     bool trimmed, const SegmentPlane& plane,
+bool SilhouetteSolver::add_only_root(const LinearizedSystem& pair, std::uint32_t index,
+                                     const Box2& uv, bool trimmed, const SegmentPlane& plane,
                                      std::vector<VisibilityEvent>& events) const {
-    if (!(pair.variation() < LinearPair::proved)) return false;
+    if (!(pair.variation() < LinearizedSystem::proved)) return false;
     const OccluderPatch& patch = silhouettes_.patches[index];
     const Vec2 extent = uv.extent();
     const auto root =
         newton(patch, uv.center() + extent * 0.5 * pair.nearest_inside(), extent, plane);
     if (!root) return false;
-    if (!within((*root - uv.center()) / (extent * 0.5), 1 + LinearPair::overlap))
-        return pair.variation() < LinearPair::straight;
+    if (!within((*root - uv.center()) / (extent * 0.5), 1 + LinearizedSystem::overlap))
+        return pair.variation() < LinearizedSystem::straight;
     add(patch, trimmed, *root, plane, events);
     return true;
 }
@@ -177,7 +178,7 @@ std::optional<Vec2> SilhouetteSolver::newton(const OccluderPatch& patch, Vec2 uv
 SilhouetteSearch::Result SilhouetteSolver::run(const SilhouetteSearch& search, const Part& part,
                                                const SegmentPlane& plane, int most_boxes) const {
     const OccluderPatch& patch = silhouettes_.patches[part.patch];
-    const Apex& apex = plane.apex();
+    const Viewpoint& viewpoint = plane.viewpoint();
     const Vec2 extent = part.uv.extent();
     const auto to_patch = [&](const Vec2& at) { return part.uv.lower + extent * at; };
     const auto place = [&](const Vec2& at) {
@@ -190,9 +191,10 @@ SilhouetteSearch::Result SilhouetteSolver::run(const SilhouetteSearch& search, c
     const double length = plane.along().length();
     const auto spread = [&](const Box2& box) {
         const double step = part.size * std::max(box.extent().x, box.extent().y);
-        if (apex.infinite()) return step / length;
-        const double away = (place(box.center()) - apex.place()).length() - step;
-        return step / std::max(away, 1e-300) * (plane.at(0.5) - apex.place()).length() / length;
+        if (viewpoint.infinite()) return step / length;
+        const double away = (place(box.center()) - viewpoint.place()).length() - step;
+        return step / std::max(away, 1e-300) * (plane.at(0.5) - viewpoint.place()).length() /
+               length;
     };
     return search.run(solve, spread, most_boxes);
 }

@@ -8,24 +8,25 @@
 
 namespace keiko {
 
-/// Finds where silhouettes, seen from one apex, hide a segment first or last: common zeros of m.(S
+/// Finds where silhouettes, seen from one viewpoint, hide a segment first or last: common zeros of
+/// m.(S
 /// - P) and (S_u x S_v).(S - P) (docs/theory/visibility.md#events). Where the two functions are
 /// proved to have at most one on a piece, Newton's method finds it; elsewhere the piece is split
 /// until they are, or until what is left is a single event to within rounding.
 class SilhouetteSolver {
 public:
-    SilhouetteSolver(const Silhouettes& silhouettes, const LeafKernels& kernels)
+    SilhouetteSolver(const Silhouettes& silhouettes, const SubPatchKernels& kernels)
         : silhouettes_(silhouettes), kernels_(kernels) {}
 
     /// Appends the events of a candidate at which it hides some of the segment in `wedge`; false
     /// when some could not be told apart.
     bool find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
-              const SeenWedge& wedge, std::vector<VisibilityEvent>& events) const;
-    bool find(const OwnCandidate& own, const SegmentPlane& plane, const SeenWedge& wedge,
+              const ShadowWedge& wedge, std::vector<VisibilityEvent>& events) const;
+    bool find(const OwnCandidate& own, const SegmentPlane& plane, const ShadowWedge& wedge,
               std::vector<VisibilityEvent>& events) const;
-    /// False when all that `apex` sees edge-on of a candidate is proved to lie outside.
+    /// False when all that `viewpoint` sees edge-on of a candidate is proved to lie outside.
     bool may_be_in(const ViewVolume& volume, const SilhouetteCandidate& candidate,
-                   const Apex& apex) const;
+                   const Viewpoint& viewpoint) const;
 
 private:
     /// The root that Newton's method finds from a place of the patch's [0, 1]^2 in steps measured
@@ -34,8 +35,9 @@ private:
                                const SegmentPlane& plane) const;
     /// Where `pair` proves that there is at most one event over a box of a patch: finds it. False
     /// where nothing is proved.
-    bool add_only_root(const LinearPair& pair, std::uint32_t patch, const Box2& uv, bool trimmed,
-                       const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const;
+    bool add_only_root(const LinearizedSystem& pair, std::uint32_t patch, const Box2& uv,
+                       bool trimmed, const SegmentPlane& plane,
+                       std::vector<VisibilityEvent>& events) const;
     /// A part of a patch that is searched.
     struct Part {
         std::uint32_t patch;
@@ -43,10 +45,10 @@ private:
         bool trimmed;
         double size; ///< mm
     };
-    void find_part(const SilhouetteCandidate& candidate, const Apex& apex) const;
+    void find_part(const SilhouetteCandidate& candidate, const Viewpoint& viewpoint) const;
     /// Appends the events in a part on which nothing is proved yet; false when some could not be
     /// told apart.
-    bool search(const EdgeOnPart& in, const Section& section, const Part& part,
+    bool search(const SilhouettePart& in, const Section& section, const Part& part,
                 const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const;
     SilhouetteSearch::Result run(const SilhouetteSearch& search, const Part& part,
                                  const SegmentPlane& plane, int most_boxes) const;
@@ -57,7 +59,7 @@ private:
              std::vector<VisibilityEvent>& events) const;
 
     const Silhouettes& silhouettes_;
-    const LeafKernels& kernels_;
+    const SubPatchKernels& kernels_;
 };
 
 } // namespace keiko

@@ -5,7 +5,7 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/bezier/subpatch.h"
 #include "keiko/math/perpendicular.h"
-#include "keiko/visibility/nets/reduced_degree.h"
+#include "keiko/visibility/nets/degree_reduction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 /// Halvings of an occluder patch along each parameter.
 constexpr int most_halvings = 5;
-/// rad: normals that turn by more over half a piece make apexes look at it in vain.
+/// rad: normals that turn by more over half a piece make viewpoints look at it in vain.
 constexpr double widest_turn = 0.2;
 /// Share of a net's slopes by which they may vary over a piece, for Newton's method to be proved.
 constexpr double most_bent = 0.4;
@@ -110,7 +110,7 @@ HomogeneousNet points_in_frame(const OccluderPatch& patch, const SilhouettePiece
 }
 
 /// Of few coefficients, for a search that splits the piece.
-LoweredNet lowered_planes(const OccluderPatch& patch, const SilhouettePiece& piece) {
+DegreeReducedNet lowered_planes(const OccluderPatch& patch, const SilhouettePiece& piece) {
     constexpr int enough = 5;
     const HomogeneousNet planes =
         moved_planes(part_of(patch.planes, piece.overlapped()), piece.frame.center - patch.center);
@@ -156,7 +156,7 @@ Silhouettes silhouettes_of_patch(const SurfaceModel& model, std::uint32_t instan
     HomogeneousNet placed{view.degree_u, view.degree_v, {}};
     for (const Vec4& p : view.points) placed.points.push_back(to_world.homogeneous(p));
     const Vec3 center = hull_bounds(placed.view()).center();
-    for (ReducedPatch& part : reduced_degree(moved_points(std::move(placed), center))) {
+    for (ReducedPatch& part : degree_reduction(moved_points(std::move(placed), center))) {
         OccluderPatch patch;
         patch.instance = instance;
         patch.face = model.patches[index].face;

@@ -4,9 +4,9 @@
 #include "keiko/geometry/bezier/ray.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/geometry/trim/trim_region.h"
-#include "keiko/geometry/visibility/apex.h"
+#include "keiko/geometry/visibility/viewpoint.h"
 #include "keiko/visibility/nets/affine_net.h"
-#include "keiko/visibility/nets/lowered_net.h"
+#include "keiko/visibility/nets/degree_reduced_net.h"
 #include "keiko/visibility/nets/net_frame.h"
 #include "keiko/visibility/silhouettes/chord_elevation.h"
 
@@ -34,19 +34,20 @@ struct OccluderPatch {
 };
 
 /// A part of an occluder patch over which points and tangent planes are nearly affine, so that a
-/// few products tell whether an apex can see it edge-on, and where a plane cuts that silhouette.
+/// few products tell whether a viewpoint can see it edge-on, and where a plane cuts that
+/// silhouette.
 struct SilhouettePiece {
     std::uint32_t patch = 0; ///< into Silhouettes::patches
     Box2 uv;                 ///< of that patch
     bool trimmed = false;    ///< trim curves may cross it
     Box3 box;                ///< world, mm
-    /// Of the nets. The last axis is about the normal: seen edge-on, an apex has little of that,
-    /// and bounds of what varies along the normal weigh little.
+    /// Of the nets. The last axis is about the normal: seen edge-on, a viewpoint has little of
+    /// that, and bounds of what varies along the normal weigh little.
     NetFrame frame;
     AffineNet points, planes;
     HomogeneousNet overlapped_points; ///< over the piece and its overlap
-    LoweredNet lowered_planes;        ///< over the same
-    TangentBounds chords;             ///< of `points`, for apexes whose foot is in surroundings()
+    DegreeReducedNet lowered_planes;  ///< over the same
+    TangentBounds chords; ///< of `points`, for viewpoints whose foot is in surroundings()
     double normal_angle =
         4; ///< rad, half angle of the cone about the last axis that holds all normals
 
@@ -56,14 +57,17 @@ struct SilhouettePiece {
         constexpr double overlap = 1e-7;
         return {uv.lower - uv.extent() * overlap, uv.upper + uv.extent() * overlap};
     }
-    /// The piece and half of its extent around: chords from an apex whose foot lies there to the
-    /// piece are mixtures of derivatives over this part of the patch.
+    /// The piece and half of its extent around: chords from a viewpoint whose foot lies there to
+    /// the piece are mixtures of derivatives over this part of the patch.
     Box2 surroundings() const { return {uv.lower - uv.extent() / 2, uv.upper + uv.extent() / 2}; }
-    /// What weighs `planes` into the function that is zero where `apex` sees the piece edge-on.
-    Vec4 weights(const Apex& apex) const { return frame.local(apex.seen_from(frame.center)); }
+    /// What weighs `planes` into the function that is zero where `viewpoint` sees the piece
+    /// edge-on.
+    Vec4 weights(const Viewpoint& viewpoint) const {
+        return frame.local(viewpoint.seen_from(frame.center));
+    }
 };
 
-/// Everything of a model that an apex may see edge-on.
+/// Everything of a model that a viewpoint may see edge-on.
 struct Silhouettes {
     std::vector<OccluderPatch> patches; ///< by instance, then by patch
     std::vector<SilhouettePiece> pieces;

@@ -1,7 +1,7 @@
 #include "keiko/visibility/silhouettes/silhouette_search.h"
 
-#include "keiko/visibility/nets/linear_pair.h"
-#include "keiko/visibility/nets/slopes.h"
+#include "keiko/visibility/nets/gradient_bounds.h"
+#include "keiko/visibility/nets/linearized_system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,17 +24,17 @@ SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread&
         if (!may_vanish(f) || !may_vanish(g, error_)) continue;
         const Vec2 size = box.extent();
         const double widest = std::max(size.x, size.y);
-        Slopes a = slopes_of(f), b = slopes_of(g);
+        GradientBounds a = slopes_of(f), b = slopes_of(g);
         b.add_error(error_, size);
-        const LinearPair pair(a.all, b.all);
+        const LinearizedSystem pair(a.all, b.all);
         if (pair.root_is_outside()) continue;
-        if (pair.variation() < LinearPair::proved) {
+        if (pair.variation() < LinearizedSystem::proved) {
             const auto found = solve(box.center() + size * 0.5 * pair.nearest_inside(), size);
-            if (found && box.padded(LinearPair::overlap * widest).contains(*found)) {
+            if (found && box.padded(LinearizedSystem::overlap * widest).contains(*found)) {
                 result.roots.push_back(*found);
                 continue;
             }
-            if (found && pair.variation() < LinearPair::straight) continue;
+            if (found && pair.variation() < LinearizedSystem::straight) continue;
         }
         const bool sharp = spread(box) <= sharpest;
         if (sharp || count >= most_boxes) {
@@ -43,7 +43,7 @@ SilhouetteSearch::Result SilhouetteSearch::run(const Solve& solve, const Spread&
             continue;
         }
         Box2 low = box, high = box;
-        const unsigned axis = Slopes{b.all, a.bend + b.bend}.axis_to_halve(size);
+        const unsigned axis = GradientBounds{b.all, a.bend + b.bend}.axis_to_halve(size);
         low.upper[axis] = high.lower[axis] = box.center()[axis];
         auto [low_f, high_f] = halved(f, axis);
         auto [low_g, high_g] = halved(g, axis);

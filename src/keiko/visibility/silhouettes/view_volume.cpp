@@ -38,21 +38,21 @@ std::array<Vec3, 2> across(const Vec3& axis, const Vec3& along) {
 
 } // namespace
 
-ViewVolume::ViewVolume(const Apex& apex, std::span<const Vec3> region,
+ViewVolume::ViewVolume(const Viewpoint& viewpoint, std::span<const Vec3> region,
                        const std::optional<Vec3>& facing) {
     for (const Vec3& corner : region) region_.extend(corner);
     const Vec3 middle = middle_of(region);
-    const Vec3 axis = apex.way_to(middle).normalized();
+    const Vec3 axis = viewpoint.way_to(middle).normalized();
     const std::array<Vec3, 2> beside = across(axis, longest_way(region));
     // Far beyond what rounding in the tests could move.
     constexpr double margin = 1e-9;
-    const Vec3 origin = apex.infinite() ? middle : apex.place();
+    const Vec3 origin = viewpoint.infinite() ? middle : viewpoint.place();
     const double reach = region_.size() + (middle - origin).length();
     double nearest = Box3::infinity, farthest = -Box3::infinity;
     Box2 slopes;
     for (const Vec3& corner : region) {
         const Vec3 x = corner - origin;
-        const double depth = x.dot(axis), unit = apex.infinite() ? 1 : depth;
+        const double depth = x.dot(axis), unit = viewpoint.infinite() ? 1 : depth;
         nearest = std::min(nearest, depth);
         farthest = std::max(farthest, depth);
         slopes.extend(Vec2(x.dot(beside[0]), x.dot(beside[1])) / unit);
@@ -60,16 +60,16 @@ ViewVolume::ViewVolume(const Apex& apex, std::span<const Vec3> region,
     add(-axis, -axis.dot(origin) - farthest - margin * reach);
     if (facing) add(*facing, facing->dot(origin) - margin * reach);
     hull_ = {Vec3(-Box3::infinity), Vec3(Box3::infinity)};
-    if (!apex.infinite()) {
+    if (!viewpoint.infinite()) {
         hull_ = region_;
-        hull_.extend(apex.place());
-        // A region that reaches behind the apex is in no pyramid.
+        hull_.extend(viewpoint.place());
+        // A region that reaches behind the viewpoint is in no pyramid.
         if (!(nearest > 0)) return;
     }
     for (unsigned k = 0; k < 2; ++k) {
         const double pad = margin * (1 + std::abs(slopes.lower[k]) + std::abs(slopes.upper[k]));
-        const Vec3 depth = apex.infinite() ? Vec3(0) : axis;
-        const double shift = apex.infinite() ? 1 : 0;
+        const Vec3 depth = viewpoint.infinite() ? Vec3(0) : axis;
+        const double shift = viewpoint.infinite() ? 1 : 0;
         const double low = slopes.lower[k] - pad, high = slopes.upper[k] + pad;
         const Vec3 above = beside[k] - depth * low, below = depth * high - beside[k];
         add(above, above.dot(origin) + shift * low - margin * reach);
@@ -120,11 +120,11 @@ bool ViewVolume::may_hold(const SilhouettePiece& piece, Sides& sides) const {
     return may_hold(piece.points, piece.frame, sides);
 }
 
-bool ViewVolume::may_hold(const BorderPiece& border, Sides& sides) const {
+bool ViewVolume::may_hold(const BoundaryPiece& border, Sides& sides) const {
     return may_hold(border.curve, border.center, border.error, sides);
 }
 
-bool ViewVolume::may_hold(const BorderPiece::Curve& curve, const Vec3& center, double error,
+bool ViewVolume::may_hold(const BoundaryPiece::Curve& curve, const Vec3& center, double error,
                           Sides& sides) const {
     return may_hold(sides, [&](const HalfSpace& h) {
         double least = h.normal.dot(curve[0]), most = least;

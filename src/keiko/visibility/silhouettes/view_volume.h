@@ -1,8 +1,8 @@
 #pragma once
 
-#include "keiko/geometry/visibility/apex.h"
+#include "keiko/geometry/visibility/viewpoint.h"
 #include "keiko/math/bounds.h"
-#include "keiko/visibility/boundaries/border_piece.h"
+#include "keiko/visibility/boundaries/boundary_piece.h"
 #include "keiko/visibility/silhouettes/silhouette_piece.h"
 
 #include <array>
@@ -11,13 +11,13 @@
 
 namespace keiko {
 
-/// The pyramid between an apex and all that it may be asked about (a prism for parallel light):
+/// The pyramid between a viewpoint and all that it may be asked about (a prism for parallel light):
 /// what lies outside hides nothing of it.
 class ViewVolume {
 public:
     /// `region` holds corners of a convex body around every segment to come.
-    /// With `facing` only what lies on its side of the plane through the apex hides anything.
-    ViewVolume(const Apex& apex, std::span<const Vec3> region,
+    /// With `facing` only what lies on its side of the plane through the viewpoint hides anything.
+    ViewVolume(const Viewpoint& viewpoint, std::span<const Vec3> region,
                const std::optional<Vec3>& facing = {});
 
     /// The hull of places and a region: what lies outside is between none of the two. With `facing`
@@ -34,9 +34,9 @@ public:
     bool may_hold(const Box3& box, Sides& sides) const;
     /// The same of a piece, whose parallelogram or control points are tighter than its box.
     bool may_hold(const SilhouettePiece& piece, Sides& sides) const;
-    bool may_hold(const BorderPiece& border, Sides& sides) const;
+    bool may_hold(const BoundaryPiece& border, Sides& sides) const;
     /// The same of a curve of degree 5, relative to `center`, and all within `error` of it.
-    bool may_hold(const BorderPiece::Curve& curve, const Vec3& center, double error,
+    bool may_hold(const BoundaryPiece::Curve& curve, const Vec3& center, double error,
                   Sides& sides) const;
     /// The same of bounded points in the axes of a frame.
     bool may_hold(const AffineBounds& points, const NetFrame& frame, Sides& sides) const;

@@ -24,9 +24,9 @@ LightRig rig_of(std::vector<LightSource> sources) {
     return {.name = "", .sources = std::move(sources), .ambient = Rgb(0), .medium = {}};
 }
 
-class NothingVisible final : public Visible {
+class NothingVisible final : public Visibility {
 public:
-    using Visible::intervals;
+    using Visibility::intervals;
     IntervalSet intervals(const Segment&) const override { return {}; }
 };
 
@@ -46,7 +46,7 @@ TEST(GlossyLuminance, AVeryNarrowLobeIsAMirror) {
         const Rgb before =
             RigPlanes(rig).luminance(point - Vec3(0, 9, 0), reflect(-eye, up)).luminance;
         if (!(sharp == beside && sharp == before)) continue;
-        const Rgb seen = glossy_luminance(rig, point, GlossKernel(gloss, up, eye), AllVisible());
+        const Rgb seen = glossy_luminance(rig, point, GlossKernel(gloss, up, eye), Unoccluded());
         EXPECT_NEAR(seen.r, sharp.r, 0.01 * row.luminance.r) << y;
         lit += seen.r > 0.9 * row.luminance.r;
     }
@@ -61,10 +61,10 @@ TEST(GlossyLuminance, SourcesAddUpAndCanBeHidden) {
                       .shadowing = Shadowing::smith,
                       .reflectance = Reflectance::dielectric(1.5)};
     const GlossKernel kernel(gloss, up, Vec3(0.3, 0, 1).normalized());
-    const auto seen = [&](std::vector<LightSource> sources, const Visible& visible) {
+    const auto seen = [&](std::vector<LightSource> sources, const Visibility& visible) {
         return glossy_luminance(rig_of(std::move(sources)), Vec3(0), kernel, visible).g;
     };
-    const AllVisible open;
+    const Unoccluded open;
     const double lamps = seen({row}, open), beam = seen({spot}, open), day = seen({sun}, open);
     EXPECT_NEAR(beam, kernel(up).g * 5000 / 9, 1e-9 * beam);
     EXPECT_NEAR(day, kernel(up).g * 1000, 1e-9 * day);
@@ -78,7 +78,7 @@ TEST(GlossyLuminance, FlakesBrightenTowardsTheMirrorDirection) {
     const Flakes flakes;
     const auto seen = [&](const Vec3& eye) {
         return glossy_luminance(rig, Vec3(0), FlakeKernel(flakes, up, eye.normalized()),
-                                AllVisible())
+                                Unoccluded())
             .g;
     };
     EXPECT_GT(seen({0, 0, 1}), 2 * seen({1.5, 0, 1}));

@@ -25,16 +25,16 @@ const Vec3 up(0, 0, 1);
 constexpr double pi = std::numbers::pi;
 
 /// Something is in the way of everything.
-class AllHidden final : public Visible {
+class AllHidden final : public Visibility {
 public:
-    using Visible::intervals;
+    using Visibility::intervals;
     IntervalSet intervals(const Segment&) const override { return {}; }
 };
 
 /// Hides the half of every segment that is nearer to its end a; counts the questions.
-class HalfHidden final : public Visible {
+class HalfHidden final : public Visibility {
 public:
-    using Visible::intervals;
+    using Visibility::intervals;
     IntervalSet intervals(const Segment& segment) const override {
         ++asked;
         return segment.a == segment.b ? IntervalSet() : IntervalSet::whole(0.5, 1);
@@ -54,12 +54,14 @@ struct Sphere {
 };
 
 /// Visibility past a sphere (docs/theory/visibility.md#shadows-in-closed-form).
-class PastSphere final : public Visible {
+class PastSphere final : public Visibility {
 public:
-    using Visible::intervals;
-    PastSphere(const Vec3& apex, const Sphere& sphere) : apex_(apex), sphere_(sphere) {}
+    using Visibility::intervals;
+    PastSphere(const Vec3& viewpoint, const Sphere& sphere)
+        : viewpoint_(viewpoint), sphere_(sphere) {}
     IntervalSet intervals(const Segment& segment) const override {
-        const Vec3 c = sphere_.center - apex_, v = segment.a - apex_, w = segment.b - segment.a;
+        const Vec3 c = sphere_.center - viewpoint_, v = segment.a - viewpoint_,
+                   w = segment.b - segment.a;
         const double k = c.length2() - sphere_.radius * sphere_.radius;
         const double q2 = std::pow(w.dot(c), 2) - w.length2() * k;
         const double q1 = v.dot(c) * w.dot(c) - v.dot(w) * k;
@@ -71,7 +73,7 @@ public:
     }
 
 private:
-    Vec3 apex_;
+    Vec3 viewpoint_;
     Sphere sphere_;
 };
 
@@ -129,19 +131,19 @@ LightRig rig_of(std::vector<LightSource> sources, std::optional<Medium> medium =
 
 TEST(DirectIlluminance, SumsOverAllSourcesWithoutTheAmbientLight) {
     const LightRig rig = rig_of({row, spot});
-    const auto parts = illuminance_by_source(rig, Vec3(0), up, AllVisible());
+    const auto parts = illuminance_by_source(rig, Vec3(0), up, Unoccluded());
     ASSERT_EQ(parts.size(), 2u);
     Rgb lamps;
     for (const TubeLamp& lamp : lamps_of(row)) lamps += irradiance(lamp, Vec3(0), up);
     EXPECT_NEAR(parts[0].r, lamps.r, 1e-12 * lamps.r);
     EXPECT_NEAR(parts[0].b, lamps.b, 1e-12 * lamps.b);
     EXPECT_NEAR(parts[1].g, 5000 / 9.0, 1e-10);
-    EXPECT_EQ(direct_illuminance(rig, Vec3(0), up, AllVisible()), parts[0] + parts[1]);
+    EXPECT_EQ(direct_illuminance(rig, Vec3(0), up, Unoccluded()), parts[0] + parts[1]);
 }
 
 TEST(DirectIlluminance, CountsWhatIsSeenOnly) {
     const LightRig rig = rig_of({row, spot});
-    const auto open = illuminance_by_source(rig, Vec3(0), up, AllVisible());
+    const auto open = illuminance_by_source(rig, Vec3(0), up, Unoccluded());
     const auto half = illuminance_by_source(rig, Vec3(0), up, HalfHidden());
     EXPECT_NEAR(half[0].r, open[0].r / 2, 1e-10 * open[0].r) << "by symmetry";
     EXPECT_EQ(half[1], Rgb());
@@ -160,9 +162,9 @@ TEST(DirectIlluminance, DoesNotAskForWhatCannotReachThePoint) {
 
 TEST(DirectIlluminance, IsAttenuatedOnItsWay) {
     const Medium medium{.extinction = {0, 0.1, 0.5}};
-    const auto clear = illuminance_by_source(rig_of({row, spot}), Vec3(0), up, AllVisible());
+    const auto clear = illuminance_by_source(rig_of({row, spot}), Vec3(0), up, Unoccluded());
     const auto foggy =
-        illuminance_by_source(rig_of({row, spot}, medium), Vec3(0), up, AllVisible());
+        illuminance_by_source(rig_of({row, spot}, medium), Vec3(0), up, Unoccluded());
     EXPECT_NEAR(foggy[1].b, clear[1].b * std::exp(-1.5), 1e-10);
     EXPECT_NEAR(foggy[0].r, clear[0].r, 1e-9 * clear[0].r) << "the pieces make the whole";
     // Lamps are 2 m and more away, those that count little more.
@@ -175,7 +177,7 @@ TEST(DirectIlluminance, PiecesInFogAreFineEnough) {
     single.lamps = 1;
     const Medium medium{.extinction = Rgb(1)};
     const double fine = facets(single, medium, Vec3(0), up, Sphere());
-    EXPECT_NEAR(illuminance_from(single, medium, Vec3(0), up, AllVisible()).g, fine, 2e-4 * fine);
+    EXPECT_NEAR(illuminance_from(single, medium, Vec3(0), up, Unoccluded()).g, fine, 2e-4 * fine);
 }
 
 TEST(DirectIlluminance, WeighsPenumbraeOverTheWidthInFog) {
@@ -208,7 +210,7 @@ TEST(DirectIlluminance, ARowThatNamesItsModelKeepsIt) {
     near.origin.z = 200;
     const auto lux = [&](TubeModel own, TubeModel asked) {
         near.diffuse = own;
-        return illuminance_from(near, {}, Vec3(0), up, AllVisible(), asked).g;
+        return illuminance_from(near, {}, Vec3(0), up, Unoccluded(), asked).g;
     };
     const double nishita = lux(TubeModel::automatic, TubeModel::nishita);
     EXPECT_EQ(lux(TubeModel::nishita, TubeModel::automatic), nishita);
@@ -217,12 +219,12 @@ TEST(DirectIlluminance, ARowThatNamesItsModelKeepsIt) {
 
 TEST(DirectIlluminance, TheSunIsParallelAndMayBeHidden) {
     const Sun sun{.direction = {0, 3, -4}, .illuminance = {50000, 40000, 30000}};
-    const auto lux = [&](const Vec3& normal, const Visible& visible) {
+    const auto lux = [&](const Vec3& normal, const Visibility& visible) {
         return illuminance_from(sun, Medium{.extinction = Rgb(5)}, Vec3(7, 8, 9), normal, visible);
     };
-    EXPECT_NEAR(lux(up, AllVisible()).r, 40000, 1e-9);
-    EXPECT_NEAR(lux(Vec3(0, -1, 0), AllVisible()).b, 18000, 1e-9);
-    EXPECT_EQ(lux(-up, AllVisible()), Rgb());
+    EXPECT_NEAR(lux(up, Unoccluded()).r, 40000, 1e-9);
+    EXPECT_NEAR(lux(Vec3(0, -1, 0), Unoccluded()).b, 18000, 1e-9);
+    EXPECT_EQ(lux(-up, Unoccluded()), Rgb());
     EXPECT_EQ(lux(up, HalfHidden()), Rgb());
 }
 
@@ -243,12 +245,12 @@ TEST(DirectIlluminance, CountsWhatEntersACoat) {
                    coat.entering(std::max(0.0, normal.dot(to.normalized())));
     }
     const double lit =
-        illuminance_from(single, {}, Vec3(0), normal, AllVisible(), TubeModel::automatic, &coat).g;
-    const double all = illuminance_from(single, {}, Vec3(0), normal, AllVisible()).g;
+        illuminance_from(single, {}, Vec3(0), normal, Unoccluded(), TubeModel::automatic, &coat).g;
+    const double all = illuminance_from(single, {}, Vec3(0), normal, Unoccluded()).g;
     EXPECT_NEAR(lit, entered, 2e-3 * (all - entered));
     EXPECT_LT(lit, 0.96 * all);
     const Rgb spotted =
-        illuminance_from(spot, {}, Vec3(0), up, AllVisible(), TubeModel::automatic, &coat);
+        illuminance_from(spot, {}, Vec3(0), up, Unoccluded(), TubeModel::automatic, &coat);
     EXPECT_NEAR(spotted.g, 0.96 * 5000 / 9.0, 1e-9);
 }
 
@@ -260,6 +262,6 @@ TEST(IlluminanceFrom, ACapIsHiddenToo) {
                         .lamps = 1,
                         .luminous_caps = true};
     const Vec3 beside(-20, 0, 1000), towards(1, 0, 0);
-    EXPECT_GT(illuminance_from(capped, {}, beside, towards, AllVisible()).r, 0);
+    EXPECT_GT(illuminance_from(capped, {}, beside, towards, Unoccluded()).r, 0);
     EXPECT_EQ(illuminance_from(capped, {}, beside, towards, AllHidden()).r, 0);
 }

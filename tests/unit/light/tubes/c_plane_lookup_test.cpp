@@ -20,7 +20,7 @@ const CPlaneFrame frame(ceiling);
 
 /// The mean over a pixel of what its rays see one by one.
 double mean_of_points(const Vec3& origin, const Vec3& direction, const RayDifferentials& spread,
-                      TubeLook look) {
+                      MirrorModel look) {
     const int side = 700;
     int lit = 0;
     for (int j = 0; j < side; ++j) {
@@ -105,7 +105,7 @@ TEST(CPlaneLookup, FootprintIsTheDerivativeOfTheHit) {
 }
 
 TEST(CPlaneLookup, FilteredStripesAreTheMeanOfManyRays) {
-    for (const auto look : {TubeLook::flat, TubeLook::tube}) {
+    for (const auto look : {MirrorModel::flat, MirrorModel::tube}) {
         for (const Vec3& direction : {Vec3(0.05, 0.1, 1), Vec3(-0.2, 0.7, 1)}) {
             const RayDifferentials spread = pixel_of(90, 0.6);
             const Vec3 origin = Vec3(20, 63, 2000) - direction * 2000;
@@ -124,12 +124,12 @@ TEST(CPlaneLookup, EndsOfTubesAreSeenWhereTheirRimsAre) {
     const Vec3 origin = Vec3(505, 50, 2000) - direction * 2000;
     const auto hit = c_plane_coordinates(frame, origin, direction);
     const Footprint footprint = footprint_on(frame, *hit, spread);
-    const auto error = [&](TubeLook look) {
+    const auto error = [&](MirrorModel look) {
         return std::abs(look_up(frame, origin, direction, footprint, look).coverage -
-                        mean_of_points(origin, direction, spread, TubeLook::tube));
+                        mean_of_points(origin, direction, spread, MirrorModel::tube));
     };
-    EXPECT_LT(error(TubeLook::tube), 0.01);
-    EXPECT_GT(error(TubeLook::flat), 0.1);
+    EXPECT_LT(error(MirrorModel::tube), 0.01);
+    EXPECT_GT(error(MirrorModel::flat), 0.1);
 }
 
 TEST(CPlaneLookup, ExactIsTheMeanOfManyRaysOverEveryEnd) {
@@ -153,11 +153,11 @@ TEST(CPlaneLookup, ExactIsTheMeanOfManyRaysOverEveryEnd) {
                 }
             const double mean = lit / static_cast<double>(side * side);
             EXPECT_GT(mean, 0.05);
-            const auto coverage = [&](TubeLook look) {
+            const auto coverage = [&](MirrorModel look) {
                 return look_up(row, from, direction, footprint, look).coverage;
             };
-            EXPECT_NEAR(coverage(TubeLook::exact), mean, 0.01) << caps << " " << u;
-            EXPECT_NEAR(coverage(TubeLook::tube), mean, 0.03) << caps << " " << u;
+            EXPECT_NEAR(coverage(MirrorModel::exact), mean, 0.01) << caps << " " << u;
+            EXPECT_NEAR(coverage(MirrorModel::tube), mean, 0.03) << caps << " " << u;
         }
     }
 }
@@ -189,7 +189,7 @@ TEST(CPlaneLookup, TubesBehindARayFromAmongThemAreNotSeen) {
             if (!hit) continue;
             ASSERT_TRUE(starts_among_tubes(row, *hit));
             const double seen =
-                look_up(row, *hit, origin, direction, Footprint::box(1e-6, 1e-6), TubeLook::tube)
+                look_up(row, *hit, origin, direction, Footprint::box(1e-6, 1e-6), MirrorModel::tube)
                     .coverage;
             const bool away = direction.y * sense < 0;
             EXPECT_TRUE(!away || seen == 0);

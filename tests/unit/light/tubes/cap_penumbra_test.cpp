@@ -13,7 +13,7 @@ using namespace keiko::test;
 namespace {
 
 /// Hides what lies on one side of a plane through the point.
-class HalfHidden final : public Visible {
+class HalfHidden final : public Visibility {
 public:
     HalfHidden(const Vec3& point, const Vec3& side) : point_(point), side_(side) {}
 

@@ -166,7 +166,8 @@ TEST(EndCoverage, LightsNoPixelWhoseImageMissesTheLamps) {
     const Vec3 under = frame.at(centre.x, centre.y) - frame.normal * 500.0;
     const Rays rays{under, frame.normal, {Vec3(-60, 50, 0), Vec3(4, 4, 0), Vec3(0), Vec3(0)}};
     const double truth = sampled(frame, rays, 800);
-    EXPECT_NEAR(look_up(frame, under, frame.normal, image, TubeLook::flat).coverage, truth, 4e-3);
+    EXPECT_NEAR(look_up(frame, under, frame.normal, image, MirrorModel::flat).coverage, truth,
+                4e-3);
     const PixelFilter along(-60, 4), across(50, 4);
     EXPECT_GT(along.share(20, length) * comb_coverage(frame, diameter, centre.y, across),
               truth + 0.05);
@@ -182,7 +183,7 @@ TEST(EndCoverage, EndsAtThePlanesHorizon) {
     EXPECT_TRUE(std::isinf(image.reach(0)));
     EXPECT_GT(rays.centre(frame).y, 10000);
     const double found =
-        look_up(frame, rays.origin, rays.direction, image, TubeLook::flat).coverage;
+        look_up(frame, rays.origin, rays.direction, image, MirrorModel::flat).coverage;
     EXPECT_NEAR(found, sampled(frame, rays, 800), 2e-3);
     EXPECT_GT(found, 0.02);
 }

@@ -33,7 +33,7 @@ struct Pixel {
     double seen(const CPlaneFrame& frame) const {
         const auto hit = c_plane_coordinates(frame, origin, direction);
         return look_up(frame, *hit, origin, direction, footprint_on(frame, *hit, spread),
-                       TubeLook::tube)
+                       MirrorModel::tube)
             .coverage;
     }
     /// The share of a grid of its rays that enter a tube where it shines.

@@ -1,6 +1,6 @@
 #include "keiko/light/luminance/flake_kernel.h"
 #include "keiko/light/luminance/gloss_kernel.h"
-#include "keiko/light/tubes/coat_entry.h"
+#include "keiko/light/tubes/coat_transmittance.h"
 #include "keiko/light/tubes/tube_gloss.h"
 #include "keiko/light/tubes/tube_irradiance.h"
 #include "keiko/math/quadrature.h"

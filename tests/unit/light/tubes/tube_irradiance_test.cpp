@@ -1,6 +1,6 @@
 #include "keiko/light/tubes/tube_irradiance.h"
 
-#include "keiko/geometry/visibility/visible.h"
+#include "keiko/geometry/visibility/visibility.h"
 #include "keiko/light/tubes/tube_view.h"
 #include "keiko/math/quadrature.h"
 
@@ -25,11 +25,11 @@ double lux(const test::OracleRow& row, TubeModel model,
 }
 
 /// Spheres that hide parts of a segment (docs/theory/visibility.md#shadows-in-closed-form).
-class SphereShadows final : public Visible {
+class SphereShadows final : public Visibility {
 public:
-    using Visible::intervals;
-    SphereShadows(const Vec3& apex, std::vector<double> spheres)
-        : apex_(apex), spheres_(std::move(spheres)) {}
+    using Visibility::intervals;
+    SphereShadows(const Vec3& viewpoint, std::vector<double> spheres)
+        : viewpoint_(viewpoint), spheres_(std::move(spheres)) {}
 
     IntervalSet intervals(const Segment& segment) const override {
         IntervalSet lit = IntervalSet::whole();
@@ -40,9 +40,9 @@ public:
 
 private:
     IntervalSet shadow(const Segment& segment, std::size_t i) const {
-        const Vec3 c = Vec3(spheres_[i], spheres_[i + 1], spheres_[i + 2]) - apex_;
+        const Vec3 c = Vec3(spheres_[i], spheres_[i + 1], spheres_[i + 2]) - viewpoint_;
         const double k = c.dot(c) - spheres_[i + 3] * spheres_[i + 3];
-        const Vec3 v = segment.a - apex_, w = segment.b - segment.a;
+        const Vec3 v = segment.a - viewpoint_, w = segment.b - segment.a;
         const double q2 = std::pow(w.dot(c), 2) - w.dot(w) * k;
         const double q1 = v.dot(c) * w.dot(c) - v.dot(w) * k;
         const double q0 = std::pow(v.dot(c), 2) - v.dot(v) * k;
@@ -52,24 +52,25 @@ private:
         return IntervalSet({{std::min(t0, t1), std::max(t0, t1)}});
     }
 
-    Vec3 apex_;
+    Vec3 viewpoint_;
     std::vector<double> spheres_;
 };
 
 /// Parts of a segment that convex quads, 4 corners each, leave visible
-/// (docs/theory/visibility.md#shadows-in-closed-form): each edge plane through the apex is one
+/// (docs/theory/visibility.md#shadows-in-closed-form): each edge plane through the viewpoint is one
 /// linear inequality in t.
-IntervalSet lit_by_quads(const Segment& segment, const Vec3& apex,
+IntervalSet lit_by_quads(const Segment& segment, const Vec3& viewpoint,
                          const std::vector<Vec3>& corners) {
     IntervalSet lit = IntervalSet::whole();
     for (std::size_t quad = 0; quad + 3 < corners.size(); quad += 4) {
         double begin = 0, end = 1;
-        const Vec3 middle = (corners[quad] + corners[quad + 2]) * 0.5 - apex;
+        const Vec3 middle = (corners[quad] + corners[quad + 2]) * 0.5 - viewpoint;
         for (std::size_t i = 0; i < 4; ++i) {
-            const Vec3 a = corners[quad + i] - apex, b = corners[quad + (i + 1) % 4] - apex;
+            const Vec3 a = corners[quad + i] - viewpoint,
+                       b = corners[quad + (i + 1) % 4] - viewpoint;
             Vec3 inwards = a.cross(b);
             if (inwards.dot(middle) < 0) inwards = -inwards;
-            const double at = inwards.dot(segment.a - apex);
+            const double at = inwards.dot(segment.a - viewpoint);
             const double rise = inwards.dot(segment.b - segment.a);
             if (rise > 0) begin = std::max(begin, -at / rise);
             if (rise < 0) end = std::min(end, -at / rise);

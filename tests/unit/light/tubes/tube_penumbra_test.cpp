@@ -16,9 +16,9 @@ const TubeLamp lamp{{-700, 40, 900}, {650, -20, 950}, 80, Rgb(1)};
 const Vec3 normal = Vec3(0.1, -0.2, 1).normalized();
 
 /// Everything on one side of a plane through the point and nearly along the lamp is hidden.
-class PastEdge final : public Visible {
+class PastEdge final : public Visibility {
 public:
-    using Visible::intervals;
+    using Visibility::intervals;
     explicit PastEdge(const Vec3& hidden_side) : side_(hidden_side) {}
     IntervalSet intervals(const Segment& segment) const override {
         ++lines;
@@ -66,7 +66,7 @@ double share_by_strips(const Vec3& hidden_side) {
     return seen / all;
 }
 
-double share(const Visible& visible, double tolerance) {
+double share(const Visibility& visible, double tolerance) {
     return seen_tubes({&lamp, 1}, Vec3(0), normal, visible, {tolerance})[0].share;
 }
 
@@ -119,9 +119,9 @@ TEST(TubePenumbra, TellsWhatIsSeenOfTheAxis) {
 
 /// However often the width is halved.
 TEST(TubePenumbra, AsksNoLineTwice) {
-    struct Recorder final : Visible {
+    struct Recorder final : Visibility {
         explicit Recorder(const Vec3& hidden_side) : edge(hidden_side) {}
-        using Visible::intervals;
+        using Visibility::intervals;
         IntervalSet intervals(const Segment& segment) const override {
             for (const Segment& other : asked)
                 twice += (other.a - segment.a).length() + (other.b - segment.b).length() < 1e-9;

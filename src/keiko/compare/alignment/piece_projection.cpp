@@ -1,0 +1,143 @@
+#include "keiko/compare/alignment/piece_projection.h"
+
+#include "keiko/intersect/subpatch/sub_patch_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace keiko {
+namespace {
+
+/// Gradient and Hessian of half the squared distance at a place of the piece.
+struct Local {
+    Vec2 gradient{0};
+    double uu = 0, uv = 0, vv = 0;
+    Vec2 speed{0}; ///< mm in a unit of u, of v
+
+    Local(const SurfaceDerivatives& s, const Vec3& p) {
+        const Vec3 off = s.position() - p;
+        gradient = Vec2(off.dot(s.du()), off.dot(s.dv()));
+        const double first_uu = s.du().length2(), first_uv = s.du().dot(s.dv());
+        const double first_vv = s.dv().length2();
+        speed = Vec2(std::sqrt(first_uu), std::sqrt(first_vv));
+        uu = first_uu + off.dot(s.duu());
+        uv = first_uv + off.dot(s.duv());
+        vv = first_vv + off.dot(s.dvv());
+        // Where the function bends down, go by the tangents alone (Gauss-Newton).
+        if (!(uu > 0.1 * first_uu && vv > 0.1 * first_vv && uu * vv - uv * uv > 0.01 * uu * vv))
+            uu = first_uu, uv = first_uv, vv = first_vv;
+    }
+};
+
+/// Whether going down leads out of the unit square there.
+bool held(double t, double gradient) {
+    return (t <= 0 && gradient > 0) || (t >= 1 && gradient < 0);
+}
+
+/// Newton's step along the sides that are not held.
+Vec2 newton_step(const Local& f, const Vec2& uv) {
+    const bool held_u = held(uv.x, f.gradient.x), held_v = held(uv.y, f.gradient.y);
+    const double tiny = std::numeric_limits<double>::min();
+    if (held_u && held_v) return Vec2(0);
+    if (held_u) return {0, -f.gradient.y / std::max(f.vv, tiny)};
+    if (held_v) return {-f.gradient.x / std::max(f.uu, tiny), 0};
+    const double determinant = f.uu * f.vv - f.uv * f.uv;
+    if (!(determinant > 1e-14 * f.uu * f.vv))
+        return {-f.gradient.x / std::max(f.uu, tiny), -f.gradient.y / std::max(f.vv, tiny)};
+    return {(f.uv * f.gradient.y - f.vv * f.gradient.x) / determinant,
+            (f.uv * f.gradient.x - f.uu * f.gradient.y) / determinant};
+}
+
+Vec2 clamped(const Vec2& uv) {
+    return {std::clamp(uv.x, 0.0, 1.0), std::clamp(uv.y, 0.0, 1.0)};
+}
+
+} // namespace
+
+PieceProjection piece_projection(const BezierPatchView& piece, const Vec3& p) {
+    constexpr int most_steps = 40;
+    constexpr double enough = 1e-11; // mm
+    Vec2 uv(0.5);
+    SurfaceDerivatives s = evaluate(piece, uv, 2);
+    double square = (s.position() - p).length2();
+    for (int i = 0; i < most_steps; ++i) {
+        const Local f(s, p);
+        Vec2 step = newton_step(f, uv);
+        Vec2 next = clamped(uv + step);
+        SurfaceDerivatives there = evaluate(piece, next, 2);
+        double square_there = (there.position() - p).length2();
+        // At the minimum itself the distance only rounds up and down.
+        const double not_worse = square * (1 + 1e-12);
+        for (int shorter = 0; shorter < 20 && square_there > not_worse; ++shorter) {
+            step *= 0.25;
+            next = clamped(uv + step);
+            there = evaluate(piece, next, 2);
+            square_there = (there.position() - p).length2();
+        }
+        if (!(square_there <= not_worse)) break;
+        const double moved =
+            std::abs(next.x - uv.x) * f.speed.x + std::abs(next.y - uv.y) * f.speed.y;
+        uv = next, s = there, square = square_there;
+        if (moved <= enough) break;
+    }
+    return {uv, s.position(), std::sqrt(square)};
+}
+
+namespace {
+
+/// Bounds of a numerator of a frame's coordinate, its first and its second derivatives.
+struct Numerator {
+    double value, slope, bend;
+
+    /// Of the coordinate's second derivatives, by the quotient rule with the weight 1 + w.
+    double second(const ComponentBounds& w) const {
+        const double least = 1 - w.value;
+        return (bend + (2 * slope * w.slope + value * w.bend) / least +
+                2 * value * w.slope * w.slope / (least * least)) /
+               least;
+    }
+};
+
+/// Least length of a x + b y over the unit circle.
+double least_stretch(const Vec3& a, const Vec3& b) {
+    const double uu = a.length2(), vv = b.length2(), uv = a.dot(b);
+    return std::sqrt(std::max(0.0, (uu + vv) / 2 - std::hypot((uu - vv) / 2, uv)));
+}
+
+} // namespace
+
+Convexity::Convexity(const BezierPatchView& piece) {
+    const SubPatchFrame f = sub_patch_frame(piece);
+    if (!f.regular) return;
+    const auto& r = f.rows;
+    const double determinant = r[0].dot(r[1].cross(r[2]));
+    axes_ = {r[1].cross(r[2]) / determinant, r[2].cross(r[0]) / determinant,
+             r[0].cross(r[1]) / determinant};
+    const std::array<Numerator, 3> numerators{{{1 + f.u.value, 1 + f.u.slope, f.u.bend},
+                                               {1 + f.v.value, 1 + f.v.slope, f.v.bend},
+                                               {f.n.value, f.n.slope, f.n.bend}}};
+    double value = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        second_[k] = numerators[k].second(f.w);
+        value += axes_[k].length() * numerators[k].value;
+    }
+    const double off = axes_[0].length() * f.u.slope + axes_[1].length() * f.v.slope +
+                       axes_[2].length() * f.n.slope;
+    const double least = 1 - f.w.value;
+    first_ = (least_stretch(axes_[0], axes_[1]) - off) / (1 + f.w.value) -
+             value * f.w.slope / (least * least);
+}
+
+bool Convexity::holds(const BezierPatchView& piece, const Vec3& p) const {
+    if (!(first_ > 0)) return false;
+    std::array<double, 3> reach{};
+    for (const Vec4& point : piece.points) {
+        const Vec3 off = Vec3(point.x, point.y, point.z) / point.w - p;
+        for (std::size_t k = 0; k < 3; ++k)
+            reach[k] = std::max(reach[k], std::abs(off.dot(axes_[k])));
+    }
+    return first_ * first_ > reach[0] * second_[0] + reach[1] * second_[1] + reach[2] * second_[2];
+}
+
+} // namespace keiko

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "keiko/geometry/seam/boundary_curves.h"
+#include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/lines/lamp_levels.h"
+#include "keiko/inspect/lines/line_geometry.h"
+#include "keiko/inspect/lines/surface_lines.h"
+
+#include <map>
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace keiko {
+
+/// What two patches meet along: a chain of seams, or a line between the patches of one face.
+struct LineBorder {
+    std::uint32_t seam = no_index; ///< number of the chain; no_index: inside a face
+    std::uint32_t instance = 0, face = 0;
+    bool constant_u = false; ///< of a line inside a face
+    double at = 0;           ///< the face parameter that is constant there
+
+    auto order() const { return std::tie(seam, instance, face, constant_u, at); }
+    bool operator<(const LineBorder& other) const { return order() < other.order(); }
+    bool operator==(const LineBorder& other) const { return order() == other.order(); }
+};
+
+/// Where an end of a piece lies on such a border, and what the other side shows there. All values
+/// are limits from the piece's own side unless it says otherwise.
+struct LineEndpoint {
+    std::uint32_t piece = 0, plane = 0, lamp = 0;
+    bool head = false; ///< the piece begins here, else it ends here
+    LineBorder border;
+    bool second = false; ///< of the border's two sides
+    std::uint32_t instance = 0, face = 0;
+    Vec3 place{0};
+    Vec3 along{0}; ///< unit, along the border, the same way for both sides
+    SurfaceDerivatives surface;
+    int degree = 1; ///< the larger one of the patch
+    LineGeometry course;
+    double off = 0; ///< mm, the place may be off by this along the border
+
+    double gap = 0;   ///< mm, to the nearest place of the other side
+    double angle = 0; ///< degrees, between the normals towards the eye
+    double jump =
+        0; ///< field there less the level; NaN where the other side does not show the lamps
+    SurfaceDerivatives other; ///< of the other side there
+    int other_degree = 1;
+
+    /// Of the field along the border.
+    double slope() const { return course.gradient().dot(along); }
+};
+
+/// Tells which borders of a model ends of lines lie on. Keeps references.
+class LineBorders {
+public:
+    LineBorders(const SurfaceModel& model, const BoundaryCurves& curves,
+                std::span<const Seam> seams, const std::vector<std::vector<std::uint32_t>>& chains);
+
+    /// An end of a piece: its meetings, and whether it lies on the border of its face's material.
+    struct End {
+        std::vector<LineEndpoint> meetings;
+        bool on_border = false;
+    };
+    End end_of(const SurfaceLine& piece, std::uint32_t index, bool head,
+               const LampLevels& lamps) const;
+
+private:
+    /// A side of one of the seams.
+    struct SeamSide {
+        std::uint32_t seam = 0;
+        bool second = false;
+    };
+    struct BorderPlace {
+        BoundaryInterval curve; ///< whole
+        double t = 0, distance = 0;
+    };
+    struct Asked {
+        const SurfaceLine& piece;
+        LinePoint point;
+        LineEndpoint meeting; ///< as far as it is the same for all borders
+        const LampLevels& lamps;
+    };
+
+    std::optional<BorderPlace> border_at(const Asked& end) const;
+    std::optional<LineEndpoint> at_seam(const Asked& end, const BorderPlace& border,
+                                        const SeamSide& side) const;
+    std::optional<LineEndpoint> at_knot(const Asked& end, bool constant_u) const;
+    int degree(std::uint32_t patch) const;
+
+    const SurfaceModel& model_;
+    const BoundaryCurves& curves_;
+    std::span<const Seam> seams_;
+    std::vector<std::uint32_t> chain_of_; ///< by seam
+    std::vector<TrimRegion> trims_;       ///< by face
+    std::vector<PatchGrid> grids_;        ///< by face
+    std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::vector<SeamSide>>
+        sides_; ///< by instance, face and curve
+};
+
+} // namespace keiko

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/inspect/basics/line_field.h"
+
+#include <optional>
+
+namespace keiko {
+
+/// How a line of a field runs through a place of a surface. Lines are oriented so that the field
+/// rises to their left, seen from the side of the eye. docs/theory/reflection-lines.md has the
+/// formulas.
+struct LineGeometry {
+    Vec3 normal{0};   ///< unit, towards the eye
+    Vec3 tangent{0};  ///< unit
+    double bend = 0;  ///< geodesic curvature, 1/mm, positive to the left
+    double value = 0; ///< the field less the level
+    /// Length of the field's gradient on the surface: mm on the C-plane a mm on the part, so that
+    /// neighbouring lines lie about pitch / density apart.
+    double density = 0;
+    double spread_along = 0;  ///< relative growth of that spacing along the line, 1/mm
+    double spread_across = 0; ///< the same to the left
+
+    Vec3 left() const { return normal.cross(tangent); }
+    /// Of the field on the surface.
+    Vec3 gradient() const { return left() * density; }
+};
+
+/// From the surface's derivatives to order 3, with order 2 all but bend and spread. Nothing where
+/// the surface is singular, the field has a pole or its gradient vanishes.
+std::optional<LineGeometry> line_course(const LineField& field, double level,
+                                        const SurfaceDerivatives& surface);
+
+/// How far the values of a course can be off.
+struct LineGeometryBounds {
+    double direction = 0; ///< radians, of the tangent
+    double bend = 0, value = 0;
+};
+
+/// By interval arithmetic of the same formulas, with derivatives that are widened by the rounding
+/// of a patch of such a `degree` and by what `off` mm away from the place may change. Fourth
+/// derivatives, which the latter needs, are estimated by Markov's inequality. Infinite where the
+/// intervals cannot tell.
+LineGeometryBounds line_course_bounds(const LineField& field, double level,
+                                      const SurfaceDerivatives& surface, int degree, double off);
+
+} // namespace keiko

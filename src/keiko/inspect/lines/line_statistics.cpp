@@ -1,0 +1,82 @@
+#include "keiko/inspect/lines/line_statistics.h"
+
+#include "keiko/base/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace keiko {
+namespace {
+
+/// Degrees. A stretch that turns by less is straight to any eye, and often to rounding.
+constexpr double least_turning = 0.05;
+
+/// A stretch of a line that turns one way.
+struct Stretch {
+    std::size_t begin = 0; ///< the course that it begins with
+    double turning = 0;    ///< degrees
+};
+
+std::vector<Stretch> stretches(std::span<const CourseAt> courses) {
+    std::vector<Stretch> found;
+    for (std::size_t i = 1; i < courses.size(); ++i) {
+        const double bend = (courses[i - 1].course.bend + courses[i].course.bend) / 2;
+        const double turning = radians_to_degrees(bend * courses[i].step);
+        if (!found.empty() && (found.back().turning < 0) == (turning < 0))
+            found.back().turning += turning;
+        else
+            found.push_back({i - 1, turning});
+    }
+    return found;
+}
+
+/// The course at or before the change of sign with which a stretch begins.
+std::size_t change_before(std::span<const CourseAt> courses, const Stretch& stretch) {
+    const double bend = courses[stretch.begin].course.bend;
+    return bend * stretch.turning > 0 && stretch.begin > 0 ? stretch.begin - 1 : stretch.begin;
+}
+
+std::vector<std::size_t> inflections(std::span<const CourseAt> courses,
+                                     const std::vector<Stretch>& stretches) {
+    std::vector<std::size_t> found;
+    double before = 0;
+    for (const Stretch& stretch : stretches) {
+        if (std::abs(stretch.turning) < least_turning) continue;
+        if (before * stretch.turning < 0) found.push_back(change_before(courses, stretch));
+        before = stretch.turning;
+    }
+    return found;
+}
+
+void take_spacing(LineStatistics& shape, const LineGeometry& course, double step) {
+    const double spacing = step / course.density;
+    if (!std::isfinite(spacing)) return;
+    shape.least_spacing =
+        shape.least_spacing > 0 ? std::min(shape.least_spacing, spacing) : spacing;
+    shape.most_spacing = std::max(shape.most_spacing, spacing);
+    shape.spacing_ratio =
+        std::max(shape.spacing_ratio, 1 + std::abs(spacing * course.spread_across));
+    shape.spacing_rate = std::max(shape.spacing_rate, std::abs(course.spread_along));
+}
+
+} // namespace
+
+LineStatistics line_shape(std::span<const CourseAt> courses, double step) {
+    LineStatistics shape;
+    double turning = 0;
+    const std::vector<Stretch> parts = stretches(courses);
+    for (const Stretch& part : parts)
+        shape.turning += part.turning, turning += std::abs(part.turning);
+    shape.waviness = turning - std::abs(shape.turning);
+    shape.inflections = inflections(courses, parts);
+    for (const CourseAt& at : courses) {
+        shape.length += at.step;
+        if (std::abs(at.course.bend) > std::abs(shape.largest_bend))
+            shape.largest_bend = at.course.bend;
+        if (step > 0) take_spacing(shape, at.course, step);
+    }
+    return shape;
+}
+
+} // namespace keiko

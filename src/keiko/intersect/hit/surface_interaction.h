@@ -1,0 +1,64 @@
+#pragma once
+
+#include "keiko/intersect/hit/intersection.h"
+#include "keiko/intersect/kernels/sub_patch_kernels.h"
+#include "keiko/intersect/subpatch/traced_model.h"
+
+namespace keiko {
+
+/// Makes hits of crossings: everything about them, in world coordinates. Several are evaluated
+/// side by side, those on one sub-patch together where enough of them follow soon: it costs half as
+/// much.
+class SurfaceInteraction {
+public:
+    SurfaceInteraction(const TracedModel& model, const SubPatchKernels& kernels,
+                       bool second_derivatives)
+        : model_(model), kernels_(kernels), second_derivatives_(second_derivatives) {}
+
+    /// Fetches what add() will read of a crossing that soon follows.
+    void announce(const Crossing& crossing);
+    /// `hit` is written at the latest by finish(); both must stay where they are until then.
+    void add(const Crossing& crossing, Hit& hit);
+    void finish();
+    /// Writes what HitDetail::face names, and nothing else.
+    void write_face(const Crossing& crossing, Hit& hit) const;
+
+private:
+    /// Crossings that wait for others beside them.
+    struct Group {
+        std::size_t count = 0;
+        HitPacket::Lanes<const Crossing*> crossings;
+        HitPacket::Lanes<Hit*> hits;
+
+        bool full() const { return count == HitPacket::capacity; }
+        void add(const Crossing* crossing, Hit* hit) {
+            crossings[count] = crossing;
+            hits[count++] = hit;
+        }
+    };
+
+    /// Makes room in a group: what it holds is evaluated beside others.
+    void mix(Group& group);
+    void evaluate(Group& group);
+    void ask(const Crossing& crossing, std::size_t lane);
+    void write(const Crossing& crossing, std::size_t lane, Hit& hit) const;
+    /// What depends on the derivatives, but for the bound.
+    void write_surface(std::size_t lane, const PartPlacement& placement, Hit& hit) const;
+    /// mm, of the world.
+    double position_bound(std::size_t lane, const SubPatch& sub_patch,
+                          const PartPlacement& placement) const;
+
+    const TracedModel& model_;
+    const SubPatchKernels& kernels_;
+    bool second_derivatives_;
+    std::uint32_t announced_ = no_index; ///< the last sub-patch that was
+    HitPacket block_;
+    std::array<Group, 8> by_sub_patch_; ///< each of one sub-patch; by the last digits of its number
+    Group mixed_;
+};
+
+/// One of them.
+Hit evaluated(const TracedModel& model, const SubPatchKernels& kernels, const Crossing& crossing,
+              bool second_derivatives);
+
+} // namespace keiko

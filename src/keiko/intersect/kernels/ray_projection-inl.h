@@ -1,0 +1,166 @@
+// Compiled once for each instruction set by sub_patch_kernels.cpp.
+#if defined(KEIKO_INTERSECT_RAY_PROJECTION_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KEIKO_INTERSECT_RAY_PROJECTION_INL_H
+#undef KEIKO_INTERSECT_RAY_PROJECTION_INL_H
+#else
+#define KEIKO_INTERSECT_RAY_PROJECTION_INL_H
+#endif
+
+#include "keiko/intersect/kernels/sub_patches-inl.h"
+#include "keiko/intersect/kernels/trim_cells-inl.h"
+#include "keiko/intersect/roots/ray_blur.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace keiko::HWY_NAMESPACE {
+
+/// A sub-patch as a ray sees it: the ray meets the plane of the frame at (a, b), moving by (p, q)
+/// for each unit of height.
+template <class D>
+struct View {
+    using V = hn::Vec<D>;
+
+    V a, b, p, q;
+    V depth;          ///< mm along the ray to the plane
+    V step;           ///< mm along the ray for a unit of height
+    V steep;          ///< |step| times the length of the height's row: 1 / cosine
+    V blur_u, blur_v; ///< of a and b, with all that the sub-patch's own blur adds
+    V contraction;    ///< of SubPatchFrame, for this ray
+
+    template <class Leaves>
+    View(D d, const RayPacket& rays, std::size_t lane, const Leaves& sub_patches) {
+        set_place(d, rays, lane, sub_patches);
+        set_blur(d, rays, lane, sub_patches);
+        set_bounds(d, sub_patches);
+    }
+
+    /// Half widths of the strips around (a, b) that a root lies in, and of the range of s.
+    V strip_u() const { return strip_u_; }
+    V strip_v() const { return strip_v_; }
+    V reach() const { return reach_; }
+    V bend() const { return bend_; }
+
+private:
+    template <class Leaves>
+    void set_place(D d, const RayPacket& rays, std::size_t lane, const Leaves& sub_patches) {
+        const auto get = [&](const auto& read) { return sub_patches.number(d, read); };
+        const auto away = [&](std::size_t k) {
+            return hn::Sub(
+                hn::Load(d, rays.start[k].data() + lane),
+                get([k](const PackedSubPatch& h) -> const double& { return h.center[k]; }));
+        };
+        const V o0 = away(0), o1 = away(1), o2 = away(2);
+        const auto along = [&](std::size_t k) {
+            return hn::Load(d, rays.direction[k].data() + lane);
+        };
+        const V d0 = along(0), d1 = along(1), d2 = along(2);
+        const auto row = [&](std::size_t r, V x, V y, V z) {
+            const auto entry = [&](std::size_t k) {
+                return get(
+                    [r, k](const PackedSubPatch& h) -> const double& { return h.rows[r][k]; });
+            };
+            return hn::MulAdd(entry(2), z, hn::MulAdd(entry(1), y, hn::Mul(entry(0), x)));
+        };
+        step = hn::Div(hn::Set(d, 1), row(2, d0, d1, d2));
+        const V height = row(2, o0, o1, o2);
+        p = hn::Mul(row(0, d0, d1, d2), step);
+        q = hn::Mul(row(1, d0, d1, d2), step);
+        a = hn::NegMulAdd(height, p, row(0, o0, o1, o2));
+        b = hn::NegMulAdd(height, q, row(1, o0, o1, o2));
+        depth = hn::Neg(hn::Mul(height, step));
+    }
+
+    template <class Leaves>
+    void set_blur(D d, const RayPacket& rays, std::size_t lane, const Leaves& sub_patches) {
+        const auto get = [&](const auto& read) { return sub_patches.number(d, read); };
+        const auto length = [&](std::size_t k) {
+            return get([k](const PackedSubPatch& h) -> const double& { return h.row_length[k]; });
+        };
+        const V length_n = length(2);
+        steep = hn::Mul(hn::Abs(step), length_n);
+        const V way = hn::MulAdd(
+            hn::Set(d, ray_rounding), hn::Abs(depth),
+            hn::Add(hn::Load(d, rays.blur.data() + lane),
+                    get([](const PackedSubPatch& h) -> const double& { return h.blur; })));
+        // F and G are multiplied by the weight, and so is what moves them.
+        const V weight = get([](const PackedSubPatch& h) -> const double& { return h.value[3]; });
+        blur_ = hn::MulAdd(way, weight, way);
+        blur_u = hn::Mul(blur_, hn::MulAdd(hn::Abs(p), length_n, length(0)));
+        blur_v = hn::Mul(blur_, hn::MulAdd(hn::Abs(q), length_n, length(1)));
+    }
+
+    template <class Leaves>
+    void set_bounds(D d, const Leaves& sub_patches) {
+        const V pp = hn::Abs(p), qq = hn::Abs(q);
+        const auto mixed = [&](auto bounds, std::size_t own, V turn, V at) {
+            const auto entry = [&](std::size_t k) {
+                return sub_patches.number(d, [bounds, k](const PackedSubPatch& h) -> const double& {
+                    return (h.*bounds)[k];
+                });
+            };
+            return hn::MulAdd(hn::Abs(at), entry(3), hn::MulAdd(turn, entry(2), entry(own)));
+        };
+        const auto larger = [&](auto bounds) {
+            return hn::Max(mixed(bounds, 0, pp, a), mixed(bounds, 1, qq, b));
+        };
+        contraction = larger(&PackedSubPatch::slope);
+        bend_ = larger(&PackedSubPatch::bend);
+        strip_u_ = hn::Add(mixed(&PackedSubPatch::value, 0, pp, a), blur_u);
+        strip_v_ = hn::Add(mixed(&PackedSubPatch::value, 1, qq, b), blur_v);
+        const V height = sub_patches.number(
+            d, [](const PackedSubPatch& h) -> const double& { return h.height; });
+        reach_ = hn::MulAdd(hn::Abs(step), height, hn::Mul(blur_, steep));
+    }
+
+    V blur_, strip_u_, strip_v_, bend_, reach_;
+};
+
+/// Beyond this the proofs' own rounding would matter.
+constexpr double largest_contraction = 0.95;
+/// 1 / cosine: rays lower over the sub-patch see a plane that is mostly rounding.
+constexpr double steepest = 1e6;
+
+template <class D>
+void project_ray(D d, const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch,
+                 ExistenceResult& result) {
+    const View<D> v(d, rays, lane, SameSubPatch{sub_patch, nullptr});
+    const auto one = hn::Set(d, 1);
+    const auto near_s = hn::Sub(v.depth, v.reach()), far_s = hn::Add(v.depth, v.reach());
+    const auto low = hn::Load(d, rays.low.data() + lane);
+    const auto high = hn::Load(d, rays.high.data() + lane);
+    const auto a = hn::Abs(v.a), b = hn::Abs(v.b);
+    const auto sane = hn::Lt(v.steep, hn::Set(d, steepest));
+    const auto missed =
+        hn::Or(hn::Or(hn::Gt(a, hn::Add(one, v.strip_u())), hn::Gt(b, hn::Add(one, v.strip_v()))),
+               hn::Or(hn::Lt(far_s, low), hn::Gt(near_s, high)));
+    const auto left = hn::Not(hn::And(sane, missed));
+    auto single =
+        hn::And(hn::And(left, sane), hn::Lt(v.contraction, hn::Set(d, largest_contraction)));
+    const auto undecided = hn::AndNot(single, left);
+    const auto within = [&](auto place, auto strip, std::size_t axis) {
+        return hn::And(hn::Ge(hn::Sub(place, strip), hn::Set(d, sub_patch.patch_low[axis])),
+                       hn::Le(hn::Add(place, strip), hn::Set(d, sub_patch.patch_high[axis])));
+    };
+    const auto inside = hn::And(within(v.a, v.strip_u(), 0), within(v.b, v.strip_v(), 1));
+    const auto store = [&](auto from, RayPacket::Lanes<double>& to) {
+        hn::Store(from, d, to.data() + lane);
+    };
+    store(near_s, result.nearest);
+    store(far_s, result.farthest);
+    const auto bits = [&](hn::Mask<D> mask) { return lane_bits(d, mask, lane); };
+    if (sub_patch.material) {
+        result.material |= bits(hn::And(single, inside));
+    } else if (sub_patch.cells) {
+        const auto met = cells_met(d, v.a, v.b, v.strip_u(), v.strip_v());
+        single = hn::AndNot(lie_in(d, met, sub_patch.cells.empty), single);
+        result.material |=
+            bits(hn::And(hn::And(single, inside), lie_in(d, met, sub_patch.cells.material)));
+    }
+    result.certain |= bits(hn::And(single, inside));
+    result.single |= bits(hn::AndNot(inside, single));
+    result.undecided |= bits(undecided);
+}
+
+} // namespace keiko::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

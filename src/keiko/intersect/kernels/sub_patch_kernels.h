@@ -1,0 +1,86 @@
+#pragma once
+
+#include "keiko/intersect/kernels/hit_packet.h"
+#include "keiko/intersect/kernels/ray_packet.h"
+#include "keiko/intersect/subpatch/packed_sub_patch.h"
+
+namespace keiko {
+
+/// What a first look at a sub-patch proves for each ray of a block. A lane in none of the masks
+/// misses the sub-patch, meets it outside of its range of s, or where there is no material.
+struct ExistenceResult {
+    LaneMask certain = 0;   ///< exactly one root on the sub-patch, and that on its patch
+    LaneMask material = 0;  ///< of `certain`: the root is material
+    LaneMask single = 0;    ///< at most one
+    LaneMask undecided = 0; ///< nothing: boxes or clipping can tell
+    /// Where the root is if there is one, for lanes of `certain` and `single`.
+    alignas(64) RayPacket::Lanes<double> nearest, farthest;
+};
+
+/// The roots of rays that have at most one on a sub-patch.
+struct SubPatchRoots {
+    LaneMask found = 0;
+    LaneMask failed = 0; ///< nothing is known, as where rounding was in the way
+    /// By lane of `found`: place in the frame's square [-1, 1]^2, bound of the distance to the
+    /// exact root in the larger of the two coordinates, distance along the ray.
+    alignas(64) RayPacket::Lanes<double> x, y, error, s;
+};
+
+using Component4 = std::array<double, 4>;
+
+/// Roots of a ray on a sub-patch: places of its [-1, 1]^2 with bounds of their errors, as small as
+/// rounding lets them be. Each was the only one in a box; the same root may stand in two of them,
+/// found from either side of the boxes' common border.
+struct RootBoxes {
+    static constexpr std::size_t capacity = 128;
+
+    std::size_t count = 0;
+    alignas(64) std::array<double, capacity> x, y, half_x, half_y;
+    std::array<double, capacity> s; ///< mm along the ray
+};
+
+/// A homogeneous surface and its derivatives by its parameters.
+struct HomogeneousJet {
+    alignas(32) Component4 value, du, dv, duu, duv, dvv;
+};
+
+/// The tests of rays against one sub-patch, made for one instruction set. On each of them a ray
+/// gets the same bits whatever stands in the other lanes; between them the last bits differ.
+struct SubPatchKernels {
+    const char* name; ///< of the instruction set
+    /// Makes traced rays of the rays of a block, and its masks; `count` and `rays` are given.
+    void (*enter)(const SceneBall&, RayPacket&);
+    /// Stage 0 of docs/theory/intersector.md for the lanes of a mask.
+    void (*look)(const RayPacket&, LaneMask, const PackedSubPatch&, ExistenceResult&);
+    /// The same for a single lane.
+    void (*look_single)(const RayPacket&, std::size_t lane, const PackedSubPatch&,
+                        ExistenceResult&);
+    /// Newton's method with a proved bound, for lanes that `look` called certain or single, on
+    /// the sub-patch's coefficients.
+    void (*solve)(const RayPacket&, LaneMask, const PackedSubPatch&, const Component4*,
+                  SubPatchRoots&);
+    void (*solve_single)(const RayPacket&, std::size_t lane, const PackedSubPatch&,
+                         const Component4*, SubPatchRoots&);
+    /// The same with a sub-patch for each lane, all of one array, and all sub-patches'
+    /// coefficients.
+    void (*solve_apart)(const RayPacket&, LaneMask, const RayPacket::Lanes<const PackedSubPatch*>&,
+                        const Component4*, SubPatchRoots&);
+    /// Krawczyk's method in one box a lane, for rays that `look` sub-patches undecided on a
+    /// sub-patch with bounds: it fails where they may have several roots, or are next to a
+    /// tangency.
+    void (*narrow)(const RayPacket&, LaneMask, const PackedSubPatch&, const Component4*,
+                   SubPatchRoots&);
+    /// All roots of a single lane by the same method in boxes, many side by side. False when boxes
+    /// stay undecided down to where only clipping helps, as near a tangency.
+    bool (*find_roots)(const RayPacket&, std::size_t lane, const PackedSubPatch&, const Component4*,
+                       RootBoxes&);
+    /// Of control points, to second order. Requires degrees of at least 1.
+    HomogeneousJet (*evaluate)(const BezierPatchView&, const Vec2&);
+    /// Of the sub-patches of hits, all at once, with what a hit tells of the surface.
+    void (*evaluate_hits)(HitPacket&);
+};
+
+/// The widest that this processor has.
+SubPatchKernels sub_patch_kernels();
+
+} // namespace keiko

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/geometry/trim/trim_region.h"
+#include "keiko/intersect/subpatch/sub_patch_frame.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace keiko {
+
+/// A piece of a patch, split until most rays are proved to meet it at most once; near a pole that
+/// cannot be had.
+struct SubPatch {
+    std::uint32_t patch = 0;
+    std::uint16_t degree_u = 1, degree_v = 1;
+    TrimSide trim = TrimSide::inside; ///< never outside: such sub-patches are not kept
+    bool near_border = false;         ///< a trim curve, or its seam, touches it
+    std::uint32_t first_point = 0;    ///< into SubPatchSet::points
+    /// Patch parameters it covers: a little more than its share, so that no ray slips through
+    /// between neighbours, nor between sewn faces.
+    Box2 domain;
+    /// Patch parameters beyond [0, 1] by which rounding alone may carry a hit; what lies farther
+    /// out can only be a seam hit.
+    Vec2 slip{0};
+    /// Bound of the face's seam reach in patch parameters anywhere on the sub-patch; infinite where
+    /// mm say nothing about parameters, as at a pole.
+    Vec2 seam_reach{0};
+    /// Unit; the surface's own unit normal, of either sense, is nowhere on the sub-patch farther
+    /// from it than `normal_spread`, infinite where that is not known.
+    Vec3 normal{0};
+    double normal_spread = 0;
+    Vec3 center{0};    ///< part coordinates
+    double radius = 0; ///< mm, of the ball about the centre that holds the control points
+    double weight = 1; ///< largest weight
+    double coefficient_error =
+        0; ///< mm, bound of what making the sub-patch moved a control point by
+
+    Vec2 patch_parameters(const Vec2& uv) const { return domain.lower + domain.extent() * uv; }
+};
+
+/// The sub-patches of one part, in part coordinates.
+struct SubPatchSet {
+    std::vector<SubPatch> sub_patches;
+    /// Homogeneous control points relative to the sub-patch's centre, (w (p - centre), w): in world
+    /// coordinates the terms w * centre would drown the derivatives that the proof looks at.
+    std::vector<Vec4> points;
+    /// One a sub-patch; polynomials as SubPatchPolynomial, entry for entry beside the points. Both
+    /// are 0 for sub-patches without a regular frame.
+    std::vector<SubPatchFrame> frames;
+    std::vector<std::array<double, 4>> polynomials;
+    std::vector<std::array<double, 4>> roundings; ///< of the polynomials, one a sub-patch
+    std::size_t trimmed_away = 0;
+
+    BezierPatchView view(const SubPatch& sub_patch) const;
+};
+
+/// Adds the sub-patches of `more` behind those of `all`.
+void append(SubPatchSet& all, SubPatchSet more);
+
+/// Splits the patches of a face into sub-patches, cropped to the face's material and without those
+/// that hold none of it within `reach` mm, as the patch's mean edge lengths tell. Halves them until
+/// SubPatchFrame::contraction is at most `flat_enough`, up to four times along one parameter.
+SubPatchSet subdivide(const SurfaceModel& model, const Face& face, const TrimRegion& region,
+                      double reach, double flat_enough);
+
+} // namespace keiko

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "keiko/geometry/bezier/bezier_patch.h"
+
+#include <array>
+
+namespace keiko {
+
+/// Bounds over a whole sub-patch of one homogeneous component less its affine part.
+struct ComponentBounds {
+    double value = 0; ///< of |e|
+    double slope = 0; ///< of |e_x| + |e_y|
+    double bend = 0;  ///< of |e_xx| + 2 |e_xy| + |e_yy|
+};
+
+/// Coordinates (X, Y, Z) = rows * (P - center) in which a piece of surface is nearly the square
+/// [-1, 1]^2 of the plane Z = 0. With x = 2 u - 1, y = 2 v - 1 and the weight w scaled to about
+/// 1, its homogeneous components are there
+///   w X = x + e_u(x, y),  w Y = y + e_v(x, y),  w Z = e_n(x, y),  w = 1 + e_w(x, y).
+struct SubPatchFrame {
+    /// The mean tangents span a plane; else only `length`, `bend_u`, `bend_v` and `twist` mean
+    /// anything.
+    bool regular = false;
+    Vec3 center{0};
+    std::array<Vec3, 3> rows{Vec3(0), Vec3(0), Vec3(0)};
+    Vec2 length{0};          ///< mm, mean of the edges along u and along v
+    double weight_scale = 1; ///< what the homogeneous components are multiplied by
+    ComponentBounds u, v, n, w;
+    double height = 0; ///< bound of |Z|
+    /// What halving u flattens, what halving v does, and what both must share.
+    double bend_u = 0, bend_v = 0, twist = 0;
+
+    /// For rays up to 60 degrees off the frame's normal: estimate of how far the function whose
+    /// zero is sought, preconditioned by the frame, is from the identity. It only guides the
+    /// splitting; the proof is made ray by ray (docs/theory/intersector.md). Infinite for a frame
+    /// that is not regular.
+    double contraction() const;
+};
+
+/// `sub-patch` is given relative to a place near it.
+SubPatchFrame sub_patch_frame(const BezierPatchView& sub_patch);
+
+} // namespace keiko

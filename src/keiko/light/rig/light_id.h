@@ -1,0 +1,37 @@
+#pragma once
+
+#include "keiko/light/rig/light_rig.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// What of a rig shines by itself: one lamp of a row, or a source that is no row.
+struct LightId {
+    std::size_t source = 0;
+    int lamp = 0; ///< by rising v; 0 of a source that is no row
+};
+
+/// Numbers of the lamps of a source, from 0; 0 alone of one that is no row.
+std::vector<int> lamp_numbers(const LightSource& source);
+
+/// All of a rig, by source, then by lamp.
+std::vector<LightId> lights_of(const LightRig& rig);
+
+/// Lights by rising source, then lamp, a source at a time: `visit(source, lamps, first)`, the
+/// numbers of its lamps and the place of their first among the lights.
+template <class Visit>
+void each_source(std::span<const LightId> lights, const Visit& visit) {
+    for (std::size_t i = 0; i < lights.size();) {
+        const std::size_t first = i, source = lights[i].source;
+        std::vector<int> lamps;
+        lamps.reserve(lights.size() - i);
+        for (; i < lights.size() && lights[i].source == source; ++i)
+            lamps.push_back(lights[i].lamp);
+        visit(source, lamps, first);
+    }
+}
+
+} // namespace keiko

@@ -1,0 +1,135 @@
+#include "keiko/light/rig/light_visibility.h"
+
+#include "keiko/light/spotlight/point_light.h"
+#include "keiko/light/tubes/tube_irradiance.h"
+#include "keiko/light/tubes/tube_penumbra.h"
+#include "keiko/light/tubes/tube_row_irradiance.h"
+
+#include <algorithm>
+
+namespace keiko {
+namespace {
+
+/// Of a lamp's illuminance: what its penumbrae may be off by, half of what the whole system may.
+constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
+/// Of half a lamp's width, by the angle around it, between lines that see the same.
+constexpr double widest_gap = 0.12, widest_gap_in_pictures = 1;
+
+class Looker {
+public:
+    Looker(std::span<const int> asked, const Vec3& point, const Vec3& normal,
+           const Visibility& visible, TubeModel model, bool axes)
+        : asked_(asked),
+          point_(point),
+          normal_(normal),
+          visible_(visible),
+          model_(model),
+          axes_(axes) {}
+
+    std::vector<LightVisibility> operator()(const CPlane& plane) const {
+        const CPlaneFrame frame(plane);
+        std::vector<LightVisibility> seen(asked_.size(), LightVisibility{{}, 0, 0});
+        std::vector<std::size_t> above;
+        std::vector<TubeLamp> lamps;
+        above.reserve(asked_.size()), lamps.reserve(asked_.size());
+        for (std::size_t i = 0; i < asked_.size(); ++i) {
+            lamps.push_back(lamp_of(frame, asked_[i], plane.luminance));
+            if (below_horizon(lamps.back(), point_, normal_))
+                lamps.pop_back();
+            else
+                above.push_back(i);
+        }
+        std::vector<LightVisibility> of_these = weighs_width(plane, model_)
+                                                    ? over_width(plane, frame, above, lamps)
+                                                    : along_axes(lamps);
+        for (std::size_t k = 0; k < above.size(); ++k) seen[above[k]] = std::move(of_these[k]);
+        return seen;
+    }
+
+    template <PointLight Light>
+    std::vector<LightVisibility> operator()(const Light& light) const {
+        const bool reaches = illuminance(light, point_, normal_) != Rgb();
+        return {reaches ? seen_at(light.position) : LightVisibility{{}, 0, 0}};
+    }
+
+    std::vector<LightVisibility> operator()(const Sun& sun) const {
+        const bool reaches = normal_.dot(sun.towards()) > 0 && sun.way_to(point_);
+        return {reaches ? seen_at(sun.seen_from(point_)) : LightVisibility{{}, 0, 0}};
+    }
+
+private:
+    LightVisibility seen_at(const Vec3& place) const {
+        const IntervalSet seen = visible_.intervals({place, place});
+        return {seen, seen.empty() ? 0.0 : 1.0};
+    }
+    std::vector<LightVisibility> along_axes(std::span<const TubeLamp> lamps) const {
+        std::vector<Segment> axes;
+        axes.reserve(lamps.size());
+        for (const TubeLamp& lamp : lamps) axes.push_back({lamp.a, lamp.b});
+        std::vector<LightVisibility> seen;
+        seen.reserve(lamps.size());
+        for (IntervalSet& axis : visible_.intervals(axes)) {
+            const double share = axis.empty() ? 0 : 1;
+            seen.push_back({std::move(axis), share});
+        }
+        return seen;
+    }
+    std::vector<LightVisibility> over_width(const CPlane& plane, const CPlaneFrame& frame,
+                                            std::span<const std::size_t> above,
+                                            std::span<const TubeLamp> lamps) const {
+        const TubeModel model = plane.diffuse == TubeModel::automatic ? model_ : plane.diffuse;
+        const TubeRowIrradiance comb(frame, point_, normal_, model);
+        std::vector<std::vector<OccludingTube>> hiding;
+        if (comb.overlapping())
+            for (const std::size_t i : above) hiding.push_back(comb.hiding_tubes(asked_[i]));
+        const bool number = model_ == TubeModel::automatic;
+        return seen_tubes(lamps, point_, normal_, visible_,
+                          {.tolerance = number ? width_tolerance : width_tolerance_in_pictures,
+                           .axes = axes_,
+                           .widest_gap = number ? widest_gap : widest_gap_in_pictures,
+                           .between_lines = number},
+                          hiding);
+    }
+
+    std::span<const int> asked_; ///< numbers of lamps
+    const Vec3 &point_, &normal_;
+    const Visibility& visible_;
+    TubeModel model_;
+    bool axes_;
+};
+
+} // namespace
+
+std::optional<LightVisibility> between(const LightVisibility& a, const LightVisibility& b,
+                                       double at) {
+    if (a.axis.size() != b.axis.size()) return std::nullopt;
+    const auto mix = [&](double from, double to) { return from + (to - from) * at; };
+    return LightVisibility{IntervalSet::between(a.axis, b.axis, at), mix(a.share, b.share),
+                           mix(a.cap, b.cap)};
+}
+
+bool alike(const LightVisibility& a, const LightVisibility& b) {
+    const auto same_ends = [](const ParameterInterval& i, const ParameterInterval& k) {
+        return (i.begin > 0) == (k.begin > 0) && (i.end < 1) == (k.end < 1);
+    };
+    const auto same_part = [](double i, double k) {
+        return (i > 0) == (k > 0) && (i < 1) == (k < 1);
+    };
+    return same_part(a.share, b.share) && same_part(a.cap, b.cap) &&
+           std::equal(a.axis.begin(), a.axis.end(), b.axis.begin(), b.axis.end(), same_ends);
+}
+
+bool weighs_width(const CPlane& plane, TubeModel model) {
+    const bool wide = model == TubeModel::automatic || model == TubeModel::picture;
+    return wide && (plane.diffuse == TubeModel::automatic || plane.diffuse == model ||
+                    plane.diffuse == TubeModel::strip || plane.diffuse == TubeModel::cylinder);
+}
+
+std::vector<LightVisibility> light_visibilities(const LightSource& source,
+                                                std::span<const int> lamps, const Vec3& point,
+                                                const Vec3& normal, const Visibility& visible,
+                                                TubeModel model, bool axes) {
+    return std::visit(Looker(lamps, point, normal, visible, model, axes), source);
+}
+
+} // namespace keiko

@@ -1,0 +1,113 @@
+#include "keiko/light/tubes/penumbra_breakpoints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// What is hidden jumps by as much up as down between lines that agree, so that the sum of jumps
+/// times places is the same about any place: about the one on either side of which as much jumps
+/// it is the least. And no more than that jumps up, or down, may be out of its place.
+template <class Turns>
+double missed_of(const Turns& turns) {
+    double all = 0, up = 0, down = 0, before = 0, missed = 0;
+    for (const auto& turn : turns) {
+        all += turn.jump;
+        if (turn.dark >= 0) up += turn.jump;
+        if (turn.dark <= 0) down += turn.jump;
+    }
+    const auto middle = std::find_if(turns.begin(), turns.end(), [&](const auto& turn) {
+        before += turn.jump;
+        return before >= all / 2;
+    });
+    if (middle == turns.end()) return 0;
+    for (const auto& turn : turns) missed += turn.jump * std::abs(turn.place - middle->place) / 2;
+    return std::min(missed, std::min(up, down) * (turns.back().place - turns.front().place) / 2);
+}
+
+} // namespace
+
+PenumbraBreakpoints::PenumbraBreakpoints(const LampWidth& width, std::span<const PrismTurn> turns,
+                                         double gap)
+    : gap_(gap) {
+    for (const PrismTurn& turn : turns)
+        if (const double place = width.place_in(turn.way); std::abs(place) < 1)
+            turns_.push_back({place, turn.missed * 2 / gap, turn.dark, turn.jump});
+    std::sort(turns_.begin(), turns_.end(),
+              [](const Turn& a, const Turn& b) { return a.place < b.place; });
+}
+
+/// Between the ends and the middles of the parts between cuts, on which nothing is missed.
+std::vector<PenumbraBreakpoints::Cell> PenumbraBreakpoints::cells(
+    std::span<const double> cuts) const {
+    std::vector<Cell> cells;
+    auto begin = turns_.begin();
+    const auto add_to = [&](double place) {
+        const auto end = std::find_if(begin, turns_.end(),
+                                      [&](const Turn& turn) { return turn.place >= place; });
+        if (end - begin > 1) cells.push_back({{begin, end}, missed_of(std::span(begin, end))});
+        begin = end;
+    };
+    double last = -1;
+    for (std::size_t i = 0; i <= cuts.size(); ++i) {
+        const double next = i < cuts.size() ? cuts[i] : 1;
+        add_to((last + next) / 2);
+        add_to(next);
+        while (begin != turns_.end() && begin->place <= next) ++begin;
+        last = next;
+    }
+    return cells;
+}
+
+double PenumbraBreakpoints::missed(std::span<const double> cuts) const {
+    double missed = 0;
+    for (const Cell& cell : cells(cuts)) missed += cell.missed;
+    return missed;
+}
+
+std::vector<double> PenumbraBreakpoints::places(double allowed, bool agree) const {
+    std::vector<double> cuts;
+    if (agree && missed(cuts) <= allowed) return cuts;
+    constexpr double for_sure = 4; // less is left to the choice below, which takes fewer cuts
+    const double told = agree ? for_sure * allowed : allowed;
+    for (const Turn& turn : turns_)
+        if (turn.jump * gap_ / 2 > told) cuts.push_back(turn.place);
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+    while (missed(cuts) > allowed) {
+        const std::vector<Cell> cells = this->cells(cuts);
+        const auto& turns =
+            std::max_element(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
+                return a.missed < b.missed;
+            })->turns;
+        const double place =
+            std::max_element(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
+                return a.jump < b.jump;
+            })->place;
+        cuts.insert(std::lower_bound(cuts.begin(), cuts.end(), place), place);
+    }
+    return cuts;
+}
+
+bool PenumbraBreakpoints::jumps_at(double place) const {
+    constexpr double one_place = 2e-5; // what turns are found to, of half the width
+    return std::any_of(turns_.begin(), turns_.end(), [&](const Turn& turn) {
+        return std::abs(turn.place - place) <= one_place && turn.at_once;
+    });
+}
+
+/// Cuts so near to each other that all between them matters little are one.
+std::vector<WidthCut> PenumbraBreakpoints::cuts(double allowed, bool agree) const {
+    std::vector<WidthCut> cuts;
+    double left = allowed / 2; // of half the width, to be left out
+    for (const double place : places(allowed, agree)) {
+        const double gap = cuts.empty() ? left : place - cuts.back().end;
+        if (gap < left)
+            cuts.back() = {cuts.back().begin, place, true}, left -= gap;
+        else
+            cuts.push_back({place, place, jumps_at(place)});
+    }
+    return cuts;
+}
+
+} // namespace keiko

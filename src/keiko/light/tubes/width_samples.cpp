@@ -1,0 +1,220 @@
+#include "keiko/light/tubes/width_samples.h"
+
+#include "keiko/light/tubes/ends_and_middles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// On [-1, 1].
+constexpr std::array<double, Slices::count> nodes{
+    -1, -0.9604912687080202, -0.7745966692414834, -0.4342437493468026,
+    0,  0.4342437493468026,  0.7745966692414834,  0.9604912687080202,
+    1};
+constexpr double gauss_gap = 0.7745966692414834; ///< the widest between nodes
+constexpr double kronrod_gap = 0.4342437493468026;
+using Weights = std::array<double, Slices::count>;
+constexpr Weights kronrod{0,
+                          0.1046562260264673,
+                          0.2684880898683334,
+                          0.4013974147759622,
+                          0.4509165386584741,
+                          0.4013974147759622,
+                          0.2684880898683334,
+                          0.1046562260264673,
+                          0};
+constexpr Weights gauss{0, 0, 0.5555555555555556, 0, 0.8888888888888889, 0, 0.5555555555555556,
+                        0, 0};
+constexpr Weights middle_alone{0, 0, 0, 0, 2, 0, 0, 0, 0};
+constexpr std::array<std::size_t, 5> of_gauss{0, 2, 4, 6, 8}; ///< with the ends
+constexpr std::array<std::size_t, 2> of_gauss_alone{2, 6};
+constexpr std::array<std::size_t, 4> of_kronrod_alone{1, 3, 5, 7};
+
+/// What some nodes' slices light.
+void light_slices(const LampWidth& width, std::span<const std::size_t> nodes_of, Slices& slices) {
+    for (const std::size_t i : nodes_of) {
+        slices.axes[i] = width.sub_axis(slices.center + slices.half * nodes[i]);
+        slices.at[i] = {width.lit(slices.axes[i], 0, 1)};
+    }
+}
+
+/// A part of the width, of which nothing is asked yet.
+Slices part_of(const LampWidth& width, double center, double half) {
+    Slices part{center, half};
+    light_slices(width, of_gauss, part);
+    return part;
+}
+
+SolidAngle weighed(const Slices& slices, const Weights& weights) {
+    SolidAngle sums;
+    for (std::size_t i = 0; i < Slices::count; ++i) {
+        const double weight = slices.half * weights[i] * slices.axes[i].weight;
+        sums += {weight * slices.at[i].all, weight * slices.at[i].hidden};
+    }
+    return sums;
+}
+
+/// By how much two rules disagree on what is hidden.
+double difference(const SolidAngle& coarse, const SolidAngle& fine) {
+    return std::abs(coarse.all > 0 ? coarse.hidden * (fine.all / coarse.all) - fine.hidden
+                                   : fine.hidden);
+}
+
+/// What may be missed between an end and the node next to it: by how much the end's hidden share is
+/// off the line through that node and one farther in, for the share of the width in between.
+double missed_at(const Slices& slices, std::size_t end, std::size_t node, std::size_t inner) {
+    const auto &e = slices.at[end], &n = slices.at[node], &i = slices.at[inner];
+    if (!(e.all > 0 && n.all > 0 && i.all > 0)) return 0;
+    const double beyond = (nodes[end] - nodes[node]) / (nodes[node] - nodes[inner]);
+    const double off = e.share() - n.share() - (n.share() - i.share()) * beyond;
+    return std::abs(off) * std::abs(nodes[end] - nodes[node]) / 2;
+}
+
+/// By how much the middle's hidden share is off the line through those of the ends, or the ends of
+/// its seen parts are, and what may be missed where it is on the line by chance, as in the middle
+/// of a ramp between two kinks.
+double missed_by_middle(const Slices& slices) {
+    const double begin = slices.at[0].share(), end = slices.at[8].share();
+    constexpr double by_chance = 0.1;
+    return std::max({std::abs(slices.at[4].share() - (begin + end) / 2),
+                     by_chance * std::abs(end - begin), slices.parts_off});
+}
+
+double missed_by_gauss(const Slices& slices) {
+    return missed_at(slices, 0, 2, 4) + missed_at(slices, 8, 6, 4);
+}
+
+double missed_by_kronrod(const Slices& slices) {
+    return missed_at(slices, 0, 1, 2) + missed_at(slices, 8, 7, 6);
+}
+
+/// Whether nodes that a `gap` is between on [-1, 1] are no farther apart than the widest.
+bool near_enough(const Slices& slices, double gap, double widest) {
+    return gap * slices.half <= widest;
+}
+
+/// Whether all slices light anything.
+bool all_above(const Slices& slices) {
+    return std::all_of(of_gauss.begin(), of_gauss.end(),
+                       [&](std::size_t i) { return slices.at[i].all > 0; });
+}
+
+/// Over parts of a width, by the first of three rules that is enough, else by halves.
+class WidthIntegral {
+public:
+    WidthIntegral(const LampWidth& width, const Visibility& visible, const SliceRule& until)
+        : width_(width),
+          visible_(visible),
+          widest_gap_(until.widest_gap),
+          part_by_part_(until.part_by_part) {}
+
+    SolidAngle over(Slices slices, double error, int most_halvings) const {
+        if (!near_enough(slices, kronrod_gap, widest_gap_))
+            return in_halves(slices, error, most_halvings);
+        if (ends_and_middle_agree(slices, {error, widest_gap_, part_by_part_})) {
+            const double all = weighed(slices, gauss).all;
+            return {all, all * slices.at[Slices::middle].share()};
+        }
+        find(of_gauss_alone, slices);
+        const SolidAngle three = weighed(slices, gauss);
+        if (all_above(slices) && near_enough(slices, gauss_gap, widest_gap_) &&
+            difference(weighed(slices, middle_alone), three) <= error &&
+            missed_by_gauss(slices) * three.all <= error)
+            return three;
+        light_slices(width_, of_kronrod_alone, slices);
+        find(of_kronrod_alone, slices);
+        const SolidAngle seven = weighed(slices, kronrod);
+        const bool agree =
+            difference(three, seven) <= error && missed_by_kronrod(slices) * seven.all <= error;
+        return agree || most_halvings == 0 ? seven : in_halves(slices, error, most_halvings);
+    }
+
+private:
+    void find(std::span<const std::size_t> nodes_of, Slices& slices) const {
+        std::vector<Segment> lines;
+        for (const std::size_t i : nodes_of)
+            if (slices.at[i].all > 0) lines.push_back(width_.line_of(slices.axes[i]));
+        const std::vector<IntervalSet> seen = visible_.intervals(lines);
+        auto next = seen.begin();
+        for (const std::size_t i : nodes_of)
+            if (slices.at[i].all > 0) hide_slice(width_, i, *next++, slices);
+    }
+    /// Of which the ends are known by the whole.
+    std::array<Slices, 2> halves_of(const Slices& whole) const {
+        const double half = whole.half / 2;
+        std::array halves{part_of(width_, whole.center - half, half),
+                          part_of(width_, whole.center + half, half)};
+        halves[0].seen = {whole.seen[0], {}, whole.seen[1]};
+        halves[1].seen = {whole.seen[1], {}, whole.seen[2]};
+        return halves;
+    }
+    SolidAngle in_halves(const Slices& slices, double error, int most_halvings) const {
+        std::array<Slices, 2> halves = halves_of(slices);
+        std::vector<Segment> lines;
+        add_ends_and_middles(width_, halves, lines);
+        const std::vector<IntervalSet> seen = visible_.intervals(lines);
+        auto next = seen.begin();
+        hide_ends_and_middles(width_, part_by_part_, halves, next);
+        SolidAngle both;
+        for (Slices& half : halves) both += over(std::move(half), error / 2, most_halvings - 1);
+        return both;
+    }
+
+    const LampWidth& width_;
+    const Visibility& visible_;
+    double widest_gap_;
+    bool part_by_part_;
+};
+
+} // namespace
+
+double Slices::brightest() const {
+    double most = 0;
+    for (const std::size_t i : of_gauss) most = std::max(most, axes[i].weight * at[i].all);
+    return most;
+}
+
+std::vector<Slices> parts_of(const LampWidth& width, std::span<const WidthCut> cuts) {
+    constexpr double beside = 2e-6;
+    struct Border {
+        double end, begin; ///< of the parts on both sides
+    };
+    std::vector<Border> borders;
+    for (const double place : width.cuts()) borders.push_back({place, place});
+    for (const WidthCut& cut : cuts)
+        borders.push_back({cut.begin - beside, cut.jump ? cut.end + beside : cut.begin - beside});
+    std::sort(borders.begin(), borders.end(),
+              [](const Border& a, const Border& b) { return a.end < b.end; });
+    std::vector<Slices> parts;
+    double begin = -1, last_end = -1;
+    for (const Border& border : borders) {
+        const double end = std::min(border.end, 1.0);
+        if (begin < end) {
+            parts.push_back(part_of(width, (end + begin) / 2, (end - begin) / 2));
+            parts.back().begins_where_last_ends = parts.size() > 1 && begin == last_end;
+            last_end = end;
+        }
+        begin = std::max(begin, border.begin);
+    }
+    return parts;
+}
+
+void hide_slice(const LampWidth& width, std::size_t node, const IntervalSet& seen, Slices& slices) {
+    for (const ParameterInterval& dark : seen.complement())
+        slices.at[node].hidden += width.lit(slices.axes[node], dark.begin, dark.end);
+}
+
+bool ends_and_middle_agree(const Slices& slices, const SliceRule& until) {
+    return all_above(slices) && near_enough(slices, 1, until.widest_gap) &&
+           missed_by_middle(slices) * weighed(slices, gauss).all <= until.error;
+}
+
+SolidAngle integrate(const LampWidth& width, const Visibility& visible, Slices slices,
+                     const SliceRule& until) {
+    return WidthIntegral(width, visible, until)
+        .over(std::move(slices), until.error, until.most_halvings);
+}
+
+} // namespace keiko

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "keiko/render/antialias/edge_cell.h"
+#include "keiko/render/antialias/subpixels.h"
+#include "keiko/render/shading/integrator.h"
+#include "keiko/scene/prepared_camera.h"
+
+namespace keiko {
+
+/// Divides `pixels`, adaptively: cells whose corners and centre see one smooth thing stay whole,
+/// those that one straight outline crosses are split along it, where it is found by halving, and
+/// others are halved across what changes most, down to sides of `finest`, px, or quartered where
+/// their centre alone shows something, which may halve a side of `finest` once more. What shows one
+/// surface whose image on the lamps' plane is bent is cut into strips. Pixels that turn out to be
+/// whole and have a `centre` are left out of the result.
+RefinedPixels refined_pixels(const Integrator& integrator, const PreparedCamera& camera,
+                             std::vector<EdgeCell> pixels, double finest);
+
+} // namespace keiko

@@ -1,0 +1,112 @@
+#include "keiko/render/antialias/sampled_polygon.h"
+
+#include "keiko/render/antialias/edge_detection.h"
+#include "keiko/render/antialias/max_curvature_direction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace keiko {
+namespace {
+
+/// Of its span: how far the image of a pixel on the lamps' plane may be off a parallelogram, where
+/// luminances differ by no more than what is seen amid it.
+constexpr double most_bend = 0.03;
+/// Of the larger: by how much the cosines of a pixel may differ.
+constexpr double most_turn = 0.3;
+/// Sine of an angle by which the normal may turn: lamps fit in between.
+constexpr double most_rotation = 0.17;
+
+/// Of the larger luminance: how far the middle of a pixel may be off the mean of its corners where
+/// what it mirrors, the body itself, has no place on the lamps' plane that would tell more.
+constexpr double most_glare = 0.05;
+
+struct Range {
+    double least, most;
+
+    explicit Range(double x) : least(x), most(x) {}
+    void add(double x) { least = std::min(least, x), most = std::max(most, x); }
+    double span() const { return most - least; }
+};
+
+} // namespace
+
+bool SampledPolygon::shows(const PixelSample& amid) const {
+    return std::any_of(seen.begin(), seen.end(),
+                       [&](const PixelSample* corner) { return !differ_closely(*corner, amid); });
+}
+
+bool SampledPolygon::is_outshone_by(const PixelSample& amid) const {
+    Range shown(luminance(seen[0]->luminance));
+    for (const PixelSample* sample : seen) shown.add(luminance(sample->luminance));
+    const double own = luminance(amid.luminance), slack = 0.1 * shown.most;
+    return own < shown.least - slack || own > shown.most + slack;
+}
+
+double SampledPolygon::turn(const PixelSample& amid) const {
+    Range cosine(amid.cosine), sine(0);
+    for (const PixelSample* sample : seen) {
+        cosine.add(sample->cosine);
+        if (sample->hit) sine.add(sample->hit->normal.cross(amid.hit->normal).length());
+    }
+    return std::max(cosine.span() / (most_turn * cosine.most), sine.most / most_rotation);
+}
+
+double SampledPolygon::bend(const PixelSample& amid) const {
+    Range across(amid.across_lamps), light(luminance(amid.luminance));
+    InplaceVector<double, most_corners> places;
+    for (const PixelSample* sample : seen) {
+        across.add(sample->across_lamps);
+        light.add(luminance(sample->luminance));
+        places.push_back(sample->across_lamps);
+    }
+    if (across.span() == 0) return 0;
+    // What the eye sees of an error counts against what is there.
+    const double contrast = std::max(1.0, light.span() / std::max(luminance(amid.luminance), 1e-9));
+    return std::abs(polygon_mean(corners, places) - amid.across_lamps) * contrast /
+           (most_bend * across.span());
+}
+
+double SampledPolygon::glare(const PixelSample& amid) const {
+    InplaceVector<double, most_corners> lights;
+    for (const PixelSample* sample : seen) lights.push_back(luminance(sample->luminance));
+    const double mean = polygon_mean(corners, lights), own = luminance(amid.luminance);
+    return std::abs(mean - own) / (most_glare * std::max({mean, own, 1e-9}));
+}
+
+double SampledPolygon::unevenness(const PixelSample& amid) const {
+    const auto beyond_horizon = [&](const PixelSample* sample) {
+        return sample->c_plane.has_value() != amid.c_plane.has_value();
+    };
+    if (!amid.hit) return 0;
+    if (is_outshone_by(amid) || std::any_of(seen.begin(), seen.end(), beyond_horizon))
+        return std::numeric_limits<double>::infinity();
+    const double size = std::sqrt(whole().area), turned = turn(amid) * size;
+    return std::max(turned * turned, size * (amid.c_plane ? bend(amid) : glare(amid)));
+}
+
+std::vector<PixelArea> SampledPolygon::strips(const PixelSample& amid, double uneven,
+                                              double narrowest) const {
+    const auto shows_surface = [](const PixelSample* sample) { return sample->hit != nullptr; };
+    if (!amid.hit || !std::all_of(seen.begin(), seen.end(), shows_surface)) return {};
+    const Vec2 across = max_curvature_direction(corners, seen, amid);
+    if (across == Vec2(0)) return {};
+    Range range(across.dot(corners[0]));
+    for (const Vec2& corner : corners) range.add(across.dot(corner));
+    const double most = std::max(2.0, std::ceil(range.span() / narrowest));
+    constexpr double spare = 3; // the bend is not the same all over
+    const double n = std::min(most, std::ceil(std::sqrt(uneven)) + spare);
+    const double step = range.span() / n;
+    std::vector<PixelArea> parts;
+    for (double i = 0; i < n; ++i) {
+        const double end = i + 1 < n ? range.least + (i + 1) * step : range.most;
+        const Polygon strip = strip_of(corners, across, range.least + i * step, end);
+        if (strip.size() < 3) continue;
+        const PixelArea part = polygon_part(strip);
+        if (part.area > 0) parts.push_back(part);
+    }
+    return parts;
+}
+
+} // namespace keiko

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "keiko/base/inplace_vector.h"
+#include "keiko/render/antialias/pixel_area.h"
+#include "keiko/render/reflection/sample_batch.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// A convex part of the picture with what is seen at its corners.
+struct SampledPolygon {
+    static constexpr std::size_t most_corners = 6;
+
+    InplaceVector<Vec2, most_corners> corners; ///< px, of either sense
+    InplaceVector<const PixelSample*, most_corners> seen;
+
+    PixelArea whole() const { return polygon_part(corners); }
+    /// Whether a sample amid it shows the same smooth thing as one of its corners.
+    bool shows(const PixelSample& amid) const;
+    /// How far the place amid it is from telling how all of it looks with a straight image on the
+    /// lamps' plane, which may be bent, or reach the plane's horizon, or be seen at angles so
+    /// different that the reflectance is not even, or show amid it what no corner does: up to 1 it
+    /// tells; n strips take away n^2.
+    double unevenness(const PixelSample& amid) const;
+    /// Strips of one width along which the image is bent least, as many as make each even, but no
+    /// more than it takes for them to be as narrow as `narrowest`, px; at least two. Nothing where
+    /// no surface is seen, or one that does not turn.
+    std::vector<PixelArea> strips(const PixelSample& amid, double uneven, double narrowest) const;
+
+private:
+    /// Whether it is brighter or darker than all corners: it has seen what they have not.
+    bool is_outshone_by(const PixelSample& amid) const;
+    // Of what may be in a whole pixel: how far cosines differ and normals turn, how far the image
+    // on the lamps' plane is bent, how far luminances are from linear.
+    double turn(const PixelSample& amid) const;
+    double bend(const PixelSample& amid) const;
+    double glare(const PixelSample& amid) const;
+};
+
+} // namespace keiko

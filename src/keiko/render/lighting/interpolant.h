@@ -1,0 +1,69 @@
+#pragma once
+
+#include "keiko/render/lighting/light_polynomial.h"
+#include "keiko/render/lighting/shading_grid.h"
+
+namespace keiko {
+
+/// Polynomials that tell the light on a rectangle of a grid by that at some of its places.
+class Interpolant {
+public:
+    /// Linear in either coordinate, through the corners.
+    static Interpolant lines(const ShadingGrid& grid, const Rectangle& r);
+    /// Of degree two in either coordinate, through the corners and middles; where a middle lies
+    /// near a corner, linear.
+    static Interpolant parabolas(const ShadingGrid& grid, const Rectangle& r);
+
+    /// Whether it goes through the middles too.
+    bool goes_through_middles() const { return columns_.size() != 2 && rows_.size() != 2; }
+
+    /// What the light at each node counts at a place of the grid.
+    using Weights = std::array<double, 9>;
+    Weights weights(const Vec2& place) const;
+    /// What `light(node)` of all nodes, weighed so, comes to.
+    template <class Light>
+    DirectLight sum(const Weights& weights, const Light& light) const {
+        DirectLight sum;
+        for (std::size_t i = 0; i < size(); ++i) sum += light(node(i)) * weights[i];
+        return sum;
+    }
+    /// The polynomial through `light(node)` of all nodes.
+    template <class Light>
+    LightPolynomial through(const Light& light) const {
+        LightPolynomial polynomial;
+        for (std::size_t i = 0; i < size(); ++i)
+            polynomial.add(light(node(i)), columns_.powers(i % columns_.size()),
+                           rows_.powers(i / columns_.size()));
+        return polynomial;
+    }
+
+private:
+    /// Places along one coordinate, each with the polynomial that is 1 there and 0 at the others
+    /// (Lagrange).
+    class Nodes {
+    public:
+        /// One where they are the same.
+        Nodes(int first, double begin, int last, double end);
+        void add(int middle, double place);
+
+        std::size_t size() const { return size_; }
+        int number(std::size_t i) const { return numbers_[i]; }
+        LightPolynomial::Powers powers(std::size_t i) const;
+        double weight(std::size_t i, double place) const;
+
+    private:
+        std::size_t size_;
+        std::array<int, 3> numbers_;
+        std::array<double, 3> places_;
+    };
+    Interpolant(const Nodes& columns, const Nodes& rows) : columns_(columns), rows_(rows) {}
+
+    std::size_t size() const { return columns_.size() * rows_.size(); }
+    Pixel node(std::size_t i) const {
+        return {columns_.number(i % columns_.size()), rows_.number(i / columns_.size())};
+    }
+
+    Nodes columns_, rows_;
+};
+
+} // namespace keiko

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "keiko/render/lighting/error_budget.h"
+#include "keiko/render/lighting/interpolant.h"
+#include "keiko/render/lighting/unresolved_lights.h"
+
+namespace keiko {
+
+/// Tries on rectangles of a grid which lights are told over them by those at a few of their places.
+class InterpolationTest {
+public:
+    /// `seen`: what the eye sees of each place besides; what all lights together may be off by is
+    /// `error` of what it sees. All are only looked at but `lights`, which are found.
+    InterpolationTest(const Integrator& integrator, const ShadingGrid& grid,
+                      std::span<const Rgb> seen, double error, LightSamples& lights)
+        : integrator_(integrator), grid_(grid), seen_(seen), error_(error), lights_(lights) {}
+
+    /// Lights that are told, by rising number.
+    struct Accepted {
+        Lights parabolas; ///< of degree two: Interpolant::parabolas of the rectangle
+        Lights lines;     ///< linear, which in each quarter is Interpolant::lines
+        Lights seen;      ///< what is seen of these is linear in each quarter
+        /// Those of all these of which that only holds in quarters in which no shadow is: all
+        /// places that were asked see them, but something may come between. Of small squares none:
+        /// what is narrower than two pixels is not searched for there.
+        Lights threatened;
+
+        Lights all() const { return united(seen, united(lines, parabolas)); }
+    };
+    /// Of lights that are open over a rectangle, of which `known` is what the others bring to it.
+    /// `left` of the error is still allowed, which those that are told lessen.
+    Accepted tell(const Rectangle& r, const LightPolynomial& known, const UnresolvedLights& open,
+                  double& left);
+
+private:
+    /// A place by which lights are judged.
+    struct Test {
+        Pixel place;
+        ErrorBudget allowed;
+    };
+    Test test_at(const Pixel& p, const DirectLight& total) const;
+    /// What some lights together bring to places.
+    auto sum_of(std::span<const std::size_t> lights) const {
+        return [this, lights](const Pixel& p) { return lights_.sum(p.x, p.y, lights); };
+    }
+
+    Lights threatened(const Rectangle& r, const Lights& lights) const;
+    std::vector<Test> middles_of(const Rectangle& r, const LightPolynomial& known,
+                                 const UnresolvedLights& open);
+    std::vector<Test> odd_places_of(const Rectangle& r, const LightPolynomial& known,
+                                    const UnresolvedLights& open, const Lights& hopeful);
+    std::vector<LightError> doubts_in_parabolas(const Rectangle& r,
+                                                const std::vector<Test>& middles,
+                                                const std::vector<Test>& odd, const Lights& lights,
+                                                double left) const;
+    bool sees_alike(const Rectangle& r, const std::vector<Test>& odd, std::size_t light) const;
+    void test(const Interpolant& fit, const std::vector<Test>& tests, double most,
+              std::vector<LightError>& errors) const;
+    void test_seen(const Rectangle& r, const std::vector<Test>& tests, double most,
+                   std::vector<LightError>& errors) const;
+    std::optional<DirectLight> wrong_if_seen_linearly(const LinearlySeen& linear,
+                                                      const Pixel& p) const;
+
+    const Integrator& integrator_;
+    const ShadingGrid& grid_;
+    std::span<const Rgb> seen_;
+    double error_;
+    LightSamples& lights_;
+};
+
+} // namespace keiko

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "keiko/render/lighting/pixel_rectangle.h"
+#include "keiko/render/reflection/surface_continuity.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// Shading points of one depth on a grid of camera rays, row by row.
+class ShadingGrid {
+public:
+    /// `shading points`: by rising sample, the first ray of the grid being `first_sample`; only
+    /// looked at.
+    ShadingGrid(int width, int height, std::span<const ShadingPoint> points,
+                std::size_t first_sample = 0);
+    /// A row of shading points; `along`: where each lies, rising.
+    ShadingGrid(std::vector<const ShadingPoint*> row, std::vector<double> along);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    std::size_t size() const { return spots_.size(); }
+    /// Null where the ray meets nothing at this depth.
+    const ShadingPoint* at(int x, int y) const { return spots_[index(x, y)]; }
+    /// Whether a place and its right or lower neighbour show one smooth surface.
+    bool goes_right(int x, int y) const { return joins_.right(index(x, y)); }
+    bool goes_down(int x, int y) const { return joins_.down(index(x, y)); }
+    /// Whether all of a rectangle, its last row and column with it, shows one smooth surface.
+    bool is_smooth(int x0, int y0, int x1, int y1) const;
+
+    /// Where a place lies in the grid: along a row, or by its column; and its row.
+    Vec2 place(const Pixel& p) const { return Vec2(along_[static_cast<std::size_t>(p.x)], p.y); }
+    /// How far a place of a rectangle lies from its left to its right and from its top to its
+    /// bottom, 0 to 1.
+    Vec2 share(const Rectangle& r, const Pixel& p) const;
+    /// Places besides its middles that tell whether something is linear between the corners of a
+    /// rectangle: in a row those that lie farthest off the line from its first to its last, on
+    /// either side, and such that no more than four in a row are not looked at; else
+    /// Rectangle::odd_places().
+    std::vector<Pixel> odd_places(const Rectangle& r) const;
+
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+               static_cast<std::size_t>(x);
+    }
+
+private:
+    std::vector<Pixel> odd_places_of_row(const Rectangle& r) const;
+
+    int width_, height_;
+    std::vector<const ShadingPoint*> spots_;
+    std::vector<double> along_; ///< of the columns
+    SurfaceContinuity joins_;
+};
+
+/// The shading points of each depth in turn: `visit(shading points of a depth)`.
+template <class Visit>
+void each_depth(std::span<const ShadingPoint> points, const Visit& visit) {
+    while (!points.empty()) {
+        std::size_t count = 1;
+        while (count < points.size() && points[count].depth == points[0].depth) ++count;
+        visit(points.first(count));
+        points = points.subspan(count);
+    }
+}
+
+} // namespace keiko

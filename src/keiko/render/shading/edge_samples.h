@@ -1,0 +1,38 @@
+#pragma once
+
+#include "keiko/render/shading/integrator.h"
+#include "keiko/scene/prepared_camera.h"
+
+#include <memory_resource>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace keiko {
+
+/// Single camera rays through places of the picture, px, that tell what is seen there; what they
+/// bring back is kept.
+class EdgeSamples {
+public:
+    EdgeSamples(const Integrator& integrator, const PreparedCamera& camera)
+        : integrator_(integrator), camera_(camera) {}
+
+    /// One sample a place, in order.
+    std::vector<const PixelSample*> at(std::span<const Vec2> places);
+    /// The same, but places that were asked for before get no ray again.
+    std::vector<const PixelSample*> shared_at(std::span<const Vec2> places);
+
+    HitStatistics paths() const;
+
+private:
+    const Integrator& integrator_;
+    const PreparedCamera& camera_;
+    std::vector<SampleBatch> views_;
+    struct PlaceHash {
+        std::size_t operator()(const Vec2& place) const;
+    };
+    std::pmr::monotonic_buffer_resource memory_; ///< of what is known: nothing is forgotten
+    std::pmr::unordered_map<Vec2, const PixelSample*, PlaceHash> known_{&memory_};
+};
+
+} // namespace keiko

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/geometry/visibility/viewpoint.h"
+#include "keiko/intersect/traversal/tracer.h"
+
+#include <array>
+#include <vector>
+
+namespace keiko {
+
+/// A piece of a placed face's border, or of a crease inside a face, as a curve in space: world, mm.
+/// Of degree 5, it meets the exact curve's position and first two derivatives at its ends.
+struct BoundaryPiece {
+    static constexpr std::size_t points = 6;
+    using Curve = std::array<Vec3, points>; ///< control points
+
+    std::uint32_t instance = 0, face = 0;
+    Vec3 center{0};
+    double radius = 0; ///< mm, of the ball about the centre that holds the curve
+    Curve curve{Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0), Vec3(0)};
+    /// mm: how far beside the curve rays may still meet the surface: the largest distance to the
+    /// exact curve that was met between its ends, and the seam's reach beyond that.
+    double error = 0;
+    Box3 box;
+    /// Unit, from the border into the surface and tangent to it, at begin, middle and end.
+    std::array<Vec3, 3> inward{Vec3(0), Vec3(0), Vec3(0)};
+    /// rad: how far inward_at() may be off; pi / 2 near poles and cusps.
+    double inward_error = 0;
+    /// Where the surface goes on beyond the border, without a gap: a cone about `normal` that holds
+    /// the normals on both sides, half angle in rad. Seen from outside of all their tangent planes
+    /// the surface covers both sides of the border, which then hides nothing first or last. An
+    /// angle above pi / 2 says nothing.
+    Vec3 normal{0, 0, 1};
+    double normal_angle = 4;
+    /// Of a crease in a trimmed face: where it runs, to be asked for material.
+    bool trimmed = false;
+    Vec2 first{0}, last{0}; ///< face parameters
+
+    /// False when the viewpoint is proved to see both sides' tangent planes from one side all
+    /// along.
+    bool may_be_edge_on(const Viewpoint& viewpoint) const {
+        return may_be_edge_on(viewpoint, curve);
+    }
+    /// The same of a part of the curve.
+    bool may_be_edge_on(const Viewpoint& viewpoint, const Curve& part) const;
+    /// Position relative to the centre, and derivative.
+    Vec3 at(double t) const;
+    Vec3 derivative(double t) const;
+    /// The direction into the surface, interpolated.
+    Vec3 inward_at(double t) const;
+};
+
+/// Of a curve of degree 5 at t.
+Vec3 point_on(const BoundaryPiece::Curve& curve, double t);
+/// Over [0, t] and [t, 1].
+std::array<BoundaryPiece::Curve, 2> cut_at(const BoundaryPiece::Curve& curve, double t);
+
+/// The borders of every placed face, trimmed or natural, and the knot lines along which the normal
+/// jumps. Left out: the sides of a closed face that join smoothly, and sides collapsed into a
+/// point. `tracer` is of the same model, and not kept. Throws Cancelled.
+std::vector<BoundaryPiece> boundary_pieces(const SurfaceModel& model, const Tracer& tracer,
+                                           const Job& job);
+
+} // namespace keiko

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "keiko/visibility/boundaries/boundary_piece.h"
+#include "keiko/visibility/silhouettes/silhouette_piece.h"
+
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace keiko {
+
+/// A place as a viewpoint sees it: the slope along a row of segments and across it.
+struct ScreenPlace {
+    double along = 0, across = 0;
+    double depth = 0; ///< mm; 1 for parallel light
+};
+
+/// What a place may be.
+struct ScanBounds {
+    double along_low = std::numeric_limits<double>::infinity(), along_high = -along_low;
+    double across_low = along_low, across_high = along_high;
+
+    bool empty() const { return !(across_low <= across_high && along_low <= along_high); }
+    bool overlaps(const ScanBounds& other) const {
+        return across_low <= other.across_high && across_high >= other.across_low &&
+               along_low <= other.along_high && along_high >= other.along_low;
+    }
+};
+
+/// Screen of a scan-line search [Nishita1985]: the viewpoint is the eye, parallel segments are the
+/// scan lines, across = constant. Places are slopes x / z along and y / z across, z being the depth
+/// towards the segments; parallel light projects along itself instead, in mm. Then planes through
+/// the viewpoint and a segment are lines of the screen.
+class ScanPlane {
+public:
+    /// `along`: unit direction of the segments; `middle`: a place among them.
+    ScanPlane(const Viewpoint& viewpoint, const Vec3& along, const Vec3& middle);
+
+    /// False where the segments are seen end-on, so that there are no scan lines.
+    bool regular() const { return regular_; }
+    /// Whether a segment of this direction is a scan line.
+    bool is_along(const Vec3& direction) const;
+    ScreenPlace place(const Vec3& x) const;
+    const Vec3& along() const { return x_; }
+    const Vec3& across() const { return y_; }
+    /// From the viewpoint, at right angles to the segments.
+    Vec3 way_at(double across) const { return z_ + y_ * across; }
+    /// A box around places; nothing where one is not before the screen.
+    std::optional<ScanBounds> hull(std::span<const Vec3> places) const;
+    /// Where a piece may be seen edge-on; empty where it is not. `edge_on`: zero where it is.
+    ScanBounds box(const SilhouettePiece& piece, const AffineBounds::Weighed& edge_on) const;
+    ScanBounds box(const BoundaryPiece& border) const;
+
+private:
+    /// What weighs homogeneous coordinates relative to `center` into x, y or z.
+    Vec4 weights(const Vec3& direction, const Vec3& center) const;
+    Vec4 depth_weights(const Vec3& center) const;
+
+    Vec3 origin_, along_, x_, y_, z_;
+    bool parallel_, regular_;
+};
+
+} // namespace keiko

@@ -1,0 +1,103 @@
+#pragma once
+
+#include "keiko/geometry/bvh/plane_tree.h"
+#include "keiko/visibility/query/contour_extrema.h"
+#include "keiko/visibility/query/event_intervals.h"
+#include "keiko/visibility/query/occluder_scene.h"
+#include "keiko/visibility/query/scan_plane.h"
+
+#include <map>
+
+namespace keiko {
+
+/// All that may hide some of a region from one viewpoint: what VisibilityQuery asks.
+class VisibilityQuery::Candidates {
+public:
+    Candidates(const Occluders::Scene& scene, const Tracer& tracer, const Viewpoint& viewpoint,
+               std::span<const Vec3> region, const std::optional<Vec3>& facing);
+
+    VisibleIntervals intervals(const SegmentEnds& ends) const;
+    /// Nothing where the segments are no scan lines.
+    std::optional<std::vector<VisibleIntervals>> intervals_of_row(
+        std::span<const SegmentEnds> row) const;
+
+    std::vector<std::optional<bool>> classify_prisms(std::span<const PrismEdges> prisms) const;
+    std::vector<CriticalSlice> turns(const PrismEdges& prism, double gap, double missed) const;
+
+private:
+    /// A segment under way.
+    struct Line {
+        SegmentPlane plane;
+        ParameterInterval asked; ///< on the side that the viewpoint faces
+        ShadowWedge wedge;       ///< to that
+        bool searches_own;       ///< seen so low that the viewpoint's own surroundings may hide it
+        std::vector<VisibilityEvent> events{};
+        bool certain = true;
+    };
+    /// A segment on the screen.
+    struct ScanLine {
+        std::size_t line; ///< in the order of the row
+        double across = 0, begin = 0, end = 0;
+    };
+    /// The candidates on the screen of one direction of segments.
+    struct Screen {
+        ScanPlane screen;
+        std::vector<ScanBounds> pieces, borders;
+        /// Of the pieces for which prisms asked, as contour_generator() tells.
+        std::map<std::size_t, std::optional<std::vector<BoundaryPiece>>> folds{};
+    };
+
+    void collect(std::span<const Vec3> region);
+    bool nothing_happens_in(std::span<const Vec3> region) const;
+    bool sees(const Vec3& x) const { return !tracer_->any(viewpoint_.ray_to(x)); }
+    /// Whether the outlines of all candidates are proved to lie beside the part of a prism that has
+    /// these corners, as the viewpoint sees it.
+    bool nothing_crosses(const PrismEdges& prism, std::span<const Vec3> corners) const;
+    /// Whether the viewpoint's own surroundings may hide any of the part of a prism in `volume`.
+    bool own_may_cross(const ViewVolume& volume, std::span<const Vec3> corners) const;
+    /// Whether the lines along which a silhouette candidate is seen edge-on are proved to run
+    /// across segments all along, at no more than a slope along by across.
+    bool runs_across(std::size_t piece, double most_slope) const;
+    void add_folds(std::size_t piece, ContourExtrema& turns) const;
+    void add_outlines(const ScanBounds& prism, ContourExtrema& turns) const;
+    /// The part of a segment on the side that the viewpoint faces.
+    ParameterInterval asked_of(const SegmentEnds& ends) const;
+    std::optional<Line> line_through(const SegmentEnds& ends) const;
+    VisibleIntervals end_on(const SegmentEnds& ends) const;
+    void add_piece_events(std::size_t piece, Line& line) const;
+    void add_boundary_events(std::size_t border, Line& line) const;
+    void add_events(Line& line) const;
+    void add_all_events(Line& line) const;
+    void add_events_of_cut(Line& line) const;
+    std::vector<Box3> candidate_boxes() const;
+    void add_own_events(Line& line) const;
+    void add_piercings(Line& line) const;
+    void add_horizon(Line& line) const;
+    const Screen& screen_of(const Vec3& along) const;
+    /// By rising `across`; nothing where a segment is no scan line.
+    std::optional<std::vector<ScanLine>> scan_lines(const ScanPlane& screen,
+                                                    std::span<const SegmentEnds> row) const;
+    void scan(const Screen& screen, std::span<const ScanLine> scan_lines,
+              std::vector<Line>& lines) const;
+    void join_neighbours(const Screen& screen, std::span<const ScanLine> scan_lines,
+                         std::span<const std::size_t> first_gap, IntervalClasses& groups) const;
+
+    const Occluders::Scene* scene_;
+    const Tracer* tracer_;
+    Viewpoint viewpoint_;
+    std::optional<Vec3> facing_;
+    Vec3 middle_{0}; ///< of the region
+    SilhouetteCandidates silhouettes_;
+    std::vector<std::uint32_t> borders_;
+    bool region_touched_ = false; ///< a surface may cross the region itself
+    std::optional<Vec3> normal_;  ///< of the surface that the viewpoint lies on
+    /// The tangent plane there has to be looked at, since no side of it is faced.
+    bool has_horizon_ = false;
+    /// Whether all of the region is seen, or none of it, where nothing can come in between.
+    std::optional<bool> all_seen_;
+    mutable int asked_for_ = 0; ///< segments one by one
+    mutable std::optional<PlaneTree> tree_;
+    mutable std::optional<Screen> screen_; ///< of the direction asked for last
+};
+
+} // namespace keiko
