@@ -53,7 +53,7 @@ void add_info(CLI::App& app, Session& session) {
                        "of a luminaire: draw its polar curve into this file");
     add_load_options(command, arguments->scene);
     command.footer(
-        "With --verbose also the sub_patches, the memory and the build time of the ray tracer.\n"
+        "With --verbose also the sub-patches, the memory and the build time of the ray tracer.\n"
         "Example: keiko info fender.step --json\n"
         "Example: keiko info street.ldt --svg street.svg");
     session.add_command(command, [arguments, &session](const Job& job) {
