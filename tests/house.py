@@ -83,6 +83,7 @@ CHAMBERS = {
         "basics": set(),
         "seams": {"basics"},
         "openings": {"seams"},
+        "overlaps": {"openings"},
         "lines": {"seams"},
         "combs": {"basics"},
         "flaws": {"seams"},

@@ -1,6 +1,7 @@
 #include "keiko/inspect/check.h"
 
 #include "keiko/inspect/openings/opening.h"
+#include "keiko/inspect/overlaps/overlap.h"
 #include "keiko/inspect/seams/curvature_match.h"
 
 #include <algorithm>
@@ -32,6 +33,14 @@ constexpr std::array criteria{
     Criterion{
         "KEIKO-OPENING", "", "opening",
         "Width of a notch, slit or small hole between free edges of faces that meet or nearly do."},
+    Criterion{"KEIKO-OVERLAP", "partly_overlapping_faces", "overlap",
+              "Length of a free edge that lies on the inside of another face, the faces on each "
+              "other."},
+    Criterion{"KEIKO-TEE", "", "tee",
+              "Length of a free edge that ends on the inside of another face, its face at an angle "
+              "to that."},
+    Criterion{"KEIKO-CROSSING", "", "crossing",
+              "Length of a free edge beside the face that it passes through."},
     Criterion{"KEIKO-SYMMETRY", "", "symmetry",
               "Largest distance of a body's surface from its own mirror image."},
     Criterion{"KEIKO-LINE-JUMP", "", "line_jump",
@@ -245,6 +254,31 @@ Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,
     Check check = judged("KEIKO-OPENING", "mm", worst, {"the opening between free edges", " mm"});
     check.message += opening.goes_on ? ", more than " : ", some ";
     check.message += short_number(opening.length) + " mm long";
+    check.severity = Check::Severity::look;
+    check.faces = faces;
+    return check;
+}
+
+Check check_of_overlap(const Overlap& overlap, const CriteriaPreset& preset,
+                       const std::string& faces) {
+    struct OverlapWording {
+        const char *code, *what;
+    };
+    static constexpr OverlapWording lap{"KEIKO-OVERLAP", "the overlapping edge"};
+    static constexpr OverlapWording tee{"KEIKO-TEE", "the edge that stands on the other face"};
+    static constexpr OverlapWording crossing{"KEIKO-CROSSING",
+                                             "the edge that passes through the other face"};
+    const OverlapWording& of = overlap.kind == Overlap::Kind::lap   ? lap
+                               : overlap.kind == Overlap::Kind::tee ? tee
+                                                                    : crossing;
+    MeasuredValue worst{overlap.length, overlap.length_bound, preset.negligible, overlap.place};
+    worst.verdict = judge(worst.value, worst.bound, worst.limit);
+    Check check = judged(of.code, "mm", worst, {of.what, " mm"});
+    if (overlap.kind != Overlap::Kind::crossing)
+        check.message += "; up to " + short_number(overlap.depth) +
+                         " mm inside the other's borders, " + short_number(overlap.distance) +
+                         " mm from it";
+    check.message += ", at " + short_number(overlap.angle) + " degrees to it";
     check.severity = Check::Severity::look;
     check.faces = faces;
     return check;

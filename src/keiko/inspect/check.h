@@ -11,6 +11,7 @@
 namespace keiko {
 
 struct Opening;
+struct Overlap;
 
 /// What surfaces are held to, and its names.
 struct Criterion {
@@ -62,6 +63,12 @@ Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane);
 /// KEIKO-OPENING: an opening that is wider than the preset's gap is worth a look. `faces`: the
 /// names of its sides. Without face.
 Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,
+                       const std::string& faces);
+
+/// KEIKO-OVERLAP, KEIKO-TEE or KEIKO-CROSSING: a run of a free edge on the inside of another face
+/// that is longer than the preset's negligible length is worth a look, and so is each that passes
+/// through it. `faces`: the names of its sides. Without face.
+Check check_of_overlap(const Overlap& overlap, const CriteriaPreset& preset,
                        const std::string& faces);
 
 /// Every criterion of the preset held against one measured face (number `index`), and what of it is

@@ -3,6 +3,7 @@
 #include "keiko/inspect/basics/face_names.h"
 #include "keiko/inspect/flaws/flaw_search.h"
 #include "keiko/inspect/openings/opening.h"
+#include "keiko/inspect/overlaps/overlap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,22 +116,36 @@ void add_flaws(const SurfaceModel& model, Inspection& result, const Job& job) {
     }
 }
 
-void add_openings(const SurfaceModel& model, Inspection& result, const Job& job) {
+/// "face 1 | face 2", once where both are one.
+std::string names_of(const SurfaceModel& model, const PlacedFace& a, const PlacedFace& b) {
+    const std::string name = placed_face_name(model, a.instance, a.face);
+    return a == b ? name : name + " | " + placed_face_name(model, b.instance, b.face);
+}
+
+/// Adds a check of a placed face.
+void add_of_face(Inspection& result, const PlacedFace& of, Check check) {
+    const auto first =
+        std::find_if(result.faces.begin(), result.faces.end(), [&](const MeasuredFace& face) {
+            return face.instance == of.instance && face.face == of.face;
+        });
+    check.face = static_cast<std::uint32_t>(first - result.faces.begin());
+    result.checks.push_back(std::move(check));
+}
+
+/// What is found at the free edges of a model.
+void add_at_free_edges(const SurfaceModel& model, Inspection& result, const Job& job) {
     const CriteriaPreset& preset = result.preset;
-    for (const Opening& opening :
-         find_openings(model, result.pieces, {result.join, preset.negligible, preset.gap}, job)) {
-        const Opening::Side &a = opening.sides[0], &b = opening.sides[1];
-        const std::string name = placed_face_name(model, a.instance, a.face);
-        const bool of_one = a.instance == b.instance && a.face == b.face;
-        Check check = check_of_opening(
-            opening, preset,
-            of_one ? name : name + " | " + placed_face_name(model, b.instance, b.face));
-        const auto first =
-            std::find_if(result.faces.begin(), result.faces.end(), [&](const MeasuredFace& face) {
-                return face.instance == a.instance && face.face == a.face;
-            });
-        check.face = static_cast<std::uint32_t>(first - result.faces.begin());
-        result.checks.push_back(std::move(check));
+    const BoundaryCurves curves(model);
+    const FreeEdges edges = free_edges(model, curves, result.pieces, preset.gap, result.join, job);
+    const OpeningLimits small{result.join, preset.negligible, preset.gap};
+    for (const Opening& opening : find_openings(curves, edges, small, job)) {
+        const auto& [a, b] = opening.sides;
+        add_of_face(result, a, check_of_opening(opening, preset, names_of(model, a, b)));
+    }
+    for (const Overlap& overlap :
+         find_overlaps(model, curves, edges, {result.join, preset.negligible}, job)) {
+        const auto& [a, b] = overlap.sides;
+        add_of_face(result, a, check_of_overlap(overlap, preset, names_of(model, a, b)));
     }
 }
 
@@ -157,7 +172,7 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
         ++count_of(result.faces[i].verdict, result.face_counts);
         take(result.faces[i].verdict, checks_of(result.faces[i], preset, i), result);
     }
-    add_openings(model, result, job);
+    add_at_free_edges(model, result, job);
     result.findings = ranked(result, &Check::is_finding);
     result.looks = ranked(result, &Check::is_worth_a_look);
     return result;

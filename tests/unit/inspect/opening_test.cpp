@@ -68,7 +68,9 @@ SurfaceModel notched_model(const std::vector<Vec2>& between) {
 
 std::vector<Opening> openings_of(const SurfaceModel& model) {
     const auto seams = measure_seams(model, pair_seams(model, join), {}, join);
-    return find_openings(model, seams.pieces, {join, 0.1, 0.01});
+    const BoundaryCurves curves(model);
+    const FreeEdges edges = free_edges(model, curves, seams.pieces, 0.01, join);
+    return find_openings(curves, edges, {join, 0.1, 0.01});
 }
 
 TEST(Openings, AreNoneAlongAClosedSeam) {
@@ -357,7 +359,10 @@ TEST(Openings, LeaveNoHoleWithoutAFindingWhateverTheAngleOfTheCrease) {
         EXPECT_TRUE(has_finding_in(found, box_of(lower, upper, angle)))
             << "case " << i << ", " << half << ", " << low << ", " << high << " mm, " << slant
             << ", at " << angle << " degrees";
-        EXPECT_LE(found.looks.size(), 1u) << i;
+        const auto listed =
+            std::count_if(found.looks.begin(), found.looks.end(),
+                          [](const Check& look) { return look.code == "KEIKO-OPENING"; });
+        EXPECT_LE(listed, 1) << i;
     }
 }
 

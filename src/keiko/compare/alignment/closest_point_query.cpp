@@ -1,6 +1,7 @@
 #include "keiko/compare/alignment/closest_point_query.h"
 
 #include "keiko/compare/alignment/surface_pieces.h"
+#include "keiko/geometry/bezier/piece_projection.h"
 #include "keiko/geometry/bezier/subpatch.h"
 
 #include <algorithm>

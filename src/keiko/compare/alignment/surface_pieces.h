@@ -2,7 +2,7 @@
 
 #include "keiko/compare/alignment/boundary_projection.h"
 #include "keiko/compare/alignment/closest_point_query.h"
-#include "keiko/compare/alignment/piece_projection.h"
+#include "keiko/compare/alignment/convexity.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/intersect/subpatch/sub_patch.h"
 

@@ -1,7 +1,6 @@
 #include "keiko/inspect/openings/opening.h"
 
 #include "keiko/base/units.h"
-#include "keiko/inspect/openings/free_edges.h"
 #include "keiko/inspect/openings/hole_form.h"
 #include "keiko/inspect/openings/near_edges.h"
 #include "keiko/inspect/openings/strand.h"
@@ -63,7 +62,7 @@ private:
     Opening opening(const FreePlace& a, const FreePlace& b, double length) const {
         const auto side = [&](const FreePlace& p) {
             const BoundaryInterval& on = edges_.all[p.edge].pieces[p.piece];
-            return Opening::Side{on.instance, on.face};
+            return PlacedFace{on.instance, on.face};
         };
         return {.sides = {side(a), side(b)},
                 .width = (a.position - b.position).length(),
@@ -196,10 +195,8 @@ std::optional<OpeningSearch::Across> OpeningSearch::widest(const std::vector<Acr
 
 } // namespace
 
-std::vector<Opening> find_openings(const SurfaceModel& model, std::span<const Seam> seams,
+std::vector<Opening> find_openings(const BoundaryCurves& curves, const FreeEdges& edges,
                                    const OpeningLimits& limits, const Job& job) {
-    const BoundaryCurves curves(model);
-    const FreeEdges edges = free_edges(model, curves, seams, limits.gap, limits.join, job);
     return OpeningSearch(curves, edges, limits).run(near_edges(edges, limits.join, job));
 }
 

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "keiko/base/job.h"
-#include "keiko/geometry/seam/seam.h"
+#include "keiko/inspect/basics/placed_face.h"
+#include "keiko/inspect/openings/free_edges.h"
 
 #include <array>
-#include <span>
 #include <vector>
 
 namespace keiko {
@@ -13,15 +12,12 @@ namespace keiko {
 /// sizes of a hole, up to an outline of 300 times the join distance, are those of the narrowest
 /// rectangle around it as seen along its normal.
 struct Opening {
-    struct Side {
-        std::uint32_t instance = 0, face = 0;
-    };
-    std::array<Side, 2> sides{}; ///< the faces on either side; one face twice in its own slit
-    double width = 0;            ///< mm, the largest way from a side to the nearest of the other
-    double width_bound = 0;      ///< mm, error of the width
-    double length = 0;           ///< mm along either side, as far as it was followed
-    bool goes_on = false;        ///< beyond that length
-    Vec3 place{0};               ///< world, mm: the middle of the way over, or of the hole
+    std::array<PlacedFace, 2> sides{}; ///< the faces on either side; one face twice in its own slit
+    double width = 0;       ///< mm, the largest way from a side to the nearest of the other
+    double width_bound = 0; ///< mm, error of the width
+    double length = 0;      ///< mm along either side, as far as it was followed
+    bool goes_on = false;   ///< beyond that length
+    Vec3 place{0};          ///< world, mm: the middle of the way over, or of the hole
 };
 
 /// How small openings are.
@@ -31,7 +27,7 @@ struct OpeningLimits {
     double gap = 0.01; ///< mm: borders no farther apart are no opening
 };
 
-/// The openings of a model whose seams are `seams`, each once, in the order of their free edges.
+/// The openings between the free edges of a model, each once, in the order of their free edges.
 /// There is one
 ///  - where free edges that go out from the end of a seam enclose a hole in the faces, with an
 ///    outline of twice the reach at most. The reach is `opening_reach` times the join distance;
@@ -39,7 +35,7 @@ struct OpeningLimits {
 ///    edges that diverge by `opening_angle`, with no material between them;
 ///  - where a free edge stays within the join distance of another face's for longer than the
 ///    wedge at a corner of `parallel_borders` does.
-std::vector<Opening> find_openings(const SurfaceModel& model, std::span<const Seam> seams,
+std::vector<Opening> find_openings(const BoundaryCurves& curves, const FreeEdges& edges,
                                    const OpeningLimits& limits, const Job& job = {});
 
 /// Of the join distance, along each free edge from the end of a seam.

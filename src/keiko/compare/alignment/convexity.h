@@ -6,17 +6,6 @@
 
 namespace keiko {
 
-/// The point of a piece of surface that is nearest to a given one.
-struct PieceProjection {
-    Vec2 uv{0};       ///< in [0, 1]^2
-    Vec3 position{0}; ///< mm
-    double distance = 0;
-};
-
-/// Newton's iteration on |S(u, v) - p|^2 / 2 within the unit square, from its middle: a local
-/// minimum, the only one where Convexity holds.
-PieceProjection piece_projection(const BezierPatchView& piece, const Vec3& p);
-
 /// Proves that the squared distance of a point to a piece of surface is convex over it, so that it
 /// has one minimum: for every unit direction v there, |S' v|^2 > |(S - p) . S'' v v|, by bounds on
 /// the control net in the frame of the mean tangents.

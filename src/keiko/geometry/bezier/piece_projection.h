@@ -1,0 +1,18 @@
+#pragma once
+
+#include "keiko/geometry/bezier/bezier_patch.h"
+
+namespace keiko {
+
+/// The point of a piece of surface that is nearest to a given one.
+struct PieceProjection {
+    Vec2 uv{0};       ///< in [0, 1]^2
+    Vec3 position{0}; ///< mm
+    double distance = 0;
+};
+
+/// Newton's iteration on |S(u, v) - p|^2 / 2 within the unit square, from its middle: a local
+/// minimum, and the only one where the squared distance is convex.
+PieceProjection piece_projection(const BezierPatchView& piece, const Vec3& p);
+
+} // namespace keiko

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+namespace keiko {
+
+/// A face as an instance places it.
+struct PlacedFace {
+    std::uint32_t instance = 0, face = 0; ///< into SurfaceModel::instances and ::faces
+
+    bool operator==(const PlacedFace&) const = default;
+};
+
+} // namespace keiko

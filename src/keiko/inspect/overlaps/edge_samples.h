@@ -1,0 +1,46 @@
+#pragma once
+
+#include "keiko/geometry/bvh/box_tree.h"
+#include "keiko/inspect/openings/free_edges.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// Numbered samples of free edges: the corners of their polylines, and evenly spaced places between
+/// them. Numbers rise by 1 along each edge.
+class EdgeSamples {
+public:
+    /// A chord of an edge's polyline with `steps` + 1 samples, of which the last one is the first
+    /// of the next chord. Numbers are those of its samples.
+    struct Chord {
+        std::uint32_t edge = 0, place = 0; ///< into FreeEdges::all and FreeEdge::places
+        std::uint32_t first = 0, steps = 1;
+        Vec3 from{0}, to{0}; ///< world, mm
+
+        Vec3 at(std::uint32_t step) const { return from + (to - from) * (double(step) / steps); }
+    };
+
+    /// No two neighbours are farther apart than `step` mm. Looks into `edges`.
+    EdgeSamples(const FreeEdges& edges, double step);
+
+    const FreeEdges& edges() const { return edges_; }
+    const Chord& chord(std::uint32_t index) const { return chords_[index]; }
+    /// The chords that may meet a box, ascending.
+    std::vector<std::uint32_t> chords_in(const Box3& box) const { return tree_.overlapping(box); }
+    /// The edge of a sample.
+    std::uint32_t edge_of(std::uint32_t sample) const { return chord_of(sample).edge; }
+    /// mm along its edge.
+    double way(std::uint32_t sample) const;
+    FreePlace place(std::uint32_t sample) const;
+
+private:
+    const Chord& chord_of(std::uint32_t sample) const;
+    std::vector<Box3> list_chords(double step);
+
+    const FreeEdges& edges_;
+    std::vector<Chord> chords_;
+    BoxTree tree_;
+};
+
+} // namespace keiko

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "keiko/geometry/trim/trim_region.h"
+
+#include <optional>
+
+namespace keiko {
+
+/// What of a face's material lies farther from all of its borders than a margin. Looks into the
+/// model and the face.
+class FaceInside {
+public:
+    /// `margin` in mm.
+    FaceInside(const SurfaceModel& model, const Face& face, double margin);
+
+    /// Where a box of a patch's parameters lies to the trims; inside for a face without loops.
+    TrimSide side(std::uint32_t patch, const Box2& uv);
+    /// `s`: the placed derivatives there by the patch's parameters, mm, of first order or more.
+    bool is_inside(std::uint32_t patch, const Vec2& uv, const SurfaceDerivatives& s);
+
+private:
+    const TrimRegion& trims();
+    bool is_near_side(const Vec2& place, const ParameterMetric& metric) const;
+
+    const SurfaceModel& model_;
+    const Face& face_;
+    double margin_;
+    std::optional<TrimRegion> trims_; ///< made when first asked for
+    Box2 domain_;                     ///< face parameters of all patches
+};
+
+} // namespace keiko

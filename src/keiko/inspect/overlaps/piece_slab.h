@@ -1,0 +1,34 @@
+#pragma once
+
+#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/math/interval_set.h"
+
+#include <optional>
+
+namespace keiko {
+
+/// What is within a distance of a piece of surface, or little more: its box, and between two planes
+/// square to its mean normal, where it has one.
+class PieceSlab {
+public:
+    /// `reach` in mm.
+    PieceSlab(const BezierPatchView& piece, double reach);
+
+    /// mm: the diagonal of the piece's box.
+    double size() const { return size_; }
+    /// mm between the planes that hold the piece; its size where it has no mean normal.
+    double thickness() const { return thickness_; }
+    /// The axis along which the piece is longer, 0 or 1.
+    unsigned longer_side() const { return longer_side_; }
+    /// The part of a segment, from 0 to 1, that is within the slab.
+    std::optional<ParameterInterval> clip(const Vec3& from, const Vec3& to) const;
+
+private:
+    Box3 box_;
+    Vec3 normal_{0};
+    double low_ = 0, high_ = 0; ///< along the normal
+    double size_ = 0, thickness_ = 0;
+    unsigned longer_side_ = 0;
+};
+
+} // namespace keiko
