@@ -22,7 +22,7 @@ class Check(KeikoTest):
     def test_a_gap_is_a_finding(self):
         code, text = self.check(GAP)
         self.assertEqual(code, 1)
-        self.assertRegex(text, r"\Afail: seams 1 fail, 0 undecided, 0 pass, 0 creases; 800.2 of 1200.7 mm of borders meet no other; by class-a-outer\n")
+        self.assertRegex(text, r"\Afail: stretches of seams 1 fail, 0 undecided, 0 pass, 0 creases; 800.2 of 1200.7 mm of borders meet no other; by class-a-outer\n")
         self.assertRegex(text, r"\nfail  G-SU-LG  face 1 \(left\) of seam-g0-gap [\d.]+ \| face 2 \(right\) of seam-g0-gap [\d.]+: the gap of 0.05 mm is over the "
                                r"limit of 0.01 mm, at [-\d.]+, [-\d.]+, [-\d.]+\n\Z")
 
@@ -31,7 +31,7 @@ class Check(KeikoTest):
             return f"1 1\n{x} 0 0\n{x} 100 0\n{x + 100} 0 0\n{x + 100} 100 0\n"
         apart = self.write("apart.bpt", "2\n" + sheet(0) + sheet(100.6))
         run = self.keiko("check", apart, "-q")
-        self.assertEqual((run.returncode, run.stdout), (0, "pass: seams 0 fail, 0 undecided, 0 pass, 0 creases; "
+        self.assertEqual((run.returncode, run.stdout), (0, "pass: stretches of seams 0 fail, 0 undecided, 0 pass, 0 creases; "
                                                            "800.0 of 800.0 mm of borders meet no other; by class-a-outer\n"))
         self.assertEqual(run.stderr, "keiko: warning: no seam was judged: of 2 faces no two have borders that run along each other "
                                      "within the join distance, 0.5 mm\n")
@@ -40,7 +40,7 @@ class Check(KeikoTest):
         self.assertIn("; 800.0 of 800.0 mm of borders meet no other; lines ", run.stdout)
         self.assertIn("no seam was judged", run.stderr)
         code, text = self.check(apart, "--join", "1")
-        self.assertEqual((code, text[:32]), (1, "fail: seams 1 fail, 0 undecided,"))
+        self.assertEqual((code, text[:46]), (1, "fail: stretches of seams 1 fail, 0 undecided, "))
         self.assertIn("600.0 of 800.0 mm of borders meet no other", text)
         self.assertEqual(self.check(self.write("one.bpt", "1\n" + sheet(0)))[0], 0)
 

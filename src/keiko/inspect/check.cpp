@@ -143,7 +143,11 @@ Check angle_check(const MeasuredSeam& seam, const CriteriaPreset& preset) {
     if (const char* excuse = excuse_of(seam)) return not_judged("G-SU-NT", excuse);
     if (!seam.angle) return unknown_angle(seam, preset);
     Check check = judged("G-SU-NT", "deg", *seam.angle, {"the angle", " degrees"});
-    if (seam.kind == SeamClass::fold) check.message += "; the sides lie on each other";
+    if (seam.kind == SeamClass::fold)
+        check.message += seam.stacked
+                             ? "; the sides lie over each other, as two skins of a thin sheet do "
+                               "where the faces between their borders are missing"
+                             : "; the sides lie on each other";
     if (is_known_in_part(*seam.angle))
         check.message = "the angle is " + short_number(seam.angle->value) +
                         " degrees where it can be measured: a side has no normal elsewhere";

@@ -133,17 +133,18 @@ void add_of_face(Inspection& result, const PlacedFace& of, Check check) {
 }
 
 /// What is found at the free edges of a model.
-void add_at_free_edges(const SurfaceModel& model, Inspection& result, const Job& job) {
+void add_at_free_edges(const ModelBorders& borders, Inspection& result, const Job& job) {
+    const SurfaceModel& model = borders.model;
     const CriteriaPreset& preset = result.preset;
-    const BoundaryCurves curves(model);
-    const FreeEdges edges = free_edges(model, curves, result.pieces, preset.gap, result.join, job);
+    const FreeEdges edges =
+        free_edges(model, borders.curves, result.pieces, preset.gap, result.join, job);
     const OpeningLimits small{result.join, preset.negligible, preset.gap};
-    for (const Opening& opening : find_openings(curves, edges, small, job)) {
+    for (const Opening& opening : find_openings(borders.curves, edges, small, job)) {
         const auto& [a, b] = opening.sides;
         add_of_face(result, a, check_of_opening(opening, preset, names_of(model, a, b)));
     }
     for (const Overlap& overlap :
-         find_overlaps(model, curves, edges, {result.join, preset.negligible}, job)) {
+         find_overlaps(model, borders.curves, edges, {result.join, preset.negligible}, job)) {
         const auto& [a, b] = overlap.sides;
         add_of_face(result, a, check_of_overlap(overlap, preset, names_of(model, a, b)));
     }
@@ -157,10 +158,11 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     result.preset = preset, result.join = join;
     if (!model.lost_faces.empty()) result.verdict = Verdict::undecided;
     const std::vector<Seam> paired = pair_seams(model, join, job);
-    MeasuredSeams measured = measure_all_seams(model, paired, preset, join, job);
+    const ModelBorders borders(model);
+    MeasuredSeams measured = measure_all_seams(borders, paired, preset, join, job);
     result.pieces = std::move(measured.pieces), result.seams = std::move(measured.seams);
     mark_irregular(model, result.seams);
-    result.facts = model_facts(model, paired, join, job);
+    result.facts = model_facts(borders, paired, join, job);
     result.facts.seams = line_count(result.seams);
     result.faces = measure_faces(model, preset.surface, job);
     add_flaws(model, result, job);
@@ -172,7 +174,7 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
         ++count_of(result.faces[i].verdict, result.face_counts);
         take(result.faces[i].verdict, checks_of(result.faces[i], preset, i), result);
     }
-    add_at_free_edges(model, result, job);
+    add_at_free_edges(borders, result, job);
     result.findings = ranked(result, &Check::is_finding);
     result.looks = ranked(result, &Check::is_worth_a_look);
     return result;

@@ -29,8 +29,7 @@ struct Lengths {
     double whole = 0, free = 0;
 };
 
-Lengths border_lengths(const SurfaceModel& model, std::span<const Seam> seams, const Job& job) {
-    const BoundaryCurves curves(model);
+Lengths border_lengths(const BoundaryCurves& curves, std::span<const Seam> seams, const Job& job) {
     const std::vector<BoundaryInterval> borders = curves.all();
     const std::map<BorderKey, IntervalSet> covered = covered_borders(seams);
     std::vector<Lengths> each(borders.size());
@@ -140,8 +139,9 @@ RemarkCounts count_remarks(const SurfaceModel& model) {
 
 } // namespace
 
-ModelFacts model_facts(const SurfaceModel& model, std::span<const Seam> seams, double join,
+ModelFacts model_facts(const ModelBorders& borders, std::span<const Seam> seams, double join,
                        const Job& job) {
+    const SurfaceModel& model = borders.model;
     ModelFacts facts;
     facts.files = files_of(model);
     facts.source = model.source, facts.format = model.format, facts.unit = model.unit;
@@ -154,7 +154,7 @@ ModelFacts model_facts(const SurfaceModel& model, std::span<const Seam> seams, d
     for (const Face& face : model.faces) facts.face_list.push_back(face_facts(model, face));
     facts.bounds = material_bounds(model, job);
     facts.join = join;
-    const Lengths lengths = border_lengths(model, seams, job);
+    const Lengths lengths = border_lengths(borders.curves, seams, job);
     facts.border_length = lengths.whole, facts.free_length = lengths.free;
     facts.lost_faces = model.lost_faces;
     facts.repairs = model.repairs;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/job.h"
-#include "keiko/geometry/seam/seam.h"
+#include "keiko/inspect/seams/model_borders.h"
 #include "keiko/inspect/trace_facts.h"
 #include "keiko/math/bounds.h"
 
@@ -77,7 +77,7 @@ struct ModelFacts {
 };
 
 /// `seams`: those of pair_seams for `join` mm.
-ModelFacts model_facts(const SurfaceModel& model, std::span<const Seam> seams, double join,
+ModelFacts model_facts(const ModelBorders& borders, std::span<const Seam> seams, double join,
                        const Job& job = {});
 
 } // namespace keiko

@@ -14,8 +14,9 @@ ModelFacts model_info(const std::filesystem::path& file, const FactsOptions& opt
         if (auto remark = axes_remark(material_bounds(model, job)))
             model.diagnostics.push_back(*remark);
     const std::vector<Seam> seams = pair_seams(model, options.join, job);
-    ModelFacts facts = model_facts(model, seams, options.join, job);
-    facts.seams = line_count(measure_all_seams(model, seams, {}, options.join, job).seams);
+    const ModelBorders borders(model);
+    ModelFacts facts = model_facts(borders, seams, options.join, job);
+    facts.seams = line_count(measure_all_seams(borders, seams, {}, options.join, job).seams);
     if (options.tracing) {
         const Tracer tracer(model, {.second_derivatives = true}, job);
         facts.tracing = timed_trace_facts(tracer.statistics());

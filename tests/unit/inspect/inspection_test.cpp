@@ -76,6 +76,20 @@ TEST(Inspect, ListsFindingsWorstFirst) {
     EXPECT_EQ(result.seams[result.findings[0].seam].face_b, 2u);
 }
 
+TEST(Inspect, NamesTheSkinsOfASheetAsTheCauseOfAFold) {
+    for (const double thick : {0.0, 0.3}) {
+        ModelBuilder builder;
+        test::flat_sheet(builder, {0, 50, 0});
+        test::flat_sheet(builder, {0, 50, 0}, {0, 0, thick});
+        const Inspection result = inspect(builder.build());
+        EXPECT_EQ(result.verdict, Verdict::fail);
+        ASSERT_FALSE(result.findings.empty());
+        const std::string& message = result.findings[0].message;
+        EXPECT_EQ(message.find("two skins of a thin sheet") != std::string::npos, thick > 0)
+            << message;
+    }
+}
+
 TEST(Inspect, ReportsGapsUnderTheirCode) {
     const Inspection result = inspect(strips({0}, 0.04));
     ASSERT_EQ(result.findings.size(), 1u);

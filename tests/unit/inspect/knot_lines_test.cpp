@@ -84,6 +84,42 @@ TEST(MeasureKnotLines, FindAKinkThatIsZeroAtSomePlaces) {
     EXPECT_GT(largest, 2);
 }
 
+/// A sheet of 100 x 40 mm that is torn at y = 0, where it is `open` mm apart and turns by 30
+/// degrees. Its control points beside the tear coincide, so that it bends sharply there too.
+NurbsSurface torn_sheet(double open) {
+    NurbsSurface sheet{1, 2, {0, 0, 1, 1}, {0, 0, 0, 1, 1, 1, 2, 2, 2}, {}};
+    const double slope = std::tan(degrees_to_radians(30));
+    for (const double x : {0.0, sheet_length}) {
+        for (const double y : {-20.0, 0.0, 0.0}) sheet.points.emplace_back(x, y, 0, 1);
+        for (const double y : {0.0, 0.0, 20.0})
+            sheet.points.emplace_back(x, y, open + y * slope, 1);
+    }
+    return sheet;
+}
+
+TEST(MeasureKnotLines, StateATearAsOneGap) {
+    for (const double open : {0.0002, 0.02, 0.3}) {
+        ModelBuilder builder;
+        builder.nurbs(torn_sheet(open));
+        const auto lines = measure_knot_lines(builder.build(), {});
+        ASSERT_EQ(lines.size(), 1U) << open;
+        EXPECT_NEAR(lines[0].gap.value, open, 1e-9);
+        EXPECT_EQ(lines[0].gap.verdict, open > 0.01 ? Verdict::fail : Verdict::pass);
+        EXPECT_NEAR(lines[0].length, sheet_length, 1e-9);
+    }
+}
+
+TEST(MeasureKnotLines, StateABendWhereTheFaceIsNotTorn) {
+    for (const double open : {0.0, 0.00005}) {
+        ModelBuilder builder;
+        builder.nurbs(torn_sheet(open));
+        const auto lines = measure_knot_lines(builder.build(), {});
+        ASSERT_EQ(lines.size(), 1U) << open;
+        ASSERT_TRUE(lines[0].angle) << open;
+        EXPECT_NEAR(lines[0].angle->value, 30, 0.01) << open;
+    }
+}
+
 TEST(MeasureKnotLines, CountWithSeamsInTheScrapsOfAFace) {
     // Two faces turn by 3 degrees along 0.06 mm, and one of them inside along 0.06 mm besides.
     constexpr double short_side = 0.06;

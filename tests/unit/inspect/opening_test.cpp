@@ -271,6 +271,49 @@ TEST(Openings, AreCutOutsWithASideThatIsShort) {
     EXPECT_NEAR(both.front().width, 30, 1e-6);
 }
 
+TEST(Openings, AreClosedHolesOfFiftyToAHundredMillimetresOutline) {
+    // Rectangles and diamonds on both sides of the seam, less than 33.8 mm high.
+    for (const double half : {4.0, 9.0, 16.0, 24.0})
+        for (const double low : {3.0, 8.0, 14.0, 16.5})
+            for (const bool diamond : {false, true}) {
+                const double outline = diamond ? 4 * std::hypot(half, low) : 4 * half + 4 * low;
+                if (outline < 50 || outline > 100) continue;
+                const double right = 50 + half, left = 50 - half;
+                std::vector<Vec2> lower{{right, 0}, {50, -low}, {left, 0}};
+                if (!diamond) lower = {{right, 0}, {right, -low}, {left, -low}, {left, 0}};
+                std::vector<Vec2> upper;
+                for (auto p = lower.rbegin(); p != lower.rend(); ++p)
+                    upper.emplace_back(p->x, -p->y);
+                const auto found = openings_of(holed_model(lower, upper));
+                ASSERT_EQ(found.size(), 1u) << half << ", " << low << ", " << diamond;
+                const double tip = std::hypot(half, low);
+                const double width = diamond ? 2 * half * low / tip : 2 * std::min(half, low);
+                const double long_ = diamond ? 2 * std::max(half, low) * std::max(half, low) / tip
+                                             : 2 * std::max(half, low);
+                EXPECT_NEAR(found.front().width, width, 1e-6) << half << ", " << low;
+                EXPECT_NEAR(found.front().length, long_, 1e-6) << half << ", " << low;
+                EXPECT_LT((found.front().place - Vec3(50, 0, 0)).length(), 1e-6);
+            }
+}
+
+TEST(Openings, AreClosedCutOutsOfUpToAHundredMillimetresWithAShortSide) {
+    struct Cut {
+        double half, low;
+        bool is_listed;
+    };
+    for (const Cut& cut : {Cut{10, 20, true}, Cut{13, 23.5, true}, Cut{11.8, 26, true},
+                           Cut{23, 3, true}, Cut{12.4, 25, false}, Cut{12.4, 25.1, false}}) {
+        const double right = 50 + cut.half, left = 50 - cut.half;
+        const auto found = openings_of(
+            holed_model({{right, 0}, {right, -cut.low}, {left, -cut.low}, {left, 0}}, {}));
+        ASSERT_EQ(found.size(), cut.is_listed ? 1u : 0u) << cut.half << ", " << cut.low;
+        if (!cut.is_listed) continue;
+        EXPECT_NEAR(found.front().width, std::min(2 * cut.half, cut.low), 1e-6);
+        EXPECT_NEAR(found.front().length, std::max(2 * cut.half, cut.low), 1e-6);
+        EXPECT_LT((found.front().place - Vec3(50, -cut.low / 2, 0)).length(), 1e-6);
+    }
+}
+
 /// Borders of the lower sheet with one defect at random.
 class Planter {
 public:

@@ -70,6 +70,32 @@ TEST(MeasureSeams, TellsSheetsThatLieOnEachOtherFromASmoothContinuation) {
     EXPECT_EQ(seams[0].verdict, Verdict::fail);
 }
 
+TEST(MeasureSeams, TellsSkinsOverEachOtherFromOtherFolds) {
+    struct Sheet {
+        Vec3 across, shift;
+        bool stacked;
+    };
+    // Apart along the normals, in the plane beside and over the first one, and by next to nothing.
+    for (const Sheet& other :
+         {Sheet{{0, 50, 0}, {0, 0, 0.3}, true}, Sheet{{0, 50, 0}, {0, 0.02, 0.3}, true},
+          Sheet{{0, 50, 0}, {0, 0, 0.015}, true}, Sheet{{0, 50, 0}, {0, 0.3, 0}, false},
+          Sheet{{0, 50, 0}, {0, -0.3, 0}, false}, Sheet{{0, 50, 0}, {0, 0, 0.005}, false},
+          Sheet{{0, 50, 0}, {0, 0, 0}, false}, Sheet{{0, 50, 0}, {0, 0.2, 0.2}, false}}) {
+        ModelBuilder builder;
+        flat_sheet(builder, {0, 50, 0});
+        flat_sheet(builder, other.across, other.shift);
+        const MeasuredSeam seam = measured(builder.build()).at(0);
+        EXPECT_EQ(seam.kind, SeamClass::fold);
+        EXPECT_EQ(seam.verdict, Verdict::fail);
+        EXPECT_EQ(seam.stacked, other.stacked) << other.shift.y << ", " << other.shift.z;
+    }
+    // No fold, but two sheets of which one continues the other at another height.
+    ModelBuilder builder;
+    flat_sheet(builder, {0, 50, 0});
+    flat_sheet(builder, {0, -50, 0}, {0, 0, 0.3});
+    EXPECT_FALSE(only_seam(builder).stacked);
+}
+
 TEST(MeasureSeams, DoesNotCareHowTheSidesAreParametrised) {
     const Vec3 along(sheet_length, 0, 0), a(0, 50, 0), b = down(0.2);
     for (int i = 0; i < 16; ++i) {

@@ -40,8 +40,7 @@ TEST(PartitionSeam, CutsWhereTheAnglePassesTheFeatureAngle) {
     EXPECT_NEAR(length, 250, 4 * class_change_bound);
 }
 
-TEST(PartitionSeam, FindsAPeakBetweenItsSteps) {
-    // A cubic peaks at its middle with 3/4 of the control value, over the limit for 5 to 15 mm.
+TEST(PartitionSeam, KnowsTheEndsOfAPeak) {
     for (const double control : {6.67, 6.7, 7.0}) {
         const SeamSlope slope{{{300, {0, control, control, 0}}}};
         const auto parts = partitioned(slope);
@@ -49,7 +48,58 @@ TEST(PartitionSeam, FindsAPeakBetweenItsSteps) {
         EXPECT_NEAR(parts[1].begin.place.x, slope.place_of(5, 0, 150), 1e-5);
         EXPECT_NEAR(parts[1].end.place.x, slope.place_of(5, 150, 300), 1e-5);
     }
-    EXPECT_EQ(partitioned({{{300, {0, 6.63, 6.63, 0}}}}).size(), 1u);
+}
+
+/// A peak of an angle that is 0 at both ends of the seam.
+struct Peak {
+    SeamSlope slope;
+    double place = 0; ///< mm
+};
+
+/// A cubic of 300 mm that peaks with `degrees` where its inner control values have the ratio
+/// `lean`.
+Peak peak_of(double lean, double degrees) {
+    const auto scaled = [&](double scale) {
+        const double inner = radians_to_degrees(std::atan(scale));
+        const double other = radians_to_degrees(std::atan(scale * lean));
+        return SeamSlope{{{300, {0, inner, other, 0}}}};
+    };
+    // Where the derivative of u (1 - u)^2 + lean u^2 (1 - u) is 0.
+    const double a = 3 - 3 * lean, b = 2 * lean - 4;
+    const double u = a == 0 ? 0.5 : (-b - std::sqrt(b * b - 4 * a)) / (2 * a);
+    const double share = SeamSlope::tangent(scaled(1).angle(300 * u));
+    return {scaled(SeamSlope::tangent(degrees) / share), 300 * u};
+}
+
+/// Whether an end or a middle of the search's first steps lies over the feature angle.
+bool is_over_at_first_steps(const SeamProbe& probe, const SeamSlope& slope) {
+    const auto over = [&](double t) { return slope.angle(probe.place(t).x) > 5; };
+    const std::vector<double> steps = probe.steps(16);
+    bool any = over(steps.front());
+    for (std::size_t i = 1; i < steps.size(); ++i)
+        any = any || over(steps[i]) || over((steps[i - 1] + steps[i]) / 2);
+    return any;
+}
+
+TEST(PartitionSeam, FindsEveryPeakBetweenItsFirstSteps) {
+    int between = 0;
+    for (const double over : {1e-4, 1e-3, 1e-2})
+        for (double lean = 0.02; lean < 50; lean *= 1.07) {
+            const Peak peak = peak_of(lean, 5 + over);
+            ASSERT_NEAR(peak.slope.angle(peak.place), 5 + over, 1e-9);
+            const SlopedSeam seam(peak.slope);
+            if (is_over_at_first_steps(seam.probes().front(), peak.slope)) continue;
+            ++between;
+            const auto parts = partition_seam(seam.probes().front(), 0, {});
+            ASSERT_EQ(parts.size(), 3U) << lean << ", " << over;
+            EXPECT_EQ(parts[1].kind, SeamClass::crease);
+            // Nearly level where it passes the limit: known to what is negligible.
+            const double negligible = StretchLimits{}.negligible;
+            EXPECT_NEAR(parts[1].begin.place.x, peak.slope.place_of(5, 0, peak.place), negligible);
+            EXPECT_NEAR(parts[1].end.place.x, peak.slope.place_of(5, peak.place, 300), negligible);
+            EXPECT_EQ(partitioned(peak_of(lean, 5 - over).slope).size(), 1U) << lean;
+        }
+    EXPECT_GT(between, 200);
 }
 
 } // namespace

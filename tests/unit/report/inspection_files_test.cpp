@@ -229,9 +229,22 @@ TEST(SarifJson, NamesTheFaceThatACheckIsOf) {
 
 TEST(InspectionText, CountsFacesWhereTheyAreJudged) {
     const std::string text = inspection_text(tight_face(), 0);
-    EXPECT_TRUE(text.starts_with("fail: seams 0 fail, 0 undecided, 1 pass, 0 creases; ")) << text;
+    EXPECT_TRUE(
+        text.starts_with("fail: stretches of seams 0 fail, 0 undecided, 1 pass, 0 creases; "))
+        << text;
     const auto faces = text.find("; faces 1 fail, 0 undecided, 0 pass; by ");
     EXPECT_LT(faces, text.find('\n')) << text;
+}
+
+TEST(InspectionText, StatesOfHowManySeamsItCountsStretches) {
+    Inspection three = inspection();
+    three.seams.resize(3), three.facts.seams = 2;
+    three.counts = {.fail = 1, .undecided = 0, .pass = 1, .creases = 1};
+    EXPECT_TRUE(seams_words(three).starts_with(
+        "stretches of seams 1 fail, 0 undecided, 1 pass, 1 creases (of 2 seams)"))
+        << seams_words(three);
+    three.facts.seams = 3;
+    EXPECT_EQ(seams_words(three).find("(of"), std::string::npos);
 }
 
 TEST(InspectionText, TellsTheFirstFindingsAndHowManyMoreThereAre) {

@@ -119,20 +119,29 @@ std::optional<BoundaryFrame> SurfaceCurve::frame(double t, int order) const {
     return BoundaryFrame{p.surface.position(), tangent, *normal, inward, p.surface};
 }
 
+double SurfaceCurve::speed(double t) const {
+    const Place p = place(t, 1);
+    return (p.surface.du() * p.u.first + p.surface.dv() * p.v.first).length();
+}
+
 double SurfaceCurve::length(double begin, double end) const {
-    constexpr int panels = 4, order = 8;
-    double sum = 0;
-    for (int i = 0; i < panels; ++i) {
-        const double a = begin + (end - begin) * i / panels;
-        const double b = begin + (end - begin) * (i + 1) / panels;
-        sum += integrate(
-            [&](double t) {
-                const Place p = place(t, 1);
-                return (p.surface.du() * p.u.first + p.surface.dv() * p.v.first).length();
-            },
-            a, b, order);
-    }
-    return std::abs(sum);
+    const auto [low, high] = std::minmax(begin, end);
+    return length(low, high, patch_changes(low, high));
+}
+
+double SurfaceCurve::length(double begin, double end, std::span<const double> changes) const {
+    constexpr int panels = 4, order = 8; // a smooth piece
+    const auto speed_at = [this](double t) { return speed(t); };
+    double sum = 0, from = begin;
+    const auto add_until = [&](double until) {
+        for (int i = 0; i < panels; ++i)
+            sum += integrate(speed_at, from + (until - from) * i / panels,
+                             from + (until - from) * (i + 1) / panels, order);
+        from = until;
+    };
+    for (const double change : changes) add_until(change);
+    add_until(end);
+    return sum;
 }
 
 } // namespace keiko

@@ -3,6 +3,7 @@
 #include "keiko/geometry/model/patch_grid.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace keiko {
@@ -38,8 +39,12 @@ public:
     /// Nothing where the curve stands still or the surface is singular, as at a pole.
     /// `order` is that of the surface's derivatives, 2 or 3.
     std::optional<BoundaryFrame> frame(double t, int order = 2) const;
-    /// Arc length in mm between two parameters, in either order.
+    /// Arc length in mm between two parameters, in either order. It is integrated from patch change
+    /// to patch change, for the speed may jump or bend there.
     double length(double begin, double end) const;
+    /// The same from `begin` to a greater parameter `end` with known patch changes between them, in
+    /// rising order.
+    double length(double begin, double end, std::span<const double> changes) const;
     /// Face parameters at t.
     Vec2 parameters(double t) const { return evaluate(p_curve_, t, 0)[0]; }
     /// Index of the patch that it runs on at t, on the side of its material.
@@ -56,6 +61,8 @@ public:
 private:
     struct Place;
     Place place(double t, int order) const;
+    /// mm a unit of the parameter.
+    double speed(double t) const;
 
     const SurfaceModel* model_;
     const PatchGrid* grid_;

@@ -55,35 +55,67 @@ struct Run {
     }
 };
 
+/// The scraps among some pieces, joined where they go on into each other.
+class JoinedScraps {
+public:
+    JoinedScraps(std::span<const SeamPiece> pieces, const std::vector<bool>& seams, double join)
+        : pieces_(pieces),
+          seams_(seams),
+          join_(join),
+          of_same_faces_(pieces.size()),
+          over_faces_(pieces.size()),
+          at_seam_(2 * pieces.size()) {
+        for_meeting_ends(pieces, join, [&](std::size_t i, std::size_t j) { add_meeting(i, j); });
+        add_runs();
+    }
+
+    /// Whether a scrap is a seam with those that it is joined to.
+    bool is_seam(std::size_t i) {
+        return same_runs_[of_same_faces_.root(i)].is_seam(join_) ||
+               over_runs_[over_faces_.root(i)].is_seam(join_);
+    }
+
+private:
+    void add_meeting(std::size_t i, std::size_t j) {
+        const std::size_t a = i / 2, b = j / 2;
+        const bool scraps = !seams_[a] && !seams_[b];
+        if (scraps) over_faces_.join(a, b);
+        if (pieces_[a].faces != pieces_[b].faces) return;
+        if (scraps) of_same_faces_.join(a, b);
+        if (!seams_[a] && seams_[b]) at_seam_[i] = true;
+        if (seams_[a] && !seams_[b]) at_seam_[j] = true;
+    }
+
+    void add_runs() {
+        same_runs_.resize(pieces_.size()), over_runs_.resize(pieces_.size());
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            Run& run = same_runs_[of_same_faces_.root(i)];
+            run.add(pieces_[i]);
+            run.ends_at_seams += at_seam_[2 * i] + at_seam_[2 * i + 1];
+            over_runs_[over_faces_.root(i)].add(pieces_[i]);
+        }
+    }
+
+    std::span<const SeamPiece> pieces_;
+    const std::vector<bool>& seams_;
+    double join_;
+    /// Sets of scraps, of the same two faces, and over the borders between faces: a gap of many
+    /// small faces.
+    DisjointSets of_same_faces_, over_faces_;
+    std::vector<Run> same_runs_, over_runs_; ///< by the roots of the sets
+    std::vector<bool> at_seam_;              ///< an end of a scrap
+};
+
 } // namespace
 
 std::vector<bool> seams_among(std::span<const SeamPiece> pieces, double join) {
     std::vector<bool> seams;
     for (const SeamPiece& p : pieces)
         seams.push_back(long_enough(p.length, p.widest, join, p.fills_border));
-    // Of the same faces, and over the borders between faces: a gap of many small faces.
-    DisjointSets sets(pieces.size()), wide_sets(pieces.size());
-    std::vector<bool> at_seam(2 * pieces.size());
-    for_meeting_ends(pieces, join, [&](std::size_t i, std::size_t j) {
-        const std::size_t a = i / 2, b = j / 2;
-        if (!seams[a] && !seams[b]) wide_sets.join(a, b);
-        if (pieces[a].faces != pieces[b].faces) return;
-        if (!seams[a] && !seams[b]) sets.join(a, b);
-        if (!seams[a] && seams[b]) at_seam[i] = true;
-        if (seams[a] && !seams[b]) at_seam[j] = true;
-    });
-    std::vector<Run> runs(pieces.size()), wide_runs(pieces.size());
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        Run& run = runs[sets.root(i)];
-        run.add(pieces[i]);
-        run.ends_at_seams += at_seam[2 * i] + at_seam[2 * i + 1];
-        wide_runs[wide_sets.root(i)].add(pieces[i]);
-    }
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (!seams[i])
-            seams[i] =
-                runs[sets.root(i)].is_seam(join) || wide_runs[wide_sets.root(i)].is_seam(join);
-    return seams;
+    JoinedScraps joined(pieces, seams, join);
+    std::vector<bool> all = seams;
+    for (std::size_t i = 0; i < pieces.size(); ++i) all[i] = seams[i] || joined.is_seam(i);
+    return all;
 }
 
 } // namespace keiko

@@ -21,13 +21,16 @@ BorderKey key_of(const BoundaryInterval& on) {
     return {on.instance, on.face, on.curve};
 }
 
-std::map<BorderKey, IntervalSet> covered_borders(std::span<const Seam> seams) {
+/// What of each border belongs to seams.
+using CoveredBorders = std::map<BorderKey, IntervalSet>;
+
+CoveredBorders covered_borders(std::span<const Seam> seams) {
     std::map<BorderKey, std::vector<ParameterInterval>> parts;
     for (const Seam& seam : seams)
         for (const BoundaryInterval* on : {&seam.a, &seam.b})
             parts[key_of(*on)].push_back(
                 {std::min(on->begin, on->end), std::max(on->begin, on->end)});
-    std::map<BorderKey, IntervalSet> covered;
+    CoveredBorders covered;
     for (auto& [key, intervals] : parts) covered[key] = IntervalSet(std::move(intervals));
     return covered;
 }
@@ -60,15 +63,29 @@ struct Run {
     bool closed = false;
 };
 
-/// What is free of one loop. Where it begins amid a free edge, that one is put together.
+IntervalSet free_parts(const BoundaryInterval& border, const CoveredBorders& covered) {
+    const auto found = covered.find(key_of(border));
+    return found == covered.end() ? IntervalSet::whole() : found->second.complement();
+}
+
+/// Puts together the free edge amid which a loop begins: of its runs the last and the first.
+void join_ends(std::vector<Run>& runs) {
+    if (runs.size() == 1) {
+        runs.front().closed = true;
+        return;
+    }
+    auto& last = runs.back().pieces;
+    last.insert(last.end(), runs.front().pieces.begin(), runs.front().pieces.end());
+    runs.erase(runs.begin());
+}
+
+/// What is free of one loop.
 std::vector<Run> free_runs(const std::vector<BoundaryInterval>& loop,
-                           const std::map<BorderKey, IntervalSet>& covered) {
+                           const CoveredBorders& covered) {
     std::vector<Run> runs;
     bool goes_on = false;
     for (BoundaryInterval border : loop) {
-        const auto found = covered.find(key_of(border));
-        const IntervalSet free =
-            found == covered.end() ? IntervalSet::whole() : found->second.complement();
+        const IntervalSet free = free_parts(border, covered);
         if (free.empty() || free[0].begin > 0) goes_on = false;
         for (const ParameterInterval& part : free) {
             if (!goes_on || part.begin > 0) runs.emplace_back();
@@ -77,16 +94,9 @@ std::vector<Run> free_runs(const std::vector<BoundaryInterval>& loop,
             goes_on = part.end == 1;
         }
     }
-    if (!goes_on || runs.front().pieces.front().begin > 0 ||
-        runs.front().pieces.front().curve != loop.front().curve)
-        return runs;
-    if (runs.size() == 1) {
-        runs.front().closed = true;
-        return runs;
-    }
-    auto& last = runs.back().pieces;
-    last.insert(last.end(), runs.front().pieces.begin(), runs.front().pieces.end());
-    runs.erase(runs.begin());
+    if (!goes_on) return runs;
+    const BoundaryInterval& first = runs.front().pieces.front();
+    if (first.curve == loop.front().curve && first.begin == 0) join_ends(runs);
     return runs;
 }
 
@@ -210,7 +220,7 @@ FreePlace FreeEdge::at(double way) const {
 
 FreeEdges free_edges(const SurfaceModel& model, const BoundaryCurves& curves,
                      std::span<const Seam> seams, double least, double join, const Job& job) {
-    const std::map<BorderKey, IntervalSet> covered = covered_borders(seams);
+    const CoveredBorders covered = covered_borders(seams);
     const auto loops = loops_of(model, curves);
     std::vector<std::vector<FreeEdge>> found(loops.size());
     parallel_for(loops.size(), job, "", [&](std::size_t i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/job.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/openings/free_edges.h"
 

@@ -4,7 +4,6 @@
 #include "keiko/inspect/basics/face_names.h"
 #include "keiko/inspect/seams/bend_pieces.h"
 #include "keiko/inspect/seams/broken_knots.h"
-#include "keiko/inspect/seams/face_sizes.h"
 #include "keiko/inspect/seams/knot_chains.h"
 #include "keiko/inspect/seams/seam_line.h"
 
@@ -118,15 +117,15 @@ std::vector<MeasuredSeam> FaceKnots::measure(std::uint32_t instance, const KnotL
 
 } // namespace
 
-std::vector<MeasuredSeam> measure_knot_lines(const SurfaceModel& model,
+std::vector<MeasuredSeam> measure_knot_lines(const ModelBorders& borders,
                                              const CriteriaPreset& preset, const Job& job) {
-    const FaceSizes sizes{BoundaryCurves(model)};
+    const SurfaceModel& model = borders.model;
     std::vector<std::vector<std::vector<MeasuredSeam>>> by_face(model.faces.size());
     parallel_for(model.faces.size(), job, "knots", [&](std::size_t f) {
         const Face& face = model.faces[f];
         const auto index = static_cast<std::uint32_t>(f);
         if (face.approximated > 0 || has_irregular_patch(model, index)) return;
-        by_face[f] = FaceKnots(model, index).measured(preset, sizes);
+        by_face[f] = FaceKnots(model, index).measured(preset, borders.sizes);
     });
     std::vector<MeasuredSeam> all;
     std::uint32_t number = 0;

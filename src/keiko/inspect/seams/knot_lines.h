@@ -14,7 +14,7 @@ namespace keiko {
 /// of files make less. Scraps are judged too, until excuse_scraps() takes them out of the verdict.
 /// Faces that approximate the file's, and those at irregular points of cages, have knots of their
 /// own and none of the file's: they are left out.
-std::vector<MeasuredSeam> measure_knot_lines(const SurfaceModel& model,
+std::vector<MeasuredSeam> measure_knot_lines(const ModelBorders& borders,
                                              const CriteriaPreset& preset, const Job& job = {});
 
 } // namespace keiko

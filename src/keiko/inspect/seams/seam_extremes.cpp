@@ -1,6 +1,7 @@
 #include "keiko/inspect/seams/seam_extremes.h"
 
 #include "keiko/base/stop_scope.h"
+#include "keiko/math/golden_section.h"
 
 #include <algorithm>
 #include <array>
@@ -126,20 +127,13 @@ void ExtremeSearch::polish() {
         }
     // A value near its peak is flat: 1e-8 of the width decides its last digit.
     const double enough = (high - low) * 1e-8;
-    constexpr double golden = 0.3819660112501051;
-    while (high - low > enough) {
-        const double t = best_.point.t;
-        const bool right = high - t > t - low;
-        const double next = right ? t + golden * (high - t) : t - golden * (t - low);
-        const SeamPoint point = probe_.at(next, best_.point.s);
+    const auto negated = [&](double t) {
+        const SeamPoint point = probe_.at(t, best_.point.s);
         const double value = question_.quantity(point).value_or(-HUGE_VAL);
-        if (value > best_.best) {
-            (right ? low : high) = t;
-            best_.best = value, best_.point = point;
-        } else {
-            (right ? high : low) = next;
-        }
-    }
+        if (value > best_.best) best_.best = value, best_.point = point;
+        return -value;
+    };
+    golden_section_minimum(negated, low, {best_.point.t, -best_.best}, high, enough);
 }
 
 } // namespace

@@ -176,10 +176,9 @@ std::vector<Vec3> course_of(const SeamProbe& probe) {
     return course;
 }
 
-MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
-                             const SeamStretch& stretch, const CriteriaPreset& preset) {
-    const std::vector<SeamProbe> probes = probes_of(line, stretch);
-    const StretchExtremes found = extremes_of(probes, preset);
+/// Which faces meet, and where.
+MeasuredSeam located(const SurfaceModel& model, const SeamLine& line, const SeamStretch& stretch,
+                     const std::vector<SeamProbe>& probes) {
     MeasuredSeam seam;
     seam.instance_a = line.instance_a, seam.face_a = line.face_a;
     seam.instance_b = line.instance_b, seam.face_b = line.face_b;
@@ -187,18 +186,20 @@ MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
     seam.kind = stretch.kind, seam.length = stretch.length;
     seam.middle = middle_of(probes);
     for (const SeamProbe& probe : probes) seam.course.push_back(course_of(probe));
-    if (!found.gap) {
-        seam.verdict = Verdict::undecided;
-        return seam;
-    }
-    const SeamPoint& widest = found.gap->point;
-    seam.gap = worst(*found.gap, position_error(model, line, widest.place), preset.gap);
-    seam.overlap = widest.overlap && seam.gap.value > same_place;
+    return seam;
+}
+
+void judge_gap(MeasuredSeam& seam, const SeamExtreme& gap, double error, double limit) {
+    seam.gap = worst(gap, error, limit);
+    seam.overlap = gap.point.overlap && seam.gap.value > same_place;
+    seam.stacked =
+        seam.kind == SeamClass::fold && gap.point.stacked && seam.gap.verdict == Verdict::fail;
     take(seam, seam.gap);
-    if (!found.angle) {
-        if (stretch.length > same_place) seam.verdict = std::max(seam.verdict, Verdict::undecided);
-        return seam;
-    }
+}
+
+/// The angle and what follows from it, by the rules of the class.
+void judge_angle(MeasuredSeam& seam, const StretchExtremes& found, const SeamStretch& stretch,
+                 const CriteriaPreset& preset) {
     seam.angle = worst(*found.angle, angle_rounding, preset.angle);
     seam.smallest_angle = -found.negated_angle->value;
     if (stretch.unknown) {
@@ -209,6 +210,22 @@ MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
     if (stretch.kind == SeamClass::fold) take(seam, *seam.angle);
     seam.fading = stretch.fading;
     if (seam.fading) take(seam, *seam.fading);
+}
+
+MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
+                             const SeamStretch& stretch, const CriteriaPreset& preset) {
+    const std::vector<SeamProbe> probes = probes_of(line, stretch);
+    const StretchExtremes found = extremes_of(probes, preset);
+    MeasuredSeam seam = located(model, line, stretch, probes);
+    if (!found.gap) {
+        seam.verdict = Verdict::undecided;
+        return seam;
+    }
+    judge_gap(seam, *found.gap, position_error(model, line, found.gap->point.place), preset.gap);
+    if (found.angle)
+        judge_angle(seam, found, stretch, preset);
+    else if (stretch.length > same_place)
+        seam.verdict = std::max(seam.verdict, Verdict::undecided);
     return seam;
 }
 

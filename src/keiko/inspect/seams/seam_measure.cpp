@@ -2,7 +2,6 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/basics/face_names.h"
-#include "keiko/inspect/seams/face_sizes.h"
 #include "keiko/inspect/seams/knot_lines.h"
 #include "keiko/inspect/seams/seam_chain.h"
 #include "keiko/inspect/seams/seam_line.h"
@@ -27,18 +26,18 @@ Seam cut_seam(Seam seam, const SeamPart& part) {
 }
 
 /// The seams between faces, with scraps that are judged.
-MeasuredSeams with_judged_scraps(const SurfaceModel& model, std::span<const Seam> paired,
+MeasuredSeams with_judged_scraps(const ModelBorders& borders, std::span<const Seam> paired,
                                  const CriteriaPreset& preset, double join, const Job& job) {
-    const BoundaryCurves curves(model);
+    const SurfaceModel& model = borders.model;
+    const BoundaryCurves& curves = borders.curves;
     const std::vector<Seam> seams = widened_seams(curves, paired, join);
     const std::vector<std::vector<std::uint32_t>> chains = seam_chains(curves, seams, join);
-    const FaceSizes sizes(curves);
     std::vector<std::vector<MeasuredStretch>> lines(chains.size());
     parallel_for(chains.size(), job, "measure", [&](std::size_t i) {
         const SeamLine line = line_of(curves, seams, chains[i]);
         const StretchLimits limits =
-            stretch_limits(sizes.of(line.instance_a, line.face_a),
-                           sizes.of(line.instance_b, line.face_b), preset, join);
+            stretch_limits(borders.sizes.of(line.instance_a, line.face_a),
+                           borders.sizes.of(line.instance_b, line.face_b), preset, join);
         lines[i] = measure_line(model, line, preset, limits);
     });
     MeasuredSeams result;
@@ -59,18 +58,18 @@ MeasuredSeams with_judged_scraps(const SurfaceModel& model, std::span<const Seam
 
 } // namespace
 
-MeasuredSeams measure_seams(const SurfaceModel& model, std::span<const Seam> seams,
+MeasuredSeams measure_seams(const ModelBorders& borders, std::span<const Seam> seams,
                             const CriteriaPreset& preset, double join, const Job& job) {
-    MeasuredSeams measured = with_judged_scraps(model, seams, preset, join, job);
+    MeasuredSeams measured = with_judged_scraps(borders, seams, preset, join, job);
     excuse_scraps(measured.seams);
     return measured;
 }
 
-MeasuredSeams measure_all_seams(const SurfaceModel& model, std::span<const Seam> seams,
+MeasuredSeams measure_all_seams(const ModelBorders& borders, std::span<const Seam> seams,
                                 const CriteriaPreset& preset, double join, const Job& job) {
-    MeasuredSeams all = with_judged_scraps(model, seams, preset, join, job);
+    MeasuredSeams all = with_judged_scraps(borders, seams, preset, join, job);
     const auto lines = static_cast<std::uint32_t>(line_count(all.seams));
-    for (MeasuredSeam& seam : measure_knot_lines(model, preset, job)) {
+    for (MeasuredSeam& seam : measure_knot_lines(borders, preset, job)) {
         seam.line += lines;
         all.seams.push_back(std::move(seam));
     }

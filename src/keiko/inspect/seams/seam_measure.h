@@ -3,6 +3,7 @@
 #include "keiko/base/job.h"
 #include "keiko/geometry/seam/seam.h"
 #include "keiko/inspect/basics/measured_value.h"
+#include "keiko/inspect/seams/model_borders.h"
 #include "keiko/inspect/seams/seam_class.h"
 #include "keiko/scene/criteria_preset.h"
 
@@ -66,6 +67,9 @@ struct MeasuredSeam {
     bool internal = false;
     /// Where the gap is largest one side lies on the other's material.
     bool overlap = false;
+    /// A fold whose sides lie over each other, apart by more than the gap allowed: as the two skins
+    /// of a sheet do without the faces between their borders.
+    bool stacked = false;
     /// The gap grows past the distance within which borders count as a seam.
     bool parted = false;
 
@@ -94,12 +98,12 @@ struct MeasuredSeams {
 /// Joins seams of the same two faces that touch (`join` mm) into lines, cuts each line into
 /// stretches of one class and measures these on the exact geometry; in the order of their first
 /// seams.
-MeasuredSeams measure_seams(const SurfaceModel& model, std::span<const Seam> seams,
+MeasuredSeams measure_seams(const ModelBorders& borders, std::span<const Seam> seams,
                             const CriteriaPreset& preset, double join, const Job& job = {});
 
 /// The same, followed by the stretches of knot lines inside faces (measure_knot_lines). The scraps
 /// of a face are excused by the length of all of them, of seams and of knot lines.
-MeasuredSeams measure_all_seams(const SurfaceModel& model, std::span<const Seam> seams,
+MeasuredSeams measure_all_seams(const ModelBorders& borders, std::span<const Seam> seams,
                                 const CriteriaPreset& preset, double join, const Job& job = {});
 
 /// How many lines some stretches are of: what reports call the number of seams.

@@ -4,6 +4,7 @@
 #include "keiko/geometry/bezier/curvature_slope.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/model/closest_point.h"
+#include "keiko/geometry/seam/border_approach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,36 @@ Side side(const BoundaryFrame& frame, bool leaving, bool forward) {
             normal_curvature_slope(frame.surface, normal, across)};
 }
 
+/// The same along a given way, in place of square to the line; as it was where that way leads out
+/// of the surface more than along it.
+Side along_way(const Side& side, const SurfaceDerivatives& surface, const Vec3& way) {
+    constexpr double mostly = 0.5;
+    const Vec3 along = way - side.normal * way.dot(side.normal);
+    if (!(along.length() > mostly * way.length())) return side;
+    const Vec3 across = along.normalized();
+    return {across, side.normal, side.normal.cross(across),
+            normal_curvature(surface, side.normal, across),
+            normal_curvature_slope(surface, side.normal, across)};
+}
+
+/// Radians between the normals, negative where the surface bends the other way.
+double turn_between(const Side& from, const Side& into) {
+    const double angle = angle_between(from.normal, into.normal);
+    return from.normal.cross(into.normal).dot(from.run) < 0 ? -angle : angle;
+}
+
+/// Whether the way from one side to the other leads back over the material of either.
+bool lies_on_material(const Vec3& apart, const Side& from, const Side& into) {
+    const double least = 0.5 * apart.length();
+    return -apart.dot(from.across) > least || -apart.dot(into.across) > least;
+}
+
+/// Whether the way from one side to the other leads along both normals.
+bool lies_over(const Vec3& apart, const Side& from, const Side& into) {
+    const double least = 0.9 * apart.length();
+    return std::abs(apart.dot(from.normal)) > least && std::abs(apart.dot(into.normal)) > least;
+}
+
 /// Radians that the normal turns about the run of the line on a way from one side to the other,
 /// beyond what the mean of their curvatures explains; negative where the surface bends towards it.
 double unexplained_turn(const Side& from, const Side& into, double way) {
@@ -51,9 +82,21 @@ double polynomial_share(double share) {
 
 } // namespace
 
+SeamProbe::SeamProbe(const SurfaceCurve& a, const ParameterInterval& on_a, const SurfaceCurve& b,
+                     const ParameterInterval& on_b)
+    : a_(a),
+      b_(b),
+      on_a_(on_a),
+      on_b_(on_b),
+      reach_b_(on_b),
+      forward_(on_b.begin < on_b.end),
+      changes_(find_changes()) {}
+
 SeamProbe SeamProbe::part(const SeamPoint& from, const SeamPoint& to) const {
     SeamProbe result = *this;
     result.on_a_ = {from.t, to.t}, result.on_b_ = {from.s, to.s};
+    for (std::vector<double>* changes : {&result.changes_.a, &result.changes_.either})
+        std::erase_if(*changes, [&](double t) { return !(t > from.t && t < to.t); });
     return result;
 }
 
@@ -65,22 +108,21 @@ SeamPoint SeamProbe::at(double t, double s_guess) const {
     point.place = place, point.gap = bend_ ? 0 : foot.distance;
     const auto frame_a = a_.frame(t, 3), frame_b = b_.frame(foot.t, 3);
     if (!frame_a || !frame_b) return point;
-    const Side from = side(*frame_a, true, true);
-    const Side into = side(*frame_b, false, forward_);
-    point.angle = radians_to_degrees(angle_between(from.normal, into.normal));
-    point.signed_angle =
-        from.normal.cross(into.normal).dot(from.run) < 0 ? -*point.angle : *point.angle;
-    point.curvature_a = from.curvature;
-    point.curvature_b = into.curvature;
-    point.slope_a = from.slope, point.slope_b = into.slope;
-    if (bend_) {
-        point.signed_angle = radians_to_degrees(unexplained_turn(from, into, foot.distance));
-        point.angle = std::abs(point.signed_angle);
-        return point;
-    }
+    Side from = side(*frame_a, true, true);
+    Side into = side(*frame_b, false, forward_);
     const Vec3 apart = foot.point.position - place;
-    point.overlap = -apart.dot(from.across) > 0.5 * foot.distance ||
-                    -apart.dot(into.across) > 0.5 * foot.distance;
+    if (bend_ && !nearly_parallel(from.run, into.run, std::sin(parallel_borders))) {
+        from = along_way(from, frame_a->surface, apart);
+        into = along_way(into, frame_b->surface, apart);
+    }
+    point.signed_angle = radians_to_degrees(bend_ ? unexplained_turn(from, into, foot.distance)
+                                                  : turn_between(from, into));
+    point.angle = std::abs(point.signed_angle);
+    point.curvature_a = from.curvature, point.curvature_b = into.curvature;
+    point.slope_a = from.slope, point.slope_b = into.slope;
+    if (bend_) return point;
+    point.overlap = lies_on_material(apart, from, into);
+    point.stacked = lies_over(apart, from, into);
     return point;
 }
 
@@ -90,15 +132,17 @@ SeamPoint SeamProbe::at(double t) const {
     return at(t, on_b_.begin + share * (on_b_.end - on_b_.begin));
 }
 
-std::vector<double> SeamProbe::patch_changes() const {
-    std::vector<double> changes = a_.patch_changes(on_a_.begin, on_a_.end);
+SeamProbe::PatchChanges SeamProbe::find_changes() const {
+    PatchChanges changes;
+    changes.a = changes.either = a_.patch_changes(on_a_.begin, on_a_.end);
     const auto [low, high] = std::minmax(on_b_.begin, on_b_.end);
     for (const double s : b_.patch_changes(low, high)) {
         const double share = (s - on_b_.begin) / (on_b_.end - on_b_.begin);
         const double guess = on_a_.begin + share * (on_a_.end - on_a_.begin);
-        changes.push_back(closest_point(a_, b_.at(s).position, guess, on_a_.begin, on_a_.end).t);
+        changes.either.push_back(
+            closest_point(a_, b_.at(s).position, guess, on_a_.begin, on_a_.end).t);
     }
-    std::sort(changes.begin(), changes.end());
+    std::sort(changes.either.begin(), changes.either.end());
     return changes;
 }
 
@@ -111,7 +155,7 @@ int SeamProbe::least_steps(double from, double stop) const {
 
 std::vector<double> SeamProbe::steps(int least) const {
     const double span = on_a_.end - on_a_.begin;
-    std::vector<double> stops = patch_changes();
+    std::vector<double> stops = changes_.either;
     stops.push_back(on_a_.end);
     std::vector<double> result{on_a_.begin};
     constexpr double distinct = 1e-12; // share of the seam: changes of both sides at one place

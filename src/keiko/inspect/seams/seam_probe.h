@@ -19,6 +19,8 @@ struct SeamPoint {
     double curvature_a = 0, curvature_b = 0; ///< 1/mm, across the seam, normals on one side
     double slope_a = 0, slope_b = 0;         ///< 1/mm2, of these curvatures on the way from a to b
     bool overlap = false; ///< one side lies on the other's material rather than apart from it
+    bool stacked =
+        false; ///< one side lies over the other, along the normals, rather than beside it
 };
 
 /// degrees; error of an angle between two evaluated normals.
@@ -32,12 +34,13 @@ public:
                     {seam.b.begin, seam.b.end}) {}
     /// The curves of both sides and the parameters that face each other.
     SeamProbe(const SurfaceCurve& a, const ParameterInterval& on_a, const SurfaceCurve& b,
-              const ParameterInterval& on_b)
-        : a_(a), b_(b), on_a_(on_a), on_b_(on_b), reach_b_(on_b), forward_(on_b.begin < on_b.end) {}
+              const ParameterInterval& on_b);
 
     /// Two lines that run alike on either side of a bend inside one face, `a` to the left of `b`.
     /// They have no gap, and their angle is what the normal turns about them beyond what the
-    /// curvatures of both sides make of the way between: 0 on any evenly bent surface.
+    /// curvatures of both sides make of the way between: 0 on any evenly bent surface. Where the
+    /// lines diverge by more than `parallel_borders`, as at a tip, curvatures and turn are those
+    /// along that way, not square to either line.
     static SeamProbe across_bend(const SurfaceCurve& a, const SurfaceCurve& b) {
         SeamProbe probe(a, {0, 1}, b, {0, 1});
         probe.bend_ = true;
@@ -59,7 +62,7 @@ public:
     /// The same with a guess in proportion.
     SeamPoint at(double t) const;
     /// mm, of side a.
-    double length() const { return a_.length(begin(), end()); }
+    double length() const { return a_.length(begin(), end(), changes_.a); }
     /// The point at parameter t of side a; world, mm.
     Vec3 place(double t) const { return a_.at(t).position; }
     /// Where side a runs at parameter t, mm a unit of it; 0 where it stands still. World.
@@ -73,16 +76,23 @@ public:
     std::vector<double> steps(int least) const;
     /// Parameters of side a at which either side passes from one patch to the next, in rising
     /// order.
-    std::vector<double> patch_changes() const;
+    const std::vector<double>& patch_changes() const { return changes_.either; }
 
 private:
+    /// Parameters of side a at which patches change, in rising order.
+    struct PatchChanges {
+        std::vector<double> a;      ///< those of side a
+        std::vector<double> either; ///< those of both sides
+    };
+    PatchChanges find_changes() const;
     int least_steps(double from, double stop) const;
 
     SurfaceCurve a_, b_;
     ParameterInterval on_a_, on_b_; ///< that of b runs backwards where begin > end
     ParameterInterval reach_b_;     ///< where the nearest point of side b is searched
     bool forward_;                  ///< side b runs as side a does
-    bool bend_ = false;             ///< the sides belong to one surface, a way apart
+    PatchChanges changes_;
+    bool bend_ = false; ///< the sides belong to one surface, a way apart
 };
 
 } // namespace keiko

@@ -1,5 +1,7 @@
 #include "keiko/inspect/seams/slow_lines.h"
 
+#include "keiko/math/golden_section.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,23 +54,12 @@ bool advances(const BezierPatchView& patch, bool constant_u, double window) {
     return least > std::max(window, fastest_slow(degree, window, most));
 }
 
-/// Where a speed is least between two parameters, which belong to the choice (golden section).
+/// Where a speed is least between two parameters, which belong to the choice.
 double slowest_between(const CrossSpeed& speed, double low, double high) {
-    constexpr double golden = 0.3819660112501051, enough = 1e-9;
-    double a = low, b = high, left = a + golden * (b - a), right = b - golden * (b - a);
-    double at_left = speed(left), at_right = speed(right);
-    while (b - a > enough) {
-        if (at_left <= at_right) {
-            b = right, right = left, at_right = at_left;
-            left = a + golden * (b - a), at_left = speed(left);
-        } else {
-            a = left, left = right, at_left = at_right;
-            right = b - golden * (b - a), at_right = speed(right);
-        }
-    }
-    const double inside = (a + b) / 2, at_inside = speed(inside);
-    if (speed(low) <= at_inside) return low;
-    return speed(high) <= at_inside ? high : inside;
+    constexpr double enough = 1e-9;
+    const FunctionPlace inside = golden_section_minimum(speed, low, high, enough);
+    if (speed(low) <= inside.value) return low;
+    return speed(high) <= inside.value ? high : inside.at;
 }
 
 /// Whether the speed rises by a quarter on the way of half a window, to one side of `t`.

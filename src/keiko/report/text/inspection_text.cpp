@@ -28,7 +28,7 @@ void add_symmetry(TextLines& lines, const Inspection& inspection) {
 std::string stretches_text(const Inspection& inspection) {
     const std::size_t stretches = inspection.seams.size(), seams = inspection.facts.seams;
     if (stretches == seams) return "";
-    return " (" + std::to_string(stretches) + " stretches of " + counted(seams, "seam") + ")";
+    return " (of " + counted(seams, "seam") + ")";
 }
 
 void add_check_line(TextLines& lines, const Check& check) {
@@ -49,9 +49,9 @@ void add_looks(TextLines& lines, const Inspection& inspection, std::size_t most)
 std::string seams_words(const Inspection& inspection) {
     const SeamCounts& counts = inspection.counts;
     const std::string unmet = unmet_borders(inspection.facts);
-    return "seams " + std::to_string(counts.fail) + " fail, " + std::to_string(counts.undecided) +
-           " undecided, " + std::to_string(counts.pass) + " pass, " +
-           std::to_string(counts.creases) + " creases" +
+    return "stretches of seams " + std::to_string(counts.fail) + " fail, " +
+           std::to_string(counts.undecided) + " undecided, " + std::to_string(counts.pass) +
+           " pass, " + std::to_string(counts.creases) + " creases" +
            (counts.run_outs > 0 ? ", " + counted(counts.run_outs, "run-out") : "") +
            (counts.scraps > 0 ? ", " + counted(counts.scraps, "scrap") : "") +
            stretches_text(inspection) + (unmet.empty() ? "" : "; " + unmet);

@@ -6,8 +6,8 @@
 
 namespace keiko {
 
-/// "seams 1 fail, 0 undecided, 2 pass, 0 creases, 1 scrap (4 stretches of 3 seams); 1.5 of 20.0 mm
-/// of borders meet no other"
+/// Counts of the stretches of seams: "stretches of seams 1 fail, 0 undecided, 2 pass, 0 creases,
+/// 1 scrap (of 3 seams); 1.5 of 20.0 mm of borders meet no other".
 std::string seams_words(const Inspection& inspection);
 
 /// An inspection for people at a terminal: the verdict with its counts, then up to `most` findings,

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "keiko/inspect/seams/face_sizes.h"
+
+namespace keiko {
+
+/// The border curves of a model and the sizes of its placed faces: made once, for everything that
+/// asks for seams and free edges. A model converts to it where one thing alone is asked. Looks
+/// into the model it was made from.
+struct ModelBorders {
+    ModelBorders(const SurfaceModel& of) : model(of), curves(of), sizes(curves) {}
+
+    const SurfaceModel& model;
+    BoundaryCurves curves;
+    FaceSizes sizes;
+};
+
+} // namespace keiko
