@@ -87,7 +87,8 @@ CHAMBERS = {
         "lines": {"seams"},
         "combs": {"basics"},
         "flaws": {"seams"},
-        "curvature": {"flaws"},
+        "regularity": {"basics"},
+        "curvature": {"flaws", "regularity"},
     },
     "compare": {
         "alignment": set(),

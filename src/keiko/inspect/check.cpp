@@ -30,6 +30,10 @@ constexpr std::array criteria{
     Criterion{"G-SU-WV", "", "waviness", "Depth of waves of a surface, off the form around them."},
     Criterion{"KEIKO-DENT", "", "dent",
               "Depth of a dent or height of a bump of a surface, off the form around it."},
+    Criterion{"G-SU-FO", "abrupt_change_of_surface_normal", "fold",
+              "Angle by which the normal of a face turns over inside it: the face folds back."},
+    Criterion{"KEIKO-SINGULAR", "abrupt_change_of_surface_normal", "singular_place",
+              "Angle between the normals about a place of a face at which they have no limit."},
     Criterion{
         "KEIKO-OPENING", "", "opening",
         "Width of a notch, slit or small hole between free edges of faces that meet or nearly do."},
@@ -222,6 +226,23 @@ std::vector<Check> looks_of(const MeasuredFace& face) {
     return looks;
 }
 
+/// A fold fails, as one at a seam does. Other places are worth a look, where nothing proves them
+/// regular too.
+Check check_of_singular(const SingularPlace& place, const CriteriaPreset& preset) {
+    using Kind = SingularPlace::Kind;
+    const MeasuredValue worst{place.angle, 0, preset.angle, place.place,
+                              place.kind == Kind::unresolved ? Verdict::undecided : Verdict::fail};
+    Check check = place.kind == Kind::fold
+                      ? judged("G-SU-FO", "deg", worst, {"the turn of the normal", " degrees"})
+                      : judged("KEIKO-SINGULAR", "deg", worst,
+                               {"the angle between normals about one place", " degrees"});
+    if (place.kind == Kind::unresolved) check.message = "the face is not shown to be regular";
+    check.message += place.kind == Kind::fold ? "; the face folds back on itself" : "";
+    check.message += ", within some " + short_number(place.extent) + " mm";
+    if (place.kind != Kind::fold) check.severity = Check::Severity::look;
+    return check;
+}
+
 } // namespace
 
 Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::size_t lines,
@@ -300,6 +321,8 @@ std::vector<Check> checks_of(const MeasuredFace& face, const CriteriaPreset& pre
     std::vector<Check> flaws =
         limits.waviness.empty() ? looks_of(face) : flaw_checks(face, limits.waviness.front());
     std::move(flaws.begin(), flaws.end(), std::back_inserter(checks));
+    for (const SingularPlace& place : face.singular)
+        checks.push_back(check_of_singular(place, preset));
     for (Check& check : checks) check.face = index, check.faces = face.name;
     return checks;
 }

@@ -1,9 +1,11 @@
 #include "keiko/inspect/inspection.h"
 
+#include "keiko/base/parallel.h"
 #include "keiko/inspect/basics/face_names.h"
 #include "keiko/inspect/flaws/flaw_search.h"
 #include "keiko/inspect/openings/opening.h"
 #include "keiko/inspect/overlaps/overlap.h"
+#include "keiko/inspect/seams/seam_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,6 +118,20 @@ void add_flaws(const SurfaceModel& model, Inspection& result, const Job& job) {
     }
 }
 
+void add_singular_places(const ModelBorders& borders, Inspection& result, const Job& job) {
+    const CriteriaPreset& preset = result.preset;
+    parallel_for(result.faces.size(), job, "", [&](std::size_t i) {
+        MeasuredFace& face = result.faces[i];
+        if (!face.curvature) return;
+        const double size = borders.sizes.of(face.instance, face.face);
+        const double negligible = stretch_limits(size, size, preset, 0).negligible;
+        face.singular =
+            singular_places(borders.model, face.instance, face.face, {negligible, preset.angle});
+        for (const SingularPlace& place : face.singular)
+            if (place.kind == SingularPlace::Kind::fold) face.verdict = Verdict::fail;
+    });
+}
+
 /// "face 1 | face 2", once where both are one.
 std::string names_of(const SurfaceModel& model, const PlacedFace& a, const PlacedFace& b) {
     const std::string name = placed_face_name(model, a.instance, a.face);
@@ -166,6 +182,7 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     result.facts.seams = line_count(result.seams);
     result.faces = measure_faces(model, preset.surface, job);
     add_flaws(model, result, job);
+    add_singular_places(borders, result, job);
     for (std::uint32_t i = 0; i < result.seams.size(); ++i) {
         count(result.seams[i], result.counts);
         take(result.seams[i].verdict, checks_of(result.seams[i], preset, join, i), result);

@@ -3,6 +3,7 @@
 #include "keiko/base/stop_scope.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/basics/net_extents.h"
 #include "keiko/inspect/basics/patch_box.h"
 #include "keiko/inspect/basics/placed_patch.h"
 #include "keiko/inspect/curvature/curvature_range.h"
@@ -57,23 +58,6 @@ void centre(std::vector<Vec4>& points) {
     const Vec3 middle =
         (Vec3(first.x, first.y, first.z) / first.w + Vec3(last.x, last.y, last.z) / last.w) / 2;
     for (Vec4& p : points) p -= Vec4(middle.x * p.w, middle.y * p.w, middle.z * p.w, 0);
-}
-
-/// Lengths of the control polygons along u and v, the longest of each.
-std::array<double, 2> extents(const BezierPatchView& view) {
-    const auto at = [&](int i, int j) {
-        const Vec4& p = view.point(i, j);
-        return Vec3(p.x, p.y, p.z) / p.w;
-    };
-    std::array<double, 2> most{};
-    for (int i = 0; i <= view.degree_u; ++i)
-        for (int j = 0; j <= view.degree_v; ++j) {
-            if (i > 0)
-                most[0] = std::max(most[0], (at(i, j) - at(i - 1, j)).length() * view.degree_u);
-            if (j > 0)
-                most[1] = std::max(most[1], (at(i, j) - at(i, j - 1)).length() * view.degree_v);
-        }
-    return most;
 }
 
 Box2 part_of(const Box2& whole, const Box2& share) {
@@ -146,7 +130,7 @@ private:
             cell.upper[g] = std::min(own[g], cell.upper[g]); // its whole's hold too
         look(cell, {0.5, 0.5}, side);
         look_at_peaks(cell, places(range), side);
-        const std::array<double, 2> size = extents(view);
+        const std::array<double, 2> size = net_extents(view);
         const bool known = std::isfinite(range.bend_u) && std::isfinite(range.bend_v);
         cell.cut_u = known ? range.bend_u >= range.bend_v : size[0] >= size[1];
         if (!bounded(cell) && std::max(size[0], size[1]) < singular_share * size_)

@@ -5,6 +5,7 @@
 #include "keiko/inspect/curvature/face_curvature.h"
 #include "keiko/inspect/curvature/inflection_curves.h"
 #include "keiko/inspect/flaws/flaw.h"
+#include "keiko/inspect/regularity/singular_places.h"
 #include "keiko/scene/criteria_preset.h"
 
 #include <optional>
@@ -27,6 +28,9 @@ struct MeasuredFace {
     /// Dents, bumps and waves at least half as deep as the limit, the deepest first; `inspect`
     /// looks for them (find_flaws) where the preset has a limit, judged or not.
     std::vector<Flaw> flaws;
+    /// Where it is not regular, the largest angle first; `inspect` searches them (singular_places),
+    /// of faces that have a curvature. A fold is judged and fails.
+    std::vector<SingularPlace> singular;
     /// Where it turns from bending one way to a saddle, the longest first; not judged. None of a
     /// face that stands in for another.
     std::vector<InflectionCurve> inflections;

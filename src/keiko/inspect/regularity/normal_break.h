@@ -1,0 +1,34 @@
+#pragma once
+
+#include "keiko/inspect/regularity/normal_patch.h"
+
+#include <functional>
+
+namespace keiko {
+
+/// Whether a place of a patch, by its own parameters, is material.
+using IsMaterial = std::function<bool(const Vec2&)>;
+
+/// Where the normals about a place have no limit.
+struct NormalBreak {
+    double angle = 0; ///< degrees between two normals, in the limit at the place
+    bool turns_over = false;
+    Vec3 place{0}; ///< world, mm
+};
+
+/// The place between two others of a box of parameters at which the normal turns over: by more
+/// than 175 degrees on a way of `near` mm. It is searched by bisection along the straight way in
+/// the parameters, so that normals that turn evenly, however far, give nothing. The normal must
+/// turn over on a second way beside it too: at a single singular place it does on one alone.
+std::optional<NormalBreak> turn_between(const NormalPatch& patch, const std::array<Vec2, 2>& ends,
+                                        const Box2& box, double near,
+                                        const IsMaterial& is_material);
+
+/// The break of the normals about the place at which |S_u x S_v| is least in three times a box of
+/// parameters. Normals are compared at places around it, as wide as those boxes and a quarter of
+/// it: those of a smooth surface differ in proportion. Nothing where the limit, extrapolated, is
+/// less than a third of the difference.
+std::optional<NormalBreak> break_about(const NormalPatch& patch, const Box2& box, double near,
+                                       const IsMaterial& is_material);
+
+} // namespace keiko

@@ -1,0 +1,158 @@
+#include "keiko/inspect/regularity/singular_places.h"
+
+#include "keiko/base/stop_scope.h"
+#include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/regularity/normal_break.h"
+#include "keiko/inspect/regularity/normal_cell.h"
+
+#include <algorithm>
+#include <deque>
+
+namespace keiko {
+namespace {
+
+/// The places of one kind, and their box.
+struct Cluster {
+    SingularPlace place;
+    Box3 places;
+};
+
+class SingularSearch {
+public:
+    SingularSearch(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face,
+                   const SingularLimits& limits)
+        : model_(model), face_(model.faces[face]), limits_(limits) {
+        Box3 bounds;
+        for (std::uint32_t i = 0; i < face_.patch_count; ++i) {
+            patches_.emplace_back(model, face_.first_patch + i, model.instances[instance].transform,
+                                  limits.negligible);
+            bounds.extend(patches_.back().box());
+        }
+        coarse_ = std::max(limits.negligible, bounds.size() / 32);
+    }
+
+    std::vector<SingularPlace> run(std::size_t cuts) {
+        for (const NormalPatch& patch : patches_) queue_.push_back({&patch, NormalCell(patch), 0});
+        for (; !queue_.empty(); queue_.pop_front()) {
+            check_stop();
+            const Part& part = queue_.front();
+            if (part.cell.is_regular() || is_outside(part) || is_judged(part)) continue;
+            if (cuts == 0) {
+                add_unresolved(part);
+                continue;
+            }
+            --cuts;
+            cut(part);
+        }
+        return places();
+    }
+
+private:
+    struct Part {
+        const NormalPatch* patch;
+        NormalCell cell;
+        int depth;
+    };
+
+    void cut(const Part& part) {
+        const bool turned = part.cell.turned_corners().has_value() && part.depth > 8;
+        for (NormalCell& half : part.cell.halves(turned, limits_.negligible))
+            queue_.push_back({part.patch, std::move(half), part.depth + 1});
+    }
+
+    const TrimRegion& trims() {
+        if (!trims_) trims_.emplace(model_, face_);
+        return *trims_;
+    }
+
+    /// Most parts are regular after few cuts, before trims matter.
+    bool is_outside(const Part& part) {
+        constexpr int soon = 6;
+        if (part.depth < soon || face_.loop_count == 0) return false;
+        Box2 box;
+        box.extend(model_.face_parameters(part.patch->index(), part.cell.uv().lower));
+        box.extend(model_.face_parameters(part.patch->index(), part.cell.uv().upper));
+        return trims().classify(box) == TrimSide::outside;
+    }
+
+    IsMaterial material_of(const NormalPatch& patch) {
+        if (face_.loop_count == 0) return [](const Vec2&) { return true; };
+        return [&region = trims(), &patch, this](const Vec2& uv) {
+            return region.contains(model_.face_parameters(patch.index(), uv));
+        };
+    }
+
+    /// Whether nothing is left to be found in a part by cutting it.
+    bool is_judged(const Part& part) {
+        const double size = part.cell.size();
+        if (size > coarse_) return false;
+        const double near = limits_.negligible;
+        const NormalPatch& patch = *part.patch;
+        const Box2& uv = part.cell.uv();
+        if (size > near) {
+            const auto corners = part.cell.turned_corners();
+            if (!corners) return false;
+            const auto over = turn_between(patch, *corners, uv, near, material_of(patch));
+            if (over) add(*over);
+            return over.has_value();
+        }
+        if (is_at_tip(patch, patch.position(uv.center()))) return true;
+        const auto found = break_about(patch, uv, near, material_of(patch));
+        if (found && found->angle > limits_.angle) add(*found);
+        return true;
+    }
+
+    bool is_at_tip(const NormalPatch& patch, const Vec3& place) const {
+        return std::any_of(patch.tips().begin(), patch.tips().end(), [&](const Vec3& tip) {
+            return (tip - place).length() <= 3 * limits_.negligible;
+        });
+    }
+
+    void add(const NormalBreak& found) {
+        using Kind = SingularPlace::Kind;
+        add({found.turns_over ? Kind::fold : Kind::no_limit, found.angle, 0, found.place});
+    }
+
+    void add_unresolved(const Part& part) {
+        const Vec2 middle = part.cell.uv().center();
+        if (!material_of(*part.patch)(middle)) return;
+        add({SingularPlace::Kind::unresolved, 0, 0, part.patch->position(middle)});
+    }
+
+    void add(const SingularPlace& place) {
+        const auto same = [&](const Cluster& other) { return other.place.kind == place.kind; };
+        auto all = std::find_if(clusters_.begin(), clusters_.end(), same);
+        if (all == clusters_.end()) all = clusters_.insert(all, {place, {}});
+        if (place.angle > all->place.angle) all->place = place;
+        all->places.extend(place.place);
+        all->place.extent = all->places.size();
+    }
+
+    std::vector<SingularPlace> places() const {
+        std::vector<SingularPlace> result;
+        for (const Cluster& cluster : clusters_) result.push_back(cluster.place);
+        std::stable_sort(
+            result.begin(), result.end(),
+            [](const SingularPlace& a, const SingularPlace& b) { return a.angle > b.angle; });
+        return result;
+    }
+
+    const SurfaceModel& model_;
+    const Face& face_;
+    SingularLimits limits_;
+    double coarse_ = 0; ///< mm: a fold is followed in parts of that size
+    std::deque<NormalPatch> patches_;
+    std::deque<Part> queue_;
+    std::optional<TrimRegion> trims_;
+    std::vector<Cluster> clusters_;
+};
+
+} // namespace
+
+std::vector<SingularPlace> singular_places(const SurfaceModel& model, std::uint32_t instance,
+                                           std::uint32_t face, const SingularLimits& limits,
+                                           std::size_t most_cuts) {
+    return SingularSearch(model, instance, face, limits).run(most_cuts);
+}
+
+} // namespace keiko
