@@ -1,4 +1,4 @@
-#include "keiko/base/malloc_tuning.h"
+#include "keiko/base/memory.h"
 
 #include "tests/bench/command_line.h"
 #include "tests/bench/cut_shaft.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "keiko/base/job.h"
-#include "keiko/base/stop_scope.h"
 
 #include <time.h>
 

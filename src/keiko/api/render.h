@@ -2,7 +2,7 @@
 #pragma once
 
 #include "keiko/files/scene/rig_file.h"
-#include "keiko/film/false_color_picture.h"
+#include "keiko/film/false_color.h"
 #include "keiko/film/image_file.h"
 #include "keiko/render/shading/picture.h"
 #include "keiko/workflow/analysis_picture.h"

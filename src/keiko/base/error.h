@@ -1,10 +1,11 @@
 #pragma once
 
-#include "keiko/base/error_text.h"
+#include "keiko/base/text.h"
 
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace keiko {
 
@@ -38,5 +39,27 @@ class Cancelled : public std::runtime_error {
 public:
     Cancelled() : std::runtime_error("interrupted") {}
 };
+
+/// Error in one field of the options that a caller passes; what() begins with the field's name:
+/// "columns: ...". A front end puts the name that its users know the field by in its place.
+class FieldError : public Error {
+public:
+    FieldError(std::string field, std::string reason)
+        : Error("", std::move(field), std::move(reason)) {}
+
+    const std::string& field() const { return where(); }
+};
+
+enum class Severity { note, warning, error };
+
+/// A remark on the input that did not stop the work: a repaired loop, a face left out.
+struct Diagnostic {
+    Severity severity = Severity::note;
+    std::string entity; ///< what it is about, e.g. "face 12 (fender-outer)"; may be empty
+    std::string message;
+};
+
+/// Returned beside a result, never printed by the library.
+using Diagnostics = std::vector<Diagnostic>;
 
 } // namespace keiko

@@ -1,7 +1,7 @@
 #include "keiko/base/file_transaction.h"
 
-#include "keiko/base/atomic_file.h"
 #include "keiko/base/error.h"
+#include "keiko/base/output_file.h"
 
 #include <deque>
 #include <system_error>

@@ -1,7 +1,7 @@
 #include "keiko/base/input_file.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

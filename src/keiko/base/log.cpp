@@ -1,6 +1,6 @@
 #include "keiko/base/log.h"
 
-#include "keiko/base/error_text.h"
+#include "keiko/base/text.h"
 
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>

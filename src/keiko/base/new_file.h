@@ -1,15 +1,38 @@
 #pragma once
 
-#include "keiko/base/descriptor.h"
-
 #include <fcntl.h>
 #include <sys/types.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace keiko {
+
+/// File descriptor that is closed at the end of its scope.
+class Descriptor {
+public:
+    explicit Descriptor(int number = -1) : number_(number) {}
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        reset(std::exchange(other.number_, -1));
+        return *this;
+    }
+    ~Descriptor() { close(); }
+
+    int number() const { return number_; }
+    bool open() const { return number_ >= 0; }
+    void reset(int number) { close(), number_ = number; }
+    void close() {
+        if (open()) ::close(number_);
+        number_ = -1;
+    }
+
+private:
+    int number_;
+};
 
 /// Permissions of a file that anybody may read whom the umask lets.
 constexpr mode_t public_file = 0666;
@@ -33,5 +56,31 @@ std::string temporary_name();
 
 /// Whether the name is one of temporary_name() in a process that is gone.
 bool is_abandoned(const std::string& name);
+
+/// New file beside the place that it is meant for; gone again unless it is put there. Its name
+/// cannot be foreseen, and nothing that stands there is followed or written.
+class TemporaryFile {
+public:
+    /// `target` starts at the open directory `folder`, which must outlive this; the umask is taken
+    /// off `mode`. Throws Error naming `target`.
+    explicit TemporaryFile(std::filesystem::path target, mode_t mode = public_file,
+                           int folder = AT_FDCWD);
+    ~TemporaryFile();
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    /// Appends bytes. Throws Error naming the target.
+    void write(std::string_view bytes);
+    /// Waits until the disk has all bytes, and takes no more. Throws Error naming the target.
+    void finish();
+    /// Renames the finished file to the target: a link there is replaced, never followed. Throws
+    /// Error naming the target.
+    void put_in_place();
+
+private:
+    std::filesystem::path target_, path_;
+    int folder_;
+    Descriptor file_;
+};
 
 } // namespace keiko

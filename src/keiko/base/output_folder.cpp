@@ -2,8 +2,8 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/new_file.h"
 #include "keiko/base/output_file.h"
-#include "keiko/base/temporary_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,6 +1,6 @@
 #include "keiko/base/sha256.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 
 #include <array>
 #include <bit>

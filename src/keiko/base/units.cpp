@@ -1,6 +1,6 @@
 #include "keiko/base/units.h"
 
-#include "keiko/base/lower_case.h"
+#include "keiko/base/text.h"
 
 #include <array>
 #include <string>

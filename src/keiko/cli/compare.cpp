@@ -4,7 +4,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/file_transaction.h"
 #include "keiko/base/log.h"
-#include "keiko/base/lower_case.h"
+#include "keiko/base/text.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"

@@ -2,7 +2,7 @@
 
 #include "keiko/api/results.h"
 #include "keiko/base/log.h"
-#include "keiko/base/text_lines.h"
+#include "keiko/base/text.h"
 #include "keiko/cli/comb_options.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/inspection_files.h"

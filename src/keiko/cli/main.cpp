@@ -1,6 +1,6 @@
 #include "keiko/api/model.h"
-#include "keiko/base/error_text.h"
-#include "keiko/base/malloc_tuning.h"
+#include "keiko/base/memory.h"
+#include "keiko/base/text.h"
 #include "keiko/cli/commands.h"
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/field_error.h"
+#include "keiko/base/error.h"
 
 #include <CLI/App.hpp>
 

@@ -2,7 +2,6 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/output_target.h"
-#include "keiko/base/real_path.h"
 
 #include <unistd.h>
 

@@ -2,7 +2,7 @@
 
 #include "keiko/api/results.h"
 #include "keiko/base/error.h"
-#include "keiko/base/text_lines.h"
+#include "keiko/base/text.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/output_place.h"

@@ -1,6 +1,6 @@
 #include "keiko/cli/print.h"
 
-#include "keiko/base/text_lines.h"
+#include "keiko/base/text.h"
 
 #include <iostream>
 

@@ -1,6 +1,6 @@
 #include "keiko/cli/progress_bar.h"
 
-#include "keiko/base/error_text.h"
+#include "keiko/base/text.h"
 
 #include <unistd.h>
 

@@ -1,9 +1,8 @@
 
 #include "keiko/api/regress.h"
 
-#include "keiko/base/counted.h"
 #include "keiko/base/error.h"
-#include "keiko/base/text_lines.h"
+#include "keiko/base/text.h"
 #include "keiko/cli/commands.h"
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/print.h"

@@ -1,8 +1,8 @@
 // What the options of RenderArguments ask for, out of their texts.
 #include "keiko/api/results.h"
 #include "keiko/base/error.h"
-#include "keiko/base/lower_case.h"
 #include "keiko/base/output_file.h"
+#include "keiko/base/text.h"
 #include "keiko/cli/output_place.h"
 #include "keiko/cli/render_options.h"
 

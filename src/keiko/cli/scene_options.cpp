@@ -1,8 +1,8 @@
 #include "keiko/cli/scene_options.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/error_text.h"
 #include "keiko/base/log.h"
+#include "keiko/base/text.h"
 #include "keiko/cli/number_check.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 
 #include "keiko/api/model.h"
 #include "keiko/api/scene.h"
-#include "keiko/base/error_text.h"
-#include "keiko/base/field_error.h"
+#include "keiko/base/error.h"
+#include "keiko/base/job.h"
 #include "keiko/base/log.h"
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/text.h"
 #include "keiko/cli/number_check.h"
 #include "keiko/cli/option_names.h"
 

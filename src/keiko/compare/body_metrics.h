@@ -2,7 +2,7 @@
 
 #include "keiko/inspect/inspection.h"
 #include "keiko/inspect/lines/surface_lines.h"
-#include "keiko/scene/metric.h"
+#include "keiko/scene/fixture_spec.h"
 
 #include <span>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/scene/metric.h"
+#include "keiko/scene/fixture_spec.h"
 
 #include <optional>
 #include <span>

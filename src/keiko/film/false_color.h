@@ -2,6 +2,9 @@
 
 #include "keiko/film/film.h"
 
+#include <string>
+#include <vector>
+
 namespace keiko {
 
 /// A logarithmic scale of luminance in cd/m2 or illuminance in lx.
@@ -22,5 +25,24 @@ Image luminance_of(const Film& film);
 Image false_color(const Image& values, const FalseColorScale& scale, int channel = 0);
 /// The same from a film's luminance.
 Image false_color(const Film& film, const FalseColorScale& scale);
+
+/// What false colours stand for.
+enum class ShownQuantity { luminance, illuminance };
+
+/// "cd/m2" or "lx".
+std::string_view unit_of(ShownQuantity quantity);
+
+/// Values that a legend names: powers of ten; where there is room 2 and 5 times these, and on a
+/// scale of at most 1.7 decades the steps of lighting standards (1, 1.5, 2, 3, 5, 7.5). Both
+/// ends of the scale are among them when they are round.
+std::vector<double> round_values(const FalseColorScale& scale);
+
+/// A film in false colour with a legend at its right, in the manner of Radiance's falsecolor: the
+/// colours of the scale from the maximum down, its round values and the unit. Lines of letters grow
+/// with the picture. With `lines`, black lines of equal value at these values, the longer ones with
+/// their number on them. Of illuminance, which the film must hold as an AOV, only what shows the
+/// model is coloured. Throws Error for a film without it.
+Image false_color_picture(const Film& film, const FalseColorScale& scale, bool lines,
+                          ShownQuantity quantity = ShownQuantity::luminance);
 
 } // namespace keiko

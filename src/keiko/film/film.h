@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/film/zeroed_allocator.h"
+#include "keiko/base/memory.h"
 #include "keiko/math/rgb.h"
 
 #include <algorithm>

@@ -3,10 +3,21 @@
 #include "keiko/film/film.h"
 #include "keiko/math/vec.h"
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace keiko {
+
+/// A font for pictures that needs no file: cells of 5 x 7 dots.
+constexpr int glyph_width = 5, glyph_height = 7;
+/// From the left of one letter to the left of the next, dots.
+constexpr int glyph_advance = 6;
+
+/// Columns of a printable ASCII character from the left; bit 0 is the top dot. Others look like
+/// a question mark.
+std::span<const std::uint8_t, glyph_width> glyph(char character);
 
 /// A line through points in pixel coordinates, (0, 0) being the picture's upper left corner and
 /// (0.5, 0.5) the centre of its first pixel. It breaks at points that are not finite.

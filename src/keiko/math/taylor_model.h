@@ -1,5 +1,7 @@
 #pragma once
 
+#include "keiko/math/vec.h"
+
 #include <array>
 #include <cmath>
 
@@ -85,5 +87,21 @@ inline TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
 inline TaylorModel square(const TaylorModel& a) {
     return a * a;
 }
+
+/// How high a function may reach over [-1, 1]^2, and where that is likely.
+struct TaylorPeak {
+    double bound = 0; ///< the function is nowhere larger
+    Vec2 place{0};    ///< where its quadratic part is largest
+};
+
+/// The largest value of the quadratic part, which is exact, with the rest added. Infinite for an
+/// unknown model.
+TaylorPeak peak(const TaylorModel& model);
+
+/// The square root of a model; its error is infinite where the model may be 0 or less.
+TaylorModel sqrt(const TaylorModel& model);
+
+/// The model to the power -3/2; its error is infinite where the model may be 0 or less.
+TaylorModel inverse_cubed_root(const TaylorModel& model);
 
 } // namespace keiko

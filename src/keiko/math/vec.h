@@ -3,6 +3,7 @@
 #include <Imath/ImathVec.h>
 
 #include <cmath>
+#include <span>
 
 namespace keiko {
 
@@ -32,6 +33,13 @@ inline bool is_finite(const Vec3& v) {
 /// Mirror direction of an incoming direction `d` at a surface with unit normal `n` of any side.
 inline Vec3 reflect(const Vec3& d, const Vec3& n) {
     return d - n * (2 * d.dot(n));
+}
+
+/// The mean of points, of which there are some.
+inline Vec3 middle_of(std::span<const Vec3> points) {
+    Vec3 middle(0);
+    for (const Vec3& point : points) middle += point / static_cast<double>(points.size());
+    return middle;
 }
 
 } // namespace keiko

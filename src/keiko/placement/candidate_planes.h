@@ -2,7 +2,7 @@
 
 #include "keiko/placement/lamp_field.h"
 #include "keiko/placement/plane_frame.h"
-#include "keiko/scene/mirror_plane.h"
+#include "keiko/scene/symmetry.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #include "keiko/math/bounds.h"
 #include "keiko/placement/plane_frame.h"
 #include "keiko/scene/camera.h"
-#include "keiko/scene/mirror_plane.h"
+#include "keiko/scene/symmetry.h"
 
 #include <span>
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "keiko/base/diagnostics.h"
+#include "keiko/base/error.h"
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/placement/hit_histogram.h"
 #include "keiko/placement/placement_score.h"
 #include "keiko/placement/stripe_statistics.h"
 #include "keiko/placement/unreached_regions.h"
-#include "keiko/scene/mirror_plane.h"
+#include "keiko/scene/symmetry.h"
 
 #include <optional>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "keiko/placement/registered_hits.h"
 
-#include "keiko/base/field_error.h"
+#include "keiko/base/error.h"
 
 #include <algorithm>
 

@@ -4,6 +4,8 @@
 #include "keiko/report/content/regression.h"
 #include "keiko/report/record_files.h"
 
+#include <optional>
+
 namespace keiko {
 
 /// A share of a suite: fixture i, by name, is of shard i % count + 1.

@@ -3,11 +3,11 @@
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
-#include "keiko/base/real_path.h"
+#include "keiko/base/output_target.h"
 #include "keiko/base/sha256.h"
+#include "keiko/base/text.h"
 #include "keiko/files/scene/fixture_file.h"
 #include "keiko/regress/run_fixture.h"
-#include "keiko/scene/suggestion.h"
 
 #include <algorithm>
 #include <array>

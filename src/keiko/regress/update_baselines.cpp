@@ -1,5 +1,5 @@
-#include "keiko/base/counted.h"
 #include "keiko/base/error.h"
+#include "keiko/base/text.h"
 #include "keiko/files/scene/fixture_file.h"
 #include "keiko/regress/suite_files.h"
 #include "keiko/workflow/version.h"

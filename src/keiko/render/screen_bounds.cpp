@@ -1,6 +1,6 @@
 #include "keiko/render/screen_bounds.h"
 
-#include "keiko/scene/prepared_camera.h"
+#include "keiko/scene/camera.h"
 
 #include <algorithm>
 #include <cmath>

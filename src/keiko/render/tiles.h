@@ -4,7 +4,7 @@
 #include "keiko/intersect/hit/hit_statistics.h"
 #include "keiko/render/screen_bounds.h"
 #include "keiko/render/shading/integrator.h"
-#include "keiko/scene/prepared_camera.h"
+#include "keiko/scene/camera.h"
 
 #include <optional>
 #include <span>

@@ -2,7 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/sha256.h"
-#include "keiko/film/film_channels.h"
+#include "keiko/film/image_file.h"
 #include "keiko/report/json/camera_json.h"
 
 namespace keiko {

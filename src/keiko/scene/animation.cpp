@@ -1,13 +1,35 @@
 #include "keiko/scene/animation.h"
 
 #include "keiko/base/error.h"
+#include "keiko/light/spotlight/beam_direction.h"
 #include "keiko/scene/animation_target.h"
-#include "keiko/scene/carried_reference.h"
 #include "keiko/scene/scene_spec.h"
 
 #include <algorithm>
 
 namespace keiko {
+namespace {
+
+/// What the shortest turn from one unit axis to another does to a vector across the first.
+Vec3 turned(const Vec3& across, const Vec3& from, const Vec3& to) {
+    const double both = 1 + from.dot(to);
+    constexpr double opposite = 1e-12;
+    return both > opposite ? across - (from + to) * (across.dot(to) / both) : across;
+}
+
+} // namespace
+
+Vec3 carried_reference(const Vec3& reference, std::span<const Vec3> ways) {
+    Vec3 axis = ways.front().normalized();
+    Vec3 across = beam_frame(axis, reference).across;
+    for (const Vec3& way : ways.subspan(1)) {
+        const Vec3 next = way.normalized();
+        across = turned(across, axis, next).normalized();
+        axis = next;
+    }
+    return across;
+}
+
 namespace {
 
 bool is_direction(const std::vector<double>& value) {
@@ -40,12 +62,6 @@ std::string fault_of_keys(const MovingNumbers& numbers, const Animation& animati
         last = &key.value;
     }
     return "";
-}
-
-std::vector<double> blend(const std::vector<double>& a, const std::vector<double>& b, double t) {
-    std::vector<double> value;
-    for (std::size_t i = 0; i < a.size(); ++i) value.push_back(a[i] + (b[i] - a[i]) * t);
-    return value;
 }
 
 struct Check {
@@ -113,15 +129,6 @@ void carry_references(SceneSpec& scene, double frame) {
 }
 
 } // namespace
-
-std::vector<double> Animation::at(double frame) const {
-    const auto next = std::find_if(keys.begin(), keys.end(),
-                                   [frame](const KeyFrame& key) { return key.frame > frame; });
-    if (next == keys.begin()) return keys.front().value;
-    if (next == keys.end()) return keys.back().value;
-    const KeyFrame& last = *(next - 1);
-    return blend(last.value, next->value, (frame - last.frame) / (next->frame - last.frame));
-}
 
 std::optional<AnimationFault> animation_fault(SceneSpec& scene, const Animation& animation) {
     const MovingNumbers numbers = numbers_of(scene, animation.target);

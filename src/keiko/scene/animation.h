@@ -1,34 +1,20 @@
 #pragma once
 
+#include "keiko/math/vec.h"
+#include "keiko/scene/scene_spec.h"
+
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace keiko {
 
-struct SceneSpec;
-
-/// What a number, or three, of a scene are at a frame.
-struct KeyFrame {
-    double frame = 0;
-    std::vector<double> value;
-
-    bool operator==(const KeyFrame&) const = default;
-};
-
-/// How a part of a scene moves: between key frames in a straight line, before the first and after
-/// the last not at all.
-struct Animation {
-    /// Its place in the scene, as its file names it, tables that repeat with their number from 0:
-    /// "spotlight.0.aim".
-    std::string target;
-    std::vector<KeyFrame> keys; ///< rising, at least one
-
-    /// The value at a frame.
-    std::vector<double> at(double frame) const;
-
-    bool operator==(const Animation&) const = default;
-};
+/// Unit direction of phi = 0 of a lamp whose axis has turned through `ways`, from one to the next
+/// in a plane. Parallel transport carries it along (docs/theory/spotlights.md#moving-axes), so that
+/// the pattern does not flip where the axis passes `reference`. `ways`: at least one, none of no
+/// length.
+Vec3 carried_reference(const Vec3& reference, std::span<const Vec3> ways);
 
 /// What is wrong with an animation.
 struct AnimationFault {

@@ -1,7 +1,7 @@
 #include "keiko/scene/animation_target.h"
 
+#include "keiko/base/text.h"
 #include "keiko/scene/scene_spec.h"
-#include "keiko/scene/suggestion.h"
 
 #include <algorithm>
 #include <array>

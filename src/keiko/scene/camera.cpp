@@ -1,8 +1,9 @@
 #include "keiko/scene/camera.h"
 
 #include "keiko/base/units.h"
-#include "keiko/scene/prepared_camera.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace keiko {
@@ -48,6 +49,113 @@ double Camera::pixel_solid_angle(double x, double y) const {
 
 std::optional<Vec2> project(const Camera& camera, const Vec3& point) {
     return PreparedCamera(camera).project(point);
+}
+
+namespace {
+
+template <std::size_t n>
+using Lanes = std::array<double, n>;
+/// The coordinates of vectors side by side.
+template <std::size_t n>
+using Vectors = std::array<Lanes<n>, 3>;
+
+template <std::size_t n>
+Vec3 at(const Vectors<n>& vectors, std::size_t i) {
+    return {vectors[0][i], vectors[1][i], vectors[2][i]};
+}
+
+/// How unit directions change where the vectors they are of change by d; `per_length`: one over
+/// those vectors' lengths.
+template <std::size_t n>
+Vectors<n> changes(const Vectors<n>& direction, const Lanes<n>& per_length, const Vec3& d) {
+    Vectors<n> change;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double along = direction[0][i] * d.x + direction[1][i] * d.y + direction[2][i] * d.z;
+        for (unsigned k = 0; k < 3; ++k)
+            change[k][i] = (d[k] - direction[k][i] * along) * per_length[i];
+    }
+    return change;
+}
+
+} // namespace
+
+PreparedCamera::PreparedCamera(const Camera& camera)
+    : projection_(camera.projection),
+      eye_(camera.eye),
+      axes_(camera.axes()),
+      middle_(camera.width / 2.0, camera.height / 2.0),
+      pixel_size_(camera.pixel_size()),
+      dx_(axes_.right * pixel_size_),
+      dy_(axes_.up * -pixel_size_) {}
+
+Ray PreparedCamera::ray(double x, double y) const {
+    const Vec2 position = Vec2(x - middle_.x, middle_.y - y) * pixel_size_;
+    const Vec3 offset = axes_.right * position.x + axes_.up * position.y;
+    return projection_ == Projection::orthographic ? parallel_ray(offset) : ray_from_eye(offset);
+}
+
+Ray PreparedCamera::parallel_ray(const Vec3& offset) const {
+    return {.origin = eye_ + offset,
+            .direction = axes_.forward,
+            .differentials = RayDifferentials{.origin_dx = dx_, .origin_dy = dy_},
+            .excluded = {}};
+}
+
+Ray PreparedCamera::ray_from_eye(const Vec3& offset) const {
+    const Vec3 through = axes_.forward + offset;
+    const double per_length = 1 / through.length(); // of at least 1
+    const Vec3 direction = through * per_length;
+    const auto of_unit = [&](const Vec3& d) {
+        return (d - direction * direction.dot(d)) * per_length;
+    };
+    return {.origin = eye_,
+            .direction = direction,
+            .differentials =
+                RayDifferentials{.direction_dx = of_unit(dx_), .direction_dy = of_unit(dy_)},
+            .excluded = {}};
+}
+
+Rays PreparedCamera::rays(std::span<const Vec2> points) const {
+    Rays rays(points.size());
+    if (projection_ == Projection::orthographic) {
+        for (std::size_t i = 0; i < points.size(); ++i) rays[i] = ray(points[i].x, points[i].y);
+        return rays;
+    }
+    for (std::size_t first = 0; first < points.size(); first += side_by_side) {
+        const std::size_t count = std::min(side_by_side, points.size() - first);
+        put_rays_from_eye(points.subspan(first, count), std::span(rays).subspan(first, count));
+    }
+    return rays;
+}
+
+void PreparedCamera::put_rays_from_eye(std::span<const Vec2> points, std::span<Ray> rays) const {
+    Lanes<side_by_side> x{}, y{}, per_length;
+    for (std::size_t i = 0; i < points.size(); ++i) x[i] = points[i].x, y[i] = points[i].y;
+    Vectors<side_by_side> direction;
+    for (std::size_t i = 0; i < side_by_side; ++i) {
+        const double right = (x[i] - middle_.x) * pixel_size_;
+        const double up = (middle_.y - y[i]) * pixel_size_;
+        const Vec3 through = axes_.forward + (axes_.right * right + axes_.up * up);
+        per_length[i] = 1 / std::sqrt(through.length2());
+        for (unsigned k = 0; k < 3; ++k) direction[k][i] = through[k] * per_length[i];
+    }
+    const auto dx = changes(direction, per_length, dx_), dy = changes(direction, per_length, dy_);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        rays[i].origin = eye_;
+        rays[i].direction = at(direction, i);
+        RayDifferentials& d = rays[i].differentials.emplace();
+        d.direction_dx = at(dx, i), d.direction_dy = at(dy, i);
+    }
+}
+
+std::optional<Vec2> PreparedCamera::project(const Vec3& point) const {
+    const Vec3 offset = point - eye_;
+    const double depth = offset.dot(axes_.forward);
+    const bool perspective = projection_ == Projection::perspective;
+    if (perspective && !(depth > 0)) return {};
+    const double scale = pixel_size_ * (perspective ? depth : 1);
+    return Vec2(middle_.x + offset.dot(axes_.right) / scale,
+                middle_.y - offset.dot(axes_.up) / scale);
 }
 
 } // namespace keiko

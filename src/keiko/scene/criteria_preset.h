@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/scene/mirror_plane.h"
+#include "keiko/scene/symmetry.h"
 
 #include <optional>
 #include <string>
@@ -40,14 +40,6 @@ struct WavinessLimit {
     bool waves_only = false; ///< what bends there only once is form, however wide
 
     bool operator==(const WavinessLimit&) const = default;
-};
-
-/// How far a body may be from its own mirror image.
-struct SymmetryLimit {
-    MirrorPlane plane;
-    double distance = 0.01; ///< mm, from any place of the surface to the image
-
-    bool operator==(const SymmetryLimit&) const = default;
 };
 
 /// What each face is held to, whatever its neighbours; what is absent is not judged.

@@ -2,7 +2,6 @@
 
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/math/affine.h"
-#include "keiko/scene/animation.h"
 #include "keiko/scene/camera.h"
 #include "keiko/scene/material.h"
 
@@ -41,6 +40,28 @@ struct ModelSpec {
 struct GroundSpec {
     double z = 0; ///< mm
     Material material;
+};
+
+/// What a number, or three, of a scene are at a frame.
+struct KeyFrame {
+    double frame = 0;
+    std::vector<double> value;
+
+    bool operator==(const KeyFrame&) const = default;
+};
+
+/// How a part of a scene moves: between key frames in a straight line, before the first and after
+/// the last not at all.
+struct Animation {
+    /// Its place in the scene, as its file names it, tables that repeat with their number from 0:
+    /// "spotlight.0.aim".
+    std::string target;
+    std::vector<KeyFrame> keys; ///< rising, at least one
+
+    /// The value at a frame.
+    std::vector<double> at(double frame) const;
+
+    bool operator==(const Animation&) const = default;
 };
 
 /// A scene file's content (keiko-scene/1), every path resolved.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "keiko/base/error.h"
+#include "keiko/math/bounds.h"
 #include "keiko/scene/camera.h"
 
 #include <optional>
@@ -32,5 +34,12 @@ Camera frame_view(std::string_view name, const Box3& bounds, const Framing& fram
 
 /// The same for the eye in any direction from the box.
 Camera frame_direction(const Vec3& towards_eye, const Box3& bounds, const Framing& framing = {});
+
+/// Remark on a body that plainly does not lie in the vehicle frame, which named views assume.
+/// The box of such a body is even about x = 0 or z = 0 alone, not about y = 0, the middle plane of
+/// a vehicle. It reaches farther to y > 0 than to y < 0, as a body does that stands on y = 0. The
+/// entity is the option `axes` (see LoadOptions), and the message suggests one. nullopt for any
+/// other box, e.g. those of panels, of half bodies and of bodies that are even about two planes.
+std::optional<Diagnostic> axes_remark(const Box3& body);
 
 } // namespace keiko

@@ -1,6 +1,6 @@
 #include "keiko/stream/hit_columns.h"
 
-#include "keiko/base/field_error.h"
+#include "keiko/base/error.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "keiko/stream/ray_lines.h"
 
-#include "keiko/base/error_text.h"
+#include "keiko/base/text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "keiko/stream/trace_rays.h"
 
-#include "keiko/base/field_error.h"
+#include "keiko/base/error.h"
 #include "keiko/render/shading/integrator.h"
 #include "keiko/stream/hit_columns.h"
 #include "keiko/stream/row_stream.h"

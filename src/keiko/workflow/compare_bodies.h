@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/report/content/comparison.h"
-#include "keiko/scene/mirror_plane.h"
+#include "keiko/scene/symmetry.h"
 #include "keiko/workflow/find_lines.h"
 #include "keiko/workflow/open_scene.h"
 #include "keiko/workflow/place_scene.h"

@@ -1,6 +1,6 @@
 #include "keiko/workflow/draw_outcome.h"
 
-#include "keiko/film/difference_picture.h"
+#include "keiko/film/image_difference.h"
 #include "keiko/film/image_file.h"
 
 #include <cmath>

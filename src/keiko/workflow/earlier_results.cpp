@@ -2,7 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
-#include "keiko/base/real_path.h"
+#include "keiko/base/output_target.h"
 #include "keiko/base/sha256.h"
 #include "keiko/files/toml/named_files.h"
 

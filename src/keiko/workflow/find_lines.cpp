@@ -1,7 +1,6 @@
 #include "keiko/workflow/find_lines.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/field_error.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/workflow/version.h"
 

@@ -1,9 +1,9 @@
 #include "keiko/workflow/model_info.h"
 
-#include "keiko/base/text_lines.h"
+#include "keiko/base/text.h"
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/inspect/seams/seam_measure.h"
-#include "keiko/scene/axes_remark.h"
+#include "keiko/scene/view.h"
 
 namespace keiko {
 

@@ -3,6 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/files/scene/material_file.h"
 #include "keiko/files/scene/scene_file.h"
+#include "keiko/scene/animation.h"
 
 #include <fnmatch.h>
 

@@ -1,7 +1,6 @@
 #include "keiko/workflow/place_scene.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/field_error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/placement/rated_rig.h"
 #include "keiko/report/json/hits_json.h"

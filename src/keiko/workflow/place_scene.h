@@ -2,7 +2,7 @@
 
 #include "keiko/placement/place_lamps.h"
 #include "keiko/placement/registered_hits.h"
-#include "keiko/scene/symmetry_choice.h"
+#include "keiko/scene/symmetry.h"
 #include "keiko/workflow/choose_views.h"
 
 #include <filesystem>

@@ -3,7 +3,7 @@
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/placement/place_lamps.h"
 #include "keiko/scene/camera.h"
-#include "keiko/scene/symmetry_choice.h"
+#include "keiko/scene/symmetry.h"
 
 #include <optional>
 

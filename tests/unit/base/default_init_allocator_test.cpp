@@ -1,4 +1,4 @@
-#include "keiko/base/default_init_allocator.h"
+#include "keiko/base/memory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,5 @@
-#include "keiko/base/error_text.h"
-
 #include "keiko/base/error.h"
-#include "keiko/base/text_lines.h"
+#include "keiko/base/text.h"
 
 #include <gtest/gtest.h>
 

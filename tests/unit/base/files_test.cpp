@@ -1,10 +1,8 @@
-#include "keiko/base/atomic_file.h"
 #include "keiko/base/error.h"
-#include "keiko/base/field_error.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/job.h"
 #include "keiko/base/output_file.h"
-#include "keiko/base/real_path.h"
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/output_target.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/base/inplace_vector.h"
+#include "keiko/base/memory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "keiko/base/malloc_tuning.h"
+#include "keiko/base/memory.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

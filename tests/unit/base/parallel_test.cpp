@@ -1,7 +1,7 @@
 #include "keiko/base/parallel.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 
 #include <gtest/gtest.h>
 

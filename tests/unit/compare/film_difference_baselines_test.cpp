@@ -2,7 +2,7 @@
 /// plain loops of doubles, on the pictures of the fixtures' baselines.
 
 #include "keiko/compare/outlines/film_difference.h"
-#include "keiko/film/film_channels.h"
+#include "keiko/film/image_file.h"
 #include "keiko/math/vec.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/files/scene/material_file.h"
 #include "keiko/files/scene/rig_file.h"
+#include "keiko/scene/animation.h"
 
 #include <gtest/gtest.h>
 

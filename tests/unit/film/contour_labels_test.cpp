@@ -1,8 +1,6 @@
-#include "keiko/film/contour_labels.h"
-
 #include "keiko/base/error.h"
-#include "keiko/film/false_color_picture.h"
-#include "keiko/film/iso_lines.h"
+#include "keiko/film/contour_lines.h"
+#include "keiko/film/false_color.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "keiko/film/false_color_picture.h"
-#include "keiko/film/iso_lines.h"
+#include "keiko/film/contour_lines.h"
+#include "keiko/film/false_color.h"
 #include "keiko/film/tone_mapping.h"
 
 #include "tests/support/oracle.h"

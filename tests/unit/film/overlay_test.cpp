@@ -1,7 +1,5 @@
 #include "keiko/film/overlay.h"
 
-#include "keiko/film/bitmap_font.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -1,4 +1,4 @@
-#include "keiko/math/gauss_kronrod.h"
+#include "keiko/math/quadrature.h"
 
 #include <gtest/gtest.h>
 

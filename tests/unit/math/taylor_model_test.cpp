@@ -1,5 +1,4 @@
-#include "keiko/math/taylor_peak.h"
-#include "keiko/math/taylor_root.h"
+#include "keiko/math/taylor_model.h"
 
 #include "tests/support/random.h"
 #include <gtest/gtest.h>

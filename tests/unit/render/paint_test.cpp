@@ -1,7 +1,7 @@
 #include "keiko/render/shading/paint.h"
 
 #include "keiko/files/scene/material_file.h"
-#include "keiko/math/adaptive_quadrature.h"
+#include "keiko/math/quadrature.h"
 
 #include <gtest/gtest.h>
 

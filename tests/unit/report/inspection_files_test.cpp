@@ -1,4 +1,4 @@
-#include "keiko/base/utf8.h"
+#include "keiko/base/text.h"
 #include "keiko/report/csv/checks_csv.h"
 #include "keiko/report/junit/junit.h"
 #include "keiko/report/sarif/sarif.h"

@@ -1,7 +1,7 @@
 #include "keiko/report/content/regression.h"
 
 #include "keiko/base/error.h"
-#include "keiko/film/film_channels.h"
+#include "keiko/film/image_file.h"
 #include "keiko/report/markup/junit_suites.h"
 #include "keiko/report/record_files.h"
 

@@ -1,4 +1,4 @@
-#include "keiko/scene/axes_remark.h"
+#include "keiko/scene/view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "keiko/scene/prepared_camera.h"
+#include "keiko/scene/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "keiko/scene/suggestion.h"
+#include "keiko/base/text.h"
 
 #include <gtest/gtest.h>
 

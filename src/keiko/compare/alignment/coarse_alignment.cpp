@@ -3,7 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/compare/alignment/rigid_step.h"
 #include "keiko/geometry/bvh/box_tree.h"
-#include "keiko/math/principal_axes.h"
+#include "keiko/math/axes.h"
 
 #include <algorithm>
 #include <cmath>

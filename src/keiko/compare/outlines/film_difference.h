@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/film/film.h"
-#include "keiko/scene/film_tolerance.h"
+#include "keiko/scene/fixture_spec.h"
 
 #include <string>
 #include <vector>

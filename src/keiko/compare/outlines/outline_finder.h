@@ -2,7 +2,6 @@
 
 #include "keiko/compare/outlines/outline_body.h"
 #include "keiko/scene/camera.h"
-#include "keiko/scene/prepared_camera.h"
 
 #include <optional>
 #include <span>

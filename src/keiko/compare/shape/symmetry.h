@@ -2,7 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/inspect/inspection.h"
-#include "keiko/scene/mirror_plane.h"
+#include "keiko/scene/symmetry.h"
 
 #include <span>
 

@@ -1,9 +1,9 @@
 #include "keiko/files/model/bezier_file.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
+#include "keiko/base/text.h"
 #include "keiko/files/model/model_format.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "keiko/files/model/file_axes.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/error_text.h"
+#include "keiko/base/text.h"
 
 namespace keiko {
 namespace {

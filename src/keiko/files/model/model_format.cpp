@@ -2,7 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
-#include "keiko/base/lower_case.h"
+#include "keiko/base/text.h"
 #include "keiko/files/photometric/luminaire_file.h"
 #include "keiko/files/toml/own_formats.h"
 

@@ -1,4 +1,4 @@
-#include "keiko/base/error_text.h"
+#include "keiko/base/text.h"
 #include "keiko/files/photometric/luminaire_file.h"
 #include "keiko/files/photometric/photometric_numbers.h"
 

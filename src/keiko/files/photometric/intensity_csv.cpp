@@ -1,8 +1,8 @@
 #include "keiko/files/photometric/intensity_csv.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/text.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,12 +1,11 @@
 #include "keiko/files/scene/fixture_file.h"
 
-#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/text.h"
 #include "keiko/files/scene/material_file.h"
 #include "keiko/files/scene/preset_file.h"
 #include "keiko/files/toml/input_path.h"
 #include "keiko/files/toml/toml_reader.h"
-#include "keiko/scene/suggestion.h"
 #include "keiko/scene/view.h"
 
 #include <algorithm>

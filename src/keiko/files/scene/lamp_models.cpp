@@ -1,7 +1,7 @@
 #include "keiko/files/scene/lamp_models.h"
 
+#include "keiko/base/text.h"
 #include "keiko/files/toml/toml_reader.h"
-#include "keiko/scene/suggestion.h"
 
 #include <array>
 #include <utility>

@@ -1,9 +1,8 @@
 #include "keiko/files/scene/material_file.h"
 
-#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/text.h"
 #include "keiko/files/toml/toml_reader.h"
-#include "keiko/scene/suggestion.h"
 
 #include "keiko_standard_materials.h"
 

@@ -1,6 +1,6 @@
 #include "keiko/files/scene/point_light_tables.h"
 
-#include "keiko/base/error_text.h"
+#include "keiko/base/text.h"
 #include "keiko/files/photometric/luminaire_file.h"
 #include "keiko/files/scene/beam_table.h"
 #include "keiko/files/toml/input_path.h"

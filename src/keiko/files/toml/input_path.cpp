@@ -1,7 +1,7 @@
 #include "keiko/files/toml/input_path.h"
 
-#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/text.h"
 #include "keiko/files/toml/toml_reader.h"
 
 namespace keiko {

@@ -1,10 +1,9 @@
 #include "keiko/files/toml/toml_reader.h"
 
-#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/text.h"
 #include "keiko/files/toml/own_formats.h"
 #include "keiko/files/toml/toml_document.h"
-#include "keiko/scene/suggestion.h"
 
 #include <algorithm>
 

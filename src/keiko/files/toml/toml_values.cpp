@@ -1,9 +1,8 @@
 // The getters of TomlTable: values of one type each, checked.
-#include "keiko/base/error_text.h"
+#include "keiko/base/text.h"
 #include "keiko/files/toml/toml_document.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/files/toml/toml_text.h"
-#include "keiko/scene/suggestion.h"
 
 #include <algorithm>
 #include <cmath>

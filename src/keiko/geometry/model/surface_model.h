@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/diagnostics.h"
+#include "keiko/base/error.h"
 #include "keiko/geometry/bezier/bezier_curve.h"
 #include "keiko/geometry/bezier/bezier_patch.h"
 #include "keiko/geometry/bezier/parameter_map.h"

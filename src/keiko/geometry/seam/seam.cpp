@@ -1,7 +1,7 @@
 #include "keiko/geometry/seam/seam.h"
 
+#include "keiko/base/job.h"
 #include "keiko/base/parallel.h"
-#include "keiko/base/stop_scope.h"
 #include "keiko/geometry/bvh/box_tree.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/geometry/seam/seam_offer.h"

@@ -1,8 +1,8 @@
 #include "keiko/import/cad/cad_import.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/text.h"
 #include "keiko/files/model/number_check.h"
 #include "keiko/import/cad/cad_files.h"
 #include "keiko/import/cad/failure.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/diagnostics.h"
+#include "keiko/base/error.h"
 
 #include <TopoDS_Shape.hxx>
 #include <XSControl_WorkSession.hxx>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/diagnostics.h"
+#include "keiko/base/error.h"
 #include "keiko/math/bounds.h"
 
 #include <cstdint>

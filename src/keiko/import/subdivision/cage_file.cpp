@@ -1,8 +1,8 @@
 #include "keiko/import/subdivision/cage_file.h"
 
-#include "keiko/base/error_text.h"
 #include "keiko/base/input_file.h"
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
+#include "keiko/base/text.h"
 #include "keiko/import/subdivision/cage_areas.h"
 #include "keiko/import/subdivision/cage_lines.h"
 #include "keiko/import/subdivision/cage_tags.h"

@@ -1,6 +1,6 @@
 #include "keiko/import/subdivision/cage_tags.h"
 
-#include "keiko/base/error_text.h"
+#include "keiko/base/text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "keiko/import/worker/cache_folder.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/new_file.h"
 #include "keiko/base/output_target.h"
-#include "keiko/base/temporary_file.h"
 
 #include <dirent.h>
 #include <sys/stat.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/descriptor.h"
+#include "keiko/base/new_file.h"
 #include "keiko/files/model/byte_stream.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "keiko/import/worker/worker_answer.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/error_text.h"
+#include "keiko/base/text.h"
 #include "keiko/files/model/model_serialization.h"
 
 #include <charconv>

@@ -1,7 +1,7 @@
 #include "keiko/import/worker/worker_process.h"
 
-#include "keiko/base/descriptor.h"
 #include "keiko/base/error.h"
+#include "keiko/base/new_file.h"
 
 #include <fcntl.h>
 #include <poll.h>

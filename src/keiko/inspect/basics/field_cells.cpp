@@ -1,6 +1,6 @@
 #include "keiko/inspect/basics/field_cells.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 
 #include <deque>
 

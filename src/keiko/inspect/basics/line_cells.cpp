@@ -1,6 +1,6 @@
 #include "keiko/inspect/basics/line_cells.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 #include "keiko/inspect/basics/patch_box.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "keiko/inspect/basics/patch_lines.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 #include "keiko/inspect/basics/level_function.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "keiko/inspect/basics/visible_pieces.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "keiko/inspect/combs/section_plane.h"
 
-#include "keiko/base/field_error.h"
+#include "keiko/base/error.h"
 
 #include <algorithm>
 #include <charconv>

@@ -2,8 +2,7 @@
 
 #include "keiko/inspect/basics/levelled_patch.h"
 #include "keiko/inspect/basics/patch_model.h"
-#include "keiko/math/taylor_peak.h"
-#include "keiko/math/taylor_root.h"
+#include "keiko/math/taylor_model.h"
 
 #include <algorithm>
 #include <cmath>

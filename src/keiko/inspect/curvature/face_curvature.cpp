@@ -1,6 +1,6 @@
 #include "keiko/inspect/curvature/face_curvature.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/basics/net_extents.h"

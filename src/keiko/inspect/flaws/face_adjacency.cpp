@@ -1,6 +1,6 @@
 #include "keiko/inspect/flaws/face_adjacency.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 #include "keiko/math/disjoint_sets.h"
 
 #include <algorithm>

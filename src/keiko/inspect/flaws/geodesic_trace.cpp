@@ -1,6 +1,6 @@
 #include "keiko/inspect/flaws/geodesic_trace.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 
 #include <cmath>

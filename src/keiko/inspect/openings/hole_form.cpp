@@ -1,6 +1,6 @@
 #include "keiko/inspect/openings/hole_form.h"
 
-#include "keiko/math/perpendicular.h"
+#include "keiko/math/axes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "keiko/inspect/seams/run_out.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 #include "keiko/inspect/seams/seam_end.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "keiko/inspect/seams/seam_widening.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 #include "keiko/geometry/model/closest_point.h"
 #include "keiko/geometry/seam/border_approach.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/default_init_allocator.h"
+#include "keiko/base/memory.h"
 #include "keiko/geometry/bezier/bezier_patch.h"
 #include "keiko/geometry/bezier/ray.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 #include "keiko/math/quadrature.h"
 #include "keiko/math/rgb.h"
 

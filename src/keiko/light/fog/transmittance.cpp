@@ -1,6 +1,6 @@
 #include "keiko/light/fog/transmittance.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "keiko/light/luminance/directional_albedo.h"
 
 #include "keiko/light/luminance/refraction.h"
-#include "keiko/math/adaptive_quadrature.h"
+#include "keiko/math/quadrature.h"
 
 #include <algorithm>
 #include <cmath>

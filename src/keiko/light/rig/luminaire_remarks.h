@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/diagnostics.h"
+#include "keiko/base/error.h"
 #include "keiko/light/rig/light_rig.h"
 
 namespace keiko {

@@ -1,6 +1,6 @@
 #include "keiko/light/tubes/cap_penumbra.h"
 
-#include "keiko/math/perpendicular.h"
+#include "keiko/math/axes.h"
 
 #include <algorithm>
 #include <cmath>

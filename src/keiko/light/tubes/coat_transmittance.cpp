@@ -1,7 +1,7 @@
 #include "keiko/light/tubes/coat_transmittance.h"
 
 #include "keiko/light/tubes/width_quadrature.h"
-#include "keiko/math/gauss_kronrod.h"
+#include "keiko/math/quadrature.h"
 
 #include <algorithm>
 #include <cmath>

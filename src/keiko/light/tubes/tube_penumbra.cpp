@@ -3,7 +3,7 @@
 #include "keiko/light/tubes/cap_penumbra.h"
 #include "keiko/light/tubes/ends_and_middles.h"
 #include "keiko/light/tubes/penumbra_breakpoints.h"
-#include "keiko/math/perpendicular.h"
+#include "keiko/math/axes.h"
 
 #include <algorithm>
 #include <optional>

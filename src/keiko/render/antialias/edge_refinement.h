@@ -3,7 +3,7 @@
 #include "keiko/render/antialias/edge_cell.h"
 #include "keiko/render/antialias/subpixels.h"
 #include "keiko/render/shading/integrator.h"
-#include "keiko/scene/prepared_camera.h"
+#include "keiko/scene/camera.h"
 
 namespace keiko {
 

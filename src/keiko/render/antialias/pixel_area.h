@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/base/inplace_vector.h"
-#include "keiko/scene/prepared_camera.h"
+#include "keiko/base/memory.h"
+#include "keiko/scene/camera.h"
 
 #include <span>
 

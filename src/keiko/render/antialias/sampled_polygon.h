@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/inplace_vector.h"
+#include "keiko/base/memory.h"
 #include "keiko/render/antialias/pixel_area.h"
 #include "keiko/render/reflection/sample_batch.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/render/shading/integrator.h"
-#include "keiko/scene/prepared_camera.h"
+#include "keiko/scene/camera.h"
 
 #include <memory_resource>
 #include <span>

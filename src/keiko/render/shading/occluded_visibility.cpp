@@ -1,6 +1,6 @@
 #include "keiko/render/shading/occluded_visibility.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 
 namespace keiko {
 namespace {

@@ -1,4 +1,4 @@
-#include "keiko/base/counted.h"
+#include "keiko/base/text.h"
 #include "keiko/report/content/comparison.h"
 #include "keiko/report/content/comparison_words.h"
 #include "keiko/report/markup/html_text.h"

@@ -1,6 +1,6 @@
 #include "keiko/report/content/comparison_words.h"
 
-#include "keiko/base/counted.h"
+#include "keiko/base/text.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <cmath>

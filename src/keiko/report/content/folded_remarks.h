@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/diagnostics.h"
+#include "keiko/base/error.h"
 
 #include <string>
 #include <string_view>

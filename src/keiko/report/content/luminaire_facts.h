@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/diagnostics.h"
+#include "keiko/base/error.h"
 #include "keiko/light/spotlight/beam_spread.h"
 
 #include <string>

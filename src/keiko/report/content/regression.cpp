@@ -1,6 +1,6 @@
 #include "keiko/report/content/regression.h"
 
-#include "keiko/base/counted.h"
+#include "keiko/base/text.h"
 
 #include <algorithm>
 

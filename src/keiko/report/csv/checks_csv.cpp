@@ -1,6 +1,6 @@
 #include "keiko/report/csv/checks_csv.h"
 
-#include "keiko/base/utf8.h"
+#include "keiko/base/text.h"
 #include "keiko/report/markup/csv_text.h"
 
 #include <initializer_list>

@@ -1,6 +1,6 @@
 #include "keiko/report/html/html_inflections.h"
 
-#include "keiko/base/counted.h"
+#include "keiko/base/text.h"
 #include "keiko/report/markup/html_table.h"
 #include "keiko/report/markup/html_text.h"
 

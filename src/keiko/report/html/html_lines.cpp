@@ -1,4 +1,4 @@
-#include "keiko/base/counted.h"
+#include "keiko/base/text.h"
 #include "keiko/report/html/html_inflections.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_table.h"

@@ -1,4 +1,4 @@
-#include "keiko/base/counted.h"
+#include "keiko/base/text.h"
 #include "keiko/report/content/unmet_borders.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/base64.h"

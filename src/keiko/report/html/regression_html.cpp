@@ -1,4 +1,4 @@
-#include "keiko/base/counted.h"
+#include "keiko/base/text.h"
 #include "keiko/report/content/regression.h"
 #include "keiko/report/markup/html_page.h"
 #include "keiko/report/markup/html_text.h"

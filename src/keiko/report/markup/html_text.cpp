@@ -1,6 +1,6 @@
 #include "keiko/report/markup/html_text.h"
 
-#include "keiko/base/utf8.h"
+#include "keiko/base/text.h"
 
 #include <cmath>
 #include <cstdio>

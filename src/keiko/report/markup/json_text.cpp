@@ -1,6 +1,6 @@
 #include "keiko/report/markup/json_text.h"
 
-#include "keiko/base/utf8.h"
+#include "keiko/base/text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "keiko/base/diagnostics.h"
 #include "keiko/base/error.h"
 #include "keiko/inspect/model_facts.h"
 

@@ -1,6 +1,6 @@
 #include "keiko/report/text/facts_text.h"
 
-#include "keiko/base/text_lines.h"
+#include "keiko/base/text.h"
 #include "keiko/report/content/folded_remarks.h"
 
 #include <string_view>

@@ -1,7 +1,6 @@
 #include "keiko/report/text/inspection_text.h"
 
-#include "keiko/base/counted.h"
-#include "keiko/base/text_lines.h"
+#include "keiko/base/text.h"
 #include "keiko/report/content/check_place.h"
 #include "keiko/report/content/unmet_borders.h"
 

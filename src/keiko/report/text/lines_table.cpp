@@ -1,4 +1,4 @@
-#include "keiko/base/text_lines.h"
+#include "keiko/base/text.h"
 #include "keiko/report/json/lines_json.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "keiko/visibility/boundaries/curve_cover.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 
 #include <algorithm>
 #include <cmath>

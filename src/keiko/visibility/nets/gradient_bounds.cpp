@@ -1,6 +1,6 @@
 #include "keiko/visibility/nets/gradient_bounds.h"
 
-#include "keiko/math/running_range.h"
+#include "keiko/math/interval.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "keiko/visibility/nets/scalar_net.h"
 
-#include "keiko/math/running_range.h"
+#include "keiko/math/interval.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "keiko/math/middle_of.h"
+#include "keiko/math/vec.h"
 #include "keiko/visibility/nets/linearized_system.h"
 #include "keiko/visibility/query/clip_to_half_space.h"
 #include "keiko/visibility/query/contour_generator.h"

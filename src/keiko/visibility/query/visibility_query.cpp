@@ -1,6 +1,6 @@
 #include "keiko/visibility/query/visibility_query.h"
 
-#include "keiko/math/middle_of.h"
+#include "keiko/math/vec.h"
 #include "keiko/visibility/boundaries/boundary_events.h"
 #include "keiko/visibility/query/clip_to_half_space.h"
 #include "keiko/visibility/silhouettes/chord_elevation.h"

@@ -3,7 +3,7 @@
 #include "keiko/geometry/bezier/bezier_patch.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/bezier/subpatch.h"
-#include "keiko/math/perpendicular.h"
+#include "keiko/math/axes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #include "keiko/visibility/silhouettes/silhouette_piece.h"
 
+#include "keiko/base/job.h"
 #include "keiko/base/parallel.h"
-#include "keiko/base/stop_scope.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/bezier/subpatch.h"
-#include "keiko/math/perpendicular.h"
+#include "keiko/math/axes.h"
 #include "keiko/visibility/nets/degree_reduction.h"
 
 #include <algorithm>

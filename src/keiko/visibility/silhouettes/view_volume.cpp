@@ -1,7 +1,7 @@
 #include "keiko/visibility/silhouettes/view_volume.h"
 
-#include "keiko/math/middle_of.h"
-#include "keiko/math/perpendicular.h"
+#include "keiko/math/axes.h"
+#include "keiko/math/vec.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "keiko/base/units.h"
 #include "keiko/light/luminance/directional_albedo.h"
-#include "keiko/math/adaptive_quadrature.h"
+#include "keiko/math/quadrature.h"
 
 #include "tests/support/lobes.h"
 #include "tests/support/oracle.h"

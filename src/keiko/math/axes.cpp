@@ -1,4 +1,4 @@
-#include "keiko/math/principal_axes.h"
+#include "keiko/math/axes.h"
 
 #include <Imath/ImathMatrix.h>
 #include <Imath/ImathMatrixAlgo.h>

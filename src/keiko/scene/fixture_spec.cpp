@@ -1,4 +1,4 @@
-#include "keiko/scene/metric.h"
+#include "keiko/scene/fixture_spec.h"
 
 #include "keiko/base/error.h"
 

@@ -2,6 +2,7 @@
 
 #include "keiko/math/affine.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,29 @@ struct MirrorPlane {
     double distance(const Vec3& point) const { return point[axis] - offset; }
 
     bool operator==(const MirrorPlane&) const = default;
+};
+
+/// How far a body may be from its own mirror image.
+struct SymmetryLimit {
+    MirrorPlane plane;
+    double distance = 0.01; ///< mm, from any place of the surface to the image
+
+    bool operator==(const SymmetryLimit&) const = default;
+};
+
+/// What is taken for the plane of symmetry of a body.
+struct SymmetryChoice {
+    enum class Kind {
+        automatic, ///< a plane that is found
+        off,       ///< none
+        plane      ///< `plane`
+    };
+    Kind kind = Kind::off;
+    MirrorPlane plane{};
+    double distance = SymmetryLimit{}.distance; ///< mm from its image up to which it is symmetric
+
+    /// "auto", "off" or a plane as MirrorPlane has it; throws Error for anything else.
+    static SymmetryChoice parse(std::string_view text);
 };
 
 } // namespace keiko

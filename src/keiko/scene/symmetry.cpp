@@ -1,7 +1,7 @@
-#include "keiko/scene/mirror_plane.h"
+#include "keiko/scene/symmetry.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/error_text.h"
+#include "keiko/base/text.h"
 
 #include <charconv>
 #include <cmath>
@@ -50,6 +50,14 @@ Affine MirrorPlane::motion() const {
     mirror.rows[static_cast<std::size_t>(axis)][axis] = -1;
     mirror.translation[axis] = 2 * offset;
     return mirror;
+}
+
+SymmetryChoice SymmetryChoice::parse(std::string_view text) {
+    SymmetryChoice choice;
+    if (text == "off") return choice;
+    choice.kind = text == "auto" ? Kind::automatic : Kind::plane;
+    if (choice.kind == Kind::plane) choice.plane = MirrorPlane::parse(text);
+    return choice;
 }
 
 } // namespace keiko

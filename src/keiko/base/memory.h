@@ -1,0 +1,108 @@
+#pragma once
+
+#include <sys/mman.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace keiko {
+
+/// For vectors of large records that are made blank and filled in at once: a record made without a
+/// value has what its members' initialisers say. std::allocator has all of it cleared before.
+template <class T>
+struct DefaultInitAllocator : std::allocator<T> {
+    template <class U>
+    struct rebind { // NOLINT(readability-identifier-naming): std::allocator_traits looks for it
+        using other = DefaultInitAllocator<U>;
+    };
+
+    DefaultInitAllocator() = default;
+    template <class U>
+    explicit DefaultInitAllocator(const DefaultInitAllocator<U>&) {}
+
+    template <class U>
+    void construct(U* at) {
+        ::new (static_cast<void*>(at)) U;
+    }
+    template <class U, class... Values>
+    void construct(U* at, Values&&... values) {
+        std::construct_at(at, std::forward<Values>(values)...);
+    }
+};
+
+/// Has the kernel back what will be touched of a large piece of memory by few large pages, where it
+/// can: thousands of small ones each stop the thread that touches them first.
+inline void ask_for_large_pages(void* memory, std::size_t bytes) {
+    constexpr std::size_t page = std::size_t{2} << 20;
+    if (std::align(page, page, memory, bytes)) madvise(memory, bytes / page * page, MADV_HUGEPAGE);
+}
+
+/// Memory of zeros, on pages that a large picture's threads touch first, each its own: clearing
+/// them in one thread takes longer than some pictures need. What is made without a value there is
+/// left as it is, and so is zero once: containers must not be shortened and made longer again.
+template <class T>
+struct ZeroedAllocator {
+    static_assert(std::is_trivial_v<T>, "zeros must be a value, and need no construction");
+    static_assert(alignof(T) <= alignof(std::max_align_t), "std::calloc aligns no further");
+
+    using value_type = T;
+
+    ZeroedAllocator() = default;
+    template <class U>
+    explicit ZeroedAllocator(const ZeroedAllocator<U>&) {}
+
+    T* allocate(std::size_t count) {
+        void* const memory = std::calloc(count, sizeof(T));
+        if (!memory) throw std::bad_alloc();
+        ask_for_large_pages(memory, count * sizeof(T));
+        return static_cast<T*>(memory);
+    }
+    void deallocate(T* memory, std::size_t) { std::free(memory); }
+
+    void construct(T*) {}
+    template <class... Values>
+    void construct(T* at, Values&&... values) {
+        ::new (static_cast<void*>(at)) T(std::forward<Values>(values)...);
+    }
+
+    bool operator==(const ZeroedAllocator&) const = default;
+};
+
+/// Up to `capacity` values in order, kept in place: a vector that asks for no memory.
+template <class T, std::size_t capacity>
+class InplaceVector {
+public:
+    using value_type = T;
+
+    /// Throws std::length_error beyond the capacity.
+    void push_back(const T& value) {
+        if (size_ == capacity) throw std::length_error("a short list is full");
+        values_[size_++] = value;
+    }
+    const T& operator[](std::size_t i) const { return values_[i]; }
+    const T& back() const { return values_[size_ - 1]; }
+    const T* data() const { return values_.data(); }
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    const T* begin() const { return data(); }
+    const T* end() const { return data() + size_; }
+
+private:
+    std::array<T, capacity> values_;
+    std::size_t size_ = 0;
+};
+
+/// For a program's first line: freed blocks of up to 4 MB stay with the process, and up to 64 MB of
+/// free memory at the top of each heap. By default glibc hands that back to the system, and then
+/// each tile of a picture has its pages made and cleared anew, which costs up to a third of the
+/// time. Larger blocks, such as pictures, come from the system, zero already. Leaves alone what
+/// MALLOC_TRIM_THRESHOLD_ or MALLOC_MMAP_THRESHOLD_ set; does nothing with other libraries.
+void keep_freed_memory();
+
+} // namespace keiko
