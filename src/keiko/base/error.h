@@ -9,8 +9,8 @@
 
 namespace keiko {
 
-/// Bad input, told in one line: which file, where in it (a line, an entity, a key; may be empty)
-/// and why. Every error a user can cause is thrown as this type or a kind of it.
+/// Bad input, reported in one line: which file, where in it (a line, an entity, a key; may be
+/// empty) and why. Every error a user can cause is thrown as this type or a kind of it.
 class Error : public std::runtime_error {
 public:
     Error(std::string file, std::string where, std::string reason)

@@ -9,7 +9,8 @@ namespace keiko {
 /// device, unreadable or empty.
 std::string read_file(const std::filesystem::path& path);
 
-/// The same of a text file, without a byte order mark. Throws Error also for UTF-16 and UTF-32.
+/// The whole content of a text file, without a byte order mark. Throws the errors of read_file, and
+/// Error for UTF-16 and UTF-32.
 std::string read_text_file(const std::filesystem::path& path);
 
 /// A byte order mark of UTF-8 taken off the front of a text. Throws Error naming `path` for a text

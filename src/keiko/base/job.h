@@ -6,7 +6,7 @@
 
 namespace keiko {
 
-/// How far a long function has come.
+/// Progress of a long function.
 struct Progress {
     std::string_view stage; ///< what is being done, e.g. "render"
     double fraction = 0;    ///< of this stage, 0 to 1
@@ -40,7 +40,7 @@ public:
     StopScope(const StopScope&) = delete;
     StopScope& operator=(const StopScope&) = delete;
 
-    /// Whether this scope or one around it is to stop.
+    /// True if this scope or one around it is to stop.
     bool stop_requested() const;
 
     /// The innermost scope of this thread; null outside of all.

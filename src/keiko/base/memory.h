@@ -13,8 +13,9 @@
 
 namespace keiko {
 
-/// For vectors of large records that are made blank and filled in at once: a record made without a
-/// value has what its members' initialisers say. std::allocator has all of it cleared before.
+/// Allocator for vectors of large records that are made blank and filled in at once: a record made
+/// without a value has what its members' initialisers say. std::allocator has all of it cleared
+/// before.
 template <class T>
 struct DefaultInitAllocator : std::allocator<T> {
     template <class U>
@@ -36,14 +37,14 @@ struct DefaultInitAllocator : std::allocator<T> {
     }
 };
 
-/// Has the kernel back what will be touched of a large piece of memory by few large pages, where it
-/// can: thousands of small ones each stop the thread that touches them first.
-inline void ask_for_large_pages(void* memory, std::size_t bytes) {
+/// Requests large pages from the kernel for what will be touched of a large piece of memory, where
+/// it has them. Thousands of small ones each stop the thread that touches them first.
+inline void request_large_pages(void* memory, std::size_t bytes) {
     constexpr std::size_t page = std::size_t{2} << 20;
     if (std::align(page, page, memory, bytes)) madvise(memory, bytes / page * page, MADV_HUGEPAGE);
 }
 
-/// Memory of zeros, on pages that a large picture's threads touch first, each its own: clearing
+/// Allocator of zeros, on pages that a large picture's threads touch first, each its own: clearing
 /// them in one thread takes longer than some pictures need. What is made without a value there is
 /// left as it is, and so is zero once: containers must not be shortened and made longer again.
 template <class T>
@@ -60,7 +61,7 @@ struct ZeroedAllocator {
     T* allocate(std::size_t count) {
         void* const memory = std::calloc(count, sizeof(T));
         if (!memory) throw std::bad_alloc();
-        ask_for_large_pages(memory, count * sizeof(T));
+        request_large_pages(memory, count * sizeof(T));
         return static_cast<T*>(memory);
     }
     void deallocate(T* memory, std::size_t) { std::free(memory); }
@@ -74,7 +75,7 @@ struct ZeroedAllocator {
     bool operator==(const ZeroedAllocator&) const = default;
 };
 
-/// Up to `capacity` values in order, kept in place: a vector that asks for no memory.
+/// Up to `capacity` values in order, kept in place: a vector that allocates no memory.
 template <class T, std::size_t capacity>
 class InplaceVector {
 public:
@@ -98,11 +99,12 @@ private:
     std::size_t size_ = 0;
 };
 
-/// For a program's first line: freed blocks of up to 4 MB stay with the process, and up to 64 MB of
-/// free memory at the top of each heap. By default glibc hands that back to the system, and then
-/// each tile of a picture has its pages made and cleared anew, which costs up to a third of the
-/// time. Larger blocks, such as pictures, come from the system, zero already. Leaves alone what
-/// MALLOC_TRIM_THRESHOLD_ or MALLOC_MMAP_THRESHOLD_ set; does nothing with other libraries.
+/// Keeps freed memory with the process: blocks of up to 4 MB, and up to 64 MB of free memory at the
+/// top of each heap. To be called in a program's first line. By default glibc hands that back to
+/// the system, and then each tile of a picture has its pages made and cleared anew, which costs up
+/// to a third of the time. Larger blocks, such as pictures, come from the system, zero already.
+/// Leaves alone what MALLOC_TRIM_THRESHOLD_ or MALLOC_MMAP_THRESHOLD_ set; does nothing with other
+/// libraries.
 void keep_freed_memory();
 
 } // namespace keiko

@@ -54,7 +54,7 @@ void write_all(const Descriptor& file, std::string_view bytes, const std::filesy
 /// Name for a file or folder that is not finished: ".keiko-PID-RANDOM.tmp". Nobody can foresee it.
 std::string temporary_name();
 
-/// Whether the name is one of temporary_name() in a process that is gone.
+/// True if the name is one of temporary_name() in a process that is gone.
 bool is_abandoned(const std::string& name);
 
 /// New file beside the place that it is meant for; gone again unless it is put there. Its name

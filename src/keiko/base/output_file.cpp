@@ -41,7 +41,7 @@ private:
     sigset_t pipe_, before_;
 };
 
-/// Opens a stream of which no call waits. A pipe that nobody reads yet cannot be opened.
+/// Opens a stream whose calls never wait. A pipe that nobody reads yet cannot be opened.
 Descriptor open_stream(const fs::path& path) {
     constexpr int flags = O_WRONLY | O_NOCTTY | O_CLOEXEC | O_NONBLOCK;
     for (;;) {

@@ -109,7 +109,7 @@ void put_in_place(const fs::path& fresh, const fs::path& target) {
     fs::remove_all(aside);
 }
 
-/// Whether the lock is had before the time is over.
+/// True if the lock is had before the time is over.
 bool locks_within(int descriptor, int kind, std::chrono::milliseconds time) {
     const auto end = std::chrono::steady_clock::now() + time;
     while (flock(descriptor, kind | LOCK_NB) != 0) {

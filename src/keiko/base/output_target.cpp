@@ -13,7 +13,7 @@ namespace keiko {
 namespace fs = std::filesystem;
 namespace {
 
-/// Whether somebody else may have put it there. The kernel's fs.protected_symlinks and
+/// True if somebody else may have put it there. The kernel's fs.protected_symlinks and
 /// fs.protected_fifos have this rule for folders such as /tmp, but systems may switch it off and
 /// reading a link goes past it.
 bool may_be_planted(const fs::path& path) {

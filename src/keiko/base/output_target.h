@@ -9,7 +9,7 @@ namespace keiko {
 /// the folder's owner.
 std::filesystem::path behind_links(const std::filesystem::path& path);
 
-/// Whether a path is neither a file nor a folder: a pipe or a device, that keeps its place.
+/// True if a path is neither a file nor a folder: a pipe or a device, that keeps its place.
 bool is_stream(const std::filesystem::path& path);
 
 /// Place that an output goes to: a file, or a stream that is written directly.

@@ -19,9 +19,9 @@
 namespace keiko {
 namespace {
 
-/// Tells the thread sanitizer an order that it cannot see, because the library that ensures it is
-/// not instrumented: what came before any `before()` came before what follows an `after()`.
-/// Nothing in other builds.
+/// Order for the thread sanitizer that it cannot observe, because the library that ensures it is
+/// not instrumented: what came before any `before()` came before what follows an `after()`. Does
+/// nothing in other builds.
 class TsanAnnotations {
 public:
 #if defined(__SANITIZE_THREAD__)
@@ -96,7 +96,7 @@ private:
     std::mutex mutex_;
 };
 
-/// oneTBB complains aloud when asked for more threads than there are cores.
+/// Number of threads of an arena; oneTBB warns aloud about more threads than there are cores.
 int arena_size(int threads) {
     const int cores = tbb::this_task_arena::max_concurrency();
     return threads > 0 ? std::min(threads, cores) : cores;

@@ -15,7 +15,7 @@ namespace keiko {
 void parallel_for(std::size_t count, const Job& job, std::string_view stage,
                   const std::function<void(std::size_t)>& body);
 
-/// What parallel_stream does with each of its slots, buffers that the caller owns.
+/// Stages of parallel_stream for each of its slots, buffers that the caller owns.
 struct StreamStages {
     std::function<bool(std::size_t slot)> read;  ///< fills it; false: there is no more
     std::function<void(std::size_t slot)> work;  ///< on any thread, several at once
@@ -28,7 +28,7 @@ struct StreamStages {
 /// stopped.
 void parallel_stream(std::size_t slots, const Job& job, const StreamStages& stages);
 
-/// How many threads `job` gets.
+/// Number of threads that `job` gets.
 std::size_t thread_count(const Job& job);
 
 } // namespace keiko

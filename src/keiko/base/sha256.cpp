@@ -44,7 +44,8 @@ void take_block(State& state, const unsigned char* bytes) {
     for (std::size_t i = 0; i < state.size(); ++i) state[i] += next[i];
 }
 
-/// What follows the last whole block: a one, zeros, the length in bits.
+/// Takes the end behind the last whole block: the rest of the bytes, a one, zeros, the length in
+/// bits.
 void take_rest(State& state, std::string_view rest, std::uint64_t total_bits) {
     Block block{};
     for (std::size_t i = 0; i < rest.size(); ++i) block[i] = static_cast<unsigned char>(rest[i]);

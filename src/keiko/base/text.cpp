@@ -153,7 +153,7 @@ std::string did_you_mean(std::string_view typed, std::span<const std::string> ca
 std::string comma_list(std::span<const std::string> words) {
     std::string list;
     for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-    // Our own names are all told; those of a file's materials may be many.
+    // Our own names are all listed; those of a file's materials may be many.
     constexpr std::size_t longest = 1000;
     return shortened(list, longest);
 }

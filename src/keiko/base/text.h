@@ -9,14 +9,14 @@
 
 namespace keiko {
 
-/// Length in bytes of the UTF-8 sequence at the front of a text that is not empty, or 0 where there
-/// is none ([RFC3629]: no overlong ones, no surrogates) or XML does not allow its character.
+/// Length in bytes of the UTF-8 sequence at the front of a text that is not empty. 0 where there is
+/// none ([RFC3629]: no overlong ones, no surrogates) or XML does not allow its character.
 std::size_t utf8_length(std::string_view text);
 
 /// The character of a UTF-8 sequence, as utf8_length has found it.
 char32_t code_point(std::string_view sequence);
 
-/// Whether a terminal obeys a character instead of showing it: control characters, line and
+/// True if a terminal obeys a character instead of showing it: control characters, line and
 /// paragraph separators, and the marks that change the direction of text.
 bool controls_terminal(char32_t character);
 
@@ -28,7 +28,8 @@ std::string as_utf8(std::string_view text);
 /// reach the terminal, become '?'.
 std::string one_line(std::string_view text);
 
-/// The same, at most `longest` bytes of it and "..." for the rest; UTF-8 is cut between letters.
+/// Text as one_line() shows it, at most `longest` bytes of it and "..." for the rest. UTF-8 is cut
+/// between letters.
 std::string shortened(std::string_view text, std::size_t longest = 300);
 
 /// The beginning of a word of a file, in double quotes.
