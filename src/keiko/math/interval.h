@@ -21,7 +21,7 @@ struct Interval {
     double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
     bool holds_zero() const { return !(low > 0 || high < 0); }
     Interval padded(double margin) const { return {low - margin, high + margin}; }
-    /// What both hold; the ends may cross where rounding parted two ranges of one number.
+    /// The common part of both; the ends may cross where rounding parted two ranges of one number.
     Interval intersection(const Interval& other) const {
         return {std::max(low, other.low), std::min(high, other.high)};
     }

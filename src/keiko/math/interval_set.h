@@ -40,7 +40,7 @@ public:
     bool contains(double t) const;
     IntervalSet intersect(const IntervalSet& other) const;
     IntervalSet unite(const IntervalSet& other) const;
-    /// What of [begin, end] is not in this set.
+    /// The parts of [begin, end] that are not in this set.
     IntervalSet complement(double begin = 0, double end = 1) const;
 
     bool operator==(const IntervalSet&) const = default;

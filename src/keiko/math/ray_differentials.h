@@ -4,13 +4,13 @@
 
 namespace keiko {
 
-/// How a ray changes with the picture's x and y, per pixel: derivatives of its origin (mm) and of
-/// its direction [Igehy1999].
+/// Change of a ray with the picture's x and y, per pixel: derivatives of its origin (mm) and of its
+/// direction [Igehy1999].
 struct RayDifferentials {
     Vec3 origin_dx{0}, origin_dy{0};
     Vec3 direction_dx{0}, direction_dy{0};
 
-    /// The same for a pixel of `factor` times the width and height.
+    /// Differentials for a pixel of `factor` times the width and height.
     RayDifferentials scaled(double factor) const {
         return {origin_dx * factor, origin_dy * factor, direction_dx * factor,
                 direction_dy * factor};

@@ -6,7 +6,7 @@
 namespace keiko {
 namespace {
 
-/// The quadratic part of a model, and the highest place of it that was looked at.
+/// The quadratic part of a model, and its highest place among those that are inspected.
 class Summit {
 public:
     explicit Summit(const TaylorModel& model) : c_(model.c) {
@@ -28,7 +28,7 @@ private:
         if (height > height_) height_ = height, place_ = p;
     }
 
-    /// Of slope t + square t^2 along a side.
+    /// Inspects the vertex of slope t + square t^2 along a side, where that is a maximum within it.
     template <class PlaceOf>
     void look_at_vertex(double square, double slope, const PlaceOf& place_of) {
         if (square < 0 && std::abs(slope) < -2 * square) look(place_of(-slope / (2 * square)));
@@ -41,7 +41,7 @@ private:
                        (c_[4] * c_[1] - 2 * c_[3] * c_[2]) / determinant);
         if (std::abs(top.x) <= 1 && std::abs(top.y) <= 1) look(top);
         // A ridge that is nearly level: its top is hardly above where it leaves the square, but
-        // where that top is cannot be told.
+        // where that top is stays unknown.
         constexpr double ill_conditioned = 1e-6;
         if (determinant < ill_conditioned * trace * trace) height_ += 2 * determinant / trace;
     }

@@ -7,12 +7,12 @@
 
 namespace keiko {
 
-/// A function over [-1, 1]^2 as a polynomial of total degree 3 and how far it may be off from that
+/// A function over [-1, 1]^2 as a polynomial of total degree 3 and how far it may deviate from that
 /// anywhere, rounding included: a Taylor model [MakinoBerz2003]. Unlike in intervals, what cancels
 /// stays cancelled.
 struct TaylorModel {
     static constexpr std::size_t count = 10;
-    /// Of 1; x, y; xx, xy, yy; xxx, xxy, xyy, yyy.
+    /// Coefficients of 1; x, y; xx, xy, yy; xxx, xxy, xyy, yyy.
     std::array<double, count> c{};
     double error = 0;
 
@@ -24,7 +24,7 @@ struct TaylorModel {
     double cubic_part() const {
         return std::abs(c[6]) + std::abs(c[7]) + std::abs(c[8]) + std::abs(c[9]);
     }
-    /// By how much the function may differ from its constant.
+    /// Bound of the function's difference from its constant.
     double deviation() const { return linear_part() + square_part() + cubic_part() + error; }
     /// Terms that change along x, and along y.
     double along_x() const {
@@ -36,7 +36,8 @@ struct TaylorModel {
 };
 
 namespace taylor_rounding {
-/// Of a coefficient that sums up to ten products, and of the sums of absolute values around it.
+/// Relative rounding of a coefficient that sums up to ten products, and of the sums of absolute
+/// values around it.
 constexpr double product = 8e-15;
 constexpr double sum = 4e-16;
 } // namespace taylor_rounding
@@ -88,7 +89,7 @@ inline TaylorModel square(const TaylorModel& a) {
     return a * a;
 }
 
-/// How high a function may reach over [-1, 1]^2, and where that is likely.
+/// Upper bound of a function over [-1, 1]^2, and where that is likely.
 struct TaylorPeak {
     double bound = 0; ///< the function is nowhere larger
     Vec2 place{0};    ///< where its quadratic part is largest

@@ -18,7 +18,7 @@ inline double angle_between(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).length(), a.dot(b));
 }
 
-/// Of the components.
+/// Absolute values of the components.
 inline Vec3 magnitudes(const Vec3& v) {
     return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
 }
@@ -35,7 +35,7 @@ inline Vec3 reflect(const Vec3& d, const Vec3& n) {
     return d - n * (2 * d.dot(n));
 }
 
-/// The mean of points, of which there are some.
+/// The mean of points; requires at least one.
 inline Vec3 middle_of(std::span<const Vec3> points) {
     Vec3 middle(0);
     for (const Vec3& point : points) middle += point / static_cast<double>(points.size());
