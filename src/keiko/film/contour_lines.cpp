@@ -112,7 +112,7 @@ private:
     std::map<Place, std::vector<std::size_t>> at_;
 };
 
-/// What stands on each pixel of a picture: one of the lines, a label, or nothing.
+/// Pixels of a picture, each with what stands on it: one of the lines, a label, or nothing.
 class Occupied {
 public:
     Occupied(int width, int height)
@@ -124,7 +124,7 @@ public:
         const int x = static_cast<int>(point.x), y = static_cast<int>(point.y);
         if (x >= 0 && x < width_ && y >= 0 && y < height_) at(x, y) = line;
     }
-    /// Whether a box lies in the picture with nothing in it but one line.
+    /// True if a box lies in the picture with nothing in it but one line.
     bool holds_only(const Box2& box, int line) {
         if (box.lower.x < 0 || box.lower.y < 0 || box.upper.x >= width_ || box.upper.y >= height_)
             return false;
@@ -173,8 +173,8 @@ void break_in(Polyline& line, const Box2& box) {
         if (box.contains(point)) point = Vec2(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// Where along a line its label may stand, the best place first, as shares of its points: one a
-/// pixel or more.
+/// Places along a line where its label may stand, the best first, as shares of its points. A line
+/// has a point a pixel or more.
 constexpr double places[] = {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9};
 /// Times its label that a line is long at least, to have one.
 constexpr double least_length = 5;

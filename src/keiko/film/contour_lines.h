@@ -7,8 +7,8 @@
 
 namespace keiko {
 
-/// Lines through a channel of an image along which it has the value `level`, in pixel coordinates:
-/// one short line a cell of four pixel centres that it crosses, straight between linear
+/// Lines along which a channel of an image has the value `level`, in pixel coordinates. They are
+/// short lines, one a cell of four pixel centres that is crossed, straight between linear
 /// interpolations along the cell's sides. Pixels that are not finite end the lines.
 std::vector<Polyline> iso_lines(const Image& values, double level, int channel = 0);
 

@@ -117,7 +117,8 @@ Image with_legend(const Image& picture, const FalseColorScale& scale, ShownQuant
     return with_overlay(std::move(wide), overlay);
 }
 
-/// Of what is shown, 1 channel; where a picture of illuminance shows no surface there is none.
+/// Values of the quantity that is shown, 1 channel; not a number where a picture of illuminance
+/// shows no surface.
 Image values_of(const Film& film, ShownQuantity quantity) {
     if (quantity == ShownQuantity::luminance) return luminance_of(film);
     const auto layer = film.aovs.find(Aov::illuminance);

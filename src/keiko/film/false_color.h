@@ -23,17 +23,17 @@ Image luminance_of(const Film& film);
 
 /// Display picture of 3 channels from one channel of an image.
 Image false_color(const Image& values, const FalseColorScale& scale, int channel = 0);
-/// The same from a film's luminance.
+/// Display picture of 3 channels from a film's luminance.
 Image false_color(const Film& film, const FalseColorScale& scale);
 
-/// What false colours stand for.
+/// Quantity that false colours stand for.
 enum class ShownQuantity { luminance, illuminance };
 
 /// "cd/m2" or "lx".
 std::string_view unit_of(ShownQuantity quantity);
 
-/// Values that a legend names: powers of ten; where there is room 2 and 5 times these, and on a
-/// scale of at most 1.7 decades the steps of lighting standards (1, 1.5, 2, 3, 5, 7.5). Both
+/// Values that a legend names: powers of ten, and where there is room 2 and 5 times these. A scale
+/// of at most 1.7 decades has the steps of lighting standards instead (1, 1.5, 2, 3, 5, 7.5). Both
 /// ends of the scale are among them when they are round.
 std::vector<double> round_values(const FalseColorScale& scale);
 

@@ -39,11 +39,11 @@ private:
     }
 };
 
-/// What else a picture can hold of each pixel's first hit; no hit: 0, ids -1, depth infinity.
-/// Illuminance is what `keiko illuminance` tells of the place: the direct light in lx, in the mean
-/// over the pixel like luminance. Curvatures, 1/mm and 1/mm2, are positive where the surface bends
-/// towards the normal that the layer `normal` has; no number where rounding leaves none, as beside
-/// poles.
+/// Layer that a picture can hold beside its colour, of each pixel's first hit; no hit: 0, ids -1,
+/// depth infinity. Illuminance is what `keiko illuminance` reports of the place: the direct light
+/// in lx, in the mean over the pixel like luminance. Curvatures, 1/mm and 1/mm2, are positive where
+/// the surface bends towards the normal that the layer `normal` has; no number where rounding
+/// leaves none, as beside poles.
 enum class Aov { luminance, normal, uv, face, patch, depth, c_plane_uv, illuminance, curvature };
 
 /// All of them, in the order of their declaration.

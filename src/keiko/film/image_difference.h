@@ -15,14 +15,14 @@ Image largest_difference(const Image& a, const Image& b);
 /// largest float.
 Image largest_size(const Image& a, const Image& b);
 
-/// How many times `absolute + relative * size` a distance is (1 channel each); a tolerance of 0
-/// counts as the least float. 0 for no distance, infinity for an infinite one.
+/// Distances (1 channel) as multiples of `absolute + relative * size`; a tolerance of 0 counts as
+/// the least float. 0 for no distance, infinity for an infinite one.
 Image in_tolerances(const Image& distance, const Image& size, double absolute, double relative);
 
 /// The larger of both at each pixel.
 Image larger_of(const Image& a, const Image& b);
 
-/// What the pixels of a channel of numbers >= 0 come to.
+/// Statistics of the pixels of one channel of numbers >= 0.
 struct PixelStatistics {
     double largest = 0;
     int x = 0, y = 0;            ///< of the largest, the first of equals by rows
@@ -31,8 +31,8 @@ struct PixelStatistics {
 };
 PixelStatistics pixel_statistics(const Image& channel, double limit);
 
-/// Display picture of how many tolerances two pictures are apart (1 channel): grey up to 1, from
-/// yellow to red where it is beyond (100 and more), magenta where it is infinite.
+/// Display picture of the number of tolerances that two pictures are apart (1 channel): grey up to
+/// 1, from yellow to red where it is beyond (100 and more), magenta where it is infinite.
 Image difference_picture(const Image& excess);
 
 } // namespace keiko

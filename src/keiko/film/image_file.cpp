@@ -132,7 +132,8 @@ Format format_of(const fs::path& path) {
                 "cannot tell the picture's format from \"" + extension + "\"; use .exr or .png");
 }
 
-/// What OpenImageIO wrote to memory. `name` is for the error alone.
+/// Bytes of a picture file that OpenImageIO writes to memory. The name that it is given is for the
+/// error alone.
 std::string encoded(const char* format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
                     const void* pixels) {
     std::vector<unsigned char> bytes;
@@ -166,7 +167,8 @@ std::vector<std::uint8_t> quantised(const Image& display) {
     return bytes;
 }
 
-/// A header may tell of any size; the product of some is that of a small picture, modulo 2^64.
+/// Throws Error for a picture that is too large or deep. A header may state any size; the product
+/// of some is that of a small picture, modulo 2^64.
 void require_size(const OIIO::ImageSpec& spec, const std::string& file) {
     constexpr int longest = 65536, most_channels = 1024;
     constexpr double most_numbers = 2147483648.0; // 8 GB

@@ -15,8 +15,8 @@ struct NamedImage {
     std::vector<std::string> channel_names;
 };
 
-/// Throws Error, listing .exr and .png, for a path with another extension: to be asked before
-/// the work that fills the picture.
+/// Throws Error, listing .exr and .png, for a path with another extension: to be called before the
+/// work that fills the picture.
 void require_image_extension(const std::filesystem::path& path);
 
 /// Writes a film by the extension of `path`: .exr holds all of it in float (R, G, B, A and the
@@ -52,7 +52,7 @@ NamedImage channels_of(const Film& film);
 /// film has no alpha; an AOV counts when all of its channels are there.
 Film film_of(const NamedImage& channels);
 
-/// The same by layer: "color" (R, G, B, A), then the AOVs by name.
+/// Buffers of a film by layer: "color" (R, G, B, A), then the AOVs by name.
 std::map<std::string, NamedImage> layers_of(const Film& film);
 
 /// The film that layers_of took apart, or of some of its layers. Throws Error without "color", and

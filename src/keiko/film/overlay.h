@@ -44,7 +44,7 @@ struct TextLabel {
     int scale = 2; ///< pixels a dot; a letter is 5 x 7 dots
 };
 
-/// What is drawn onto a picture, in that order.
+/// Drawing onto a picture: lines, then markers, then texts.
 struct Overlay {
     std::vector<Polyline> lines{};
     std::vector<Marker> markers{};
