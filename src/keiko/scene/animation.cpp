@@ -10,7 +10,7 @@
 namespace keiko {
 namespace {
 
-/// What the shortest turn from one unit axis to another does to a vector across the first.
+/// Image of a vector across a unit axis under the shortest turn from that axis to another.
 Vec3 turned(const Vec3& across, const Vec3& from, const Vec3& to) {
     const double both = 1 + from.dot(to);
     constexpr double opposite = 1e-12;
@@ -36,7 +36,7 @@ bool is_direction(const std::vector<double>& value) {
     return value[0] != 0 || value[1] != 0 || value[2] != 0;
 }
 
-/// Whether the straight way from one direction to another passes through none.
+/// True if the straight way from one direction to another passes through none.
 bool opposite(const std::vector<double>& a, const std::vector<double>& b) {
     const Vec3 from(a[0], a[1], a[2]), to(b[0], b[1], b[2]);
     return from.dot(to) < 0 && from.cross(to).length() <= 1e-12 * from.length() * to.length();

@@ -16,15 +16,15 @@ namespace keiko {
 /// length.
 Vec3 carried_reference(const Vec3& reference, std::span<const Vec3> ways);
 
-/// What is wrong with an animation.
+/// Fault of an animation.
 struct AnimationFault {
     std::string key; ///< of a scene file's table: "target" or "keys"
     std::string what;
 };
 
-/// Why the scene cannot be animated so; nothing when it can: the target must be there and be one
-/// that moves, and every value have as many numbers as it, one being enough for a colour, within
-/// what the target may be. A direction must be one at each key and between them.
+/// Reason why the scene cannot be animated so; nullopt when it can. The target must be there and be
+/// one that moves. Every value must have as many numbers as it, one being enough for a colour,
+/// within what the target may be. A direction must be one at each key and between them.
 std::optional<AnimationFault> animation_fault(SceneSpec& scene, const Animation& animation);
 
 /// The scene as it is at a frame. Throws Error where no picture can be made of it: an eye in its

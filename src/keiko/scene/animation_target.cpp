@@ -147,7 +147,7 @@ std::vector<std::string> parts_of(const SceneSpec& scene) {
     return parts;
 }
 
-/// What of a part of the scene moves.
+/// Keys of what moves in a part of the scene.
 std::vector<std::string> moving_keys(SceneSpec& scene, const std::string& part) {
     constexpr std::array all{"position",
                              "aim",

@@ -52,7 +52,7 @@ public:
 
     /// Camera::ray.
     Ray ray(double x, double y) const;
-    /// The same of many points, several side by side.
+    /// Rays of many points as ray() has them, several computed side by side.
     Rays rays(std::span<const Vec2> points) const;
     /// project() of the camera.
     std::optional<Vec2> project(const Vec3& point) const;

@@ -8,7 +8,8 @@
 
 namespace keiko {
 
-/// How two normal curvatures across a seam are compared; both printed beside their value.
+/// Formula by which two normal curvatures across a seam are compared; both are printed beside their
+/// value.
 enum class CurvatureFormula {
     alias, ///< |R1 - R2| / (R1 + R2), 100 % where the sides bend opposite ways
     catia  ///< |C1 - C2| / max(|C1|, |C2|), up to 200 % where they bend opposite ways
@@ -21,8 +22,8 @@ struct CurvatureLimit {
     bool operator==(const CurvatureLimit&) const = default;
 };
 
-/// What reflection lines are held to where they cross a seam; what is absent is not judged. Keiko's
-/// own limits, derived in docs/theory/verdict.md.
+/// Limits of reflection lines where they cross a seam; what is absent is not judged. Keiko's own
+/// limits, derived in docs/theory/verdict.md.
 struct LineLimits {
     std::optional<double> jump; ///< mm on the part, sideways
     /// Degrees: the seam angle that would move the lamp's image on the C-plane as far.
@@ -33,16 +34,16 @@ struct LineLimits {
     bool operator==(const LineLimits&) const = default;
 };
 
-/// How deep dents, bumps and waves inside a face may be.
+/// Limit of the depth of dents, bumps and waves inside a face.
 struct WavinessLimit {
-    double depth = 0.01;     ///< mm, off the form around them
+    double depth = 0.01;     ///< mm from the form around them
     double window = 100;     ///< mm: how wide a piece of the face that form is taken from
     bool waves_only = false; ///< what bends there only once is form, however wide
 
     bool operator==(const WavinessLimit&) const = default;
 };
 
-/// What each face is held to, whatever its neighbours; what is absent is not judged.
+/// Limits of each face, whatever its neighbours; what is absent is not judged.
 struct SurfaceLimits {
     std::optional<double> minimum_radius;  ///< mm, G-SU-CR: of the principal curvatures
     std::vector<WavinessLimit> waviness;   ///< G-SU-WV and KEIKO-DENT; by ascending windows
@@ -51,7 +52,7 @@ struct SurfaceLimits {
     bool operator==(const SurfaceLimits&) const = default;
 };
 
-/// What is reported as worth a look beyond these limits, without a part in any verdict.
+/// Limits beyond which something is reported as worth inspecting, without a part in any verdict.
 struct LookLimits {
     /// Dents, bumps and waves; by ascending windows. Used where SurfaceLimits has no such limit.
     std::vector<WavinessLimit> waviness;
@@ -62,9 +63,9 @@ struct LookLimits {
     bool operator==(const LookLimits&) const = default;
 };
 
-/// What a surface is held to. Limits are practice, not a standard; `source` says whose. Users name
-/// or write a preset file (keiko-preset/1, read_preset); the values here are those of the
-/// class-a-outer that comes with Keiko, which looks for dents and waves too.
+/// Limits that a surface is held to. They are practice, not a standard; `source` states whose.
+/// Users name or write a preset file (keiko-preset/1, read_preset); the values here are those of
+/// the class-a-outer that comes with Keiko, which searches for dents and waves too.
 struct CriteriaPreset {
     std::string name = "class-a-outer";
     std::string source = "class A as quoted in trade forums; practice, not a standard";
@@ -84,7 +85,8 @@ struct CriteriaPreset {
     SurfaceLimits surface{};
     LookLimits look{};
 
-    /// The limits by which dents and waves are looked for: those that are judged, else the others.
+    /// The limits by which dents and waves are searched for: those that are judged, else the
+    /// others.
     const std::vector<WavinessLimit>& flaw_limits() const {
         return surface.waviness.empty() ? look.waviness : surface.waviness;
     }

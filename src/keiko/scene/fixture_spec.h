@@ -13,7 +13,7 @@
 
 namespace keiko {
 
-/// How far apart one layer of two pictures may be.
+/// Tolerance of one layer of two pictures.
 struct LayerTolerance {
     double relative = 0; ///< share of the larger of the two values
     double absolute = 0; ///< in the layer's unit; added to the relative part
@@ -23,7 +23,7 @@ struct LayerTolerance {
     bool operator==(const LayerTolerance&) const = default;
 };
 
-/// How far apart two pictures may be.
+/// Tolerances of two pictures.
 struct FilmTolerance {
     LayerTolerance color{2e-3, 1e-2, 2e-3, 100};      ///< cd/m2, the channel that differs most
     LayerTolerance normal{0, 0.01, 2e-3, 100};        ///< degrees between the normals
@@ -35,7 +35,7 @@ struct FilmTolerance {
     bool operator==(const FilmTolerance&) const = default;
 };
 
-/// What a metric is a number of.
+/// Quantity that a metric states.
 enum class Quantity {
     count,     ///< of faces, seams, ...
     verdict,   ///< "pass", "undecided" or "fail"
@@ -70,14 +70,14 @@ struct Metric {
     bool operator==(const Metric&) const = default;
 };
 
-/// How far apart two numbers may be: `absolute` + `relative` times the larger of their sizes.
+/// Tolerance of two numbers: `absolute` + `relative` times the larger of their sizes.
 struct MetricTolerance {
     double absolute = 0, relative = 0;
 
     bool operator==(const MetricTolerance&) const = default;
 };
 
-/// That of each quantity. The defaults leave room for another compiler or processor, not for
+/// Tolerance of each quantity. The defaults leave room for another compiler or processor, not for
 /// another shape: an inner control point moved by 10 um shows (docs/regression.md).
 struct MetricTolerances {
     std::array<MetricTolerance, quantity_count> each{{{0, 0},
@@ -103,7 +103,7 @@ struct MetricTolerances {
     bool operator==(const MetricTolerances&) const = default;
 };
 
-/// What of a fixture is held against its baseline.
+/// Parts of a fixture that are held against its baseline.
 struct FixtureChecks {
     bool shape = true;    ///< area, centre, direction and borders of every face
     bool seams = true;    ///< every seam: length, gap, angle, curvature, verdicts
@@ -131,7 +131,7 @@ struct FixtureSpec {
     FilmTolerance film_tolerance;
 };
 
-/// The layers that a fixture may ask for: the AOVs that pictures are compared by.
+/// The layers that a fixture may request: the AOVs that pictures are compared by.
 inline const std::vector<std::string> fixture_layers{"normal", "face", "depth", "uv", "c_plane_uv"};
 
 } // namespace keiko

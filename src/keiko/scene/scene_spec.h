@@ -18,7 +18,7 @@ struct PaintOverride {
     Material material;
 };
 
-/// How a model is placed: scaled, then turned about an axis through the origin, then moved.
+/// Placement of a model: scaled, then turned about an axis through the origin, then moved.
 struct ModelTransform {
     double scale = 1;    ///< above 0
     Vec3 axis{0, 0, 1};  ///< of any length but 0
@@ -42,7 +42,7 @@ struct GroundSpec {
     Material material;
 };
 
-/// What a number, or three, of a scene are at a frame.
+/// Value of a number, or of three, of a scene at a frame.
 struct KeyFrame {
     double frame = 0;
     std::vector<double> value;
@@ -50,7 +50,7 @@ struct KeyFrame {
     bool operator==(const KeyFrame&) const = default;
 };
 
-/// How a part of a scene moves: between key frames in a straight line, before the first and after
+/// Motion of a part of a scene: between key frames in a straight line, before the first and after
 /// the last not at all.
 struct Animation {
     /// Its place in the scene, as its file names it, tables that repeat with their number from 0:

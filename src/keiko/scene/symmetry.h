@@ -28,7 +28,7 @@ struct MirrorPlane {
     bool operator==(const MirrorPlane&) const = default;
 };
 
-/// How far a body may be from its own mirror image.
+/// Limit of a body's distance from its own mirror image.
 struct SymmetryLimit {
     MirrorPlane plane;
     double distance = 0.01; ///< mm, from any place of the surface to the image
@@ -36,7 +36,7 @@ struct SymmetryLimit {
     bool operator==(const SymmetryLimit&) const = default;
 };
 
-/// What is taken for the plane of symmetry of a body.
+/// Choice of the plane of symmetry of a body.
 struct SymmetryChoice {
     enum class Kind {
         automatic, ///< a plane that is found

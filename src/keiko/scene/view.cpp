@@ -17,8 +17,8 @@ constexpr double nearest = 3000, farthest = 5000; ///< mm from the box to a stan
 constexpr double widest_standing_fov = 60;        ///< degrees; a larger body is seen from farther
 constexpr double high_elevation = 40;             ///< degrees
 
-/// One of the eight sides a body is looked at from. Azimuth in degrees from the front (-x)
-/// towards the left (-y).
+/// One of the eight sides a body is viewed from. Azimuth in degrees from the front (-x) towards the
+/// left (-y).
 struct Side {
     std::string_view name;
     double azimuth, elevation;
@@ -179,10 +179,11 @@ Camera frame_view(std::string_view name, const Box3& bounds, const Framing& fram
 
 namespace {
 
-/// Share of its extent by which an even box may miss the plane, and one that is not even must.
+/// Share of its extent by which a symmetric box may miss the plane, and one that is not symmetric
+/// must.
 constexpr double even = 1e-3, uneven = 0.02;
 
-/// How far the middle of the box is from 0 along an axis, as share of its extent.
+/// Distance of the middle of the box from 0 along an axis, as share of its extent.
 double offset(const Box3& body, int axis) {
     return std::abs(body.center()[axis]) / body.extent()[axis];
 }

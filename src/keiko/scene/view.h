@@ -13,14 +13,15 @@ namespace keiko {
 
 /// Names of the views in the vehicle frame: x rearwards, y to the right, z up.
 ///
-/// front, rear, left, right: level, looked at from that side ("left" is the driver's left).
-/// three-quarter-front, three-quarter-rear (with -left or -right; left when not said): 15 degrees
-/// above the horizon. high-*: the same eight from 40 degrees above it. top: the front of the car to
-/// the left of the picture; bottom: to the right. standing-*: the same eight as a walking surfacer
-/// sees them, eye 1650 mm above the ground, 3 to 5 m from the body, farther where it is too large.
+/// The views front, rear, left and right are level, from that side; "left" is the driver's left.
+/// Those of three-quarter-front and three-quarter-rear, with -left or -right (left when not
+/// stated), are from 15 degrees above the horizon. The views high-* are the same eight from 40
+/// degrees above it. In top the front of the car is to the left of the picture, in bottom to the
+/// right. The views standing-* are the same eight as a walking surfacer has them. Their eye is 1650
+/// mm above the ground, 3 to 5 m from the body, farther where it is too large.
 const std::vector<std::string>& view_names();
 
-/// How a named view is framed.
+/// Framing of a named view.
 struct Framing {
     int width = 960, height = 540;  ///< pixels
     double vertical_fov = 28;       ///< degrees; standing views choose their own
@@ -32,14 +33,16 @@ struct Framing {
 /// width or height. Throws Error for an unknown name, naming the known ones, and for an empty box.
 Camera frame_view(std::string_view name, const Box3& bounds, const Framing& framing = {});
 
-/// The same for the eye in any direction from the box.
+/// Perspective camera like that of frame_view(), for an eye in any direction from the box. Throws
+/// Error for an empty box.
 Camera frame_direction(const Vec3& towards_eye, const Box3& bounds, const Framing& framing = {});
 
-/// Remark on a body that plainly does not lie in the vehicle frame, which named views assume.
-/// The box of such a body is even about x = 0 or z = 0 alone, not about y = 0, the middle plane of
+/// Remark on a body that plainly does not lie in the vehicle frame, which named views assume. The
+/// box of such a body is symmetric about x = 0 or z = 0 alone, not about y = 0, the middle plane of
 /// a vehicle. It reaches farther to y > 0 than to y < 0, as a body does that stands on y = 0. The
 /// entity is the option `axes` (see LoadOptions), and the message suggests one. nullopt for any
-/// other box, e.g. those of panels, of half bodies and of bodies that are even about two planes.
+/// other box, e.g. those of panels, of half bodies and of bodies that are symmetric about two
+/// planes.
 std::optional<Diagnostic> axes_remark(const Box3& body);
 
 } // namespace keiko
