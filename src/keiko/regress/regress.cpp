@@ -35,8 +35,8 @@ std::vector<std::string> checks_of(const FixtureSpec& spec, const FixtureDiffere
     return checks;
 }
 
-/// Tells how a fixture's record is held against its baseline, with pictures of what differs, or of
-/// all views where there is no baseline.
+/// Outcome of a fixture whose record is held against its baseline, with pictures of what differs,
+/// or of all views where there is no baseline.
 FixtureOutcome fixture_outcome(const FixtureSpec& spec, const FixtureRecord* baseline,
                                const FixtureRecord& candidate) {
     FixtureOutcome outcome{.name = spec.name};
@@ -112,7 +112,7 @@ Regression run_regression(const RegressOptions& options, const Job& job) {
 namespace fs = std::filesystem;
 namespace {
 
-/// What of a shard the others must agree with.
+/// Throws Error where two shards differ in what all shards of a run have in common.
 void require_same_suite(const Regression& one, const Regression& first, const fs::path& folder) {
     const auto fail = [&](const char* what) {
         throw Error(folder.string(), "", std::string("is a shard of another run: ") + what);

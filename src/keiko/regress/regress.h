@@ -13,7 +13,7 @@ struct Shard {
     int number = 1, count = 1;
 };
 
-/// What a suite is run by.
+/// Options of a run of a suite.
 struct RegressOptions {
     std::filesystem::path suite;                    ///< folder of the fixtures
     std::filesystem::path baselines;                ///< empty: suite / "baselines"
@@ -28,11 +28,11 @@ struct RegressOptions {
 /// NAME/candidate of each fixture once it is done, NAME/pictures of those that are not the same,
 /// and at the end regression.json, junit.xml and index.html; each whole or not at all. A candidate
 /// that is there is taken where all it was made from is the same, this program included. A fixture
-/// that cannot be run is told of in its outcome. Throws Error for a suite that cannot be read, and
+/// that cannot be run is reported in its outcome. Throws Error for a suite that cannot be read, and
 /// while another process writes to the output folder; Cancelled.
 Regression run_regression(const RegressOptions& options, const Job& job = {});
 
-/// What was accepted as a baseline.
+/// Baseline that was accepted, and what it changes.
 struct AcceptedBaseline {
     std::string name;
     BaselineChange change; ///< its `changed` empty: the baseline is what it was

@@ -24,12 +24,12 @@ Scene open_fixture(const FixtureSpec& spec, const LoadOptions& load, const Job& 
     return scene;
 }
 
-/// Names of views that are framed by what is seen; a camera of a file is what it is.
+/// True for names of views that are framed by what is visible; a camera of a file is what it is.
 bool is_framed(const std::string& name) {
     return name != "scene" && !is_view_file(name);
 }
 
-/// What is looked at: names of views, or nothing where the scene has a camera.
+/// Names of the views to render; none where the scene has a camera.
 std::vector<std::string> asked_views(const Scene& scene, const FixtureSpec& spec) {
     if (!spec.views.empty()) return spec.views;
     if (scene.camera) return {};

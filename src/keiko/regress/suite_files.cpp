@@ -19,7 +19,8 @@ namespace {
 constexpr const char* report_file = "regression.json";
 constexpr std::array report_names{report_file, "junit.xml", "index.html"};
 
-/// Nothing where there is none, or one of other inputs, or a damaged one.
+/// Candidate that an earlier run has finished; nullopt where there is none, or one of other inputs,
+/// or a damaged one.
 std::optional<FixtureRecord> finished_candidate(const fs::path& folder, const std::string& key) {
     try {
         const FolderContent files = read_folder(folder);
@@ -31,7 +32,8 @@ std::optional<FixtureRecord> finished_candidate(const fs::path& folder, const st
     return std::nullopt;
 }
 
-/// Nothing where there is no baseline, or a damaged one, of which the outcome tells.
+/// Setup of the baseline; an empty one where there is no baseline, or a damaged one, which the
+/// outcome reports.
 FixtureSetup kept_setup(const RegressOptions& options, const std::string& name) {
     try {
         if (auto baseline = locked_baseline(options, name))

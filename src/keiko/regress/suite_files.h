@@ -5,7 +5,7 @@
 
 namespace keiko {
 
-// The files of a suite: what its fixtures are now, were, and are told to be.
+// The files of a suite: what its fixtures are now, were, and are required to be.
 
 std::vector<std::string> names_of(std::span<const FixtureFile> fixtures);
 
@@ -18,7 +18,7 @@ FixtureRecord candidate_of(const FixtureSpec& spec, const RegressOptions& option
 
 std::filesystem::path baseline_folder(const RegressOptions& options);
 
-/// Nothing where there is no baseline. Throws Error for a damaged one.
+/// Baseline that a folder holds; nullopt where there is none. Throws Error for a damaged one.
 std::optional<KeptRecord> kept_baseline(const std::filesystem::path& folder);
 
 /// The baseline of a fixture, read while no one writes it.
@@ -32,7 +32,7 @@ std::string suite_key(std::span<const FixtureFile> suite, const RegressOptions& 
 std::vector<std::string> stale_baselines(std::span<const FixtureFile> suite,
                                          const RegressOptions& options);
 
-/// Tells which fixture of how many a stage belongs to: "2/7 hood: render".
+/// Job whose stages state which fixture of how many they belong to: "2/7 hood: render".
 Job job_of_fixture(const Job& job, std::size_t index, std::size_t count, const std::string& name);
 
 /// Removes the reports of an earlier run: they must not pass for this one's, whatever becomes of
@@ -45,7 +45,7 @@ void require_apart(const RegressOptions& options, std::span<const FixtureFile> f
 
 /// Writes pictures, junit.xml, index.html and, last, regression.json.
 void write_reports(const std::filesystem::path& output, const Regression& regression);
-/// What write_reports left in a folder. Throws Error.
+/// Run whose reports write_reports left in a folder. Throws Error.
 Regression read_reports(const std::filesystem::path& output);
 
 } // namespace keiko

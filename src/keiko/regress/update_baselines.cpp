@@ -31,7 +31,7 @@ std::string picture_change(const PictureDifference& picture) {
            " of the silhouette";
 }
 
-/// What a new baseline changes, one line each.
+/// Changes that a new baseline makes, one line each.
 std::vector<std::string> changes_between(const FixtureSpec& spec, const FixtureRecord& before,
                                          const FixtureRecord& after) {
     const FixtureDifference difference = fixture_difference(before, after, spec);
