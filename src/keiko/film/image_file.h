@@ -28,10 +28,11 @@ void write_film(const std::filesystem::path& path, const Film& film,
 /// Writes a display picture (1, 3 or 4 channels in [0, 1]) as 8-bit PNG.
 void write_png(const std::filesystem::path& path, const Image& display);
 
-/// The bytes of the same files, to embed them.
+/// Bytes of the file that write_png writes, to embed it.
 std::string encode_png(const Image& display);
+/// Bytes of the .exr file that write_film writes, to embed it.
 std::string encode_exr(const Film& film);
-/// 32-bit floats under their channel names.
+/// Bytes of an .exr file of 32-bit floats under their channel names.
 std::string encode_exr(const NamedImage& image);
 
 /// Reads a picture as it is stored, 8-bit values as n / 255. Throws Error.
