@@ -1,5 +1,5 @@
 // numbers of STEP, IGES and BREP files, before OpenCASCADE sees them
-#include "keiko/files/model/number_check.h"
+#include "keiko/files/model/cad_text.h"
 
 #include "tests/fuzz/fuzz_target.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "keiko/files/model/model_check.h"
 #include "keiko/files/model/model_serialization.h"
 
 #include "tests/fuzz/fuzz_target.h"

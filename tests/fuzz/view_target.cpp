@@ -1,5 +1,5 @@
 // views in TOML
-#include "keiko/files/scene/view_file.h"
+#include "keiko/files/scene/scene_file.h"
 
 #include "tests/fuzz/memory_file.h"
 

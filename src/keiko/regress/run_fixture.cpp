@@ -3,7 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/compare/body_metrics.h"
 #include "keiko/files/scene/rig_file.h"
-#include "keiko/files/scene/view_file.h"
+#include "keiko/files/scene/scene_file.h"
 #include "keiko/film/image_file.h"
 #include "keiko/placement/rated_rig.h"
 #include "keiko/report/record_files.h"

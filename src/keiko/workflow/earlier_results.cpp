@@ -4,7 +4,7 @@
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_target.h"
 #include "keiko/base/sha256.h"
-#include "keiko/files/toml/named_files.h"
+#include "keiko/files/toml/toml_document.h"
 
 #include <set>
 #include <sstream>

@@ -3,8 +3,8 @@
 #include "keiko/base/build_id.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/sha256.h"
-#include "keiko/files/toml/named_files.h"
-#include "keiko/import/worker/import_worker.h"
+#include "keiko/files/toml/toml_document.h"
+#include "keiko/import/worker/load_model.h"
 #include "keiko/intersect/kernels/sub_patch_kernels.h"
 
 namespace keiko {

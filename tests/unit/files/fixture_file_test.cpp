@@ -1,7 +1,7 @@
 #include "keiko/files/scene/fixture_file.h"
 
 #include "keiko/base/error.h"
-#include "keiko/files/toml/named_files.h"
+#include "keiko/files/toml/toml_document.h"
 
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"

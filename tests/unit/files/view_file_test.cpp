@@ -1,6 +1,5 @@
-#include "keiko/files/scene/view_file.h"
-
 #include "keiko/base/error.h"
+#include "keiko/files/scene/scene_file.h"
 
 #include "tests/support/temporary_folder.h"
 #include <gtest/gtest.h>

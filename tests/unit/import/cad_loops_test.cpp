@@ -1,7 +1,6 @@
 #include "keiko/base/error.h"
 #include "keiko/geometry/trim/trim_region.h"
-#include "keiko/import/cad/loop_closing.h"
-#include "keiko/import/cad/loop_directions.h"
+#include "keiko/import/cad/trim_chains.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>

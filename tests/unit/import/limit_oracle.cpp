@@ -1,6 +1,6 @@
 #include "tests/unit/import/limit_oracle.h"
 
-#include "keiko/import/subdivision/topology.h"
+#include "keiko/import/subdivision/limit_table.h"
 #include "keiko/intersect/traversal/tracer.h"
 
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>

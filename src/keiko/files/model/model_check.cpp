@@ -1,4 +1,4 @@
-#include "keiko/files/model/model_check.h"
+#include "keiko/files/model/model_serialization.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include "keiko/base/input_file.h"
 #include "keiko/base/text.h"
 #include "keiko/files/photometric/luminaire_file.h"
-#include "keiko/files/toml/own_formats.h"
+#include "keiko/files/toml/toml_reader.h"
 
 #include <algorithm>
 #include <array>

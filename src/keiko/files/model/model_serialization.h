@@ -4,6 +4,7 @@
 #include "keiko/geometry/model/surface_model.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,5 +23,10 @@ std::string serialize(const SurfaceModel& model);
 /// version, or hold indices, degrees or numbers that no model can have: whatever comes back may
 /// be used without further checks.
 SurfaceModel deserialize(std::string_view bytes, const std::string& file);
+
+/// The first thing about a model that code working on it may not have to face: an index out of
+/// range, a degree out of 1..max_degree, a number that is not finite, a weight that is not
+/// positive. Nothing for a sound model.
+std::optional<std::string> structural_fault(const SurfaceModel& model);
 
 } // namespace keiko

@@ -1,6 +1,5 @@
-#include "keiko/files/model/number_check.h"
-
 #include "keiko/base/error.h"
+#include "keiko/files/model/cad_text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "keiko/files/model/step_lines.h"
+#include "keiko/files/model/cad_text.h"
 
 #include <algorithm>
 #include <charconv>

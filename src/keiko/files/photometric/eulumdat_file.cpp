@@ -1,6 +1,5 @@
 #include "keiko/base/text.h"
 #include "keiko/files/photometric/luminaire_file.h"
-#include "keiko/files/photometric/photometric_numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "keiko/base/input_file.h"
 #include "keiko/base/text.h"
 #include "keiko/files/photometric/luminaire_file.h"
-#include "keiko/files/photometric/photometric_numbers.h"
 
 #include <cmath>
 #include <utility>

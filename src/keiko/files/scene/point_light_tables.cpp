@@ -1,10 +1,10 @@
 #include "keiko/files/scene/point_light_tables.h"
 
+#include "keiko/base/error_text.h"
 #include "keiko/base/text.h"
 #include "keiko/files/photometric/luminaire_file.h"
-#include "keiko/files/scene/beam_table.h"
-#include "keiko/files/toml/input_path.h"
-#include "keiko/files/toml/light_color.h"
+#include "keiko/files/scene/rig_tables.h"
+#include "keiko/files/toml/common_keys.h"
 #include "keiko/files/toml/toml_text.h"
 #include "keiko/light/spotlight/luminous_flux.h"
 

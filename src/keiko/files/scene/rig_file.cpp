@@ -2,10 +2,8 @@
 
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
-#include "keiko/files/scene/c_plane_table.h"
-#include "keiko/files/scene/fog_table.h"
-#include "keiko/files/scene/point_light_tables.h"
-#include "keiko/files/toml/light_color.h"
+#include "keiko/files/scene/rig_tables.h"
+#include "keiko/files/toml/common_keys.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/files/toml/toml_text.h"
 #include "keiko/math/bounds.h"

@@ -5,7 +5,7 @@
 #include "keiko/files/scene/camera_table.h"
 #include "keiko/files/scene/material_file.h"
 #include "keiko/files/scene/rig_file.h"
-#include "keiko/files/toml/input_path.h"
+#include "keiko/files/toml/common_keys.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/scene/animation.h"
 #include "keiko/scene/view.h"
@@ -14,6 +14,54 @@
 
 namespace keiko {
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double narrowest_fov = 1e-3, widest_fov = 175; ///< degrees
+
+void require_direction(const TomlTable& table, const Camera& camera) {
+    const Vec3 view = camera.target - camera.eye;
+    if (!(view.length() > 0)) throw table.error("target", "must differ from eye");
+    if (!(camera.up.length() > 0)) throw table.error("up", "must not be a zero vector");
+    if (!(view.cross(camera.up).length() > 1e-6 * view.length() * camera.up.length()))
+        throw table.error("up", "must not be along the view direction");
+}
+
+} // namespace
+
+Camera camera_of(const TomlTable& table) {
+    Camera camera;
+    if (table.choice("projection", {"perspective", "orthographic"}).value_or(0) == 1)
+        camera.projection = Projection::orthographic;
+    camera.eye = table.required("eye", table.vector("eye"));
+    camera.target = table.required("target", table.vector("target"));
+    camera.up = table.vector("up").value_or(camera.up);
+    require_direction(table, camera);
+
+    const auto fov = table.number("vertical_fov", {.low = narrowest_fov, .high = widest_fov});
+    const auto height = table.number("orthographic_height", TomlLimits::length());
+    if (camera.projection == Projection::orthographic) {
+        if (fov) throw table.error("vertical_fov", "belongs to perspective cameras");
+        camera.orthographic_height = table.required("orthographic_height", height);
+    } else {
+        if (height) throw table.error("orthographic_height", "belongs to orthographic cameras");
+        camera.vertical_fov = fov.value_or(camera.vertical_fov);
+    }
+    return camera;
+}
+
+bool is_view_file(std::string_view name) {
+    return name.ends_with(".toml");
+}
+
+Camera read_view(const std::filesystem::path& path) {
+    const TomlTable table = TomlTable::read(path);
+    table.require_format("keiko-view/1");
+    const Camera camera = camera_of(table);
+    table.finish();
+    return camera;
+}
+
 namespace {
 
 constexpr double largest_size = 65536; ///< pixels, either way

@@ -1,9 +1,8 @@
 #include "keiko/import/cad/assembly.h"
 
-#include "keiko/import/cad/alike_shapes.h"
 #include "keiko/import/cad/part_conversion.h"
 #include "keiko/import/cad/shape_attributes.h"
-#include "keiko/import/cad/transforms.h"
+#include "keiko/import/cad/shape_places.h"
 
 #include <BRep_Builder.hxx>
 #include <TCollection_AsciiString.hxx>

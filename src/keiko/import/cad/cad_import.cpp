@@ -3,9 +3,10 @@
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/text.h"
+#include "keiko/files/model/cad_text.h"
 #include "keiko/files/model/number_check.h"
 #include "keiko/import/cad/cad_files.h"
-#include "keiko/import/cad/failure.h"
+#include "keiko/import/cad/face_faults.h"
 #include "keiko/import/cad/part_conversion.h"
 
 #include <Message.hxx>

@@ -2,7 +2,6 @@
 
 #include "keiko/base/error.h"
 #include "keiko/geometry/bezier/nurbs.h"
-#include "keiko/import/cad/flat_knots.h"
 
 #include <Geom2dConvert.hxx>
 #include <Geom2d_BSplineCurve.hxx>
@@ -26,6 +25,7 @@
 #include <cmath>
 
 namespace keiko::cad {
+
 namespace {
 
 /// OpenCASCADE has every curve twice, in the plane and in space, with the same interface.

@@ -1,19 +1,64 @@
 #include "keiko/import/cad/face_conversion.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/parallel.h"
 #include "keiko/geometry/bernstein/bernstein.h"
 #include "keiko/geometry/bezier/bezier_patch.h"
-#include "keiko/import/cad/transforms.h"
+#include "keiko/import/cad/face_faults.h"
+#include "keiko/import/cad/shape_places.h"
+#include "keiko/import/cad/surface_patches.h"
 
+#include <BRepLib.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Plane.hxx>
+#include <ShapeFix_Edge.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 
 #include <array>
 #include <cmath>
 #include <sstream>
 
 namespace keiko::cad {
+
 namespace {
+
+bool is_plane(const TopoDS_Face& face) {
+    TopLoc_Location location;
+    const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
+    return !surface.IsNull() && untrimmed(surface)->IsKind(STANDARD_TYPE(Geom_Plane));
+}
+
+bool has_p_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+    double first = 0, last = 0;
+    return !BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull();
+}
+
+bool used_twice(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+    int uses = 0;
+    for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) uses += e.Current().IsSame(edge);
+    return uses > 1;
+}
+
+std::vector<TopoDS_Edge> complete_p_curves(const TopoDS_Face& face) {
+    std::vector<TopoDS_Edge> built;
+    const bool plane = is_plane(face);
+    for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
+        const TopoDS_Edge edge = TopoDS::Edge(e.Current());
+        if (plane) {
+            BRepLib::BuildPCurveForEdgeOnPlane(edge, face);
+        } else if (!has_p_curve(edge, face)) {
+            ShapeFix_Edge().FixAddPCurve(edge, face, used_twice(edge, face),
+                                         BRep_Tool::Tolerance(edge));
+            if (has_p_curve(edge, face)) built.push_back(edge);
+        }
+    }
+    return built;
+}
 
 BezierPatchView view(const SurfacePatch& patch) {
     return {patch.degree_u, patch.degree_v, patch.points};
@@ -131,6 +176,66 @@ std::string surface_kind(const TopoDS_Face& face) {
     TopLoc_Location location;
     const auto& surface = BRep_Tool::Surface(face, location);
     return surface.IsNull() ? "none" : surface_kind(surface);
+}
+
+namespace {
+
+std::vector<FaceResult> faces_of(const CadDocument& document) {
+    std::vector<TopTools_IndexedMapOfShape> maps(document.parts.size());
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < maps.size(); ++p) {
+        TopExp::MapShapes(document.parts[p].shape, TopAbs_FACE, maps[p]);
+        count += static_cast<std::size_t>(maps[p].Extent());
+    }
+    std::vector<FaceResult> faces(count);
+    auto face = faces.begin();
+    for (std::size_t p = 0; p < maps.size(); ++p)
+        for (int i = 1; i <= maps[p].Extent(); ++i, ++face)
+            face->shape = TopoDS::Face(maps[p](i)), face->part = p;
+    return faces;
+}
+
+/// Tells the share of a stage that is itself a share of "import".
+Job share_of(const Job& job, double from, double to) {
+    Job share = job;
+    if (job.progress)
+        share.progress = [&job, from, to](const Progress& p) {
+            job.report("import", from + (to - from) * p.fraction);
+        };
+    return share;
+}
+
+/// Loops that needed repair tell nothing of the wires they were made from.
+KnownLoops known_loops(const FaceResult& face) {
+    const bool whole = face.converted && face.converted->trim.loops.size() == 1 &&
+                       face.converted->trim.log.empty();
+    return whole && face.shape.NbChildren() == 1 && !face.shape.Infinite()
+               ? KnownLoops::one_forward_loop
+               : KnownLoops::nothing;
+}
+
+void convert(FaceResult& face, const std::vector<TopoDS_Edge>& built) {
+    try {
+        face.converted = convert_face(face.shape, face.edges, built);
+    } catch (...) {
+        face.loss = current_failure();
+    }
+    face.fault = fault_of(face.shape, known_loops(face));
+}
+
+} // namespace
+
+std::vector<FaceResult> convert_faces(const CadDocument& document, const Job& job, double from,
+                                      double to) {
+    std::vector<FaceResult> faces = faces_of(document);
+    std::vector<std::vector<TopoDS_Edge>> built;
+    for (const FaceResult& face : faces) {
+        job.check();
+        built.push_back(complete_p_curves(face.shape));
+    }
+    parallel_for(faces.size(), share_of(job, from, to), "import",
+                 [&](std::size_t i) { convert(faces[i], built[i]); });
+    return faces;
 }
 
 } // namespace keiko::cad

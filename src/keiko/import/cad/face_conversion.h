@@ -1,9 +1,48 @@
 #pragma once
 
-#include "keiko/import/cad/face_loops.h"
+#include "keiko/base/job.h"
+#include "keiko/import/cad/cad_document.h"
 #include "keiko/import/cad/surface_patches.h"
+#include "keiko/import/cad/trim_chains.h"
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace keiko::cad {
+
+/// Edges, numbered from 0 in the order they are met; two uses of one edge get one
+/// number.
+class EdgeTable {
+public:
+    std::uint32_t number_of(const TopoDS_Shape& edge) {
+        return static_cast<std::uint32_t>(edges_.Add(edge)) - 1;
+    }
+    std::uint32_t count() const { return static_cast<std::uint32_t>(edges_.Extent()); }
+    const TopoDS_Shape& edge(std::uint32_t number) const {
+        return edges_(static_cast<int>(number) + 1);
+    }
+
+private:
+    TopTools_IndexedMapOfShape edges_;
+};
+
+/// The trim loops of a face, in the parameters of its surface.
+struct FaceLoops {
+    std::vector<Chain> loops;
+    Box2 domain;                          ///< what the patches must cover
+    std::vector<std::uint32_t> edge_uses; ///< one entry a use, a seam twice
+    RepairLog log;                        ///< what had to be repaired
+};
+
+/// Converts the wires of a face whose p-curves are complete; `built` are the edges whose were
+/// fitted. Throws Error when a curve is missing.
+FaceLoops face_loops(const TopoDS_Face& face, EdgeTable& edges,
+                     const std::vector<TopoDS_Edge>& built);
 
 /// A CAD face as rational Bezier patches and trim loops, in the coordinates of its part.
 struct ConvertedFace {
@@ -19,5 +58,20 @@ ConvertedFace convert_face(const TopoDS_Face& face, EdgeTable& edges,
 
 /// "plane", "b-spline", ... of a face's surface.
 std::string surface_kind(const TopoDS_Face& face);
+
+/// A face of a document and what became of it.
+struct FaceResult {
+    TopoDS_Face shape;
+    std::size_t part = 0; ///< into CadDocument::parts
+    EdgeTable edges;      ///< those of the face, in the order they were met
+    std::optional<ConvertedFace> converted;
+    std::string loss;  ///< why there is none
+    std::string fault; ///< what OpenCASCADE's own check has against the face; mostly empty
+};
+
+/// Converts and checks all faces, part by part, many at a time. Progress goes to `job` as "import",
+/// from one share of it to another.
+std::vector<FaceResult> convert_faces(const CadDocument& document, const Job& job, double from,
+                                      double to);
 
 } // namespace keiko::cad

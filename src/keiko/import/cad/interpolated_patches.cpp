@@ -1,8 +1,7 @@
-#include "keiko/import/cad/interpolated_patches.h"
-
 #include "keiko/base/error.h"
 #include "keiko/geometry/bernstein/bernstein.h"
 #include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/import/cad/surface_kinds.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
-#include "keiko/import/cad/loop_closing.h"
-
 #include "keiko/base/error.h"
-#include "keiko/import/cad/curve_span.h"
+#include "keiko/import/cad/curve_spans.h"
+#include "keiko/import/cad/trim_chains.h"
 
 #include <algorithm>
 #include <cmath>

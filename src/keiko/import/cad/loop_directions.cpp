@@ -1,6 +1,5 @@
-#include "keiko/import/cad/loop_directions.h"
-
 #include "keiko/geometry/bezier/bezier_curve.h"
+#include "keiko/import/cad/trim_chains.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/model/surface_model.h"
-#include "keiko/import/cad/face_results.h"
+#include "keiko/import/cad/face_conversion.h"
 
 #include <span>
 

@@ -1,12 +1,18 @@
 #pragma once
 
+#include "keiko/base/diagnostics.h"
 #include "keiko/import/cad/cad_document.h"
 
 #include <TDF_Label.hxx>
+#include <TopoDS_Shape.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
+#include <XSControl_WorkSession.hxx>
 
+#include <functional>
+#include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace keiko::cad {
 
@@ -40,5 +46,13 @@ private:
     opencascade::handle<XCAFDoc_ColorTool> colors_;
     opencascade::handle<XCAFDoc_LayerTool> layers_;
 };
+
+/// What OpenCASCADE's translator says that it mended, by face.
+using FaceRemarks = std::function<std::vector<std::string>(const TopoDS_Shape& face)>;
+
+/// The warnings of a finished transfer from a STEP or IGES file. Those on an entity that no face
+/// is made from go to `diagnostics`.
+FaceRemarks reader_remarks(const opencascade::handle<XSControl_WorkSession>& session,
+                           Diagnostics& diagnostics);
 
 } // namespace keiko::cad

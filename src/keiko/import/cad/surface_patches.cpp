@@ -2,9 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/import/cad/curve_spans.h"
-#include "keiko/import/cad/interpolated_patches.h"
-#include "keiko/import/cad/spline_patches.h"
-#include "keiko/import/cad/swept_patches.h"
+#include "keiko/import/cad/surface_kinds.h"
 
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>

@@ -1,12 +1,46 @@
-#include "keiko/import/cad/wire_chain.h"
-
-#include "keiko/import/cad/curve_span.h"
+#include "keiko/import/cad/curve_spans.h"
+#include "keiko/import/cad/trim_chains.h"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
 namespace keiko::cad {
+
+namespace {
+
+auto find(auto& repairs, RepairKind kind, const std::string& detail) {
+    return std::find_if(repairs.begin(), repairs.end(), [&](const Repair& repair) {
+        return repair.kind == kind && repair.detail == detail;
+    });
+}
+
+} // namespace
+
+void RepairLog::add(RepairKind kind, double size) {
+    const auto known = find(repairs_, kind, "");
+    if (known == repairs_.end()) {
+        repairs_.push_back({0, kind, 1, size, ""});
+        return;
+    }
+    ++known->count;
+    known->size = std::max(known->size, size);
+}
+
+void RepairLog::add_remark(const std::string& words) {
+    const auto known = find(repairs_, RepairKind::by_reader, words);
+    if (known == repairs_.end())
+        repairs_.push_back({0, RepairKind::by_reader, 1, 0, words});
+    else
+        ++known->count;
+}
+
+std::uint32_t RepairLog::count(RepairKind kind) const {
+    std::uint32_t count = 0;
+    for (const Repair& repair : repairs_) count += repair.kind == kind ? repair.count : 0;
+    return count;
+}
+
 namespace {
 
 Vec2 affine(const Vec3& p) {

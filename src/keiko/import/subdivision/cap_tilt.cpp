@@ -1,4 +1,4 @@
-#include "keiko/import/subdivision/cap_tilt.h"
+#include "keiko/import/subdivision/limit_table.h"
 
 #include <algorithm>
 #include <array>

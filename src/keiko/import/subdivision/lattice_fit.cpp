@@ -1,4 +1,4 @@
-#include "keiko/import/subdivision/lattice_fit.h"
+#include "keiko/import/subdivision/limit_patches.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,8 @@
 
 #include "keiko/base/error.h"
 #include "keiko/import/subdivision/cage_file.h"
-#include "keiko/import/subdivision/cap_level.h"
+#include "keiko/import/subdivision/cap_choice.h"
 #include "keiko/import/subdivision/limit_patches.h"
-#include "keiko/import/subdivision/triangle_patches.h"
 
 #include <cstdio>
 

@@ -1,6 +1,5 @@
-#include "keiko/import/subdivision/topology.h"
-
 #include "keiko/base/error.h"
+#include "keiko/import/subdivision/limit_table.h"
 
 #include <opensubdiv/far/topologyDescriptor.h>
 

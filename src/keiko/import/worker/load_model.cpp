@@ -1,11 +1,10 @@
 #include "keiko/import/worker/load_model.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/error_text.h"
 #include "keiko/base/units.h"
 #include "keiko/files/model/bezier_file.h"
-#include "keiko/files/model/file_axes.h"
 #include "keiko/files/model/model_format.h"
-#include "keiko/import/worker/import_worker.h"
 #include "keiko/import/worker/model_cache.h"
 
 namespace keiko {
@@ -63,6 +62,51 @@ void override_unit(SurfaceModel& model, const std::string& unit) {
                                  "read in " + unit + ", not in " +
                                      (model.unit.empty() ? "mm (it names no unit)" : model.unit)});
     model.unit = unit;
+}
+
+/// One of x, y, z, -x, -y, -z; of length 0 for any other word.
+Vec3 axis_named(std::string_view word) {
+    const bool other_end = word.starts_with('-');
+    if (other_end) word.remove_prefix(1);
+    Vec3 axis(0);
+    if (word == "x" || word == "y" || word == "z") axis[word[0] - 'x'] = other_end ? -1 : 1;
+    return axis;
+}
+
+Affine frame_of(std::string_view axes) {
+    Affine frame;
+    std::string_view rest = axes;
+    for (Vec3& row : frame.rows) {
+        const auto end = std::min(rest.find(','), rest.size());
+        row = axis_named(rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    const bool three_words = rest.empty() && !axes.ends_with(',');
+    if (!three_words || frame.determinant() == 0)
+        throw Error("", "",
+                    "axes " + in_quotes(std::string(axes)) +
+                        ": not three words of x, y, z, -x, -y and -z with each letter once");
+    if (frame.mirrored())
+        throw Error("", "",
+                    "axes " + in_quotes(std::string(axes)) +
+                        ": would mirror the body; one of them points the other way");
+    return frame;
+}
+
+/// Turns a model into the vehicle frame: `axes` names the axes of its file that point rearwards,
+/// to the right and up, with a minus where it is their other end, as "x,-z,y" of a file whose y is
+/// up and whose z is to the left. Only placements change, by exact numbers. Throws Error for other
+/// words, an axis named twice, and axes that would mirror the body.
+void turn_axes(SurfaceModel& model, std::string_view axes) {
+    try {
+        const Affine frame = frame_of(axes);
+        for (Instance& instance : model.instances) instance.transform = frame * instance.transform;
+    } catch (const Error& e) {
+        throw Error(model.source, "", e.reason());
+    }
+    model.diagnostics.push_back(
+        {Severity::note, "",
+         "turned: its " + std::string(axes) + " point rearwards, to the right and up"});
 }
 
 } // namespace

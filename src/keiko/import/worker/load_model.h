@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/job.h"
+#include "keiko/files/model/model_format.h"
 #include "keiko/geometry/model/surface_model.h"
 
 #include <chrono>
@@ -45,5 +46,13 @@ SurfaceModel load_model(const std::filesystem::path& path, const LoadOptions& op
 /// Multiplies all lengths of a model: its control points, tolerances and placements; parameters
 /// of faces stay. `factor` > 0.
 void scale_lengths(SurfaceModel& model, double factor);
+
+/// The worker executable that the options ask for.
+std::filesystem::path worker_path(const LoadOptions& options);
+
+/// Has the worker executable read a CAD file or a cage; it answers as WorkerAnswer says. Throws as
+/// load_model does.
+SurfaceModel import_in_worker(const std::filesystem::path& path, ModelFormat format,
+                              const LoadOptions& options, const Job& job);
 
 } // namespace keiko

@@ -2,12 +2,24 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/new_file.h"
 #include "keiko/base/sha256.h"
 #include "keiko/files/model/model_serialization.h"
 
+#include <sys/stat.h>
+
 namespace keiko {
+
 namespace fs = std::filesystem;
 namespace {
+
+/// Stamp of the file that a path leads to. Throws Error.
+FileStamp file_stamp(const std::filesystem::path& file) {
+    struct stat status {};
+    if (stat(file.c_str(), &status) != 0) throw_system_error(file, "cannot read");
+    return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size),
+            status.st_ctim.tv_sec * 1'000'000'000 + status.st_ctim.tv_nsec};
+}
 
 constexpr const char* ending = ".keiko-model";
 
@@ -25,6 +37,11 @@ std::string header(const ModelKey& key) {
 }
 
 } // namespace
+
+FileState file_state(const std::filesystem::path& file) {
+    const FileStamp stamp = file_stamp(file);
+    return {stamp, sha256_hex(read_file(file))};
+}
 
 ModelCache::ModelCache(fs::path folder, std::uint64_t limit)
     : folder_(std::move(folder), ending, limit) {}

@@ -3,7 +3,6 @@
 #include "keiko/files/model/model_format.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/import/worker/cache_folder.h"
-#include "keiko/import/worker/file_state.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -11,6 +10,23 @@
 #include <string>
 
 namespace keiko {
+
+/// Identity of a file and its last change, from the file system.
+struct FileStamp {
+    std::uint64_t device = 0, inode = 0, size = 0;
+    std::int64_t changed = 0; ///< ns since 1970, of content or status: no program can set it
+
+    bool operator==(const FileStamp&) const = default;
+};
+
+/// A file at one moment, to find out later whether it has changed.
+struct FileState {
+    FileStamp stamp;    ///< taken before the content was read
+    std::string sha256; ///< of the content
+};
+
+/// State of a file as it is now. Throws Error when it cannot be read.
+FileState file_state(const std::filesystem::path& file);
 
 /// Key of a file's model, and the file as it was when the key was made.
 struct ModelKey {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "keiko/light/fog/medium.h"
+#include "keiko/light/spotlight/luminaire.h"
+#include "keiko/light/spotlight/spotlight.h"
+#include "keiko/light/tubes/c_plane.h"
+
+#include <filesystem>
+#include <string>
+
+namespace keiko {
+
+class TomlTable;
+
+/// The row of lamps of a [[c_plane]]. Throws Error with file, line and column.
+CPlane c_plane_from(const TomlTable& table);
+/// A [[c_plane]] that reads back as the same row.
+std::string table_text(const CPlane& plane);
+
+/// Reads how the intensity of a [[spotlight]] goes with direction into it: edge, q, exponent,
+/// coefficients, table or file, half_angle, half_angle_across, pattern. Throws Error with file,
+/// line and column.
+void take_beam(const TomlTable& table, Spotlight& light);
+
+/// Lines that read back as the same.
+std::string beam_text(const Spotlight& light);
+
+/// The lamp of a [[spotlight]]. Throws Error with file, line and column.
+Spotlight spotlight_from(const TomlTable& table);
+/// A [[spotlight]] that reads back as the same lamp.
+std::string table_text(const Spotlight& light);
+
+/// The lamp of a [[luminaire]], with its file read. Throws Error with file, line and column.
+Luminaire luminaire_from(const TomlTable& table);
+/// A [[luminaire]] that reads back as the same lamp from a rig in `folder`, which its file is named
+/// relative to.
+std::string table_text(const Luminaire& luminaire, const std::filesystem::path& folder);
+
+/// The medium of [fog]. Throws Error with file, line and column.
+Medium medium_from(const TomlTable& table);
+/// A [fog] that reads back as the same medium from a rig in `folder`, which the file of a density
+/// is named relative to.
+std::string table_text(const Medium& medium, const std::filesystem::path& folder);
+
+} // namespace keiko

@@ -1,0 +1,183 @@
+#include "keiko/import/cad/cad_files.h"
+
+#include "keiko/base/error.h"
+#include "keiko/base/input_file.h"
+#include "keiko/files/model/cad_text.h"
+#include "keiko/import/cad/assembly.h"
+#include "keiko/import/cad/mapped_items.h"
+#include "keiko/import/cad/shape_attributes.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <IFSelect_ReturnStatus.hxx>
+#include <IGESCAFControl_Reader.hxx>
+#include <IGESData_IGESEntity.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_InterfaceModel.hxx>
+#include <STEPCAFControl_ExternFile.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_TShape.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <unordered_map>
+
+namespace keiko::cad {
+
+CadDocument read_brep_file(const std::filesystem::path& path) {
+    std::ifstream in(path);
+    TopoDS_Shape shape;
+    BRepTools::Read(shape, in, BRep_Builder());
+    if (shape.IsNull()) throw Error(path.string(), "", "the BREP file is damaged or cut short");
+    CadDocument document;
+    document.parts.push_back({shape, path.stem().string(), {}});
+    document.instances.push_back({0, path.stem().string(), {}});
+    return document;
+}
+
+namespace {
+
+std::string file_unit(IGESCAFControl_Reader& reader) {
+    const auto model = reader.IGESModel();
+    if (model.IsNull() || model->GlobalSection().UnitName().IsNull()) return "";
+    TCollection_AsciiString unit = model->GlobalSection().UnitName()->String();
+    unit.LowerCase();
+    return unit.ToCString();
+}
+
+bool is_surface(int type) {
+    constexpr int types[] = {108, 114, 118, 120, 122, 128, 140, 143, 144,
+                             186, 190, 192, 194, 196, 198, 510, 514};
+    return std::find(std::begin(types), std::end(types), type) != std::end(types);
+}
+
+/// Tells which surfaces of the file gave no shape.
+void note_untranslated(IGESCAFControl_Reader& reader, Diagnostics& diagnostics) {
+    const auto process = reader.WS()->TransferReader()->TransientProcess();
+    int missing = 0;
+    std::string labels;
+    for (int i = 1; i <= reader.NbRootsForTransfer(); ++i) {
+        const auto root = Handle(IGESData_IGESEntity)::DownCast(reader.RootForTransfer(i));
+        if (root.IsNull() || !is_surface(root->TypeNumber())) continue;
+        if (!TransferBRep::ShapeResult(process, root).IsNull()) continue;
+        if (++missing <= 10)
+            labels += " " + std::string(reader.WS()->Model()->StringLabel(root)->ToCString());
+    }
+    if (missing > 0)
+        diagnostics.push_back(
+            {Severity::warning, "",
+             std::to_string(missing) + " surface entities of the file gave no face:" + labels});
+}
+
+} // namespace
+
+CadDocument read_iges_file(const std::filesystem::path& path) {
+    IGESCAFControl_Reader reader;
+    reader.SetNameMode(true);
+    reader.SetColorMode(true);
+    reader.SetLayerMode(true);
+    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+        throw Error(path.string(), "", "not a readable IGES file");
+    auto source = new_document();
+    if (!reader.Transfer(source)) throw Error(path.string(), "", "the IGES file holds no shape");
+    CadDocument document;
+    document.unit = file_unit(reader);
+    note_untranslated(reader, document.diagnostics);
+    MappedItems none;
+    read_assembly(source, {}, none, document);
+    const auto remarks = reader_remarks(reader.WS(), document.diagnostics);
+    for (CadPart& part : document.parts) part.remarks_on = remarks;
+    return document;
+}
+
+namespace {
+
+std::string file_unit(STEPCAFControl_Reader& reader) {
+    TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+    reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
+    if (lengths.IsEmpty()) return "";
+    TCollection_AsciiString unit = lengths.First();
+    unit.LowerCase();
+    return unit.ToCString();
+}
+
+/// Face entities of the file: names and lines of those that were translated, a remark on the
+/// others. OpenCASCADE's own switch for face names crashes on some files.
+FaceLabels face_labels(STEPCAFControl_Reader& reader, const std::filesystem::path& path,
+                       Diagnostics& diagnostics) {
+    const auto session = reader.Reader().WS();
+    const auto process = session->TransferReader()->TransientProcess();
+    const auto model = Handle(StepData_StepModel)::DownCast(session->Model());
+    const auto lines = step_entity_lines(read_file(path));
+    auto labels = std::make_shared<std::unordered_map<const TopoDS_TShape*, FaceLabel>>();
+    int missing = 0;
+    std::string numbers;
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        const auto face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
+        if (face.IsNull()) continue;
+        const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
+        if (shape.IsNull()) {
+            if (++missing <= 10)
+                numbers += " " + std::string(model->StringLabel(face)->ToCString());
+        } else if (shape.ShapeType() == TopAbs_FACE) {
+            const auto line = lines.find(static_cast<std::uint64_t>(model->IdentLabel(face)));
+            labels->emplace(shape.TShape().get(),
+                            FaceLabel{face->Name().IsNull() ? "" : face->Name()->ToCString(),
+                                      line == lines.end() ? 0 : line->second});
+        }
+    }
+    if (missing > 0)
+        diagnostics.push_back(
+            {Severity::warning, "",
+             std::to_string(missing) + " face entities of the file gave no face:" + numbers});
+    return [labels](const TopoDS_Shape& face) {
+        const auto found = labels->find(face.TShape().get());
+        return found == labels->end() ? FaceLabel{} : found->second;
+    };
+}
+
+/// Files that hold parts of the assembly but are not there or cannot be read, by name.
+std::vector<std::string> missing_files(const STEPCAFControl_Reader& reader) {
+    std::vector<std::string> names;
+    using Files = NCollection_DataMap<TCollection_AsciiString, Handle(STEPCAFControl_ExternFile)>;
+    for (Files::Iterator file(reader.ExternFiles()); file.More(); file.Next())
+        if (file.Value()->GetLoadStatus() != IFSelect_RetDone || !file.Value()->GetTransferStatus())
+            names.emplace_back(file.Key().ToCString());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+} // namespace
+
+CadDocument read_step_file(const std::filesystem::path& path) {
+    STEPCAFControl_Reader reader;
+    reader.SetNameMode(true);
+    reader.SetColorMode(true);
+    reader.SetLayerMode(true);
+    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+        throw Error(path.string(), "", "not a readable STEP file");
+    auto source = new_document();
+    if (!reader.Transfer(source)) throw Error(path.string(), "", "the STEP file holds no shape");
+    CadDocument document;
+    document.unit = file_unit(reader);
+    document.missing_files = missing_files(reader);
+    MappedItems mapped(reader.Reader().WS());
+    read_assembly(source, face_labels(reader, path, document.diagnostics), mapped, document);
+    mapped.remark_unmet(document.diagnostics);
+    const auto remarks = reader_remarks(reader.Reader().WS(), document.diagnostics);
+    for (CadPart& part : document.parts) part.remarks_on = remarks;
+    return document;
+}
+
+} // namespace keiko::cad

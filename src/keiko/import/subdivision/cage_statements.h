@@ -1,0 +1,65 @@
+#pragma once
+
+#include "keiko/base/error.h"
+#include "keiko/import/subdivision/cage.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keiko::subdivision {
+
+/// One statement of an OBJ file: its words, comment and line continuations taken away.
+struct Statement {
+    std::vector<std::string_view> words; ///< at least one
+    std::uint32_t line = 0;              ///< of its first word
+};
+
+/// Walks through the statements of a text and tells what is wrong with one.
+class CageLines {
+public:
+    CageLines(std::string file, std::string text)
+        : file_(std::move(file)), text_(std::move(text)) {}
+
+    /// Moves on to the next statement; false at the end.
+    bool next(Statement& statement);
+
+    [[noreturn]] void fail(std::uint32_t line, const std::string& reason) const {
+        throw Error(file_, std::to_string(line), reason);
+    }
+
+    const std::string& file() const { return file_; }
+    /// Whether the text ends within a line, as one that was cut may.
+    bool ends_open() const { return !text_.ends_with('\n'); }
+    /// A finite number.
+    double number(const Statement& statement, std::string_view word) const;
+    /// A whole number.
+    long whole(const Statement& statement, std::string_view word) const;
+
+private:
+    void append_words(std::string_view line, Statement& statement) const;
+
+    std::string file_, text_;
+    std::size_t position_ = 0;
+    std::uint32_t line_ = 0;
+};
+
+/// A line "t NAME INTEGERS/FLOATS/STRINGS values" of an OBJ file.
+struct CageTag {
+    std::string name;
+    std::vector<long> integers;
+    std::vector<double> floats;
+    std::vector<std::string> strings;
+    std::uint32_t line = 0;
+};
+
+/// Throws Error when the values are not as many as the tag says.
+CageTag read_tag(const Statement& statement, const CageLines& lines);
+
+/// Writes all tags into a cage whose vertices and faces are complete. Throws Error for a tag that
+/// is unknown, names what is not there, or has too few values; a crease that is no edge of the
+/// cage has no effect and is remarked upon.
+void apply(const std::vector<CageTag>& tags, const CageLines& lines, Cage& cage);
+
+} // namespace keiko::subdivision
