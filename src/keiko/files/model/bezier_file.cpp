@@ -106,7 +106,7 @@ private:
     int line_ = 0;
 };
 
-/// Whether a patch has no area since its points lie on one line or in one place, but for their
+/// Whether a patch has no area since its points lie on one line or in one place, within their
 /// rounding.
 bool has_no_extent(const std::vector<Vec4>& points) {
     const auto place = [](const Vec4& p) { return Vec3(p.x, p.y, p.z) / p.w; };

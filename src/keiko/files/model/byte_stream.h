@@ -50,7 +50,7 @@ private:
     std::array<char, 1 << 16> piece_;
 };
 
-/// What a ByteReader throws when the bytes do not hold what is asked for.
+/// Exception of a ByteReader whose bytes do not hold the requested value.
 class DamagedBytes : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -10,10 +10,10 @@
 namespace keiko {
 
 /// Refuses the text of a STEP, IGES or BREP file that holds a number beyond all doubles (1E999) or
-/// a word for none (nan, inf), with which OpenCASCADE computes for ever or makes faces of nothing;
-/// and of a STEP or IGES file one that is not written as the format has it (1.5e3 in STEP, 1.2.3),
-/// which OpenCASCADE takes for another without a word. Other formats pass. Throws Error with
-/// `source`, the line and, where the format has one, the entity.
+/// a word for none (nan, inf). With these OpenCASCADE computes for ever or makes faces of nothing.
+/// In a STEP or IGES file it also refuses a number that breaks the syntax of the format (1.5e3 in
+/// STEP, 1.2.3). OpenCASCADE takes such a number for another without a message. Other formats pass.
+/// Throws Error with `source`, the line and, where the format has one, the entity.
 void require_numbers(std::string_view text, ModelFormat format, const std::string& source);
 
 /// Lines, from 1, on which the entity instances "#12 = ..." of a STEP file begin, by their number.

@@ -146,7 +146,7 @@ bool cut_short(const fs::path& path, ModelFormat format) {
     }
 }
 
-/// Of a file that is of use elsewhere, what it is; empty where it is not known.
+/// Kind and use of a file that is no model; empty where it is not known.
 std::string other_kind(const std::string& text, const fs::path& path) {
     if (is_luminaire_file(path) || text.starts_with("IESNA"))
         return "a luminaire: info takes it, and spotlights of a rig name it";

@@ -5,7 +5,7 @@
 
 namespace keiko {
 
-/// Kinds of model files, told apart by their content, never by their name.
+/// Kinds of model files, distinguished by their content, never by their name.
 enum class ModelFormat {
     step,   ///< [ISO10303-21]
     iges,   ///< 80-column IGES

@@ -16,7 +16,7 @@ constexpr std::uint32_t model_serialization_version = 3;
 /// Hands a model on as bytes, the same bytes for the same model: docs/model-serialization.md. A
 /// large one never lies in memory as bytes.
 void serialize(const SurfaceModel& model, const TakeBytes& sink);
-/// The same bytes at once.
+/// Serialised bytes of a model in one piece.
 std::string serialize(const SurfaceModel& model);
 
 /// The model in `bytes`. Throws Error naming `file` when they are damaged, cut short, of another
@@ -24,9 +24,8 @@ std::string serialize(const SurfaceModel& model);
 /// be used without further checks.
 SurfaceModel deserialize(std::string_view bytes, const std::string& file);
 
-/// The first thing about a model that code working on it may not have to face: an index out of
-/// range, a degree out of 1..max_degree, a number that is not finite, a weight that is not
-/// positive. Nothing for a sound model.
+/// First structural fault of a model; nullopt for a sound one. Faults are an index out of range, a
+/// degree out of 1..max_degree, a number that is not finite, and a weight that is not positive.
 std::optional<std::string> structural_fault(const SurfaceModel& model);
 
 } // namespace keiko

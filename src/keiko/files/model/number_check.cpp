@@ -15,7 +15,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// What numbers and the words for none consist of.
+/// Whether a character belongs to a number or to a word for none.
 bool in_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '-' || c == '.' ||
            c == '_';
@@ -27,7 +27,8 @@ std::string_view word_at(std::string_view text, std::size_t at) {
     return text.substr(at, end - at);
 }
 
-/// Of a number without a sign. Few need to be read: three digits of exponent or very many digits.
+/// Whether a number without a sign is beyond all doubles. Few need to be read: three digits of
+/// exponent or very many digits.
 bool overflows(std::string_view number) {
     constexpr std::size_t many = 300;
     const std::size_t exponent = std::min(number.find_first_of("eEdD"), number.size());

@@ -101,7 +101,7 @@ StatedFlux stated_flux_of(EulumdatLines& in) {
     return stated;
 }
 
-/// Of the first set of lamps.
+/// Flux of the first set of lamps.
 struct LampSet {
     double flux = 0;       ///< lm
     bool absolute = false; ///< the flux is that of the luminaire
@@ -127,7 +127,7 @@ struct Planes {
     bool backwards = false; ///< the file has them from the last to the first
 };
 
-/// Those of the C planes of which the file has intensities.
+/// C planes for which the file has intensities.
 Planes stored_planes(const EulumdatLines& in, const std::vector<double>& all,
                      std::size_t symmetry) {
     const auto require = [&](bool fits) {

@@ -138,7 +138,7 @@ Vec3 opening_of(IesText& in) {
     const double width = in.number("the opening's width");
     const double length = in.number("the opening's length");
     const double height = in.number("the opening's height");
-    // Negative ones tell of round shapes; a circle has a width alone.
+    // Negative ones denote round shapes; a circle has a width alone.
     const double along = width < 0 && length == 0 ? width : length;
     return Vec3(std::abs(along), std::abs(width), std::abs(height)) * unit;
 }

@@ -100,7 +100,7 @@ bool ascends(const std::vector<double>& angles, double highest) {
     return sorted && angles.front() == 0 && angles.back() <= highest;
 }
 
-/// Where the values of a row differ, all of them become their mean.
+/// Replaces the values of a row by their mean where they differ.
 void even_out(IntensityColumns& columns, std::size_t row) {
     double sum = 0;
     bool even = true;
@@ -113,7 +113,7 @@ void even_out(IntensityColumns& columns, std::size_t row) {
         column[row] = sum / static_cast<double>(columns.values.size());
 }
 
-/// That the planes stand for by the last of them.
+/// Symmetry of the planes, given by the last of them.
 PlaneSymmetry symmetry_of(const std::vector<double>& phi) {
     if (phi.size() == 1) return PlaneSymmetry::axial;
     return phi.back() == 90    ? PlaneSymmetry::quadrant

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<std::string_view, 3> readings{"centred", "rounded", "literal"};
 constexpr double most_periods = 3600;
 constexpr TomlLimits coefficients{.low = -1e15, .high = 1e15};
-/// Of a period: what rounded numbers may miss "divides 360" by.
+/// Share of a period by which rounded numbers may miss "divides 360".
 constexpr double rounding = 1e-9;
 
 TomlLimits below_one() {

@@ -11,7 +11,7 @@ namespace keiko {
 /// Reads a grid of densities (keiko-density/1, docs/scene-format.md). Throws Error with file and
 /// reason.
 VoxelDensity read_density(const std::filesystem::path& path);
-/// The same from a text; `source` is the file name for messages.
+/// Parses the text of a grid of densities; `source` is the file name for messages.
 VoxelDensity parse_density(std::string_view text, const std::string& source);
 
 } // namespace keiko

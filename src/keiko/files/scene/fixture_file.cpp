@@ -26,7 +26,7 @@ std::vector<std::string> one_or_more(const TomlTable& table, std::string_view ke
     return texts;
 }
 
-/// What one of `known` may be.
+/// Throws Error at `key` unless `word` is one of `known`.
 void require_known(const TomlTable& table, std::string_view key, const std::string& word,
                    const std::vector<std::string>& known) {
     if (std::find(known.begin(), known.end(), word) != known.end()) return;
@@ -149,7 +149,7 @@ void read_metric_tolerances(const TomlTable& table, MetricTolerances& tolerances
     table.finish();
 }
 
-/// What cannot be read may be a fixture.
+/// Whether a file states another format of Keiko. One that cannot be read may be a fixture.
 bool is_of_another_format(const fs::path& file) {
     try {
         const TomlTable root = TomlTable::read(file);
@@ -161,7 +161,7 @@ bool is_of_another_format(const fs::path& file) {
     }
 }
 
-/// What editors and file managers leave beside a file.
+/// Whether a file is hidden, as those that editors and file managers leave beside a file.
 bool is_hidden(const fs::path& file) {
     return file.filename().string().starts_with(".");
 }

@@ -12,18 +12,18 @@ namespace keiko {
 /// Reads a fixture file (keiko-fixture/1, docs/file-formats.md). Paths in it are relative to the
 /// file itself. Throws Error with file, line and column.
 FixtureSpec read_fixture(const std::filesystem::path& path);
-/// The same from a text; `source` is the path that messages and relative paths refer to.
+/// Parses the text of a fixture; `source` is the path that messages and relative paths refer to.
 FixtureSpec parse_fixture(std::string_view text, const std::string& source);
 
-/// Where a fixture is, whatever its file holds.
+/// Name and path of a fixture, whatever its file holds.
 struct FixtureFile {
     std::string name; ///< of the file, without its extension
     std::filesystem::path file;
 };
 
-/// Every fixture of a folder, by name: its .toml files but for those that say they are of another
-/// format of Keiko, as scenes and rigs. Throws Error for a folder that cannot be read or holds no
-/// fixture, and for a name that no fixture may have.
+/// Every fixture of a folder, by name: its .toml files except those that state another format of
+/// Keiko, as scenes and rigs do. Throws Error for a folder that cannot be read or holds no fixture,
+/// and for a name that no fixture may have.
 std::vector<FixtureFile> fixture_files(const std::filesystem::path& folder);
 
 } // namespace keiko

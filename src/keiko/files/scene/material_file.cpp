@@ -53,7 +53,7 @@ FlakeLayer flakes_from(const TomlTable& table) {
     return flakes;
 }
 
-/// What a bare metal does not have.
+/// Throws Error at a key that a bare metal does not have.
 void require_bare(const TomlTable& table) {
     for (const std::string_view key : {"diffuse", "refractive_index", "flakes"})
         if (table.has(key)) throw table.error(key, "belongs to paints, not to a metal");

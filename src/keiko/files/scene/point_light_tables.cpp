@@ -11,7 +11,7 @@
 namespace keiko {
 namespace {
 
-/// Where `flux` lm are to be: lm over what the lamp sends as it is.
+/// Factor from the lamp's own flux to `flux`, both in lm.
 Rgb flux_factor(const TomlTable& table, double flux, double own) {
     if (!(own > 0)) throw table.error("luminous_flux", "the lamp is dark into all directions");
     return Rgb(flux / own);

@@ -16,7 +16,7 @@ namespace keiko {
 namespace {
 
 constexpr std::string_view format = "keiko-rig/1";
-/// Of a window's size: by how much its corners may miss a plane.
+/// Share of a window's size by which its corners may miss a plane.
 constexpr double flat_enough = 1e-6;
 
 Window window_from(const TomlTable& table, const Vec3& sun) {

@@ -12,7 +12,7 @@ class TomlTable;
 
 /// Reads a rig file (keiko-rig/1, docs/scene-format.md). Throws Error with file, line and column.
 LightRig read_rig(const std::filesystem::path& path);
-/// The same from a text; `source` is the file name for messages.
+/// Parses the text of a rig file; `source` is the file name for messages.
 LightRig parse_rig(std::string_view text, const std::string& source);
 /// The rig whose keys stand among others in `table`: name, ambient, [[c_plane]], [[spotlight]],
 /// [[luminaire]], [sun], [[window]], [fog].

@@ -66,7 +66,7 @@ namespace {
 
 constexpr double largest_size = 65536; ///< pixels, either way
 constexpr int most_reflections = 64;
-/// Of a model: from nanometres that are taken for millimetres to kilometres.
+/// Scales of a model: from nanometres that are taken for millimetres to kilometres.
 constexpr TomlLimits scales{.low = 1e-6, .high = 1e6};
 
 ModelTransform transform_from(const TomlTable& table) {

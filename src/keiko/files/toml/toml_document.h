@@ -10,7 +10,7 @@
 
 namespace keiko {
 
-/// Where something stands in a file, both counted from 1.
+/// Line and column of a file, both counted from 1.
 struct TomlPlace {
     std::uint32_t line = 0, column = 0;
 
@@ -52,10 +52,10 @@ struct TomlDocument {
 /// Throws Error with `source`, line and column for a text that is no TOML.
 TomlDocument parse_toml(std::string_view text, const std::string& source);
 
-/// A TOML file and every file that it names: each text in it that is the path of a regular file
-/// relative to its folder, and, where that is a TOML file too, what that one names. Sorted, each
-/// once. A superset of what reading it takes, whatever its format. Throws Error for a file that
-/// cannot be parsed.
+/// A TOML file and every file that it names, sorted, each once. A text names a file if it is the
+/// path of a regular file relative to the folder of the TOML file. TOML files named so are followed
+/// too. The list is a superset of what reading the file takes, whatever its format. Throws Error
+/// for a file that cannot be parsed.
 std::vector<std::filesystem::path> files_named_by(const std::filesystem::path& toml_file);
 
 } // namespace keiko

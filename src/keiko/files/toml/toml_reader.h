@@ -26,7 +26,7 @@ struct TomlDocument;
 struct TomlEntry;
 struct TomlValue;
 
-/// What a number of a file may be.
+/// Range of a number of a file.
 struct TomlLimits {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
@@ -39,13 +39,13 @@ struct TomlLimits {
     static constexpr TomlLimits place() { return {.low = -1e9, .high = 1e9}; }
     /// Sizes in mm.
     static constexpr TomlLimits length() { return {.low = 1e-6, .high = 1e9}; }
-    /// What light is made of, in any unit: products of a few stay finite.
+    /// Quantities of light, in any unit: products of a few stay finite.
     static constexpr TomlLimits light() { return {.low = 0, .high = 1e15}; }
 };
 
-/// A table of a TOML file, asked key by key. Every getter gives nothing for a key that is absent
-/// and throws Error with file, line and column for a value that is not what was asked for: of
-/// another type, not finite, out of limits. finish() then rejects the keys nobody asked for.
+/// A table of a TOML file, read key by key. Every getter returns nothing for a key that is absent.
+/// It throws Error with file, line and column for a value of another type, not finite or out of
+/// limits. finish() then rejects the keys that no getter requested.
 class TomlTable {
 public:
     /// The root table of a text; `source` is the file name for messages.
@@ -57,7 +57,7 @@ public:
     std::optional<double> number(std::string_view key, const TomlLimits& limits = {}) const;
     std::optional<int> integer(std::string_view key, int low, int high) const;
     std::optional<std::string> text(std::string_view key) const;
-    /// As text, but one of `choices`; the position in it.
+    /// Position of the text in `choices`; Error for any other text.
     std::optional<std::size_t> choice(std::string_view key,
                                       std::initializer_list<std::string_view> choices) const;
     /// An array of `count` numbers.
@@ -93,8 +93,8 @@ public:
         if (!value) refuse_missing(key);
         return *value;
     }
-    /// Throws Error at a key that no getter has asked for and that looks like one that was asked
-    /// for and is absent.
+    /// Throws Error at a key that no getter has requested and that resembles a requested key that
+    /// is absent.
     void refuse_misspelt() const;
     /// Throws Error at a misspelt key, or else at this table saying that `key` is missing.
     [[noreturn]] void refuse_missing(std::string_view key) const;
@@ -102,7 +102,7 @@ public:
     void require_format(std::string_view expected) const;
     /// Throws Error 'not supported yet' where one of the keys is present.
     void not_yet(std::initializer_list<std::string_view> keys) const;
-    /// Throws Error at the first key that no getter asked for, suggesting one that was.
+    /// Throws Error at the first key that no getter requested, suggesting one that was.
     void finish() const;
 
     /// An Error at the value of `key`, or at the table itself where the key is absent or "".

@@ -15,7 +15,7 @@
 
 namespace keiko::cad {
 
-/// What a file says about a face besides its geometry.
+/// Attributes that a file gives a face besides its geometry.
 struct FaceAttributes {
     std::string name, layer;
     std::optional<Rgb> color;

@@ -50,8 +50,8 @@ std::array<double, 4> ends(const TopoDS_Edge& edge, const TopoDS_Face& face) {
     return {first.X(), first.Y(), last.X(), last.Y()};
 }
 
-/// Where a wire that uses an edge twice begins is up to the memory addresses of a run in
-/// OpenCASCADE's reader. It shall begin at the same place in every run.
+/// Turns a cycle to begin at the edge with the least parameters. In OpenCASCADE's reader the begin
+/// of a wire that uses an edge twice depends on the memory addresses of a run.
 void begin_at_least_parameters(std::vector<TopoDS_Edge>& cycle, const TopoDS_Face& face) {
     const auto first = std::min_element(
         cycle.begin(), cycle.end(),

@@ -214,7 +214,7 @@ double way_out(const std::vector<Chain>& loops, const ParameterSpace& space) {
     return worst;
 }
 
-/// A box that goes only a little beyond the surface's domain; what lies beyond is told.
+/// A box that goes only a little beyond the surface's domain; the way beyond it is logged.
 Box2 near_natural(Box2 box, const std::vector<Chain>& loops, const ParameterSpace& space,
                   RepairLog& log) {
     double outside = 0;

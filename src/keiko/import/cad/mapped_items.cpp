@@ -127,7 +127,7 @@ private:
             products_.push_back(product);
     }
 
-    /// Nothing, moved or not, where the entity gave no shape.
+    /// Shape that an entity gave; null where it gave none.
     TopoDS_Shape shape_of(const Entity& entity) const {
         return entity.IsNull() ? TopoDS_Shape() : TransferBRep::ShapeResult(process_, entity);
     }
@@ -146,8 +146,8 @@ private:
         return shapes == 1 ? only : Item();
     }
 
-    /// Where the shape of a representation belongs in it. A representation that maps itself cannot
-    /// be transferred, so it has no shape and this ends.
+    /// Place of the shape of a representation in it. A representation that maps itself cannot be
+    /// transferred, so it has no shape and this ends.
     gp_Trsf wanted(const Representation& representation) const {
         const Item item = lone_item(representation);
         return item.IsNull() ? place_of(shape_of(representation)) : wanted(item);

@@ -19,18 +19,18 @@ class MappedItems {
 public:
     /// None.
     MappedItems() = default;
-    /// Those of a file that has been transferred.
+    /// Mapped items of a file that has been transferred.
     explicit MappedItems(const opencascade::handle<XSControl_WorkSession>& session);
 
-    /// What each of the shapes that an assembly is made of needs before it is placed: mostly the
-    /// identity. A root of the file is an assembly of one.
+    /// Map that each shape of an assembly needs before it is placed: mostly the identity. A root of
+    /// the file is an assembly of one.
     std::vector<Affine> corrections(const std::vector<TopoDS_Shape>& components);
 
     /// Whether a product of the file that is in no other shows this shape.
     bool is_product(const TopoDS_Shape& shape) const;
 
-    /// A warning for each assembly that was never asked for: what it places stays as OpenCASCADE
-    /// put it.
+    /// A warning for each assembly that corrections() never met: what it places stays as
+    /// OpenCASCADE put it.
     void remark_unmet(Diagnostics& diagnostics) const;
 
 private:

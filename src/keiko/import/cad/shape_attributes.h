@@ -26,7 +26,7 @@ using AttributeMap = std::unordered_map<TopoDS_Shape, FaceAttributes, SameShape,
 
 /// The name of a label; empty without one.
 std::string name_of(const TDF_Label& label);
-/// What a component is called: as it says itself, or else as the product that it places.
+/// Name of a component: its own, or else that of the product that it places.
 std::string name_of(const TDF_Label& component, const TDF_Label& product);
 
 /// `own`, with what it does not say taken from `outer`; names are not inherited.
@@ -39,7 +39,8 @@ public:
 
     /// Layer and colour that a label itself carries.
     FaceAttributes own(const TDF_Label& label) const;
-    /// Of the faces of a part that have their own, or that a shell or solid with its own holds.
+    /// Attributes of the faces of a part that have their own or lie in a shell or solid with its
+    /// own.
     AttributeMap of_faces(const TDF_Label& part) const;
 
 private:
@@ -47,7 +48,7 @@ private:
     opencascade::handle<XCAFDoc_LayerTool> layers_;
 };
 
-/// What OpenCASCADE's translator says that it mended, by face.
+/// Remarks of OpenCASCADE's translator on what it mended, by face.
 using FaceRemarks = std::function<std::vector<std::string>(const TopoDS_Shape& face)>;
 
 /// The warnings of a finished transfer from a STEP or IGES file. Those on an entity that no face

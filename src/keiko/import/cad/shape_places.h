@@ -16,7 +16,7 @@ inline Affine affine(const gp_Trsf& t) {
     return result;
 }
 
-/// Where a shape lies in what holds it.
+/// Place of a shape in what holds it.
 gp_Trsf place_of(const TopoDS_Shape& shape);
 
 /// Whether two places are one, up to rounding.

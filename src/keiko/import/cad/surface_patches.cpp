@@ -122,7 +122,7 @@ std::vector<double> cuts(const SurfaceHandle& surface, bool along_u, double begi
     return result;
 }
 
-/// Offset and procedural surfaces, of which only points are known.
+/// Approximation of offset and procedural surfaces, known by their points alone.
 SurfacePatches approximation(const SurfaceHandle& surface, const Box2& domain) {
     const auto point = [&](double u, double v) {
         gp_Pnt p;

@@ -25,8 +25,8 @@ struct SurfacePatches {
 
 /// Patches of `surface` over `domain` (its own parameters): elementary and swept surfaces by their
 /// formulas, splines by their spans (those that overlap the domain), all other kinds by an
-/// approximation whose tolerance is told. Throws Error when the domain is infinite or the surface
-/// cannot be converted.
+/// approximation whose tolerance is returned. Throws Error when the domain is infinite or the
+/// surface cannot be converted.
 SurfacePatches surface_patches(const opencascade::handle<Geom_Surface>& surface,
                                const Box2& domain);
 

@@ -15,7 +15,7 @@ class RepairLog {
 public:
     /// `size` in mm; 0 where the kind has none.
     void add(RepairKind kind, double size = 0);
-    /// What the CAD reader says of the face.
+    /// Adds a remark of the CAD reader on the face.
     void add_remark(const std::string& words);
 
     const std::vector<Repair>& repairs() const { return repairs_; }
@@ -65,14 +65,14 @@ LoopCurve connector(const Vec2& from, const Vec2& to);
 /// Box that holds the chain, tight to a 1e-9 part of its extent.
 Box2 tight_bounds(const Chain& chain);
 
-/// Gaps up to this part of the face's extent are rounding: left alone and not told.
+/// Gaps up to this part of the face's extent are rounding: left alone and not logged.
 constexpr double small_gap = 1e-6;
 
-/// The edge uses of one wire joined into chains (one as a rule). Uses a whole period off are
+/// The edge uses of one wire joined into chains (one as a rule). Uses a whole period away are
 /// moved, except the two uses of one edge that meet at a pole, where the side along the pole is
-/// missing; when the given order does not chain, the uses are sorted by where they begin, and
-/// those that run against the others reversed. Remaining gaps are bridged by connectors. What was
-/// done is added to `log`.
+/// missing. When the given order does not chain, the uses are sorted by their begins, and those
+/// that run against the others reversed. Remaining gaps are bridged by connectors. Each repair is
+/// added to `log`.
 std::vector<Chain> chain_wire(std::vector<Chain> uses, const ParameterSpace& space, RepairLog& log);
 
 /// Closed loops of a face and the rectangle of its parameters that its patches must cover.
@@ -81,16 +81,15 @@ struct ClosedLoops {
     Box2 domain;
 };
 
-/// Closes the chains of a face, one a wire, so that the even-odd rule gives its material:
-/// chains once around a periodic surface are paired to a band, or closed along the pole or border
-/// on their left; small openings are bridged; loops are moved by whole periods to where the
-/// largest lies, and doubled where they cross its border. Without chains the natural domain is
-/// the face. What was done is added to `log`. Throws Error for a chain around an infinite
-/// surface that bounds nothing.
+/// Closes the chains of a face, one a wire, so that the even-odd rule gives its material. Chains
+/// once around a periodic surface are paired to a band, or closed along the pole or border on their
+/// left. Small openings are bridged. Loops are moved by whole periods to where the largest lies,
+/// and doubled where they cross its border. Without chains the natural domain is the face. What was
+/// done is added to `log`. Throws Error for a chain around an infinite surface that bounds nothing.
 ClosedLoops close_loops(std::vector<Chain> chains, const ParameterSpace& space, RepairLog& log);
 
 /// How many of a face's closed loops have their material on the right: outer loops that run
-/// clockwise and holes that run anticlockwise, told by how they lie in each other.
+/// clockwise and holes that run anticlockwise. Their nesting decides which are holes.
 std::size_t backward_loops(const std::vector<Chain>& loops);
 
 } // namespace keiko::cad

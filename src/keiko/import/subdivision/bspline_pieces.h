@@ -23,12 +23,12 @@ struct SplinePiece {
 using SideMask = unsigned;
 
 /// The patch as a Bezier patch. On the sides in `borders` the surface ends in a spline curve: the
-/// row of control points beyond them is not looked at, it is the mirror image of the row inside.
+/// row of control points beyond them is not read, it is the mirror image of the row inside.
 BezierNet bezier_of_spline(SplineNet net, SideMask borders);
 
-/// The pieces of a patch one of whose sides (`crease`, a single bit) runs along an edge of finite
-/// sharpness, with nothing irregular beside it: the surface is a tensor product, so the edge's
-/// subdivision rules apply to the four rows alone. One piece is infinitely sharp, down to
+/// Bezier pieces of a patch beside an edge of finite sharpness, with nothing irregular beside it.
+/// `crease`, a single bit, is the side along that edge. The surface is a tensor product, so the
+/// edge's subdivision rules apply to the four rows alone. One piece is infinitely sharp, down to
 /// 2^-floor(sharpness) of the width; the rest beside the edge is smooth, in two pieces where the
 /// sharpness is fractional [Niessner2012].
 std::vector<SplinePiece> pieces_beside_crease(const SplineNet& net, SideMask crease,

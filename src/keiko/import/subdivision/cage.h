@@ -11,7 +11,7 @@ namespace keiko::subdivision {
 
 enum class Scheme { catmull_clark, loop };
 
-/// What the limit surface does where the cage ends.
+/// Rule of the limit surface at the border of the cage.
 enum class BoundaryRule {
     none,           ///< faces at a border carry no surface unless the border is a crease
     edge_only,      ///< the border is a cubic spline; corners are round

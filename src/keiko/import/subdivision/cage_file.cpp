@@ -109,7 +109,8 @@ private:
         cage_.faces.push_back(face);
     }
 
-    /// Of a corner "v", "v/vt", "v//vn" or "v/vt/vn"; what follows the vertex must be numbers too.
+    /// Vertex index of a corner "v", "v/vt", "v//vn" or "v/vt/vn"; what follows the vertex must be
+    /// numbers too.
     std::uint32_t vertex_index(const Statement& s, std::string_view word) const {
         const std::size_t slash = word.find('/');
         if (slash != std::string_view::npos &&

@@ -46,7 +46,7 @@ std::vector<Vec2> probes(bool triangle) {
     return places;
 }
 
-/// What the model has for a cap, by the cap's own parameters.
+/// Surface of the model at a cap, by the cap's own parameters.
 using CapSurface = std::function<LimitPoint(const Vec2& uv)>;
 
 CapSurface cap_triangle(const LimitTable& table, LimitTable::Index index) {
@@ -129,8 +129,8 @@ int last_sharp_level(const Cage& cage) {
 /// Levels that make so few patches that they are worth a try.
 constexpr int first_try = 4;
 
-/// Points of a cage refined to `level`, told from its first levels: around an irregular point each
-/// level has as many, along a crease of blended sharpness twice as many as the one before.
+/// Points of a cage refined to `level`, estimated from its first levels: around an irregular point
+/// each level has as many, along a crease of blended sharpness twice as many as the one before.
 double expected_points(const Cage& cage, int level) {
     const std::vector<int> counts = LimitTable::points_by_level(cage, first_try + 1);
     const double total = std::accumulate(counts.begin(), counts.end(), 0.0);

@@ -16,7 +16,7 @@ struct CapError {
     void extend(const CapError& other);
 };
 
-/// What semi-sharp creases may ask for; about 4 GB in all.
+/// Largest number of points that semi-sharp creases may need; about 4 GB in all.
 constexpr std::size_t most_refined_points = 4'000'000;
 
 /// A cage refined as deep as its caps need.

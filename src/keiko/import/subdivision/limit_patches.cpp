@@ -65,7 +65,7 @@ namespace {
 constexpr int degree = 4;
 /// Width of what lies along a border: less than the smallest patch, so that none overlap.
 constexpr double strip = 0x1p-12;
-/// Where the patches lie that touch no border: clear of the corner patches of the coarsest split.
+/// Box of the patches that touch no border: clear of the corner patches of the coarsest split.
 const Box2 inside{Vec2(0.5, 0.25), Vec2(0.75, 0.75)};
 
 // Edges of the base face begin at its vertices 0, 1 and 2; edge k lies on the side k of the

@@ -17,7 +17,8 @@ using SurfaceSample = std::function<Vec3(double u, double v)>;
 std::vector<Vec3> fit_square(int degree, const SurfaceSample& surface);
 
 /// The polynomial of total degree 4 through a surface at the 15 points of the uniform lattice over
-/// the triangle u, v, 1 - u - v >= 0; on a border exact wherever the surface is such a polynomial.
+/// the triangle u, v, 1 - u - v >= 0. It is exact on a border wherever the surface is such a
+/// polynomial.
 SurfaceSample triangle_polynomial(const SurfaceSample& surface);
 
 /// A Bezier patch of the limit surface.

@@ -26,7 +26,7 @@ struct IrregularPoint {
     Vec3 position{0}, normal{0};
 };
 
-/// What turns a cap at one of its corners into the limit surface's tangent plane there, and
+/// Offset that turns a cap at one of its corners into the limit surface's tangent plane there, and
 /// leaves its border to the exact patches as it is: OpenSubdiv's Gregory patches come near that
 /// plane only. Caps that share a border near the corner are moved alike along it.
 struct CapTilt {
@@ -60,8 +60,8 @@ struct LimitPoint {
     Vec3 normal() const { return du.cross(dv).normalized(); }
 };
 
-/// Where a patch of a table lies: on which base face (an n-gon counts as n quads), over which
-/// box of its parameters. A triangle covers the lower half of its box, a turned one the upper.
+/// Place of a patch of a table: its base face (an n-gon counts as n quads) and the box of its
+/// parameters. A triangle covers the lower half of its box, a turned one the upper.
 struct PatchPlace {
     std::uint32_t face = 0;
     int level = 0;
@@ -93,7 +93,7 @@ public:
         int array = 0, patch = 0;
     };
     std::vector<Index> patches() const;
-    /// Those that are not exact.
+    /// Patches that are not exact.
     std::vector<Index> caps() const;
 
     const Vec3& center() const { return center_; }
@@ -101,7 +101,7 @@ public:
     PatchPlace place(Index index) const;
     /// Whether the patch is the limit surface itself, and no cap.
     bool exact(Index index) const;
-    /// Of a crease of finite sharpness along one of its sides; 0: none.
+    /// Sharpness of a crease of finite sharpness along one of its sides; 0: none.
     double crease_sharpness(Index index) const;
     unsigned border_mask(Index index) const;
     /// The control points of an exact patch of four sides.

@@ -21,7 +21,7 @@ namespace {
 
 using namespace keiko;
 
-/// Where the answer goes.
+/// Stream of the answer.
 std::FILE* answer_stream() {
     std::FILE* stream = fdopen(3, "wb");
     return stream ? stream : stdout;

@@ -200,8 +200,8 @@ std::string seconds(std::chrono::milliseconds duration) {
     return text.str();
 }
 
-/// Some of OpenCASCADE crashes where it gets no memory. A limit counts address space, of which a
-/// good part never becomes memory.
+/// Some of OpenCASCADE crashes where it gets no memory. A limit counts address space, and a good
+/// part of that never becomes memory.
 bool short_of_memory(const WorkerExit& exit, const LoadOptions& options) {
     return options.memory_limit > 0 && exit.peak_memory > options.memory_limit / 4;
 }

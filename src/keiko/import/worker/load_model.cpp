@@ -93,10 +93,10 @@ Affine frame_of(std::string_view axes) {
     return frame;
 }
 
-/// Turns a model into the vehicle frame: `axes` names the axes of its file that point rearwards,
-/// to the right and up, with a minus where it is their other end, as "x,-z,y" of a file whose y is
-/// up and whose z is to the left. Only placements change, by exact numbers. Throws Error for other
-/// words, an axis named twice, and axes that would mirror the body.
+/// Turns a model into the vehicle frame. `axes` names the axes of its file that point rearwards, to
+/// the right and up, with a minus where it is their other end. For example "x,-z,y" is a file whose
+/// y is up and whose z is to the left. Only placements change, by exact numbers. Throws Error for
+/// other words, an axis named twice, and axes that would mirror the body.
 void turn_axes(SurfaceModel& model, std::string_view axes) {
     try {
         const Affine frame = frame_of(axes);

@@ -35,8 +35,9 @@ struct ModelKey {
 };
 
 /// Models as the reader made them, kept in a folder under a hash of everything that the result
-/// depends on: the file's bytes, its name, its kind, and the versions of Keiko, its serialisation,
-/// its libraries and its reader. An entry never grows stale, and is of no use under another key.
+/// depends on. These are the file's bytes, its name, its kind, and the versions of Keiko, its
+/// serialisation, its libraries and its reader. An entry never grows stale, and is of no use under
+/// another key.
 class ModelCache {
 public:
     /// Folder of the models and their size in all, bytes, 0: no limit, as in CacheFolder. Throws

@@ -9,10 +9,10 @@
 
 namespace keiko {
 
-/// Takes apart what the worker writes, as it comes in: lines "progress FRACTION", then either
-/// "error REASON", after a line "where PLACE" if it is known, or "model" and the serialised model
-/// up to the end. The worker is not trusted: whatever it writes, nothing but an Error naming `file`
-/// comes of it.
+/// Parser of the answer of a worker as it comes in. The answer is lines "progress FRACTION", then
+/// "error REASON" or "model". A line "where PLACE" comes before the reason if the place is known.
+/// The serialised model follows "model" up to the end. The worker is not trusted: whatever it
+/// writes, nothing but an Error naming `file` comes of it.
 class WorkerAnswer {
 public:
     /// `most_bytes` of a model are taken; 0: any number. Progress goes to `job` as "import".
@@ -24,7 +24,7 @@ public:
 
     /// Whether the model, or a part of it, has come.
     bool has_model() const { return has_model_; }
-    /// What the worker says is wrong with the file; empty: nothing.
+    /// Fault of the file that the worker reports; empty: none.
     const std::string& reason() const { return reason_; }
     /// Throws Error with the worker's reason, or when there is no sound model.
     SurfaceModel model() const;
