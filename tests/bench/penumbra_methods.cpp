@@ -3,7 +3,7 @@
 #include "keiko/light/rig/light_id.h"
 #include "keiko/light/tubes/tube_irradiance.h"
 #include "keiko/light/tubes/tube_penumbra.h"
-#include "keiko/render/shading/light_bounds.h"
+#include "keiko/render/shading/direct_lighting.h"
 #include "keiko/render/shading/occluded_visibility.h"
 
 #include "tests/bench/cpu_clock.h"

@@ -1,11 +1,104 @@
 #include "keiko/render/tiles.h"
 
 #include "keiko/render/pixel_writer.h"
-#include "keiko/render/reflection/hilbert_order.h"
+#include "keiko/render/reflection/sample_batch.h"
+#include "keiko/scene/prepared_camera.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace keiko {
+namespace {
+
+/// More boxes are taken together, neighbours in their order, so that no model costs much.
+constexpr std::size_t most_boxes = 1 << 15;
+
+std::vector<Box3> joined(std::span<const Box3> boxes) {
+    const std::size_t run = boxes.size() / most_boxes + 1;
+    std::vector<Box3> joined((boxes.size() + run - 1) / run);
+    for (std::size_t i = 0; i < boxes.size(); ++i) joined[i / run].extend(boxes[i]);
+    return joined;
+}
+
+/// mm: far more than rounding moves a ray, a surface or a projected corner.
+double margin_of(const Camera& camera, std::span<const Box3> boxes) {
+    Box3 all;
+    for (const Box3& box : boxes) all.extend(box);
+    if (all.empty()) return 0;
+    return 1e-9 * (all.size() + all.center().length() + camera.eye.length());
+}
+
+/// The pixels around the corners of a box as the picture shows them; nothing where one of them is
+/// not before the eye.
+std::optional<Box2> shown(const PreparedCamera& camera, const Box3& box) {
+    Box2 shown;
+    for (const double x : {box.lower.x, box.upper.x})
+        for (const double y : {box.lower.y, box.upper.y})
+            for (const double z : {box.lower.z, box.upper.z}) {
+                const auto at = camera.project({x, y, z});
+                if (!at || !std::isfinite(at->x + at->y)) return {};
+                shown.extend(*at);
+            }
+    return shown;
+}
+
+/// How many rectangles hold each cell of a grid: their corners are counted, then summed up.
+class RectangleCounts {
+public:
+    RectangleCounts(int columns, int rows)
+        : columns_(static_cast<std::size_t>(columns)),
+          rows_(static_cast<std::size_t>(rows)),
+          counts_((columns_ + 1) * (rows_ + 1)) {}
+
+    /// The last column and row with it.
+    void add(std::size_t x0, std::size_t y0, std::size_t x1, std::size_t y1) {
+        at(x0, y0) += 1, at(x1 + 1, y1 + 1) += 1;
+        at(x1 + 1, y0) -= 1, at(x0, y1 + 1) -= 1;
+    }
+    std::vector<std::uint8_t> held() {
+        std::vector<std::uint8_t> held(columns_ * rows_);
+        for (std::size_t y = 0; y < rows_; ++y)
+            for (std::size_t x = 0; x < columns_; ++x) {
+                if (x > 0) at(x, y) += at(x - 1, y);
+                if (y > 0) at(x, y) += at(x, y - 1);
+                if (x > 0 && y > 0) at(x, y) -= at(x - 1, y - 1);
+                held[y * columns_ + x] = at(x, y) > 0;
+            }
+        return held;
+    }
+
+private:
+    int& at(std::size_t x, std::size_t y) { return counts_[y * (columns_ + 1) + x]; }
+
+    std::size_t columns_, rows_;
+    std::vector<int> counts_;
+};
+
+} // namespace
+
+ScreenBounds::ScreenBounds(const Camera& camera, std::span<const Box3> boxes)
+    : columns_(cell_at(camera.width) + 1), rows_(cell_at(camera.height) + 1) {
+    RectangleCounts counts(columns_, rows_);
+    const PreparedCamera prepared(camera);
+    const double margin = margin_of(camera, boxes);
+    const auto cell_of = [](double at, int cells) {
+        return static_cast<std::size_t>(
+            std::clamp(std::floor((at + cell) / cell), 0.0, cells - 1.0));
+    };
+    for (const Box3& box : joined(boxes)) {
+        if (box.empty()) continue;
+        constexpr double all = Box2::infinity;
+        const Box2 pixels =
+            shown(prepared, box.padded(margin)).value_or(Box2{Vec2(-all), Vec2(all)});
+        if (pixels.upper.x < -cell || pixels.upper.y < -cell ||
+            pixels.lower.x > camera.width + cell || pixels.lower.y > camera.height + cell)
+            continue;
+        counts.add(cell_of(pixels.lower.x, columns_), cell_of(pixels.lower.y, rows_),
+                   cell_of(pixels.upper.x, columns_), cell_of(pixels.upper.y, rows_));
+    }
+    shown_ = counts.held();
+}
 
 std::vector<Tile> tiles_of(const Camera& camera, int width, int height) {
     std::vector<Tile> tiles;

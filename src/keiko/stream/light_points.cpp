@@ -2,7 +2,6 @@
 
 #include "keiko/light/rig/within_lamp.h"
 #include "keiko/render/shading/direct_lighting.h"
-#include "keiko/render/shading/point_lighting.h"
 #include "keiko/stream/hit_columns.h"
 #include "keiko/stream/row_stream.h"
 

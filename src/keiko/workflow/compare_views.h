@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/compare/shape/shared_faces.h"
+#include "keiko/compare/shape/deviation_map.h"
 #include "keiko/workflow/compare_bodies.h"
 
 namespace keiko {

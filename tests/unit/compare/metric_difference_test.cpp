@@ -1,4 +1,4 @@
-#include "keiko/compare/metric_difference.h"
+#include "keiko/compare/fixture_record.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "keiko/render/antialias/edge_refinement.h"
 
-#include "keiko/render/antialias/max_curvature_direction.h"
-#include "keiko/render/antialias/pixel_area.h"
+#include "keiko/render/antialias/sampled_polygon.h"
+#include "keiko/render/antialias/subpixels.h"
 
 #include "tests/unit/render/stage.h"
 #include <gtest/gtest.h>

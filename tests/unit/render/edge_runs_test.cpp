@@ -1,5 +1,4 @@
-#include "keiko/render/antialias/edge_runs.h"
-
+#include "keiko/render/antialias/edge_pixel_lighting.h"
 #include "keiko/render/lighting/shading_grid.h"
 
 #include "tests/support/random.h"

@@ -1,4 +1,4 @@
-#include "keiko/render/reflection/hilbert_order.h"
+#include "keiko/render/reflection/sample_batch.h"
 
 #include <gtest/gtest.h>
 

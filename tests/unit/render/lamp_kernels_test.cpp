@@ -2,7 +2,6 @@
 // here each is held against the one for a pixel alone, on every instruction set.
 #include "keiko/render/reflection/lamp_kernels.h"
 
-#include "keiko/render/reflection/footprint_nonlinearity.h"
 #include "keiko/render/reflection/reflected_footprint.h"
 
 #include "tests/support/instruction_sets.h"

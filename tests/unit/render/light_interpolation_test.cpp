@@ -2,7 +2,6 @@
 
 #include "keiko/render/antialias/edge_pixel_lighting.h"
 #include "keiko/render/shading/direct_lighting.h"
-#include "keiko/render/shading/point_lighting.h"
 
 #include "tests/unit/render/stage.h"
 #include <gtest/gtest.h>

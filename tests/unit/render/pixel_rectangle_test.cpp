@@ -1,4 +1,4 @@
-#include "keiko/render/lighting/pixel_rectangle.h"
+#include "keiko/render/lighting/shading_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "keiko/render/screen_bounds.h"
+#include "keiko/render/tiles.h"
 
 #include "tests/unit/render/stage.h"
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 #include "keiko/light/tubes/tube_penumbra.h"
 #include "keiko/render/shading/direct_lighting.h"
 #include "keiko/render/shading/occluded_visibility.h"
-#include "keiko/render/shading/point_lighting.h"
 
 #include "tests/support/occluder_row.h"
 #include <gtest/gtest.h>

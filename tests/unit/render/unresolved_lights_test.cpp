@@ -1,4 +1,4 @@
-#include "keiko/render/lighting/unresolved_lights.h"
+#include "keiko/render/lighting/light_samples.h"
 
 #include "tests/unit/render/plate_points.h"
 #include <gtest/gtest.h>

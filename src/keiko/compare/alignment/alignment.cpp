@@ -3,7 +3,6 @@
 #include "keiko/base/parallel.h"
 #include "keiko/base/units.h"
 #include "keiko/compare/alignment/coarse_alignment.h"
-#include "keiko/compare/alignment/rigid_step.h"
 #include "keiko/geometry/trim/material_bounds.h"
 
 #include <algorithm>

@@ -1,16 +1,75 @@
 #pragma once
 
-#include "keiko/compare/alignment/boundary_projection.h"
 #include "keiko/compare/alignment/closest_point_query.h"
-#include "keiko/compare/alignment/convexity.h"
+#include "keiko/geometry/bezier/bezier_patch.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
+#include "keiko/geometry/bvh/box_tree.h"
+#include "keiko/geometry/model/closest_point.h"
+#include "keiko/geometry/model/curve_polyline.h"
+#include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/intersect/subpatch/sub_patch.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace keiko {
+
+/// The point of a body's borders that is nearest to a given point.
+struct ProjectedBoundaryPoint {
+    std::uint32_t border = 0; ///< into BoundaryProjection::borders
+    double t = 0;
+    Vec3 position{0};
+    double distance = 0; ///< mm
+};
+
+/// Finds the nearest points of all borders of the faces of a model, seams included: chords of their
+/// polylines are tried by distance, and Newton's iteration ends on the exact curve. Looks into the
+/// model it was made from.
+class BoundaryProjection {
+public:
+    explicit BoundaryProjection(const SurfaceModel& model);
+
+    /// On the borders of the faces that `counts` accepts, or of all where it is empty; nothing
+    /// where none is within `radius` mm.
+    std::optional<ProjectedBoundaryPoint> foot(
+        const Vec3& p, double radius,
+        const std::function<bool(std::uint32_t face)>& counts = {}) const;
+    const std::vector<BoundaryInterval>& borders() const { return borders_; }
+    SurfaceCurve curve(std::uint32_t border) const { return curves_.curve(borders_[border]); }
+    const CurvePolyline& polyline(std::uint32_t border) const { return polylines_[border]; }
+
+private:
+    struct Chord {
+        std::uint32_t border = 0, first = 0;
+    };
+
+    BoundaryCurves curves_;
+    std::vector<BoundaryInterval> borders_;
+    std::vector<CurvePolyline> polylines_;
+    std::vector<Chord> chords_;
+    std::optional<BoxTree> tree_;
+};
+
+/// Proves that the squared distance of a point to a piece of surface is convex over it, so that it
+/// has one minimum: for every unit direction v there, |S' v|^2 > |(S - p) . S'' v v|, by bounds on
+/// the control net in the frame of the mean tangents.
+class Convexity {
+public:
+    /// Holds nowhere.
+    Convexity() = default;
+    explicit Convexity(const BezierPatchView& piece);
+
+    /// Whether it is proved over `piece`, which is what this was made of or a part of that. Never
+    /// at a pole.
+    bool holds(const BezierPatchView& piece, const Vec3& p) const;
+
+private:
+    std::array<Vec3, 3> axes_{Vec3(0), Vec3(0), Vec3(0)}; ///< S = centre + the sum of axes times X
+    double first_ = 0;                                    ///< least |S' v|, or less
+    std::array<double, 3> second_{};                      ///< largest |X'' v v| of each axis
+};
 
 /// The outward unit normal of a face, or 0.
 Vec3 outward_normal(const SurfaceDerivatives& s, const Vec2& uv, const Face& face);

@@ -1,16 +1,95 @@
 #include "keiko/compare/shape/deviation.h"
 
 #include "keiko/base/parallel.h"
-#include "keiko/compare/shape/deviation_sample.h"
-#include "keiko/compare/shape/face_deviation.h"
+#include "keiko/base/units.h"
+#include "keiko/compare/alignment/surface_samples.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numeric>
+#include <optional>
+#include <span>
 
 namespace keiko {
 namespace {
+
+/// A place of the body and its nearest point of the other.
+struct DeviationSample : SurfaceSample {
+    std::optional<ClosestSurfacePoint> foot; ///< nothing: beyond reach
+
+    double distance() const {
+        return foot ? foot->distance : std::numeric_limits<double>::infinity();
+    }
+    /// Positive outside the other.
+    double deviation() const {
+        const bool inside = foot && (point.position - foot->position).dot(foot->normal) < 0;
+        return inside ? -distance() : distance();
+    }
+    /// Whether the nearest point lies aside rather than above or below.
+    bool beside(double noise) const {
+        if (!foot || foot->distance <= noise) return false;
+        constexpr double steep = 0.7; // of the way there across the normal
+        const Vec3 way = point.position - foot->position;
+        return way.cross(foot->normal).length() > steep * foot->distance;
+    }
+    bool turned() const { return foot && point.normal.dot(foot->normal) < 0; }
+    /// Degrees between the tangent planes; 0 beyond a border, where they need not agree.
+    double tilt() const {
+        if (!foot || foot->on_border || point.normal == Vec3(0) || foot->normal == Vec3(0))
+            return 0;
+        const Vec3 normal = turned() ? -foot->normal : foot->normal;
+        return radians_to_degrees(angle_between(point.normal, normal));
+    }
+};
+
+/// What is added up of a face.
+struct FaceSums {
+    FaceDeviation face;
+    double turned = 0, beyond = 0, beside = 0, squares = 0;
+    std::map<std::uint32_t, double> votes; ///< area by the other's face
+
+    void add(const DeviationSample& sample, double noise) {
+        face.area += sample.area;
+        const double d = sample.deviation();
+        if (std::abs(d) > std::abs(face.worst.value))
+            face.worst = {d, sample.point.position, sample.point.face};
+        if (!sample.foot) {
+            beyond += sample.area;
+            return;
+        }
+        if (sample.turned()) turned += sample.area;
+        if (sample.beside(noise)) beside += sample.area;
+        squares += d * d * sample.area;
+        votes[sample.foot->face] += sample.area;
+    }
+    FaceDeviation result() const {
+        FaceDeviation all = face;
+        if (!(face.area > 0)) return all;
+        all.turned = turned / face.area, all.beyond = beyond / face.area;
+        all.beside = beside / face.area;
+        if (votes.empty()) return all;
+        all.root_mean_square = std::sqrt(squares / (face.area - beyond));
+        all.partner =
+            std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
+                return a.second < b.second;
+            })->first;
+        return all;
+    }
+};
+
+/// How each of so many faces lies to the other body, by its samples. In what direction the other
+/// lies is not asked nearer than `noise` mm.
+std::vector<FaceDeviation> face_deviations(std::span<const DeviationSample> samples,
+                                           std::size_t faces, double noise) {
+    std::vector<FaceSums> sums(faces);
+    for (const DeviationSample& sample : samples) sums[sample.point.face].add(sample, noise);
+    std::vector<FaceDeviation> all;
+    for (const FaceSums& face : sums) all.push_back(face.result());
+    return all;
+}
 
 std::vector<DeviationSample> measured_samples(const ClosestPointQuery& body,
                                               const ClosestPointQuery& other,

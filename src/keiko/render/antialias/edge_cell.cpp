@@ -3,8 +3,41 @@
 #include "keiko/render/antialias/edge_detection.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace keiko {
+namespace {
+
+bool is_upright(const Vec2& a, const Vec2& b) {
+    return a.x + a.y < b.x + b.y; // sides run along an axis of the picture
+}
+
+EdgeCrossing turned(EdgeCrossing side) {
+    std::swap(side.a, side.b);
+    std::swap(side.at_a, side.at_b);
+    return side;
+}
+
+} // namespace
+
+EdgeCrossing EdgeCrossing::upright() const {
+    return is_upright(a, b) ? *this : turned(*this);
+}
+
+void EdgeCrossing::take(const EdgeCrossing& upright) {
+    const std::size_t number = side;
+    *this = is_upright(a, b) ? upright : turned(upright);
+    side = number;
+}
+
+void EdgeCrossing::halve(const PixelSample& seen) {
+    const bool like_a = !differ_closely(*at_a, seen), like_b = !differ_closely(seen, *at_b);
+    if (like_a == like_b) state = like_a ? State::bent : State::tangled;
+    (like_a ? a : b) = middle();
+    (like_a ? at_a : at_b) = &seen;
+}
+
 namespace {
 
 /// Of the larger luminance: what a pixel may be off.
@@ -61,6 +94,43 @@ unsigned SeenCell::most_varied_axis(double finest) const {
     const double down = change(*corners[0], *corners[3]) + change(*corners[1], *corners[2]);
     if (across == down) return size.y > size.x ? 1 : 0;
     return down > across ? 1 : 0;
+}
+
+namespace {
+
+/// Of a cell's mean side: how near the line between its crossings an outline has to be.
+constexpr double slack = 0.1;
+
+/// What lies between two crossings, counted around the cell.
+CutPart part_between(const SeenCell& seen, const EdgeCrossing& begin, const EdgeCrossing& end) {
+    const auto corners = seen.cell.corners();
+    // What shows at the far end of the first side's crossing is in the part, as is what shows at
+    // the near end of the last one's.
+    SampledPolygon part;
+    const auto add = [&](const Vec2& corner, const PixelSample* sample) {
+        part.corners.push_back(corner), part.seen.push_back(sample);
+    };
+    add(begin.middle(), begin.at_b);
+    for (std::size_t i = begin.side; i != end.side; i = (i + 1) % 4)
+        add(corners[(i + 1) % 4], seen.corners[(i + 1) % 4]);
+    add(end.middle(), end.at_a);
+    const Vec2 cut = (begin.middle() + end.middle()) / 2;
+    const Vec2 step = part.whole().centre - cut;
+    const double farthest = slack * std::sqrt(seen.cell.area()) / step.length();
+    return {part, cut + step * std::min(farthest, 1.0)};
+}
+
+} // namespace
+
+ClippedCell::ClippedCell(const SeenCell& cell, const EdgeCrossing& first,
+                         const EdgeCrossing& second)
+    : seen(cell), parts{part_between(cell, first, second), part_between(cell, second, first)} {}
+
+bool ClippedCell::holds_centre() const {
+    if (!seen.cell.centre) return true;
+    const Vec2 centre = seen.cell.corner + seen.cell.size / 2;
+    const auto off = [&](const CutPart& part) { return (part.beside_cut - centre).length2(); };
+    return parts[off(parts[0]) < off(parts[1]) ? 0 : 1].seen.shows(*seen.cell.centre);
 }
 
 } // namespace keiko

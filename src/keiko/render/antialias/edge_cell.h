@@ -1,12 +1,33 @@
 #pragma once
 
-#include "keiko/render/antialias/edge_crossing.h"
 #include "keiko/render/antialias/sampled_polygon.h"
+#include "keiko/render/reflection/sample_batch.h"
 
 #include <array>
 #include <span>
 
 namespace keiko {
+
+/// A side of a cell whose ends do not show the same, closed in on from both.
+struct EdgeCrossing {
+    std::size_t side = 0;
+    Vec2 a{0}, b{0}; ///< px
+    const PixelSample *at_a = nullptr, *at_b = nullptr;
+    enum class State {
+        crossed, ///< by one outline
+        bent,    ///< by none: the surface turns fast
+        tangled  ///< by several
+    } state = State::crossed;
+
+    Vec2 middle() const { return (a + b) / 2; }
+    double length() const { return (b - a).length(); }
+    /// The same, from the end with the lower coordinates to the other.
+    EdgeCrossing upright() const;
+    /// Takes over what was found on the upright line.
+    void take(const EdgeCrossing& upright);
+    /// `seen` in the middle.
+    void halve(const PixelSample& seen);
+};
 
 /// A rectangular cell of a pixel that may hold an outline, px.
 struct EdgeCell {
@@ -42,6 +63,24 @@ struct SeenCell {
     /// Whether more changes over the width, 0, or over the height, 1, of those sides that are
     /// longer than `finest`, px; of the longer where both change alike.
     unsigned most_varied_axis(double finest) const;
+};
+
+/// What an outline leaves of a cell on one side of it.
+struct CutPart {
+    SampledPolygon seen;
+    Vec2 beside_cut{0}; ///< a place in it by the middle of the cut, px
+};
+
+/// A cell that one outline cuts along a straight line.
+struct ClippedCell {
+    SeenCell seen;
+    std::array<CutPart, 2> parts;
+
+    /// Crossings by rising side.
+    ClippedCell(const SeenCell& cell, const EdgeCrossing& first, const EdgeCrossing& second);
+
+    /// Whether the centre, where that is known, shows what its part has to.
+    bool holds_centre() const;
 };
 
 } // namespace keiko

@@ -1,9 +1,11 @@
 #include "keiko/render/antialias/edge_pixel_lighting.h"
 
-#include "keiko/render/antialias/edge_runs.h"
+#include "keiko/math/bounds.h"
 #include "keiko/render/lighting/light_interpolation.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -12,6 +14,126 @@ namespace keiko {
 namespace {
 
 using Spots = std::vector<OutlineSpot>;
+
+constexpr double longest_row = 16; ///< px
+
+Vec2 pixel_of(const OutlineSpot& point) {
+    return Vec2(point.pixel.x, point.pixel.y);
+}
+
+/// Two shading points.
+struct Ends {
+    const OutlineSpot *first, *last;
+
+    Vec2 way() const { return pixel_of(*last) - pixel_of(*first); }
+};
+
+/// Those whose pixels are farthest apart.
+Ends ends_of(const Spots& points) {
+    Ends ends{&points[0], &points[0]};
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = i + 1; j < points.size(); ++j) {
+            const Ends others{&points[i], &points[j]};
+            if (others.way().length2() > ends.way().length2()) ends = others;
+        }
+    return ends;
+}
+
+bool share_a_pixel(const Spots& points) {
+    std::vector<std::pair<int, int>> pixels;
+    for (const OutlineSpot& point : points) pixels.push_back({point.pixel.y, point.pixel.x});
+    std::sort(pixels.begin(), pixels.end());
+    return std::adjacent_find(pixels.begin(), pixels.end()) != pixels.end();
+}
+
+/// Each pixel but once, at most two off the line from the first to the last, and three on from the
+/// one before: other pieces of outlines of one surface may lie on the same line.
+bool lie_in_a_row(const Spots& points, const Ends& ends) {
+    if (share_a_pixel(points)) return false;
+    const double length = ends.way().length();
+    if (length > longest_row) return false;
+    std::vector<double> along;
+    for (const OutlineSpot& point : points) {
+        const Vec2 off = pixel_of(point) - pixel_of(*ends.first);
+        if (std::abs(ends.way().cross(off)) > 2 * length) return false;
+        along.push_back(ends.way().dot(off));
+    }
+    std::sort(along.begin(), along.end());
+    return std::adjacent_find(along.begin(), along.end(), [&](double a, double b) {
+               return b - a > 3 * length;
+           }) == along.end();
+}
+
+EdgeRun row_of(const Spots& points, const Ends& ends) {
+    const Vec3 begin = ends.first->point->place.position;
+    const Vec3 way = ends.last->point->place.position - begin;
+    std::vector<std::pair<double, const ShadingPoint*>> places;
+    for (const OutlineSpot& point : points)
+        places.push_back({(point.point->place.position - begin).dot(way), point.point});
+    std::stable_sort(places.begin(), places.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    EdgeRun row;
+    for (const auto& [along, point] : places)
+        row.along.push_back(along), row.points.push_back(point);
+    return row;
+}
+
+/// Those on either side of the middle of the pixels' extent, across its longer side.
+std::array<Spots, 2> halves(const Spots& points) {
+    Box2 around;
+    for (const OutlineSpot& point : points) around.extend(pixel_of(point));
+    const int axis = around.extent().x < around.extent().y ? 1 : 0;
+    std::array<Spots, 2> halves;
+    for (const OutlineSpot& point : points)
+        halves[pixel_of(point)[axis] > around.center()[axis] ? 1 : 0].push_back(point);
+    return halves;
+}
+
+void add_rows(const Spots& points, std::vector<EdgeRun>& rows) {
+    for (const Spots& surface : smooth_surfaces(points)) {
+        const Ends ends = ends_of(surface);
+        if (lie_in_a_row(surface, ends)) {
+            rows.push_back(row_of(surface, ends));
+            continue;
+        }
+        const auto [low, high] = halves(surface);
+        if (high.empty()) {
+            for (const OutlineSpot& point : surface) rows.push_back({{point.point}, {0}});
+        } else {
+            add_rows(low, rows);
+            add_rows(high, rows);
+        }
+    }
+}
+
+} // namespace
+
+std::vector<Spots> smooth_surfaces(Spots points) {
+    std::vector<Spots> surfaces;
+    while (!points.empty()) {
+        Spots surface{points[0]}, rest(points.begin() + 1, points.end());
+        for (std::size_t i = 0; i < surface.size(); ++i) {
+            const SurfacePlace place = surface[i].point->place;
+            const auto joins = [&](const OutlineSpot& o) {
+                return is_same_surface(place, o.point->place);
+            };
+            const auto others = std::stable_partition(rest.begin(), rest.end(), joins);
+            surface.insert(surface.end(), rest.begin(), others);
+            rest.erase(rest.begin(), others);
+        }
+        surfaces.push_back(std::move(surface));
+        points = std::move(rest);
+    }
+    return surfaces;
+}
+
+std::vector<EdgeRun> edge_runs(const Spots& points) {
+    std::vector<EdgeRun> rows;
+    add_rows(points, rows);
+    return rows;
+}
+
+namespace {
 
 /// The shading points of one depth, whose light goes to the parts of pixels.
 class SharedLight {

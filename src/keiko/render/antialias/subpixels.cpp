@@ -1,10 +1,92 @@
 #include "keiko/render/antialias/subpixels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 namespace keiko {
+namespace {
+
+/// What of a convex polygon lies where a linear function, with these values at its corners, is not
+/// negative.
+Polygon clipped(std::span<const Vec2> corners, std::span<const double> values) {
+    Polygon left;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::size_t next = (i + 1) % corners.size();
+        const double a = values[i], b = values[next];
+        if (a >= 0) left.push_back(corners[i]);
+        if ((a >= 0) != (b >= 0))
+            left.push_back(corners[i] + (corners[next] - corners[i]) * (a / (a - b)));
+    }
+    return left;
+}
+
+/// What lies beyond a line across a direction.
+Polygon beyond(std::span<const Vec2> corners, const Vec2& across, double line) {
+    InplaceVector<double, 24> off;
+    for (const Vec2& corner : corners) off.push_back(across.dot(corner) - line);
+    return clipped(corners, off);
+}
+
+} // namespace
+
+PixelArea rectangle_part(const Vec2& corner, const Vec2& size) {
+    return {corner + size / 2, {size.x, 0}, {0, size.y}, size.x * size.y};
+}
+
+PixelArea polygon_part(std::span<const Vec2> corners) {
+    const Vec2 origin = corners[0];
+    double area = 0, xx = 0, xy = 0, yy = 0;
+    Vec2 first(0);
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        const Vec2 a = corners[i - 1] - origin, b = corners[i] - origin, sum = a + b;
+        const double triangle = (a.x * b.y - a.y * b.x) / 2;
+        area += triangle;
+        first += sum * (triangle / 3);
+        xx += triangle / 12 * (a.x * a.x + b.x * b.x + sum.x * sum.x);
+        xy += triangle / 12 * (a.x * a.y + b.x * b.y + sum.x * sum.y);
+        yy += triangle / 12 * (a.y * a.y + b.y * b.y + sum.y * sum.y);
+    }
+    const Vec2 middle = first / area;
+    xx = xx / area - middle.x * middle.x;
+    xy = xy / area - middle.x * middle.y;
+    yy = yy / area - middle.y * middle.y;
+    // Edges e and f have the moments (e e' + f f') / 12: those are a Cholesky factor.
+    const double right = std::sqrt(std::max(xx, 0.0));
+    const double shear = right > 0 ? xy / right : 0;
+    const double down = std::sqrt(std::max(yy - shear * shear, 0.0));
+    const double scale = std::sqrt(12.0);
+    return {origin + middle, Vec2(right, shear) * scale, Vec2(0, down) * scale, std::abs(area)};
+}
+
+Polygon strip_of(std::span<const Vec2> corners, const Vec2& across, double begin, double end) {
+    return beyond(beyond(corners, across, begin), -across, -end);
+}
+
+double polygon_mean(std::span<const Vec2> corners, std::span<const double> values) {
+    double area = 0, sum = 0;
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        const Vec2 a = corners[i - 1] - corners[0], b = corners[i] - corners[0];
+        const double triangle = a.x * b.y - a.y * b.x;
+        area += triangle;
+        sum += triangle * (values[0] + values[i - 1] + values[i]) / 3;
+    }
+    return sum / area;
+}
+
+Ray ray_of(const PreparedCamera& camera, const PixelArea& part) {
+    Ray ray = camera.ray(part.centre.x, part.centre.y);
+    const RayDifferentials pixel = *ray.differentials;
+    const auto along = [](const Vec3& dx, const Vec3& dy, const Vec2& edge) {
+        return dx * edge.x + dy * edge.y;
+    };
+    ray.differentials = RayDifferentials{along(pixel.origin_dx, pixel.origin_dy, part.right),
+                                         along(pixel.origin_dx, pixel.origin_dy, part.down),
+                                         along(pixel.direction_dx, pixel.direction_dy, part.right),
+                                         along(pixel.direction_dx, pixel.direction_dy, part.down)};
+    return ray;
+}
 
 void Subpixels::open(SampleBatch view) {
     for (const PixelSample& seen : view.samples) result_.paths += seen.paths;

@@ -2,9 +2,60 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace keiko {
+
+bool holds(const Lights& lights, std::size_t light) {
+    return std::binary_search(lights.begin(), lights.end(), light);
+}
+
+Lights without(const Lights& lights, const Lights& taken) {
+    Lights rest;
+    std::set_difference(lights.begin(), lights.end(), taken.begin(), taken.end(),
+                        std::back_inserter(rest));
+    return rest;
+}
+
+Lights united(const Lights& a, const Lights& b) {
+    Lights both;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return both;
+}
+
+Lights common(const Lights& a, const Lights& b) {
+    Lights both;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return both;
+}
+
+Lights within(const std::vector<LightError>& errors, double most) {
+    Lights lights;
+    for (const LightError& doubt : errors)
+        if (doubt.error <= most) lights.push_back(doubt.light);
+    return lights;
+}
+
+std::vector<LightError> errors_in(const Lights& lights) {
+    std::vector<LightError> errors;
+    for (const std::size_t light : lights) errors.push_back({light});
+    return errors;
+}
+
+Lights least_erroneous(std::vector<LightError> errors, double& left) {
+    std::stable_sort(errors.begin(), errors.end(),
+                     [](const LightError& a, const LightError& b) { return a.error < b.error; });
+    Lights taken;
+    for (const LightError& doubt : errors) {
+        if (!(doubt.error <= left)) break;
+        left -= doubt.error;
+        taken.push_back(doubt.light);
+    }
+    std::sort(taken.begin(), taken.end());
+    return taken;
+}
+
 namespace {
 
 double ratio(double wrong, double allowed) {

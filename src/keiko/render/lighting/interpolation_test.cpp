@@ -1,6 +1,6 @@
 #include "keiko/render/lighting/interpolation_test.h"
 
-#include "keiko/render/lighting/possibly_occluded_lights.h"
+#include "keiko/render/lighting/light_samples.h"
 
 #include <algorithm>
 #include <cmath>

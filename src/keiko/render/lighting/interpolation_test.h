@@ -2,7 +2,7 @@
 
 #include "keiko/render/lighting/error_budget.h"
 #include "keiko/render/lighting/interpolant.h"
-#include "keiko/render/lighting/unresolved_lights.h"
+#include "keiko/render/lighting/light_samples.h"
 
 namespace keiko {
 

@@ -1,7 +1,7 @@
 #include "keiko/render/lighting/light_interpolation.h"
 
 #include "keiko/render/lighting/interpolation_test.h"
-#include "keiko/render/lighting/possibly_occluded_lights.h"
+#include "keiko/render/lighting/light_samples.h"
 
 #include <utility>
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "keiko/render/lighting/interpolation_errors.h"
+#include "keiko/render/lighting/error_budget.h"
 #include "keiko/render/lighting/shading_grid.h"
 #include "keiko/render/shading/integrator.h"
 
 #include <memory_resource>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -68,5 +69,37 @@ private:
     Lights asked_;                     ///< for
     std::vector<LightId> asked_lamps_; ///< the same
 };
+
+/// A light of which what is seen is linear between the corners of a rectangle.
+struct LinearlySeen {
+    std::size_t light;
+    Rectangle between;
+};
+
+/// Lights that are not known yet over a rectangle.
+struct UnresolvedLights {
+    Lights lit;
+    Lights seen; ///< those of them of which it is not known either what is seen
+    std::vector<LinearlySeen> linearly_seen{}; ///< the others, and some that are known
+};
+
+/// What is seen of a light at a place if it is linear between the corners of a rectangle, where it
+/// is known. Nothing where they do not see the same number of parts of it.
+std::optional<LightVisibility> seen_between_corners(const LightSamples& lights,
+                                                    const ShadingGrid& grid,
+                                                    const LinearlySeen& linear, const Pixel& p);
+
+/// Finds what open lights bring to a place.
+void find(const UnresolvedLights& open, const ShadingGrid& grid, const Pixel& p,
+          LightSamples& lights);
+
+/// Lights, of some that have been found there, that corners and middles of a rectangle of a grid
+/// all see as a whole.
+Lights classify_prisms(const LightSamples& found, const Rectangle& r, const Lights& lights);
+
+/// Lights, of some, of which it is not proved that all places of a rectangle see the same: all of
+/// them or nothing.
+Lights possibly_occluded_lights(const Integrator& integrator, const ShadingGrid& grid,
+                                const Rectangle& r, const Lights& lights);
 
 } // namespace keiko

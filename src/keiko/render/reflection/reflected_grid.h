@@ -1,15 +1,72 @@
 #pragma once
 
+#include "keiko/base/default_init_allocator.h"
+#include "keiko/geometry/bezier/ray.h"
+#include "keiko/intersect/hit/hit.h"
 #include "keiko/intersect/kernels/prefetch.h"
+#include "keiko/math/rgb.h"
 #include "keiko/render/reflection/reflected_footprint.h"
-#include "keiko/render/reflection/reflected_rays.h"
-#include "keiko/render/reflection/surface_continuity.h"
+#include "keiko/render/reflection/shading_point.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace keiko {
+
+/// Rays as arrays of their numbers, so that neighbouring ones are read side by side: origin,
+/// direction, and how they change with the picture's x and y.
+class ReflectedRays {
+public:
+    static constexpr std::size_t numbers = 18;
+    /// Where the coordinates of each begin among the numbers.
+    static constexpr std::size_t origin = 0, direction = 3, origin_dx = 6, origin_dy = 9,
+                                 direction_dx = 12, direction_dy = 15;
+
+    ReflectedRays() = default;
+    explicit ReflectedRays(std::size_t count)
+        : stride_(count + margin), values_(numbers * stride_) {}
+
+    void set(std::size_t place, const Ray& ray) {
+        put(place, origin, ray.origin), put(place, direction, ray.direction);
+        if (!ray.differentials) return;
+        const RayDifferentials& d = *ray.differentials;
+        put(place, origin_dx, d.origin_dx), put(place, origin_dy, d.origin_dy);
+        put(place, direction_dx, d.direction_dx), put(place, direction_dy, d.direction_dy);
+    }
+    /// Gives the first `count` places what those from `place` on have, behind them.
+    void take_over(std::size_t place, std::size_t count) {
+        for (std::size_t number = 0; number < numbers; ++number)
+            std::copy_n(at(number, place), count, values_.data() + number * stride_);
+    }
+    /// One of the numbers, for the rays from a place on; a vector may be read past the last.
+    const double* at(std::size_t number, std::size_t place) const {
+        return values_.data() + number * stride_ + place;
+    }
+    /// Three numbers from one on.
+    Vec3 vector(std::size_t number, std::size_t place) const {
+        return {*at(number, place), *at(number + 1, place), *at(number + 2, place)};
+    }
+    /// Of a ray that was set with differentials.
+    RayDifferentials differentials(std::size_t place) const {
+        return {vector(origin_dx, place), vector(origin_dy, place), vector(direction_dx, place),
+                vector(direction_dy, place)};
+    }
+
+private:
+    static constexpr std::size_t margin = 8;
+
+    void put(std::size_t place, std::size_t number, const Vec3& v) {
+        for (unsigned k = 0; k < 3; ++k) values_[(number + k) * stride_ + place] = v[k];
+    }
+
+    std::size_t stride_ = 0;
+    std::vector<double, DefaultInitAllocator<double>>
+        values_; ///< of places without a ray, anything
+};
 
 /// The reflected rays of a grid of camera rays, which go on for ever, and where they begin. All are
 /// set or taken over before any is asked for.
@@ -48,6 +105,21 @@ private:
     ReflectedRays numbers_;
     std::vector<SurfacePlace> begins_;
     SurfaceContinuity joins_;
+};
+
+/// The first reflected rays of a grid's pixels, and what they meet.
+struct ReflectionBuffer {
+    struct Way {
+        bool goes_on = false;
+        const Hit* hit = nullptr;
+        Rgb weight; ///< of its path
+    };
+
+    ReflectionBuffer(int width, int height) : grid(width, height), ways(grid.size()) {}
+
+    ReflectedGrid grid;
+    std::vector<Way> ways;  ///< by place
+    std::vector<Hits> hits; ///< of the ways
 };
 
 } // namespace keiko

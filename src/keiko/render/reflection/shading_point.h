@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace keiko {
 
@@ -44,6 +46,25 @@ struct DirectLight {
         return {illuminance - o.illuminance, lobes - o.lobes, incident - o.incident};
     }
     DirectLight operator*(double s) const { return {illuminance * s, lobes * s, incident * s}; }
+};
+
+/// Which neighbours in a grid of places show one smooth surface.
+class SurfaceContinuity {
+public:
+    SurfaceContinuity() = default;
+    /// `places`: row by row, null where nothing is shown.
+    SurfaceContinuity(int width, std::span<const SurfacePlace* const> places);
+
+    /// Whether the place of that number and its right or lower neighbour do.
+    bool right(std::size_t place) const { return joins_[place].right; }
+    bool down(std::size_t place) const { return joins_[place].down; }
+
+private:
+    struct Joins {
+        bool right = false, down = false;
+    };
+
+    std::vector<Joins> joins_;
 };
 
 } // namespace keiko

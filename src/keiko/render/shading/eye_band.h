@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/render/reflection/reflection_buffer.h"
+#include "keiko/render/reflection/reflected_grid.h"
 #include "keiko/render/reflection/sample_batch.h"
 
 #include <vector>

@@ -6,7 +6,6 @@
 #include <limits>
 
 namespace keiko {
-
 namespace {
 
 /// Camera rays of a grid that are followed together up to what their mirrored ones meet: few enough

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/render/antialias/edge_cell.h"
 #include "keiko/render/shading/integrator.h"
 #include "keiko/scene/camera.h"
 
@@ -34,5 +35,10 @@ private:
     std::pmr::monotonic_buffer_resource memory_; ///< of what is known: nothing is forgotten
     std::pmr::unordered_map<Vec2, const PixelSample*, PlaceHash> known_{&memory_};
 };
+
+/// The sides that outlines cross of each cell in turn, closed in on by halving until the place is
+/// known to a sixty-fourth of a pixel or no outline is found there. Cells side by side share what
+/// is found.
+std::vector<EdgeCrossing> outline_crossings(EdgeSamples& probes, std::span<const SeenCell> cells);
 
 } // namespace keiko
