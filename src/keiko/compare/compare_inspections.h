@@ -18,7 +18,7 @@ struct CompareOptions {
     double curvature = 5e-3; ///< share of 1: a smaller change of a mismatch of curvature is none
 };
 
-/// Where a seam stands in one revision: the worst of a group.
+/// State of a seam in one revision: the worst of a group.
 struct SeamState {
     double gap = 0;                  ///< mm
     std::optional<double> angle;     ///< degrees
@@ -28,7 +28,7 @@ struct SeamState {
     Vec3 place{0};       ///< where it is worst
 };
 
-/// What became of a seam.
+/// Trend of a seam from one revision to the next.
 enum class SeamTrend { better, worse, other };
 std::string_view name_of(SeamTrend trend);
 
@@ -44,7 +44,7 @@ struct SeamChange {
     double curvature() const;
 };
 
-/// What became of the seams and findings of a part from one revision to the next.
+/// Changes of the seams and findings of a part from one revision to the next.
 struct InspectionDifference {
     /// Beyond the tolerances, or in verdict: worse seams first, by how much they have changed.
     std::vector<SeamChange> changed;
@@ -61,7 +61,7 @@ struct InspectionDifference {
     }
 };
 
-/// Matches seams by where they run, see match_seams, and tells what changed of them. A finding is
+/// Matches seams by where they run, see match_seams, and reports what changed of them. A finding is
 /// new where no partner of its seam has one of the same code, unless the seam has not changed.
 InspectionDifference compare_inspections(const Inspection& before, const Inspection& after,
                                          const CompareOptions& options = {});

@@ -16,15 +16,15 @@ namespace keiko {
 struct MetricDifference {
     std::string check, name;
     Quantity quantity = Quantity::count;
-    /// Nothing: there is no such metric any more, or was none before.
+    /// Values of the metric; nullopt: there is no such metric any more, or was none before.
     std::optional<std::variant<double, std::string>> before, after;
     double allowed = 0; ///< how far apart two numbers may be
 };
 
-/// What is farther apart than the tolerances, or in one list only; in the order of `after`, then
-/// what is gone. Metrics belong together by check and name, which must be unique in a list. A face
-/// or seam ("face 3" of "face 3: area") that only its name tells apart from one that is gone is the
-/// same: programs that write a part anew name and number as they like.
+/// Metrics that are farther apart than the tolerances, or in one list only; in the order of
+/// `after`, then what is gone. Metrics belong together by check and name, which must be unique in a
+/// list. A face or seam ("face 3" of "face 3: area") is the same as one that is gone if only its
+/// name differs. Programs that write a part anew name and number as they like.
 std::vector<MetricDifference> metric_differences(std::span<const Metric> before,
                                                  std::span<const Metric> after,
                                                  const MetricTolerances& tolerances);
@@ -47,18 +47,18 @@ struct FixtureEye {
     bool operator==(const FixtureEye&) const = default;
 };
 
-/// What follows from the body, and must not follow it when it changes: a baseline keeps it, so that
-/// whatever comes after is looked at from the same place, under the same lamps.
+/// Views and lamps derived from the body, which must not follow it when it changes. A baseline
+/// keeps them, so that whatever comes after is viewed from the same place, under the same lamps.
 struct FixtureSetup {
     std::vector<FixtureEye> eyes;
     std::string placed_rig; ///< text of keiko-rig/1: lamps that were placed; else empty
 
-    /// nullptr where that view was never looked at in this size.
+    /// nullptr where that view was never rendered in this size.
     const FixtureEye* eye(const std::string& asked, int width, int height) const;
     bool operator==(const FixtureSetup&) const = default;
 };
 
-/// What a fixture showed: as its baseline keeps it, or as it is now.
+/// Record of a fixture: as its baseline keeps it, or as it is now.
 struct FixtureRecord {
     std::vector<Metric> metrics;
     std::vector<FixturePicture> pictures;

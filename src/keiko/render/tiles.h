@@ -20,7 +20,7 @@ public:
     /// `boxes`: world, mm; the model is within them.
     ScreenBounds(const Camera& camera, std::span<const Box3> boxes);
 
-    /// Of a pixel of the picture or beside its border.
+    /// True if a pixel of the picture or beside its border may show the model.
     bool may_show(int x, int y) const {
         return shown_[static_cast<std::size_t>(cell_at(y)) * static_cast<std::size_t>(columns_) +
                       static_cast<std::size_t>(cell_at(x))] != 0;
@@ -62,7 +62,7 @@ TileRays grid_of(const PictureRays& eye, const Tile& tile);
 /// found in which way for the tile's own.
 HitStatistics write_samples(std::span<const PixelSample> samples, int border, const Tile& tile,
                             Film& film);
-/// Writes what pixels show of which no ray meets anything.
+/// Writes the pixels of a tile whose rays meet nothing.
 void write_unseen(const Integrator& integrator, const Tile& tile, Film& film);
 
 } // namespace keiko

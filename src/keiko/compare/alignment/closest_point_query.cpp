@@ -32,7 +32,7 @@ double claimed_tolerance(const SurfaceModel& model, const BoundaryInterval& bord
 
 } // namespace
 
-/// What is known of the nearest point so far.
+/// State of the search for the nearest point so far.
 class ClosestPointQuery::Search {
 public:
     Search(const Pieces& pieces, const Vec3& p, double reach, const FaceFilter& counts)

@@ -44,11 +44,11 @@ struct BorderPoint {
 using FaceFilter = std::function<bool(std::uint32_t face)>;
 
 /// Finds the nearest points of the exact trimmed surface of a body. Pieces of surface are tried by
-/// the distance of their boxes; where the squared distance is proved convex over a piece, Newton's
-/// iteration finds its only minimum, elsewhere the piece is halved, a few times: distances up to
+/// the distance of their boxes. Where the squared distance is proved convex over a piece, Newton's
+/// iteration finds its only minimum. Elsewhere the piece is halved, a few times: distances up to
 /// about the radius of curvature are proved. A distance is the smallest to 1e-9 mm. What is nearer
 /// but trimmed away hands on to the borders, whose distance is found from polylines, not proved:
-/// `nearest` is then that of the untrimmed surface. Immutable; any thread may ask.
+/// `nearest` is then that of the untrimmed surface. Immutable; any thread may query.
 class ClosestPointQuery {
 public:
     /// Keeps its own copy of the body. Throws Error for a body without faces, Cancelled.
@@ -56,10 +56,10 @@ public:
     ~ClosestPointQuery();
     ClosestPointQuery(ClosestPointQuery&&) noexcept;
 
-    /// Of the faces that count; nothing where they are `reach` mm away or farther.
+    /// Nearest point of the faces that count; nullopt where they are `reach` mm away or farther.
     std::optional<ClosestSurfacePoint> foot(const Vec3& p, double reach,
                                             const FaceFilter& counts = {}) const;
-    /// Of the whole body, however far it is.
+    /// Nearest point of the whole body, at any distance.
     ClosestSurfacePoint foot(const Vec3& p) const;
     /// The distance of a point to the borders of all faces, mm; infinity where it is `reach` or
     /// more, and where no face has a border.
@@ -76,7 +76,7 @@ public:
     std::size_t piece_count() const;
     /// About how long a piece is along u and along v, mm.
     Vec2 piece_size(std::size_t piece) const;
-    /// Nothing where the piece is trimmed away.
+    /// Point of a piece; nullopt where the piece is trimmed away.
     std::optional<SurfacePoint> point(std::size_t piece, const Vec2& uv) const;
 
 private:

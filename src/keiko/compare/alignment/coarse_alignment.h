@@ -17,7 +17,7 @@ public:
     /// A place whose distance of `distance` mm grows along the unit vector `direction`.
     void add(const Vec3& place, const Vec3& direction, double distance, double weight);
 
-    /// What brings the places nearest; directions that they leave free stay as they are.
+    /// Motion that brings the places nearest; directions that they leave free stay as they are.
     Affine motion() const;
     /// mm, about how far that moves the body.
     double length() const;
@@ -37,9 +37,9 @@ using SampleCloud = std::vector<SurfaceSample>;
 /// Centre of area.
 Vec3 centre_of(const SampleCloud& cloud);
 
-/// The motion of `body` to near `other` from which a search for the best one shall start: the best
-/// of where it is, its centre on the other's, and the four turns that lay principal axes on each
-/// other, each improved on the clouds. `size` of the other in mm. Throws Cancelled.
+/// Start motion of `body` to near `other` for a search for the best one, improved on the clouds;
+/// `size` of the other in mm. It is the best of where the body is, its centre on the other's, and
+/// the four turns that lay principal axes on each other. Throws Cancelled.
 Affine coarse_alignment(const SampleCloud& body, const SampleCloud& other, double size,
                         const Job& job = {});
 

@@ -52,8 +52,8 @@ private:
     std::optional<BoxTree> tree_;
 };
 
-/// Proves that the squared distance of a point to a piece of surface is convex over it, so that it
-/// has one minimum: for every unit direction v there, |S' v|^2 > |(S - p) . S'' v v|, by bounds on
+/// Proof that the squared distance of a point to a piece of surface is convex over it, so that it
+/// has one minimum. For every unit direction v there, |S' v|^2 > |(S - p) . S'' v v|, by bounds on
 /// the control net in the frame of the mean tangents.
 class Convexity {
 public:
@@ -78,7 +78,7 @@ Vec3 outward_normal(const SurfaceDerivatives& s, const Vec2& uv, const Face& fac
 /// for square ones.
 unsigned longer_side(const BezierPatchView& piece);
 
-/// What feet are sought on: the faces of a body in pieces that are bent little, by place.
+/// Faces of a body in pieces that are bent little, by place, as searched for nearest points.
 struct ClosestPointQuery::Pieces {
     PlacedModel body;
     std::vector<TrimRegion> trims; ///< a face
@@ -93,7 +93,7 @@ struct ClosestPointQuery::Pieces {
     /// Throws Error for a body without faces, Cancelled.
     Pieces(PlacedModel placed, const Job& job);
 
-    /// Nothing where the leaf is trimmed away.
+    /// Point of a leaf; nullopt where the leaf is trimmed away.
     std::optional<SurfacePoint> point(std::uint32_t sub_patch, const Vec2& uv) const;
     bool is_material(const SubPatch& sub_patch, const Vec2& uv) const;
     /// The face of a leaf.

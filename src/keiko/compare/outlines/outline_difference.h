@@ -6,7 +6,7 @@
 
 namespace keiko {
 
-/// What counts as the same in a picture.
+/// Tolerances within which two pictures are the same.
 struct OutlineTolerance {
     double distance = 0.01; ///< mm on the part that an outline may move, or
     double pixels = 0.05;   ///< of the picture, whichever is more
@@ -24,7 +24,7 @@ struct OutlineShift {
     bool within() const { return excess <= 1; }
 };
 
-/// What two bodies show in a pixel.
+/// Outlines of two bodies in a pixel.
 struct PixelOutline {
     bool found = false;   ///< one of them has an outline there
     bool alike = false;   ///< both show the same surface in the same paint all over
@@ -35,7 +35,7 @@ struct PixelOutline {
 /// docs/decisions/0017-outlines-of-revisions.md. Immutable; any thread may ask.
 class OutlineComparison {
 public:
-    /// Distances are sought up to `reach` mm. The bodies are only looked at.
+    /// Distances are sought up to `reach` mm. Keeps references to the bodies.
     OutlineComparison(const OutlineBody& before, const OutlineBody& after, const Camera& camera,
                       const OutlineTolerance& tolerance, double reach);
 
@@ -59,7 +59,7 @@ private:
     double reach_;
 };
 
-/// What the bodies themselves have to do with the difference of two pictures of them.
+/// Part of the bodies themselves in the difference of two pictures of them.
 struct OutlineDifference {
     std::size_t excused = 0; ///< pixels that differ, whose outlines moved within the tolerance
     std::size_t moved = 0;   ///< pixels whose outlines moved farther, or that show something else

@@ -30,7 +30,7 @@ struct OutlineBody {
 double distance_to_same(const OutlineBody& body, const Hit& hit, const OutlineBody& other,
                         double reach);
 
-/// What the camera ray through a place of a picture first meets.
+/// First hit of the camera ray through a place of a picture.
 struct Sighting {
     Vec2 place{0}; ///< px
     std::optional<Hit> hit;

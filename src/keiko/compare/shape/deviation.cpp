@@ -45,7 +45,7 @@ struct DeviationSample : SurfaceSample {
     }
 };
 
-/// What is added up of a face.
+/// Sums over the samples of a face.
 struct FaceSums {
     FaceDeviation face;
     double turned = 0, beyond = 0, beside = 0, squares = 0;
@@ -80,8 +80,8 @@ struct FaceSums {
     }
 };
 
-/// How each of so many faces lies to the other body, by its samples. In what direction the other
-/// lies is not asked nearer than `noise` mm.
+/// Deviation of each of `faces` faces from the other body, by its samples. The direction in which
+/// the other lies is not computed nearer than `noise` mm.
 std::vector<FaceDeviation> face_deviations(std::span<const DeviationSample> samples,
                                            std::size_t faces, double noise) {
     std::vector<FaceSums> sums(faces);
@@ -128,8 +128,8 @@ DeviationSample climbed(const ClosestPointQuery& body, const ClosestPointQuery& 
     return best;
 }
 
-/// Where a quantity is largest, climbed to from the samples that have most of it; the largest
-/// first.
+/// Places where a quantity is largest, climbed to from the samples that have most of it; the
+/// largest first.
 template <class Quantity>
 std::vector<DeviationSample> peaks(const ClosestPointQuery& body, const ClosestPointQuery& other,
                                    double reach, const std::vector<DeviationSample>& samples,

@@ -11,12 +11,12 @@ namespace keiko {
 struct DeviationOptions {
     std::size_t samples = 30000; ///< about as many places, spread evenly; at least 16 a piece
     double certainty = 1e-6;     ///< mm within which a distance must be proved to be certain
-    /// mm: what is as far away or farther is told as that, without its distance.
+    /// mm: places as far away or farther are reported as beyond it, without their distance.
     double reach = std::numeric_limits<double>::infinity();
     double noise = 1e-4; ///< mm: in what direction the other lies is not asked nearer than this
 };
 
-/// Where a body deviates from another.
+/// Place where a body deviates from another.
 struct DeviationPlace {
     double value = 0; ///< mm, or degrees; infinity: nothing of the other is within reach
     Vec3 place{0};    ///< world, mm
@@ -51,7 +51,7 @@ struct Deviation {
     DeviationPlace worst_normal;    ///< degrees between the normals, where they agree on a side
     DeviationPlace worst_border;    ///< mm from a border of the body to the other's borders
     double claimed_border = 0;      ///< mm, tolerance that the file claims for the edge there
-    double reach = 0;               ///< mm, as asked for
+    double reach = 0;               ///< mm, as requested
     double beyond = 0;              ///< share of the area from which nothing is within reach
     double uncertain_share = 0;     ///< of the area, whose distance is not proved
     double largest_uncertainty = 0; ///< mm

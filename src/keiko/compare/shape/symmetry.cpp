@@ -36,7 +36,7 @@ SelfDeviation self_deviation(const SurfaceModel& model, const MirrorPlane& plane
     return {body.body(), measure_deviation(body, image, within, job), within.reach};
 }
 
-/// What a search of planes measures by.
+/// Measure of a search of planes.
 DeviationOptions quick() {
     DeviationOptions options;
     options.samples = 3000;

@@ -14,11 +14,11 @@ double mirror_deviation(const SurfaceModel& model, const MirrorPlane& plane,
                         std::span<const std::uint32_t> chosen = {}, const Job& job = {});
 
 /// Measures how far a body is from its own mirror image, where the preset of its inspection has a
-/// limit for it, and adds the check to the inspection, of the face that is furthest off. Where the
-/// preset has one for what is worth a look, the plane is found: y = 0 or that through the middle of
-/// the body across y, x or z, the first from which it is less than a fiftieth of its size. The
-/// bound is what the nearest points are not proved to; that no place is worse is sought, not proved
-/// (docs/theory/inspection.md). Throws Cancelled.
+/// limit for it. Adds the check to the inspection, of the face that is furthest from it. Where the
+/// preset has a limit for what is worth a review, the plane is found: the first from which the body
+/// is less than a fiftieth of its size. The planes tried are y = 0 and those through the middle of
+/// the body across y, x or z. The bound is what the nearest points are not proved to; that no place
+/// is worse is sought, not proved (docs/theory/inspection.md). Throws Cancelled.
 void check_symmetry(const SurfaceModel& model, Inspection& inspection, const Job& job = {});
 
 } // namespace keiko

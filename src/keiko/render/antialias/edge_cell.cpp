@@ -40,7 +40,7 @@ void EdgeCrossing::halve(const PixelSample& seen) {
 
 namespace {
 
-/// Of the larger luminance: what a pixel may be off.
+/// Contrast allowed in a pixel, as a share of the larger luminance.
 constexpr double least_contrast = 0.01;
 
 /// How far two samples are from showing one plane.
@@ -98,10 +98,11 @@ unsigned SeenCell::most_varied_axis(double finest) const {
 
 namespace {
 
-/// Of a cell's mean side: how near the line between its crossings an outline has to be.
+/// Largest distance of an outline from the line between its crossings, as a share of the cell's
+/// mean side.
 constexpr double slack = 0.1;
 
-/// What lies between two crossings, counted around the cell.
+/// Part of a cell between two crossings, counted around the cell.
 CutPart part_between(const SeenCell& seen, const EdgeCrossing& begin, const EdgeCrossing& end) {
     const auto corners = seen.cell.corners();
     // What shows at the far end of the first side's crossing is in the part, as is what shows at

@@ -21,7 +21,7 @@ struct EdgeCrossing {
 
     Vec2 middle() const { return (a + b) / 2; }
     double length() const { return (b - a).length(); }
-    /// The same, from the end with the lower coordinates to the other.
+    /// Copy of the crossing, from the end with the lower coordinates to the other.
     EdgeCrossing upright() const;
     /// Takes over what was found on the upright line.
     void take(const EdgeCrossing& upright);
@@ -65,7 +65,7 @@ struct SeenCell {
     unsigned most_varied_axis(double finest) const;
 };
 
-/// What an outline leaves of a cell on one side of it.
+/// Part of a cell on one side of an outline.
 struct CutPart {
     SampledPolygon seen;
     Vec2 beside_cut{0}; ///< a place in it by the middle of the cut, px

@@ -12,23 +12,24 @@ namespace keiko {
 /// the border of a reflection of the body runs between them.
 bool differ(const PixelSample& a, const PixelSample& b);
 
-/// The same of places so near that the surface's curvature tells how far it turns between them: a
-/// narrow rounding is no crease.
+/// True if two places do not show the same smooth thing, though they are so near that the surface's
+/// curvature determines how far it turns between them. A narrow rounding is no crease.
 bool differ_closely(const PixelSample& a, const PixelSample& b);
 
 /// Whether two places look the same in the picture: luminances that differ by `contrast` of the
 /// larger at the most, and one surface where light is still to come.
 bool look_alike(const PixelSample& a, const PixelSample& b, double contrast);
 
-/// What is known of outlines in a pixel before more rays are sent.
+/// Knowledge of outlines in a pixel before more rays are sent.
 enum class Outline : std::uint8_t {
     none,         ///< one ray is enough
     likely,       ///< between its centre and one of its eight neighbours'
-    discontinuous ///< what the pixel mirrors is not smooth, or its image is not told to be straight
+    discontinuous ///< what the pixel mirrors is not smooth, or its image is not known to be
+                  ///< straight
 };
 
-/// Of the inner pixels of a grid of camera rays, `width` in a row and one pixel off on all sides,
-/// row by row.
+/// Outlines of the inner pixels of a grid of camera rays, row by row. The grid is `width` in a row
+/// and has a border of one pixel on all sides.
 std::vector<Outline> outlines_of(std::span<const PixelSample> samples, int width);
 
 } // namespace keiko

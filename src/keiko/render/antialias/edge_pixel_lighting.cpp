@@ -28,7 +28,7 @@ struct Ends {
     Vec2 way() const { return pixel_of(*last) - pixel_of(*first); }
 };
 
-/// Those whose pixels are farthest apart.
+/// Shading points whose pixels are farthest apart.
 Ends ends_of(const Spots& points) {
     Ends ends{&points[0], &points[0]};
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -46,8 +46,9 @@ bool share_a_pixel(const Spots& points) {
     return std::adjacent_find(pixels.begin(), pixels.end()) != pixels.end();
 }
 
-/// Each pixel but once, at most two off the line from the first to the last, and three on from the
-/// one before: other pieces of outlines of one surface may lie on the same line.
+/// True if the points lie in a row: each pixel once, at most two from the line from the first to
+/// the last, and three on from the one before. Other pieces of outlines of one surface may lie on
+/// the same line.
 bool lie_in_a_row(const Spots& points, const Ends& ends) {
     if (share_a_pixel(points)) return false;
     const double length = ends.way().length();
@@ -78,7 +79,7 @@ EdgeRun row_of(const Spots& points, const Ends& ends) {
     return row;
 }
 
-/// Those on either side of the middle of the pixels' extent, across its longer side.
+/// Shading points on either side of the middle of the pixels' extent, across its longer side.
 std::array<Spots, 2> halves(const Spots& points) {
     Box2 around;
     for (const OutlineSpot& point : points) around.extend(pixel_of(point));

@@ -24,15 +24,16 @@ struct EdgeRun {
 /// continue() each other lead from one to the other.
 std::vector<std::vector<OutlineSpot>> smooth_surfaces(std::vector<OutlineSpot> points);
 
-/// All of `shading points`, which are of one depth, in rows along straight pieces of outlines: each
-/// row of one smooth surface, its pixels apart, at most two off a line and three from one to the
-/// next, and sixteen from end to end.
+/// Rows of all of `points`, which are of one depth, along straight pieces of outlines. Each row is
+/// of one smooth surface, its pixels apart: at most two from a line, three from one to the next,
+/// and sixteen from end to end.
 std::vector<EdgeRun> edge_runs(const std::vector<OutlineSpot>& points);
 
 /// Adds the light of the shading points of pixels in parts, `width` in a row, to their samples.
-/// Each smooth surface in a pixel is lit once, at the place amid what is seen of it, as it is in a
-/// pixel of one ray; along straight outlines it is found at some of the pixels and between them,
-/// off by no more than `error` of what the eye sees at those that are tested. 0: in each pixel.
+/// Each smooth surface in a pixel is lit once, at the place in the middle of its visible part, as
+/// it is in a pixel of one ray. Along straight outlines the light is computed at some of the pixels
+/// and interpolated between them. The deviation at those that are tested is at most `error` of what
+/// the eye sees; 0 computes the light in each pixel.
 void add_shared_light(const Integrator& integrator, int width, double error,
                       RefinedPixels& refined);
 

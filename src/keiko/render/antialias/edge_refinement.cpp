@@ -83,8 +83,7 @@ private:
             for (const EdgeCell& quarter : half.halves(1)) next_.push_back(quarter);
     }
 
-    /// Those of the cells that one outline crosses; the others are divided, or whole if they are
-    /// only bent.
+    /// Cells that one outline crosses, cut; the others are divided, or whole if they are only bent.
     std::vector<ClippedCell> cuts_of(std::vector<SeenCell> cells, std::vector<SeenCell>& whole) {
         const std::vector<EdgeCrossing> all = outline_crossings(probes_, cells);
         std::vector<ClippedCell> cuts;

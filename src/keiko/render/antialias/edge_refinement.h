@@ -7,9 +7,9 @@
 
 namespace keiko {
 
-/// Divides `pixels`, adaptively: cells whose corners and centre see one smooth thing stay whole,
-/// those that one straight outline crosses are split along it, where it is found by halving, and
-/// others are halved across what changes most, down to sides of `finest`, px, or quartered where
+/// Divides `pixels`, adaptively. Cells whose corners and centre see one smooth thing stay whole;
+/// those that one straight outline crosses are split along it, where it is found by halving. Others
+/// are halved across what changes most, down to sides of `finest`, px. They are quartered where
 /// their centre alone shows something, which may halve a side of `finest` once more. What shows one
 /// surface whose image on the lamps' plane is bent is cut into strips. Pixels that turn out to be
 /// whole and have a `centre` are left out of the result.

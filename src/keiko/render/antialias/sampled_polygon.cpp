@@ -97,16 +97,17 @@ Vec2 max_curvature_direction(std::span<const Vec2> corners,
 
 namespace {
 
-/// Of its span: how far the image of a pixel on the lamps' plane may be off a parallelogram, where
-/// luminances differ by no more than what is seen amid it.
+/// Deviation from a parallelogram allowed for the image of a pixel on the lamps' plane, as a share
+/// of its span, where luminances differ by no more than the luminance in the middle.
 constexpr double most_bend = 0.03;
-/// Of the larger: by how much the cosines of a pixel may differ.
+/// Difference allowed between the cosines of a pixel, as a share of the larger.
 constexpr double most_turn = 0.3;
 /// Sine of an angle by which the normal may turn: lamps fit in between.
 constexpr double most_rotation = 0.17;
 
-/// Of the larger luminance: how far the middle of a pixel may be off the mean of its corners where
-/// what it mirrors, the body itself, has no place on the lamps' plane that would tell more.
+/// Deviation allowed of the middle of a pixel from the mean of its corners, as a share of the
+/// larger luminance. It counts where the pixel mirrors the body itself, which has no place on the
+/// lamps' plane that would state more.
 constexpr double most_glare = 0.05;
 
 struct Range {

@@ -9,9 +9,9 @@
 
 namespace keiko {
 
-/// The direction in the picture, unit, along which the mirror image of a convex part of it is bent
-/// most: in which the normal turns most unevenly, as it and its slopes at the part's corners and
-/// amid it tell; 0 where it does not turn. All samples have hits with second derivatives.
+/// Unit direction in the picture along which the mirror image of a convex part of it is bent most;
+/// 0 where the normal does not turn. In it the normal turns least uniformly, by the normal and its
+/// slopes at the part's corners and at `amid`. All samples have hits with second derivatives.
 /// `corners`: px.
 Vec2 max_curvature_direction(std::span<const Vec2> corners,
                              std::span<const PixelSample* const> seen, const PixelSample& amid);
@@ -24,12 +24,12 @@ struct SampledPolygon {
     InplaceVector<const PixelSample*, most_corners> seen;
 
     PixelArea whole() const { return polygon_part(corners); }
-    /// Whether a sample amid it shows the same smooth thing as one of its corners.
+    /// True if a sample in the middle shows the same smooth thing as one of the corners.
     bool shows(const PixelSample& amid) const;
-    /// How far the place amid it is from telling how all of it looks with a straight image on the
-    /// lamps' plane, which may be bent, or reach the plane's horizon, or be seen at angles so
-    /// different that the reflectance is not even, or show amid it what no corner does: up to 1 it
-    /// tells; n strips take away n^2.
+    /// Nonlinearity of the polygon: up to 1 the place in its middle represents all of it with a
+    /// straight image on the lamps' plane. The image may be bent, or reach the plane's horizon. The
+    /// surface may be visible at angles so different that the reflectance is not uniform, or show
+    /// in the middle what no corner does. n strips take away n^2.
     double unevenness(const PixelSample& amid) const;
     /// Strips of one width along which the image is bent least, as many as make each even, but no
     /// more than it takes for them to be as narrow as `narrowest`, px; at least two. Nothing where

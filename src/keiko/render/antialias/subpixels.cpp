@@ -8,7 +8,7 @@
 namespace keiko {
 namespace {
 
-/// What of a convex polygon lies where a linear function, with these values at its corners, is not
+/// Part of a convex polygon where a linear function, with these values at its corners, is not
 /// negative.
 Polygon clipped(std::span<const Vec2> corners, std::span<const double> values) {
     Polygon left;
@@ -22,7 +22,7 @@ Polygon clipped(std::span<const Vec2> corners, std::span<const double> values) {
     return left;
 }
 
-/// What lies beyond a line across a direction.
+/// Part of a polygon beyond a line across a direction.
 Polygon beyond(std::span<const Vec2> corners, const Vec2& across, double line) {
     InplaceVector<double, 24> off;
     for (const Vec2& corner : corners) off.push_back(across.dot(corner) - line);

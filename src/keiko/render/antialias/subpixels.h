@@ -26,8 +26,8 @@ PixelArea rectangle_part(const Vec2& corner, const Vec2& size);
 /// corners in order, of either sense.
 PixelArea polygon_part(std::span<const Vec2> corners);
 
-/// What of a convex polygon lies between two lines across a unit direction, `begin` and `end` along
-/// it, px; of six corners at the most.
+/// Strip of a convex polygon of six corners at the most between two lines across a unit direction,
+/// `begin` and `end` along it, px.
 Polygon strip_of(std::span<const Vec2> corners, const Vec2& across, double begin, double end);
 
 /// The mean over a convex polygon of what is linear in the triangles at its first corner; `values`
@@ -55,7 +55,7 @@ struct RefinedPixels {
 /// Collects parts of pixels out of views that hold more than those.
 class Subpixels {
 public:
-    /// Begins with a view, of which parts are taken next.
+    /// Begins with a view; keep() takes its samples next.
     void open(SampleBatch view);
     const PixelSample& seen(std::size_t sample) const {
         return result_.views.back().samples[sample];
@@ -64,7 +64,7 @@ public:
     void keep(std::size_t sample, std::size_t pixel, double share);
     /// Ends with the view: the shading points of the samples that were taken go with them.
     void close();
-    /// All of them; `probes`: what was looked at besides.
+    /// All parts; `probes`: hits of the other rays that were traced.
     RefinedPixels finish(const HitStatistics& probes);
 
 private:

@@ -25,9 +25,9 @@ struct LightError {
     void add(double other) { error = std::max(error, other); }
 };
 
-/// Of none of them yet.
+/// Errors of lights, 0 for each of them yet.
 std::vector<LightError> errors_in(const Lights& lights);
-/// Those of no more than `most`.
+/// Lights with an error of no more than `most`.
 Lights within(const std::vector<LightError>& errors, double most);
 /// The lights in which there is least doubt, as long as all together are within what is `left` of
 /// the error, which they lessen.

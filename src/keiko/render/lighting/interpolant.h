@@ -40,17 +40,17 @@ class Interpolant {
 public:
     /// Linear in either coordinate, through the corners.
     static Interpolant lines(const ShadingGrid& grid, const Rectangle& r);
-    /// Of degree two in either coordinate, through the corners and middles; where a middle lies
-    /// near a corner, linear.
+    /// Polynomial of degree two in either coordinate, through the corners and middles; where a
+    /// middle lies near a corner, linear.
     static Interpolant parabolas(const ShadingGrid& grid, const Rectangle& r);
 
     /// Whether it goes through the middles too.
     bool goes_through_middles() const { return columns_.size() != 2 && rows_.size() != 2; }
 
-    /// What the light at each node counts at a place of the grid.
+    /// Weights of the light at each node for a place of the grid.
     using Weights = std::array<double, 9>;
     Weights weights(const Vec2& place) const;
-    /// What `light(node)` of all nodes, weighed so, comes to.
+    /// Sum of `light(node)` over all nodes with these weights.
     template <class Light>
     DirectLight sum(const Weights& weights, const Light& light) const {
         DirectLight sum;

@@ -10,10 +10,10 @@ namespace keiko {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// How parabolas are told on squares of one size. The smaller these are the fewer places test them.
+/// Limits of parabolas on squares of one size. The smaller these are the fewer places test them.
 struct Bending {
     double most;    ///< of the error: how far off lines at the middles their light may be
-    double caution; ///< what they are off by counts so often, since fewer test them than lines
+    double caution; ///< their deviation counts so often, since fewer test them than lines
 };
 constexpr Bending bending_on_large{8, 4}, bending_on_small{2, 8};
 
@@ -90,7 +90,7 @@ std::vector<InterpolationTest::Test> InterpolationTest::middles_of(const Rectang
     return middles;
 }
 
-/// Those that are not hopeful are not asked for, and taken linear there.
+/// Lights that are not hopeful are not computed, and taken linear there.
 std::vector<InterpolationTest::Test> InterpolationTest::odd_places_of(const Rectangle& r,
                                                                       const LightPolynomial& known,
                                                                       const UnresolvedLights& open,

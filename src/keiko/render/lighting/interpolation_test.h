@@ -6,29 +6,30 @@
 
 namespace keiko {
 
-/// Tries on rectangles of a grid which lights are told over them by those at a few of their places.
+/// Test of which lights are interpolated over rectangles of a grid from those at a few of their
+/// places.
 class InterpolationTest {
 public:
-    /// `seen`: what the eye sees of each place besides; what all lights together may be off by is
-    /// `error` of what it sees. All are only looked at but `lights`, which are found.
+    /// `seen`: what the eye sees of each place besides; the error allowed for all lights together
+    /// is `error` of what it sees. Keeps references to all; computes into `lights`.
     InterpolationTest(const Integrator& integrator, const ShadingGrid& grid,
                       std::span<const Rgb> seen, double error, LightSamples& lights)
         : integrator_(integrator), grid_(grid), seen_(seen), error_(error), lights_(lights) {}
 
-    /// Lights that are told, by rising number.
+    /// Interpolated lights, by rising number.
     struct Accepted {
         Lights parabolas; ///< of degree two: Interpolant::parabolas of the rectangle
         Lights lines;     ///< linear, which in each quarter is Interpolant::lines
         Lights seen;      ///< what is seen of these is linear in each quarter
-        /// Those of all these of which that only holds in quarters in which no shadow is: all
-        /// places that were asked see them, but something may come between. Of small squares none:
-        /// what is narrower than two pixels is not searched for there.
+        /// Subset of all these for which that only holds in quarters without a shadow: all tested
+        /// places see them, but something may come between. Of small squares none: shadows narrower
+        /// than two pixels are not searched for there.
         Lights threatened;
 
         Lights all() const { return united(seen, united(lines, parabolas)); }
     };
-    /// Of lights that are open over a rectangle, of which `known` is what the others bring to it.
-    /// `left` of the error is still allowed, which those that are told lessen.
+    /// Accepted subset of the lights that are open over a rectangle; `known` is the light of the
+    /// others there. The accepted lights reduce `left`, the error that is still allowed.
     Accepted tell(const Rectangle& r, const LightPolynomial& known, const UnresolvedLights& open,
                   double& left);
 
@@ -39,7 +40,7 @@ private:
         ErrorBudget allowed;
     };
     Test test_at(const Pixel& p, const DirectLight& total) const;
-    /// What some lights together bring to places.
+    /// Sum of some lights at places.
     auto sum_of(std::span<const std::size_t> lights) const {
         return [this, lights](const Pixel& p) { return lights_.sum(p.x, p.y, lights); };
     }

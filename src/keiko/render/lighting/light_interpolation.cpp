@@ -8,14 +8,14 @@
 namespace keiko {
 namespace {
 
-/// Pixels a side of the largest squares that are lit from a few places: shadows narrower than
-/// half of it may be missed on curved surfaces and where the light is hidden in part anyway,
-/// those of less than two pixels anywhere.
+/// Pixels a side of the largest squares that are lit from a few places. Shadows narrower than half
+/// of it may be missed on curved surfaces and where the light is hidden in part anyway, those of
+/// less than two pixels anywhere.
 constexpr int largest_square = 16;
 /// Pixels a side of squares whose corners and middles are all that they have.
 constexpr int all_asked = 2;
-/// Of the error that is left: what lights may use that are told over one size of squares, so that
-/// some is left for smaller ones, beside the edges of shadows.
+/// Share of the remaining error for lights interpolated over one size of squares. The rest is for
+/// smaller squares, beside the edges of shadows.
 constexpr double share_of_a_size = 0.5;
 
 class Interpolation {

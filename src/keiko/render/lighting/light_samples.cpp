@@ -123,8 +123,8 @@ std::optional<Vec3> plane_of(std::span<const Vec3> places, const Vec3& normal) {
     return normal;
 }
 
-/// Of shading points whose hull holds those of the rectangle, if they lie in a plane and are seen
-/// without curved mirrors; else nearly.
+/// Outline of shading points whose hull holds those of the rectangle, if they lie in a plane and
+/// are viewed without curved mirrors; else nearly.
 struct Outline {
     std::vector<Vec3> places;
     std::optional<Vec3> facing;

@@ -11,30 +11,30 @@
 
 namespace keiko {
 
-/// What each light of a rig brings to the shading points of a grid, and what they see of it; found
-/// where and for which lights it is asked for. Lights are told by their numbers in
-/// Integrator::lights(), rising; places have shading points.
+/// Light and visibility of each light of a rig at the shading points of a grid, computed where they
+/// are requested. Lights are given by their numbers in Integrator::lights(), rising; places have
+/// shading points.
 class LightSamples {
 public:
-    /// Both are only looked at.
+    /// Keeps references to both.
     LightSamples(const Integrator& integrator, const ShadingGrid& grid);
 
     /// All of them.
     std::span<const std::size_t> numbers() const { return numbers_; }
-    /// Finds what some lights bring to a place, by what is known to be seen of them there, for sure
-    /// or not; where nothing is, it is found.
+    /// Computes the light of some lights at a place from their known visibility there, certain or
+    /// not; where none is known, it is computed.
     void find(int x, int y, std::span<const std::size_t> lights);
-    /// The same by what is seen for sure.
+    /// Computes the light of some lights at a place from their certain visibility.
     void find_for_sure(int x, int y, std::span<const std::size_t> lights);
     /// Whether it is known what is seen of a light, for sure or not.
     bool is_seen(int x, int y, std::size_t light) const {
         const Spot& here = spots_[grid_.index(x, y)];
         return !here.empty() && here[light].is_seen;
     }
-    /// Takes it that so much is seen of a light, where it is not known.
+    /// Assumes this visibility of a light where none has been computed.
     void take(int x, int y, std::size_t light, const LightVisibility& seen);
 
-    /// What a light brings to a place where that has been found.
+    /// Light of one source at a place where it has been computed.
     const DirectLight& light(int x, int y, std::size_t number) const {
         return spots_[grid_.index(x, y)][number].light;
     }
@@ -42,7 +42,7 @@ public:
     const LightVisibility& seen(int x, int y, std::size_t number) const {
         return spots_[grid_.index(x, y)][number].seen;
     }
-    /// What a light would bring to a place if so much were seen of it.
+    /// Light of one source at a place for an assumed visibility.
     DirectLight if_seen(int x, int y, std::size_t light, const LightVisibility& seen) const;
 
 private:
@@ -51,14 +51,14 @@ private:
         LightVisibility seen{};
         DirectLight light{};
     };
-    using Spot = std::pmr::vector<OfLight>; ///< by number; empty until it is asked for
+    using Spot = std::pmr::vector<OfLight>; ///< by number; empty until it is requested
     Spot& point(int x, int y);
-    /// Makes those of some lights that `keep` the ones that are asked for.
+    /// Requests the lights of some that `keep` accepts.
     template <class Keep>
     void ask_for(std::span<const std::size_t> lights, const Keep& keep);
-    /// At the lights that are asked for.
+    /// Computes the visibility of the requested lights.
     void look(int x, int y);
-    /// Those of some that are not lit yet, by what is seen of them.
+    /// Computes the light of those not lit yet, from their visibility.
     void light_up(int x, int y, std::span<const std::size_t> lights);
 
     const Integrator& integrator_;
@@ -66,11 +66,11 @@ private:
     std::vector<std::size_t> numbers_;
     std::pmr::monotonic_buffer_resource memory_; ///< of the shading points
     std::pmr::vector<Spot> spots_;
-    Lights asked_;                     ///< for
+    Lights asked_;                     ///< requested
     std::vector<LightId> asked_lamps_; ///< the same
 };
 
-/// A light of which what is seen is linear between the corners of a rectangle.
+/// Light whose visibility is linear between the corners of a rectangle.
 struct LinearlySeen {
     std::size_t light;
     Rectangle between;
@@ -79,12 +79,12 @@ struct LinearlySeen {
 /// Lights that are not known yet over a rectangle.
 struct UnresolvedLights {
     Lights lit;
-    Lights seen; ///< those of them of which it is not known either what is seen
+    Lights seen;                               ///< those of them whose visibility is unknown too
     std::vector<LinearlySeen> linearly_seen{}; ///< the others, and some that are known
 };
 
-/// What is seen of a light at a place if it is linear between the corners of a rectangle, where it
-/// is known. Nothing where they do not see the same number of parts of it.
+/// Visibility of a light at a place, interpolated linearly between the corners of a rectangle,
+/// where it is known. nullopt where the corners do not see the same number of parts of it.
 std::optional<LightVisibility> seen_between_corners(const LightSamples& lights,
                                                     const ShadingGrid& grid,
                                                     const LinearlySeen& linear, const Pixel& p);
@@ -97,8 +97,8 @@ void find(const UnresolvedLights& open, const ShadingGrid& grid, const Pixel& p,
 /// all see as a whole.
 Lights classify_prisms(const LightSamples& found, const Rectangle& r, const Lights& lights);
 
-/// Lights, of some, of which it is not proved that all places of a rectangle see the same: all of
-/// them or nothing.
+/// Subset of some lights for which it is not proved that all places of a rectangle see the same:
+/// all of a light or nothing.
 Lights possibly_occluded_lights(const Integrator& integrator, const ShadingGrid& grid,
                                 const Rectangle& r, const Lights& lights);
 

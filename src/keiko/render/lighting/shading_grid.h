@@ -52,8 +52,7 @@ struct Rectangle {
 /// Shading points of one depth on a grid of camera rays, row by row.
 class ShadingGrid {
 public:
-    /// `shading points`: by rising sample, the first ray of the grid being `first_sample`; only
-    /// looked at.
+    /// `points`: by rising sample, the first ray of the grid being `first_sample`; kept by pointer.
     ShadingGrid(int width, int height, std::span<const ShadingPoint> points,
                 std::size_t first_sample = 0);
     /// A row of shading points; `along`: where each lies, rising.
@@ -70,15 +69,14 @@ public:
     /// Whether all of a rectangle, its last row and column with it, shows one smooth surface.
     bool is_smooth(int x0, int y0, int x1, int y1) const;
 
-    /// Where a place lies in the grid: along a row, or by its column; and its row.
+    /// Position of a place in the grid: along a row, or by its column; and its row.
     Vec2 place(const Pixel& p) const { return Vec2(along_[static_cast<std::size_t>(p.x)], p.y); }
     /// How far a place of a rectangle lies from its left to its right and from its top to its
     /// bottom, 0 to 1.
     Vec2 share(const Rectangle& r, const Pixel& p) const;
-    /// Places besides its middles that tell whether something is linear between the corners of a
-    /// rectangle: in a row those that lie farthest off the line from its first to its last, on
-    /// either side, and such that no more than four in a row are not looked at; else
-    /// Rectangle::odd_places().
+    /// Places besides its middles that test whether something is linear between the corners of a
+    /// rectangle; outside rows, Rectangle::odd_places(). In a row they are those farthest from the
+    /// line from its first to its last, on either side. No more than four in a row remain untested.
     std::vector<Pixel> odd_places(const Rectangle& r) const;
 
     std::size_t index(int x, int y) const {

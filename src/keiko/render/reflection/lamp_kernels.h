@@ -40,12 +40,12 @@ struct SquareParts {
     double t_max = 0;
 };
 
-/// What mirror_of() asks of a row of lamps, for a vector of pixels or of parts of one at a time,
-/// made for one instruction set: to within rounding the same, in the same order whatever pixels
-/// stand beside each other.
+/// Kernels of mirror_of() for a row of lamps, made for one instruction set, for a vector of pixels
+/// or of parts of one at a time. The results are the same to within rounding, in the same order
+/// whatever pixels stand beside each other.
 struct LampKernels {
     const char* name; ///< of the instruction set
-    /// Of the pixels from `place` on; rows of the picture are `width` long.
+    /// Coverage of the pixels from `place` on; rows of the picture are `width` long.
     void (*look)(const StripeRow&, const ReflectedRays&, std::size_t place, std::size_t width,
                  bool thorough, LampCoverageBatch&);
     /// The mean coverage over the parts of one pixel, as RigPlanes::luminance() of them.

@@ -100,15 +100,15 @@ private:
 /// How far the image of a pixel, or of a part of one, may be off what its own rays tell:
 /// footprint_nonlinearity().
 constexpr double straight_image = 0.01;
-/// Whether a pixel's image is not smooth: neighbours' rays are off what the pixel tells of them by
-/// `residual` mm, more than a tenth of the lamps' pitch, or a fiftieth where it is more of what the
-/// image spans across the lamps by the centre's `spread`.
+/// True if the reflection is discontinuous across the pixel: the neighbours' rays miss the pixel's
+/// cubic by `residual` mm > 10 % of the lamp pitch. A residual > 2 % of the pitch suffices if it is
+/// > 5 % of what the image spans across the lamps by the centre's `spread`.
 bool is_discontinuous(double residual, const RigPlaneHit& plane, const RayDifferentials& spread);
 /// A side of a pixel that are made of one whose image is bent so far, 1 to 8; the most where the
 /// bend is not a number. Not for negative ones.
 int parts_of_bend(double bend);
 
-/// What a pixel sees of the lamps by its reflected rays.
+/// Lamps visible in a pixel by its reflected rays.
 struct PixelMirror {
     MirroredLight lamps;
     std::optional<RigPlaneHit> plane; ///< the nearest that the centre's ray meets
@@ -122,10 +122,10 @@ struct PixelMirror {
 PixelMirror mirror_of(const RigPlanes& planes, const Ray& centre,
                       const std::optional<PixelRays>& around, double t_max, bool tells_torn);
 
-/// How far the corners of a pixel's image on a C-plane, as the cubic through its reflected rays has
-/// them, are off what the centre's differentials tell: across the lamps, in pitches, and where an
+/// Deviation of the corners of a pixel's image on a C-plane, by the cubic through its reflected
+/// rays, from the centre's differentials. It is stated across the lamps, in pitches, and where an
 /// end of lamps may be in the image along them too, of what it spans. `plane`: where the centre's
-/// ray meets it. Nothing where the ray of a corner does not.
+/// ray meets it. nullopt where the ray of a corner does not.
 std::optional<double> footprint_nonlinearity(const RigPlaneHit& plane, const PixelRays& rays);
 
 } // namespace keiko

@@ -22,7 +22,7 @@ namespace keiko {
 class ReflectedRays {
 public:
     static constexpr std::size_t numbers = 18;
-    /// Where the coordinates of each begin among the numbers.
+    /// Index of the first coordinate of each among the numbers.
     static constexpr std::size_t origin = 0, direction = 3, origin_dx = 6, origin_dy = 9,
                                  direction_dx = 12, direction_dy = 15;
 
@@ -50,7 +50,7 @@ public:
     Vec3 vector(std::size_t number, std::size_t place) const {
         return {*at(number, place), *at(number + 1, place), *at(number + 2, place)};
     }
-    /// Of a ray that was set with differentials.
+    /// Differentials of a ray that was set with them.
     RayDifferentials differentials(std::size_t place) const {
         return {vector(origin_dx, place), vector(origin_dy, place), vector(direction_dx, place),
                 vector(direction_dy, place)};
@@ -68,8 +68,8 @@ private:
         values_; ///< of places without a ray, anything
 };
 
-/// The reflected rays of a grid of camera rays, which go on for ever, and where they begin. All are
-/// set or taken over before any is asked for.
+/// Reflected rays of a grid of camera rays, which go on for ever, and where they begin. All are set
+/// or taken over before any is read.
 class ReflectedGrid {
 public:
     /// In pixels.
@@ -78,7 +78,7 @@ public:
     std::size_t size() const { return known_.size(); }
     /// Asks for what set_begin() soon writes of a place.
     void announce(std::size_t place) const { prefetch(std::span(begins_).subspan(place, 1)); }
-    /// Where the reflected ray of a place begins.
+    /// Sets the start of the reflected ray of a place.
     void set_begin(std::size_t place, const SurfacePlace& begin) { begins_[place] = begin; }
     /// The reflected ray of a place.
     void set(std::size_t place, const Ray& mirrored);
@@ -87,9 +87,10 @@ public:
     void take_over_rows(int height);
     /// Finds out which neighbours show one surface.
     void join();
-    /// As it was set, without its `excluded`.
+    /// Ray as it was set, without its `excluded`.
     Ray ray(std::size_t place) const;
-    /// Nothing beside the grid's border and where the neighbours show something else.
+    /// Rays of a place and its neighbours; nullopt beside the grid's border and where the
+    /// neighbours show something else.
     std::optional<PixelRays> around(std::size_t place) const;
     /// Whether there are such.
     bool is_amid(std::size_t place) const;
@@ -97,7 +98,7 @@ public:
     const ReflectedRays& rays() const { return numbers_; }
 
 private:
-    /// What is known of a place's ray.
+    /// Known part of a place's ray.
     enum class Known : std::uint8_t { nothing, line, differentials };
 
     std::size_t width_;

@@ -6,7 +6,7 @@
 namespace keiko {
 namespace {
 
-/// Of a square with a side that is a power of two.
+/// Hilbert order of a square with a side that is a power of two.
 GridPlace place_along(int number, int side) {
     GridPlace at;
     for (int half = 1; half < side; half *= 2, number /= 4) {

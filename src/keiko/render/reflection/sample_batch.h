@@ -19,12 +19,12 @@ struct GridPlace {
     std::size_t number = 0;
 };
 
-/// All places of a grid along a Hilbert curve, or several of squares side by side where it is much
-/// longer than wide: rays through places that follow each other stay together, which those of a
-/// row do not. Valid until the thread asks for a grid of another size.
+/// Places of a grid along a Hilbert curve, or several of squares side by side where it is much
+/// longer than wide. Rays through places that follow each other stay together, which those of a row
+/// do not. Valid until the thread requests a grid of another size.
 const std::vector<GridPlace>& hilbert_order(int width, int height);
 
-/// What one camera ray brings back.
+/// Sample of one camera ray.
 struct PixelSample {
     Rgb luminance;            ///< cd/m2
     const Hit* hit = nullptr; ///< the first surface, of SampleBatch::hits; null: none, or not kept
@@ -45,7 +45,7 @@ struct PixelSample {
     HitStatistics paths;     ///< of its hits, the reflected rays' too
 };
 
-/// Of a sample with a hit.
+/// Surface place of a sample with a hit.
 inline SurfacePlace place_of(const PixelSample& sample) {
     return {sample.hit->position, sample.hit->normal, sample.paint};
 }
@@ -53,7 +53,7 @@ inline SurfacePlace place_of(const PixelSample& sample) {
 /// Camera rays through places of a grid, which are numbered row by row.
 struct TileRays {
     int width = 0, height = 0;
-    /// Those with rays, neighbours together; through others none meets the model, or it was
+    /// Places with rays, neighbours together. Rays through other places miss the model, or were
     /// followed before: the first two rows of a grid that continues another are that one's last
     /// two.
     std::vector<GridPlace> places;
@@ -68,7 +68,7 @@ struct TileRays {
     }
 };
 
-/// What camera rays bring back without the light of lamps on bases and lobes, and where that falls.
+/// Samples of camera rays without the light of lamps on bases and lobes, and where that falls.
 struct SampleBatch {
     SampleBatch() = default;
     SampleBatch(SampleBatch&&) = default; // samples point into `hits`, which stay where they are

@@ -20,8 +20,8 @@ struct SurfacePlace {
 /// 10 degrees, and not both far off the other's tangent plane, as one surface before another is.
 bool is_same_surface(const SurfacePlace& a, const SurfacePlace& b);
 
-/// Where a camera ray, or a mirror reflection of it, meets a surface whose base and lobes are lit
-/// by the lamps directly.
+/// Point where a camera ray, or a mirror reflection of it, meets a surface whose base and lobes are
+/// lit by the lamps directly.
 struct ShadingPoint {
     std::size_t sample = 0; ///< of the camera rays, in their order
     int depth = 0;          ///< mirror reflections before
@@ -31,7 +31,7 @@ struct ShadingPoint {
     Rgb weight{}; ///< what its luminance counts in the sample
 };
 
-/// What the lamps bring to a shading point: smooth along a surface but for shadows.
+/// Light of the lamps at a shading point: smooth along a surface except for shadows.
 struct DirectLight {
     Rgb illuminance; ///< lx, of what enters the base
     Rgb lobes;       ///< cd/m2, from lobes to the eye

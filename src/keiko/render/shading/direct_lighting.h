@@ -26,15 +26,15 @@ std::vector<Vec3> lamp_corners(const LightSource& source, int lamp, const Vec3& 
 /// The sources of a rig as lights that the surfaces of a scene stand in the way of.
 class DirectLighting {
 public:
-    /// Without occluders nothing casts shadows. All are only looked at.
+    /// Without occluders nothing casts shadows. Keeps references to all.
     DirectLighting(const LightRig& rig, const Occluders* occluders, const Tracer& tracer)
         : rig_(rig), occluders_(occluders), tracer_(tracer), lights_(lights_of(rig)) {}
 
     /// All of them, by source, then by lamp.
     const std::vector<LightId>& lights() const { return lights_; }
-    /// What a point with a unit normal on the side to be lit sees of some lights, by source, then
-    /// by lamp; of a point on a surface, its own root. `axes`: see light_visibilities(); rigs with
-    /// a medium have them always.
+    /// Visibility of some lights from a point with a unit normal on the side to be lit, by source,
+    /// then by lamp; of a point on a surface, its own root. `axes`: see light_visibilities(); rigs
+    /// with a medium have them always.
     std::vector<LightVisibility> light_visibility(const Vec3& point, const Vec3& normal,
                                                   const std::optional<Root>& root,
                                                   std::span<const LightId> lights, TubeModel model,
@@ -52,12 +52,12 @@ private:
     std::vector<LightId> lights_;
 };
 
-/// A point of a surface or in space under lights of a rig of which it is known what it sees.
+/// Point of a surface or in space with the known visibility of some lights of a rig.
 class PointLighting {
 public:
     /// Unit normal on the side to be lit; `lights` by source, then by lamp; `seen` of each, as
-    /// DirectLighting::light_visibility has it for the same model. Rig and lights are only looked
-    /// at.
+    /// DirectLighting::light_visibility has it for the same model. Keeps references to rig and
+    /// lights.
     PointLighting(const LightRig& rig, const Vec3& point, const Vec3& normal, TubeModel model,
                   std::span<const LightId> lights, std::vector<LightVisibility> seen)
         : rig_(rig),
@@ -80,7 +80,8 @@ public:
     }
 
 private:
-    /// What `of_source` of a source, some of its lamps and what is seen of them comes to.
+    /// Values of `of_source` for each source, some of its lamps and their visibility, in the order
+    /// of the lights.
     template <class OfSource>
     std::vector<Rgb> by_light(const OfSource& of_source) const {
         std::vector<Rgb> all;

@@ -73,7 +73,7 @@ bool Integrator::shade(PathState& path, const PathVertex& met, int depth, const 
     return max_channel(path.weight) >= options_.min_weight;
 }
 
-/// What a ray from the eye meets first, and what its mirrored ones pass.
+/// Records what a camera ray meets first, and what its reflected rays pass.
 void Integrator::record_aovs(PathState& path, const PathVertex& met, int depth,
                              const VisibleFrom& shafts, PixelSample& sample) const {
     if (depth == 0) {
@@ -95,7 +95,7 @@ HitDetail Integrator::mirrored_detail() const {
     return ends ? HitDetail::face : HitDetail::all;
 }
 
-/// Whether light on a paint, beside what it mirrors, is seen or asked for.
+/// True if light on a paint, beside what it mirrors, is visible or requested.
 bool Integrator::takes_light(std::uint32_t paint, int depth) const {
     return paints_[paint].takes_light() || (depth == 0 && tells_illuminance_);
 }

@@ -14,10 +14,10 @@
 
 namespace keiko {
 
-/// Follows camera rays over mirror reflections: a smooth coat or metal mirrors lamps, the body
-/// itself and, past both, the even light that `ambient` stands for; rough borders and flakes spread
-/// the light of lamps, the base is lit directly. Works on many rays at once, a reflection deeper
-/// each pass.
+/// Integrator of camera rays over mirror reflections. A smooth coat or metal mirrors lamps, the
+/// body itself and, past both, the uniform light that `ambient` stands for. Rough borders and
+/// flakes spread the light of lamps; the base is lit directly. Works on many rays at once, a
+/// reflection deeper each pass.
 class Integrator {
 public:
     /// `eye`: where the rays of a picture begin, whose light shafts are made ready for it. Throws
@@ -27,27 +27,28 @@ public:
 
     /// One sample a ray, in order, with all its light. Neighbouring rays should stand together.
     SampleBatch follow(std::span<const Ray> camera_rays) const;
-    /// The same, but for the light of the shading points.
+    /// Samples of camera rays, one a ray, in order, without the light of the shading points.
     SampleBatch view(Rays camera_rays) const;
-    /// The same of the pixels of a grid: those with a ray see lamps by bent images of the pixel
-    /// where neighbours tell how it is bent, the others see the background. In a medium all have
-    /// rays. Where nothing is refined, pixels at the grid's border show no reflections; where no
-    /// AOVs are asked for either, the view has no hits, nor places that reflected rays meet.
+    /// Samples of the pixels of a grid, without the light of the shading points. Pixels with a ray
+    /// reflect lamps by curved images of the pixel where neighbours determine its curvature; the
+    /// others show the background. In a medium all have rays. Where nothing is refined, pixels at
+    /// the grid's border show no reflections; where no AOVs are requested either, the view has no
+    /// hits, nor places that reflected rays meet.
     SampleBatch view(const TileRays& grid) const;
-    /// The same of grids one below the other, where only_mirrors(): `band.view` is that of this
-    /// one, of which rows at its border or shared with others show nothing that can be relied on,
-    /// but for the second and the last but one.
+    /// Traces one of several grids that lie one below the other, where only_mirrors(); `band.view`
+    /// receives the samples of this grid. Its rows at the border or shared with other grids are
+    /// unreliable, except the second and the last but one.
     void trace_tile(const TileRays& grid, EyeBand& band) const;
     /// Whether each pixel of a picture shows lamps in sharp mirrors and nothing else that takes
     /// long to find, and no pixel is refined.
     bool only_mirrors() const;
-    /// What a camera ray brings back that meets nothing where there is no medium.
+    /// Sample of a camera ray that misses the scene, without a medium.
     PixelSample unseen() const;
-    /// What all lamps and other lights bring to a shading point.
+    /// Light of all lamps and other sources at a shading point.
     DirectLight direct_light(const ShadingPoint& point) const;
-    /// All lights, in the order in which they are asked for.
+    /// All lights, in the order in which they are queried.
     const std::vector<LightId>& lights() const { return lights_.lights(); }
-    /// What a shading point sees of some of the lights.
+    /// Visibility of some of the lights from a shading point.
     std::vector<LightVisibility> light_visibility(const ShadingPoint& point,
                                                   std::span<const LightId> lights) const;
     /// See DirectLighting::may_occlude().
@@ -55,19 +56,20 @@ public:
                      const std::optional<Vec3>& facing) const {
         return lights_.may_occlude(places, light, facing, tubes_);
     }
-    /// What each of them brings if that is `seen`.
+    /// Light of each of some lights at a shading point, with the visibility `seen` of each.
     std::vector<DirectLight> direct_light(const ShadingPoint& point,
                                           std::span<const LightId> lights,
                                           std::vector<LightVisibility> seen) const;
     /// cd/m2 that the lamps' light makes a shading point's base and lobes send to the eye.
     Rgb luminance(const ShadingPoint& point, const DirectLight& light) const;
-    /// The same of even light from all sides.
+    /// cd/m2 that uniform light from all sides makes a shading point's base and lobes send to the
+    /// eye.
     Rgb ambient_luminance(const ShadingPoint& point) const;
     /// Adds what `light` brings to the sample of a shading point.
     void add_light(const ShadingPoint& point, const DirectLight& light, PixelSample& sample) const;
 
 private:
-    /// Where the light of a ray goes, and what it counts there.
+    /// Sample that the light of a ray goes to, and its weight there.
     struct PathState {
         std::size_t sample;
         Rgb weight;
@@ -92,7 +94,7 @@ private:
         Rgb mirrored;      ///< share of the light that goes on
     };
 
-    /// What a ray comes to: a surface, and lamps on the way to it.
+    /// Surface that a ray meets, and lamps on the way to it.
     struct PathVertex {
         const Ray& ray;
         const Hit* hit;
@@ -101,31 +103,33 @@ private:
     };
 
     FresnelTerm incidence(const Ray& ray, const Hit& hit, int depth) const;
-    /// Of rays of one depth, one after the other with nothing in between: each waits for roots and
-    /// divisions, which overlap so.
+    /// Fresnel terms of rays of one depth, one after the other with nothing in between. Each waits
+    /// for roots and divisions, which overlap so.
     std::vector<FresnelTerm> incidences(std::span<const Ray> rays, const FirstHits& hits,
                                         int depth) const;
 
     /// A ray's way to what it meets.
     static Segment leg_of(const Ray& ray, const Hit* hit);
-    /// Whether what stands between lights and a medium is to be found.
+    /// True if occluders between lights and a medium are to be found.
     bool casts_shafts() const { return scene_.rig.medium && scene_.occluders; }
     /// The ways of rays to what they meet, where they cast shafts.
     std::vector<Segment> legs_of(std::span<const Ray> rays, const FirstHits& hits) const;
     std::vector<Segment> legs_of(const ReflectionBuffer& mirrors) const;
-    /// What the lights see of ways; `depth`: reflections yet.
+    /// Shadows of the lights along `legs` after `depth` reflections.
     VolumetricShadows volumetric_shadows(std::span<const Segment> legs, int depth) const;
 
-    /// What camera rays meet first through some places of a grid, and their mirrored ones.
+    /// Traces camera rays through some places of a grid to their first hits, and the reflected rays
+    /// from there.
     void trace_primary(const TileRays& grid, std::span<const GridPlace> places,
                        EyeBand& band) const;
     static void set_rays(const RayQueue& wave, ReflectedGrid& grid);
-    /// What is asked of the hits of rays mirrored once: no surface where no light on it is seen and
-    /// no ray goes on from there.
+    /// Detail required of the hits of rays mirrored once: no surface where no light on it is
+    /// visible and no ray goes on from there.
     HitDetail mirrored_detail() const;
     void trace_reflections(const RayQueue& mirrored, ReflectionBuffer& mirrors) const;
-    /// Adds what the first reflected rays of a grid meet, row by row, as neighbours see lamps side
-    /// by side, but for rows whose neighbours are in another grid; what is left to follow.
+    /// Adds what the first reflected rays of a grid meet, row by row, as neighbours reflect lamps
+    /// side by side. Rows whose neighbours are in another grid are left out. Returns the rays left
+    /// to follow.
     RayQueue shade_hits(const TileRays& grid, const ReflectionBuffer& mirrors,
                         SampleBatch& view) const;
     RayQueue mirrored_again(std::span<const PathState> paths,

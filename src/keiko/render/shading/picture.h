@@ -13,7 +13,7 @@
 
 namespace keiko {
 
-/// What is in a picture; everything is only looked at.
+/// Scene of a picture; refers to everything without owning it.
 struct PictureScene {
     const Tracer& tracer;                ///< built with second_derivatives
     std::span<const Material> materials; ///< one a face of the model
@@ -27,8 +27,8 @@ struct PictureOptions {
     std::vector<Aov> aovs;
     /// Cells a side that a pixel with outlines is divided into at the most; 1: one ray a pixel.
     int edge_samples = 8;
-    /// Of what the eye sees: what the light on bases may be off by for being told by places a
-    /// few pixels apart. 0: found for each pixel.
+    /// Relative error allowed when direct diffuse light is interpolated between pixels; 0 computes
+    /// it at every pixel.
     double light_error = 2e-3;
     int max_depth = 3;        ///< mirror reflections followed along one ray
     double min_weight = 1e-3; ///< reflections that count less than this end the path
@@ -37,11 +37,10 @@ struct PictureOptions {
     TubeModel tubes = TubeModel::picture;
 };
 
-/// Renders luminance in cd/m2 with the AOVs asked for: one ray a pixel, whose footprint on the
-/// C-plane gives smooth lamp stripes. Pixels whose neighbourhood holds an outline, a trim border, a
-/// crease or the border of a reflection of the body in itself are split along it, or divided where
-/// it is not straight, into up to `edge_samples`^2 cells.
-/// The same bytes for any thread count. Throws Cancelled.
+/// Renders luminance in cd/m2 with the requested AOVs: one ray a pixel, whose footprint on the
+/// C-plane gives smooth lamp stripes. Pixels near an outline, a trim border, a crease or the border
+/// of a self-reflection of the body are split along it. Where it is not straight, they are divided
+/// into up to `edge_samples`^2 cells. The same bytes for any thread count. Throws Cancelled.
 Film render(const PictureScene& scene, const Camera& camera, const PictureOptions& options,
             const Job& job = {});
 

@@ -14,7 +14,8 @@ struct ApexOf {
     Viewpoint operator()(const Sun& sun) const { return Viewpoint::towards(sun.towards()); }
 };
 
-/// What a source lights of the rays where nothing casts shadows, as luminance_along asks for it.
+/// Parts of the rays that a source lights where nothing casts shadows, as luminance_along requests
+/// them.
 std::vector<Segment> lit_parts(const LightSource& source, std::span<const Segment> camera_rays) {
     std::vector<Segment> parts;
     for (const Segment& ray : camera_rays)
@@ -38,7 +39,7 @@ std::vector<Vec3> region_of(std::span<const Segment> segments) {
     return corners;
 }
 
-/// Where a pencil of planes starts, unless it is the eye itself.
+/// Start of a pencil of planes, unless it is the eye itself.
 struct PencilLight {
     std::optional<Vec3> operator()(const CPlane&) const { return std::nullopt; }
     template <PointLight Light>

@@ -16,9 +16,8 @@ std::vector<std::optional<EpipolarShadows>> shaft_pencils(const LightRig& rig,
                                                           const Tracer& tracer, const Vec3& eye,
                                                           const Job& job = {});
 
-/// What the lights of a rig see of some camera rays past the surfaces of a scene: where their
-/// shafts in the medium are lit. What may stand in the way of a light is found once for all of the
-/// rays.
+/// Visibility of camera rays from the lights of a rig past the surfaces of a scene: the lit parts
+/// of their shafts in the medium. Possible occluders of a light are found once for all of the rays.
 class VolumetricShadows {
 public:
     /// `camera_rays` hold every segment to come; neighbouring ones should stand together. Without
@@ -29,7 +28,7 @@ public:
                       std::span<const Segment> camera_rays,
                       std::span<const std::optional<EpipolarShadows>> pencils = {});
 
-    /// As luminance_along asks for it; refers to this object.
+    /// Visibility function for luminance_along; refers to this object.
     VisibleFrom visible() const;
 
 private:

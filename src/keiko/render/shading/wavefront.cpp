@@ -11,10 +11,10 @@ namespace {
 /// Camera rays of a grid that are followed together up to what their mirrored ones meet: few enough
 /// for all that is known of them to stay near the processor, enough to fill its vectors.
 constexpr std::size_t rays_at_once = 256;
-/// What is written of places is fetched before, for they are strewn over more memory than that.
+/// Places fetched ahead of what is written of them, for they are strewn over more memory than that.
 constexpr std::size_t places_ahead = 8;
 
-/// Shading points at most one of which is of each sample, of which there are so many.
+/// Sorts shading points by sample; each of the `samples` samples has one at most.
 void sort_by_sample(std::span<ShadingPoint> points, std::size_t samples) {
     const auto by_sample = [](const ShadingPoint& a, const ShadingPoint& b) {
         return a.sample < b.sample;
