@@ -96,7 +96,8 @@ void add_seam(const std::string& name, const MeasuredSeam& seam, MetricList& lis
     if (seam.slope) list.add(name + "slope", Quantity::slope, seam.slope->worst.value);
 }
 
-/// What is met again is numbered: parts placed twice may have one name, two faces may meet twice.
+/// Name with a number where it is met again: parts placed twice may have one name, two faces may
+/// meet twice.
 std::string numbered(const std::string& name, std::map<std::string, int>& met) {
     const int number = ++met[name];
     return number > 1 ? name + " #" + std::to_string(number) : name;

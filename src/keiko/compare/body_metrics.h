@@ -9,9 +9,10 @@
 
 namespace keiko {
 
-/// "shape": how many faces, patches, seams; of every placed face the area, centre and mean outward
-/// direction of its surfaces without their trims, and the length and centre of its borders, by
-/// quadratures of fixed order: exact to about 1e-9, and the same for the same shape.
+/// Metrics of the check "shape": the numbers of faces, patches and seams. For every placed face
+/// they hold the area, centre and mean outward direction of its surfaces without their trims, and
+/// the length and centre of its borders. They are quadratures of fixed order: exact to about 1e-9,
+/// and the same for the same shape.
 std::vector<Metric> shape_metrics(const SurfaceModel& model, const ModelFacts& facts);
 
 /// "seams": length, gap, angle, curvature mismatch, its slope, and the verdicts of every seam.

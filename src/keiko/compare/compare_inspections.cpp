@@ -85,9 +85,9 @@ bool has_finding_of_face(const Inspection& inspection, const Check& finding) {
     });
 }
 
-/// Divides the findings of `one` by whether a face of the same name has one of the same code in
-/// `other`, or by whether a partner of their seam, as the groups have them, has
-/// one of the same code in `other`, or has not changed.
+/// Findings of `one`, divided by whether `other` has them too. It has one if a face of the same
+/// name, or a partner of its seam, as the groups have them, has one of the same code. It also has
+/// one if a partner of its seam has not changed.
 struct DividedFindings {
     std::vector<Check> alone, shared;
 };

@@ -50,7 +50,7 @@ std::optional<MetricDifference> difference_between(const Metric& before, const M
     return found;
 }
 
-/// What metrics tell of, "face 3" of "face 3: area", and what of it.
+/// Subject of a metric, "face 3" of "face 3: area", and the rest of its name.
 struct Split {
     std::string_view subject, rest;
 };

@@ -24,9 +24,9 @@ inline bool is_sliver(const MeasuredSeam& seam) {
     return seam.length < 0.01;
 }
 
-/// Pairs seams by where they run: first those within a hundredth of `reach` (mm) of each other all
-/// along, nearest first; then those whose faces have the same names, then the nearest within
-/// `reach`, each once. What is left over joins the pair that it runs along. Slivers are
+/// Pairs seams by where they run, each once. The first are those within a hundredth of `reach` (mm)
+/// of each other all along, nearest first. Then come those whose faces have the same names, then
+/// the nearest within `reach`. What is left over joins the pair that it runs along. Slivers are
 /// left out.
 SeamMatching match_seams(std::span<const MeasuredSeam> before, std::span<const MeasuredSeam> after,
                          double reach);

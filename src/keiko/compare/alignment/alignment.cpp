@@ -52,7 +52,7 @@ std::vector<Held> held_places(const ClosestPointQuery& body, const SampleCloud& 
     return held;
 }
 
-/// What a place is away from the other body, and along which way that grows.
+/// Distance of a place from the other body, and the direction along which it grows.
 struct Off {
     double distance = 0;
     Vec3 direction{0};

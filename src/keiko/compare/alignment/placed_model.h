@@ -21,8 +21,8 @@ struct PlacedModel {
 };
 
 /// Places the faces of all instances, instances outer; then moves everything by `motion`. A
-/// mirrored instance turns its faces round, so that what was outside stays so. `chosen`: faces of
-/// the model, ascending, of which alone it is made; empty: all.
+/// mirrored instance turns its faces round, so that what was outside stays so. `chosen`: the only
+/// faces of the model to place, ascending; empty: all.
 PlacedModel placed_model(const SurfaceModel& model, const Affine& motion = {},
                          std::span<const std::uint32_t> chosen = {});
 

@@ -54,7 +54,7 @@ namespace {
 struct Numerator {
     double value, slope, bend;
 
-    /// Of the coordinate's second derivatives, by the quotient rule with the weight 1 + w.
+    /// Bound of the coordinate's second derivatives, by the quotient rule with the weight 1 + w.
     double second(const ComponentBounds& w) const {
         const double least = 1 - w.value;
         return (bend + (2 * slope * w.slope + value * w.bend) / least +

@@ -13,7 +13,7 @@ struct SurfaceSample {
     Vec2 cell{0};    ///< extent in parameters of the piece
 };
 
-/// How far apart about so many places of a body are, mm.
+/// Spacing of about `count` places of a body, mm.
 double sample_spacing(const ClosestPointQuery& body, std::size_t count);
 
 /// The middles of a piece's cells of `spacing` mm, at least `least` a side, that are material.

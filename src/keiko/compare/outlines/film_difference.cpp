@@ -141,7 +141,8 @@ private:
         result_.excess = larger_of(result_.excess, excess);
     }
 
-    /// The root mean square over all pixels, of which those left out are 0, as that over the rest.
+    /// Root mean square over the compared pixels, from that over all pixels, where those left out
+    /// are 0.
     double over_the_compared(double root_mean_square) const {
         if (result_.compared == 0) return 0;
         return root_mean_square * std::sqrt(static_cast<double>(result_.pixels) /

@@ -33,9 +33,9 @@ struct FilmDifference {
 
 /// Compares the colour and the AOVs that both films hold. A pixel whose coverage differs by more
 /// than half a sample of an outline, or whose face differs, is a silhouette flip: counted apart,
-/// and left out of the layers. The luminance AOV repeats the colour and is not looked at; patches
-/// are told by their parameters. Pixels where `left_out`, of one channel, is not 0 are no flips and
-/// in no layer. Throws Error when the pictures differ in size.
+/// and left out of the layers. The luminance AOV repeats the colour and is not compared; patches
+/// are distinguished by their parameters. Pixels where `left_out`, of one channel, is not 0 are no
+/// flips and in no layer. Throws Error when the pictures differ in size.
 FilmDifference film_difference(const Film& a, const Film& b, const FilmTolerance& tolerance = {},
                                const Image* left_out = nullptr);
 

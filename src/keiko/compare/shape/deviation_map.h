@@ -11,7 +11,7 @@
 
 namespace keiko {
 
-/// What an eye sees of how far a body lies from another.
+/// Deviation of a body from another, as viewed by an eye.
 struct DeviationMap {
     /// mm, signed as Deviation: 1 channel. Infinity: nothing within reach; no number: no body.
     Image distance;

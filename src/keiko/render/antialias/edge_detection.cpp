@@ -21,7 +21,7 @@ bool rounds_off(const Hit& a, const Hit& b) {
     const Vec3 step = b.position - a.position;
     const double off = std::min(std::abs(step.dot(a.normal)), std::abs(step.dot(b.normal)));
     constexpr double rounding = 1 + 1e-9;
-    // The last condition, without an angle: most outlines are told by it.
+    // The last condition, without an angle: most outlines are decided by it.
     if (off > a.normal.cross(b.normal).length() * step.length() * rounding) return false;
     const double turn = angle_between(a.normal.dot(b.normal) < 0 ? -a.normal : a.normal, b.normal);
     return turn < 2 * std::max(told_turn(a, step), told_turn(b, step)) &&

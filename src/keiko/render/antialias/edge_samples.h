@@ -11,8 +11,8 @@
 
 namespace keiko {
 
-/// Single camera rays through places of the picture, px, that tell what is seen there; what they
-/// bring back is kept.
+/// Single camera rays through places of the picture, px, that sample what is visible there; their
+/// samples are kept.
 class EdgeSamples {
 public:
     EdgeSamples(const Integrator& integrator, const PreparedCamera& camera)
@@ -20,7 +20,7 @@ public:
 
     /// One sample a place, in order.
     std::vector<const PixelSample*> at(std::span<const Vec2> places);
-    /// The same, but places that were asked for before get no ray again.
+    /// One sample a place, in order; places that were requested before get no ray again.
     std::vector<const PixelSample*> shared_at(std::span<const Vec2> places);
 
     HitStatistics paths() const;

@@ -11,7 +11,7 @@
 namespace keiko {
 namespace {
 
-/// The slopes of something over the picture by least squares. Places are told from their mean, so
+/// Slopes of something over the picture by least squares. Places are relative to their mean, so
 /// that a constant in the values, such as that of a place that is not the mean, drops out.
 class SlopeFit {
 public:

@@ -11,7 +11,7 @@ namespace keiko {
 
 /// Unit direction in the picture along which the mirror image of a convex part of it is bent most;
 /// 0 where the normal does not turn. In it the normal turns least uniformly, by the normal and its
-/// slopes at the part's corners and at `amid`. All samples have hits with second derivatives.
+/// slopes at the part's corners and in its middle. All samples have hits with second derivatives.
 /// `corners`: px.
 Vec2 max_curvature_direction(std::span<const Vec2> corners,
                              std::span<const PixelSample* const> seen, const PixelSample& amid);

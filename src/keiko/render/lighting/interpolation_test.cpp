@@ -37,7 +37,7 @@ Lights lessen(std::vector<LightError>& errors, const std::vector<LightError>& ot
 
 } // namespace
 
-/// Lights that the middles rule out, for which the quarters ask as well, are not asked for at odd
+/// Lights that the middles rule out, which the quarters compute as well, are not computed at odd
 /// places.
 InterpolationTest::Accepted InterpolationTest::tell(const Rectangle& r,
                                                     const LightPolynomial& known,
@@ -122,7 +122,7 @@ std::vector<LightError> InterpolationTest::doubts_in_parabolas(const Rectangle& 
     return errors;
 }
 
-/// Whether nothing tells of a kink: all corners and places of tests see alike.
+/// True if nothing indicates a kink: all corners and places of tests see alike.
 bool InterpolationTest::sees_alike(const Rectangle& r, const std::vector<Test>& odd,
                                    std::size_t light) const {
     const LightVisibility& first = lights_.seen(r.x0, r.y0, light);

@@ -6,7 +6,7 @@
 
 namespace keiko {
 
-/// Test of which lights are interpolated over rectangles of a grid from those at a few of their
+/// Test whether lights are interpolated over rectangles of a grid from those at a few of their
 /// places.
 class InterpolationTest {
 public:

@@ -40,8 +40,8 @@ public:
     }
 
 private:
-    /// Lights a rectangle, of which `known` is what some lights bring to it and `open` are the
-    /// others; `left` of the error is still allowed.
+    /// Lights a rectangle. `known`: what some lights bring to it; `open`: the others; `left` of the
+    /// error is still allowed.
     void light(const Rectangle& r, LightPolynomial known, UnresolvedLights open, double left) {
         if (!asks_for_any(r)) return;
         if (open.lit.empty() || r.longest() <= all_asked) return fill(r, known, open);
@@ -56,7 +56,7 @@ private:
             return fill(r, known, open);
         for (const Rectangle& quarter : r.quarters()) light(r, quarter, told, known, open, left);
     }
-    /// Lights a quarter of a rectangle over which those were told.
+    /// Lights a quarter of a rectangle over which `told` were accepted.
     void light(const Rectangle& r, const Rectangle& quarter,
                const InterpolationTest::Accepted& told, LightPolynomial known,
                UnresolvedLights open, double left) {

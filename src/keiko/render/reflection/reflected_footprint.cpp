@@ -9,8 +9,8 @@
 namespace keiko {
 namespace {
 
-/// What of a ray, or of a derivative of one, tells where it meets a plane along one of its axes:
-/// the components along that axis and the plane's normal of origin and direction.
+/// Part of a ray, or of a derivative of one, that determines where it meets a plane along one of
+/// its axes: the components along that axis and the plane's normal of origin and direction.
 struct Slice {
     double origin, origin_height, direction, direction_height;
 
@@ -56,8 +56,8 @@ private:
     const Vec3& axis_;
 };
 
-/// Where the rays of a pixel's corners meet a plane along an axis, mm, row by row; nothing where
-/// one does not.
+/// Places where the rays of a pixel's corners meet a plane along an axis, mm, row by row; nullopt
+/// where one does not.
 std::optional<std::array<double, 4>> corners_of(const CPlaneFrame& frame, unsigned axis,
                                                 const PixelRays& rays) {
     std::array<double, 4> places{};
@@ -70,14 +70,14 @@ std::optional<std::array<double, 4>> corners_of(const CPlaneFrame& frame, unsign
     return places;
 }
 
-/// What a linear function is at the corners of a pixel at whose centre it is 0.
+/// Values of a linear function at the corners of a pixel at whose centre it is 0.
 std::array<double, 4> linear_corners(double by_x, double by_y) {
     const double sum = (by_x + by_y) / 2, rise = (by_x - by_y) / 2;
     return {-sum, rise, -rise, sum};
 }
 
-/// Of what the image spans along the lamps: how far its corners are off what end_coverage() takes
-/// it for, 1 at the most.
+/// Deviation of the image's corners along the lamps from what end_coverage() takes it for, as a
+/// share of its span, 1 at the most.
 double bend_along(const CPlaneHit& hit, const Footprint& image, const std::array<double, 4>& at) {
     const auto told = linear_corners(image.dx.x, image.dy.x);
     const auto nearer = linear_corners(image.descent.x, image.descent.y);
@@ -162,9 +162,10 @@ ReflectedFootprint::ReflectedFootprint(const PixelRays& rays)
              slopes_of(rays.left), slopes_of(rays.right), slopes_of(rays.above),
              slopes_of(rays.below)) {}
 
-/// With m the most that slopes of neighbours are off the centre's, the second derivatives of the
-/// cubic are at most m, the third at most 2 m. In the pixel, half a unit to all sides, that adds up
-/// to 1/8 + 1/8 + 1/4 + 4/48 + 4/16 times m, and for the slopes to 1/2 + 1/2 + 2/8 + 2/4 + 2/8.
+/// With m the largest deviation of neighbours' slopes from the centre's, the second derivatives of
+/// the cubic are at most m, the third at most 2 m. The pixel extends half a unit to all sides: that
+/// adds up to 1/8 + 1/8 + 1/4 + 4/48 + 4/16 times m. For the slopes it adds up to 1/2 + 1/2 + 2/8 +
+/// 2/4 + 2/8.
 RayCone ReflectedFootprint::bundle(const PixelRays& rays) {
     constexpr double off = 5.0 / 6, slope_off = 2;
     const RayDifferentials& own = *rays.centre.differentials;

@@ -207,7 +207,7 @@ VolumetricShadows Integrator::volumetric_shadows(std::span<const Segment> legs, 
 }
 
 Integrator::FresnelTerm Integrator::incidence(const Ray& ray, const Hit& hit, int depth) const {
-    // Asked for by no one there, and the hit may have no normal.
+    // No one requests it there, and the hit may have no normal.
     if (depth > 0 && depth >= options_.max_depth) return {};
     const double cosine = std::abs(hit.normal.dot(ray.direction)) / ray.direction.length();
     FresnelTerm incidence{cosine, {}};
