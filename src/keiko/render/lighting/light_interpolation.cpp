@@ -56,7 +56,7 @@ private:
             return fill(r, known, open);
         for (const Rectangle& quarter : r.quarters()) light(r, quarter, told, known, open, left);
     }
-    /// Lights a quarter of a rectangle over which `told` were accepted.
+    /// Lights a quarter of a rectangle, with the lights that were accepted over all of it.
     void light(const Rectangle& r, const Rectangle& quarter,
                const InterpolationTest::Accepted& told, LightPolynomial known,
                UnresolvedLights open, double left) {
