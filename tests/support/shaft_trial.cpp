@@ -3,7 +3,7 @@
 #include "keiko/base/units.h"
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/rig/luminance_along.h"
-#include "keiko/light/spotlight/beam_intensity.h"
+#include "keiko/light/spotlight/spotlight.h"
 #include "keiko/render/shading/volumetric_shadows.h"
 
 #include <cmath>

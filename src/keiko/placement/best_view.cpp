@@ -3,7 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/base/units.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
-#include "keiko/placement/mirrored_ray.h"
+#include "keiko/placement/view_samples.h"
 
 #include <algorithm>
 #include <array>

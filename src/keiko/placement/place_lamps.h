@@ -12,6 +12,12 @@
 
 namespace keiko {
 
+/// What the lamps of a given rig do for what pictures of `picture_height` pixels saw of the model:
+/// the same figures as of a placed one. Spotlights and suns are passed over. Throws Error for a rig
+/// without C-planes, and where the pictures see no surface.
+Placement rated_rig(std::vector<ViewSample> seen, const SurfaceModel& model, int picture_height,
+                    const LightRig& rig, const StripeSpacing& spacing = {});
+
 struct PlacementOptions {
     int lamps = 12;           ///< on each plane; 0: as many as give the wanted spacing
     int planes = 3;           ///< at most; one more is taken only where it serves enough

@@ -3,15 +3,57 @@
 #include "keiko/base/error.h"
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/placement/hit_histogram.h"
+#include "keiko/placement/lamp_field.h"
 #include "keiko/placement/placement_score.h"
+#include "keiko/placement/plane_search.h"
 #include "keiko/placement/stripe_statistics.h"
 #include "keiko/placement/unreached_regions.h"
+#include "keiko/scene/mirror_plane.h"
 #include "keiko/scene/symmetry.h"
 
 #include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace keiko {
+
+/// What the stripes of lamps are like in the pictures, over all places that mirror them. Spacings
+/// are from stripe to stripe, px.
+struct StripeStatistics {
+    /// Below which a tenth, half and nine tenths of the weight lie; 0 where nothing is known.
+    double narrow = 0, median = 0, wide = 0;
+    double in_range = 0;   ///< share of the weight whose spacing is wanted, 0 to 1
+    double uniformity = 0; ///< exp(-standard deviation of ln spacing), 1 for even stripes
+};
+
+/// Of lamps on these planes; a place that several planes reach counts for the first.
+StripeStatistics stripe_statistics(std::span<const ViewSample> samples,
+                                   std::span<const CPlane> planes, const StripeSpacing& wanted);
+
+/// Why a place mirrors no lamp.
+enum class UnreachedBecause {
+    beyond_lamps, ///< its reflected ray passes beside all lamps
+    blocked,      ///< it mirrors the body itself
+    hidden        ///< lamps stand between it and the eye
+};
+
+/// "beyond the lamps", "mirrors the body", "hidden by lamps"
+std::string_view name_of(UnreachedBecause reason);
+
+/// A part of a picture that hangs together and mirrors no lamp.
+struct UnreachedRegion {
+    std::uint32_t view = 0; ///< which of the cameras
+    UnreachedBecause because = UnreachedBecause::beyond_lamps;
+    double share = 0;                 ///< of the weight of all pictures
+    Vec3 place{0};                    ///< mm: the place on the surface nearest to its middle
+    Box3 box;                         ///< mm, of its places on the surface
+    std::vector<std::uint32_t> faces; ///< of the model, rising
+    Box2 pixels;                      ///< where it is in the picture
+};
+
+/// The regions of at least `least_share`, the largest first.
+std::vector<UnreachedRegion> unreached_regions(const LampField& field, double least_share = 0.002);
 
 /// Lamps on one plane, and what they do for the picture.
 struct PlacedPlane {

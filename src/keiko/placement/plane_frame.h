@@ -3,8 +3,11 @@
 #include "keiko/geometry/bezier/ray.h"
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/math/bounds.h"
+#include "keiko/scene/camera.h"
+#include "keiko/scene/mirror_plane.h"
 
 #include <optional>
+#include <span>
 
 namespace keiko {
 
@@ -44,5 +47,17 @@ std::optional<PlaneHit> meet(const PlaneFrame& frame, const Ray& ray);
 
 /// Place where the segment from a to b crosses the plane, if it does.
 std::optional<Vec2> crossing(const PlaneFrame& frame, const Vec3& a, const Vec3& b);
+
+/// Whether a plane for lamps is its own mirror image, with u and v along the mirror or square to
+/// it.
+bool is_own_image(const PlaneFrame& frame, const MirrorPlane& mirror);
+/// The image of a frame.
+PlaneFrame image_of(const PlaneFrame& frame, const MirrorPlane& mirror);
+/// The smallest rectangle that holds another, on a frame that is its own image, and is one too.
+Box2 symmetric_extent(const PlaneFrame& frame, const Box2& extent, const MirrorPlane& mirror);
+
+/// Whether a camera's picture is its own mirror image where what it sees is: its eye lies on the
+/// mirror, and so do its axes but one.
+bool is_own_image(const Camera& camera, const MirrorPlane& mirror);
 
 } // namespace keiko

@@ -2,7 +2,7 @@
 
 #include "keiko/base/units.h"
 #include "keiko/placement/hit_histogram.h"
-#include "keiko/placement/mirrored_lamps.h"
+#include "keiko/placement/plane_frame.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include <numbers>
 
 namespace keiko {
+
 namespace {
 
 /// Shares of what a plane could serve that rectangles are tried for.

@@ -1,14 +1,37 @@
 #pragma once
 
 #include "keiko/base/job.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
+#include "keiko/geometry/bezier/ray.h"
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/intersect/hit/hit.h"
 #include "keiko/intersect/traversal/tracer.h"
-#include "keiko/placement/feature_direction.h"
 #include "keiko/scene/camera.h"
 
 #include <span>
 #include <vector>
 
 namespace keiko {
+
+/// reflect_ray for hits of any tracer: second derivatives that the hit lacks are taken from the
+/// model.
+Ray mirrored_ray(const SurfaceModel& model, const Hit& hit, const Ray& camera_ray);
+
+/// The hit's unit normal on the side the ray comes from.
+Vec3 facing_normal(const Hit& hit, const Ray& ray);
+
+/// S and its derivatives to order 2 at the hit, in world coordinates.
+SurfaceDerivatives world_derivatives(const SurfaceModel& model, const Hit& hit);
+
+/// Which way a feature of the surface runs in the picture, and how much of a feature it is.
+struct FeatureDirection {
+    Vec2 along{0};       ///< unit, picture x and y; zero where there is none
+    double strength = 0; ///< 1/mm: by how much the surface bends more across it than along it
+};
+
+/// Fillets, edges and character lines run along the principal direction of least curvature.
+/// `mirrored` starts at the place and tells by its differentials how the picture sees it.
+FeatureDirection feature_direction(const SurfaceDerivatives& surface, const Ray& mirrored);
 
 /// What a place in the picture counts.
 enum class SampleWeight {

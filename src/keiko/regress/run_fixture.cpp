@@ -5,7 +5,7 @@
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/files/scene/scene_file.h"
 #include "keiko/film/image_file.h"
-#include "keiko/placement/rated_rig.h"
+#include "keiko/placement/place_lamps.h"
 #include "keiko/report/record_files.h"
 #include "keiko/workflow/choose_lights.h"
 #include "keiko/workflow/input_key.h"

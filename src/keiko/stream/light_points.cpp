@@ -1,9 +1,9 @@
 #include "keiko/stream/light_points.h"
 
-#include "keiko/light/rig/within_lamp.h"
+#include "keiko/light/rig/light_id.h"
 #include "keiko/render/shading/direct_lighting.h"
 #include "keiko/stream/hit_columns.h"
-#include "keiko/stream/row_stream.h"
+#include "keiko/stream/trace_rays.h"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 #include "keiko/base/error.h"
 #include "keiko/render/shading/integrator.h"
 #include "keiko/stream/hit_columns.h"
-#include "keiko/stream/row_stream.h"
 
 namespace keiko {
+
 namespace {
 
 struct Piece : RowPiece {

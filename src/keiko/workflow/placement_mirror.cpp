@@ -1,7 +1,7 @@
 #include "keiko/workflow/placement_mirror.h"
 
 #include "keiko/compare/shape/symmetry.h"
-#include "keiko/placement/mirrored_lamps.h"
+#include "keiko/placement/plane_frame.h"
 
 #include <algorithm>
 #include <cmath>

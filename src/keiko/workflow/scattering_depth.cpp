@@ -1,6 +1,6 @@
 #include "keiko/workflow/scattering_depth.h"
 
-#include "keiko/light/rig/multiple_scattering.h"
+#include "keiko/light/rig/luminance_along.h"
 
 namespace keiko {
 

@@ -1,9 +1,9 @@
 #include "keiko/files/photometric/luminaire_file.h"
 
 #include "keiko/base/error.h"
+#include "keiko/light/rig/luminaire_remarks.h"
 #include "keiko/light/spotlight/beam_spread.h"
 #include "keiko/light/spotlight/luminous_flux.h"
-#include "keiko/light/spotlight/stated_flux.h"
 
 #include "tests/support/oracle.h"
 #include "tests/support/temporary_folder.h"

@@ -2,8 +2,8 @@
 #include "keiko/base/input_file.h"
 #include "keiko/files/photometric/intensity_csv.h"
 #include "keiko/files/scene/rig_file.h"
-#include "keiko/light/spotlight/beam_intensity.h"
 #include "keiko/light/spotlight/luminous_flux.h"
+#include "keiko/light/spotlight/spotlight.h"
 
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"

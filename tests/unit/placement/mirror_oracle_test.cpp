@@ -1,5 +1,4 @@
 #include "keiko/base/units.h"
-#include "keiko/placement/mirrored_ray.h"
 #include "keiko/placement/plane_frame.h"
 #include "keiko/placement/view_samples.h"
 

@@ -1,6 +1,5 @@
-#include "keiko/placement/mirrored_lamps.h"
-
 #include "keiko/placement/place_lamps.h"
+#include "keiko/placement/plane_frame.h"
 #include "keiko/scene/view.h"
 
 #include "tests/support/analytic_models.h"

@@ -1,6 +1,5 @@
-#include "keiko/placement/oriented_box.h"
-
 #include "keiko/math/affine.h"
+#include "keiko/placement/candidate_planes.h"
 
 #include <gtest/gtest.h>
 

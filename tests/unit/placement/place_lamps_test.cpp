@@ -2,8 +2,8 @@
 
 #include "keiko/base/error.h"
 #include "keiko/geometry/trim/material_bounds.h"
-#include "keiko/placement/mirrored_ray.h"
-#include "keiko/placement/oriented_box.h"
+#include "keiko/placement/candidate_planes.h"
+#include "keiko/placement/view_samples.h"
 #include "keiko/scene/view.h"
 
 #include "tests/support/analytic_models.h"

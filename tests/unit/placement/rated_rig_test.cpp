@@ -1,5 +1,3 @@
-#include "keiko/placement/rated_rig.h"
-
 #include "keiko/base/error.h"
 #include "keiko/placement/place_lamps.h"
 #include "keiko/scene/view.h"

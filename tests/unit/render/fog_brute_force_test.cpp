@@ -1,6 +1,6 @@
 #include "keiko/files/photometric/luminaire_file.h"
-#include "keiko/light/spotlight/beam_intensity.h"
 #include "keiko/light/spotlight/luminaire.h"
+#include "keiko/light/spotlight/spotlight.h"
 #include "keiko/render/shading/volumetric_shadows.h"
 
 #include "tests/support/analytic_models.h"

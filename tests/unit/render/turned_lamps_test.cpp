@@ -1,4 +1,4 @@
-#include "keiko/light/tubes/c_plane_frame.h"
+#include "keiko/light/tubes/c_plane.h"
 #include "keiko/render/shading/direct_lighting.h"
 
 #include "tests/support/model_builder.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/light/spotlight/intensity_table.h"
+#include "keiko/light/spotlight/photometric_web.h"
 
 #include <filesystem>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/light/tubes/c_plane_frame.h"
+#include "keiko/light/tubes/c_plane.h"
 #include "keiko/math/jet.h"
 #include "keiko/scene/camera.h"
 

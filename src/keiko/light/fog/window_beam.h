@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/visibility/visibility.h"
-#include "keiko/light/fog/attenuated_ray.h"
+#include "keiko/light/fog/transmittance.h"
 
 #include <optional>
 #include <vector>

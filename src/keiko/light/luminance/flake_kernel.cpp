@@ -1,6 +1,6 @@
 #include "keiko/light/luminance/flake_kernel.h"
 
-#include "keiko/light/luminance/refraction.h"
+#include "keiko/light/luminance/fresnel.h"
 
 #include <cmath>
 #include <numbers>

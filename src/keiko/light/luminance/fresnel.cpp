@@ -5,6 +5,7 @@
 #include <cmath>
 
 namespace keiko {
+
 namespace {
 
 double square(double x) {

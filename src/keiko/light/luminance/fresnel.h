@@ -1,5 +1,11 @@
 #pragma once
 
+#include "keiko/math/rgb.h"
+#include "keiko/math/vec.h"
+
+#include <cmath>
+#include <optional>
+
 namespace keiko {
 
 /// Unpolarised reflectance, 0 to 1, of a smooth border between dielectrics. `cosine` >= 0 belongs
@@ -14,5 +20,48 @@ double fresnel_conductor(double cosine, double n, double k);
 /// integral of fresnel_dielectric(c, n) c over c in [0, 1]. From inside a coat of index n it is
 /// fresnel_mean(1 / n), which is 1 - (1 - fresnel_mean(n)) / n^2.
 double fresnel_mean(double n);
+
+/// Index of refraction of a metal, n + ik, for red, green and blue light.
+struct MetalIndex {
+    Rgb n{1}, k{0};
+
+    bool operator==(const MetalIndex&) const = default;
+};
+
+/// What share of the light a smooth border mirrors, by the cosine of the angle of incidence: all
+/// of it, that of a dielectric or that of a metal.
+class Reflectance {
+public:
+    /// A mirror without loss.
+    Reflectance() = default;
+    /// Relative index `n` above 0.
+    static Reflectance dielectric(double n) { return {Kind::dielectric, {Rgb(n), Rgb(0)}}; }
+    static Reflectance metal(const MetalIndex& index) { return {Kind::metal, index}; }
+
+    Rgb operator()(double cosine) const {
+        if (kind_ == Kind::dielectric) return Rgb(fresnel_dielectric(cosine, index_.n.r));
+        if (kind_ == Kind::whole) return Rgb(1);
+        const auto& [n, k] = index_;
+        return {fresnel_conductor(cosine, n.r, k.r), fresnel_conductor(cosine, n.g, k.g),
+                fresnel_conductor(cosine, n.b, k.b)};
+    }
+
+private:
+    enum class Kind { whole, dielectric, metal };
+    Reflectance(Kind kind, const MetalIndex& index) : kind_(kind), index_(index) {}
+
+    Kind kind_ = Kind::whole;
+    MetalIndex index_;
+};
+
+/// Direction of light behind a border that it meets in unit direction `d`: `normal` is the unit
+/// normal on the side it comes from, `eta` the index before the border over that behind it. nullopt
+/// where the reflection is total (docs/theory/luminance.md#fresnel-reflectance).
+inline std::optional<Vec3> refract(const Vec3& d, const Vec3& normal, double eta) {
+    const double cosine = -d.dot(normal);
+    const double square = 1 - eta * eta * (1 - cosine * cosine);
+    if (square < 0) return {};
+    return d * eta + normal * (eta * cosine - std::sqrt(square));
+}
 
 } // namespace keiko

@@ -1,11 +1,98 @@
 #pragma once
 
-#include "keiko/light/luminance/distribution.h"
-#include "keiko/light/luminance/lobe_chart.h"
-#include "keiko/light/luminance/reflectance.h"
+#include "keiko/light/luminance/fresnel.h"
 #include "keiko/math/vec.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 namespace keiko {
+
+/// Distribution of the reflected light of a glossy surface (docs/theory/luminance.md#lobes). The
+/// `width` of each is its parameter as the papers write it.
+enum class DistributionKind {
+    phong,            ///< n: cos^n of the angle to the mirror direction
+    blinn,            ///< n: cos^n of the angle between normal and half vector
+    gauss,            ///< m: exp(-(alpha / m)^2)
+    trowbridge_reitz, ///< c: ellipsoids, the GGX of later papers
+    beckmann          ///< m: rms slope, as in [CookTorrance1982]
+};
+
+/// A distribution with its parameter, above 0.
+class Distribution {
+public:
+    Distribution(DistributionKind kind, double width);
+
+    DistributionKind kind() const { return kind_; }
+    double width() const { return width_; }
+    /// Whether it is one of half vectors; Phong's is of directions about the mirror direction.
+    bool of_half_vectors() const { return kind_ != DistributionKind::phong; }
+
+    /// 1/sr, from the cosine and the squared sine of alpha, the angle of the half vector to the
+    /// normal, or of the direction to the mirror direction. Its integral over the hemisphere, times
+    /// cos alpha for half vectors, is 1; 0 where the cosine is not positive.
+    double density(double cosine, double sine2) const;
+
+    /// Angle in radians within which about two thirds of the light lie, seen from the surface: for
+    /// half vectors twice that of alpha.
+    double spread() const;
+    /// Half angle in radians of the cone about the mirror direction outside of which the density is
+    /// below `share` of its peak; pi where there is none.
+    double cone(double share) const;
+
+private:
+    DistributionKind kind_;
+    double width_;
+    double scale_; ///< density at alpha = 0
+};
+
+/// A chart of directions of light in which a lobe is a round bell about 0, 1 its spread: for lobes
+/// of half vectors the slope of the half vector, tan alpha. Seen at a grazing angle such a lobe is
+/// narrow across the plane of incidence and towards the horizon, which angles to its peak do not
+/// tell.
+class LobeChart {
+public:
+    /// Of a lobe about a unit direction; `spread` in radians, small.
+    LobeChart(const Vec3& peak, double spread) : peak_(peak), scale_(1 / spread) {}
+    /// Of half vectors about the unit `normal`, `spread` twice theirs; `eye` and they inside of a
+    /// border of index `n` >= 1.
+    LobeChart(const Vec3& peak, double spread, const Vec3& normal, const Vec3& eye, double n = 1)
+        : peak_(peak), scale_(2 / spread), facets_(Facets{normal, eye, n}) {}
+
+    const Vec3& peak() const { return peak_; }
+
+    struct Place {
+        Vec3 off;  ///< from the peak
+        Vec3 rate; ///< of its change as the direction turns
+    };
+    /// Of a unit direction that turns by `turn` a radian.
+    Place at(const Vec3& light, const Vec3& turn) const {
+        if (!facets_) return {(light - peak_) * scale_, turn * scale_};
+        return facets_->at(light, turn, scale_);
+    }
+
+private:
+    struct Facets {
+        Vec3 normal, eye;
+        double n;
+
+        Place at(const Vec3& light, const Vec3& turn, double scale) const {
+            constexpr double least_height = 1e-3;
+            const Vec3 flat = (light - normal * light.dot(normal)) / n;
+            const Vec3 flat_turn = (turn - normal * turn.dot(normal)) / n;
+            const double inner = std::sqrt(std::max(least_height, 1 - flat.length2()));
+            const double height = std::max(least_height, inner + eye.dot(normal));
+            const double rise = -flat.dot(flat_turn) / inner;
+            const Vec3 slope = (flat + eye - normal * eye.dot(normal)) / height;
+            return {slope * scale, (flat_turn - slope * rise) * (scale / height)};
+        }
+    };
+
+    Vec3 peak_;
+    double scale_;
+    std::optional<Facets> facets_; ///< nothing: about the peak itself
+};
 
 /// Rule by which a distribution becomes reflected light (docs/theory/luminance.md#lobes).
 enum class GlossMode {

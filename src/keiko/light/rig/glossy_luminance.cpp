@@ -4,7 +4,7 @@
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/rig/light_id.h"
 #include "keiko/light/spotlight/point_light.h"
-#include "keiko/light/tubes/lobe_reach.h"
+#include "keiko/light/tubes/tube_hit.h"
 #include "keiko/light/tubes/tube_irradiance.h"
 
 namespace keiko {

@@ -1,5 +1,9 @@
 #include "keiko/light/rig/light_id.h"
 
+#include "keiko/light/spotlight/point_light.h"
+#include "keiko/light/tubes/c_plane_lookup.h"
+
+#include <cmath>
 #include <numeric>
 
 namespace keiko {
@@ -16,6 +20,34 @@ std::vector<LightId> lights_of(const LightRig& rig) {
     for (std::size_t i = 0; i < rig.sources.size(); ++i)
         for (const int lamp : lamp_numbers(rig.sources[i])) lights.push_back({i, lamp});
     return lights;
+}
+
+namespace {
+
+/// Of a tube's radius: points this near to the glass are taken to lie on it.
+constexpr double rounding = 1e-9;
+
+struct Holds {
+    const Vec3& point;
+
+    bool operator()(const CPlane& plane) const {
+        const CPlaneFrame frame(plane);
+        const Vec3 at = frame.point(point);
+        const auto nearest = strip_at(frame, at.x, at.y, frame.diameter);
+        return nearest &&
+               std::hypot(at.y - frame.axis(*nearest), at.z) < frame.radius() * (1 - rounding);
+    }
+    template <PointLight Light>
+    bool operator()(const Light& light) const {
+        return light.position == point;
+    }
+    bool operator()(const Sun&) const { return false; }
+};
+
+} // namespace
+
+bool within_lamp(const LightSource& source, const Vec3& point) {
+    return std::visit(Holds{point}, source);
 }
 
 } // namespace keiko

@@ -1,17 +1,44 @@
 #pragma once
 
 #include "keiko/light/fog/medium.h"
-#include "keiko/light/rig/sun.h"
+#include "keiko/light/fog/window_beam.h"
 #include "keiko/light/spotlight/luminaire.h"
 #include "keiko/light/spotlight/spotlight.h"
 #include "keiko/light/tubes/c_plane.h"
+#include "keiko/math/rgb.h"
+#include "keiko/math/vec.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace keiko {
+
+/// Parallel light. Where it comes in through windows, nothing but what they let in is lit, and the
+/// medium dims and scatters it from the window on; else the medium does neither.
+struct Sun {
+    Vec3 direction{0, 0, -1}; ///< the way the light goes; of any length but 0
+    Rgb illuminance{60000};   ///< lx on a surface across the light, past the air; colour included
+    std::vector<Window> windows{}; ///< none: it shines from everywhere
+    bool shaft = true;             ///< it lights the medium behind its windows
+
+    /// Unit vector towards the light.
+    Vec3 towards() const { return direction / -direction.length(); }
+    /// A place on the way to it, mm, so far off that nothing in a scene lies beyond.
+    Vec3 seen_from(const Vec3& point) const { return point + towards() * 1e7; }
+    /// How far light that reaches a point came through the room, mm: 0 where there is no window,
+    /// nothing where none lets it in.
+    std::optional<double> way_to(const Vec3& point) const {
+        if (windows.empty()) return 0;
+        std::optional<double> longest;
+        for (const Window& window : windows)
+            if (const auto way = way_from_window(window, direction.normalized(), point))
+                longest = std::max(longest.value_or(0), *way);
+        return longest;
+    }
+};
 
 /// Every kind of light source a rig can hold.
 using LightSource = std::variant<CPlane, Spotlight, Luminaire, Sun>;

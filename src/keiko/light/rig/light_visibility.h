@@ -1,8 +1,8 @@
 #pragma once
 
 #include "keiko/geometry/visibility/visibility.h"
-#include "keiko/light/luminance/light_visibility.h"
 #include "keiko/light/rig/light_rig.h"
+#include "keiko/light/tubes/tube_penumbra.h"
 
 #include <optional>
 #include <span>

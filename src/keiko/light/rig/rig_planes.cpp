@@ -1,11 +1,10 @@
 #include "keiko/light/rig/rig_planes.h"
 
-#include "keiko/light/luminance/compositing.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace keiko {
+
 namespace {
 
 /// Whether planes are one but for the rounding of their numbers.

@@ -2,13 +2,28 @@
 
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/light/tubes/c_plane_lookup.h"
-#include "keiko/light/tubes/ray_cone.h"
+#include "keiko/light/tubes/tube_hit.h"
+#include "keiko/math/rgb.h"
 
 #include <limits>
 #include <span>
 #include <vector>
 
 namespace keiko {
+
+/// Sum of layers one behind the other, taken from the front to the back: the operator over
+/// [PorterDuff1984] (docs/theory/luminance.md#rows-behind-each-other).
+struct FrontToBack {
+    Rgb light;          ///< of the layers so far
+    double opacity = 0; ///< of all of them, 0 to 1
+
+    /// The next layer behind, with its own light and opacity.
+    void add(const Rgb& own_light, double own_opacity) {
+        const double share = (1 - opacity) * own_opacity;
+        light += own_light * share;
+        opacity += share;
+    }
+};
 
 /// What a mirror ray sees of a rig.
 struct MirroredLight {

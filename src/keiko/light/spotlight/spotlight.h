@@ -1,13 +1,100 @@
 #pragma once
 
-#include "keiko/light/spotlight/beam_pattern.h"
-#include "keiko/light/spotlight/beam_profile.h"
+#include "keiko/light/spotlight/beam_direction.h"
+#include "keiko/light/spotlight/photometric_web.h"
 #include "keiko/math/rgb.h"
 #include "keiko/math/vec.h"
 
+#include <memory>
 #include <optional>
+#include <variant>
+#include <vector>
 
 namespace keiko {
+
+/// Falloff of the intensity towards the rim of the beam [NishitaSpots, eq. 4 to 6].
+enum class BeamEdge { sharp, soft, mixed };
+
+/// Edges of the paper: with s = (cos theta - cos g) / (1 - cos g), 1, s, or (1 - q) s + q.
+struct EdgeProfile {
+    BeamEdge edge = BeamEdge::soft;
+    double q = 0.5; ///< share of the sharp edge where the edge is mixed
+
+    bool operator==(const EdgeProfile&) const = default;
+};
+
+/// Power of the cosine, cos^c theta [Warn1983], for comparison; 0 beyond 90 degrees.
+struct CosinePower {
+    double exponent = 1;
+
+    bool operator==(const CosinePower&) const = default;
+};
+
+/// c0 + c1 cos theta + c2 cos^2 theta ..., not below 0.
+struct CosinePolynomial {
+    std::vector<double> coefficients;
+
+    bool operator==(const CosinePolynomial&) const = default;
+};
+
+/// A table over theta (V) and phi (H).
+using TableProfile = std::shared_ptr<const IntensityTable>;
+
+/// Intensity over the one that a lamp is given with, by direction.
+using BeamProfile = std::variant<EdgeProfile, CosinePower, CosinePolynomial, TableProfile>;
+
+/// Value of the polynomial at x, not below 0.
+double polynomial_value(const CosinePolynomial& polynomial, double x);
+
+/// Value of the profile into a direction: 0 beyond the rim (docs/theory/spotlights.md#profiles).
+/// `phi` is that of the direction in radians plus the lamp's spin, `rim` the versine of the beam's
+/// half angle there.
+double profile_share(const BeamProfile& profile, const BeamDirection& direction, double phi,
+                     double rim);
+
+/// Petals k(phi) [NishitaSpots, eq. 11], bright at multiples of 360 degrees / count, dark between
+/// them.
+struct Petals {
+    int count = 12;
+    double q = 0; ///< below 1: their least brightness, where it is not negative; less: narrower
+
+    bool operator==(const Petals&) const = default;
+};
+
+/// Readings of the polka dots of [NishitaSpots, eq. 12].
+enum class DotReading {
+    centred, ///< each dot is bright in its middle (docs/theory/spotlights.md#patterns)
+    rounded, ///< [x] of the paper is the nearest integer: dots about multiples of the periods
+    literal  ///< as printed: each dot falls into two opposite quarters
+};
+
+/// Polka dots: every second cell of a grid in phi and theta.
+struct Dots {
+    double dphi = 30, dtheta = 4;  ///< degrees; dphi divides 360 an even number of times
+    double q_phi = 0, q_theta = 0; ///< below 1; smaller ones make smaller dots
+    DotReading reading = DotReading::centred;
+
+    bool operator==(const Dots&) const = default;
+};
+
+/// A polynomial in cos phi, not below 0.
+struct PhiPolynomial {
+    CosinePolynomial in_cosine;
+
+    bool operator==(const PhiPolynomial&) const = default;
+};
+
+/// What multiplies a beam's profile, by direction.
+using BeamPattern = std::variant<std::monostate, Petals, Dots, PhiPolynomial>;
+
+/// Share of the profile that is left under angles in radians, phi from 0 to 2 pi.
+double pattern_share(const BeamPattern& pattern, double theta, double phi);
+
+/// Mean of k over a period [NishitaSpots, eq. 10]: (1 + q) / 2, or 1 / (2 (1 - q)) below q = 0.
+double mean_of_k(double q);
+
+/// HSV(phi / 360 degrees, 1, 1) as linear colour; phi in radians, 0 to 2 pi.
+Rgb hue_color(double phi);
 
 /// A spotlight without extent.
 struct Spotlight {
@@ -26,5 +113,34 @@ struct Spotlight {
     bool hue = false;  ///< the colour goes around the circle of hues with phi
     bool shaft = true; ///< it lights the medium
 };
+
+/// Unit vector along the beam; NaN, which lights nothing, where aim and position coincide.
+inline Vec3 beam_axis(const Spotlight& light) {
+    const Vec3 axis = light.aim - light.position;
+    return axis / axis.length();
+}
+
+/// A spotlight made ready to be asked for its intensity into many directions; keeps a reference
+/// to it.
+class BeamIntensity {
+public:
+    explicit BeamIntensity(const Spotlight& light);
+
+    /// cd towards a point in mm; 0 at the lamp itself.
+    Rgb operator()(const Vec3& point) const;
+    /// cd into a direction of the lamp's own frame.
+    Rgb towards(const BeamDirection& direction) const;
+    const BeamFrame& frame() const { return frame_; }
+    /// Versine of the half angle at an angle phi in radians, without spin: 0 to 2.
+    double rim(double phi) const;
+
+private:
+    const Spotlight& light_;
+    BeamFrame frame_;
+    double rim_;
+};
+
+/// Intensity in cd towards a point in mm; 0 at the lamp itself.
+Rgb intensity_towards(const Spotlight& light, const Vec3& point);
 
 } // namespace keiko

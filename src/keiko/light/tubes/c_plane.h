@@ -1,10 +1,30 @@
 #pragma once
 
-#include "keiko/light/tubes/tube_model.h"
 #include "keiko/math/rgb.h"
 #include "keiko/math/vec.h"
 
 namespace keiko {
+
+/// Models of a cylindrical lamp, from the facing rectangle [NishitaTubes, eq. 1] to the exact
+/// cylinder (docs/theory/luminance.md#the-ladder-of-approximations). Errors are those of a lamp in
+/// ordinary position, by d/D, its diameter over its distance.
+enum class TubeModel {
+    automatic, ///< strip up to d/D = 0.018, where its error is 1e-4 at most; cylinder beyond
+    picture,   ///< strip up to d/D = 0.2, where its error is 2.3e-3; cylinder beyond
+    preview,   ///< the same, and shadows cut the lamp along its axis alone
+    nishita,   ///< [NishitaTubes, eq. 1] with its indices corrected: -0.27 d/D
+    rectangle, ///< the facing rectangle, exactly: -0.27 d/D
+    line,      ///< the limit of a thin lamp: -0.26 d/D
+    strip,     ///< mean-rim strip: -0.058 (d/D)^2, aside and aslant up to 0.28
+    cylinder   ///< the tube itself by quadrature: below 1e-9
+};
+
+/// Models of the mirror image of a row of lamps (docs/theory/luminance.md#in-mirrors).
+enum class MirrorModel {
+    tube, ///< round tubes in closed form: strips of their apparent width, rims at the ends
+    flat, ///< the flat strips of [NishitaTubes]
+    exact ///< the capped cylinders; a pixel as the mean over a grid of rays
+};
 
 /// The plane that a row of parallel tube lamps hangs on (the C-plane of [NishitaTubes]; not a
 /// photometric C-plane, whose angle is called c_angle). Lamps lie along u and are spaced along v.
@@ -21,6 +41,43 @@ struct CPlane {
     MirrorModel mirror = MirrorModel::tube;   ///< what mirrors show
 
     double spacing() const { return pitch > 0 ? pitch : v.length() / lamps; }
+};
+
+/// A C-plane made ready for computing: unit axes, v orthogonal to u, and the comb of lamp axes.
+/// Frame coordinates are (u, v, height over the plane) in mm from the corner. A plane without
+/// extent has NaN axes, which no ray hits and no point sees.
+struct CPlaneFrame {
+    Vec3 origin, u, v, normal;
+    double length = 0; ///< of the lamps, mm
+    double first = 0;  ///< v of the first lamp's axis, mm
+    double pitch = 0;  ///< mm
+    double diameter = 0;
+    int lamps = 0;
+    bool luminous_caps = false;
+
+    explicit CPlaneFrame(const CPlane& plane)
+        : origin(plane.origin),
+          length(plane.u.length()),
+          diameter(plane.diameter),
+          lamps(plane.lamps > 0 ? plane.lamps : 0),
+          luminous_caps(plane.luminous_caps) {
+        u = plane.u / length;
+        const Vec3 across = plane.v - u * u.dot(plane.v);
+        const double width = across.length();
+        v = across / width;
+        normal = u.cross(v);
+        if (lamps == 0) return;
+        pitch = plane.pitch > 0 ? plane.pitch : width / lamps;
+        first = (width - (lamps - 1) * pitch) / 2;
+    }
+
+    double radius() const { return diameter / 2; }
+    double axis(int lamp) const { return first + lamp * pitch; }
+    double last() const { return axis(lamps - 1); }
+    Vec3 vector(const Vec3& w) const { return {u.dot(w), v.dot(w), normal.dot(w)}; }
+    Vec3 point(const Vec3& p) const { return vector(p - origin); }
+    /// World position of the point (along, across) of the plane.
+    Vec3 at(double along, double across) const { return origin + u * along + v * across; }
 };
 
 } // namespace keiko

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/light/luminance/clear_coat.h"
-#include "keiko/light/tubes/tube_model.h"
+#include "keiko/light/tubes/c_plane.h"
 #include "keiko/light/tubes/tube_slices.h"
 
 namespace keiko {

@@ -1,6 +1,5 @@
 #include "keiko/light/tubes/cylinder_irradiance.h"
 
-#include "keiko/light/tubes/arc_integral.h"
 #include "keiko/math/interval_set.h"
 #include "keiko/math/quadrature.h"
 
@@ -9,11 +8,34 @@
 #include <numbers>
 #include <vector>
 
+namespace keiko {
+
+std::array<double, 2> OccludingTube::kinks(double radius) const {
+    const double half = std::asin(std::min(radius / distance, 1.0));
+    return {angle - half, angle + half};
+}
+
+std::vector<ParameterInterval> hidden_elevations(const TubeView& view,
+                                                 std::span<const OccludingTube> hiding, double psi,
+                                                 double near) {
+    std::vector<ParameterInterval> hidden;
+    for (const OccludingTube& tube : hiding) {
+        const double across = tube.distance * std::sin(psi - tube.angle);
+        const double middle = tube.distance * std::cos(psi - tube.angle);
+        if (!(std::abs(across) < view.radius)) continue;
+        const double half = std::sqrt((view.radius - across) * (view.radius + across));
+        const double front = std::max(middle - half, 0.0), back = middle + half;
+        if (!(back > 0) || !(front < near)) continue;
+        const double begin = view.x_a, end = view.x_a + view.length;
+        hidden.push_back({std::min(std::atan2(begin, front), std::atan2(begin, back)),
+                          std::max(std::atan2(end, front), std::atan2(end, back))});
+    }
+    return hidden;
+}
+
 // Key: a half-plane through the line parallel to the axis through the point has the wedge angle
 // psi from the direction of the axis, sin psi = (R / D) sin t; with t everything is smooth up to
 // the tube's outline t = +-pi/2. eta is the elevation in that half-plane towards the lamp's end b.
-
-namespace keiko {
 namespace {
 
 constexpr double pi = std::numbers::pi;

@@ -1,8 +1,45 @@
 #pragma once
 
-#include "keiko/light/tubes/occluding_tube.h"
+#include "keiko/light/tubes/tube_lamp.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
 
 namespace keiko {
+
+/// Integral of (al cos eta + nz sin eta) cos eta over the elevations [low, high] as far as it is
+/// positive (docs/theory/luminance.md#a-tube).
+inline double arc_integral(double al, double nz, double low, double high) {
+    const double zenith = std::atan2(nz, al);
+    low = std::max(low, zenith - std::numbers::pi / 2);
+    high = std::min(high, zenith + std::numbers::pi / 2);
+    if (!(low < high)) return 0;
+    const double span = high - low, sum = high + low;
+    return (al * (span + std::cos(sum) * std::sin(span)) + nz * std::sin(sum) * std::sin(span)) / 2;
+}
+
+/// Another tube of the same row in the cross-section through the point: it hides what lies behind
+/// it, its dark caps included.
+struct OccludingTube {
+    double distance = 0; ///< mm, of its axis from the point; within the radius beyond an end alone
+    double angle = 0;    ///< radians, from the direction of the lamp's axis towards `sideways`
+
+    /// Wedge angles, radians, beside which what the tube hides bends most sharply: those of the
+    /// half-planes that touch it or, where the point is within its extension, of those across the
+    /// way to its axis.
+    std::array<double, 2> kinks(double radius) const;
+};
+
+/// Elevations towards the lamp's end b, radians, that tubes nearer than `near` mm take in the
+/// half-plane at the wedge angle `psi`, in any order. The tubes are parallel to the lamp that
+/// `view` shows, of its radius and its ends (docs/theory/luminance.md#lamps-that-hide-each-other).
+std::vector<ParameterInterval> hidden_elevations(const TubeView& view,
+                                                 std::span<const OccludingTube> hiding, double psi,
+                                                 double near);
 
 /// Projected solid angle in sr of a part of the lateral surface of a tube, clipped by the tangent
 /// plane (docs/theory/luminance.md#a-tube). The inner integral is in closed form, the outer by

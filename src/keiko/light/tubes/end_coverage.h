@@ -1,9 +1,181 @@
 #pragma once
 
+#include "keiko/light/tubes/c_plane.h"
 #include "keiko/light/tubes/c_plane_lookup.h"
-#include "keiko/light/tubes/lamp_ends.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace keiko {
+
+/// One end of a lamp as it looks on the plane, at q across its strip, -1 to 1: the curve
+/// u = at + shear q + bulge sqrt(1 - q^2), half of the image of a rim.
+struct LampEnd {
+    double at = 0; ///< mm along u, as the others
+    double shear = 0, bulge = 0;
+};
+
+/// The ends of a row's lamps as they look on the plane; the same for each.
+struct LampEnds {
+    LampEnd begin, end;
+
+    /// Straight across.
+    static LampEnds straight(const CPlaneFrame& frame) { return {{0}, {frame.length}}; }
+    /// As rays of a direction, in frame coordinates, meet round tubes: each end looks moved by
+    /// where they meet the rim above or below the plane, times their slope along the lamps. Dark
+    /// caps hide the near half of the rim, luminous ones show both.
+    static LampEnds of_tubes(const CPlaneFrame& frame, const Vec3& d);
+    /// Whether rays meet caps that are dark at the begin.
+    bool begins_with_cap() const { return begin.bulge > 0; }
+};
+
+/// How far an end of a round tube may look moved along u, mm: by rays of that direction, in frame
+/// coordinates.
+double end_room(const CPlaneFrame& frame, const Vec3& d);
+
+/// Something linear in the place in the picture, off the pixel's centre.
+struct PixelLinear {
+    double amid, by_x, by_y;
+
+    double at(const Vec2& place) const { return amid + by_x * place.x + by_y * place.y; }
+};
+
+/// A convex part of a pixel, px off its centre.
+class ClippedPixel {
+public:
+    /// All of it.
+    ClippedPixel() : count_(4) {
+        corners_[0] = {-0.5, -0.5}, corners_[1] = {0.5, -0.5};
+        corners_[2] = {0.5, 0.5}, corners_[3] = {-0.5, 0.5};
+    }
+    ClippedPixel(const ClippedPixel& other) : count_(other.count_) {
+        std::copy(other.begin(), other.end(), corners_.begin());
+    }
+    ClippedPixel& operator=(const ClippedPixel& other) {
+        count_ = other.count_;
+        std::copy(other.begin(), other.end(), corners_.begin());
+        return *this;
+    }
+
+    /// What of it lies where `side` is not negative.
+    ClippedPixel where(const PixelLinear& side) const {
+        ClippedPixel cut{Nothing()};
+        if (count_ == 0) return cut;
+        const double first = side.at(corners_[0]);
+        double from = first;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const bool closes = i + 1 == count_;
+            const Vec2 &a = corners_[i], &b = corners_[closes ? 0 : i + 1];
+            const double to = closes ? first : side.at(b);
+            if (from >= 0) cut.add(a);
+            if ((from >= 0) != (to >= 0)) cut.add(a + (b - a) * (from / (from - to)));
+            from = to;
+        }
+        return cut;
+    }
+    /// Whether all of it lies there.
+    bool is_all_where(const PixelLinear& side) const {
+        return std::all_of(begin(), end(),
+                           [&](const Vec2& corner) { return side.at(corner) >= 0; });
+    }
+    bool is_any_where(const PixelLinear& side) const {
+        return std::any_of(begin(), end(),
+                           [&](const Vec2& corner) { return side.at(corner) >= 0; });
+    }
+    double area() const {
+        double twice = 0;
+        for (std::size_t i = 2; i < count_; ++i)
+            twice += (corners_[i - 1] - corners_[0]).cross(corners_[i] - corners_[0]);
+        return std::abs(twice) / 2;
+    }
+    const Vec2* begin() const { return corners_.data(); }
+    const Vec2* end() const { return corners_.data() + count_; }
+
+private:
+    struct Nothing {};
+    explicit ClippedPixel(Nothing) : count_(0) {}
+    // A cut adds a corner to the square's four, and the horizon, sides and chords of three curves
+    // are some sixty; what rounding adds to a line of them is no area.
+    void add(const Vec2& corner) {
+        if (count_ < corners_.size()) corners_[count_++] = corner;
+    }
+
+    std::array<Vec2, 64> corners_; // the first `count_` of them
+    std::size_t count_;
+};
+
+/// Where the places of a pixel are on the plane: numerators and one denominator, which is positive
+/// where their rays meet it.
+class PixelImage {
+public:
+    PixelImage(const Vec2& centre, const Footprint& footprint)
+        : centre_(centre),
+          footprint_(footprint),
+          denominator_{1, footprint.descent.x, footprint.descent.y} {}
+
+    /// What of the pixel sees the plane.
+    ClippedPixel before_horizon() const {
+        const ClippedPixel all;
+        return all.is_all_where(denominator_) ? all : all.where(denominator_);
+    }
+    /// By how much `slope` times the way from a point of the plane is more than `least`, times the
+    /// denominator.
+    PixelLinear past(const Vec2& slope, const Vec2& from, double least) const {
+        const double off = slope.dot(centre_ - from) - least;
+        return {off, slope.dot(footprint_.dx) + off * denominator_.by_x,
+                slope.dot(footprint_.dy) + off * denominator_.by_y};
+    }
+    /// What of a part is between two values of v.
+    ClippedPixel between(const ClippedPixel& part, double low, double high) const {
+        return part.where(past({0, 1}, {0, low}, 0)).where(past({0, -1}, {0, high}, 0));
+    }
+    /// No number on the horizon, to rounding.
+    double v(const Vec2& place) const {
+        const double before = denominator_.at(place);
+        const double rounding =
+            1e-12 * (1 + std::abs(denominator_.by_x) + std::abs(denominator_.by_y));
+        if (!(before > rounding)) return std::numeric_limits<double>::quiet_NaN();
+        return centre_.y + (footprint_.dx.y * place.x + footprint_.dy.y * place.y) / before;
+    }
+    /// mm2 per pixel, where it is least: where the rays meet the plane most steeply.
+    double least_area() const {
+        const double most = 1 + (std::abs(denominator_.by_x) + std::abs(denominator_.by_y)) / 2;
+        return std::abs(footprint_.dx.cross(footprint_.dy)) / (most * most * most);
+    }
+
+private:
+    Vec2 centre_;
+    Footprint footprint_;
+    PixelLinear denominator_;
+};
+
+/// Which side of an end's curve: of lesser u or of greater.
+enum class Side { before, past };
+
+/// Cuts strips in a pixel at the ends of lamps, by chords that bound as much as the curves.
+class TubeEndClipper {
+public:
+    /// `half`: of a strip's width, mm.
+    TubeEndClipper(double half, const PixelImage& image) : half_(half), image_(image) {}
+
+    /// Of a part, which lies on the strip around `axis`, what is on one side of an end; to 1e-3 of
+    /// a pixel or so.
+    double area(const ClippedPixel& part, double axis, const LampEnd& end, Side side) const;
+    /// The same as a part: of the side from which the curve bulges away.
+    ClippedPixel cut(const ClippedPixel& part, double axis, const LampEnd& end, Side side) const;
+
+private:
+    /// Where the arc begins and ends on which a part lies: of the unit circle that a rim is across
+    /// a strip, x along the lamp, half of it at the most.
+    std::array<Vec2, 2> arc_on(const ClippedPixel& part, double axis) const;
+    /// How often an arc is halved until chords are near enough; halves the chord with it.
+    int halvings_of(double& half_chord, double bulge) const;
+
+    double half_;
+    const PixelImage& image_;
+};
 
 /// Share of a pixel whose image, `footprint` around `centre` (u, v), falls on strips of
 /// `strip_width` mm between `ends`, 0 to 1. What projects straight edges to straight ones is cut in

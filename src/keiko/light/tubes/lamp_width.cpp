@@ -1,6 +1,6 @@
 #include "keiko/light/tubes/lamp_width.h"
 
-#include "keiko/light/tubes/arc_integral.h"
+#include "keiko/light/tubes/cylinder_irradiance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "keiko/geometry/visibility/visibility.h"
-#include "keiko/light/tubes/occluding_tube.h"
-#include "keiko/light/tubes/tube_view.h"
+#include "keiko/light/tubes/cylinder_irradiance.h"
+#include "keiko/light/tubes/tube_lamp.h"
 
 #include <span>
 #include <vector>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "keiko/light/tubes/c_plane_frame.h"
+#include "keiko/light/tubes/c_plane.h"
+#include "keiko/math/ray_differentials.h"
 
 #include <optional>
 
@@ -22,5 +23,31 @@ std::optional<TubeHit> nearest_tube(const CPlaneFrame& frame, const Vec3& origin
 /// coordinates, meet an endless tube (docs/theory/luminance.md#in-mirrors); infinite for a
 /// direction in the plane across the lamps.
 double apparent_diameter(const CPlaneFrame& frame, const Vec3& d);
+
+/// The rays of a pixel, half a unit of the picture's x and y to all sides of its centre's, each
+/// with a footprint of the pixel's size or a smaller one: nothing is known of them but bounds.
+struct RayCone {
+    Vec3 origin, direction;  ///< of the centre's ray
+    RayDifferentials spread; ///< of the same
+    /// How far the others are, at the most, from where that spread leads.
+    double origin_rest = 0, direction_rest = 0;
+    /// How far their own differentials are from it.
+    double origin_slope_rest = 0, direction_slope_rest = 0;
+};
+
+/// Whether it is proved that look_up() finds no lamp of a C-plane for any ray of a bundle and its
+/// footprint.
+bool misses_lamps(const CPlaneFrame& frame, const RayCone& rays);
+
+/// Lamps of a row, by rising v, from begin up to but without end.
+struct LampRange {
+    int begin = 0, end = 0;
+};
+
+/// Lamps that a cone about the unit direction `axis` from `point` can meet, its half angle in
+/// radians (docs/theory/luminance.md#lobes); all of them where the cone is not bounded by the
+/// plane.
+LampRange lamps_in_cone(const CPlaneFrame& frame, const Vec3& point, const Vec3& axis,
+                        double half_angle);
 
 } // namespace keiko

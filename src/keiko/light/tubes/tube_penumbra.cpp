@@ -1,14 +1,16 @@
 #include "keiko/light/tubes/tube_penumbra.h"
 
 #include "keiko/light/tubes/cap_penumbra.h"
-#include "keiko/light/tubes/ends_and_middles.h"
 #include "keiko/light/tubes/penumbra_breakpoints.h"
+#include "keiko/light/tubes/width_samples.h"
 #include "keiko/math/axes.h"
+#include "keiko/math/perpendicular.h"
 
 #include <algorithm>
 #include <optional>
 
 namespace keiko {
+
 namespace {
 
 /// A box around a tube.

@@ -1,7 +1,7 @@
 #include "keiko/light/tubes/tube_row_irradiance.h"
 
 #include "keiko/light/tubes/tube_irradiance.h"
-#include "keiko/light/tubes/tube_view.h"
+#include "keiko/light/tubes/tube_lamp.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "keiko/light/tubes/c_plane.h"
 #include "keiko/light/tubes/cylinder_irradiance.h"
 #include "keiko/light/tubes/tube_lamp.h"
-#include "keiko/light/tubes/tube_model.h"
 #include "keiko/math/interval_set.h"
 
 #include <vector>

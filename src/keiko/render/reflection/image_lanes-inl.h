@@ -7,7 +7,7 @@
 #endif
 
 #include "keiko/intersect/kernels/lanes-inl.h"
-#include "keiko/light/tubes/c_plane_frame.h"
+#include "keiko/light/tubes/c_plane.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {

@@ -3,7 +3,7 @@
 #include "keiko/base/job.h"
 #include "keiko/film/film.h"
 #include "keiko/light/rig/light_rig.h"
-#include "keiko/light/tubes/tube_model.h"
+#include "keiko/light/tubes/c_plane.h"
 #include "keiko/scene/camera.h"
 #include "keiko/scene/material.h"
 #include "keiko/visibility/query/occluders.h"

@@ -1,8 +1,9 @@
 #include "keiko/report/content/luminaire_facts.h"
 
 #include "keiko/base/text.h"
+#include "keiko/base/text_lines.h"
+#include "keiko/light/rig/luminaire_remarks.h"
 #include "keiko/light/spotlight/luminous_flux.h"
-#include "keiko/light/spotlight/stated_flux.h"
 #include "keiko/report/content/folded_remarks.h"
 #include "keiko/report/content/spread_text.h"
 #include "keiko/report/markup/json_text.h"

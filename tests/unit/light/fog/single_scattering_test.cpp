@@ -1,7 +1,5 @@
 #include "keiko/light/fog/single_scattering.h"
 
-#include "keiko/light/fog/airlight.h"
-
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "keiko/light/luminance/compositing.h"
+#include "keiko/light/rig/rig_planes.h"
 
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>

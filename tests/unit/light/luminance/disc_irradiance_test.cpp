@@ -1,6 +1,4 @@
-#include "keiko/light/luminance/disc_irradiance.h"
-
-#include "keiko/light/luminance/polygon_irradiance.h"
+#include "keiko/light/luminance/projected_solid_angle.h"
 
 #include <gtest/gtest.h>
 

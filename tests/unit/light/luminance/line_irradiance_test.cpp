@@ -1,5 +1,4 @@
-#include "keiko/light/luminance/line_irradiance.h"
-
+#include "keiko/light/luminance/projected_solid_angle.h"
 #include "keiko/math/vec.h"
 
 #include "tests/support/oracle.h"

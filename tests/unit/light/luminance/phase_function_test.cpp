@@ -1,6 +1,5 @@
-#include "keiko/light/luminance/phase_function.h"
-
 #include "keiko/base/units.h"
+#include "keiko/light/fog/medium.h"
 #include "keiko/math/quadrature.h"
 
 #include "tests/support/oracle.h"

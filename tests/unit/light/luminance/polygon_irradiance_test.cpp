@@ -1,4 +1,4 @@
-#include "keiko/light/luminance/polygon_irradiance.h"
+#include "keiko/light/luminance/projected_solid_angle.h"
 
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>

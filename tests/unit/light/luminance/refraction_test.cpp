@@ -1,4 +1,4 @@
-#include "keiko/light/luminance/refraction.h"
+#include "keiko/light/luminance/fresnel.h"
 
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "keiko/light/rig/glossy_luminance.h"
 
 #include "keiko/light/rig/rig_planes.h"
-#include "keiko/light/tubes/lobe_reach.h"
+#include "keiko/light/tubes/tube_hit.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/clear_coat.h"
-#include "keiko/light/spotlight/beam_intensity.h"
+#include "keiko/light/spotlight/spotlight.h"
 #include "keiko/light/tubes/tube_irradiance.h"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 
 #include "keiko/base/units.h"
 #include "keiko/light/fog/transmittance.h"
-#include "keiko/light/spotlight/beam_intensity.h"
-#include "keiko/light/spotlight/beam_volume.h"
+#include "keiko/light/spotlight/point_light.h"
+#include "keiko/light/spotlight/spotlight.h"
 
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>

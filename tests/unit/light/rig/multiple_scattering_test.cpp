@@ -1,4 +1,4 @@
-#include "keiko/light/rig/multiple_scattering.h"
+#include "keiko/light/rig/luminance_along.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "keiko/light/rig/within_lamp.h"
+#include "keiko/light/rig/light_id.h"
 
 #include <gtest/gtest.h>
 

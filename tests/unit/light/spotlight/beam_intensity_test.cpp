@@ -1,8 +1,7 @@
-#include "keiko/light/spotlight/beam_intensity.h"
-
 #include "keiko/base/units.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/spotlight/point_light.h"
+#include "keiko/light/spotlight/spotlight.h"
 
 #include "spotlight_rows.h"
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
-#include "keiko/light/spotlight/beam_pattern.h"
-
 #include "keiko/base/units.h"
+#include "keiko/light/spotlight/spotlight.h"
 
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/light/spotlight/beam_profile.h"
+#include "keiko/light/spotlight/spotlight.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
-#include "keiko/light/spotlight/beam_volume.h"
-
-#include "keiko/light/spotlight/beam_intensity.h"
+#include "keiko/light/spotlight/point_light.h"
+#include "keiko/light/spotlight/spotlight.h"
 
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/light/spotlight/intensity_table.h"
+#include "keiko/light/spotlight/photometric_web.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "keiko/light/spotlight/luminous_flux.h"
 
 #include "keiko/base/units.h"
-#include "keiko/light/spotlight/beam_intensity.h"
+#include "keiko/light/spotlight/spotlight.h"
 
 #include "spotlight_rows.h"
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-#include "keiko/light/spotlight/stated_flux.h"
-
+#include "keiko/light/rig/luminaire_remarks.h"
 #include "keiko/light/spotlight/luminous_flux.h"
 
 #include <gtest/gtest.h>

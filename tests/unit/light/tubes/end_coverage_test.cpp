@@ -1,6 +1,6 @@
 #include "keiko/light/tubes/end_coverage.h"
 
-#include "keiko/light/tubes/stripe_coverage.h"
+#include "keiko/light/tubes/c_plane_lookup.h"
 
 #include "tests/support/random.h"
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // What a pixel sees of round tubes at the ends of a row, held against its rays one by one.
-#include "keiko/light/tubes/lamp_ends.h"
-
 #include "keiko/light/tubes/c_plane_lookup.h"
+#include "keiko/light/tubes/end_coverage.h"
 #include "keiko/light/tubes/tube_hit.h"
 
 #include "tests/support/random.h"

@@ -1,5 +1,4 @@
-#include "keiko/light/tubes/occluding_tube.h"
-
+#include "keiko/light/tubes/cylinder_irradiance.h"
 #include "keiko/math/interval_set.h"
 
 #include "tests/support/random.h"

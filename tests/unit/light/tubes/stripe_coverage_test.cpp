@@ -1,4 +1,4 @@
-#include "keiko/light/tubes/stripe_coverage.h"
+#include "keiko/light/tubes/c_plane_lookup.h"
 
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>

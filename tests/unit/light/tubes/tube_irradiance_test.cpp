@@ -1,7 +1,7 @@
 #include "keiko/light/tubes/tube_irradiance.h"
 
 #include "keiko/geometry/visibility/visibility.h"
-#include "keiko/light/tubes/tube_view.h"
+#include "keiko/light/tubes/tube_lamp.h"
 #include "keiko/math/quadrature.h"
 
 #include "tests/support/oracle.h"

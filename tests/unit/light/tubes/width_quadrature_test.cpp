@@ -1,4 +1,4 @@
-#include "keiko/light/tubes/width_quadrature.h"
+#include "keiko/light/tubes/tube_slices.h"
 
 #include <gtest/gtest.h>
 

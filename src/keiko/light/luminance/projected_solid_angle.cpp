@@ -1,16 +1,89 @@
-#include "keiko/light/luminance/disc_irradiance.h"
+#include "keiko/light/luminance/projected_solid_angle.h"
 
 #include "keiko/math/quadrature.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+namespace keiko {
+
+namespace {
+
+/// The boundary sum of a polygon that is clipped to the horizon while its edges pass by, so that
+/// nothing is stored. All vectors are relative to the point.
+class ClippedBoundary {
+public:
+    explicit ClippedBoundary(const Vec3& normal) : normal_(normal) {}
+
+    void add_edge(const Vec3& a, const Vec3& b) {
+        const double ha = normal_.dot(a), hb = normal_.dot(b);
+        const bool a_above = ha >= 0, b_above = hb >= 0;
+        if (!a_above && !b_above) return;
+        if (a_above && b_above) return add_arc(a, b);
+        const Vec3 crossing = a + (b - a) * (ha / (ha - hb));
+        if (a_above) {
+            add_arc(a, crossing);
+            exit_ = crossing;
+            outside_ = true;
+        } else {
+            enter(crossing);
+            add_arc(crossing, b);
+        }
+    }
+
+    /// The sum over the closed boundary, signed by its orientation.
+    double closed() {
+        if (outside_) add_horizon_arc(exit_, first_entry_);
+        return sum_ / 2;
+    }
+
+private:
+    void add_arc(const Vec3& a, const Vec3& b) {
+        const Vec3 plane = a.cross(b);
+        const double sine = plane.length();
+        if (sine > 0) sum_ += std::atan2(sine, a.dot(b)) * normal_.dot(plane) / sine;
+    }
+
+    /// The side that lies in the horizon counts in full: its great circle has the normal +-N.
+    /// The signed angle about N stays right where the crossings nearly coincide.
+    void add_horizon_arc(const Vec3& a, const Vec3& b) {
+        sum_ += std::atan2(normal_.dot(a.cross(b)), a.dot(b));
+    }
+
+    void enter(const Vec3& crossing) {
+        if (outside_) {
+            add_horizon_arc(exit_, crossing);
+        } else {
+            first_entry_ = crossing; // its exit is the last one, met when the boundary closes
+        }
+        outside_ = false;
+    }
+
+    Vec3 normal_;
+    double sum_ = 0;
+    bool outside_ = false; ///< gone below the horizon at exit_, not yet back
+    Vec3 exit_{0}, first_entry_{0};
+};
+
+} // namespace
+
+double projected_solid_angle(std::span<const Vec3> corners, const Vec3& point, const Vec3& normal) {
+    if (corners.size() < 3) return 0;
+    ClippedBoundary boundary(normal);
+    Vec3 previous = corners.back() - point;
+    for (const Vec3& corner : corners) {
+        const Vec3 next = corner - point;
+        boundary.add_edge(previous, next);
+        previous = next;
+    }
+    return std::abs(boundary.closed());
+}
 
 // Key: psi runs along the rim from the place that is farthest from the point, so that the squared
 // distance is a + b cos(psi), a > b >= 0. N.(r x dr/dpsi) is alpha + beta cos(psi) + gamma
 // sin(psi), the height of the rim above the horizon is lift + lift_cos cos(psi) + lift_sin
 // sin(psi).
-
-namespace keiko {
 namespace {
 
 using std::numbers::pi;
@@ -105,6 +178,25 @@ double projected_solid_angle(const Disc& disc, const Vec3& point, const Vec3& no
     const double half = std::acos(-rim.lift / swing);
     const double begin = highest - half, end = highest + half;
     return std::abs(arc(rim, begin, end) + chord(rim.at(end), rim.at(begin), normal)) / 2;
+}
+
+LinePiece above_horizon(const LinePiece& piece) {
+    LinePiece above = piece;
+    const double height = piece.n_line * piece.distance; // of the foot
+    if (piece.n_along > 0) above.begin = std::max(piece.begin, -height / piece.n_along);
+    if (piece.n_along < 0) above.end = std::min(piece.end, -height / piece.n_along);
+    if (piece.n_along == 0 && !(height > 0)) above.end = above.begin;
+    return above;
+}
+
+double cosine_line_integral(const LinePiece& piece) {
+    const double h = piece.distance, x1 = piece.begin, x2 = piece.end;
+    const double length = x2 - x1, r12 = (h * h + x1 * x1) * (h * h + x2 * x2);
+    // In products, so that nothing cancels when the piece is short or the element far along.
+    const double across =
+        length * (h * h - x1 * x2) / r12 + std::atan2(length * h, h * h + x1 * x2) / h;
+    const double along = h * length * (x1 + x2) / r12;
+    return (piece.n_line * across + piece.n_along * along) / 2;
 }
 
 } // namespace keiko

@@ -1,4 +1,4 @@
-#include "keiko/light/tubes/width_quadrature.h"
+#include "keiko/light/tubes/tube_slices.h"
 
 #include "keiko/math/quadrature.h"
 
@@ -9,6 +9,7 @@
 #include <vector>
 
 namespace keiko {
+
 namespace {
 
 std::vector<AcrossNode> made(int nodes) {

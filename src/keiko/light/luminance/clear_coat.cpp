@@ -1,6 +1,8 @@
-#include "keiko/light/luminance/directional_albedo.h"
+#include "keiko/light/luminance/clear_coat.h"
 
+#include "keiko/light/luminance/fresnel.h"
 #include "keiko/light/luminance/refraction.h"
+#include "keiko/math/adaptive_quadrature.h"
 #include "keiko/math/quadrature.h"
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include <numbers>
 
 namespace keiko {
+
 namespace {
 
 using std::numbers::pi;
