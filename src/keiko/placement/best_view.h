@@ -17,7 +17,7 @@ struct NamedView {
     double score = 0; ///< share of the picture that shows the part well, about 0 to 1
 };
 
-/// Of all views, in their order.
+/// Cameras of all views, in their order.
 std::vector<Camera> cameras_of(std::span<const NamedView> views);
 
 /// Chooses the view that shows a part well: much of it large in the picture, at incidences that

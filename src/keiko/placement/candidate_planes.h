@@ -25,7 +25,7 @@ OrientedBox oriented(const CPlane& plane);
 /// Whether two boxes have a point in common (separating axes [Gottschalk1996]).
 bool overlap(const OrientedBox& a, const OrientedBox& b);
 
-/// Where planes are looked for.
+/// Restriction of the planes that are searched.
 struct PlaneChoice {
     std::vector<Vec3> towards;      ///< unit directions from the body; none: any
     std::vector<PlaneFrame> frames; ///< these planes and no others, unless there are none
@@ -37,8 +37,8 @@ struct PlaneChoice {
 /// its size. u is along the vehicle's x axis as far as the plane allows. In a fixed order.
 std::vector<PlaneFrame> candidate_planes(const LampField& field, const PlaneChoice& choice = {});
 
-/// The same for lamps that are to be symmetric about a mirror: planes that are their own images,
-/// and of planes and their images, which face aside, one each.
+/// Planes worth trying for lamps that are to be symmetric about a mirror: planes that are their own
+/// images, and of planes and their images, which face aside, one each.
 std::vector<PlaneFrame> candidate_planes(const LampField& field, const PlaneChoice& choice,
                                          const MirrorPlane& mirror);
 

@@ -54,7 +54,7 @@ public:
             for (int u = 0; u < width_; ++u)
                 sum(u + 1, v + 1) = h.at(u, v) + sum(u, v + 1) + sum(u + 1, v) - sum(u, v);
     }
-    /// Of the cells u0 <= u < u1, v0 <= v < v1.
+    /// Weight of the cells u0 <= u < u1, v0 <= v < v1.
     double over(int u0, int u1, int v0, int v1) const {
         return sum(u1, v1) - sum(u0, v1) - sum(u1, v0) + sum(u0, v0);
     }

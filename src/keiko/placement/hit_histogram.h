@@ -27,7 +27,7 @@ public:
     int height() const { return cells_; }
     /// Weight in the cell of column `u` and row `v`.
     double at(int u, int v) const { return weights_[index(u, v)]; }
-    /// Of all places, those beside the range too.
+    /// Total weight of all places, including those beside the range.
     double total() const { return total_; }
     /// Each cell the 1-2-1 tent mean of its neighbourhood: for pictures.
     HitHistogram smoothed() const;

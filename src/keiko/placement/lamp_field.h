@@ -14,7 +14,7 @@ public:
     explicit LampField(std::vector<ViewSample> samples);
 
     std::span<const ViewSample> samples() const { return samples_; }
-    /// Of all samples, reached or not.
+    /// Total weight of all samples, reached or not.
     double total_weight() const { return total_weight_; }
     /// Weighted mean of the places on the surface, and the diagonal of their box, mm.
     const Vec3& centroid() const { return centroid_; }

@@ -103,7 +103,7 @@ public:
     CPlane lamps(const LampRectangle& r) const {
         return r.c_plane(lamp_diameter(r.pitch()), options_->luminance);
     }
-    /// Of all rows: coverage, each part by what its stripes are worth.
+    /// Objective of all rows: coverage, each part by what its stripes are worth.
     double worth() const {
         double sum = 0;
         for (const LampRectangle& row : rows_) sum += row.score.objective();

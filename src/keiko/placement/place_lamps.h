@@ -12,9 +12,9 @@
 
 namespace keiko {
 
-/// What the lamps of a given rig do for what pictures of `picture_height` pixels saw of the model:
-/// the same figures as of a placed one. Spotlights and suns are passed over. Throws Error for a rig
-/// without C-planes, and where the pictures see no surface.
+/// Rating of the lamps of a given rig for what pictures of `picture_height` pixels saw of the
+/// model: the same figures as of a placed one. Spotlights and suns are passed over. Throws Error
+/// for a rig without C-planes, and where the pictures see no surface.
 Placement rated_rig(std::vector<ViewSample> seen, const SurfaceModel& model, int picture_height,
                     const LightRig& rig, const StripeSpacing& spacing = {});
 
@@ -44,7 +44,7 @@ Placement place_lamps(const Tracer& tracer, const SurfaceModel& model,
                       const Job& job = {});
 Placement place_lamps(const Tracer& tracer, const SurfaceModel& model, const Camera& camera,
                       const PlacementOptions& options = {}, const Job& job = {});
-/// The same from what pictures of `picture_height` pixels saw of the model, whose faces lie in
+/// Placement from what pictures of `picture_height` pixels saw of the model, whose faces lie in
 /// `body`; of the options all but `sampling`.
 Placement place_lamps(std::vector<ViewSample> seen, const SurfaceModel& model, const Box3& body,
                       int picture_height, const PlacementOptions& options = {},

@@ -18,7 +18,7 @@
 
 namespace keiko {
 
-/// What the stripes of lamps are like in the pictures, over all places that mirror them. Spacings
+/// Statistics of the stripes of lamps in the pictures, over all places that mirror them. Spacings
 /// are from stripe to stripe, px.
 struct StripeStatistics {
     /// Below which a tenth, half and nine tenths of the weight lie; 0 where nothing is known.
@@ -27,7 +27,8 @@ struct StripeStatistics {
     double uniformity = 0; ///< exp(-standard deviation of ln spacing), 1 for even stripes
 };
 
-/// Of lamps on these planes; a place that several planes reach counts for the first.
+/// Statistics of the stripes of lamps on these planes; a place that several planes reach counts for
+/// the first.
 StripeStatistics stripe_statistics(std::span<const ViewSample> samples,
                                    std::span<const CPlane> planes, const StripeSpacing& wanted);
 
@@ -59,8 +60,8 @@ std::vector<UnreachedRegion> unreached_regions(const LampField& field, double le
 struct PlacedPlane {
     CPlane lamps;
     PlacementScore score;
-    /// Of the hits in the coordinates of the plane: mm from its origin along u and v. A little
-    /// wider than the lamps.
+    /// Histogram of the hits in the coordinates of the plane: mm from its origin along u and v. A
+    /// little wider than the lamps.
     HitHistogram histogram;
 };
 
@@ -97,7 +98,7 @@ struct Placement {
 void tell_what_is_reached(Placement& placement, const LampField& field, const SurfaceModel& model,
                           const StripeSpacing& wanted);
 
-/// Where the reflected rays of all samples meet the plane of some lamps.
+/// Histogram of the places where the reflected rays of all samples meet the plane of some lamps.
 HitHistogram hit_histogram(const LampField& field, const CPlane& plane);
 
 } // namespace keiko

@@ -30,7 +30,7 @@ struct PlaneFrame {
 /// The frame of a C-plane's corner, u and v.
 PlaneFrame frame_of(const CPlane& plane);
 
-/// Where a ray meets a plane.
+/// Intersection of a ray with a plane.
 struct PlaneHit {
     Vec2 place{0};
     double t = 0;
@@ -42,7 +42,7 @@ struct PlaneHit {
     std::optional<Gradients> gradients;
 };
 
-/// Nothing for rays that run away from the plane or along it.
+/// Intersection of a ray with the plane; nullopt for rays that run away from the plane or along it.
 std::optional<PlaneHit> meet(const PlaneFrame& frame, const Ray& ray);
 
 /// Place where the segment from a to b crosses the plane, if it does.

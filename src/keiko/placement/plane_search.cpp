@@ -28,8 +28,8 @@ constexpr int least_lamps = 3, most_lamps = 64;
 /// Coverage counts most: with these powers the first plane reaches about 0.8 of a bonnet, 0.8 of a
 /// fender and 0.6 of a deck; with 0.5, 0.5 and 1 it reached 0.66, 0.65 and 0.52.
 constexpr double stripes_power = 0.25, uniformity_power = 0.15, in_range_power = 0.5;
-/// What the objective keeps of lamps whose stripes are all too narrow or too wide, so that there
-/// is still a best one.
+/// Share of the objective that is kept for lamps whose stripes are all too narrow or too wide, so
+/// that there is still a best one.
 constexpr double least_in_range = 0.05;
 /// Bends of features, over the size of what is seen: that counts as much as the picture as such,
 /// and beyond which a feature counts no more.

@@ -40,7 +40,7 @@ enum class LampDirection {
     across ///< square to that
 };
 
-/// What is asked of the lamps on a plane.
+/// Requirements on the lamps of a plane.
 struct LampDemand {
     int lamps = 12;        ///< 0: as many as give the wanted spacing
     StripeSpacing spacing; ///< px of the picture in question

@@ -8,21 +8,21 @@
 
 namespace keiko {
 
-/// What pictures of a body mirror, registered while they were made, for lamps to be placed by it
-/// without another look at the body.
+/// Mirror samples of pictures of a body, registered while they were made, for lamps to be placed by
+/// it without another look at the body.
 struct RegisteredHits {
     std::vector<NamedView> views;
     std::vector<ViewSample> samples; ///< of all faces, each with its solid angle as weight
     std::size_t faces = 0, instances = 0;
     Box3 body;
 
-    /// Those of the faces that count, weighed as the options say. Throws Error for hits of a body
-    /// with other faces.
+    /// The samples of the faces that count, weighed as the options say. Throws Error for hits of a
+    /// body with other faces.
     std::vector<ViewSample> chosen(const SurfaceModel& model, const Box3& bounds,
                                    const SamplingOptions& options) const;
 };
 
-/// Of views of one body; as many looks as place_lamps takes by itself, and the same ones.
+/// Registered hits of views of one body, the same samples that place_lamps takes by itself.
 RegisteredHits register_hits(const Tracer& tracer, const SurfaceModel& model,
                              std::vector<NamedView> views, const Job& job = {});
 

@@ -33,7 +33,7 @@ struct FeatureDirection {
 /// `mirrored` starts at the place and tells by its differentials how the picture sees it.
 FeatureDirection feature_direction(const SurfaceDerivatives& surface, const Ray& mirrored);
 
-/// What a place in the picture counts.
+/// Measure by which a place in the picture is weighted.
 enum class SampleWeight {
     solid_angle, ///< the solid angle it covers
     pixels       ///< every pixel the same, as in [NishitaTubes]
@@ -56,13 +56,13 @@ struct ViewSample {
 };
 
 struct SamplingOptions {
-    int samples = 40000; ///< about so many pixels of each picture are looked at
+    int samples = 40000; ///< approximate number of pixels sampled in each picture
     SampleWeight weight = SampleWeight::solid_angle;
     std::vector<std::uint32_t> faces; ///< faces of the model that count; empty: all of them
 };
 
-/// Looks at the body through an even grid of pixels of each camera. In the order of cameras, rows
-/// and columns; the same for any thread count.
+/// Samples of the body through a uniform grid of pixels of each camera, in the order of cameras,
+/// rows and columns; the same for any thread count.
 std::vector<ViewSample> sample_views(const Tracer& tracer, const SurfaceModel& model,
                                      std::span<const Camera> cameras,
                                      const SamplingOptions& options, const Job& job = {});

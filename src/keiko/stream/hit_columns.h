@@ -11,11 +11,11 @@
 
 namespace keiko {
 
-/// What a row of hits can tell, in the order of `keiko trace --help`.
+/// Columns of a row of hits, in the order of `keiko trace --help`.
 enum class HitColumn {
     t,        ///< in lengths of the ray's direction
     instance, ///< index of the placed part, from 0
-    face,     ///< number of the face, as reports tell it
+    face,     ///< number of the face, as reports state it
     patch,    ///< index of the patch in the model, from 0
     u,
     v, ///< patch parameters, 0 to 1

@@ -14,7 +14,7 @@
 namespace keiko {
 namespace {
 
-/// What the points of some lines get: of each the lux from every source, then their sum.
+/// Illuminance at the points of some lines: of each the lux from every source, then their sum.
 struct Piece : RowPiece {
     std::vector<std::vector<double>> lux;
 };

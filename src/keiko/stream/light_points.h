@@ -18,7 +18,8 @@ namespace keiko {
 std::uint64_t light_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
                            const Job& job = {});
 
-/// The same points summed up, as lighting standards ask for it: a header line, then a row for each
+/// Statistics of the illuminance at the points of light_points, as lighting standards require them.
+/// Writes a header line, then a row for each
 /// column of light_points with the number of points, least, mean and largest illuminance in lx, and
 /// the uniformity, the least over the mean (empty in the dark). Writes nothing where light_points
 /// throws, but throws the same.

@@ -59,7 +59,7 @@ std::string_view direction_names(std::string_view header) {
     return header.substr(place_names(header).size() + 1);
 }
 
-/// What no tracing could make sense of.
+/// Reason why a ray cannot be traced.
 std::optional<Refusal> refusal_of(const Ray& ray, std::string_view header) {
     // Doubles beyond it are more than 0.1 mm apart.
     constexpr double farthest = 1e15;
@@ -110,7 +110,7 @@ bool names_columns(std::string_view line, std::string_view header) {
     return true;
 }
 
-/// Where the blank lines begin that a text ends with. A line that is too long is none of them.
+/// Start of the blank lines that a text ends with. A line that is too long is none of them.
 std::size_t end_of_rays(std::string_view text) {
     while (!text.empty()) {
         std::string_view line = text;

@@ -14,13 +14,13 @@
 
 namespace keiko {
 
-/// Where a stream of bytes comes from: fills the front of the span with what there is, at least
+/// Source of a stream of bytes: fills the front of the span with what there is, at least
 /// one byte, and returns how many; 0: the end.
 using ByteSource = std::function<std::size_t(std::span<char>)>;
 
 /// The columns of a line of rays: origin and direction. The first line of a file may name them.
 constexpr std::string_view ray_header = "ox,oy,oz,dx,dy,dz";
-/// Those of a line of points on surfaces: position and normal.
+/// The columns of a line of points on surfaces: position and normal.
 constexpr std::string_view point_header = "x,y,z,nx,ny,nz";
 /// Bytes; six numbers need less than 200.
 constexpr std::size_t longest_ray_line = 1024;
@@ -69,7 +69,7 @@ struct ParsedRays {
 /// normals; the header names the columns in errors.
 ParsedRays rays_of(const RayLines& lines, std::string_view header = ray_header);
 
-/// Ends the rays of `lines` before one of them, for a `reason` that is told of its origin.
+/// Ends the rays of `lines` before one of them, for a `reason` that is stated of its origin.
 void end_before(ParsedRays& parsed, const RayLines& lines, std::size_t ray,
                 const std::string& reason, std::string_view header = ray_header);
 

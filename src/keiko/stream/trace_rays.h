@@ -12,7 +12,7 @@
 
 namespace keiko {
 
-/// Where a stream of bytes goes; false: nobody reads it any more.
+/// Sink of a stream of bytes; false: nobody reads it any more.
 using ByteSink = std::function<bool(std::string_view)>;
 
 struct TraceOptions {
@@ -20,7 +20,7 @@ struct TraceOptions {
     bool all = false; ///< every hit by rising t, after a column `ray`, rather than the first
 };
 
-/// What went through trace_rays.
+/// Counts of what went through trace_rays.
 struct TraceCounts {
     std::uint64_t rays = 0;
     HitStatistics hits;
@@ -46,8 +46,8 @@ struct RowPiece {
 };
 
 /// Streams pieces (of a type made from RowPiece) in constant memory and in order: `work(piece)`
-/// fills one on any thread, `count(piece)` is told of each before its rows are written. Ends early
-/// when the sink wants no more; throws a piece's fault.
+/// fills one on any thread, `count(piece)` is called for each before its rows are written. Ends
+/// early when the sink wants no more; throws a piece's fault.
 template <class Piece, class Work, class Count>
 void stream_rows(RayLineReader& reader, const ByteSink& sink, const Job& job, const Work& work,
                  const Count& count) {

@@ -43,7 +43,7 @@ inline double phase(const PhaseFunction& function, double cosine) {
     return std::visit([cosine](const auto& kind) { return phase(kind, cosine); }, function);
 }
 
-/// The same everywhere.
+/// Uniform density: the same everywhere.
 struct HomogeneousDensity {
     bool operator==(const HomogeneousDensity&) const = default;
 };
@@ -62,7 +62,7 @@ struct GridDensity {
 
 using Density = std::variant<HomogeneousDensity, LayeredDensity, GridDensity>;
 
-/// What the integral along a camera ray is taken by.
+/// Quadrature rule of the integral along a camera ray.
 enum class ScatteringRule {
     gauss,  ///< in the angle at the lamp, refined to a tolerance; closed form where there is one
     simpson ///< of the papers: evenly along the ray, 16 steps a lit part
@@ -73,7 +73,7 @@ struct Medium {
     Rgb extinction{0};     ///< 1/m, absorption and scattering together
     Rgb albedo{0.9};       ///< share of the extinction that is scattering
     Rgb ambient{0};        ///< cd/m2 that an infinite depth of it shows
-    PhaseFunction phase{}; ///< even, unless told
+    PhaseFunction phase{}; ///< uniform by default
     Density density{};
     /// Whether light is dimmed on its way from a lamp to where it is scattered; [NishitaSpots, eq.
     /// 18] leaves that out indoors.

@@ -22,7 +22,7 @@ std::vector<double> density_breaks(const Medium& medium, const Segment& segment)
 /// Share of light, by channel 0 to 1, that passes an optical depth unscattered.
 Rgb transmittance(const Rgb& optical_depth);
 
-/// The same of a segment.
+/// Share of light, by channel 0 to 1, that passes a segment of the medium unscattered.
 Rgb transmittance(const Medium& medium, const Segment& segment);
 
 /// Luminance in cd/m2 that the medium's own ambient light adds over an optical depth: Ja (1 - T).

@@ -60,11 +60,11 @@ public:
     /// What takes the place of the reflectance in Lambert's rho E / pi for light whose share
     /// `entering` was taken beforehand, seen under `cosine_view`.
     Rgb inner_reflectance(double cosine_view) const { return scale_ * entering(cosine_view); }
-    /// The same for light that comes in under `cosine_light`, counted as it arrives.
+    /// Reflectance of the base for light that comes in under `cosine_light`, counted as it arrives.
     Rgb base_reflectance(double cosine_view, double cosine_light) const {
         return inner_reflectance(cosine_view) * entering(cosine_light);
     }
-    /// The same under light that comes evenly from all sides.
+    /// Reflectance of the base under light that comes uniformly from all sides.
     Rgb base_reflectance_diffuse(double cosine_view) const {
         return inner_reflectance(cosine_view) * (1 - mean_);
     }

@@ -28,7 +28,7 @@ struct MetalIndex {
     bool operator==(const MetalIndex&) const = default;
 };
 
-/// What share of the light a smooth border mirrors, by the cosine of the angle of incidence: all
+/// Reflectance of a smooth border, by the cosine of the angle of incidence: all
 /// of it, that of a dielectric or that of a metal.
 class Reflectance {
 public:

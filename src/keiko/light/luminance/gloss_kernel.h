@@ -53,10 +53,10 @@ private:
 /// tell.
 class LobeChart {
 public:
-    /// Of a lobe about a unit direction; `spread` in radians, small.
+    /// Chart of a lobe about a unit direction; `spread` in radians, small.
     LobeChart(const Vec3& peak, double spread) : peak_(peak), scale_(1 / spread) {}
-    /// Of half vectors about the unit `normal`, `spread` twice theirs; `eye` and they inside of a
-    /// border of index `n` >= 1.
+    /// Chart of half vectors about the unit `normal`, `spread` twice theirs; `eye` and they inside
+    /// of a border of index `n` >= 1.
     LobeChart(const Vec3& peak, double spread, const Vec3& normal, const Vec3& eye, double n = 1)
         : peak_(peak), scale_(2 / spread), facets_(Facets{normal, eye, n}) {}
 
@@ -66,7 +66,7 @@ public:
         Vec3 off;  ///< from the peak
         Vec3 rate; ///< of its change as the direction turns
     };
-    /// Of a unit direction that turns by `turn` a radian.
+    /// Place of a unit direction that turns by `turn` a radian.
     Place at(const Vec3& light, const Vec3& turn) const {
         if (!facets_) return {(light - peak_) * scale_, turn * scale_};
         return facets_->at(light, turn, scale_);

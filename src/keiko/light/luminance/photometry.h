@@ -20,17 +20,18 @@ inline Rgb inverse_square_illuminance(const Rgb& intensity, double distance, dou
     return intensity * (cosine / (metres(distance) * metres(distance)));
 }
 
-/// Luminance in cd/m2 that a matt surface with `reflectance` 0 to 1 shows under `illuminance` lx.
+/// Luminance in cd/m2 that a diffuse surface with `reflectance` 0 to 1 shows under `illuminance`
+/// lx.
 inline Rgb lambert_luminance(const Rgb& reflectance, const Rgb& illuminance) {
     return reflectance * illuminance / std::numbers::pi;
 }
 
-/// Luminance in cd/m2 of surroundings that shed `illuminance` lx evenly from all sides.
+/// Luminance in cd/m2 of surroundings that shed `illuminance` lx uniformly from all sides.
 inline Rgb even_luminance(const Rgb& illuminance) {
     return illuminance / std::numbers::pi;
 }
 
-/// Surface luminance in cd/m2 of a matt tube that emits `flux` lm, from its `diameter` and
+/// Surface luminance in cd/m2 of a diffuse tube that emits `flux` lm, from its `diameter` and
 /// `length` in mm, both positive; its end caps are dark unless `luminous_caps`.
 inline double tube_luminance(double flux, double diameter, double length,
                              bool luminous_caps = false) {

@@ -45,7 +45,7 @@ extern template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, st
                                                           const std::optional<Medium>&, const Vec3&,
                                                           const FlakeKernel&, GlossQuadrature);
 
-/// Of all sources of a rig.
+/// Luminance in cd/m2 that the lobe of a kernel sends to its eye, of all sources of a rig.
 template <class Kernel>
 Rgb glossy_luminance(const LightRig& rig, const Vec3& point, const Kernel& kernel,
                      const Visibility& visible,

@@ -27,7 +27,7 @@ std::vector<Rgb> illuminance_by_lamp(const LightSource& source, std::span<const 
                                      const Vec3& normal, TubeModel model,
                                      const ClearCoat* coat = nullptr);
 
-/// The same from every source of a rig, in its order.
+/// Illuminance in lx from every source of a rig, in its order.
 std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, const Vec3& normal,
                                        const Visibility& visible,
                                        TubeModel model = TubeModel::automatic);

@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// What of a rig shines by itself: one lamp of a row, or a source that is no row.
+/// Number of a single light of a rig: one lamp of a row, or a source that is no row.
 struct LightId {
     std::size_t source = 0;
     int lamp = 0; ///< by rising v; 0 of a source that is no row

@@ -12,7 +12,7 @@ namespace {
 
 /// Of a lamp's illuminance: what its penumbrae may be off by, half of what the whole system may.
 constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
-/// Of half a lamp's width, by the angle around it, between lines that see the same.
+/// Widest gap, of half a lamp's width, by the angle around it, between lines that see the same.
 constexpr double widest_gap = 0.12, widest_gap_in_pictures = 1;
 
 class Looker {

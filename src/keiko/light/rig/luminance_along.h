@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// Parts of a segment that a source of the rig, told by its index, sees; parameters 0 to 1. Empty:
+/// Parts of a segment that a source of the rig, given by its index, sees; parameters 0 to 1. Empty:
 /// nothing stands in the way.
 using VisibleFrom = std::function<IntervalSet(std::size_t source, const Segment& segment)>;
 

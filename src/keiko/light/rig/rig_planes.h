@@ -25,14 +25,14 @@ struct FrontToBack {
     }
 };
 
-/// What a mirror ray sees of a rig.
+/// Light of a rig along a mirror ray.
 struct MirroredLight {
     Rgb luminance;        ///< cd/m2, mean over the pixel; darkness between the lamps
     double coverage = 0;  ///< share of the pixel that lamps fill; what lies behind fills the rest
     bool resolved = true; ///< false: some stripes are too fine and show their mean
 };
 
-/// Where a ray meets the nearest C-plane of a rig, inside its rectangle or not.
+/// Intersection of a ray with the nearest C-plane of a rig, inside its rectangle or not.
 struct RigPlaneHit {
     std::size_t source = 0; ///< index into LightRig::sources
     CPlaneHit at;
@@ -62,19 +62,19 @@ public:
     MirroredLight luminance(const Vec3& origin, const Vec3& direction,
                             const std::optional<RayDifferentials>& spread = {},
                             double t_max = std::numeric_limits<double>::infinity()) const;
-    /// The same where the nearest plane has been found.
+    /// Luminance along a ray whose nearest plane has been found.
     MirroredLight luminance(const std::optional<RigPlaneHit>& nearest, const Vec3& origin,
                             const Vec3& direction, const std::optional<RayDifferentials>& spread,
                             double t_max) const;
     /// Whether it is proved that luminance() finds no lamp for any ray of a bundle.
     bool are_missed_by(const RayCone& rays) const;
-    /// Of planes at one distance the first of the rig.
+    /// The nearest plane on the ray; of planes at one distance the first of the rig.
     std::optional<RigPlaneHit> nearest(const Vec3& origin, const Vec3& direction) const;
     /// All, by their numbers.
     std::span<const Plane> planes() const { return planes_; }
 
 private:
-    /// Where a ray meets a plane, at the distance of its level.
+    /// Intersection of a ray with a plane, at the distance of its level.
     std::optional<CPlaneHit> meet(const Plane& plane, const Vec3& origin,
                                   const Vec3& direction) const;
     /// The nearest plane on the ray, or the nearest behind `last`.

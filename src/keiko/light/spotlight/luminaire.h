@@ -23,7 +23,7 @@ struct Luminaire {
     bool shaft = true;   ///< it lights the medium
 };
 
-/// A luminaire made ready to be asked for its intensity towards many points; keeps a reference to
+/// Intensity of a luminaire, made ready for many points; keeps a reference to
 /// it. The luminaire must have a web.
 class LuminaireIntensity {
 public:

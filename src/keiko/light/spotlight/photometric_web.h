@@ -44,7 +44,7 @@ public:
 
     const std::vector<double>& vertical() const { return vertical_; }
     const std::vector<double>& horizontal() const { return horizontal_; }
-    /// Of plane `h` at vertical angle `v`, both by number.
+    /// Value of plane `h` at vertical angle `v`, both by number.
     double value(std::size_t h, std::size_t v) const { return values_[h * vertical_.size() + v]; }
     PlaneSymmetry symmetry() const { return symmetry_; }
     TableInterpolation interpolation() const { return interpolation_; }
@@ -79,12 +79,12 @@ struct StatedFlux {
     std::optional<double> downward_share{}; ///< of the luminaire's flux, below the horizontal
 };
 
-/// What a luminaire file tells of a luminaire's light.
+/// Intensities and figures that a luminaire file states of a luminaire.
 struct PhotometricWeb {
     PhotometricType type = PhotometricType::c;
     IntensityTable candela; ///< cd
     std::string name{};     ///< of the luminaire, as the file has it
-    double lamp_flux = 0;   ///< lm of its lamps; 0: not told, absolute photometry
+    double lamp_flux = 0;   ///< lm of its lamps; 0: not stated, absolute photometry
     Vec3 opening{0};        ///< mm: along x, along y, height; 0: a point
     StatedFlux stated{};    ///< what the header says of the flux
 };

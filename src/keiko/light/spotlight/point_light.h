@@ -13,9 +13,9 @@ namespace keiko {
 /// Parameters in ]0, 1[ where a t^2 + 2 b t + c = 0, between 0 and 1, sorted.
 std::vector<double> crossings(double a, double b, double c);
 
-/// The same of the line p + t w with both nappes of the cone of `half_angle` radians about a unit
-/// `axis` through 0. In components along and across the axis the terms of narrow cones do not
-/// cancel.
+/// Parameters in ]0, 1[, sorted, of the crossings of the line p + t w with both nappes of the cone
+/// of `half_angle` radians about a unit `axis` through 0. In components along and across the axis
+/// the terms of narrow cones do not cancel.
 std::vector<double> cone_crossings(const Vec3& p, const Vec3& w, const Vec3& axis,
                                    double half_angle);
 
@@ -33,7 +33,8 @@ IntervalSet in_beam(const Luminaire& luminaire, const Segment& segment);
 /// periods, with sixths of the hue circle, and with the angles of a table.
 std::vector<double> intensity_kinks(const Spotlight& light, const Segment& segment);
 
-/// The same of a luminaire, whose intensity is linear between the angles of its file.
+/// Kinks of the intensity of a luminaire along a segment; the intensity is linear between the
+/// angles of its file.
 std::vector<double> intensity_kinks(const Luminaire& luminaire, const Segment& segment);
 
 /// Lights without extent; each has a position and answers `intensity_towards` and `in_beam`.

@@ -84,7 +84,7 @@ struct PhiPolynomial {
     bool operator==(const PhiPolynomial&) const = default;
 };
 
-/// What multiplies a beam's profile, by direction.
+/// Factor on a beam's profile, by direction.
 using BeamPattern = std::variant<std::monostate, Petals, Dots, PhiPolynomial>;
 
 /// Share of the profile that is left under angles in radians, phi from 0 to 2 pi.
@@ -120,7 +120,7 @@ inline Vec3 beam_axis(const Spotlight& light) {
     return axis / axis.length();
 }
 
-/// A spotlight made ready to be asked for its intensity into many directions; keeps a reference
+/// Intensity of a spotlight, made ready for many directions; keeps a reference
 /// to it.
 class BeamIntensity {
 public:

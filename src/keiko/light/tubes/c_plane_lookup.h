@@ -23,7 +23,7 @@ public:
     double share(double begin, double end) const {
         return begin < end ? below(end) - below(begin) : 0;
     }
-    /// Nothing of it is farther from the centre, mm.
+    /// Largest distance of the filter from its centre, mm.
     double reach() const { return (wide_ + narrow_) / 2; }
     double width() const { return wide_; }
 
@@ -47,18 +47,19 @@ private:
 double comb_coverage(const CPlaneFrame& frame, double strip_width, double center,
                      const PixelFilter& filter);
 
-/// The same for stripes too fine to be told apart: the comb as a grey band.
+/// Share of a filter for stripes too fine to be distinguished: the comb as a grey band.
 double mean_coverage(const CPlaneFrame& frame, double strip_width, double center,
                      const PixelFilter& filter);
 
-/// Where a ray meets a C-plane, inside its rectangle or not.
+/// Intersection of a ray with a C-plane, inside its rectangle or not.
 struct CPlaneHit {
     double t = 0;        ///< in lengths of the ray's direction, > 0
     double u = 0, v = 0; ///< mm from the corner, along and across the lamps
     Vec3 direction{0};   ///< of the ray, in frame coordinates
 };
 
-/// Nothing for a ray that runs away from the plane or within 1e-12 rad of parallel to it.
+/// Intersection of a ray with the plane; nullopt for a ray that runs away from the plane or within
+/// 1e-12 rad of parallel to it.
 std::optional<CPlaneHit> c_plane_coordinates(const CPlaneFrame& frame, const Vec3& origin,
                                              const Vec3& direction);
 std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& origin,
@@ -76,7 +77,7 @@ struct Footprint {
     /// An axis-parallel box of that extent, mm.
     static Footprint box(double du, double dv) { return {{du, 0}, {0, dv}}; }
     bool is_point() const { return dx == Vec2(0) && dy == Vec2(0); }
-    /// Nothing of it is farther from its centre along an axis of the plane, mm; infinite where the
+    /// Largest distance from its centre along an axis of the plane, mm; infinite where the
     /// plane's horizon runs through the pixel.
     double reach(unsigned axis) const;
     /// What is so long where the centre's ray meets the plane, where most nears its horizon.
@@ -90,7 +91,7 @@ bool starts_among_tubes(const CPlaneFrame& frame, const CPlaneHit& hit);
 Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit,
                        const RayDifferentials& spread);
 
-/// What a reflected ray, or a pixel of them, sees of a row of lamps.
+/// Share of a reflected ray, or of a pixel of them, that a row of lamps fills.
 struct LampCoverage {
     double coverage = 0;  ///< share of the pixel that lamps fill, 0 to 1
     bool resolved = true; ///< false: over 4 pitches in a pixel; the coverage is the mean
@@ -102,7 +103,7 @@ struct LampCoverage {
 /// over 256 parallel rays. What lies between the lamps and what stands before them is the caller's.
 LampCoverage look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
                      const Footprint& footprint = {}, MirrorModel look = MirrorModel::tube);
-/// The same where the ray is known to meet the plane at `hit`.
+/// Coverage of a ray that is known to meet the plane at `hit`.
 LampCoverage look_up(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
                      const Vec3& direction, const Footprint& footprint, MirrorModel look);
 

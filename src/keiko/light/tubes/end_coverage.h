@@ -59,7 +59,7 @@ public:
         return *this;
     }
 
-    /// What of it lies where `side` is not negative.
+    /// The part that lies where `side` is not negative.
     ClippedPixel where(const PixelLinear& side) const {
         ClippedPixel cut{Nothing()};
         if (count_ == 0) return cut;
@@ -106,7 +106,7 @@ private:
     std::size_t count_;
 };
 
-/// Where the places of a pixel are on the plane: numerators and one denominator, which is positive
+/// Image of the places of a pixel on the plane: numerators and one denominator, which is positive
 /// where their rays meet it.
 class PixelImage {
 public:
@@ -115,7 +115,7 @@ public:
           footprint_(footprint),
           denominator_{1, footprint.descent.x, footprint.descent.y} {}
 
-    /// What of the pixel sees the plane.
+    /// The part of the pixel that sees the plane.
     ClippedPixel before_horizon() const {
         const ClippedPixel all;
         return all.is_all_where(denominator_) ? all : all.where(denominator_);
@@ -127,7 +127,7 @@ public:
         return {off, slope.dot(footprint_.dx) + off * denominator_.by_x,
                 slope.dot(footprint_.dy) + off * denominator_.by_y};
     }
-    /// What of a part is between two values of v.
+    /// The piece of a part between two values of v.
     ClippedPixel between(const ClippedPixel& part, double low, double high) const {
         return part.where(past({0, 1}, {0, low}, 0)).where(past({0, -1}, {0, high}, 0));
     }
@@ -182,7 +182,7 @@ private:
 /// the picture itself: the pixel's square by the lines that the strips' edges and chords of their
 /// ends are there (homogeneous clipping [BlinnNewell1978]), so that the plane's horizon may run
 /// through it. Of strips that overlap, each tube hides those that rays meet later. Not `resolved`:
-/// stripes too fine to be told apart, as a grey band.
+/// stripes too fine to be distinguished, as a grey band.
 double end_coverage(const CPlaneFrame& frame, double strip_width, bool resolved,
                     const LampEnds& ends, const Vec2& centre, const Footprint& footprint);
 

@@ -9,7 +9,8 @@
 
 namespace keiko {
 
-/// What of a lamp's width faces the point: the tube itself, or the rectangle through its axis.
+/// Shape of a lamp across its width that faces the point: the tube itself, or the rectangle through
+/// its axis.
 enum class TubeShape { cylinder, rectangle };
 
 /// A line of a lamp parallel to its axis: where the half-plane at the wedge angle psi, through the

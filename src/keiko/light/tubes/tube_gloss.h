@@ -97,7 +97,7 @@ public:
     }
 
 private:
-    /// What so many half-planes are good for.
+    /// Bounds within which a rule of few half-planes is accurate enough.
     struct Reach {
         double width; ///< of the lamp's half, in spreads of the lobe
         double dip;   ///< see TubeSlices::dip()
@@ -175,7 +175,7 @@ private:
         }
         return range;
     }
-    /// Looks at the lobe where the part comes nearest to the peak.
+    /// Measures the lobe where the part comes nearest to the peak.
     void approach() {
         const TubeView& view = slices_.view();
         const double least = std::atan2(slices_.part().begin, view.distance);

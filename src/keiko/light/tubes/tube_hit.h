@@ -7,7 +7,7 @@
 
 namespace keiko {
 
-/// Where a ray first meets a lamp of a C-plane.
+/// First intersection of a ray with a lamp of a C-plane.
 struct TubeHit {
     double t = 0;     ///< in lengths of the ray's direction
     int lamp = 0;     ///< index by rising v

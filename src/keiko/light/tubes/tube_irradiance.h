@@ -33,7 +33,7 @@ double projected_solid_angle(const TubeLamp& lamp, const Vec3& point, const Vec3
                              const IntervalSet& visible = IntervalSet::whole(),
                              TubeModel model = TubeModel::automatic);
 
-/// Of the same, what the cap that faces the point gives; 0 where caps are dark.
+/// Projected solid angle in sr of the cap that faces the point; 0 where caps are dark.
 double cap_solid_angle(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
                        const IntervalSet& visible = IntervalSet::whole());
 

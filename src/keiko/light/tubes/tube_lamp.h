@@ -9,7 +9,7 @@
 
 namespace keiko {
 
-/// A straight matt tube: `luminance` is the same in every direction.
+/// A straight diffuse tube: `luminance` is the same in every direction.
 struct TubeLamp {
     Vec3 a{0}, b{0};            ///< ends of the axis, mm
     double diameter = 0;        ///< mm
@@ -54,8 +54,9 @@ struct TubeView {
     double ratio() const { return 2 * radius / distance; }
 };
 
-/// Nothing where the lateral surface cannot be seen: inside the glass, on the axis line, or so
-/// near to that line beyond an end that only the dark cap shows; nor of a lamp without extent.
+/// View of a lamp; nullopt where the lateral surface is not visible: inside the glass, on the axis
+/// line, or so near to that line beyond an end that only the dark cap shows; nor of a lamp without
+/// extent.
 inline std::optional<TubeView> view_of(const TubeLamp& lamp, const Vec3& point,
                                        const Vec3& normal) {
     TubeView view;

@@ -10,7 +10,7 @@
 
 namespace keiko {
 
-/// What a point sees of a light.
+/// Visible part of a light from a point.
 struct LightVisibility {
     /// Of a lamp's axis; of a source without extent the whole where it is seen, else nothing.
     IntervalSet axis{};
@@ -23,7 +23,7 @@ struct LightVisibility {
     bool operator==(const LightVisibility&) const = default;
 };
 
-/// How closely penumbrae are looked at.
+/// Accuracy of the penumbrae.
 struct PenumbraOptions {
     double tolerance = 0; ///< of a lamp's projected solid angle, as bright all over as at its best
     TubeShape shape = TubeShape::cylinder;

@@ -23,7 +23,8 @@ struct AcrossNode {
 /// Gauss's rule of 1, 2 or 4 nodes.
 std::span<const AcrossNode> width_quadrature(int nodes);
 
-/// What of a lamp counts: the lateral surface, that and the luminous caps, or the facing rectangle.
+/// Outline of a lamp that counts: the lateral surface, that and the luminous caps, or the facing
+/// rectangle.
 enum class TubeOutline { lateral, capped, rectangle };
 
 /// A part of a lamp cut by half-planes through the line parallel to its axis through the point, at
@@ -66,12 +67,12 @@ public:
         return elevations(
             psi, std::sqrt(std::max(0.0, (view_.radius - across) * (view_.radius + across))));
     }
-    /// The same where the lamp's near side stands out by `rim` mm, and its far side as much.
+    /// Elevations where the lamp's near side stands out by `rim` mm, and its far side as much.
     ParameterInterval elevations(double psi, double rim) const {
         const ParameterInterval lit = lit_ends(psi, rim);
         return {2 * std::atan(lit.begin), 2 * std::atan(lit.end)};
     }
-    /// The same as tangents of half the elevations, which take no angles to find.
+    /// Elevations as tangents of half the angles, which take no angles to find.
     ParameterInterval lit_ends(double psi, double rim) const {
         ParameterInterval lit = ends(psi, rim);
         // The horizon: level cos eta + along sin eta = 0.
@@ -83,7 +84,7 @@ public:
         if (!(level > 0) && along == 0) lit.end = lit.begin;
         return lit;
     }
-    /// The same without regard to the horizon, as tangents of half the elevations.
+    /// Elevations without regard to the horizon, as tangents of half the elevations.
     ParameterInterval ends(double psi, double rim) const {
         const double cosine = std::cos(psi), cut = view_.distance / cosine;
         double near = cut, far = cut;
@@ -99,7 +100,7 @@ public:
     }
 
 private:
-    /// Of the axis over the tangent plane.
+    /// Height of the axis over the tangent plane, mm.
     double height(double x) const { return view_.n_lamp * view_.distance + view_.n_along * x; }
 
     const TubeView& view_;
