@@ -3,7 +3,6 @@
 #include "keiko/compare/outlines/film_difference.h"
 #include "keiko/scene/camera.h"
 #include "keiko/scene/fixture_spec.h"
-#include "keiko/scene/metric.h"
 
 #include <optional>
 #include <span>

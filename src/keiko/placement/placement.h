@@ -4,11 +4,7 @@
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/placement/hit_histogram.h"
 #include "keiko/placement/lamp_field.h"
-#include "keiko/placement/placement_score.h"
 #include "keiko/placement/plane_search.h"
-#include "keiko/placement/stripe_statistics.h"
-#include "keiko/placement/unreached_regions.h"
-#include "keiko/scene/mirror_plane.h"
 #include "keiko/scene/symmetry.h"
 
 #include <optional>

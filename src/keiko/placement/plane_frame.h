@@ -4,7 +4,7 @@
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/math/bounds.h"
 #include "keiko/scene/camera.h"
-#include "keiko/scene/mirror_plane.h"
+#include "keiko/scene/symmetry.h"
 
 #include <optional>
 #include <span>

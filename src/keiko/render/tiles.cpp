@@ -2,7 +2,7 @@
 
 #include "keiko/render/pixel_writer.h"
 #include "keiko/render/reflection/sample_batch.h"
-#include "keiko/scene/prepared_camera.h"
+#include "keiko/scene/camera.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include "keiko/math/bounds.h"
 #include "keiko/render/shading/integrator.h"
 #include "keiko/scene/camera.h"
-#include "keiko/scene/prepared_camera.h"
 
 #include <cstdint>
 #include <optional>

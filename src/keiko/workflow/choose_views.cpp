@@ -1,9 +1,7 @@
 #include "keiko/workflow/choose_views.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/field_error.h"
 #include "keiko/files/scene/scene_file.h"
-#include "keiko/files/scene/view_file.h"
 
 namespace keiko {
 namespace {

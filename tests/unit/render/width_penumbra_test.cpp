@@ -2,9 +2,7 @@
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/light/tubes/lamp_width.h"
 #include "keiko/light/tubes/tube_lamp.h"
-#include "keiko/light/tubes/tube_view.h"
 #include "keiko/render/shading/direct_lighting.h"
-#include "keiko/render/shading/light_bounds.h"
 #include "keiko/render/shading/occluded_visibility.h"
 
 #include "tests/support/model_builder.h"

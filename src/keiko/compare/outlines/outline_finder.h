@@ -4,7 +4,6 @@
 #include "keiko/intersect/traversal/tracer.h"
 #include "keiko/scene/camera.h"
 #include "keiko/scene/material.h"
-#include "keiko/scene/prepared_camera.h"
 
 #include <cstddef>
 #include <optional>

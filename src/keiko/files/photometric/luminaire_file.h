@@ -1,6 +1,5 @@
 #pragma once
 
-#include "keiko/light/spotlight/intensity_table.h"
 #include "keiko/light/spotlight/photometric_web.h"
 
 #include <cstddef>

@@ -1,9 +1,9 @@
+#include "keiko/base/text.h"
 #include "keiko/files/scene/rig_tables.h"
 #include "keiko/files/toml/common_keys.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/files/toml/toml_text.h"
 #include "keiko/light/luminance/photometry.h"
-#include "keiko/scene/suggestion.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,4 @@
-#include "keiko/files/scene/point_light_tables.h"
-
-#include "keiko/base/error_text.h"
+#include "keiko/base/error.h"
 #include "keiko/base/text.h"
 #include "keiko/files/photometric/luminaire_file.h"
 #include "keiko/files/scene/rig_tables.h"

@@ -2,7 +2,6 @@
 
 #include "keiko/base/input_file.h"
 #include "keiko/base/text.h"
-#include "keiko/files/scene/camera_table.h"
 #include "keiko/files/scene/material_file.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/files/toml/common_keys.h"

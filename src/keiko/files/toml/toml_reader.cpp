@@ -2,7 +2,6 @@
 
 #include "keiko/base/input_file.h"
 #include "keiko/base/text.h"
-#include "keiko/files/toml/own_formats.h"
 #include "keiko/files/toml/toml_document.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/diagnostics.h"
+#include "keiko/base/error.h"
 #include "keiko/import/cad/cad_document.h"
 
 #include <TDF_Label.hxx>

@@ -2,14 +2,9 @@
 
 #include "keiko/base/input_file.h"
 #include "keiko/base/job.h"
-#include "keiko/base/stop_scope.h"
 #include "keiko/base/text.h"
-#include "keiko/import/subdivision/cage_areas.h"
 #include "keiko/import/subdivision/cage_check.h"
-#include "keiko/import/subdivision/cage_lines.h"
 #include "keiko/import/subdivision/cage_statements.h"
-#include "keiko/import/subdivision/cage_tags.h"
-#include "keiko/import/subdivision/manifold.h"
 
 #include <algorithm>
 #include <array>

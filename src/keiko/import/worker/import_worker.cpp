@@ -1,5 +1,5 @@
-#include "keiko/base/descriptor.h"
 #include "keiko/base/error.h"
+#include "keiko/base/new_file.h"
 #include "keiko/import/worker/load_model.h"
 #include "keiko/import/worker/worker_answer.h"
 

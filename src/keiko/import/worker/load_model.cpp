@@ -1,7 +1,6 @@
 #include "keiko/import/worker/load_model.h"
 
 #include "keiko/base/error.h"
-#include "keiko/base/error_text.h"
 #include "keiko/base/units.h"
 #include "keiko/files/model/bezier_file.h"
 #include "keiko/files/model/model_format.h"

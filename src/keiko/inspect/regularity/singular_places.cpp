@@ -1,6 +1,6 @@
 #include "keiko/inspect/regularity/singular_places.h"
 
-#include "keiko/base/stop_scope.h"
+#include "keiko/base/job.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/regularity/normal_break.h"
 #include "keiko/inspect/regularity/normal_cell.h"

@@ -1,7 +1,6 @@
 #include "keiko/inspect/seams/seam_extremes.h"
 
 #include "keiko/base/job.h"
-#include "keiko/base/stop_scope.h"
 #include "keiko/math/golden_section.h"
 
 #include <algorithm>

@@ -1,8 +1,6 @@
 #include "keiko/light/fog/height_field.h"
 
 #include "keiko/base/job.h"
-#include "keiko/base/stop_scope.h"
-#include "keiko/light/fog/height_along.h"
 #include "keiko/math/sincos_2pi.h"
 
 #include <algorithm>

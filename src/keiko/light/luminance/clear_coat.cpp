@@ -1,8 +1,6 @@
 #include "keiko/light/luminance/clear_coat.h"
 
 #include "keiko/light/luminance/fresnel.h"
-#include "keiko/light/luminance/refraction.h"
-#include "keiko/math/adaptive_quadrature.h"
 #include "keiko/math/quadrature.h"
 
 #include <algorithm>

@@ -1,8 +1,6 @@
 #include "keiko/light/tubes/coat_transmittance.h"
 
 #include "keiko/light/tubes/tube_slices.h"
-#include "keiko/light/tubes/width_quadrature.h"
-#include "keiko/math/gauss_kronrod.h"
 #include "keiko/math/quadrature.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "keiko/light/luminance/gloss_kernel.h"
 #include "keiko/light/tubes/tube_slices.h"
-#include "keiko/math/gauss_kronrod.h"
+#include "keiko/math/quadrature.h"
 
 namespace keiko {
 

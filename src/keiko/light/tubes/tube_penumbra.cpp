@@ -4,7 +4,6 @@
 #include "keiko/light/tubes/penumbra_breakpoints.h"
 #include "keiko/light/tubes/width_samples.h"
 #include "keiko/math/axes.h"
-#include "keiko/math/perpendicular.h"
 
 #include <algorithm>
 #include <optional>

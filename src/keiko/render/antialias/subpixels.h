@@ -1,8 +1,8 @@
 #pragma once
 
-#include "keiko/base/inplace_vector.h"
+#include "keiko/base/memory.h"
 #include "keiko/render/reflection/sample_batch.h"
-#include "keiko/scene/prepared_camera.h"
+#include "keiko/scene/camera.h"
 
 #include <optional>
 #include <span>

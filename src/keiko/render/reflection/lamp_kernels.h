@@ -1,9 +1,7 @@
 #pragma once
 
 #include "keiko/light/tubes/c_plane.h"
-#include "keiko/light/tubes/c_plane_frame.h"
 #include "keiko/render/reflection/reflected_grid.h"
-#include "keiko/render/reflection/reflected_rays.h"
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #include "keiko/render/reflection/reflected_footprint.h"
 
-#include "keiko/light/tubes/lamp_ends.h"
+#include "keiko/light/tubes/end_coverage.h"
 
 #include <algorithm>
 #include <array>

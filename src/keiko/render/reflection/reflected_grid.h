@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/base/default_init_allocator.h"
+#include "keiko/base/memory.h"
 #include "keiko/geometry/bezier/ray.h"
 #include "keiko/intersect/hit/hit.h"
 #include "keiko/intersect/kernels/prefetch.h"

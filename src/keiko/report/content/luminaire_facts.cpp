@@ -1,7 +1,6 @@
 #include "keiko/report/content/luminaire_facts.h"
 
 #include "keiko/base/text.h"
-#include "keiko/base/text_lines.h"
 #include "keiko/light/rig/luminaire_remarks.h"
 #include "keiko/light/spotlight/luminous_flux.h"
 #include "keiko/report/content/folded_remarks.h"

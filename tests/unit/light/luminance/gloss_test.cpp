@@ -1,7 +1,5 @@
 #include "keiko/base/units.h"
 #include "keiko/light/luminance/clear_coat.h"
-#include "keiko/light/luminance/directional_albedo.h"
-#include "keiko/math/adaptive_quadrature.h"
 #include "keiko/math/quadrature.h"
 
 #include "tests/support/lobes.h"
