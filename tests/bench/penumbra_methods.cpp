@@ -107,7 +107,7 @@ Shares by_intervals(const PenumbraScene& scene, const CPlane& row) {
     return shares(scene, row, Emitter::axis,
                   [&](const Receiver& at, const std::vector<TubeLamp>& lamps) {
                       const VisibilityQuery view = view_from(scene, at, row);
-                      std::vector<SegmentEnds> axes;
+                      std::vector<Segment> axes;
                       for (const TubeLamp& lamp : lamps) axes.push_back({lamp.a, lamp.b});
                       const std::vector<VisibleIntervals> seen = view.intervals(axes);
                       double sum = 0;
@@ -176,7 +176,7 @@ WrongLamps wrong_lamps(const PenumbraScene& scene, const CPlane& row, int probes
     for (const Receiver& at : scene.receivers) {
         const VisibilityQuery view = view_from(scene, at, row);
         const Viewpoint viewpoint = Viewpoint::at(at.position, at.root);
-        std::vector<SegmentEnds> axes;
+        std::vector<Segment> axes;
         for (const TubeLamp& lamp : lamps_of(row)) axes.push_back({lamp.a, lamp.b});
         const std::vector<VisibleIntervals> seen = view.intervals(axes);
         for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -184,7 +184,7 @@ WrongLamps wrong_lamps(const PenumbraScene& scene, const CPlane& row, int probes
             std::vector<double> places;
             for (int k = 0; k < probes; ++k) {
                 const double t = (k + uniform(random, 0, 1)) / probes;
-                const Vec3 x = axes[i][0] + (axes[i][1] - axes[i][0]) * t;
+                const Vec3 x = axes[i].at(t);
                 if (next_to_an_end(seen[i].intervals, t)) continue;
                 if (!(at.normal.dot(x - at.position) > 0)) continue;
                 rays.push_back(viewpoint.ray_to(x));

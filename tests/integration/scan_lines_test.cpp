@@ -19,30 +19,30 @@ protected:
 
     static constexpr int segments = 12;
 
-    std::vector<SegmentEnds> random_row() {
+    std::vector<Segment> random_row() {
         const double size = leaf_bounds(tracer_).size();
         const Vec3 out = random_direction(random_), along = random_direction(random_) * size;
         const Vec3 across = out.cross(along).normalized() * size;
         const Vec3 begin = leaf_bounds(tracer_).center() + out * size * 0.9 - (along + across) / 2;
-        std::vector<SegmentEnds> row;
+        std::vector<Segment> row;
         for (int i = 0; i < segments; ++i) {
             const Vec3 a = begin + across * ((i + 0.5) / segments);
             row.push_back({a, a + along});
         }
         return row;
     }
-    VisibilityQuery view_of(const std::vector<SegmentEnds>& row, const Viewpoint& viewpoint,
+    VisibilityQuery view_of(const std::vector<Segment>& row, const Viewpoint& viewpoint,
                             const std::optional<Vec3>& facing) const {
-        const Vec3 corners[4] = {row[0][0], row[0][1], row.back()[0], row.back()[1]};
+        const Vec3 corners[4] = {row[0].a, row[0].b, row.back().a, row.back().b};
         return {occluders_, tracer_, viewpoint, corners, facing};
     }
 
     void expect_same_intervals(const Viewpoint& viewpoint, const std::optional<Vec3>& facing) {
-        const std::vector<SegmentEnds> row = random_row();
+        const std::vector<Segment> row = random_row();
         const VisibilityQuery view = view_of(row, viewpoint, facing);
         const std::vector<VisibleIntervals> together = view.intervals(row);
         for (std::size_t i = 0; i < row.size(); ++i) {
-            const VisibleIntervals alone = view.intervals(row[i][0], row[i][1]);
+            const VisibleIntervals alone = view.intervals(row[i]);
             const double seen = alone.intervals.measure();
             partly_hidden_ += seen > 0 && seen < 1;
             EXPECT_EQ(together[i].intervals, alone.intervals) << "line " << i;
@@ -51,13 +51,13 @@ protected:
     }
 
     /// Between neighbours of the row, some way beyond it too.
-    std::vector<PrismEdges> prisms_of(const std::vector<SegmentEnds>& row) {
+    std::vector<Prism> prisms_of(const std::vector<Segment>& row) {
         const Vec3 beyond =
-            (row[0][0] - leaf_bounds(tracer_).center()) * uniform(random_, 0.001, 0.05);
-        const auto moved = [&](const SegmentEnds& ends) {
-            return SegmentEnds{ends[0] + beyond, ends[1] + beyond};
+            (row[0].a - leaf_bounds(tracer_).center()) * uniform(random_, 0.001, 0.05);
+        const auto moved = [&](const Segment& ends) {
+            return Segment{ends.a + beyond, ends.b + beyond};
         };
-        std::vector<PrismEdges> prisms;
+        std::vector<Prism> prisms;
         for (std::size_t i = 0; i + 1 < row.size(); ++i)
             prisms.push_back({row[i], row[i + 1], moved(row[i]), moved(row[i + 1])});
         return prisms;
@@ -65,12 +65,11 @@ protected:
 
     /// Lines all through those prisms of which something is told, on the side that is faced.
     void expect_seen_as_told(const Viewpoint& viewpoint, const std::optional<Vec3>& facing) {
-        const std::vector<SegmentEnds> row = random_row();
-        const std::vector<PrismEdges> prisms = prisms_of(row);
+        const std::vector<Segment> row = random_row();
+        const std::vector<Prism> prisms = prisms_of(row);
         std::vector<Vec3> corners;
-        for (const PrismEdges& prism : {prisms.front(), prisms.back()})
-            for (const SegmentEnds& edge : prism)
-                corners.insert(corners.end(), edge.begin(), edge.end());
+        for (const Prism& prism : {prisms.front(), prisms.back()})
+            for (const Segment& edge : prism) corners.insert(corners.end(), {edge.a, edge.b});
         const VisibilityQuery view(occluders_, tracer_, viewpoint, corners, facing);
         const std::vector<std::optional<bool>> told = view.classify_prisms(prisms);
         for (std::size_t i = 0; i < prisms.size(); ++i) {
@@ -78,14 +77,14 @@ protected:
             ++(*told[i] ? seen_ : hidden_);
             for (int k = 0; k < 8; ++k) {
                 const double s = uniform(random_, 0, 1), t = uniform(random_, 0, 1);
-                const auto inside = [&](std::size_t end) {
-                    const PrismEdges& p = prisms[i];
-                    return (p[0][end] * (1 - s) + p[1][end] * s) * (1 - t) +
-                           (p[2][end] * (1 - s) + p[3][end] * s) * t;
+                const auto inside = [&](Vec3 Segment::*end) {
+                    const Prism& p = prisms[i];
+                    return (p[0].*end * (1 - s) + p[1].*end * s) * (1 - t) +
+                           (p[2].*end * (1 - s) + p[3].*end * s) * t;
                 };
-                const Vec3 a = inside(0), b = inside(1);
+                const Vec3 a = inside(&Segment::a), b = inside(&Segment::b);
                 const double faced = faced_length(viewpoint, facing, a, b);
-                const double seen = view.intervals(a, b).intervals.measure();
+                const double seen = view.intervals({a, b}).intervals.measure();
                 cut_ += faced > 0 && faced < 1;
                 constexpr double shortest = 2e-9;
                 if (!(faced > shortest)) continue;

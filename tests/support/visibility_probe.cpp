@@ -79,7 +79,7 @@ void VisibilityProbe::look(From from, int lamps, int probes, Random& random,
     const VisibilityQuery view(occluders_, tracer_, *viewpoint, row.corners());
     for (int i = 0; i < lamps; ++i) {
         const Vec3 a = row.begin + row.across * ((i + 0.5) / lamps), b = a + row.along;
-        const VisibleIntervals parts = view.intervals(a, b);
+        const VisibleIntervals parts = view.intervals({a, b});
         ++counts.segments;
         counts.uncertain += !parts.certain;
         const double seen = parts.intervals.measure();

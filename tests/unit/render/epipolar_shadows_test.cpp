@@ -5,6 +5,7 @@
 #include "tests/support/paths.h"
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -17,7 +18,7 @@ struct View {
     Tracer tracer{model};
     Occluders occluders{model, tracer};
     Vec3 eye{0};
-    std::vector<SegmentEnds> rays{};
+    std::vector<Segment> rays{};
 
     explicit View(const char* file, int side = 24) : model(load_model(test::repository(file))) {
         const Box3& box = tracer.bounds();
@@ -64,9 +65,10 @@ TEST_P(ShadowPencils, SeeWhatApexViewsSee) {
         const EpipolarShadows pencil(view.occluders, view.tracer, light, view.eye);
         const std::vector<IntervalSet> seen = pencil.intervals(view.rays);
         for (std::size_t i = 0; i < view.rays.size(); ++i) {
-            const SegmentEnds& ray = view.rays[i];
-            const VisibilityQuery apart(view.occluders, view.tracer, Viewpoint::at(light), ray);
-            const VisibleIntervals exact = apart.intervals(ray[0], ray[1]);
+            const Segment& ray = view.rays[i];
+            const VisibilityQuery apart(view.occluders, view.tracer, Viewpoint::at(light),
+                                        std::array{ray.a, ray.b});
+            const VisibleIntervals exact = apart.intervals(ray);
             if (!exact.certain) continue;
             cut += exact.intervals.size() > 1;
             EXPECT_LT(difference(seen[i], exact.intervals), 1e-6) << i << " light " << light.x;

@@ -130,7 +130,7 @@ TEST(TurnedLamps, AreHiddenByTheirSockets) {
             const Vec3 corners[] = {frame.at(0, 200), frame.at(frame.length, 200)};
             const VisibilityQuery view(occluders, tracer, Viewpoint::at(turn(point)), corners,
                                        turn({0, 0, 1}));
-            const IntervalSet axis = view.intervals(corners[0], corners[1]).intervals;
+            const IntervalSet axis = view.intervals({corners[0], corners[1]}).intervals;
             const IntervalSet told = scene.seen(point, model).axis;
             ASSERT_EQ(told.size(), axis.size()) << point.x;
             for (std::size_t i = 0; i < axis.size(); ++i) {

@@ -18,19 +18,19 @@ using namespace keiko::test;
 namespace {
 
 /// A segment, and four so near to it that only what is exactly aligned can tell them apart.
-std::vector<SegmentEnds> with_neighbours(const SegmentEnds& ends) {
+std::vector<Segment> with_neighbours(const Segment& ends) {
     constexpr double little = 1e-5;
-    std::vector<SegmentEnds> row;
+    std::vector<Segment> row;
     for (const Vec3& step : {Vec3(0), Vec3(little, 0, 0), Vec3(-little, 0, 0), Vec3(0, 0, little),
                              Vec3(0, 0, -little)})
-        row.push_back({ends[0] + step, ends[1] + step});
+        row.push_back({ends.a + step, ends.b + step});
     return row;
 }
 
 /// Of a box around a segment along y.
-std::vector<Vec3> corners(const SegmentEnds& ends) {
+std::vector<Vec3> corners(const Segment& ends) {
     std::vector<Vec3> all;
-    for (const Vec3& end : ends)
+    for (const Vec3& end : {ends.a, ends.b})
         for (const double x : {-2.0, 2.0})
             for (const double z : {-2.0, 2.0}) all.push_back(end + Vec3(x, 0, z));
     return all;
@@ -82,14 +82,14 @@ TEST(AlignedOccluders, AreSeenAsFromNextToNothingBeside) {
             // Above all bodies, which reach up to 120.
             const Vec3 a(round_number(random, -3, 12), -40, round_number(random, 13, 16));
             if (viewpoint.x == a.x && viewpoint.z == a.z) continue; // in the midst of the segment
-            const std::vector<SegmentEnds> row = with_neighbours({a, a + Vec3(0, 170, 0)});
+            const std::vector<Segment> row = with_neighbours({a, a + Vec3(0, 170, 0)});
             const VisibilityQuery view(occluders, tracer, Viewpoint::at(viewpoint),
                                        corners(row[0]));
-            const VisibleIntervals single = view.intervals(row[0][0], row[0][1]);
+            const VisibleIntervals single = view.intervals(row[0]);
             if (!single.certain) continue; // the viewpoint on a surface
             std::vector<IntervalSet> seen{single.intervals}, in_row;
             for (std::size_t k = 1; k < row.size(); ++k)
-                seen.push_back(view.intervals(row[k][0], row[k][1]).intervals);
+                seen.push_back(view.intervals(row[k]).intervals);
             for (const VisibleIntervals& parts : view.intervals(row))
                 in_row.push_back(parts.intervals);
             ++certain;
@@ -119,14 +119,14 @@ TEST(AlignedOccluders, ArePastRaysOfAPencilAsFromNextToNothingBeside) {
         for (int trial = 0; trial < 50; ++trial) {
             const Vec3 target = round_place(random, -3, 12);
             if (target == eye || (target - eye).cross(light - eye).length() == 0) continue;
-            std::vector<SegmentEnds> rays = with_neighbours({eye, target});
-            for (SegmentEnds& ray : rays) ray[0] = eye;
+            std::vector<Segment> rays = with_neighbours({eye, target});
+            for (Segment& ray : rays) ray.a = eye;
             double end = 1;
-            for (const SegmentEnds& ray : rays)
-                if (const auto hit = tracer.nearest({.origin = eye, .direction = ray[1] - eye}))
+            for (const Segment& ray : rays)
+                if (const auto hit = tracer.nearest({.origin = eye, .direction = ray.b - eye}))
                     end = std::min(end, hit->t - 1e-6);
             if (!(end > 1e-3)) continue; // the eye on a surface
-            for (SegmentEnds& ray : rays) ray[1] = eye + (ray[1] - eye) * end;
+            for (Segment& ray : rays) ray.b = eye + (ray.b - eye) * end;
             const std::vector<IntervalSet> seen = pencil.intervals(rays);
             partly += !seen[0].empty() && seen[0].measure() < 1;
             alone += told_alone(seen);

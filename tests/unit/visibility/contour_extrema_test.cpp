@@ -18,10 +18,10 @@ constexpr double gap = 0.1;
 constexpr double one_place = 1e-5; // of the prism's width
 
 /// A level prism along x over the origin, from slopes -0.5 to 0.5 across and along.
-const PrismEdges prism{SegmentEnds{Vec3(-500, -500, 1000), Vec3(500, -500, 1000)},
-                       {Vec3(-500, 0, 1000), Vec3(500, 0, 1000)},
-                       {Vec3(-500, 0, 1000), Vec3(500, 0, 1000)},
-                       {Vec3(-500, 500, 1000), Vec3(500, 500, 1000)}};
+const Prism prism{Segment{Vec3(-500, -500, 1000), Vec3(500, -500, 1000)},
+                  {Vec3(-500, 0, 1000), Vec3(500, 0, 1000)},
+                  {Vec3(-500, 0, 1000), Vec3(500, 0, 1000)},
+                  {Vec3(-500, 500, 1000), Vec3(500, 500, 1000)}};
 
 /// A turn's place by its slope across, y / z, which rises as the angle about the prism falls.
 struct Found {
@@ -35,10 +35,10 @@ std::vector<Found> turns_of(const SurfaceModel& model, double missed = 0) {
     const Tracer tracer(model);
     const Occluders occluders(model, tracer);
     std::vector<Vec3> corners;
-    for (const SegmentEnds& edge : prism) corners.insert(corners.end(), edge.begin(), edge.end());
+    for (const Segment& edge : prism) corners.insert(corners.end(), {edge.a, edge.b});
     const VisibilityQuery view(occluders, tracer, Viewpoint::at(Vec3(0)), corners);
     std::vector<Found> found;
-    for (const CriticalSlice& turn : view.turns(prism, gap, missed)) {
+    for (const CriticalSlice& turn : view.turns(prism, {gap, missed})) {
         EXPECT_NEAR(turn.way.x, 0, 1e-12);
         found.push_back({turn.way.y / turn.way.z, turn.missed, turn.dark, turn.jump});
     }

@@ -16,7 +16,7 @@ VisibleIntervals seen(const SurfaceModel& model, const Vec3& viewpoint, const Ve
     const Tracer tracer(model);
     const Occluders occluders(model, tracer);
     const Vec3 region[2] = {a, b};
-    return VisibilityQuery(occluders, tracer, Viewpoint::at(viewpoint), region).intervals(a, b);
+    return VisibilityQuery(occluders, tracer, Viewpoint::at(viewpoint), region).intervals({a, b});
 }
 
 TEST(Occluders, MeetTheOracleOfVisibleIntervals) {
@@ -45,7 +45,7 @@ struct Ball {
     IntervalSet seen(const Viewpoint& viewpoint, const Vec3& a, const Vec3& b) const {
         const Vec3 region[2] = {a, b};
         const VisibleIntervals parts =
-            VisibilityQuery(occluders, tracer, viewpoint, region).intervals(a, b);
+            VisibilityQuery(occluders, tracer, viewpoint, region).intervals({a, b});
         EXPECT_TRUE(parts.certain);
         return parts.intervals;
     }

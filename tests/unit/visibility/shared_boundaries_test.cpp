@@ -3,6 +3,8 @@
 #include "tests/support/shapes.h"
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace keiko {
 namespace {
 
@@ -22,12 +24,13 @@ SurfaceModel roof(double slope, double gap) {
     return builder.model();
 }
 
-void expect_seen(const SurfaceModel& model, const Vec3& viewpoint, const SegmentEnds& ends,
+void expect_seen(const SurfaceModel& model, const Vec3& viewpoint, const Segment& ends,
                  const std::vector<ParameterInterval>& expected) {
     const Tracer tracer(model);
     const Occluders occluders(model, tracer);
-    const VisibilityQuery view(occluders, tracer, Viewpoint::at(viewpoint), ends);
-    const VisibleIntervals seen = view.intervals(ends[0], ends[1]);
+    const VisibilityQuery view(occluders, tracer, Viewpoint::at(viewpoint),
+                               std::array{ends.a, ends.b});
+    const VisibleIntervals seen = view.intervals(ends);
     EXPECT_TRUE(seen.certain);
     ASSERT_EQ(seen.intervals.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -36,7 +39,7 @@ void expect_seen(const SurfaceModel& model, const Vec3& viewpoint, const Segment
     }
 }
 
-const SegmentEnds below{Vec3(-40, 0, -50), Vec3(40, 0, -50)};
+const Segment below{Vec3(-40, 0, -50), Vec3(40, 0, -50)};
 
 TEST(SharedBorders, EndNoPartWhereTheSurfaceGoesOn) {
     expect_seen(roof(0, 0), {1, 0, 50}, below, {{0, 0.2375}, {0.7375, 1}});

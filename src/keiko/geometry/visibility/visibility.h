@@ -29,7 +29,7 @@ struct TurnRule {
 
 /// A place across a prism where what is seen of its lines may jump or bend: where the outline of
 /// something before it begins, ends or turns back, runs along it, or leaves it by its ends.
-struct PrismTurn {
+struct CriticalSlice {
     Vec3 way{0};       ///< from the viewpoint, at right angles to the prism
     double missed = 0; ///< what lines a gap apart may miss of the prism if they know nothing of it
     /// The side of it that is dark, by rising angle about the prism's direction: 1 or -1, or 0
@@ -59,7 +59,7 @@ public:
         return std::vector<std::optional<bool>>(prisms.size());
     }
     /// Where what is seen of the lines along a prism may change at once, as far as it is known.
-    virtual std::vector<PrismTurn> turns(const Prism&, const TurnRule&) const { return {}; }
+    virtual std::vector<CriticalSlice> turns(const Prism&, const TurnRule&) const { return {}; }
 };
 
 /// Nothing stands in the way.

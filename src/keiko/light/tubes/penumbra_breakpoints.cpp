@@ -28,10 +28,10 @@ double missed_of(const Turns& turns) {
 
 } // namespace
 
-PenumbraBreakpoints::PenumbraBreakpoints(const LampWidth& width, std::span<const PrismTurn> turns,
-                                         double gap)
+PenumbraBreakpoints::PenumbraBreakpoints(const LampWidth& width,
+                                         std::span<const CriticalSlice> turns, double gap)
     : gap_(gap) {
-    for (const PrismTurn& turn : turns)
+    for (const CriticalSlice& turn : turns)
         if (const double place = width.place_in(turn.way); std::abs(place) < 1)
             turns_.push_back({place, turn.missed * 2 / gap, turn.dark, turn.jump});
     std::sort(turns_.begin(), turns_.end(),

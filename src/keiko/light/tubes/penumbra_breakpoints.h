@@ -13,7 +13,7 @@ namespace keiko {
 class PenumbraBreakpoints {
 public:
     /// `gap`: that the turns were weighed for, of the whole width.
-    PenumbraBreakpoints(const LampWidth& width, std::span<const PrismTurn> turns, double gap);
+    PenumbraBreakpoints(const LampWidth& width, std::span<const CriticalSlice> turns, double gap);
 
     /// Places, sorted, such that both ends and the middle of each part between two, if they agree,
     /// miss no more than `allowed` of the lamp together. Every jump of more than that is among

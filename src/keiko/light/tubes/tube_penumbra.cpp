@@ -90,7 +90,7 @@ private:
         const double gap = options_.widest_gap / 2, allowed = options_.tolerance;
         const auto line = [&](double place) { return width_.line_of(width_.sub_axis(place)); };
         const Prism lines{line(-1), line(0), line(0), line(1)};
-        const std::vector<PrismTurn> found = visible.turns(lines, {gap, allowed / 2});
+        const std::vector<CriticalSlice> found = visible.turns(lines, {gap, allowed / 2});
         if (found.empty()) return;
         const std::vector<WidthCut> cuts =
             PenumbraBreakpoints(width_, found, gap).cuts(allowed, agree());

@@ -35,7 +35,7 @@ public:
     IntervalSet intervals(const Segment& segment) const override;
     std::vector<IntervalSet> intervals(std::span<const Segment> segments) const override;
     std::vector<std::optional<bool>> classify_prisms(std::span<const Prism> prisms) const override;
-    std::vector<PrismTurn> turns(const Prism& prism, const TurnRule& rule) const override;
+    std::vector<CriticalSlice> turns(const Prism& prism, const TurnRule& rule) const override;
 
 private:
     const VisibilityQuery& view() const;

@@ -60,7 +60,7 @@ public:
             quarters_.push_back(quarter_at(quarter, curves));
     }
 
-    std::vector<IntervalSet> intervals(std::span<const SegmentEnds> segments) const;
+    std::vector<IntervalSet> intervals(std::span<const Segment> segments) const;
 
 private:
     /// Pieces as the rays of one question share them: they are split where that is needed.
@@ -195,11 +195,11 @@ TrimSide EpipolarShadows::Planes::side_at(const EdgeLine& edge, double t) const 
 }
 
 std::vector<IntervalSet> EpipolarShadows::Planes::intervals(
-    std::span<const SegmentEnds> segments) const {
+    std::span<const Segment> segments) const {
     std::vector<std::optional<SegmentPlane>> planes;
-    for (const SegmentEnds& ends : segments)
-        planes.push_back(ends[0] == ends[1] ? std::nullopt
-                                            : SegmentPlane::through(viewpoint_, ends[0], ends[1]));
+    for (const Segment& ends : segments)
+        planes.push_back(ends.a == ends.b ? std::nullopt
+                                          : SegmentPlane::through(viewpoint_, ends.a, ends.b));
     Pieces pieces;
     IntervalClasses groups;
     std::vector<std::size_t> first_gap;
@@ -217,7 +217,7 @@ std::vector<IntervalSet> EpipolarShadows::Planes::intervals(
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const std::size_t first = first_gap[i], count = first_gap[i + 1] - first;
         // Towards the light, with nothing across it, a segment is seen as its middle is.
-        const auto whole = [&] { return sees((segments[i][0] + segments[i][1]) / 2); };
+        const auto whole = [&] { return sees((segments[i].a + segments[i].b) / 2); };
         seen.push_back(planes[i] ? groups.seen(first, count)
                        : whole() ? IntervalSet::whole()
                                  : IntervalSet());
@@ -233,7 +233,7 @@ EpipolarShadows::~EpipolarShadows() = default;
 EpipolarShadows::EpipolarShadows(EpipolarShadows&&) noexcept = default;
 EpipolarShadows& EpipolarShadows::operator=(EpipolarShadows&&) noexcept = default;
 
-std::vector<IntervalSet> EpipolarShadows::intervals(std::span<const SegmentEnds> segments) const {
+std::vector<IntervalSet> EpipolarShadows::intervals(std::span<const Segment> segments) const {
     return planes_->intervals(segments);
 }
 

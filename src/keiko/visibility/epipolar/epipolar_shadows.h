@@ -28,7 +28,7 @@ public:
     /// Parts of segments that the light sees, of their parameters: each lies on a ray from the eye
     /// and no surface crosses it. As VisibilityQuery finds them, but for ends, which are told to
     /// outline_error as the light sees them. Neighbours should stand together.
-    std::vector<IntervalSet> intervals(std::span<const SegmentEnds> segments) const;
+    std::vector<IntervalSet> intervals(std::span<const Segment> segments) const;
 
 private:
     class Planes;

@@ -14,7 +14,7 @@ constexpr double of_short = 0.25;
 
 ContourExtrema::ContourExtrema(const Viewpoint& viewpoint, const ScanPlane& screen,
                                const ScanBounds& prism, const ViewVolume& volume,
-                               const ParameterInterval& ends, double gap, double missed)
+                               const ParameterInterval& ends, const TurnRule& rule)
     : viewpoint_(viewpoint),
       screen_(screen),
       volume_(volume),
@@ -22,8 +22,8 @@ ContourExtrema::ContourExtrema(const Viewpoint& viewpoint, const ScanPlane& scre
       begin_(std::min(ends.begin, ends.end)),
       length_(std::abs(ends.length())),
       width_(prism.across_high - prism.across_low),
-      gap_(gap),
-      missed_(missed) {}
+      gap_(rule.gap),
+      missed_(rule.missed) {}
 
 void ContourExtrema::add_border(const BoundaryPiece& border) {
     follow(border, {border.curve, true, true}, false, most_halvings);

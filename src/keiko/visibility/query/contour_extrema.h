@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/geometry/visibility/visibility.h"
 #include "keiko/math/interval_set.h"
 #include "keiko/visibility/query/scan_plane.h"
 #include "keiko/visibility/silhouettes/view_volume.h"
@@ -17,8 +18,7 @@ public:
     /// `prism`: what the viewpoint sees of it; `volume`: between the viewpoint and it. The prism's
     /// ends are at `begin` and `end` along the screen.
     ContourExtrema(const Viewpoint& viewpoint, const ScanPlane& screen, const ScanBounds& prism,
-                   const ViewVolume& volume, const ParameterInterval& ends, double gap,
-                   double missed);
+                   const ViewVolume& volume, const ParameterInterval& ends, const TurnRule& rule);
 
     /// A border or a crease that may be seen edge-on, of which some may not.
     void add_border(const BoundaryPiece& border);
@@ -108,7 +108,7 @@ private:
     const ViewVolume& volume_;
     ScanBounds prism_;
     double begin_, length_, width_;
-    double gap_, missed_;
+    double gap_, missed_; ///< of the rule
     double left_out_ = 0;
     std::vector<Turn> turns_;
     std::vector<End> ends_;

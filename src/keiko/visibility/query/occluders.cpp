@@ -61,25 +61,24 @@ VisibilityQuery::~VisibilityQuery() = default;
 VisibilityQuery::VisibilityQuery(VisibilityQuery&&) noexcept = default;
 VisibilityQuery& VisibilityQuery::operator=(VisibilityQuery&&) noexcept = default;
 
-VisibleIntervals VisibilityQuery::intervals(const Vec3& a, const Vec3& b) const {
-    return candidates_->intervals({a, b});
+VisibleIntervals VisibilityQuery::intervals(const Segment& segment) const {
+    return candidates_->intervals(segment);
 }
 
-std::vector<VisibleIntervals> VisibilityQuery::intervals(std::span<const SegmentEnds> row) const {
+std::vector<VisibleIntervals> VisibilityQuery::intervals(std::span<const Segment> row) const {
     if (auto parts = candidates_->intervals_of_row(row)) return std::move(*parts);
     std::vector<VisibleIntervals> parts;
-    for (const SegmentEnds& ends : row) parts.push_back(candidates_->intervals(ends));
+    for (const Segment& ends : row) parts.push_back(candidates_->intervals(ends));
     return parts;
 }
 
 std::vector<std::optional<bool>> VisibilityQuery::classify_prisms(
-    std::span<const PrismEdges> prisms) const {
+    std::span<const Prism> prisms) const {
     return candidates_->classify_prisms(prisms);
 }
 
-std::vector<CriticalSlice> VisibilityQuery::turns(const PrismEdges& prism, double gap,
-                                                  double missed) const {
-    return candidates_->turns(prism, gap, missed);
+std::vector<CriticalSlice> VisibilityQuery::turns(const Prism& prism, const TurnRule& rule) const {
+    return candidates_->turns(prism, rule);
 }
 
 } // namespace keiko

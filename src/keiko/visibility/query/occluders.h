@@ -2,10 +2,10 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/visibility/viewpoint.h"
+#include "keiko/geometry/visibility/visibility.h"
 #include "keiko/intersect/traversal/tracer.h"
 #include "keiko/math/interval_set.h"
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,28 +13,12 @@
 
 namespace keiko {
 
-/// Where a segment begins and ends, mm.
-using SegmentEnds = std::array<Vec3, 2>;
-/// The parallel edges of a prism.
-using PrismEdges = std::array<SegmentEnds, 4>;
-
 /// What a viewpoint sees of a segment.
 struct VisibleIntervals {
     IntervalSet intervals; ///< of the segment's parameter, 0 at its begin, 1 at its end
     /// False when somewhere events could not be told apart: an end may be off, or a narrow part
     /// missing there.
     bool certain = true;
-};
-
-/// A place across a prism where what is seen of its lines may jump or bend: where the outline of
-/// something before it begins, ends or turns back, runs along it, or leaves it by its ends.
-struct CriticalSlice {
-    Vec3 way{0};       ///< from the viewpoint, at right angles to the prism
-    double missed = 0; ///< what lines a gap apart may miss of the prism if they know nothing of it
-    /// The side of it that is dark, by rising angle about the prism's direction: 1 or -1, or 0
-    /// where that is not known.
-    int dark = 0;
-    bool jump = true; ///< what is hidden may change at once there; else only how fast it does
 };
 
 class VisibilityQuery;
@@ -88,19 +72,19 @@ public:
     /// Parts of the segment from a to b such that nothing lies between them and the viewpoint.
     /// Parts and gaps shorter than 1e-9 of the segment are dropped. A segment without length is
     /// seen as a whole or not at all.
-    VisibleIntervals intervals(const Vec3& a, const Vec3& b) const;
+    VisibleIntervals intervals(const Segment& segment) const;
     /// The same of several segments. Parallel ones are scan lines of a screen on which every
     /// candidate is placed once, and share rays (docs/theory/visibility.md).
-    std::vector<VisibleIntervals> intervals(std::span<const SegmentEnds> row) const;
+    std::vector<VisibleIntervals> intervals(std::span<const Segment> row) const;
 
     /// Of each prism, all in the region, true where it is proved to be seen as a whole, false where
     /// nothing of it is, in both cases but for what of it lies on the side that is not faced;
     /// nothing where neither is proved.
-    std::vector<std::optional<bool>> classify_prisms(std::span<const PrismEdges> prisms) const;
+    std::vector<std::optional<bool>> classify_prisms(std::span<const Prism> prisms) const;
     /// Turns of a prism in the region. `gap`: between the lines that are looked at, of its width.
     /// Some are left out that together make those miss no more than `missed` of the prism, and
     /// those of the viewpoint's own patch.
-    std::vector<CriticalSlice> turns(const PrismEdges& prism, double gap, double missed) const;
+    std::vector<CriticalSlice> turns(const Prism& prism, const TurnRule& rule) const;
 
 private:
     class Candidates;

@@ -50,13 +50,13 @@ const VisibilityQuery::Candidates::Screen& VisibilityQuery::Candidates::screen_o
 
 std::optional<std::vector<VisibilityQuery::Candidates::ScanLine>>
 VisibilityQuery::Candidates::scan_lines(const ScanPlane& screen,
-                                        std::span<const SegmentEnds> row) const {
+                                        std::span<const Segment> row) const {
     if (!screen.regular()) return std::nullopt;
     std::vector<ScanLine> lines;
     lines.reserve(row.size());
-    for (const SegmentEnds& ends : row) {
-        if (!screen.is_along(ends[1] - ends[0])) return std::nullopt;
-        const ScreenPlace a = screen.place(ends[0]), b = screen.place(ends[1]);
+    for (const Segment& ends : row) {
+        if (!screen.is_along(ends.b - ends.a)) return std::nullopt;
+        const ScreenPlace a = screen.place(ends.a), b = screen.place(ends.b);
         if (!(a.depth > 0 && b.depth > 0)) return std::nullopt;
         lines.push_back({lines.size(), a.across, a.along, b.along});
     }
@@ -122,14 +122,14 @@ void VisibilityQuery::Candidates::join_neighbours(const Screen& screen,
 }
 
 std::optional<std::vector<VisibleIntervals>> VisibilityQuery::Candidates::intervals_of_row(
-    std::span<const SegmentEnds> row) const {
+    std::span<const Segment> row) const {
     if (row.empty() || all_seen_) return std::nullopt;
-    const Screen& screen = screen_of((row[0][1] - row[0][0]).normalized());
+    const Screen& screen = screen_of((row[0].b - row[0].a).normalized());
     const auto scan_lines = this->scan_lines(screen.screen, row);
     if (!scan_lines) return std::nullopt;
     std::vector<Line> lines;
     lines.reserve(row.size());
-    for (const SegmentEnds& ends : row) {
+    for (const Segment& ends : row) {
         auto line = line_through(ends);
         if (!line) return std::nullopt;
         lines.push_back(std::move(*line));

@@ -10,18 +10,18 @@
 namespace keiko {
 namespace {
 
-std::vector<Vec3> corners_of(const PrismEdges& prism) {
+std::vector<Vec3> corners_of(const Prism& prism) {
     std::vector<Vec3> corners;
-    for (const SegmentEnds& edge : prism) corners.insert(corners.end(), edge.begin(), edge.end());
+    for (const Segment& edge : prism) corners.insert(corners.end(), {edge.a, edge.b});
     return corners;
 }
 
 /// Along the screen, in the mean of the edges.
-ParameterInterval ends_of(const PrismEdges& prism, const ScanPlane& screen) {
+ParameterInterval ends_of(const Prism& prism, const ScanPlane& screen) {
     ParameterInterval ends;
-    for (const SegmentEnds& edge : prism) {
-        ends.begin += screen.place(edge[0]).along / static_cast<double>(prism.size());
-        ends.end += screen.place(edge[1]).along / static_cast<double>(prism.size());
+    for (const Segment& edge : prism) {
+        ends.begin += screen.place(edge.a).along / static_cast<double>(prism.size());
+        ends.end += screen.place(edge.b).along / static_cast<double>(prism.size());
     }
     return ends;
 }
@@ -52,12 +52,10 @@ bool VisibilityQuery::Candidates::own_may_cross(const ViewVolume& volume,
     });
 }
 
-bool VisibilityQuery::Candidates::nothing_crosses(const PrismEdges& prism,
+bool VisibilityQuery::Candidates::nothing_crosses(const Prism& prism,
                                                   std::span<const Vec3> corners) const {
-    const Screen& screen = screen_of((prism[0][1] - prism[0][0]).normalized());
-    const auto along = [&](const SegmentEnds& edge) {
-        return screen.screen.is_along(edge[1] - edge[0]);
-    };
+    const Screen& screen = screen_of((prism[0].b - prism[0].a).normalized());
+    const auto along = [&](const Segment& edge) { return screen.screen.is_along(edge.b - edge.a); };
     if (!screen.screen.regular() || !std::all_of(prism.begin(), prism.end(), along)) return false;
     const auto hull = screen.screen.hull(corners);
     if (!hull) return false;
@@ -114,18 +112,18 @@ void VisibilityQuery::Candidates::add_folds(std::size_t i, ContourExtrema& turns
     for (const BoundaryPiece& line : *lines) turns.add_fold(line);
 }
 
-std::vector<CriticalSlice> VisibilityQuery::Candidates::turns(const PrismEdges& prism, double gap,
-                                                              double missed) const {
+std::vector<CriticalSlice> VisibilityQuery::Candidates::turns(const Prism& prism,
+                                                              const TurnRule& rule) const {
     if (all_seen_ || viewpoint_.infinite()) return {};
     std::vector<Vec3> corners = corners_of(prism);
     if (facing_) corners = clip_to_half_space(viewpoint_, *facing_, corners);
     if (corners.empty()) return {};
-    const Screen& screen = screen_of((prism[0][1] - prism[0][0]).normalized());
+    const Screen& screen = screen_of((prism[0].b - prism[0].a).normalized());
     const auto hull = screen.screen.regular() ? screen.screen.hull(corners) : std::nullopt;
     if (!hull) return {};
     const ViewVolume volume(viewpoint_, corners, facing_);
     ContourExtrema turns(viewpoint_, screen.screen, *hull, volume, ends_of(prism, screen.screen),
-                         gap, missed);
+                         rule);
     add_outlines(*hull, turns);
     std::vector<CriticalSlice> found;
     for (const ContourExtrema::Turn& turn : turns.found())
@@ -147,7 +145,7 @@ void VisibilityQuery::Candidates::add_outlines(const ScanBounds& prism,
 }
 
 std::vector<std::optional<bool>> VisibilityQuery::Candidates::classify_prisms(
-    std::span<const PrismEdges> prisms) const {
+    std::span<const Prism> prisms) const {
     if (all_seen_) return std::vector<std::optional<bool>>(prisms.size(), all_seen_);
     std::vector<std::optional<bool>> seen(prisms.size());
     if (region_touched_ || has_horizon_) return seen;

@@ -67,10 +67,10 @@ bool VisibilityQuery::Candidates::nothing_happens_in(std::span<const Vec3> regio
            std::none_of(region.begin(), region.end(), above);
 }
 
-ParameterInterval VisibilityQuery::Candidates::asked_of(const SegmentEnds& ends) const {
+ParameterInterval VisibilityQuery::Candidates::asked_of(const Segment& ends) const {
     if (!facing_) return {0, 1};
-    const double at_a = facing_->dot(viewpoint_.way_to(ends[0]));
-    const double at_b = facing_->dot(viewpoint_.way_to(ends[1]));
+    const double at_a = facing_->dot(viewpoint_.way_to(ends.a));
+    const double at_b = facing_->dot(viewpoint_.way_to(ends.b));
     if (at_a >= 0 && at_b >= 0) return {0, 1};
     if (!(at_a > 0) && !(at_b > 0)) return {0, 0};
     const double t = at_a / (at_a - at_b);
@@ -78,8 +78,8 @@ ParameterInterval VisibilityQuery::Candidates::asked_of(const SegmentEnds& ends)
 }
 
 std::optional<VisibilityQuery::Candidates::Line> VisibilityQuery::Candidates::line_through(
-    const SegmentEnds& ends) const {
-    const auto plane = SegmentPlane::through(viewpoint_, ends[0], ends[1]);
+    const Segment& ends) const {
+    const auto plane = SegmentPlane::through(viewpoint_, ends.a, ends.b);
     if (!plane) return std::nullopt;
     const ParameterInterval part = asked_of(ends);
     Line line{*plane, part, ShadowWedge(*plane, part), !silhouettes_.own.empty()};
@@ -91,11 +91,11 @@ std::optional<VisibilityQuery::Candidates::Line> VisibilityQuery::Candidates::li
     return line;
 }
 
-VisibleIntervals VisibilityQuery::Candidates::intervals(const SegmentEnds& ends) const {
+VisibleIntervals VisibilityQuery::Candidates::intervals(const Segment& ends) const {
     const ParameterInterval asked = asked_of(ends);
     if (all_seen_) return {*all_seen_ ? IntervalSet::whole(asked.begin, asked.end) : IntervalSet()};
-    if (ends[0] == ends[1])
-        return {asked.end > 0 && sees(ends[0]) ? IntervalSet::whole() : IntervalSet()};
+    if (ends.a == ends.b)
+        return {asked.end > 0 && sees(ends.a) ? IntervalSet::whole() : IntervalSet()};
     auto line = line_through(ends);
     if (!line) return end_on(ends);
     add_events(*line);
@@ -155,8 +155,8 @@ std::vector<Box3> VisibilityQuery::Candidates::candidate_boxes() const {
 }
 
 /// From the line of the segment itself: it is seen up to the first surface on the line.
-VisibleIntervals VisibilityQuery::Candidates::end_on(const SegmentEnds& ends) const {
-    const Vec3 &a = ends[0], &b = ends[1];
+VisibleIntervals VisibilityQuery::Candidates::end_on(const Segment& ends) const {
+    const Vec3 &a = ends.a, &b = ends.b;
     Ray along;
     along.origin = a;
     along.direction = b - a;

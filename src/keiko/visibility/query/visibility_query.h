@@ -16,13 +16,13 @@ public:
     Candidates(const Occluders::Scene& scene, const Tracer& tracer, const Viewpoint& viewpoint,
                std::span<const Vec3> region, const std::optional<Vec3>& facing);
 
-    VisibleIntervals intervals(const SegmentEnds& ends) const;
+    VisibleIntervals intervals(const Segment& ends) const;
     /// Nothing where the segments are no scan lines.
     std::optional<std::vector<VisibleIntervals>> intervals_of_row(
-        std::span<const SegmentEnds> row) const;
+        std::span<const Segment> row) const;
 
-    std::vector<std::optional<bool>> classify_prisms(std::span<const PrismEdges> prisms) const;
-    std::vector<CriticalSlice> turns(const PrismEdges& prism, double gap, double missed) const;
+    std::vector<std::optional<bool>> classify_prisms(std::span<const Prism> prisms) const;
+    std::vector<CriticalSlice> turns(const Prism& prism, const TurnRule& rule) const;
 
 private:
     /// A segment under way.
@@ -52,7 +52,7 @@ private:
     bool sees(const Vec3& x) const { return !tracer_->any(viewpoint_.ray_to(x)); }
     /// Whether the outlines of all candidates are proved to lie beside the part of a prism that has
     /// these corners, as the viewpoint sees it.
-    bool nothing_crosses(const PrismEdges& prism, std::span<const Vec3> corners) const;
+    bool nothing_crosses(const Prism& prism, std::span<const Vec3> corners) const;
     /// Whether the viewpoint's own surroundings may hide any of the part of a prism in `volume`.
     bool own_may_cross(const ViewVolume& volume, std::span<const Vec3> corners) const;
     /// Whether the lines along which a silhouette candidate is seen edge-on are proved to run
@@ -61,9 +61,9 @@ private:
     void add_folds(std::size_t piece, ContourExtrema& turns) const;
     void add_outlines(const ScanBounds& prism, ContourExtrema& turns) const;
     /// The part of a segment on the side that the viewpoint faces.
-    ParameterInterval asked_of(const SegmentEnds& ends) const;
-    std::optional<Line> line_through(const SegmentEnds& ends) const;
-    VisibleIntervals end_on(const SegmentEnds& ends) const;
+    ParameterInterval asked_of(const Segment& ends) const;
+    std::optional<Line> line_through(const Segment& ends) const;
+    VisibleIntervals end_on(const Segment& ends) const;
     void add_piece_events(std::size_t piece, Line& line) const;
     void add_boundary_events(std::size_t border, Line& line) const;
     void add_events(Line& line) const;
@@ -76,7 +76,7 @@ private:
     const Screen& screen_of(const Vec3& along) const;
     /// By rising `across`; nothing where a segment is no scan line.
     std::optional<std::vector<ScanLine>> scan_lines(const ScanPlane& screen,
-                                                    std::span<const SegmentEnds> row) const;
+                                                    std::span<const Segment> row) const;
     void scan(const Screen& screen, std::span<const ScanLine> scan_lines,
               std::vector<Line>& lines) const;
     void join_neighbours(const Screen& screen, std::span<const ScanLine> scan_lines,

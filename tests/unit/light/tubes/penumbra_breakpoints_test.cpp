@@ -14,12 +14,12 @@ const LampWidth width(view, Vec3(0), TubeShape::cylinder, {});
 constexpr double gap = 0.5;
 
 /// Where some of the lamp's length begins to be hidden, or ceases to be.
-PrismTurn turn_at(double place, double jump, int dark, bool at_once = true) {
+CriticalSlice turn_at(double place, double jump, int dark, bool at_once = true) {
     const SubAxis axis = width.sub_axis(place);
     return {view.sideways * axis.sine - view.towards * axis.cosine, jump * gap / 2, dark, at_once};
 }
 
-std::vector<WidthCut> cuts_of(const std::vector<PrismTurn>& turns, double allowed, bool agree) {
+std::vector<WidthCut> cuts_of(const std::vector<CriticalSlice>& turns, double allowed, bool agree) {
     return PenumbraBreakpoints(width, turns, gap).cuts(allowed, agree);
 }
 
@@ -38,7 +38,7 @@ TEST(PenumbraBreakpoints, CutBothSidesOfABar) {
 
 /// A bar hides as much of the lamp as of its length and half its width.
 TEST(PenumbraBreakpoints, LeaveOutABarThatHidesNoMoreThanIsAllowed) {
-    const std::vector<PrismTurn> bar{turn_at(0.1, 0.2, 1), turn_at(0.3, 0.2, -1)};
+    const std::vector<CriticalSlice> bar{turn_at(0.1, 0.2, 1), turn_at(0.3, 0.2, -1)};
     EXPECT_TRUE(cuts_of(bar, 1.01 * 0.2 * 0.2 / 2, true).empty());
     EXPECT_FALSE(cuts_of(bar, 0.99 * 0.2 * 0.2 / 2, true).empty());
 }
@@ -80,7 +80,7 @@ TEST(PenumbraBreakpoints, AreOneCutWhereLittleIsBetween) {
 /// Of narrow parts between cuts no more is left out than is allowed.
 TEST(PenumbraBreakpoints, LeaveOutLittleOfManyNarrowParts) {
     constexpr double allowed = 1e-3;
-    std::vector<PrismTurn> turns;
+    std::vector<CriticalSlice> turns;
     for (int i = 0; i < 40; ++i)
         turns.push_back(turn_at(0.2 + 0.1 * allowed * i, 1, i % 2 * 2 - 1));
     double left_out = 0;
