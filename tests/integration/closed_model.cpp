@@ -1,7 +1,7 @@
 #include "tests/integration/closed_model.h"
 
 #include "keiko/geometry/bezier/differential_geometry.h"
-#include "keiko/intersect/subpatch/seam_width.h"
+#include "keiko/intersect/subpatch/traced_model.h"
 
 #include "tests/support/ray_class.h"
 

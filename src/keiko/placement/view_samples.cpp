@@ -2,7 +2,7 @@
 
 #include "keiko/base/log.h"
 #include "keiko/base/parallel.h"
-#include "keiko/intersect/hit/hit_statistics.h"
+#include "keiko/intersect/hit/hit.h"
 #include "keiko/intersect/hit/reflect_ray.h"
 
 #include <algorithm>

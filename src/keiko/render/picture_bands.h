@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/intersect/hit/hit_statistics.h"
+#include "keiko/intersect/hit/hit.h"
 #include "keiko/render/shading/picture.h"
 #include "keiko/render/tiles.h"
 

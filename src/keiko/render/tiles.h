@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/film/film.h"
-#include "keiko/intersect/hit/hit_statistics.h"
+#include "keiko/intersect/hit/hit.h"
 #include "keiko/math/bounds.h"
 #include "keiko/render/shading/integrator.h"
 #include "keiko/scene/camera.h"

@@ -2,7 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/parallel.h"
-#include "keiko/intersect/hit/hit_statistics.h"
+#include "keiko/intersect/hit/hit.h"
 #include "keiko/stream/ray_lines.h"
 #include "keiko/workflow/open_scene.h"
 

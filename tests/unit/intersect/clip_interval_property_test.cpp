@@ -1,4 +1,3 @@
-#include "keiko/intersect/roots/clip_interval.h"
 #include "keiko/intersect/roots/planar_net.h"
 
 #include "tests/support/exact_patch.h"

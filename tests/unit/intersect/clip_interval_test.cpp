@@ -1,4 +1,4 @@
-#include "keiko/intersect/roots/clip_interval.h"
+#include "keiko/intersect/roots/planar_net.h"
 
 #include <gtest/gtest.h>
 

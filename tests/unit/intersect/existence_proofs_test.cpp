@@ -1,9 +1,8 @@
 #include "keiko/intersect/kernels/sub_patch_kernels.h"
 #include "keiko/intersect/roots/root_finder.h"
 #include "keiko/intersect/subpatch/sub_patch_frame.h"
-#include "keiko/intersect/subpatch/sub_patch_polynomial.h"
 #include "keiko/intersect/subpatch/traced_model.h"
-#include "keiko/intersect/traversal/interval_newton.h"
+#include "keiko/intersect/traversal/bezier_clipping.h"
 
 #include "tests/support/instruction_sets.h"
 #include "tests/support/random_patches.h"

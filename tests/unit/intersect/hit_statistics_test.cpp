@@ -1,4 +1,4 @@
-#include "keiko/intersect/hit/hit_statistics.h"
+#include "keiko/intersect/hit/hit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,3 @@
-#include "keiko/intersect/hit/reflection_batch.h"
-
 #include "keiko/intersect/hit/reflect_ray.h"
 
 #include "tests/support/instruction_sets.h"

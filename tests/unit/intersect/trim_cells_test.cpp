@@ -1,5 +1,4 @@
-#include "keiko/intersect/subpatch/trim_cells.h"
-
+#include "keiko/intersect/subpatch/packed_sub_patch.h"
 #include "keiko/intersect/subpatch/traced_model.h"
 #include "keiko/intersect/traversal/tracer.h"
 

@@ -1,4 +1,4 @@
-#include "keiko/visibility/boundaries/boundary_events.h"
+#include "keiko/visibility/boundaries/plane_cuts.h"
 
 #include "tests/support/random.h"
 #include <gtest/gtest.h>

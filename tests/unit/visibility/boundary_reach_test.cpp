@@ -1,4 +1,4 @@
-#include "keiko/visibility/boundaries/boundary_reach.h"
+#include "keiko/visibility/boundaries/boundary_piece.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>

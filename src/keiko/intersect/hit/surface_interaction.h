@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/intersect/hit/intersection.h"
+#include "keiko/intersect/hit/hit.h"
 #include "keiko/intersect/kernels/sub_patch_kernels.h"
 #include "keiko/intersect/subpatch/traced_model.h"
 

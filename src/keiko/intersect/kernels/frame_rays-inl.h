@@ -8,7 +8,6 @@
 
 #include "keiko/intersect/kernels/space_lanes-inl.h"
 #include "keiko/intersect/kernels/sub_patch_jet-inl.h"
-#include "keiko/intersect/roots/ray_blur.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {

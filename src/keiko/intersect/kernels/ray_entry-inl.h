@@ -7,7 +7,6 @@
 #endif
 
 #include "keiko/intersect/kernels/lanes-inl.h"
-#include "keiko/intersect/roots/ray_blur.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,11 +1,37 @@
 #pragma once
 
-#include "keiko/intersect/kernels/traced_ray.h"
+#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/ray.h"
+#include "keiko/math/affine.h"
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 namespace keiko {
+
+/// A ray as it is traced: its start moved up to the ball around the scene, so that what single
+/// precision and cancellation cost stays small against the scene however far off the eye is.
+struct TracedRay {
+    const Ray* ray = nullptr;
+    Vec3 start{0};      ///< world, mm
+    Vec3 direction{0};  ///< unit
+    double t_start = 0; ///< of the ray, at `start`
+    double speed = 1;   ///< mm in one unit of t
+    double error = 0;   ///< mm, bound of the distance of `start` to the exact ray
+    /// mm from `start`: the part of [t_min, t_max] within the ball, wider by at most `slack`, the
+    /// rounding between s and t.
+    double low = 0, high = 0, slack = 0;
+
+    double t_at(double s) const { return t_start + s / speed; }
+};
+
+/// By how much rounding blurs the place where a ray meets a sub-patch's frame, for each mm of the
+/// way there. With u = 2^-53 the unit roundoff: start - center costs u, each product of a row 3 u,
+/// the unit direction 3 u and its rows 3 u more, the quotients 2 u, the last step 1 u; in sum 13 u
+/// of numbers no larger than the way, times a weight of at most 1.5. 32 u sub-patches room for
+/// products.
+constexpr double ray_rounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// Set of lanes of a RayPacket, one bit each.
 using LaneMask = std::uint32_t;
@@ -19,7 +45,7 @@ struct alignas(64) RayPacket {
     std::array<Lanes<double>, 3> start, direction;
     Lanes<double> low, high;
     Lanes<double> t_start, speed, error, slack;
-    Lanes<double> blur; ///< mm: `error`, and rounding over any way within the scene, see ray_blur.h
+    Lanes<double> blur; ///< mm: `error`, and rounding over any way within the scene
     Lanes<const Ray*> rays;
     std::size_t count = 0;
     LaneMask active = 0; ///< rays that come near the scene
@@ -44,6 +70,35 @@ struct alignas(64) RayPacket {
 struct SceneBall {
     Vec3 center{0};
     double radius = 0;
+};
+
+/// Up to 8 hits, each on a sub-patch of its own, whose surfaces are evaluated side by side.
+struct alignas(64) HitPacket {
+    static constexpr std::size_t capacity = 8;
+    template <class T>
+    using Lanes = std::array<T, capacity>;
+    using Vectors = std::array<Lanes<double>, 3>;
+
+    static Vec3 at(const Vectors& vectors, std::size_t lane) {
+        return {vectors[0][lane], vectors[1][lane], vectors[2][lane]};
+    }
+
+    // What is asked.
+    Lanes<double> u{}, v{};             ///< on the sub-patch, [0, 1]
+    Lanes<double> per_u{}, per_v{};     ///< how fast they run with the patch's own parameters
+    Lanes<double> error_u{}, error_v{}; ///< in patch parameters
+    Lanes<double> weight{};             ///< of all control points, above 0; 0: they differ
+    Vectors center{};                   ///< of the sub-patch, in its part
+    // What is there: in the world, by patch parameters.
+    Vectors position, du, dv, duu, duv, dvv;
+    Vectors normal;          ///< unit, for lanes of `plain`
+    Lanes<double> reach;     ///< mm: how far the errors of the parameters may move the position
+    Lanes<double> away;      ///< mm: of the position from the origin
+    std::uint32_t plain = 0; ///< a bit a lane: far from any pole, so that tangents give the normal
+    // What is asked, after what is read a vector at a time.
+    std::size_t count = 0; ///< lanes from here on hold numbers of earlier hits
+    Lanes<BezierPatchView> sub_patch{};
+    Lanes<const Affine*> to_world{}; ///< null: the part's coordinates are the world's
 };
 
 } // namespace keiko

@@ -9,8 +9,8 @@
 
 // Then what is made for the one in hand.
 #include "keiko/intersect/kernels/hit_derivatives-inl.h"
+#include "keiko/intersect/kernels/krawczyk-inl.h"
 #include "keiko/intersect/kernels/newton-inl.h"
-#include "keiko/intersect/kernels/parameter_boxes-inl.h"
 #include "keiko/intersect/kernels/patch_jet-inl.h"
 #include "keiko/intersect/kernels/ray_entry-inl.h"
 #include "keiko/intersect/kernels/subdivision_search-inl.h"

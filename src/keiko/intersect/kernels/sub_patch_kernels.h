@@ -1,6 +1,5 @@
 #pragma once
 
-#include "keiko/intersect/kernels/hit_packet.h"
 #include "keiko/intersect/kernels/ray_packet.h"
 #include "keiko/intersect/subpatch/packed_sub_patch.h"
 

@@ -2,9 +2,11 @@
 
 #include "keiko/geometry/bernstein/bernstein.h"
 #include "keiko/math/bounds.h"
+#include "keiko/math/interval_set.h"
 
 #include <array>
 #include <optional>
+#include <span>
 
 namespace keiko {
 
@@ -41,5 +43,15 @@ Vec2 variation(const PlanarNet& net);
 /// A plane through the ray in which the whole piece lies to within `slack`, as its coordinates in
 /// the normals of the two planes of the net.
 std::optional<Vec2> containing_plane(const PlanarNet& net, double slack);
+
+/// Which of a net's two parameters.
+enum class Axis { u, v };
+
+/// Range along one axis of [0, 1]^2 that holds all zeros of a function: the convex hull of its
+/// coefficients, cut with the zero line [SederbergNishita1990, section 3]. Each coefficient is
+/// widened by `slack`, a bound of their rounding errors. Empty (begin > end) when the function has
+/// no zero. `net` has `rows` x `columns` Bernstein coefficients, u outer.
+ParameterInterval clip_interval(std::span<const double> net, std::size_t rows, std::size_t columns,
+                                Axis axis, double slack);
 
 } // namespace keiko

@@ -2,6 +2,8 @@
 
 #include "keiko/intersect/roots/planar_net.h"
 
+#include <optional>
+
 namespace keiko {
 
 /// A net after the change of planes that makes its mean Jacobian the identity, so that f runs
@@ -25,5 +27,16 @@ bool at_most_one_root(const Preconditioned& p);
 /// Bound of how far the Jacobian is from the identity on [0, 1]^2, in the maximum norm. Below 1 a
 /// root is no farther from a place than the larger of |f|, |g| there over one less the bound.
 double contraction(const Preconditioned& p);
+
+/// A root with a bound of its error.
+struct NewtonRoot {
+    Vec2 uv;
+    Vec2 error; ///< bound of the distance to the exact root, by rounding and by the last step
+};
+
+/// Newton's method for f = g = 0 from `start` in double precision, for a net that has at most one
+/// root, in [0, 1]^2. Nothing when it leaves the square, or when its place cannot be proved to be
+/// close to a root: the bound comes from what f and g are there, not from how small a step was.
+std::optional<NewtonRoot> newton(const Preconditioned& p, const Vec2& start);
 
 } // namespace keiko

@@ -1,8 +1,7 @@
 #include "keiko/intersect/roots/root_finder.h"
 
 #include "keiko/geometry/bernstein/bernstein_roots.h"
-#include "keiko/intersect/roots/clip_interval.h"
-#include "keiko/intersect/roots/newton.h"
+#include "keiko/intersect/roots/planar_net.h"
 #include "keiko/intersect/roots/preconditioner.h"
 
 #include <algorithm>

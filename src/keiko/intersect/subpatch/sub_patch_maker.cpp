@@ -2,7 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/bezier/subpatch.h"
-#include "keiko/intersect/subpatch/sub_patch_polynomial.h"
+#include "keiko/intersect/subpatch/sub_patch_frame.h"
 
 #include <algorithm>
 #include <cmath>

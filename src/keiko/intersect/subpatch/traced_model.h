@@ -1,14 +1,44 @@
 #pragma once
 
 #include "keiko/base/job.h"
+#include "keiko/geometry/bezier/parameter_metric.h"
+#include "keiko/geometry/bezier/ray.h"
 #include "keiko/geometry/seam/seam_gap.h"
+#include "keiko/intersect/roots/planar_net.h"
 #include "keiko/intersect/subpatch/packed_sub_patch.h"
-#include "keiko/intersect/subpatch/part_ray.h"
+#include "keiko/intersect/subpatch/sub_patch.h"
 
 #include <optional>
 #include <vector>
 
 namespace keiko {
+
+/// A ray in the coordinates of a part, made ready for its sub-patches.
+struct PartRay {
+    Vec3 origin{0};
+    Vec3 direction{0};             ///< unit
+    Vec3 normal_f{0}, normal_g{0}; ///< of the two planes through the ray; unit, orthogonal
+    double speed = 1;              ///< mm of the part in one unit of the world ray's t
+    double error = 0;              ///< mm, bound of the distance to the exact ray at the origin
+    double turn = 0; ///< radians, bound of the direction's error beyond that of being unit
+};
+
+/// `error`: by how much the given origin may miss the exact ray, mm.
+PartRay part_ray(const Vec3& origin, const Vec3& direction, double error);
+
+/// A sub-patch as a part ray sees it.
+struct RayProjection {
+    PlanarNet net;
+    double slack; ///< bound of the error of a coefficient of `net`
+    double
+        foot; ///< mm along the ray from its origin to the place nearest to the sub-patch's centre
+};
+
+/// False when the ray stays clear of the ball around the sub-patch.
+bool near_sub_patch(const PartRay& ray, const SubPatch& sub_patch);
+
+RayProjection project_ray(const PartRay& ray, const SubPatch& sub_patch,
+                          const BezierPatchView& points);
 
 /// A sub-patch of a placed part: what the box hierarchy is built of.
 struct PlacedSubPatch {
@@ -68,5 +98,21 @@ struct TracedModel {
 /// as TracerOptions has them. Throws Cancelled.
 TracedModel traced_model(const SurfaceModel& model, double join, double flat_enough,
                          const Job& job);
+
+/// A seam's width says how far the neighbour's border may be in space. A ray that passes the border
+/// within it may meet the surface much farther off, in the ratio of the sine of its angle
+/// to the surface; so the distance of a root to a border is measured as the ray sees it, with
+/// lengths along the ray seen this many times shorter.
+constexpr double seam_depth = 16;
+
+/// The metric of a patch's face parameters at `uv` for a ray: from the tangents by the patch's
+/// parameters and the ray's unit direction, all in the part's coordinates.
+inline ParameterMetric seam_width(const PatchFrame& patch, const Vec2& uv, const Vec3& du,
+                                  const Vec3& dv, const Vec3& direction) {
+    const auto seen = [&](const Vec3& tangent) {
+        return tangent - direction * (direction.dot(tangent) * (1 - 1 / seam_depth));
+    };
+    return {seen(du) / patch.map_u.derivative(uv.x), seen(dv) / patch.map_v.derivative(uv.y)};
+}
 
 } // namespace keiko

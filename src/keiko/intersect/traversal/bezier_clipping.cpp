@@ -3,9 +3,12 @@
 #include "keiko/geometry/bezier/robust_normal.h"
 #include "keiko/intersect/roots/root_finder.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace keiko {
+
 namespace {
 
 /// Whether a box of several roots is a tangency, or not known. At a pole many parameters give one
@@ -44,6 +47,58 @@ void bezier_clipping(const TracedModel& model, std::uint32_t index, const Traced
             c.flags = c.flags | HitFlags::tangential;
         found.push_back(c);
     }
+}
+
+namespace {
+
+enum class Likeness { apart, same, unclear };
+
+/// Whether two places are one root, found twice. Where their bounds overlap but neither place is
+/// within the other's, no one can tell.
+Likeness likeness(const RootBoxes& roots, std::size_t a, std::size_t b) {
+    constexpr double rounding = 1e-14;
+    const double x = std::abs(roots.x[a] - roots.x[b]), y = std::abs(roots.y[a] - roots.y[b]);
+    const auto within = [&](double reach_x, double reach_y) {
+        return x <= reach_x + rounding && y <= reach_y + rounding;
+    };
+    if (!within(roots.half_x[a] + roots.half_x[b], roots.half_y[a] + roots.half_y[b]))
+        return Likeness::apart;
+    const bool inside = within(std::max(roots.half_x[a], roots.half_x[b]),
+                               std::max(roots.half_y[a], roots.half_y[b]));
+    return inside ? Likeness::same : Likeness::unclear;
+}
+
+/// The first finds of each root; nothing when two cannot be told apart.
+std::optional<std::vector<std::size_t>> distinct(const RootBoxes& roots) {
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < roots.count; ++i) {
+        bool known = false;
+        for (const std::size_t k : kept) {
+            const Likeness alike = likeness(roots, k, i);
+            if (alike == Likeness::unclear) return std::nullopt;
+            known = known || alike == Likeness::same;
+        }
+        if (!known) kept.push_back(i);
+    }
+    return kept;
+}
+
+} // namespace
+
+bool interval_newton(const TracedModel& model, const SubPatchKernels& kernels, std::uint32_t placed,
+                     const RayPacket& rays, std::size_t lane, std::vector<Crossing>& found) {
+    const PackedSubPatch& sub_patch = model.hot[placed];
+    const Component4* polynomial = &model.sub_patches.polynomials[sub_patch.polynomial];
+    RootBoxes roots;
+    if (!kernels.find_roots(rays, lane, sub_patch, polynomial, roots)) return false;
+    const auto kept = distinct(roots);
+    if (!kept) return false;
+    for (const std::size_t i : *kept)
+        found.push_back({.t = rays.t_at(lane, roots.s[i]),
+                         .sub_patch = placed,
+                         .uv = Vec2(roots.x[i] + 1, roots.y[i] + 1) * 0.5,
+                         .error = Vec2(roots.half_x[i], roots.half_y[i]) * 0.5});
+    return true;
 }
 
 } // namespace keiko

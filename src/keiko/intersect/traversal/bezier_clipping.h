@@ -1,7 +1,8 @@
 #pragma once
 
-#include "keiko/intersect/hit/intersection.h"
-#include "keiko/intersect/kernels/traced_ray.h"
+#include "keiko/intersect/hit/hit.h"
+#include "keiko/intersect/kernels/ray_packet.h"
+#include "keiko/intersect/kernels/sub_patch_kernels.h"
 #include "keiko/intersect/subpatch/traced_model.h"
 
 #include <vector>
@@ -13,5 +14,12 @@ namespace keiko {
 /// curves. `clipping_only` as TracerOptions has it. Appends to `found`, in no order.
 void bezier_clipping(const TracedModel& model, std::uint32_t placed, const TracedRay& ray,
                      bool clipping_only, std::vector<Crossing>& found);
+
+/// Every root of a ray of a block on one sub-patch with a regular frame by Krawczyk's method in
+/// boxes, a vector of them side by side: for rays too low over the sub-patch for the first look.
+/// Untested, as bezier_clipping. False, with nothing appended, when boxes stay undecided down to
+/// where only clipping helps, as near a tangency.
+bool interval_newton(const TracedModel& model, const SubPatchKernels& kernels, std::uint32_t placed,
+                     const RayPacket& rays, std::size_t lane, std::vector<Crossing>& found);
 
 } // namespace keiko

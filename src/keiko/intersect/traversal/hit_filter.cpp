@@ -1,7 +1,7 @@
 #include "keiko/intersect/traversal/hit_filter.h"
 
 #include "keiko/geometry/bezier/robust_normal.h"
-#include "keiko/intersect/subpatch/seam_width.h"
+#include "keiko/intersect/subpatch/traced_model.h"
 
 #include <algorithm>
 #include <cmath>

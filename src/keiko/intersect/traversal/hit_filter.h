@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/intersect/hit/intersection.h"
-#include "keiko/intersect/kernels/traced_ray.h"
+#include "keiko/intersect/hit/hit.h"
+#include "keiko/intersect/kernels/ray_packet.h"
 #include "keiko/intersect/subpatch/traced_model.h"
 
 #include <optional>

@@ -1,9 +1,7 @@
 #include "keiko/intersect/traversal/packet_intersector.h"
 
 #include "keiko/intersect/kernels/prefetch.h"
-#include "keiko/intersect/roots/ray_blur.h"
 #include "keiko/intersect/traversal/bezier_clipping.h"
-#include "keiko/intersect/traversal/interval_newton.h"
 
 #include <algorithm>
 #include <bit>

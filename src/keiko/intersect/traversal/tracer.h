@@ -2,7 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/surface_model.h"
-#include "keiko/intersect/hit/intersection.h"
+#include "keiko/intersect/hit/hit.h"
 
 #include <memory>
 #include <optional>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "keiko/intersect/hit/hit.h"
-#include "keiko/intersect/hit/hit_statistics.h"
 #include "keiko/math/rgb.h"
 #include "keiko/render/reflection/shading_point.h"
 

@@ -1,5 +1,5 @@
 // How the paths of an Integrator go on from mirror to mirror, many at once.
-#include "keiko/intersect/hit/reflection_batch.h"
+#include "keiko/intersect/hit/reflect_ray.h"
 #include "keiko/render/shading/integrator.h"
 
 #include <algorithm>

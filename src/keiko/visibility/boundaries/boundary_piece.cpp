@@ -1,16 +1,17 @@
 #include "keiko/visibility/boundaries/boundary_piece.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/visibility/boundaries/adjacent_faces.h"
-#include "keiko/visibility/boundaries/boundary_reach.h"
-#include "keiko/visibility/boundaries/crease_lines.h"
 #include "keiko/visibility/boundaries/curve_cover.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace keiko {
+
 namespace {
 
 /// Whether opposite sides of a face without loops are one line, crossed smoothly.
@@ -144,6 +145,100 @@ std::vector<BoundaryPiece> boundary_pieces(const SurfaceModel& model, const Trac
     for (const auto& covers : {border_covers(model, tracer, job), crease_covers(model, job)})
         for (const auto& cover : covers) all.insert(all.end(), cover.begin(), cover.end());
     return all;
+}
+
+namespace {
+
+/// Bound of what a placement makes of a length.
+double most_stretch(const Affine& placement) {
+    double squares = 0;
+    for (const Vec3& row : placement.rows) squares += row.length2();
+    return placement.is_identity() ? 1 : std::sqrt(squares);
+}
+
+} // namespace
+
+double boundary_reach(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face) {
+    Box3 box;
+    for (std::uint32_t i = 0; i < model.faces[face].patch_count; ++i)
+        box.extend(hull_bounds(model.patch(model.faces[face].first_patch + i)));
+    const Box3 placed = transformed(model.instances[instance].transform, box);
+    // Of the face, more than leaves overlap by and go on past its ends; of the coordinates.
+    constexpr double overlap = 1e-10, rounding = 1e-14;
+    return overlap * placed.size() + rounding * placed.center().length();
+}
+
+double boundary_reach(const SurfaceModel& model, const Tracer& tracer, std::uint32_t instance,
+                      std::uint32_t face, std::uint32_t trim_curve) {
+    const double seam =
+        tracer.seam_width(trim_curve) * most_stretch(model.instances[instance].transform);
+    return std::max(seam, boundary_reach(model, instance, face));
+}
+
+namespace {
+
+constexpr double same_normal = 1e-9; ///< rad
+
+std::optional<Vec3> normal_at(const SurfaceModel& model, std::uint32_t patch,
+                              const Vec2& face_parameters) {
+    const Patch& p = model.patches[patch];
+    const Vec2 uv(p.map_u.to_patch(face_parameters.x), p.map_v.to_patch(face_parameters.y));
+    return unit_normal(evaluate(model.patch(patch), uv, 2), uv);
+}
+
+/// The four sides of a patch in face parameters, anticlockwise there.
+std::array<std::array<Vec3, 2>, 4> sides_of(const SurfaceModel& model, std::uint32_t patch) {
+    Box2 box;
+    box.extend(model.face_parameters(patch, Vec2(0)));
+    box.extend(model.face_parameters(patch, Vec2(1)));
+    const Vec3 a(box.lower.x, box.lower.y, 1), b(box.upper.x, box.lower.y, 1);
+    const Vec3 c(box.upper.x, box.upper.y, 1), d(box.lower.x, box.upper.y, 1);
+    return {{{a, b}, {b, c}, {c, d}, {d, a}}};
+}
+
+} // namespace
+
+CreaseLines::CreaseLines(const SurfaceModel& model) : model_(&model) {
+    for (const Face& face : model.faces) grids_.emplace_back(model, face);
+    for (std::uint32_t i = 0; i < model.instances.size(); ++i) {
+        const Part& part = model.parts[model.instances[i].part];
+        for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f) {
+            const Face& face = model.faces[f];
+            for (std::uint32_t k = 0; face.patch_count > 1 && k < face.patch_count; ++k)
+                for (const auto& side : sides_of(model, face.first_patch + k)) {
+                    const CreaseLine line{i, f, side};
+                    if (normal_jumps(face.first_patch + k, line)) lines_.push_back(line);
+                }
+        }
+    }
+}
+
+bool CreaseLines::normal_jumps(std::uint32_t patch, const CreaseLine& line) const {
+    constexpr int samples = 9;
+    const Vec2 first(line.p_curve[0].x, line.p_curve[0].y);
+    const Vec2 way = Vec2(line.p_curve[1].x, line.p_curve[1].y) - first;
+    for (int i = 0; i < samples; ++i) {
+        const Vec2 at = first + way * ((i + 0.5) / samples);
+        const std::uint32_t beyond = grids_[line.face].locate(at, Vec2(way.y, -way.x));
+        if (beyond == patch) return false;
+        const auto here = normal_at(*model_, patch, at), there = normal_at(*model_, beyond, at);
+        if (here && there && !(angle_between(*here, *there) <= same_normal)) return true;
+    }
+    return false;
+}
+
+SurfaceCurve CreaseLines::curve(const CreaseLine& line) const {
+    return {*model_,
+            grids_[line.face],
+            model_->instances[line.instance].transform,
+            {line.p_curve},
+            true};
+}
+
+std::optional<Vec3> CreaseLines::inward_beyond(const CreaseLine& line, double t) const {
+    const CreaseLine back{line.instance, line.face, {line.p_curve[1], line.p_curve[0]}};
+    const auto frame = curve(back).frame(1 - t);
+    return frame ? std::optional(frame->inward) : std::nullopt;
 }
 
 } // namespace keiko

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "keiko/base/job.h"
+#include "keiko/geometry/model/surface_curve.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/geometry/visibility/viewpoint.h"
 #include "keiko/intersect/traversal/tracer.h"
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace keiko {
@@ -62,5 +65,38 @@ std::array<BoundaryPiece::Curve, 2> cut_at(const BoundaryPiece::Curve& curve, do
 /// point. `tracer` is of the same model, and not kept. Throws Cancelled.
 std::vector<BoundaryPiece> boundary_pieces(const SurfaceModel& model, const Tracer& tracer,
                                            const Job& job);
+
+/// mm: how far beside the borders of a placed face, or the creases inside it, a ray may still meet
+/// the face for the tracer's room for rounding.
+double boundary_reach(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face);
+
+/// The same beside one trim curve, whose seam may be wider.
+double boundary_reach(const SurfaceModel& model, const Tracer& tracer, std::uint32_t instance,
+                      std::uint32_t face, std::uint32_t trim_curve);
+
+/// A side of a placed patch inside its face, along which the face's normal jumps.
+struct CreaseLine {
+    std::uint32_t instance = 0, face = 0;
+    std::array<Vec3, 2> p_curve; ///< homogeneous, face parameters, the patch on its left
+};
+
+/// The creases inside the faces of a model, each once from either side. A jump is one of more than
+/// 1e-9 rad at any of nine places of a side. Looks into the model it was made from.
+class CreaseLines {
+public:
+    explicit CreaseLines(const SurfaceModel& model);
+
+    const std::vector<CreaseLine>& all() const { return lines_; }
+    SurfaceCurve curve(const CreaseLine& line) const;
+    /// Unit, tangent to the surface on the other side of the line, from its place at t into that.
+    std::optional<Vec3> inward_beyond(const CreaseLine& line, double t) const;
+
+private:
+    bool normal_jumps(std::uint32_t patch, const CreaseLine& line) const;
+
+    const SurfaceModel* model_;
+    std::vector<PatchGrid> grids_; ///< a face
+    std::vector<CreaseLine> lines_;
+};
 
 } // namespace keiko

@@ -3,6 +3,7 @@
 #include "keiko/geometry/model/surface_curve.h"
 #include "keiko/visibility/boundaries/boundary_piece.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -18,5 +19,27 @@ using Beyond = std::function<std::optional<Vec3>(double, const Vec3&)>;
 /// to the kind's error. None for a curve that is a point.
 std::vector<BoundaryPiece> curve_cover(const SurfaceCurve& curve, const Beyond& beyond,
                                        const BoundaryPiece& kind);
+
+using CurveMatrix = std::array<std::array<double, BoundaryPiece::points>, BoundaryPiece::points>;
+
+/// Parameter of the k-th place that a curve through places is given by: Chebyshev's in [0, 1], both
+/// ends among them.
+double curve_node(std::size_t k);
+
+/// What makes values at the nodes the control points of the polynomial through them.
+const CurveMatrix& control_points_of_values();
+
+/// Control points of the curve of degree 5 that has these values at the nodes.
+template <class T>
+std::array<T, BoundaryPiece::points> curve_through(
+    const std::array<T, BoundaryPiece::points>& values) {
+    const CurveMatrix& matrix = control_points_of_values();
+    std::array<T, BoundaryPiece::points> curve = values;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        curve[i] = values[0] * matrix[i][0];
+        for (std::size_t k = 1; k < values.size(); ++k) curve[i] += values[k] * matrix[i][k];
+    }
+    return curve;
+}
 
 } // namespace keiko

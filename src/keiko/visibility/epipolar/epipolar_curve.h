@@ -2,7 +2,6 @@
 
 #include "keiko/visibility/boundaries/boundary_piece.h"
 #include "keiko/visibility/boundaries/plane_cuts.h"
-#include "keiko/visibility/boundaries/segment_plane.h"
 
 #include <optional>
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "keiko/visibility/nets/scalar_net.h"
+#include "keiko/visibility/nets/tangent_planes.h"
+
+#include <vector>
 
 namespace keiko {
 
@@ -21,5 +24,16 @@ struct DegreeReducedScalar {
     double error = 0; ///< anywhere on [0, 1]^2
 };
 DegreeReducedScalar lowered(const ScalarNet& net, std::size_t degree);
+
+/// A part of a patch, over `uv` of it.
+struct ReducedPatch {
+    Box2 uv;
+    HomogeneousNet points;
+};
+
+/// A patch in parts of at most max_occluder_degree either way: itself where it is, or else
+/// interpolated in parts so small that, at 11 x 11 places between the nodes, they are within 1e-11
+/// of its size, or halved 8 times.
+std::vector<ReducedPatch> degree_reduction(HomogeneousNet patch);
 
 } // namespace keiko

@@ -5,6 +5,7 @@
 #include <cmath>
 
 namespace keiko {
+
 namespace {
 
 /// Cuts polynomials of `count` coefficients down to [a, b], in place, by two de Casteljau splits;

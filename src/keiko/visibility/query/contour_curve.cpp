@@ -2,7 +2,7 @@
 
 #include "keiko/geometry/bernstein/bernstein_roots.h"
 #include "keiko/intersect/hit/surface_jet.h"
-#include "keiko/visibility/boundaries/curve_through.h"
+#include "keiko/visibility/boundaries/curve_cover.h"
 
 #include <algorithm>
 #include <cmath>

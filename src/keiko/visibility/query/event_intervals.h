@@ -2,7 +2,7 @@
 
 #include "keiko/intersect/traversal/tracer.h"
 #include "keiko/math/interval_set.h"
-#include "keiko/visibility/boundaries/segment_plane.h"
+#include "keiko/visibility/boundaries/plane_cuts.h"
 
 #include <cstdint>
 #include <span>

@@ -1,4 +1,4 @@
-#include "keiko/visibility/boundaries/boundary_events.h"
+#include "keiko/visibility/boundaries/plane_cuts.h"
 #include "keiko/visibility/query/visibility_query.h"
 
 #include <algorithm>

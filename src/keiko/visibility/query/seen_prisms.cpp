@@ -1,6 +1,5 @@
 #include "keiko/math/vec.h"
-#include "keiko/visibility/nets/linearized_system.h"
-#include "keiko/visibility/query/clip_to_half_space.h"
+#include "keiko/visibility/nets/affine_bounds.h"
 #include "keiko/visibility/query/contour_generator.h"
 #include "keiko/visibility/query/visibility_query.h"
 

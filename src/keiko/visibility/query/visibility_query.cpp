@@ -1,8 +1,7 @@
 #include "keiko/visibility/query/visibility_query.h"
 
 #include "keiko/math/vec.h"
-#include "keiko/visibility/boundaries/boundary_events.h"
-#include "keiko/visibility/query/clip_to_half_space.h"
+#include "keiko/visibility/boundaries/plane_cuts.h"
 #include "keiko/visibility/silhouettes/chord_elevation.h"
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <cmath>
 
 namespace keiko {
+
 namespace {
 
 bool same_plane(const Vec3& a, const Vec3& b) {

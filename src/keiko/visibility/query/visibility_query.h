@@ -1,14 +1,33 @@
 #pragma once
 
 #include "keiko/geometry/bvh/plane_tree.h"
+#include "keiko/geometry/visibility/viewpoint.h"
+#include "keiko/visibility/boundaries/boundary_piece.h"
 #include "keiko/visibility/query/contour_extrema.h"
 #include "keiko/visibility/query/event_intervals.h"
-#include "keiko/visibility/query/occluder_scene.h"
+#include "keiko/visibility/query/occluders.h"
 #include "keiko/visibility/query/scan_plane.h"
+#include "keiko/visibility/silhouettes/bounds_tree.h"
+#include "keiko/visibility/silhouettes/silhouette_events.h"
 
 #include <map>
+#include <span>
+#include <vector>
 
 namespace keiko {
+
+/// All that Occluders know of a model.
+struct Occluders::Scene {
+    Silhouettes silhouettes;
+    std::vector<BoundaryPiece> borders;
+    BoundsTree silhouette_pieces, boundary_pieces, surface;
+    SubPatchKernels kernels = sub_patch_kernels();
+    CandidateMaker candidates{silhouettes, kernels};
+    SilhouetteSolver solver{silhouettes, kernels};
+    Statistics statistics;
+
+    Scene(const SurfaceModel& model, const Tracer& tracer, const Job& job);
+};
 
 /// All that may hide some of a region from one viewpoint: what VisibilityQuery asks.
 class VisibilityQuery::Candidates {
@@ -99,5 +118,22 @@ private:
     mutable std::optional<PlaneTree> tree_;
     mutable std::optional<Screen> screen_; ///< of the direction asked for last
 };
+
+/// Corners of the part of a convex body on the side of the plane through a viewpoint that the unit
+/// normal `facing` looks at, and maybe places between them.
+inline std::vector<Vec3> clip_to_half_space(const Viewpoint& viewpoint, const Vec3& facing,
+                                            std::span<const Vec3> corners) {
+    std::vector<Vec3> part;
+    part.reserve(2 * corners.size());
+    for (const Vec3& p : corners) {
+        const double at_p = facing.dot(viewpoint.way_to(p));
+        if (at_p >= 0) part.push_back(p);
+        for (const Vec3& q : corners) {
+            const double at_q = facing.dot(viewpoint.way_to(q));
+            if (at_p > 0 && at_q < 0) part.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+        }
+    }
+    return part;
+}
 
 } // namespace keiko

@@ -1,6 +1,6 @@
 #include "keiko/visibility/silhouettes/silhouette_events.h"
 
-#include "keiko/visibility/nets/linearized_system.h"
+#include "keiko/visibility/nets/affine_bounds.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "keiko/visibility/boundaries/segment_plane.h"
+#include "keiko/visibility/boundaries/plane_cuts.h"
 #include "keiko/visibility/silhouettes/silhouette_candidates.h"
-#include "keiko/visibility/silhouettes/silhouette_search.h"
+#include "keiko/visibility/silhouettes/silhouette_part.h"
 
 #include <vector>
 

@@ -1,17 +1,52 @@
 #pragma once
 
+#include "keiko/math/interval_set.h"
+#include "keiko/visibility/boundaries/plane_cuts.h"
 #include "keiko/visibility/nets/affine_bounds.h"
 #include "keiko/visibility/nets/degree_reduced_net.h"
-#include "keiko/visibility/nets/gradient_bounds.h"
-#include "keiko/visibility/nets/linearized_system.h"
-#include "keiko/visibility/nets/net_frame.h"
-#include "keiko/visibility/silhouettes/shadow_wedge.h"
+#include "keiko/visibility/nets/scalar_net.h"
 #include "keiko/visibility/silhouettes/view_volume.h"
 
+#include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace keiko {
+
+/// The wedge between a viewpoint and a part of a segment: only what reaches into it hides anything
+/// of that part. Of parallel light it is a strip.
+class ShadowWedge {
+public:
+    ShadowWedge(const SegmentPlane& plane, const ParameterInterval& part) {
+        const Viewpoint& viewpoint = plane.viewpoint();
+        const std::array ends{plane.at(part.begin), plane.at(part.end)};
+        for (unsigned k = 0; k < 2; ++k) {
+            Vec3 inward = plane.normal().cross(viewpoint.way_to(ends[k])).normalized();
+            if (inward.dot(ends[1 - k] - ends[k]) < 0) inward = -inward;
+            sides_[k] = {inward, viewpoint.infinite() ? ends[k] : viewpoint.place()};
+        }
+    }
+
+    /// What weighs homogeneous coordinates relative to `center`, of points at most `reach` from it,
+    /// into how far they lie inside of each side, mm.
+    std::array<Vec4, 2> weights(const Vec3& center, double reach) const {
+        std::array<Vec4, 2> of_sides{Vec4(0), Vec4(0)};
+        for (unsigned k = 0; k < 2; ++k) {
+            const Vec3 &n = sides_[k].inward, way = center - sides_[k].place;
+            const double margin = 1e-12 * (reach + way.length()); // far beyond rounding
+            of_sides[k] = Vec4(n.x, n.y, n.z, n.dot(way) + margin);
+        }
+        return of_sides;
+    }
+
+private:
+    struct Side {
+        Vec3 inward{0}; ///< unit
+        Vec3 place{0};  ///< on it
+    };
+    std::array<Side, 2> sides_;
+};
 
 /// What is asked of parts in a frame: silhouettes in a plane through the viewpoint that hide some
 /// of a segment. Weights of homogeneous coordinates.
@@ -77,6 +112,32 @@ private:
     Vec2 shares_;
     GradientBounds slopes_;                               ///< with their errors
     std::optional<std::vector<SilhouettePart>> halves_{}; ///< those that may be seen edge-on
+};
+
+/// The search for common zeros of two functions on a piece where one look proves nothing: the
+/// piece is split until on each part the functions are proved to have at most one, or none.
+class SilhouetteSearch {
+public:
+    /// f and g over the searched box, [0, 1]^2 of its own parameters; `error`: bound of what g may
+    /// be off by.
+    SilhouetteSearch(ScalarNet f, ScalarNet g, double error = 0)
+        : f_(std::move(f)), g_(std::move(g)), error_(error) {}
+
+    /// Newton's method for the exact functions from a place in a box of this extent; nothing when
+    /// it fails.
+    using Solve = std::function<std::optional<Vec2>(const Vec2& start, const Vec2& extent)>;
+    /// How far an event can be moved along the segment, in its parameter, by moving within a box.
+    using Spread = std::function<double(const Box2&)>;
+    struct Result {
+        std::vector<Vec2> roots;
+        std::vector<Vec2> unclear; ///< boxes' middles where an event cannot be told from several
+        bool certain = true;       ///< false when unclear boxes are wide
+    };
+    Result run(const Solve& solve, const Spread& spread, int most_boxes) const;
+
+private:
+    ScalarNet f_, g_;
+    double error_;
 };
 
 } // namespace keiko

@@ -5,7 +5,7 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/bezier/subpatch.h"
 #include "keiko/math/axes.h"
-#include "keiko/visibility/nets/degree_reduction.h"
+#include "keiko/visibility/nets/degree_reduced_net.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/geometry/visibility/viewpoint.h"
-#include "keiko/visibility/nets/affine_net.h"
+#include "keiko/visibility/nets/affine_bounds.h"
 #include "keiko/visibility/nets/degree_reduced_net.h"
-#include "keiko/visibility/nets/net_frame.h"
+#include "keiko/visibility/nets/scalar_net.h"
 #include "keiko/visibility/silhouettes/chord_elevation.h"
 
 #include <vector>

@@ -1,9 +1,10 @@
-#include "keiko/intersect/hit/hit_statistics.h"
+#include "keiko/intersect/hit/hit.h"
 
 #include <array>
 #include <cstdio>
 
 namespace keiko {
+
 namespace {
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
