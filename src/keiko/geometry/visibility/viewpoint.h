@@ -6,11 +6,12 @@
 
 namespace keiko {
 
-/// Where segments are seen from: a point, or a direction towards parallel light, which is a point
-/// at infinity. Homogeneous: (place, 1), or (unit direction towards the light, 0).
+/// Eye of a visibility query: a point, or a direction towards parallel light, which is a point at
+/// infinity. Homogeneous: (place, 1), or (unit direction towards the light, 0).
 class Viewpoint {
 public:
-    /// Of a point on a surface, its own root is excluded, as for any secondary ray.
+    /// Viewpoint at a point. On a surface, `excluded` is its own root, left out as for any
+    /// secondary ray.
     static Viewpoint at(const Vec3& point, const std::optional<Root>& excluded = {}) {
         return {point, false, excluded};
     }

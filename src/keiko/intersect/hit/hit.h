@@ -32,7 +32,7 @@ constexpr bool has(HitFlags set, HitFlags flag) {
     return (static_cast<std::uint32_t>(set) & static_cast<std::uint32_t>(flag)) != 0;
 }
 
-/// Where a ray meets the surface. All vectors are in world coordinates, mm.
+/// Intersection of a ray with the surface. All vectors are in world coordinates, mm.
 struct Hit {
     double t = std::numeric_limits<double>::infinity();
     std::uint32_t instance = 0, face = 0, patch = 0;
@@ -40,7 +40,7 @@ struct Hit {
     Vec3 position{0}; ///< on the surface
     Vec3 normal{0};   ///< unit, along dpdu x dpdv (of the mirrored tangents, if mirrored)
     Vec3 dpdu{0}, dpdv{0};
-    std::optional<SecondDerivatives> second; ///< when asked for
+    std::optional<SecondDerivatives> second; ///< on request
     double position_bound = 0; ///< mm, bound of the distance to the exact intersection
     HitFlags flags = HitFlags::none;
     std::optional<std::uint32_t> seam; ///< edge index, for seam hits

@@ -12,7 +12,7 @@ namespace keiko {
 
 namespace {
 
-/// Of the patch: the sub-patch without its overlaps. These shares tile the patch.
+/// Share of the patch: the sub-patch without its overlaps. These shares tile the patch.
 Box2 share(const SubPatch& sub_patch) {
     const Box2 inner{sub_patch.domain.lower + sub_patch.slip,
                      sub_patch.domain.upper - sub_patch.slip};
@@ -179,8 +179,9 @@ private:
         return model_.placements[a.hit.instance].to_part.vector(vector);
     }
 
-    /// Of the seam that the first hit is near, if that may be one with the other's face; or less
-    /// than nothing. Beyond its own border a hit stands for any face that the ray may meet there.
+    /// Width of the seam that the first hit is near, if that may be one with the other's face; or
+    /// less than nothing. Beyond its own border a hit stands for any face that the ray may meet
+    /// there.
     double joint_width(const BoundaryHit& at, const BoundaryHit& other) const {
         if (at.hit.face == other.hit.face) return -infinity;
         if (at.hit.seam) return model_.seam_widths[*at.hit.seam];
@@ -209,8 +210,8 @@ private:
         const bool swap = alone ? rank(next) > rank(kept) : steeper;
         const BoundaryHit& dropped = swap ? kept : next;
         const double cover = apart(kept, next) + dropped.hit.position_bound;
-        // But for a seam hit, what is dropped may stand for a root of its own beside the other's:
-        // where the ray leaves a sharp edge low over the next face, say.
+        // Except for a seam hit, the dropped hit may stand for a root of its own beside the
+        // other's: where the ray leaves a sharp edge low over the next face, say.
         const bool covers = seam(kept) == seam(next) || has(dropped.hit.flags, HitFlags::clipped);
         const bool undecided = has(dropped.hit.flags, HitFlags::tangential);
         if (swap) kept = std::move(next);

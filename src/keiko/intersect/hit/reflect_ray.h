@@ -7,10 +7,10 @@ namespace keiko {
 
 /// The ray that leaves the hit in mirror direction, excluding the hit's own root. When `incoming`
 /// has differentials and the hit second derivatives, the reflected ray has them too, exact to first
-/// order: transfer and reflection of [Igehy1999], with the surface's own curvature; at poles, where
-/// the tangents are all but parallel, and at exact silhouettes it has none.
+/// order. They follow the transfer and reflection of [Igehy1999], with the surface's own curvature.
+/// At poles, where the tangents are all but parallel, and at exact silhouettes it has none.
 Ray reflect_ray(const Ray& incoming, const Hit& hit);
-/// The same, put into a blank ray.
+/// Writes the reflected ray into a blank ray.
 void reflect_ray(const Ray& incoming, const Hit& hit, Ray& mirrored);
 
 /// Makes reflected rays: reflect_ray() to the last bit, of several hits side by side.

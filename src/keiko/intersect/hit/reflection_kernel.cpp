@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-/// As LocalSurface and the functions of reflect_ray.cpp have it, step by step.
+/// Lanes of LocalSurface and the functions of reflect_ray.cpp, step by step.
 class MirrorLanes {
     using D = Wide;
     using V = hn::Vec<D>;

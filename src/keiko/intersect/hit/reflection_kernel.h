@@ -29,8 +29,8 @@ struct alignas(64) MirrorBlock {
     std::size_t count = 0; ///< lanes from here on hold numbers of earlier rays
 };
 
-/// What reflect_ray() does, side by side: for lanes of `plain` the same to the last bit, on every
-/// instruction set.
+/// Kernel that does reflect_ray() side by side: for lanes of `plain` the same to the last bit, on
+/// every instruction set.
 using ReflectionKernel = void (*)(MirrorBlock&);
 
 /// The widest that this processor has.

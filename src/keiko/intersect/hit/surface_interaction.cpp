@@ -13,7 +13,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Where tangents alone do not tell the normal: its limit if there is one, else one across the
+/// Normal where tangents alone do not determine it: its limit if there is one, else one across the
 /// ray's own sub-patch.
 Vec3 limit_normal(const SurfaceJet& s, const Vec2& uv, const BezierPatchView& sub_patch,
                   const PartPlacement& placement) {
@@ -30,8 +30,8 @@ SurfaceJet jet_of(const HitPacket& hits, std::size_t lane) {
             HitPacket::at(hits.duv, lane),      HitPacket::at(hits.dvv, lane)};
 }
 
-/// Of a sub-patch's parameters: in larger boxes derivatives at the middle do not tell how far the
-/// surface goes. In smaller ones what follows the second order is below rounding.
+/// Size of a box in a sub-patch's parameters above which derivatives at its middle do not bound how
+/// far the surface goes. In smaller ones the terms beyond second order are below rounding.
 constexpr double widest_for_derivatives = 1e-6;
 
 /// Bound of how far the surface goes from the place in the middle of a box of the sub-patch's own

@@ -42,7 +42,7 @@ private:
     void evaluate(Group& group);
     void ask(const Crossing& crossing, std::size_t lane);
     void write(const Crossing& crossing, std::size_t lane, Hit& hit) const;
-    /// What depends on the derivatives, but for the bound.
+    /// Writes everything that depends on the derivatives, except the bound.
     void write_surface(std::size_t lane, const PartPlacement& placement, Hit& hit) const;
     /// mm, of the world.
     double position_bound(std::size_t lane, const SubPatch& sub_patch,

@@ -42,8 +42,9 @@ public:
         foot_s_ = product(to_center, along);
         foot_ = in_frame(sub_patch, difference(scaled(along, foot_s_), to_center));
         direction_ = in_frame(sub_patch, along);
-        // The rounding of the foot point is that of the way there, and of the rows' turning it; for
-        // the way from there to a root, no longer than the sub-patch, its own blur has room.
+        // The rounding of the foot point is that of the way there, and of the rows' turning it. The
+        // sub-patch's own blur has room for the way from there to a root, no longer than the
+        // sub-patch.
         const V way = hn::Add(hn::Abs(foot_s_), hn::Sqrt(square(to_center)));
         blur_ = hn::Add(hn::Add(hn::Load(d_, rays.error.data() + lane), number(sub_patch.blur)),
                         hn::Mul(number(2 * ray_rounding), way));

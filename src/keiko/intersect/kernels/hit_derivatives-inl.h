@@ -29,8 +29,8 @@ struct HomogeneousJets {
     }
 };
 
-/// The sums of jet_at() of hits on one sub-patch, side by side, for so many components from the
-/// first named on. In its order of products and sums, since a hit has the same bits in any company.
+/// The sums of jet_at() of hits on one sub-patch, side by side, for `count` components from `first`
+/// on. Keeps its order of products and sums, since a hit has the same bits in any company.
 template <std::size_t first, std::size_t count>
 void find_jets_on_sub_patch(const BezierPatchView& sub_patch, const BasisJet<Wide>& u,
                             const BasisJet<Wide>& v, HomogeneousJets& jets) {
@@ -71,7 +71,7 @@ void find_jets_on_sub_patch(const BezierPatchView& sub_patch, const BasisJet<Wid
     store(duu, 3), store(duv, 4), store(dvv, 5);
 }
 
-/// Of a sub-patch whose weights are all the same, theirs are left out.
+/// Finds the jets of hits on one sub-patch; weights that are all the same are left out.
 void find_jets_on_sub_patch(const BezierPatchView& sub_patch, bool rational,
                             const BasisJet<Wide>& u, const BasisJet<Wide>& v,
                             HomogeneousJets& jets) {
@@ -81,7 +81,7 @@ void find_jets_on_sub_patch(const BezierPatchView& sub_patch, bool rational,
     find_jets_on_sub_patch<2, 2>(sub_patch, u, v, jets);
 }
 
-/// Whether so many hits are on one sub-patch that all lanes of a vector are filled by its points.
+/// True if the hits on one sub-patch fill all lanes of a vector.
 bool are_many_on_sub_patch(const HitPacket& hits, std::size_t lane, LaneMask wanted) {
     constexpr int many = 4;
     const auto* points = hits.sub_patch[lane].points.data();
@@ -128,8 +128,8 @@ struct SpaceJet {
     Space<V> position, du, dv, duu, duv, dvv;
 };
 
-/// As `projected` in surface_jet.h: by the quotient rule where weights differ, for which `weight`
-/// is 0.
+/// Lanes of `projected` in surface_jet.h: by the quotient rule where weights differ, for which
+/// `weight` is 0.
 template <class D>
 SpaceJet<hn::Vec<D>> projected(D d, const HomogeneousJets& jets, hn::Vec<D> weight) {
     using V = hn::Vec<D>;

@@ -12,19 +12,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-/// Of the sub-patch's half size: what is narrower and still undecided is a tangency.
+/// Share of the sub-patch's half size below which an undecided box is a tangency.
 constexpr double narrowest = 1e-7;
 
-/// What one step makes of a vector of boxes.
+/// Result of one step for a vector of boxes.
 template <class D>
 struct ContractedBoxes {
     Boxes<hn::Vec<D>> boxes;
     hn::Mask<D> left, single, root, poor;
 };
 
-/// Step of Krawczyk's method [Krawczyk1969] in a vector of boxes: in a box around z of half size r,
+/// Step of Krawczyk's method [Krawczyk1969] in a vector of boxes. In a box around z of half size r,
 /// with J the Jacobian at z, every root is within J^-1 (K r^2 / 2 + noise) of Newton's z - J^-1
-/// F(z); where |J^-1| K r is below 1 there is at most one.
+/// F(z). Where |J^-1| K r is below 1 there is at most one.
 template <class D>
 class KrawczykStep {
     using V = hn::Vec<D>;
@@ -90,7 +90,7 @@ private:
         return {by(planes.weights[0]), by(planes.weights[1])};
     }
 
-    /// Of Taylor's formula, with the rounding; that of the Jacobian as in newton-inl.h.
+    /// Remainder of Taylor's formula, with the rounding; that of the Jacobian as in newton-inl.h.
     V rest(std::size_t plane, V degrees) const {
         const V half_square = hn::Mul(hn::Mul(hn::Set(d_, 0.5), r_), r_);
         const V turned = hn::Mul(noise_[plane], degrees);
@@ -104,7 +104,7 @@ private:
         return hn::Gt(hn::Abs(value_[k]), most);
     }
 
-    /// What J^-1 makes of bounds of both functions, along one parameter; `by` are the derivatives
+    /// Image under J^-1 of bounds of both functions, along one parameter; `by` are the derivatives
     /// by the other one.
     V spread(const Pair& by, const Pair& bounds) const {
         return hn::Mul(hn::Abs(scale_),
@@ -124,7 +124,8 @@ private:
     static hn::Mask<D> hardly_less(V half, V old) {
         return hn::Gt(half, hn::Mul(hn::Set(d_, 0.6), old));
     }
-    /// Of a root Newton's own place and bound, not the middle of what two boxes have in common.
+    /// Place of a root: Newton's own place and bound, not the middle of the intersection of two
+    /// boxes.
     static V place(const Range& r, hn::Mask<D> sane, hn::Mask<D> root, V old) {
         const V on_sub_patch = hn::Min(hn::Max(r.newton, hn::Neg(one())), one());
         const V middle =

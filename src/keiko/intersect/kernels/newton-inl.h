@@ -14,22 +14,23 @@ namespace keiko::HWY_NAMESPACE {
 
 /// Newton needs three steps from the plane; what takes more is in trouble.
 constexpr int most_steps = 8;
-/// Of half a sub-patch: a bound beyond this is no place; clipping has to tell what is there.
+/// Largest bound of a root's place, in half sub-patches; beyond it clipping has to decide.
 constexpr double widest_root = 1e-3;
 
-/// What Newton's remainder may add to a root, in the frame's unit: rounding is usually far smaller
-/// than its bound, and one more step costs little.
+/// Largest error that Newton's remainder may add to a root, in the frame's unit: rounding is
+/// usually far smaller than its bound, and one more step costs little.
 template <class D>
 hn::Vec<D> far_below(D d, hn::Vec<D> noise) {
     return hn::MulAdd(hn::Set(d, 1e-3), noise, hn::Set(d, 2e-14));
 }
 
 /// Newton's method on F = w X - p w Z - a w and G likewise, clamped to the sub-patch. With c the
-/// contraction, a root on the sub-patch is within r = |F| / (1 - c) of the place z, and within 2;
-/// with J the Jacobian at z, m a bound of its inverse, K the bend and s = |J^-1 F(z)| the step,
-/// within m K r^2 / 2 of where the step leads. Hence r <= s + m K r^2 / 2, and where m K r < 1 that
-/// leaves the smaller solution, r <= s (1 + 2 h) with h = m K s <= 1/2 [Kantorovich1948]. No root
-/// is on the sub-patch when the step leads farther off it than the bound.
+/// contraction, a root on the sub-patch is within r = |F| / (1 - c) of the place z, and within 2.
+/// Let J be the Jacobian at z, m a bound of its inverse, K the bend and s = |J^-1 F(z)| the step.
+/// The root is then within m K r^2 / 2 of where the step leads. Hence r <= s + m K r^2 / 2. Where m
+/// K r < 1 that leaves the smaller solution, r <= s (1 + 2 h) with h = m K s <= 1/2
+/// [Kantorovich1948]. No root is on the sub-patch when the step leads farther from it than the
+/// bound.
 template <class D, class Leaves>
 class Newton {
     using V = hn::Vec<D>;
@@ -75,7 +76,7 @@ public:
     }
 
 private:
-    /// What may be left of the way to the root after a step.
+    /// Bound of the distance to the root that a step leaves.
     struct Rest {
         V remainder; ///< of Taylor's formula
         V bound;     ///< with the rounding

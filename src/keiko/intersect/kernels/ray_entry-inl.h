@@ -66,11 +66,11 @@ struct BallPass {
     }
 
     auto inside() const { return hn::Le(away, ball); }
-    /// Of the start within the ball. Not t_min: a hit's t must have the same last bit whatever
-    /// range it is asked in.
+    /// Parameter of the start within the ball. It does not depend on t_min: a hit's t must have the
+    /// same last bit for any range of the query.
     V t_start() const { return hn::IfThenZeroElse(inside(), hn::Div(hn::Sub(foot, half), speed)); }
     V slack(D d) const { return hn::Mul(hn::Set(d, 8 * epsilon), hn::Add(away, ball)); }
-    /// mm: what a start `way` mm on is off by. One that is not moved is not rounded.
+    /// Error of a start moved by `way` mm, in mm. One that is not moved is not rounded.
     V error(D d, V way) const {
         const V moved =
             hn::Mul(hn::Set(d, 2 * epsilon), hn::Add(hn::Sqrt(dot(origin, origin)), hn::Abs(way)));

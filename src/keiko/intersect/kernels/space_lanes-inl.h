@@ -49,7 +49,7 @@ Space<V> cross(const Space<V>& a, const Space<V>& b) {
     return {entry(1, 2), entry(2, 0), entry(0, 1)};
 }
 
-/// Of the three coordinates' arrays, from a lane on.
+/// Vectors from the three coordinates' arrays, from a lane on.
 template <class D, std::size_t size>
 Space<hn::Vec<D>> load(D d, const std::array<std::array<double, size>, 3>& from, std::size_t lane) {
     return {hn::Load(d, from[0].data() + lane), hn::Load(d, from[1].data() + lane),

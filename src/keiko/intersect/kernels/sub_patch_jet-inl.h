@@ -149,7 +149,7 @@ Jet<hn::Vec<D>> jet(D d, const SameSubPatch& sub_patches, hn::Vec<D> x, hn::Vec<
     return jet;
 }
 
-/// The same of some rays, for each the components side by side.
+/// Jets of some rays, for each the components side by side.
 template <std::size_t count>
 struct JetsByRay {
     using Components = std::array<Component4, count>;

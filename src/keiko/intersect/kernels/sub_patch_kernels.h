@@ -5,14 +5,14 @@
 
 namespace keiko {
 
-/// What a first look at a sub-patch proves for each ray of a block. A lane in none of the masks
+/// Result of a first look at a sub-patch for each ray of a block. A lane in none of the masks
 /// misses the sub-patch, meets it outside of its range of s, or where there is no material.
 struct ExistenceResult {
     LaneMask certain = 0;   ///< exactly one root on the sub-patch, and that on its patch
     LaneMask material = 0;  ///< of `certain`: the root is material
     LaneMask single = 0;    ///< at most one
     LaneMask undecided = 0; ///< nothing: boxes or clipping can tell
-    /// Where the root is if there is one, for lanes of `certain` and `single`.
+    /// Bounds of the root's distance, if there is one, for lanes of `certain` and `single`.
     alignas(64) RayPacket::Lanes<double> nearest, farthest;
 };
 
@@ -51,7 +51,7 @@ struct SubPatchKernels {
     void (*enter)(const SceneBall&, RayPacket&);
     /// Stage 0 of docs/theory/intersector.md for the lanes of a mask.
     void (*look)(const RayPacket&, LaneMask, const PackedSubPatch&, ExistenceResult&);
-    /// The same for a single lane.
+    /// The first look for a single lane.
     void (*look_single)(const RayPacket&, std::size_t lane, const PackedSubPatch&,
                         ExistenceResult&);
     /// Newton's method with a proved bound, for lanes that `look` called certain or single, on
@@ -60,11 +60,10 @@ struct SubPatchKernels {
                   SubPatchRoots&);
     void (*solve_single)(const RayPacket&, std::size_t lane, const PackedSubPatch&,
                          const Component4*, SubPatchRoots&);
-    /// The same with a sub-patch for each lane, all of one array, and all sub-patches'
-    /// coefficients.
+    /// Solves with a sub-patch for each lane, all of one array, and all sub-patches' coefficients.
     void (*solve_apart)(const RayPacket&, LaneMask, const RayPacket::Lanes<const PackedSubPatch*>&,
                         const Component4*, SubPatchRoots&);
-    /// Krawczyk's method in one box a lane, for rays that `look` sub-patches undecided on a
+    /// Krawczyk's method in one box a lane, for rays that `look` leaves undecided on a
     /// sub-patch with bounds: it fails where they may have several roots, or are next to a
     /// tangency.
     void (*narrow)(const RayPacket&, LaneMask, const PackedSubPatch&, const Component4*,
@@ -73,9 +72,9 @@ struct SubPatchKernels {
     /// stay undecided down to where only clipping helps, as near a tangency.
     bool (*find_roots)(const RayPacket&, std::size_t lane, const PackedSubPatch&, const Component4*,
                        RootBoxes&);
-    /// Of control points, to second order. Requires degrees of at least 1.
+    /// Jet of control points, to second order. Requires degrees of at least 1.
     HomogeneousJet (*evaluate)(const BezierPatchView&, const Vec2&);
-    /// Of the sub-patches of hits, all at once, with what a hit tells of the surface.
+    /// Surface data of hits on their sub-patches, all at once.
     void (*evaluate_hits)(HitPacket&);
 };
 

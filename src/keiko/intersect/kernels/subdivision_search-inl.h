@@ -102,7 +102,7 @@ void fill(BoxStack& stack, const Boxes<hn::Vec<One>>& where) {
         }
 }
 
-/// The same for all lanes.
+/// Plane pairs of one ray, copied into all lanes.
 template <class D>
 PlanePairs<hn::Vec<D>> in_all_lanes(D d, const PlanePairs<hn::Vec<One>>& one) {
     PlanePairs<hn::Vec<D>> all;

@@ -130,8 +130,8 @@ struct Profile {
     std::size_t count;
 };
 
-/// Where the lower convex hull of a profile is at most zero: outside of it the hull stays above,
-/// bounded by the steepest chord from a positive height down to a negative one.
+/// Range in which the lower convex hull of a profile is at most zero: outside of it the hull stays
+/// above, bounded by the steepest chord from a positive height down to a negative one.
 ParameterInterval below_zero(const Profile& p) {
     const std::size_t n = p.count - 1;
     if (n == 0) return p.height[0] <= 0 ? ParameterInterval{0, 1} : nothing;

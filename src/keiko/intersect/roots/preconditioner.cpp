@@ -91,7 +91,7 @@ namespace {
 
 /// Newton is at its goal here long before; a start that needs more is a bad one.
 constexpr int most_steps = 12;
-/// Of the square: a bound above this says nothing.
+/// Bound, as a share of the square, above which it says nothing.
 constexpr double poor_bound = 0.1;
 
 /// Bound of the error of f and g at a place: of the coefficients, and of evaluating.

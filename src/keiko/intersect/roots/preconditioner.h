@@ -7,7 +7,7 @@
 namespace keiko {
 
 /// A net after the change of planes that makes its mean Jacobian the identity, so that f runs
-/// with u and g with v: both strips between parallel planes ("fat lines") become narrow and each
+/// with u and g with v. Both strips between parallel planes ("fat lines") become narrow and each
 /// clips one parameter. Where the mean Jacobian is singular, e.g. on a closed or symmetric piece,
 /// the planes stay as they were.
 struct Preconditioned {
@@ -19,9 +19,9 @@ struct Preconditioned {
 /// `slack` bounds the error of either coefficient of `net`.
 Preconditioned preconditioned(const PlanarNet& net, double slack);
 
-/// Whether the two functions can have at most one common zero in [0, 1]^2: every matrix that the
-/// bounds of the four partial derivatives allow is regular, hence the map is injective (mean value
-/// form [MooreJones1977]).
+/// True if the two functions are proved to have at most one common zero in [0, 1]^2. Every matrix
+/// that the bounds of the four partial derivatives allow is then regular, hence the map is
+/// injective (mean value form [MooreJones1977]).
 bool at_most_one_root(const Preconditioned& p);
 
 /// Bound of how far the Jacobian is from the identity on [0, 1]^2, in the maximum norm. Below 1 a
@@ -36,7 +36,8 @@ struct NewtonRoot {
 
 /// Newton's method for f = g = 0 from `start` in double precision, for a net that has at most one
 /// root, in [0, 1]^2. Nothing when it leaves the square, or when its place cannot be proved to be
-/// close to a root: the bound comes from what f and g are there, not from how small a step was.
+/// close to a root. The bound comes from the values of f and g there, not from the size of the
+/// step.
 std::optional<NewtonRoot> newton(const Preconditioned& p, const Vec2& start);
 
 } // namespace keiko

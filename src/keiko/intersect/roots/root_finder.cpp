@@ -14,13 +14,13 @@ namespace {
 /// A clip that leaves more than this share of a range has found several roots, or a tangency:
 /// splitting is quicker [Nishita1990, section 3.5].
 constexpr double poor_clip = 0.8;
-/// Of the domain: no box is split below.
+/// Share of the domain below which no box is split.
 constexpr double narrowest = 1e-12;
 /// More boxes than any sub-patch with isolated roots was ever seen to need (a tangency mostly takes
 /// some hundreds). What may hold a root then is taken as it is and flagged.
 constexpr int most_boxes = 20000;
 
-/// Of the domain: a narrower box may look flat only because it is narrow.
+/// Share of the domain: a narrower box may be flat only because it is narrow.
 constexpr double thinnest_for_line = 1e-3;
 /// Half sizes, of the domain: what rounding hides in a longer box is no point, but a stretch of
 /// surface that the ray runs along.
@@ -45,7 +45,7 @@ Extremes extremes(std::span<const double> c) {
     return {*low, *high};
 }
 
-/// Where on an edge the ray meets it; at a corner by whatever rounding leaves there of zero. An
+/// Places on an edge where the ray meets it; at a corner they depend on rounding about zero. An
 /// edge that lies in the ray has two ends.
 std::vector<double> zeros_of_edge(const std::vector<double>& c, double slack) {
     std::vector<double> zeros;
@@ -55,7 +55,7 @@ std::vector<double> zeros_of_edge(const std::vector<double>& c, double slack) {
     return zeros;
 }
 
-/// Where a ray that lies in the surface may meet an edge of [0, 1]^2.
+/// Place where a ray that lies in the surface may meet an edge of [0, 1]^2.
 struct LineEnd {
     Vec2 at;
     double error = 0; ///< in either parameter

@@ -67,8 +67,8 @@ std::span<const SubPatchRoot> RootList::finish() {
     return roots_;
 }
 
-/// Of a stretch that crosses the whole domain, what counts is where the ray enters and leaves it.
-/// Any other stretch is one tangency, however long rounding makes it.
+/// Splits each stretch that crosses the whole domain into its entry and its exit. Any other stretch
+/// is one tangency, however long rounding makes it.
 void RootList::split_stretches() {
     if (stretches_.empty()) return;
     std::vector<SubPatchRoot> ends;
@@ -105,9 +105,9 @@ bool RootList::same(const SubPatchRoot& a, const SubPatchRoot& b) const {
     if (std::abs(apart.x) <= reach.x && std::abs(apart.y) <= reach.y) return true;
     if (has_no_other(a, b) || has_no_other(b, a)) return true;
     if (!a.tangential && !b.tangential) return false;
-    // What rounding leaves of one tangency is scattered along the ray; the pieces are one as long
-    // as between them the surface stays within rounding of the ray, measured across the surface:
-    // a box's middle may well be off to the side. Both ends of a line in the surface remain two.
+    // Rounding scatters one tangency along the ray. The pieces are one as long as between them the
+    // surface stays within rounding of the ray, measured across the surface: a box's middle may
+    // well lie to the side. Both ends of a line in the surface remain two.
     constexpr double widest_tangency = 1e-3;
     if (!(apart.length() < widest_tangency)) return false;
     const PlanarPoint between = evaluate(*net_, (a.uv + b.uv) / 2);

@@ -16,7 +16,7 @@ struct SubPatchRoot {
     Vec2 alone{0};   ///< half the size of a box around uv that holds no second root, if known
 };
 
-/// What a search has found: each root once, pieces of one tangency put together.
+/// Roots that a search has found: each root once, pieces of one tangency put together.
 class RootList {
 public:
     /// For roots of `net`, which must stay; `slack` bounds the error of each coefficient.

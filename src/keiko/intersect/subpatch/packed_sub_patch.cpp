@@ -32,7 +32,7 @@ void set_patch_ends(PackedSubPatch& hot, const SubPatch& sub_patch) {
     }
 }
 
-/// mm: what the polynomial's rounding amounts to across a row, the weight's counted with a place
+/// Blur in mm that the polynomial's rounding causes across a row. The weight's counts with a place
 /// up to 2 half sub-patches out: where the contraction is below 1, a root on the sub-patch has |a|
 /// < 2.
 double polynomial_blur(const std::array<double, 4>& rounding,
@@ -60,10 +60,10 @@ void set_frame(PackedSubPatch& hot, const SubPatch& sub_patch, const SubPatchFra
     }
 }
 
-/// mm: the stored centre and rows miss the exact ones by some roundings of what they are made of,
-/// the centre's in world size, the rows' in the sub-patch's, and by what the inverse of the
-/// placement is off; there also a control point's five on its way into the frame, and one where an
-/// affine part was taken off.
+/// Blur in mm of the stored centre and rows, which differ from the exact ones by some roundings of
+/// their terms. The centre's are in world size, the rows' in the sub-patch's; the error of the
+/// placement's inverse adds to both. There also count a control point's five on its way into the
+/// frame, and one where an affine part was subtracted.
 double frame_blur(const PackedSubPatch& hot, const SubPatch& sub_patch, const SubPatchFrame& frame,
                   const PartPlacement& placement) {
     const double size = placement.magnification * (sub_patch.radius + frame.center.length());
@@ -115,7 +115,7 @@ public:
     Classifier(const SubPatch& sub_patch, const PatchFrame& patch, const FaceTrim& trim)
         : sub_patch_(sub_patch), patch_(patch), trim_(trim) {}
 
-    /// The cells of a square of `count` x `count`, the first of which is (i, j).
+    /// Classifies the cells of a square of `count` x `count`; (i, j) is the first.
     void classify(unsigned i, unsigned j, unsigned count) {
         const Vec2 first(i, j), last(i + count, j + count);
         // Roots are rounded on their way to the face's parameters.

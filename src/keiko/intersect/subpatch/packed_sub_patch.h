@@ -13,7 +13,7 @@ struct PatchFrame;
 struct FaceTrim;
 
 /// A sub-patch's square [-1, 1]^2 as 8 x 8 cells that are material or not, where that is the same
-/// for the whole cell: most roots on a sub-patch that trim curves cross need no curve. No cell is
+/// for the whole cell. Most roots on a sub-patch that trim curves cross need no curve. No cell is
 /// either where no curve crosses the sub-patch.
 struct TrimCells {
     /// Set of cells: bit 8 j + i is the i-th in x of the j-th row in y.
@@ -23,7 +23,7 @@ struct TrimCells {
     Set empty = 0;    ///< outside of them, farther than any seam reaches
 
     explicit operator bool() const { return (material | empty) != 0; }
-    /// Those that a box of the square meets; what is beyond the square counts for the cells at its
+    /// Cells that a box of the square meets; places beyond the square count for the cells at its
     /// border.
     static Set met(const Box2& box) {
         const unsigned left = index(box.lower.x), right = index(box.upper.x);
@@ -41,7 +41,7 @@ private:
     }
 };
 
-/// Those of a sub-patch of a face, in its part.
+/// Cells of a sub-patch of a face, in its part.
 TrimCells trim_cells(const SubPatch& sub_patch, const PatchFrame& patch, const FaceTrim& trim);
 
 /// All that most rays ever read of a placed sub-patch: its frame in world coordinates with the
@@ -54,14 +54,14 @@ struct alignas(64) PackedSubPatch {
     std::array<double, 3> row_length{};
     double blur = 0;   ///< mm: bound of how far the stored polynomial is from the exact surface
     double height = 0; ///< bound of |Z|
-    /// Of the deviations e_u, e_v, e_n, e_w of SubPatchFrame.
+    /// Bounds of the deviations e_u, e_v, e_n, e_w of SubPatchFrame.
     std::array<double, 4> value{}, slope{}, bend{};
     std::uint32_t polynomial = 0; ///< where its coefficients begin in SubPatchSet::polynomials
     std::uint8_t degree_u = 1, degree_v = 1;
     bool regular = false;  ///< the bounds mean something
     bool rational = false; ///< otherwise the weight is 1
     bool material = false; ///< wholly inside the trim loops as far as its patch goes
-    /// Where the patch ends, in x and y: a sub-patch may go on beyond it, for seams.
+    /// Ends of the patch, in x and y: a sub-patch may go on beyond it, for seams.
     std::array<double, 2> patch_low{}, patch_high{};
     TrimCells cells{}; ///< of a sub-patch that is not `material`
 

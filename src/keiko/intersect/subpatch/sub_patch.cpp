@@ -14,7 +14,7 @@ namespace {
 /// does, and each try costs boxes.
 constexpr int most_halvings = 4, most_halvings_of_twist = 2;
 
-/// Of a patch: a trim curve this close to its end is taken to run along it.
+/// Share of a patch: a trim curve this close to its end is taken to run along it.
 constexpr double border_width = 1e-10;
 
 Box2 face_box(const Patch& patch, const Box2& uv) {

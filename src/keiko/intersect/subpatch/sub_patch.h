@@ -43,7 +43,7 @@ struct SubPatch {
 struct SubPatchSet {
     std::vector<SubPatch> sub_patches;
     /// Homogeneous control points relative to the sub-patch's centre, (w (p - centre), w): in world
-    /// coordinates the terms w * centre would drown the derivatives that the proof looks at.
+    /// coordinates the terms w * centre would drown the derivatives that the proof needs.
     std::vector<Vec4> points;
     /// One a sub-patch; polynomials as SubPatchPolynomial, entry for entry beside the points. Both
     /// are 0 for sub-patches without a regular frame.

@@ -195,7 +195,7 @@ Coefficients changed(const Coefficients& net, const PowerBasis& basis, std::size
     return result;
 }
 
-/// Of each component.
+/// Largest magnitude of each component.
 std::array<double, 4> largest_magnitude(const Coefficients& net) {
     std::array<double, 4> largest{};
     for (const auto& p : net)

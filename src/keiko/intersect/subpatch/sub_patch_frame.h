@@ -15,8 +15,8 @@ struct ComponentBounds {
 };
 
 /// Coordinates (X, Y, Z) = rows * (P - center) in which a piece of surface is nearly the square
-/// [-1, 1]^2 of the plane Z = 0. With x = 2 u - 1, y = 2 v - 1 and the weight w scaled to about
-/// 1, its homogeneous components are there
+/// [-1, 1]^2 of the plane Z = 0. Let x = 2 u - 1 and y = 2 v - 1, and the weight w be scaled to
+/// about 1. Its homogeneous components are there
 ///   w X = x + e_u(x, y),  w Y = y + e_v(x, y),  w Z = e_n(x, y),  w = 1 + e_w(x, y).
 struct SubPatchFrame {
     /// The mean tangents span a plane; else only `length`, `bend_u`, `bend_v` and `twist` mean
@@ -28,7 +28,7 @@ struct SubPatchFrame {
     double weight_scale = 1; ///< what the homogeneous components are multiplied by
     ComponentBounds u, v, n, w;
     double height = 0; ///< bound of |Z|
-    /// What halving u flattens, what halving v does, and what both must share.
+    /// Bend that halving u flattens, that halving v flattens, and that both must share.
     double bend_u = 0, bend_v = 0, twist = 0;
 
     /// For rays up to 60 degrees off the frame's normal: estimate of how far the function whose
@@ -41,7 +41,7 @@ struct SubPatchFrame {
 /// `sub-patch` is given relative to a place near it.
 SubPatchFrame sub_patch_frame(const BezierPatchView& sub_patch);
 
-/// The homogeneous components of a sub-patch in its frame by powers of x and y: entry
+/// The homogeneous components of a sub-patch in its frame by powers of x and y. Entry
 /// i * (degree_v + 1) + j holds the coefficients of x^i y^j in (w X, w Y, w Z, w).
 struct SubPatchPolynomial {
     std::vector<std::array<double, 4>> coefficients;

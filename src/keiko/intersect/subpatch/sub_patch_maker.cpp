@@ -12,7 +12,7 @@ namespace keiko {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// Of a sub-patch's width: neighbours overlap by this much, so that no ray slips through between
+/// Share of a sub-patch's width by which neighbours overlap, so that no ray slips through between
 /// them.
 constexpr double overlap = 1e-11;
 /// A sub-patch so small beside its coordinates' rounding errors is a point; it gets no wider
@@ -136,7 +136,7 @@ SubPatch SubPatchMaker::sub_patch_of(const Share& share, const SubPatchFrame& fr
     return sub_patch;
 }
 
-/// Those of its domain, which is cut where it cannot go on past the patch.
+/// Control points over its domain, which is cut where it cannot go on past the patch.
 std::vector<Vec4> SubPatchMaker::points_of(SubPatch& sub_patch) const {
     std::vector<Vec4> points = subpatch(patch_, sub_patch.domain);
     // Past the patch's end the weights may run down to zero: there is no surface to go on with.

@@ -33,7 +33,8 @@ double stretch(const Affine& map) {
     return std::sqrt(widest + 8 * epsilon * all * all);
 }
 
-/// Of the inverse as rounding has left it: what the product lacks of 1, and the product's rounding.
+/// Error of the inverse left by rounding: the product's distance from 1, and the product's
+/// rounding.
 double inverse_error(const Affine& map, const Affine& inverse) {
     Affine off = inverse * map;
     for (unsigned k = 0; k < 3; ++k) off.rows[k][k] -= 1;

@@ -45,7 +45,7 @@ struct PlacedSubPatch {
     std::uint32_t instance = 0, sub_patch = 0;
 };
 
-/// Where a part is placed.
+/// Placement of a part in the world.
 struct PartPlacement {
     Affine to_world, to_part;
     bool identity = true;
@@ -90,7 +90,7 @@ struct TracedModel {
                     double error) const;
     /// World box of a placed sub-patch's control points, mm.
     Box3 bounds(const PlacedSubPatch& at) const;
-    /// Of the arrays, roughly.
+    /// Size of the arrays, roughly.
     std::size_t bytes() const;
 };
 
@@ -99,10 +99,10 @@ struct TracedModel {
 TracedModel traced_model(const SurfaceModel& model, double join, double flat_enough,
                          const Job& job);
 
-/// A seam's width says how far the neighbour's border may be in space. A ray that passes the border
-/// within it may meet the surface much farther off, in the ratio of the sine of its angle
-/// to the surface; so the distance of a root to a border is measured as the ray sees it, with
-/// lengths along the ray seen this many times shorter.
+/// Factor by which lengths along the ray are shortened when the distance of a root to a border is
+/// measured. A seam's width says how far the neighbour's border may be in space. A ray that passes
+/// the border within it may meet the surface much farther away, in the ratio of the sine of its
+/// angle to the surface. So the distance is measured as the ray sees it.
 constexpr double seam_depth = 16;
 
 /// The metric of a patch's face parameters at `uv` for a ray: from the tangents by the patch's

@@ -68,7 +68,7 @@ Likeness likeness(const RootBoxes& roots, std::size_t a, std::size_t b) {
     return inside ? Likeness::same : Likeness::unclear;
 }
 
-/// The first finds of each root; nothing when two cannot be told apart.
+/// The first finds of each root; nothing when two cannot be separated.
 std::optional<std::vector<std::size_t>> distinct(const RootBoxes& roots) {
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < roots.count; ++i) {

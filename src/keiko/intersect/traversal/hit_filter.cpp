@@ -11,8 +11,8 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Of the sub-patch's radius: farther off an end of the ray no rounding carries a root, whatever
-/// the angle.
+/// Share of the sub-patch's radius: no rounding carries a root farther from an end of the ray,
+/// whatever the angle.
 constexpr double near_end = 1e-3;
 
 /// In widths of a seam: a ray that starts in it may run so far before it gets behind the neighbour.
@@ -77,8 +77,8 @@ PartRay HitFilter::part_ray() const {
                           ray_.error);
 }
 
-/// Of a crossing: a step of Newton's method nearer than it was found, which in wide scenes is far
-/// from what coordinates tell near the ray's ends.
+/// Ray parameter of a crossing after one more step of Newton's method. In wide scenes the found one
+/// is far from what coordinates say near the ray's ends.
 double HitFilter::polished_t(const Crossing& c, const PartRay& part) const {
     const SurfaceDerivatives s = evaluate(model_.sub_patches.view(sub_patch_), c.uv, 1);
     const Vec3 place = part.origin + part.direction * ((c.t - ray_.t_start) * part.speed);
@@ -114,8 +114,8 @@ bool HitFilter::is_at_end(const Crossing& c, const PartRay& part, double distanc
     return is_within(own_rounding(part), c, distance, part);
 }
 
-/// Of another body that touches the one that the ray starts on: bodies stand on each other, and
-/// faces of one are often bodies of their own.
+/// True if a crossing lies on another body that touches the one that the ray starts on: bodies
+/// stand on each other, and faces of one are often bodies of their own.
 bool HitFilter::is_on_start(const Crossing& c) const {
     const double magnification = model_.placements[placed_.instance].magnification;
     if (!(std::abs(c.t) * ray_.speed <= near_end * sub_patch_.radius * magnification)) return false;
@@ -165,7 +165,7 @@ bool HitFilter::is_behind_own_seam(const Crossing& c, const PartRay& part, doubl
            sub_patches(model_, sub_patch_, c.uv, part.direction);
 }
 
-/// Where a root is, relative to the sub-patch's centre, and of which edge's seam.
+/// Place of a root relative to the sub-patch's centre, and the edge whose seam it is near.
 HitFilter::NearPlace HitFilter::near_place(const Crossing& c, const FaceTrim& trim,
                                            const Vec3& direction,
                                            std::span<const std::uint32_t> among) const {
@@ -217,9 +217,10 @@ Vec3 HitFilter::point(const Vec2& in_face) const {
     return evaluate(model_.sub_patches.view(sub_patch_), own, 0).position();
 }
 
-/// Of a root beyond the border of a seam that is closed, where there is nothing but the room for
-/// rounding: whether the ray starts or ends close by, or on the seam's other face, over which that
-/// stands out. What goes through the seam from afar meets the other face's own.
+/// True if a root beyond the border of a closed seam, where only room for rounding is left, belongs
+/// to the ray's own start or end. The ray then starts or ends close by, or on the seam's other
+/// face, over which that stands out. A ray through the seam from afar meets the other face's own
+/// surface.
 bool HitFilter::is_lip_of_own(const TrimRegion::NearEdge& near, const SeamGap& gap,
                               double distance) const {
     const std::optional<Root>& root = ray_.ray->excluded;

@@ -9,24 +9,24 @@
 
 namespace keiko {
 
-/// The tests that a root on a sub-patch must pass to be a hit of a ray: that no one excluded it,
-/// and that there is material. Where the ray excludes a root, these are left out: roots on its
-/// patch inside its box; on any patch of its instance, roots at either end of the ray where the end
-/// is on the surface to within rounding, which keeps a ray that starts on a patch border from
-/// hitting the neighbour's copy of the same point (it is measured across the surface, so that a
-/// concave surface met again at a low angle still counts); and, where the end is near an edge of
-/// two faces, roots on the other one that it meets from behind, coming between the two borders:
-/// what is open there counts as closed. Where nothing is open (1e-7 of the part's size), also what
-/// the other face has beyond its border for the sake of rounding. Faces that the file turns against
-/// each other are not looked at.
+/// Tests that a root on a sub-patch must pass to be a hit of a ray: that no one excluded it, and
+/// that there is material. Where the ray excludes a root, roots on its patch inside its box are
+/// left out. So are roots on any patch of its instance at either end of the ray where the end is on
+/// the surface to within rounding. That keeps a ray that starts on a patch border from hitting the
+/// neighbour's copy of the same point. It is measured across the surface, so that a concave surface
+/// met again at a low angle still counts. Where the end is near an edge of two faces, roots on the
+/// other one that it meets from behind, coming between the two borders, are left out too. An open
+/// seam there counts as closed. Where nothing is open (1e-7 of the part's size), so is what the
+/// other face has beyond its border for the sake of rounding. Faces that the file turns against
+/// each other are not considered.
 class HitFilter {
 public:
     HitFilter(const TracedModel& model, const TracedRay& ray, const PlacedSubPatch& placed);
 
     /// Whether the crossing counts; marks seam hits.
     bool passes(Crossing& crossing) const;
-    /// Of a ray that meets the sub-patch at most once, between these distances from its start:
-    /// whether that is the very root it excludes, which lies at one of its ends.
+    /// True if a ray that meets the sub-patch at most once, between these distances from its start,
+    /// meets only the root that it excludes, which lies at one of its ends.
     bool meets_excluded_only(double nearest, double farthest) const;
     /// Whether no root between these distances from the start can be an excluded one.
     bool clear_of_excluded(double nearest, double farthest) const;

@@ -20,8 +20,8 @@ std::size_t first_lane(LaneMask mask) {
     return static_cast<std::size_t>(std::countr_zero(mask));
 }
 
-/// Whether a mask has so many lanes. std::popcount calls a library where a processor may lack the
-/// instruction.
+/// True if a mask has at least `count` lanes. std::popcount calls a library where a processor may
+/// lack the instruction.
 constexpr bool has_lanes(LaneMask mask, int count) {
     for (; count > 1; --count) mask &= mask - 1;
     return mask != 0;
@@ -169,8 +169,8 @@ LaneMask PacketIntersector::on_sub_patch_of_first(LaneMask lanes) const {
 }
 
 LaneMask PacketIntersector::together(LaneMask lanes) const {
-    // So many gain more by sharing a sub-patch's coefficients than by having all others beside
-    // them; and fewer than these do not fill a vector.
+    // Lanes from which sharing a sub-patch's coefficients gains more than having all others beside
+    // them; and lanes that fill a vector.
     constexpr int enough_on_a_sub_patch = 3, enough_apart = 4;
     LaneMask first = 0, alone = 0;
     for (LaneMask left = lanes; left != 0;) {

@@ -45,9 +45,9 @@ public:
     /// that begin behind `high` are forgotten.
     std::optional<CandidatePatch> take(std::size_t lane, double high, double until);
 
-    /// Those that have any.
+    /// Lanes that have any candidate.
     LaneMask lanes() const { return lanes_; }
-    /// Those that have a doubtful one, and where the first of them ends.
+    /// Lanes that have a doubtful one, and where the first of them ends.
     LaneMask doubtful() const { return doubtful_; }
     double doubtful_until(std::size_t lane) const { return doubtful_until_[lane]; }
 
@@ -110,9 +110,9 @@ struct SearchScene {
 };
 
 /// The search of up to 16 rays at once, as one packet when they are coherent. A sub-patch that the
-/// first look does not rule out is kept for later: a proved root already ends the ray behind it,
-/// and only what may still be the nearest in the end is solved. Keeps its buffers between runs;
-/// not for two threads at once.
+/// first look does not rule out is kept for later. A proved root already ends the ray behind it,
+/// and only candidates that may still be the nearest in the end are solved. Keeps its buffers
+/// between runs; not for two threads at once.
 class PacketIntersector final : EmbreeScene::Visitor {
 public:
     /// Puts the nearest crossing of each ray into `found`, which must hold as many without a hit.
@@ -133,7 +133,8 @@ private:
         double nearest, farthest;
     };
     Reach reach(std::size_t lane, std::uint32_t box) const;
-    /// Whether the sub-patch is put off, for it may hold the hit; as it was looked at last.
+    /// Puts the sub-patch off if it may hold the hit, by the last look at it; returns whether it
+    /// did.
     bool enqueue(std::size_t lane, std::uint32_t box);
     /// Solves what is pending in lanes and ends before their `until`.
     void resolve(LaneMask lanes, const RayPacket::Lanes<double>& until);
@@ -143,10 +144,10 @@ private:
     /// Each lane's single root on the sub-patch in boxes_.
     void solve(LaneMask lanes);
     void find_single_roots(LaneMask lanes);
-    /// Each lane's roots on the sub-patch in boxes_, the same for all, of which the look says
+    /// Finds each lane's roots in boxes_ on the sub-patch, the same for all, where the look proves
     /// nothing.
     void narrow(LaneMask lanes);
-    /// What roots_ has of each lane; lanes that failed are clipped.
+    /// Accepts the lanes of roots_; lanes that failed are clipped.
     void accept_roots();
     void clip(std::uint32_t box, std::size_t lane);
     bool counts(std::size_t lane, Crossing& crossing) const;

@@ -68,7 +68,8 @@ struct Tracer::Scene {
     }
 };
 
-/// Calls `work(search, scene, first, rays)` for every block of rays, the first of which it names.
+/// Calls `work(search, scene, first, rays)` for every block of rays; `first` is the index of its
+/// first ray.
 template <class Work>
 void Tracer::Scene::each_block(std::span<const Ray> rays, const Work& work) const {
     if (boxes.bounds().empty()) return;

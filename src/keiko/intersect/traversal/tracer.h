@@ -26,7 +26,7 @@ struct TracerOptions {
     double sub_patch_contraction = 0.4;
 };
 
-/// What a build cost, and what it made.
+/// Cost and size of a build.
 struct TracerStatistics {
     std::size_t sub_patches = 0, sub_patches_trimmed_away = 0, sub_patches_mixed = 0;
     std::size_t bytes = 0; ///< of Keiko's own records
@@ -34,7 +34,7 @@ struct TracerStatistics {
     const char* instruction_set = ""; ///< that the kernels were chosen for
 };
 
-/// How much is told of hits.
+/// Detail in which hits are reported.
 enum class HitDetail {
     face, ///< t, flags, seam, instance, face and patch; nothing else is to be read
     all
@@ -51,13 +51,12 @@ struct FirstHits {
     }
 };
 
-/// Finds where rays meet the trimmed surfaces of a model: sub-patches under Embree, on which roots
-/// are proved and found by Newton's method or, where that fails, by Bezier clipping [Nishita1990];
-/// trimmed by the exact p-curves. Immutable after construction; every query may be called from any
-/// thread, and gives the same bits for any thread count, and whatever rays are asked for together.
-/// A ray whose direction is not between 1e-140 and 1e150 long hits nothing, nor does one from so
-/// far off (1e8 times the model's size) that rounding blurs its start by a four millionth of that
-/// size.
+/// Ray tracer of the trimmed surfaces of a model: sub-patches under Embree, trimmed by the exact
+/// p-curves. On them roots are proved and found by Newton's method or, where that fails, by Bezier
+/// clipping [Nishita1990]. Immutable after construction; every query may be called from any thread.
+/// It gives the same bits for any thread count and any company of rays in a query. A ray whose
+/// direction is not between 1e-140 and 1e150 long hits nothing. Neither does a ray from so far away
+/// (1e8 times the model's size) that rounding blurs its start by a four millionth of that size.
 class Tracer {
 public:
     /// Keeps its own copy of what it needs of `model`. Throws Cancelled, and Error for a placement
@@ -77,9 +76,9 @@ public:
     /// Every hit with t in [t_min, t_max], by rising t.
     std::vector<Hit> all(const Ray& ray) const;
 
-    /// The same for many rays, one answer a ray, in order. Coherent rays should stand together.
+    /// Nearest hits of many rays, one answer a ray, in order. Coherent rays should stand together.
     std::vector<std::optional<Hit>> nearest(std::span<const Ray> rays) const;
-    /// nearest(), with less memory, and less work where less is asked for.
+    /// nearest(), with less memory, and less work for less detail.
     FirstHits first_hits(std::span<const Ray> rays, HitDetail detail = HitDetail::all) const;
     std::vector<bool> any(std::span<const Ray> rays) const;
     std::vector<std::vector<Hit>> all(std::span<const Ray> rays) const;

@@ -28,7 +28,7 @@ Box3 box_of(const SurfaceCurve& curve) {
     return box;
 }
 
-/// Of the coordinates: what is no farther apart is one place.
+/// Share of the coordinates below which two places are one.
 constexpr double same_place = 1e-10;
 
 } // namespace

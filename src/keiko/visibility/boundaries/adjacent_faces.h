@@ -10,9 +10,10 @@
 
 namespace keiko {
 
-/// The neighbours' borders beyond those of a model's faces: where the file has two faces share an
-/// edge, or where borders without an edge in common are the same curve to within rounding, as those
-/// of bare patches are. Looks into the model, the borders and the tracer that it was made from.
+/// The neighbours' borders beyond those of a model's faces. Neighbours are two faces of an edge of
+/// the file. They are also borders without an edge in common that are the same curve to within
+/// rounding, as those of bare patches are. Keeps references to the model, the borders and the
+/// tracer.
 class AdjacentFaces {
 public:
     AdjacentFaces(const SurfaceModel& model, const BoundaryCurves& borders, const Tracer& tracer);
@@ -37,20 +38,20 @@ public:
         };
         explicit Partner(double widest) : widest_(widest) {}
         void add(const SurfaceCurve& curve);
-        /// Where the neighbour's border is nearest; nothing where that is too far off.
+        /// Nearest place of the neighbour's border; nothing where that is too far away.
         std::optional<Foot> nearest(const Vec3& place) const;
 
         std::vector<SurfaceCurve> curves_;
         std::vector<Sample> samples_;
         double widest_ = 0; ///< mm
     };
-    /// Of a border curve; nothing where not just one neighbour follows it.
+    /// Neighbour along a border curve; nothing where not just one neighbour follows it.
     std::optional<Partner> partner(const BoundaryInterval& border) const;
 
 private:
-    /// Where the file has an edge.
+    /// Neighbour across an edge of the file.
     std::optional<Partner> across_edge(const BoundaryInterval& border) const;
-    /// Where another face's border is the same curve all along.
+    /// Neighbour whose border is the same curve all along.
     std::optional<Partner> same_curve(const BoundaryInterval& border) const;
     bool has_edge(const BoundaryInterval& border) const;
     /// Drops borders that an edge joins from loose_.

@@ -31,13 +31,13 @@ struct BoundaryPiece {
     std::array<Vec3, 3> inward{Vec3(0), Vec3(0), Vec3(0)};
     /// rad: how far inward_at() may be off; pi / 2 near poles and cusps.
     double inward_error = 0;
-    /// Where the surface goes on beyond the border, without a gap: a cone about `normal` that holds
-    /// the normals on both sides, half angle in rad. Seen from outside of all their tangent planes
+    /// Cone about `normal` that holds the normals on both sides where the surface goes on beyond
+    /// the border without a gap, half angle in rad. Viewed from outside of all their tangent planes
     /// the surface covers both sides of the border, which then hides nothing first or last. An
     /// angle above pi / 2 says nothing.
     Vec3 normal{0, 0, 1};
     double normal_angle = 4;
-    /// Of a crease in a trimmed face: where it runs, to be asked for material.
+    /// True for a crease in a trimmed face, which is material only in parts.
     bool trimmed = false;
     Vec2 first{0}, last{0}; ///< face parameters
 
@@ -46,7 +46,7 @@ struct BoundaryPiece {
     bool may_be_edge_on(const Viewpoint& viewpoint) const {
         return may_be_edge_on(viewpoint, curve);
     }
-    /// The same of a part of the curve.
+    /// True if a part of the curve may be edge-on.
     bool may_be_edge_on(const Viewpoint& viewpoint, const Curve& part) const;
     /// Position relative to the centre, and derivative.
     Vec3 at(double t) const;
@@ -55,7 +55,7 @@ struct BoundaryPiece {
     Vec3 inward_at(double t) const;
 };
 
-/// Of a curve of degree 5 at t.
+/// Point of a curve of degree 5 at t.
 Vec3 point_on(const BoundaryPiece::Curve& curve, double t);
 /// Over [0, t] and [t, 1].
 std::array<BoundaryPiece::Curve, 2> cut_at(const BoundaryPiece::Curve& curve, double t);
@@ -70,7 +70,7 @@ std::vector<BoundaryPiece> boundary_pieces(const SurfaceModel& model, const Trac
 /// the face for the tracer's room for rounding.
 double boundary_reach(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face);
 
-/// The same beside one trim curve, whose seam may be wider.
+/// Reach beside one trim curve, whose seam may be wider.
 double boundary_reach(const SurfaceModel& model, const Tracer& tracer, std::uint32_t instance,
                       std::uint32_t face, std::uint32_t trim_curve);
 

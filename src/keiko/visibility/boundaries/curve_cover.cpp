@@ -189,7 +189,7 @@ namespace {
 
 constexpr std::size_t points = BoundaryPiece::points;
 
-/// Of the Bernstein polynomials' values at the nodes, by Gauss and Jordan.
+/// Inverse of the matrix of the Bernstein polynomials' values at the nodes, by Gauss and Jordan.
 CurveMatrix inverse() {
     CurveMatrix values{}, inverse{};
     for (std::size_t k = 0; k < points; ++k) {

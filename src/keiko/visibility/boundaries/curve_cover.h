@@ -14,9 +14,9 @@ namespace keiko {
 /// where none does.
 using Beyond = std::function<std::optional<Vec3>(double, const Vec3&)>;
 
-/// Pieces that cover a curve, each as `kind` but for what follows from the curve: as short as it
-/// takes to be within 1e-9 of the curve's size, or rounding. What a piece is off its curve is added
-/// to the kind's error. None for a curve that is a point.
+/// Pieces that cover a curve, each as `kind` except for what follows from the curve. They are as
+/// short as it takes to be within 1e-9 of the curve's size, or rounding. The distance of a piece to
+/// its curve is added to the kind's error. None for a curve that is a point.
 std::vector<BoundaryPiece> curve_cover(const SurfaceCurve& curve, const Beyond& beyond,
                                        const BoundaryPiece& kind);
 
@@ -26,7 +26,7 @@ using CurveMatrix = std::array<std::array<double, BoundaryPiece::points>, Bounda
 /// ends among them.
 double curve_node(std::size_t k);
 
-/// What makes values at the nodes the control points of the polynomial through them.
+/// Matrix that turns values at the nodes into the control points of the polynomial through them.
 const CurveMatrix& control_points_of_values();
 
 /// Control points of the curve of degree 5 that has these values at the nodes.

@@ -17,8 +17,8 @@ namespace keiko {
 /// A place along a segment where what a viewpoint sees of it may change.
 struct VisibilityEvent {
     double t = 0;
-    /// Where the surface that makes the event hides the segment next to t: -1 below, 1 above,
-    /// 0 unknown.
+    /// Side next to t on which the surface that makes the event hides the segment: -1 below, 1
+    /// above, 0 unknown.
     int dark = 0;
 };
 
@@ -26,7 +26,8 @@ struct VisibilityEvent {
 /// any of the segment.
 class SegmentPlane {
 public:
-    /// Nothing where the viewpoint is on the line of the segment to within rounding.
+    /// Plane through the viewpoint and the segment; nothing where the viewpoint is on its line to
+    /// within rounding.
     static std::optional<SegmentPlane> through(const Viewpoint& viewpoint, const Vec3& a,
                                                const Vec3& b) {
         const Vec3 along = b - a, way = viewpoint.way_to(a);
@@ -41,7 +42,8 @@ public:
     const Vec3& normal() const { return normal_; }
     const Vec3& along() const { return along_; }
     Vec3 at(double t) const { return a_ + along_ * t; }
-    /// What weighs homogeneous coordinates relative to `center` into the distance to the plane.
+    /// Weights that turn homogeneous coordinates relative to `center` into the distance to the
+    /// plane.
     Vec4 weights(const Vec3& center) const {
         return {normal_.x, normal_.y, normal_.z,
                 normal_.dot(center - (viewpoint_->infinite() ? a_ : viewpoint_->place()))};
@@ -71,7 +73,7 @@ private:
 /// Bernstein coefficients of the distance of a border piece to a plane.
 using PlaneDistances = std::array<double, BoundaryPiece::points>;
 
-/// Where a piece of a border meets a plane.
+/// Intersection of a piece of a border with a plane.
 struct PlaneCut {
     double t = 0;
     /// 1 where the distance rises through zero, -1 where it falls; 0 where that is not known.
@@ -79,8 +81,8 @@ struct PlaneCut {
 };
 
 int sign_changes(const PlaneDistances& c);
-/// Of coefficients that change sign once: the zero, by Newton's method kept inside until it moves
-/// by no more than `settled`, the step after which is about its square.
+/// The zero of coefficients that change sign once. Newton's method, kept inside, runs until it
+/// moves by no more than `settled`; the step after that is about its square.
 double single_zero(const PlaneDistances& c, double settled);
 std::array<PlaneDistances, 2> halved(const PlaneDistances& c);
 /// The derivative over 5, of the same degree.
@@ -131,9 +133,10 @@ void each_touch(const PlaneDistances& c, double begin, double end, double slack,
 }
 
 /// Calls `visit(PlaneCut)` wherever rays in the plane may begin or cease to meet what is within
-/// `slack` mm of the curve: its zeros, places where it turns back at the plane, and its ends at the
-/// plane, where pieces meet within rounding and a zero belongs to both. A curve that lies in the
-/// plane as a whole has its ends alone: signs along it are rounding, and rays may meet it or not.
+/// `slack` mm of the curve. Those are its zeros, places where it turns back at the plane, and its
+/// ends at the plane, where pieces meet within rounding and a zero belongs to both. A curve that
+/// lies in the plane as a whole has its ends alone: signs along it are rounding, and rays may meet
+/// it or not.
 template <class Visit>
 void each_cut(const PlaneDistances& c, double slack, double settled, const Visit& visit) {
     const auto [low, high] = std::minmax_element(c.begin(), c.end());

@@ -6,7 +6,7 @@
 namespace keiko {
 namespace {
 
-/// Of the Bernstein polynomials of degree 5.
+/// Values of the Bernstein polynomials of degree 5.
 std::array<double, 6> basis(double t) {
     const double u = 1 - t, t2 = t * t, u2 = u * u;
     return {u2 * u2 * u,      5 * u2 * u2 * t, 10 * u2 * u * t2,
@@ -48,7 +48,7 @@ EpipolarCurve::EpipolarCurve(const EpipolarAxes& axes, const BoundaryPiece& line
     }
 }
 
-/// As dark_side of a border tells, if that is the same all along.
+/// Side on which a border is dark, as dark_side returns it, if that is the same all along.
 int EpipolarCurve::side_of(const EpipolarAxes& axes, const BoundaryPiece& line) {
     constexpr double useless = 0.2, unsure = 1e-5;
     if (!(line.inward_error < useless)) return 0;

@@ -50,8 +50,8 @@ private:
     static constexpr std::size_t points = BoundaryPiece::points;
 
     /// Calls `visit(t, rising)` where the plane that goes `off` the axis cuts the curve, as
-    /// PlaneCut tells; 0 next to the curve's ends, too: there the line that goes on may know better
-    /// what is dark.
+    /// PlaneCut states. It is 0 next to the curve's ends, too: there the line that goes on may know
+    /// better what is dark.
     template <class Visit>
     void each_cut(const Vec2& off, const Visit& visit) const {
         PlaneDistances c;

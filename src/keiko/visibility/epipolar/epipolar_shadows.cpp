@@ -22,7 +22,7 @@ namespace {
 /// A line that the light sees edge-on.
 struct EdgeLine {
     EpipolarCurve line;
-    /// What tells where the line is on material; neither: all along.
+    /// Outline or crease that decides where the line is on material; neither: all along.
     std::optional<ContourCurve> outline{};
     std::optional<std::uint32_t> crease{}; ///< number of a border
 };

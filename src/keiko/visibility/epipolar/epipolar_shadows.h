@@ -10,11 +10,11 @@
 
 namespace keiko {
 
-/// What one light sees of rays from one eye. The planes through light and rays all hold the axis
-/// from the light to the eye: a pencil of planes. What the light sees edge-on is made curves of,
-/// once for all rays of a picture, and sorted by its angle about the axis; a ray asks what its own
-/// plane cuts (docs/theory/visibility.md). Immutable after construction; may be asked from any
-/// thread.
+/// Visibility of rays from one eye for one light. The planes through light and rays all hold the
+/// axis from the light to the eye: a pencil of planes. Curves are made once of all that the light
+/// sees edge-on, for all rays of a picture, and sorted by angle about the axis. A ray then tests
+/// the curves that its own plane cuts (docs/theory/visibility.md). Immutable after construction;
+/// may be queried from any thread.
 class EpipolarShadows {
 public:
     /// Looks into the occluders and into `tracer`, which are of one model. Light and eye in mm; not
@@ -25,8 +25,8 @@ public:
     EpipolarShadows(EpipolarShadows&&) noexcept;
     EpipolarShadows& operator=(EpipolarShadows&&) noexcept;
 
-    /// Parts of segments that the light sees, of their parameters: each lies on a ray from the eye
-    /// and no surface crosses it. As VisibilityQuery finds them, but for ends, which are told to
+    /// Visible parts of segments, as parameters: each segment lies on a ray from the eye and no
+    /// surface crosses it. Equal to those of VisibilityQuery, except that ends are accurate to
     /// outline_error as the light sees them. Neighbours should stand together.
     std::vector<IntervalSet> intervals(std::span<const Segment> segments) const;
 

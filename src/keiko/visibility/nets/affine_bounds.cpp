@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Of each component; in arrays, so that components run side by side.
+/// Ranges of each component; in arrays, so that components run side by side.
 struct Ranges {
     std::array<double, 4> low{infinity, infinity, infinity, infinity};
     std::array<double, 4> high{-infinity, -infinity, -infinity, -infinity};
@@ -27,7 +27,7 @@ struct Ranges {
     }
     Vec4 middle() const { return (vec(low) + vec(high)) / 2; }
     Vec4 half() const { return (vec(high) - vec(low)) / 2; }
-    /// Of the distances from a place.
+    /// Largest distances from a place.
     Vec4 farthest(const Vec4& from) const {
         const Vec4 below = from - vec(low), above = vec(high) - from;
         Vec4 most(0);
@@ -44,7 +44,8 @@ double place(int i, int degree) {
     return degree > 0 ? 2 * static_cast<double>(i) / degree - 1 : 0;
 }
 
-/// Of the derivative along an axis, from the steps between neighbours, without the affine part's.
+/// Bound of the derivative along an axis, from the steps between neighbours, without the affine
+/// part's.
 Vec4 slope(const Ranges& steps, const Vec4& along, int degree) {
     if (degree == 0) return Vec4(0);
     const double half = static_cast<double>(degree) / 2;

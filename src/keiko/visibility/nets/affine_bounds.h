@@ -8,8 +8,8 @@
 
 namespace keiko {
 
-/// A homogeneous net over x = 2 u - 1, y = 2 v - 1 in [-1, 1]^2 as its affine part
-/// value + x along_x + y along_y and bounds of what is left, component by component: a function
+/// A homogeneous net over x = 2 u - 1, y = 2 v - 1 in [-1, 1]^2 as its affine part and bounds of
+/// the rest, component by component. The affine part is value + x along_x + y along_y. A function
 /// that is linear in the components, such as the distance to a plane, is bounded by weighing them.
 struct AffineBounds {
     Vec4 value{0}, along_x{0}, along_y{0};
@@ -20,7 +20,7 @@ struct AffineBounds {
     struct Weighed {
         double value, along_x, along_y, off, slope;
 
-        /// What it may be on [-1, 1]^2.
+        /// Bounds of its values on [-1, 1]^2.
         double least() const { return value - std::abs(along_x) - std::abs(along_y) - off; }
         double most() const { return value + std::abs(along_x) + std::abs(along_y) + off; }
         /// Whether it has no zero there.
@@ -54,19 +54,19 @@ struct GradientBounds {
 
     /// The axis along which halving a box of this size straightens the function more.
     unsigned axis_to_halve(const Vec2& size) const;
-    /// Widens the bounds for a function that is a polynomial of the tangent planes' degree and
-    /// within `error` of this one on a box of which the sides here are these shares: by Markov's
-    /// inequality.
+    /// Widens the bounds for a function that is within `error` of this one on a box whose sides
+    /// here are these shares. It must be a polynomial of the tangent planes' degree: the
+    /// bound is Markov's inequality.
     void add_error(double error, const Vec2& shares);
 };
 
 GradientBounds slopes_of(const ScalarNet& net);
 
-/// What the affine parts of two functions f and g on [-1, 1]^2, with bounds of the rest, prove of
-/// their common zeros.
+/// Affine parts of two functions f and g on [-1, 1]^2, with bounds of the rest, and their proofs
+/// about common zeros.
 class LinearizedSystem {
 public:
-    /// Of a piece: neighbours overlap by this much, so that no zero falls between them.
+    /// Share of a piece by which neighbours overlap, so that no zero falls between them.
     static constexpr double overlap = 1e-7;
     /// Below this variation there is at most one zero; with some room for rounding.
     static constexpr double proved = 0.95;

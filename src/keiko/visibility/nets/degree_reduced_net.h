@@ -18,7 +18,7 @@ struct DegreeReducedNet {
 /// farther from another than their coefficients are.
 DegreeReducedNet lowered(const HomogeneousNet& net, int degree);
 
-/// The same of one function.
+/// One function in reduced degree.
 struct DegreeReducedScalar {
     ScalarNet net;
     double error = 0; ///< anywhere on [0, 1]^2
@@ -31,9 +31,9 @@ struct ReducedPatch {
     HomogeneousNet points;
 };
 
-/// A patch in parts of at most max_occluder_degree either way: itself where it is, or else
-/// interpolated in parts so small that, at 11 x 11 places between the nodes, they are within 1e-11
-/// of its size, or halved 8 times.
+/// Parts of a patch of at most max_occluder_degree either way. They are the patch itself if its
+/// degree is low enough. Otherwise they interpolate it and are so small that, at 11 x 11 places
+/// between the nodes, they are within 1e-11 of its size, or halved 8 times.
 std::vector<ReducedPatch> degree_reduction(HomogeneousNet patch);
 
 } // namespace keiko

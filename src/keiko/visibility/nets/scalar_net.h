@@ -19,7 +19,7 @@ struct ScalarNet {
 /// Coefficients of sum weights[k] * component k.
 ScalarNet weighed(const HomogeneousNet& net, const Vec4& weights);
 
-/// The same function over a box of its parameters.
+/// The function over a box of its parameters.
 ScalarNet restricted(const ScalarNet& net, const Box2& box);
 
 /// Over the two halves of [0, 1]^2, cut across the first axis or the second.
@@ -53,8 +53,8 @@ struct NetFrame {
 
     /// A direction in the axes.
     Vec3 local(const Vec3& v) const { return {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)}; }
-    /// What weighs homogeneous coordinates of the frame as `w` does those in world axes that are
-    /// relative to `center`; the same turns points and tangent planes.
+    /// Weights of homogeneous coordinates of the frame that equal `w` for those in world axes
+    /// relative to `center`; this turns points and tangent planes alike.
     Vec4 local(const Vec4& w) const {
         const Vec3 v = local(Vec3(w.x, w.y, w.z));
         return {v.x, v.y, v.z, w.w};

@@ -25,7 +25,7 @@ struct ContourCurve {
 /// How far a line may be from the outline: rad, as the viewpoint sees it.
 constexpr double outline_error = 1e-7;
 
-/// Appends the outline of a candidate, which overlaps those of its neighbours a little, where it is
+/// Appends the outline of a candidate, which overlaps those of its neighbours a little. It must be
 /// proved to run across the piece as a graph of one of its parameters, and curves meet it to within
 /// outline_error. False, with nothing appended, elsewhere: cusps, poles, and pieces that an outline
 /// bends in.

@@ -9,7 +9,7 @@ namespace keiko {
 namespace {
 
 constexpr int most_halvings = 7;
-/// Of what may be left out: what lines that are too short to be followed take.
+/// Share of the permitted loss that lines too short to be followed may take.
 constexpr double of_short = 0.25;
 
 } // namespace
@@ -41,7 +41,7 @@ void ContourExtrema::add_unclear(const ScanBounds& box) {
         add((across - prism_.across_low) / width_, run * gap_ / 2, 0, true);
 }
 
-bool ContourExtrema::sub_patches_out(const ScanBounds& box) {
+bool ContourExtrema::leaves_out(const ScanBounds& box) {
     const double missed = (box.along_high - box.along_low) / length_ * gap_ / 2;
     if (!(left_out_ + missed <= of_short * missed_)) return false;
     left_out_ += missed;
@@ -70,7 +70,7 @@ ScreenPlace ContourExtrema::place(const Vec3& x) const {
     return place;
 }
 
-/// Where the surface lies that ends or folds at a line.
+/// Side across on which the surface lies that ends or folds at a line.
 int ContourExtrema::dark_side(const BoundaryPiece& line, const BoundaryPiece::Curve& curve) const {
     constexpr double sure = 0.01;
     if (!(line.inward_error < 1)) return 0;
@@ -110,7 +110,7 @@ bool ContourExtrema::is_even(const Shown& seen) const {
     return seen.before && seen.back_across <= one_place && seen.back_along <= one_place;
 }
 
-/// What a line runs back by hides no more than the boxes of that.
+/// The ways by which a line runs back hide no more than their boxes.
 bool ContourExtrema::is_nearly_even(const Shown& seen) {
     if (!seen.before) return false;
     const auto inside = [](double low, double high) {
@@ -123,7 +123,7 @@ bool ContourExtrema::is_nearly_even(const Shown& seen) {
     return true;
 }
 
-/// Where a line turns back, by the parabola through its ends and its middle.
+/// Parameter where a line turns back, by the parabola through its ends and its middle.
 double ContourExtrema::turn_of(const BoundaryPiece& line, const BoundaryPiece::Curve& curve,
                                const Shown& seen) const {
     constexpr double middle = 0.5, nearest_to_end = 1e-3;
@@ -184,7 +184,7 @@ double ContourExtrema::where(const BoundaryPiece& line, const BoundaryPiece::Cur
     return across;
 }
 
-/// What of a run lies between the ends of the prism, at which it turns.
+/// Part of a run between the ends of the prism, at which it turns.
 ContourExtrema::Run ContourExtrema::clipped(const BoundaryPiece& line,
                                             const BoundaryPiece::Curve& curve, Run run) {
     const Run whole = run;
@@ -199,8 +199,7 @@ ContourExtrema::Run ContourExtrema::clipped(const BoundaryPiece& line,
     return run;
 }
 
-/// What may be missed, of all the prism brings, between lines that a gap is between, if they do not
-/// know of one end of a run.
+/// Share of the prism's light that lines a gap apart may miss if they do not know one end of a run.
 double ContourExtrema::weight(const Run& run) const {
     const double all = std::abs(run.to - run.from), across = std::abs(run.b - run.a);
     const double inside = std::max(
@@ -225,7 +224,7 @@ void ContourExtrema::add_run(const Run& run, const Part& part) {
     add_end(run.b, run.to, -rise, run.ends, part.ends);
 }
 
-/// A line runs on where one part goes up from a place and one down, but for how it bends there.
+/// A line runs on where one part goes up from a place and one down, except for its bend there.
 std::vector<ContourExtrema::Turn> ContourExtrema::turning_ends() const {
     std::vector<Turn> turns;
     std::vector<End> ends = ends_;

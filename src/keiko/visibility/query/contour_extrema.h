@@ -9,10 +9,10 @@
 
 namespace keiko {
 
-/// Where across a prism, as a viewpoint sees it, outlines of what may hide some of it turn: where
-/// they begin, end or run back, where they run along the prism, and where they leave it by its
-/// ends. Between two neighbouring such places every outline runs on from one to the other, so that
-/// what is hidden of the lines between them changes without a jump. Looks into what it is made of.
+/// Places across a prism at which outlines of its possible occluders turn, as a viewpoint sees it.
+/// There they begin, end, run back or along the prism, or leave it by its ends. Between two
+/// neighbouring places every outline runs on from one to the other: the hidden part of the lines
+/// between them changes without a jump. Keeps references to its arguments.
 class ContourExtrema {
 public:
     /// `prism`: what the viewpoint sees of it; `volume`: between the viewpoint and it. The prism's
@@ -20,16 +20,16 @@ public:
     ContourExtrema(const Viewpoint& viewpoint, const ScanPlane& screen, const ScanBounds& prism,
                    const ViewVolume& volume, const ParameterInterval& ends, const TurnRule& rule);
 
-    /// A border or a crease that may be seen edge-on, of which some may not.
+    /// Adds a border or a crease that may be edge-on, all of it or a part.
     void add_border(const BoundaryPiece& border);
     /// A line along which a smooth surface is seen edge-on.
     void add_fold(const BoundaryPiece& line);
     /// Something that may be anywhere in a box and cannot be followed.
     void add_unclear(const ScanBounds& box);
 
-    /// Whether what runs in a box is so short that it matters less than the rule asks for, together
-    /// with all of that kind so far.
-    bool sub_patches_out(const ScanBounds& box);
+    /// True if the content of a box is so short that it matters less than the rule requires,
+    /// together with all of that kind so far.
+    bool leaves_out(const ScanBounds& box);
     /// Along by across, that a line may have which matters nowhere between its ends.
     double most_slope() const;
 
@@ -39,18 +39,18 @@ public:
         int dark;      ///< likewise
         bool jump;     ///< likewise
     };
-    /// Those that matter.
+    /// Turns that matter by the rule.
     std::vector<Turn> found() const;
 
 private:
-    /// Of the prism's width and of its length: what is one place.
+    /// Widths and lengths of the prism below which two places are one.
     static constexpr double one_place = 1e-5, one_place_along = 1e-4;
 
     struct Part {
         BoundaryPiece::Curve curve;
         bool begins, ends; ///< where the whole piece does
     };
-    /// Of a line on the screen, in lengths and widths of the prism.
+    /// Stretch of a line on the screen, in lengths and widths of the prism.
     struct Run {
         double a = 0, b = 0;             ///< across
         double from = 0, to = 0;         ///< along
@@ -71,7 +71,7 @@ private:
         int dark;
         bool jump;
     };
-    /// What the screen shows of a part, by its control points.
+    /// Image of a part on the screen, by its control points.
     struct Shown {
         ScanBounds box;
         Run run;
@@ -87,8 +87,8 @@ private:
     Shown shown(const BoundaryPiece& line, const BoundaryPiece::Curve& curve) const;
     /// Whether a part runs on all along, across and along.
     bool is_even(const Shown& seen) const;
-    /// Whether what it may run back by matters less than the rule asks for, together with all that
-    /// is left out so far.
+    /// True if the way by which it may run back matters less than the rule requires, together with
+    /// all that is left out so far.
     bool is_nearly_even(const Shown& seen);
     double turn_of(const BoundaryPiece& line, const BoundaryPiece::Curve& curve,
                    const Shown& seen) const;

@@ -20,7 +20,7 @@ public:
           viewpoint_(viewpoint),
           bound_(std::abs(edge_on_.along_x) >= std::abs(edge_on_.along_y) ? 0 : 1) {}
 
-    /// Where the affine part of the function that is zero on the line leaves the piece.
+    /// Places where the affine part of the function that is zero on the line leaves the piece.
     std::optional<std::array<Vec2, 2>> ends() const {
         std::array<Vec2, 2> ends{Vec2(0), Vec2(0)};
         const unsigned free = 1 - bound_;

@@ -7,7 +7,7 @@ namespace {
 
 /// Share of a segment below which parts and gaps are dropped (docs/theory/visibility.md#events).
 constexpr double shortest = 1e-9;
-/// Of a segment: events closer than this are taken as one, whose sides say nothing if they differ.
+/// Share of a segment within which events are taken as one, whose sides say nothing if they differ.
 constexpr double same_event = 1e-11;
 
 } // namespace

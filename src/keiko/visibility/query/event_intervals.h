@@ -16,8 +16,8 @@ struct EventInterval {
     bool dark = false; ///< known to be hidden
 
     double length() const { return end - begin; }
-    /// A place well inside that round numbers do not hit on: rays that touch a body at one place
-    /// alone would be told wrong there.
+    /// A place well inside that round numbers do not hit: rays that touch a body at one place alone
+    /// would be classified wrongly there.
     double inside() const { return begin + 0.4863 * length(); }
 };
 
@@ -25,8 +25,8 @@ struct EventInterval {
 std::vector<EventInterval> event_intervals(std::vector<VisibilityEvent>& events,
                                            const ParameterInterval& asked);
 
-/// Gaps of several segments, some of which are known to be seen or hidden together: one ray asks
-/// for each group of which nobody knows yet.
+/// Gaps of several segments; some are known to be visible or hidden together: one ray
+/// classifies each group that is still unknown.
 class IntervalClasses {
 public:
     /// Number of the first of a segment's gaps; the others follow.
@@ -34,7 +34,7 @@ public:
     void join(std::size_t a, std::size_t b) { leader_[root(a)] = root(b); }
     /// Asks for all groups at once.
     void classify(const Tracer& tracer);
-    /// Of a segment, after classify(): `first` as add() returned it.
+    /// Visible parts of a segment, after classify(): `first` as add() returned it.
     IntervalSet seen(std::size_t first, std::size_t count) const;
 
     const EventInterval& gap(std::size_t i) const { return gaps_[i]; }

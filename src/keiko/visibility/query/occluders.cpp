@@ -109,7 +109,8 @@ public:
     }
 
 private:
-    /// Of length 1; made for the first that asks, since most regions have nothing before them.
+    /// Ways of length 1, computed on the first request, since most regions have nothing before
+    /// them.
     std::span<const Vec3> units() const {
         if (units_.empty()) {
             units_.reserve(places_.size() * region_.size());

@@ -13,20 +13,20 @@
 
 namespace keiko {
 
-/// What a viewpoint sees of a segment.
+/// Visible parts of a segment from one viewpoint.
 struct VisibleIntervals {
     IntervalSet intervals; ///< of the segment's parameter, 0 at its begin, 1 at its end
-    /// False when somewhere events could not be told apart: an end may be off, or a narrow part
-    /// missing there.
+    /// False where events could not be separated: an end may be wrong, or a narrow part missing
+    /// there.
     bool certain = true;
 };
 
 class VisibilityQuery;
 
-/// All that may hide something in a model, made ready to be asked from many viewpoints which parts
-/// of segments they see past it: the ends of those parts are silhouettes and borders found on the
-/// surfaces by Newton's method to some 1e-12 of the segment, not by sampling rays
-/// (docs/theory/visibility.md). Immutable after construction; may be asked from any thread.
+/// Silhouettes and borders of a model, prepared for visibility queries from many viewpoints. The
+/// ends of visible parts are found on the surfaces by Newton's method, to some 1e-12 of the
+/// segment, not by sampling rays (docs/theory/visibility.md). Immutable after construction; may be
+/// queried from any thread.
 class Occluders {
 public:
     /// `tracer` is of the same model, and not kept. Throws Cancelled.
@@ -41,10 +41,10 @@ public:
     };
     const Statistics& statistics() const;
 
-    /// False where it is proved that all of the hull of `places`, which no surface crosses, sees
-    /// all of the hull of `region` or nothing of it: what any of them may see edge-on is not
-    /// between. With `facing`, a unit normal, only what lies on its side of all places counts,
-    /// beyond rounding: what a flat surface is lit from.
+    /// False where all of the hull of `places` is proved to see all of the hull of `region` or
+    /// nothing of it, since nothing between can be edge-on. No surface may cross the hull of
+    /// `places`. With `facing`, a unit normal, only what lies on its side of all places counts,
+    /// beyond rounding, as for the light on a flat surface.
     bool may_occlude(std::span<const Vec3> places, std::span<const Vec3> region,
                      const std::optional<Vec3>& facing = {}) const;
 
@@ -55,8 +55,8 @@ private:
     std::unique_ptr<Scene> scene_;
 };
 
-/// What one viewpoint may ask: candidates are collected once, for all segments of a region. Not for
-/// two threads at once.
+/// Visibility from one viewpoint: candidates are collected once, for all segments of a region. Not
+/// for two threads at once.
 class VisibilityQuery {
 public:
     /// `region`: corners of a convex body that holds every segment to come. Looks into the
@@ -73,17 +73,16 @@ public:
     /// Parts and gaps shorter than 1e-9 of the segment are dropped. A segment without length is
     /// seen as a whole or not at all.
     VisibleIntervals intervals(const Segment& segment) const;
-    /// The same of several segments. Parallel ones are scan lines of a screen on which every
+    /// Visible parts of several segments. Parallel ones are scan lines of a screen on which every
     /// candidate is placed once, and share rays (docs/theory/visibility.md).
     std::vector<VisibleIntervals> intervals(std::span<const Segment> row) const;
 
-    /// Of each prism, all in the region, true where it is proved to be seen as a whole, false where
-    /// nothing of it is, in both cases but for what of it lies on the side that is not faced;
-    /// nothing where neither is proved.
+    /// Visibility of whole prisms, all in the region: true where a prism is proved visible, false
+    /// where it is proved hidden, nothing where neither is proved. The part of it on the side that
+    /// is not faced does not count.
     std::vector<std::optional<bool>> classify_prisms(std::span<const Prism> prisms) const;
-    /// Turns of a prism in the region. `gap`: between the lines that are looked at, of its width.
-    /// Some are left out that together make those miss no more than `missed` of the prism, and
-    /// those of the viewpoint's own patch.
+    /// Turns of a prism in the region. Some are left out that together make lines `rule.gap` apart
+    /// miss no more than `rule.missed` of the prism, and those of the viewpoint's own patch.
     std::vector<CriticalSlice> turns(const Prism& prism, const TurnRule& rule) const;
 
 private:

@@ -17,7 +17,7 @@ auto between(const Lines& lines, double low, double high) {
     return std::span(first, last);
 }
 
-/// What is left of a range between boxes, which are sorted.
+/// Finds the rest of a range between boxes, which are sorted.
 void find_free(std::vector<ParameterInterval>& blocked, double low, double high,
                std::vector<ParameterInterval>& free) {
     free.clear();

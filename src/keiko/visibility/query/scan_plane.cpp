@@ -44,8 +44,8 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The range of x / z over the part of a convex set that lies before the viewpoint, z > 0, from
-/// what the corners may be: x - c z is not negative anywhere if it is at no corner.
+/// The range of x / z over the part of a convex set that lies before the viewpoint, z > 0.
+/// It follows from bounds of the corners: x - c z is not negative anywhere if it is at no corner.
 class QuotientRange {
 public:
     void add(double x, double x_off, double z, double z_off) {

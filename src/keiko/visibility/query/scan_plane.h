@@ -18,7 +18,7 @@ struct ScreenPlace {
     double depth = 0; ///< mm; 1 for parallel light
 };
 
-/// What a place may be.
+/// Bounds of a place on the screen.
 struct ScanBounds {
     double along_low = std::numeric_limits<double>::infinity(), along_high = -along_low;
     double across_low = along_low, across_high = along_high;
@@ -50,12 +50,13 @@ public:
     Vec3 way_at(double across) const { return z_ + y_ * across; }
     /// A box around places; nothing where one is not before the screen.
     std::optional<ScanBounds> hull(std::span<const Vec3> places) const;
-    /// Where a piece may be seen edge-on; empty where it is not. `edge_on`: zero where it is.
+    /// Bounds of the places where a piece may be edge-on; empty where it is not. `edge_on`: zero
+    /// where it is.
     ScanBounds box(const SilhouettePiece& piece, const AffineBounds::Weighed& edge_on) const;
     ScanBounds box(const BoundaryPiece& border) const;
 
 private:
-    /// What weighs homogeneous coordinates relative to `center` into x, y or z.
+    /// Weights that turn homogeneous coordinates relative to `center` into x, y or z.
     Vec4 weights(const Vec3& direction, const Vec3& center) const;
     Vec4 depth_weights(const Vec3& center) const;
 
@@ -67,7 +68,7 @@ private:
 /// after the other meets.
 class BucketGrid {
 public:
-    /// `low` to `high`: the places across that will mostly be asked for.
+    /// `low` to `high`: the places across that most queries are for.
     BucketGrid(std::vector<ScanBounds> boxes, double low, double high);
 
     /// Calls `visit` with the number of each box that meets a scan line between two places along

@@ -130,16 +130,16 @@ std::vector<CriticalSlice> VisibilityQuery::Candidates::turns(const Prism& prism
     return found;
 }
 
-/// Those on the last screen that was asked for.
+/// Adds the outlines on the last screen that was used.
 void VisibilityQuery::Candidates::add_outlines(const ScanBounds& prism,
                                                ContourExtrema& turns) const {
     for (std::size_t i = 0; i < screen_->borders.size(); ++i)
-        if (screen_->borders[i].overlaps(prism) && !turns.sub_patches_out(screen_->borders[i]))
+        if (screen_->borders[i].overlaps(prism) && !turns.leaves_out(screen_->borders[i]))
             turns.add_border(scene_->borders[borders_[i]]);
     const double most_slope = turns.most_slope();
     for (std::size_t i = 0; i < screen_->pieces.size(); ++i)
         if (screen_->pieces[i].overlaps(prism) && !runs_across(i, most_slope) &&
-            !turns.sub_patches_out(screen_->pieces[i]))
+            !turns.leaves_out(screen_->pieces[i]))
             add_folds(i, turns);
 }
 

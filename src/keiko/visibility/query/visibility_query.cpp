@@ -130,7 +130,8 @@ void VisibilityQuery::Candidates::add_all_events(Line& line) const {
     for (std::size_t i = 0; i < borders_.size(); ++i) add_boundary_events(i, line);
 }
 
-/// Of the candidates that the segment's plane through the viewpoint cuts: no other has any.
+/// Adds the events of the candidates that the segment's plane through the viewpoint cuts: no other
+/// has any.
 void VisibilityQuery::Candidates::add_events_of_cut(Line& line) const {
     if (!tree_) tree_.emplace(candidate_boxes());
     const Vec3& normal = line.plane.normal();
@@ -139,7 +140,7 @@ void VisibilityQuery::Candidates::add_events_of_cut(Line& line) const {
         i < pieces ? add_piece_events(i, line) : add_boundary_events(i - pieces, line);
 }
 
-/// Of silhouette pieces, then of borders, with room for what they overlap their neighbours by.
+/// Boxes of silhouette pieces, then of borders, widened by their overlap with their neighbours.
 std::vector<Box3> VisibilityQuery::Candidates::candidate_boxes() const {
     std::vector<Box3> boxes;
     const auto add = [&](Box3 box, double room) {
@@ -174,7 +175,7 @@ VisibleIntervals VisibilityQuery::Candidates::end_on(const Segment& ends) const 
     return {IntervalSet(std::move(seen))};
 }
 
-/// Of the viewpoint's own surface and of what crosses the segment itself.
+/// Adds the events of the viewpoint's own surface and of surfaces that cross the segment itself.
 void VisibilityQuery::Candidates::add_own_events(Line& line) const {
     if (line.searches_own)
         for (const OwnCandidate& own : silhouettes_.own)
@@ -192,7 +193,8 @@ void VisibilityQuery::Candidates::add_piercings(Line& line) const {
     for (const Hit& hit : tracer_->all(along)) line.events.push_back({hit.t, 0});
 }
 
-/// Where the segment crosses the tangent plane of the surface that the viewpoint lies on.
+/// Adds the place where the segment crosses the tangent plane of the surface that the viewpoint
+/// lies on.
 void VisibilityQuery::Candidates::add_horizon(Line& line) const {
     const double at_a = normal_->dot(viewpoint_.way_to(line.plane.at(0)));
     const double at_b = normal_->dot(viewpoint_.way_to(line.plane.at(1)));

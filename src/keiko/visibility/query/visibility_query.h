@@ -36,7 +36,7 @@ public:
                std::span<const Vec3> region, const std::optional<Vec3>& facing);
 
     VisibleIntervals intervals(const Segment& ends) const;
-    /// Nothing where the segments are no scan lines.
+    /// Visible parts of a row; nullopt where the segments are no scan lines.
     std::optional<std::vector<VisibleIntervals>> intervals_of_row(
         std::span<const Segment> row) const;
 
@@ -62,7 +62,7 @@ private:
     struct Screen {
         ScanPlane screen;
         std::vector<ScanBounds> pieces, borders;
-        /// Of the pieces for which prisms asked, as contour_generator() tells.
+        /// Folds of the pieces that prisms have needed, as contour_generator() returns them.
         std::map<std::size_t, std::optional<std::vector<BoundaryPiece>>> folds{};
     };
 
@@ -110,17 +110,17 @@ private:
     std::vector<std::uint32_t> borders_;
     bool region_touched_ = false; ///< a surface may cross the region itself
     std::optional<Vec3> normal_;  ///< of the surface that the viewpoint lies on
-    /// The tangent plane there has to be looked at, since no side of it is faced.
+    /// The tangent plane at the viewpoint matters, since no side of it is faced.
     bool has_horizon_ = false;
     /// Whether all of the region is seen, or none of it, where nothing can come in between.
     std::optional<bool> all_seen_;
     mutable int asked_for_ = 0; ///< segments one by one
     mutable std::optional<PlaneTree> tree_;
-    mutable std::optional<Screen> screen_; ///< of the direction asked for last
+    mutable std::optional<Screen> screen_; ///< of the last direction
 };
 
 /// Corners of the part of a convex body on the side of the plane through a viewpoint that the unit
-/// normal `facing` looks at, and maybe places between them.
+/// normal `facing` points to, and maybe places between them.
 inline std::vector<Vec3> clip_to_half_space(const Viewpoint& viewpoint, const Vec3& facing,
                                             std::span<const Vec3> corners) {
     std::vector<Vec3> part;

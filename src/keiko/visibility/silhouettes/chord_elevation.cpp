@@ -8,7 +8,7 @@
 namespace keiko {
 namespace {
 
-/// Where the derivatives along one parameter are, seen from a point.
+/// Bounds of the derivatives along one parameter as viewed from a point.
 struct DerivativeRange {
     double length = 0; ///< of the middle
     double off = 0;    ///< farthest from that middle, as a share of its length

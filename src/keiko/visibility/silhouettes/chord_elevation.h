@@ -7,19 +7,19 @@
 
 namespace keiko {
 
-/// Sine of the least elevation above the tangent plane with this unit normal, on either side of
-/// it, at which a viewpoint sees a point of a convex body with these corners; 0 where the plane
-/// cuts the body.
+/// Sine of the least elevation at which a viewpoint sees a point of a convex body with these
+/// corners. It is measured from the tangent plane with this unit normal, on either side of it; 0
+/// where the plane cuts the body.
 double least_elevation(const Viewpoint& viewpoint, const Vec3& normal,
                        std::span<const Vec3> corners);
 
-/// The tangent plane at a viewpoint that lies on a surface, and what is asked for over it.
+/// Tangent plane at a viewpoint on a surface, and the least elevation above it that matters.
 struct ViewpointHorizon {
     Vec3 normal{0};       ///< unit
     double elevation = 0; ///< sine of the least over the plane, 0 where it is cut
 };
 
-/// What a patch's homogeneous derivatives may be over a box of its parameters, by any positive
+/// Bounds of a patch's homogeneous derivatives over a box of its parameters, by any positive
 /// factor: component by component, middle and half width.
 struct TangentBounds {
     struct Range {
@@ -29,7 +29,7 @@ struct TangentBounds {
 };
 TangentBounds tangent_bounds(const HomogeneousNet& net);
 
-/// As below, of what the bounds are known for and in the axes that they are in.
+/// Steepest chord within the bounds alone, in their own axes.
 double steepest_chord(const TangentBounds& bounds, const Vec3& point, const Vec3& normal);
 
 /// Bound of the sine of the elevation at which a point of a patch sees any other over a box of its

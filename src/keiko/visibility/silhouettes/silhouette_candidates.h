@@ -21,8 +21,8 @@ struct NetCurvature {
 };
 
 NetCurvature net_curvature(const ScalarNet& net);
-/// Of the function that `lowered` approximates, `exact`, cheaper where the approximation is so
-/// close that Markov's inequality says enough of its derivatives.
+/// Curvature of the function `exact` that `lowered` approximates, cheaper where the approximation
+/// is so close that Markov's inequality says enough of its derivatives.
 NetCurvature net_curvature(const DegreeReducedScalar& lowered, const ScalarNet& exact);
 
 /// The surroundings of a viewpoint that lies on a patch, for silhouettes near it. The viewpoint
@@ -36,7 +36,7 @@ public:
     /// zero where the viewpoint sees the surface edge-on.
     SelfOcclusion(const OccluderPatch& patch, const Box2& uv, const Vec2& foot, ScalarNet edge_on);
 
-    /// Of the parts' points: the last axis is the normal at the viewpoint.
+    /// Axes of the parts' points: the last one is the normal at the viewpoint.
     const NetFrame& frame() const { return frame_; }
 
     /// Whether no plane through the viewpoint finds a silhouette, as the second derivative is
@@ -117,7 +117,8 @@ struct SilhouetteCandidates {
     double own_steepest() const;
 };
 
-/// Tells what of a model a viewpoint may see edge-on, piece by piece. Looks into both.
+/// Finds the pieces of a model that a viewpoint may see edge-on. Keeps references to both
+/// arguments.
 class CandidateMaker {
 public:
     CandidateMaker(const Silhouettes& silhouettes, const SubPatchKernels& kernels)
@@ -133,15 +134,16 @@ public:
                 SilhouetteCandidates& all) const;
 
 private:
-    /// Where a viewpoint on the surface lies on a piece's patch, or on its continuation close by:
-    /// on its own patch, on a neighbour, or on another face's share of the same surface.
+    /// Place of a viewpoint on a piece's patch, or on its continuation close by, if it lies on the
+    /// surface. That is on its own patch, on a neighbour, or on another face's share of the same
+    /// surface.
     std::optional<Vec2> foot(const SilhouettePiece& piece, const Viewpoint& viewpoint) const;
 
     const Silhouettes& silhouettes_;
     const SubPatchKernels& kernels_;
 };
 
-/// Of a patch's points, relative to its centre.
+/// Jet of a patch's points, relative to its centre.
 inline SurfaceJet jet_on(const SubPatchKernels& kernels, const OccluderPatch& patch,
                          const Vec2& uv) {
     return projected(kernels.evaluate(patch.points.view(), uv), patch.rational);

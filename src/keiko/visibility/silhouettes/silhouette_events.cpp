@@ -34,8 +34,8 @@ bool within(const Vec2& xy, double reach) {
     return std::abs(xy.x) <= reach && std::abs(xy.y) <= reach;
 }
 
-/// On which side of a fold the surface lies: by the side to which its section with the plane
-/// bends, as II(d, d) along the section has the sign of that bend's component along the normal.
+/// Side of a fold on which the surface lies. Its section with the plane bends to that side, as
+/// II(d, d) along the section has the sign of that bend's component along the normal.
 int dark_side(const SurfaceJet& s, const SegmentPlane& plane) {
     const Vec3 n = s.du.cross(s.dv);
     const double a = -plane.normal().dot(s.dv), b = plane.normal().dot(s.du);

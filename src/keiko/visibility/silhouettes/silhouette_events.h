@@ -8,18 +8,18 @@
 
 namespace keiko {
 
-/// Finds where silhouettes, seen from one viewpoint, hide a segment first or last: common zeros of
-/// m.(S
-/// - P) and (S_u x S_v).(S - P) (docs/theory/visibility.md#events). Where the two functions are
-/// proved to have at most one on a piece, Newton's method finds it; elsewhere the piece is split
-/// until they are, or until what is left is a single event to within rounding.
+/// Solver for the places where silhouettes, viewed from one viewpoint, hide a segment first or
+/// last. They are common zeros of m.(S - P) and (S_u x S_v).(S - P)
+/// (docs/theory/visibility.md#events). Where the two functions are proved to have at most one on a
+/// piece, Newton's method finds it. Elsewhere the piece is split until they are, or until a single
+/// event is left to within rounding.
 class SilhouetteSolver {
 public:
     SilhouetteSolver(const Silhouettes& silhouettes, const SubPatchKernels& kernels)
         : silhouettes_(silhouettes), kernels_(kernels) {}
 
     /// Appends the events of a candidate at which it hides some of the segment in `wedge`; false
-    /// when some could not be told apart.
+    /// when some could not be separated.
     bool find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
               const ShadowWedge& wedge, std::vector<VisibilityEvent>& events) const;
     bool find(const OwnCandidate& own, const SegmentPlane& plane, const ShadowWedge& wedge,
@@ -33,8 +33,8 @@ private:
     /// against `extent`.
     std::optional<Vec2> newton(const OccluderPatch& patch, Vec2 uv, const Vec2& extent,
                                const SegmentPlane& plane) const;
-    /// Where `pair` proves that there is at most one event over a box of a patch: finds it. False
-    /// where nothing is proved.
+    /// Finds the only event where `pair` proves that there is at most one over a box of a patch.
+    /// False where nothing is proved.
     bool add_only_root(const LinearizedSystem& pair, std::uint32_t patch, const Box2& uv,
                        bool trimmed, const SegmentPlane& plane,
                        std::vector<VisibilityEvent>& events) const;
@@ -47,7 +47,7 @@ private:
     };
     void find_part(const SilhouetteCandidate& candidate, const Viewpoint& viewpoint) const;
     /// Appends the events in a part on which nothing is proved yet; false when some could not be
-    /// told apart.
+    /// separated.
     bool search(const SilhouettePart& in, const Section& section, const Part& part,
                 const SegmentPlane& plane, std::vector<VisibilityEvent>& events) const;
     SilhouetteSearch::Result run(const SilhouetteSearch& search, const Part& part,

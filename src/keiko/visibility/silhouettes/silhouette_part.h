@@ -28,8 +28,8 @@ public:
         }
     }
 
-    /// What weighs homogeneous coordinates relative to `center`, of points at most `reach` from it,
-    /// into how far they lie inside of each side, mm.
+    /// Weights that turn homogeneous coordinates relative to `center`, of points at most `reach`
+    /// from it, into their distances inside each side, mm.
     std::array<Vec4, 2> weights(const Vec3& center, double reach) const {
         std::array<Vec4, 2> of_sides{Vec4(0), Vec4(0)};
         for (unsigned k = 0; k < 2; ++k) {
@@ -48,8 +48,8 @@ private:
     std::array<Side, 2> sides_;
 };
 
-/// What is asked of parts in a frame: silhouettes in a plane through the viewpoint that hide some
-/// of a segment. Weights of homogeneous coordinates.
+/// Search of parts in a frame: silhouettes in a plane through the viewpoint that hide some of a
+/// segment. Weights of homogeneous coordinates.
 struct Section {
     Vec4 plane;                ///< the distance to it
     std::array<Vec4, 2> sides; ///< how far inside of the wedge's
@@ -130,8 +130,9 @@ public:
     using Spread = std::function<double(const Box2&)>;
     struct Result {
         std::vector<Vec2> roots;
-        std::vector<Vec2> unclear; ///< boxes' middles where an event cannot be told from several
-        bool certain = true;       ///< false when unclear boxes are wide
+        /// Boxes' middles where one event cannot be separated from several.
+        std::vector<Vec2> unclear;
+        bool certain = true; ///< false when unclear boxes are wide
     };
     Result run(const Solve& solve, const Spread& spread, int most_boxes) const;
 

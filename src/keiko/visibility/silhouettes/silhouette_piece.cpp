@@ -109,7 +109,7 @@ HomogeneousNet points_in_frame(const OccluderPatch& patch, const SilhouettePiece
     return turned(moved_points(part_of(patch.points, uv), middle), piece.frame);
 }
 
-/// Of few coefficients, for a search that splits the piece.
+/// Planes of few coefficients, for a search that splits the piece.
 DegreeReducedNet lowered_planes(const OccluderPatch& patch, const SilhouettePiece& piece) {
     constexpr int enough = 5;
     const HomogeneousNet planes =

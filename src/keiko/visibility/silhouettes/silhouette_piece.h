@@ -41,8 +41,8 @@ struct SilhouettePiece {
     Box2 uv;                 ///< of that patch
     bool trimmed = false;    ///< trim curves may cross it
     Box3 box;                ///< world, mm
-    /// Of the nets. The last axis is about the normal: seen edge-on, a viewpoint has little of
-    /// that, and bounds of what varies along the normal weigh little.
+    /// Axes of the nets. The last axis is about the normal: where the surface is edge-on, a
+    /// viewpoint has little of that, and bounds of what varies along the normal weigh little.
     NetFrame frame;
     AffineNet points, planes;
     HomogeneousNet overlapped_points; ///< over the piece and its overlap
@@ -60,7 +60,7 @@ struct SilhouettePiece {
     /// The piece and half of its extent around: chords from a viewpoint whose foot lies there to
     /// the piece are mixtures of derivatives over this part of the patch.
     Box2 surroundings() const { return {uv.lower - uv.extent() / 2, uv.upper + uv.extent() / 2}; }
-    /// What weighs `planes` into the function that is zero where `viewpoint` sees the piece
+    /// Weights that turn `planes` into the function that is zero where `viewpoint` sees the piece
     /// edge-on.
     Vec4 weights(const Viewpoint& viewpoint) const {
         return frame.local(viewpoint.seen_from(frame.center));

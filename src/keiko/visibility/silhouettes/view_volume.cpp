@@ -86,7 +86,7 @@ ViewVolume::ViewVolume(std::span<const Vec3> places, std::span<const Vec3> regio
     hull_.extend(around.lower), hull_.extend(around.upper);
     const double reach = hull_.size();
     constexpr double margin = 1e-9;
-    // What lies in the surface is told from what stands on it by the places' own rounding.
+    // The places' own rounding separates what lies in the surface from what stands on it.
     const double above = margin * (around.size() + around.center().length());
     if (facing) add(*facing, farthest(places, *facing) + above);
     const auto add_behind = [&](const Vec3& outward) {

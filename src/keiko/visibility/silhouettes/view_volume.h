@@ -29,16 +29,18 @@ public:
     using Sides = std::uint32_t;
     Sides all_sides() const { return (Sides{1} << count_) - 1; }
 
-    /// False when the box is proved to lie beyond one of `sides`. Takes those off inside of which
-    /// all of it lies: no part of it need be held against them.
+    /// False when the box is proved to lie beyond one of `sides`. Removes the sides that
+    /// hold all of it: no part of it need be compared with them.
     bool may_hold(const Box3& box, Sides& sides) const;
-    /// The same of a piece, whose parallelogram or control points are tighter than its box.
+    /// False when a piece is proved to lie beyond a side, by its parallelogram or control points,
+    /// tighter than its box.
     bool may_hold(const SilhouettePiece& piece, Sides& sides) const;
     bool may_hold(const BoundaryPiece& border, Sides& sides) const;
-    /// The same of a curve of degree 5, relative to `center`, and all within `error` of it.
+    /// False when a curve of degree 5, relative to `center`, is proved to lie beyond a side with
+    /// all within `error` of it.
     bool may_hold(const BoundaryPiece::Curve& curve, const Vec3& center, double error,
                   Sides& sides) const;
-    /// The same of bounded points in the axes of a frame.
+    /// False when bounded points in the axes of a frame are proved to lie beyond a side.
     bool may_hold(const AffineBounds& points, const NetFrame& frame, Sides& sides) const;
     /// World box of the region itself.
     const Box3& region() const { return region_; }
