@@ -28,6 +28,7 @@ BoundaryHit boundary_hit(const TracedModel& model, const Crossing& crossing, Hit
 ///   on a sub-patch that trim curves cross. They are no farther apart, measured across the surface,
 ///   than their position bounds, or one is at an end and they are no farther apart at all. They are
 ///   not both proved to be on their own shares of one face, for then they are two.
+///
 /// - One crossing of a seam: faces need to meet only within its width, so a ray may cross both near
 ///   it, or one beyond its border. Both are crossed in the same sense (in or out), with no hit of
 ///   the other sense between them. They are no farther apart across the surface than two widths

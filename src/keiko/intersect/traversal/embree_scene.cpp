@@ -16,11 +16,11 @@ namespace keiko {
 namespace {
 
 /// Padding of boxes against single precision. In units of 2^-24 R, with R the scene's radius, that
-/// costs 1 for the start and 2 for the way of up to 2 R along the rounded direction. The slab
-/// test b * r - o * r costs 6, with r = 1 / d good to some 1.5 units in its last place and b - o up
-/// to 2 R, and 2 more for its own roundings. (That is Embree's test for user geometry, even in a
-/// robust scene.) The next power of two leaves 5 for the error of a start that comes from afar:
-/// enter() takes rays up to 4.
+/// costs 1 for the start and 2 for the way of up to 2 R along the rounded direction. The slab test
+/// b * r - o * r costs 6, and 2 more for its own roundings. There r = 1 / d is good to some 1.5
+/// units in its last place and b - o is up to 2 R. (That is Embree's test for user geometry, even
+/// in a robust scene.) The next power of two leaves 5 for the error of a start that comes from
+/// afar: enter() takes rays up to 4.
 constexpr double pad_in_radii = 16.0 / (1 << 24);
 
 /// Found by the callbacks through the context, and in it by ray.id: Embree may shuffle lanes.
