@@ -23,17 +23,19 @@ BoundaryHit boundary_hit(const TracedModel& model, const Crossing& crossing, Hit
 
 /// Sorted hits of one ray without the doubles that overlapping borders make. Two hits of an
 /// instance are one in two cases.
-/// - Copies: neighbouring sub-patches overlap by rounding, so that both may find what lies between
-///   them. The hits are crossed in the same sense. Each is at an end of its sub-patch or patch, or
-///   on a sub-patch that trim curves cross. They are no farther apart, measured across the surface,
-///   than their position bounds, or one is at an end and they are no farther apart at all. They are
-///   not both proved to be on their own shares of one face, for then they are two.
 ///
-/// - One crossing of a seam: faces need to meet only within its width, so a ray may cross both near
-///   it, or one beyond its border. Both are crossed in the same sense (in or out), with no hit of
-///   the other sense between them. They are no farther apart across the surface than two widths
-///   (three gaps: both borders and both hits may deviate by one each, twice in one direction). One
-///   is beyond its own border or near an edge of the other's face, or each is near an edge.
+/// Copies: neighbouring sub-patches overlap by rounding, so that both may find what lies between
+/// them. The hits are crossed in the same sense. Each is at an end of its sub-patch or patch, or
+/// on a sub-patch that trim curves cross. They are no farther apart, measured across the surface,
+/// than their position bounds, or one is at an end and they are no farther apart at all. They are
+/// not both proved to be on their own shares of one face, for then they are two.
+///
+/// One crossing of a seam: faces need to meet only within its width, so a ray may cross both near
+/// it, or one beyond its border. Both are crossed in the same sense (in or out), with no hit of
+/// the other sense between them. They are no farther apart across the surface than two widths
+/// (three gaps: both borders and both hits may deviate by one each, twice in one direction). One
+/// is beyond its own border or near an edge of the other's face, or each is near an edge.
+///
 /// The two sides of a thin sheet are crossed in opposite senses and so stay two, however thin.
 /// Faces that the file turns against each other at a seam look the same: there a seam may be
 /// counted twice.
