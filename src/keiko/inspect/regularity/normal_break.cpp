@@ -74,6 +74,23 @@ double way_along(const NormalPatch& patch, const Vec2& a, const Vec2& b) {
     return way;
 }
 
+/// Whether the normal stays within 90 degrees of `unit` for `near` mm of material from a place on.
+/// `step`: direction, and the first length tried.
+bool goes_on(const NormalPatch& patch, const Vec2& from, Vec2 step, const Vec3& unit, double near,
+             const IsMaterial& is_material) {
+    constexpr int most_doublings = 40;
+    const auto stays = [&](const Vec2& uv) {
+        const auto normal = patch.normal(uv);
+        return normal && unit.dot(*normal) > 0 && is_material(uv);
+    };
+    for (int i = 0; i < most_doublings; ++i, step *= 2.0) {
+        const Vec2 to = from + step;
+        if (to != clamped(to) || !stays(to)) return false;
+        if (way_along(patch, from, to) >= near) return true;
+    }
+    return false;
+}
+
 std::optional<NormalBreak> turn_along(const NormalPatch& patch, const std::array<Vec2, 2>& ends,
                                       double near, const IsMaterial& is_material) {
     constexpr int most = 50;
@@ -84,7 +101,9 @@ std::optional<NormalBreak> turn_along(const NormalPatch& patch, const std::array
         if (way_along(patch, a, b) <= near) {
             const double degrees = degrees_between(*at_a, *at_b);
             if (degrees < fold || !is_material(a) || !is_material(b)) return std::nullopt;
-            return NormalBreak{degrees, true, (patch.position(a) + patch.position(b)) / 2};
+            const bool over = goes_on(patch, a, a - b, *at_a, near, is_material) &&
+                              goes_on(patch, b, b - a, *at_b, near, is_material);
+            return NormalBreak{degrees, over, (patch.position(a) + patch.position(b)) / 2};
         }
         constexpr double share = 0.49; // singular places often lie in the middle
         const Vec2 between = a + (b - a) * share;
@@ -104,10 +123,12 @@ std::optional<NormalBreak> turn_between(const NormalPatch& patch, const std::arr
                                         const IsMaterial& is_material) {
     const Vec2 inside = box.lower + Vec2(0.37, 0.61) * box.extent();
     constexpr double aside = 0.25;
-    const auto found = turn_along(patch, ends, near, is_material);
+    auto found = turn_along(patch, ends, near, is_material);
     if (!found) return std::nullopt;
-    if (!turn_along(patch, {ends[0], ends[1] + (inside - ends[1]) * aside}, near, is_material))
-        return std::nullopt;
+    const auto beside =
+        turn_along(patch, {ends[0], ends[1] + (inside - ends[1]) * aside}, near, is_material);
+    if (!beside) return std::nullopt;
+    found->turns_over = found->turns_over && beside->turns_over;
     return found;
 }
 

@@ -12,6 +12,7 @@ using IsMaterial = std::function<bool(const Vec2&)>;
 /// Where the normals about a place have no limit.
 struct NormalBreak {
     double angle = 0; ///< degrees between two normals, in the limit at the place
+    /// True if the normal stays on its side for the negligible length on both sides of the place.
     bool turns_over = false;
     Vec3 place{0}; ///< world, mm
 };

@@ -94,7 +94,7 @@ private:
             if (!corners) return false;
             const auto over = turn_between(patch, *corners, uv, near, material_of(patch));
             if (over) add(*over);
-            return over.has_value();
+            return over && over->turns_over;
         }
         if (is_at_tip(patch, patch.position(uv.center()))) return true;
         const auto found = break_about(patch, uv, near, material_of(patch));
