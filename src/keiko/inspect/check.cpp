@@ -238,7 +238,7 @@ Check check_of_singular(const SingularPlace& place, const CriteriaPreset& preset
                                {"the angle between normals about one place", " degrees"});
     if (place.kind == Kind::unresolved) check.message = "the face is not shown to be regular";
     check.message += place.kind == Kind::fold ? "; the face folds back on itself" : "";
-    if (place.extent > 0) check.message += ", within some " + short_number(place.extent) + " mm";
+    if (place.extent > 1e-3) check.message += ", within some " + short_number(place.extent) + " mm";
     if (place.kind != Kind::fold) check.severity = Check::Severity::look;
     return check;
 }

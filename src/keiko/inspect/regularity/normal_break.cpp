@@ -91,6 +91,17 @@ bool goes_on(const NormalPatch& patch, const Vec2& from, Vec2 step, const Vec3& 
     return false;
 }
 
+/// Whether it does so in the direction of `step`, or in one of the parameters.
+bool goes_on_anywhere(const NormalPatch& patch, const Vec2& from, const Vec2& step,
+                      const Vec3& unit, double near, const IsMaterial& is_material) {
+    const double length = step.length();
+    const std::array<Vec2, 5> steps{step, Vec2(length, 0), Vec2(-length, 0), Vec2(0, length),
+                                    Vec2(0, -length)};
+    return std::any_of(steps.begin(), steps.end(), [&](const Vec2& way) {
+        return goes_on(patch, from, way, unit, near, is_material);
+    });
+}
+
 std::optional<NormalBreak> turn_along(const NormalPatch& patch, const std::array<Vec2, 2>& ends,
                                       double near, const IsMaterial& is_material) {
     constexpr int most = 50;
@@ -101,8 +112,8 @@ std::optional<NormalBreak> turn_along(const NormalPatch& patch, const std::array
         if (way_along(patch, a, b) <= near) {
             const double degrees = degrees_between(*at_a, *at_b);
             if (degrees < fold || !is_material(a) || !is_material(b)) return std::nullopt;
-            const bool over = goes_on(patch, a, a - b, *at_a, near, is_material) &&
-                              goes_on(patch, b, b - a, *at_b, near, is_material);
+            const bool over = goes_on_anywhere(patch, a, a - b, *at_a, near, is_material) &&
+                              goes_on_anywhere(patch, b, b - a, *at_b, near, is_material);
             return NormalBreak{degrees, over, (patch.position(a) + patch.position(b)) / 2};
         }
         constexpr double share = 0.49; // singular places often lie in the middle
