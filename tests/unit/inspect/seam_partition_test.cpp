@@ -93,10 +93,9 @@ TEST(PartitionSeam, FindsEveryPeakBetweenItsFirstSteps) {
             const auto parts = partition_seam(seam.probes().front(), 0, {});
             ASSERT_EQ(parts.size(), 3U) << lean << ", " << over;
             EXPECT_EQ(parts[1].kind, SeamClass::crease);
-            // Nearly level where it passes the limit: known to what is negligible.
-            const double negligible = StretchLimits{}.negligible;
-            EXPECT_NEAR(parts[1].begin.place.x, peak.slope.place_of(5, 0, peak.place), negligible);
-            EXPECT_NEAR(parts[1].end.place.x, peak.slope.place_of(5, peak.place, 300), negligible);
+            // Angles nearer to each other than 1e-8 degrees are not told apart.
+            EXPECT_NEAR(peak.slope.angle(parts[1].begin.place.x), 5, 2e-8) << lean << ", " << over;
+            EXPECT_NEAR(peak.slope.angle(parts[1].end.place.x), 5, 2e-8) << lean << ", " << over;
             EXPECT_EQ(partitioned(peak_of(lean, 5 - over).slope).size(), 1U) << lean;
         }
     EXPECT_GT(between, 200);

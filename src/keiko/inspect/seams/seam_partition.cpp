@@ -101,7 +101,10 @@ private:
             if (!to.angle) parts_.back().unknown += step;
             parts_.back().end = to;
         } else {
-            parts_.push_back({piece_, *known, to, to, 0});
+            // Angles that are not told apart are of the part before, up to the last such place.
+            const SeamPoint last = parts_.back().end;
+            const bool located = (to.place - last.place).length() <= class_change_bound;
+            parts_.push_back({piece_, *known, located ? to : last, to, 0});
         }
     }
 
