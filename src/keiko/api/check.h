@@ -1,4 +1,4 @@
-/// Geometry held against criteria.
+/// Geometry judged by criteria.
 #pragma once
 
 #include "keiko/report/content/line_checks.h"

@@ -1,4 +1,4 @@
-/// What is in a model or luminaire file.
+/// Contents of a model or luminaire file.
 #pragma once
 
 #include "keiko/files/photometric/luminaire_file.h"

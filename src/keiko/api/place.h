@@ -1,4 +1,4 @@
-/// Lamps placed by what a body mirrors.
+/// Lamps placed by the reflections of a body.
 #pragma once
 
 #include "keiko/files/scene/rig_file.h"

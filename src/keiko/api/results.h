@@ -1,4 +1,4 @@
-/// What runs leave and find.
+/// Results and findings of runs.
 #pragma once
 
 #include "keiko/workflow/earlier_results.h"

@@ -1,4 +1,4 @@
-/// Models and scene files made ready.
+/// Models and scene files, prepared for use.
 #pragma once
 
 #include "keiko/base/text.h"

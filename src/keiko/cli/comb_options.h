@@ -11,7 +11,7 @@
 
 namespace keiko::cli {
 
-/// What is asked of sections and iso-curves, and where to write it.
+/// Options for sections and iso-curves, and for the files to which they are written.
 class CombArguments {
 public:
     /// Adds --section and --iso-curves to a command.
@@ -19,14 +19,14 @@ public:
     /// Adds --combs, for a command that writes no folder.
     void add_files(CLI::App& command);
 
-    /// Throws Error for what is no plane.
+    /// Options for comb_curves. Throws Error for an invalid plane.
     CombOptions options(double join) const;
-    /// Throws Error where curves are asked for but no file, or the other way round, and for a file
-    /// that cannot be written or has an ending that names no format.
+    /// Throws Error if curves are requested without a file, or the reverse, and for a file that
+    /// cannot be written or whose ending names no format.
     void require_places() const;
     /// The files that the options name; pictures of several planes have other names.
     const std::vector<std::filesystem::path>& files() const { return files_; }
-    /// Adds every file that was asked for; pictures of several planes are FILE-PLANE.svg.
+    /// Adds every requested file; pictures of several planes are FILE-PLANE.svg.
     void add_to(FileTransaction& batch, const Combs& combs) const;
 
 private:

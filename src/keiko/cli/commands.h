@@ -4,7 +4,7 @@
 
 namespace keiko::cli {
 
-/// Each adds one command of `keiko` to the app.
+/// Each function adds one command of `keiko` to the app.
 void add_check(CLI::App& app, Session& session);
 void add_compare(CLI::App& app, Session& session);
 void add_illuminance(CLI::App& app, Session& session);

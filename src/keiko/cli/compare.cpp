@@ -30,7 +30,7 @@ bool shows_pictures(const CompareArguments& arguments) {
     return !arguments.output.empty() || !arguments.views.views.empty() || arguments.rig != "auto";
 }
 
-/// Whether -o names a page rather than a folder.
+/// True if -o names a page rather than a folder.
 bool is_page(const fs::path& output) {
     const std::string ending = lower_case(output.extension().string());
     return ending == ".html" || ending == ".htm";
@@ -77,7 +77,7 @@ CompareBodiesOptions options_of(const CompareArguments& arguments) {
     options.views->width = size.width, options.views->height = size.height;
     if (arguments.rig == "auto") return options;
     options.views->rig = arguments.rig;
-    read_rig_aloud(arguments.rig); // a misspelt key is told before the long work
+    read_rig_aloud(arguments.rig); // a misspelt key is reported before the long work
     return options;
 }
 

@@ -6,16 +6,18 @@
 
 namespace keiko::cli {
 
-/// Which frames of an animation are made, and of what: a text file beside their pictures,
-/// image-frames.txt for image-0000.png and on, with a line `frame key` for each.
+/// Log of the frames of an animation that are complete, and of their inputs. It is a text file
+/// beside their pictures, image-frames.txt for image-0000.png and on, with a line `frame key` for
+/// each.
 class FrameLog {
 public:
-    /// Reads what is there. `picture` is the name that the pictures have but for their number.
+    /// Reads the existing log. `picture` is the name of the pictures without their number.
     explicit FrameLog(const std::filesystem::path& picture);
 
-    /// Whether the frame is made, of what has this key.
+    /// True if the frame is complete, with inputs of this key.
     bool holds(int frame, const std::string& key) const;
-    /// The frame is made; its picture must be there. Throws Error where the file cannot be written.
+    /// Records that the frame is complete; its picture must be there. Throws Error if the file
+    /// cannot be written.
     void note(int frame, const std::string& key);
 
 private:

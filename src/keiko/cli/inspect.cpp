@@ -62,7 +62,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     options.symmetry = arguments.symmetry.choice();
     if (arguments.rig != "auto") {
         options.rig = arguments.rig;
-        read_rig_aloud(*options.rig); // a misspelt key is told before the long work
+        read_rig_aloud(*options.rig); // a misspelt key is reported before the long work
     }
     require_view_names(options.views);
     options.combs = arguments.combs.options(options.join);

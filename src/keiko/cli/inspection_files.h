@@ -12,20 +12,20 @@
 
 namespace keiko::cli {
 
-/// The files in which an inspection is told to other programs, as the user asked for them.
+/// The files in which an inspection is reported to other programs, as requested by the user.
 class InspectionFiles {
 public:
     /// Adds --junit, --sarif and --csv to a command.
     void add_to(CLI::App& command);
-    /// Adds --json, and -o, whose format is told by the ending.
+    /// Adds --json, and -o, whose ending selects the format.
     void add_json_and_output(CLI::App& command);
 
-    /// Throws Error where a file cannot be written, has an ending that names no format, is asked
-    /// for twice or is one of the model files, `inputs`.
+    /// Throws Error if a file cannot be written, has an ending that names no format, is requested
+    /// twice or is one of the model files, `inputs`.
     void require_places(std::span<const std::filesystem::path> inputs) const;
     /// The files that the options name. Throws Error for an ending that names no format.
     std::vector<std::filesystem::path> paths() const;
-    /// Adds every file that was asked for.
+    /// Adds every requested file.
     void add_to(FileTransaction& batch, const Inspection& inspection) const;
 
 private:

@@ -99,7 +99,7 @@ int lines(LinesArguments arguments, const Job& job) {
     require_view_names(options.views);
     if (!arguments.rig.empty()) {
         options.rig = arguments.rig;
-        read_rig_aloud(arguments.rig); // a misspelt key is told before the long work
+        read_rig_aloud(arguments.rig); // a misspelt key is reported before the long work
     }
     const Scene scene = arguments.scene.open(job);
     arguments.scene.warn_of_axes(scene, options.views);

@@ -4,7 +4,7 @@
 
 namespace keiko::cli {
 
-/// Lets an option's number pass that is from `low` to `high`; neither NaN nor infinity is.
+/// Accepts an option's number from `low` to `high`; NaN and infinity are rejected.
 CLI::Validator number_between(double low, double high);
 
 } // namespace keiko::cli

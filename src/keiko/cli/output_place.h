@@ -5,14 +5,15 @@
 
 namespace keiko::cli {
 
-/// Throws Error where no file can be written at `path`: told before the long work that makes it.
+/// Throws Error if no file can be written at `path`: reported before the long work that makes it.
 void require_place_for_file(const std::filesystem::path& path);
 
-/// The same for files in a folder, which may be missing itself, its parents too.
+/// Throws Error if no file can be written in a folder, which may be missing itself, its parents
+/// too.
 void require_place_for_folder(const std::filesystem::path& folder);
 
-/// Throws Error where two outputs are the same file, or one is an input; devices and pipes may be
-/// named more than once. Empty paths stand for nothing.
+/// Throws Error if two outputs are the same file, or one is an input. Devices and pipes may be
+/// named more than once. Empty paths are ignored.
 void require_distinct(std::span<const std::filesystem::path> outputs,
                       std::span<const std::filesystem::path> inputs);
 

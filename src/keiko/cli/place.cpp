@@ -34,7 +34,8 @@ struct PlaceArguments {
     SymmetryOption symmetry;
 };
 
-/// Any other name may be that of the model, which would be overwritten.
+/// Requires the ending of a rig: a file of any other name may be the model, which would be
+/// overwritten.
 void require_rig_extension(const std::filesystem::path& path) {
     if (path.extension() != ".toml")
         throw Error(path.string(), "", "a rig is written as a file that ends in .toml");
@@ -82,7 +83,7 @@ PlaceOptions placing(const PlaceArguments& arguments) {
     return options;
 }
 
-/// `view`: that the lamps are of alone; empty: all.
+/// `view`: the only view whose lamps are summarised; empty: all.
 void print_summary(const PlaceResult& result, const std::string& view,
                    const std::filesystem::path& output) {
     const Placement& placement = result.placement;
@@ -104,7 +105,7 @@ void print_summary(const PlaceResult& result, const std::string& view,
     print(lines.text());
 }
 
-/// rig.toml of the view "front" is rig-front.toml.
+/// Path of a view's file: rig.toml of the view "front" is rig-front.toml.
 std::filesystem::path of_view(const std::filesystem::path& path, const std::string& view) {
     if (path.empty()) return path;
     return path.parent_path() / (path.stem().string() + "-" + view + path.extension().string());

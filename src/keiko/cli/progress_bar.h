@@ -7,8 +7,8 @@
 
 namespace keiko::cli {
 
-/// Shows progress on stderr: a bar that redraws itself on a terminal; elsewhere plain lines, where
-/// the work has come to every ten seconds, or each stage if that is asked for.
+/// Shows progress on stderr. On a terminal it is a bar that redraws itself. Elsewhere it is plain
+/// lines: the state every ten seconds, or each stage if requested.
 class ProgressBar {
 public:
     ProgressBar(bool quiet, bool every_stage);
@@ -18,7 +18,7 @@ public:
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     void show(const Progress& progress);
-    /// Takes the bar off the terminal before other text is printed.
+    /// Clears the bar from the terminal before other text is printed.
     void clear();
 
 private:

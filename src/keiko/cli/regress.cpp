@@ -47,7 +47,7 @@ int exit_code_of(FixtureState state) {
     return state == FixtureState::same ? exit_pass : exit_findings;
 }
 
-/// "high-front: color", the first view and layer that are beyond their tolerance; else empty.
+/// "high-front: color", the first view and layer that exceed their tolerance; else empty.
 std::string worst_picture(const FixtureOutcome& fixture) {
     for (const PictureOutcome& picture : fixture.pictures) {
         if (picture.within()) continue;
@@ -111,7 +111,7 @@ int regress(const RegressArguments& arguments, const Job& job) {
     return tell(run_regression(options, job), options.output);
 }
 
-/// `only` and `shard` are the options that do not go with it.
+/// `only` and `shard` are the options that exclude it.
 void add_updating(CLI::App& command, RegressArguments& arguments, CLI::Option* only,
                   CLI::Option* shard) {
     auto* update = command

@@ -21,7 +21,8 @@ LightRig rig_of(const Scene& scene, const RenderArguments& arguments, const Came
     return place_lamps(scene.tracer, scene.model, camera, {}, job).rig;
 }
 
-/// Only highlight lines are of a rig's lamps; the rest of the light is not asked for.
+/// Renders an analysis picture. Only highlight lines use a rig's lamps; the rest of the light is
+/// not computed.
 void render_look(const RenderArguments& arguments, const ChosenMode& chosen, const Scene& scene,
                  const Camera& camera, const Job& job) {
     const LightRig rig =

@@ -1,4 +1,4 @@
-// What the options of RenderArguments ask for, out of their texts.
+// Values of the options of RenderArguments, parsed from their texts.
 #include "keiko/api/results.h"
 #include "keiko/base/error.h"
 #include "keiko/base/output_file.h"
@@ -28,7 +28,7 @@ std::vector<std::string> look_names() {
     return names;
 }
 
-/// Of "curvature:gauss=1e-4" the name.
+/// Mode of the name in "curvature:gauss=1e-4".
 AnalysisMode look_by_name(const std::string& name) {
     for (const AnalysisMode look : every_look())
         if (name_of(look) == name) return look;
@@ -118,7 +118,7 @@ std::optional<Frames> RenderArguments::frames() const {
     return frames;
 }
 
-/// An .exr holds luminance as it is, and layers; a .png neither.
+/// An .exr holds unscaled luminance, and layers; a .png neither.
 void RenderArguments::require() const {
     require_image_extension(output);
     const std::string file = output.string();
@@ -133,7 +133,7 @@ void RenderArguments::require() const {
     if (!hits.empty()) require_place_for_file(hits);
 }
 
-/// It shows the surface, whatever the light is; only highlight lines are of a rig's lamps.
+/// An analysis mode shows the surface under any light; only highlight lines use a rig's lamps.
 void RenderArguments::require_look(const ChosenMode& look) const {
     const std::string option = "--look " + std::string(name_of(look.look));
     if (!is_png(output)) throw Error(output.string(), "", option + " makes a .png");

@@ -5,7 +5,7 @@
 namespace keiko::cli {
 namespace {
 
-/// An empty text is what an option has that was not given.
+/// Rejects an empty text, the value of an option that is not given.
 CLI::Validator not_empty() {
     return {[](const std::string& text) { return std::string(text.empty() ? "is empty" : ""); },
             ""};

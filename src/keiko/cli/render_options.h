@@ -9,14 +9,14 @@
 
 namespace keiko::cli {
 
-/// A look and how much of a curvature its colours are full at, 1/mm or 1/mm2; none: as the picture
-/// has it.
+/// An analysis mode and the curvature at which its colours are saturated, 1/mm or 1/mm2; without
+/// one, the picture's default.
 struct ChosenMode {
     AnalysisMode look = AnalysisMode::zebra;
     std::optional<double> full{};
 };
 
-/// First and last.
+/// First and last frame.
 struct Frames {
     int first = 0, last = 0;
 };
@@ -33,19 +33,20 @@ public:
 
     void add_to(CLI::App& command);
 
-    /// Throws Error for options that do not go with each other or with the file that is asked for,
-    /// and for a place that cannot be written to.
+    /// Throws Error for options that exclude each other or do not suit the requested file, and for
+    /// a place that cannot be written to.
     void require() const;
-    /// Nothing: under the lamps. Throws Error for a name that no look has.
+    /// Chosen analysis mode; nullopt for a picture under the lamps. Throws Error for an unknown
+    /// name.
     std::optional<ChosenMode> look() const;
     std::vector<Aov> aovs() const;
     FalseColorScale scale() const;
     ShownQuantity quantity() const;
     ToneMapping mapping() const;
     TubeModel tubes() const;
-    /// Nothing: one picture.
+    /// Frames of an animation; nullopt for one picture.
     std::optional<Frames> frames() const;
-    /// All that a picture is made of but the number of its frame.
+    /// Key of all inputs of a picture except the number of its frame.
     std::string key() const;
 
 private:
@@ -58,7 +59,7 @@ private:
     std::string aovs_, look_ = "lamps", scale_, quantity_ = "luminance", penumbrae_ = "width",
                        tone_ = "linear", frames_;
     std::optional<double> ev_;
-    std::vector<const CLI::Option*> of_lamps_; ///< that no look but the lamps' heeds
+    std::vector<const CLI::Option*> of_lamps_; ///< options that only pictures under the lamps use
     const CLI::Option* rig_ = nullptr;
 };
 

@@ -14,12 +14,12 @@
 
 namespace keiko::cli {
 
-/// In pixels; 0: as the scene has it.
+/// Size in pixels; 0: the scene's own.
 struct PictureSize {
     int width = 0, height = 0;
 };
 
-/// The options of every command that looks at a body.
+/// The options of every command that reads a body.
 struct SceneArguments {
     std::vector<std::filesystem::path> inputs;
     SceneOptions options;
@@ -37,22 +37,22 @@ struct SceneArguments {
     /// Adds the option that bodies cast shadows.
     void add_shadows(CLI::App& command);
     SceneOptions scene_options() const;
-    /// Throws Error for a --size that is none.
+    /// Throws Error for an invalid --size.
     PictureSize picture_size() const;
     /// Opens the scene, and warns of every face that could not be read.
     Scene open(const Job& job) const;
-    /// Warns where views by name are asked of models that plainly do not lie in the vehicle frame,
-    /// if --axes is not given.
+    /// Warns if views are requested by name for models that plainly do not lie in the vehicle
+    /// frame, unless --axes is given.
     void warn_of_axes(const Scene& scene, std::span<const std::string> views) const;
 };
 
 /// Warns of every remark, by its subject.
 void log_remarks(const Diagnostics& remarks);
 
-/// Reads a rig file, and warns of what its luminaires contradict themselves in.
+/// Reads a rig file, and warns of contradictions within its luminaires.
 LightRig read_rig_aloud(const std::filesystem::path& file);
 
-/// Adds only how model files are read.
+/// Adds only the options for reading model files.
 void add_load_options(CLI::App& command, SceneArguments& arguments);
 LoadOptions load_options(const SceneArguments& arguments);
 

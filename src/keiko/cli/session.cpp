@@ -26,7 +26,7 @@ void tell_usage_error(const CLI::App& app, const CLI::ParseError& error) {
     log_error(std::string(error.what()) + "; see " + command + " --help");
 }
 
-/// Whether the first argument names no command; if so, that is told.
+/// Reports an unknown command. True if the first argument names no command.
 bool tell_unknown_command(const CLI::App& app, int argc, char** argv) {
     const std::string typed = argc > 1 ? argv[1] : "-";
     if (typed.starts_with('-')) return false;

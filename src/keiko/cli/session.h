@@ -16,13 +16,13 @@ namespace keiko::cli {
 class Session {
 public:
     /// Adds --threads, --quiet and --verbose to a command, and runs `action`, which returns the
-    /// exit code, when the command is the one that was asked for.
+    /// exit code, if the command is the requested one.
     void add_command(CLI::App& command, std::function<int(const Job&)> action);
 
-    /// Parses the command line and runs the command. Returns the exit code; one line on stderr
-    /// tells every error.
+    /// Parses the command line and runs the command. Returns the exit code; every error is reported
+    /// in one line on stderr.
     int run(CLI::App& app, int argc, char** argv);
-    /// Whether --verbose was given.
+    /// True if --verbose was given.
     bool verbose() const { return verbose_; }
 
 private:

@@ -15,7 +15,8 @@
 namespace keiko::cli {
 namespace {
 
-/// Signals are taken by a thread of their own and interrupt no call: look for a stop in between.
+/// Waits in short intervals that check for a stop, since signals are handled by their own thread
+/// and interrupt no call.
 void wait_for(int descriptor, short event, const Job& job) {
     constexpr int milliseconds = 20;
     pollfd entry{descriptor, event, 0};

@@ -12,28 +12,28 @@ class StandardInput {
 public:
     explicit StandardInput(const Job& job) : job_(job) {}
 
-    /// Fills the front of `bytes` with what there is, at least one byte; 0 at the end. Throws
-    /// Error, or Cancelled when the job is stopped.
+    /// Fills the front of `bytes` with the available bytes, at least one; returns 0 at the end.
+    /// Throws Error, or Cancelled when the job is stopped.
     std::size_t read(std::span<char> bytes) const;
 
 private:
     const Job& job_;
 };
 
-/// Standard output for a command that writes as it reads; a wait for the reader ends when the job
-/// is stopped.
+/// Standard output for a command that writes while it reads; a wait for the reader ends when the
+/// job is stopped.
 class StandardOutput {
 public:
-    /// A reader that goes away no longer ends the process.
+    /// Opens the output; from then on a reader that closes it does not end the process.
     explicit StandardOutput(const Job& job);
 
-    /// Writes all of it; false when nobody reads it any more. Throws Error, or Cancelled when the
-    /// job is stopped.
+    /// Writes all of it; false if no reader is left. Throws Error, or Cancelled when the job is
+    /// stopped.
     bool write(std::string_view text) const;
 
 private:
     const Job& job_;
-    std::size_t most_at_once_; ///< bytes that never block once poll said that there is room
+    std::size_t most_at_once_; ///< bytes that never block once poll has reported room
 };
 
 } // namespace keiko::cli

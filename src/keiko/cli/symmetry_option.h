@@ -8,20 +8,21 @@
 
 namespace keiko::cli {
 
-/// The plane that a body, and the lamps over it, are symmetric about.
+/// The plane about which a body, and the lamps over it, are symmetric.
 class SymmetryOption {
 public:
     /// Adds --symmetry to a command that places lamps.
     void add_to_placement(CLI::App& command);
-    /// Adds --symmetry and --symmetry-limit to one that judges a body; `also_places`: lamps too.
+    /// Adds --symmetry and --symmetry-limit to a command that judges a body; `also_places`: it
+    /// places lamps too.
     void add_to(CLI::App& command, bool also_places);
-    /// What lamps are symmetric about: automatic where nothing is asked for. Throws Error for what
-    /// is no plane.
+    /// Symmetry of the lamps: automatic if not requested. Throws Error for an invalid plane.
     SymmetryChoice choice() const;
-    /// In place of what the preset has: a plane is judged, off is not. Throws Error for what is no
+    /// Replaces the preset's symmetry: a plane is judged, "off" is not. Throws Error for an invalid
     /// plane, and for a limit without one.
     void apply_to(CriteriaPreset& preset) const;
-    /// What is found is worth a look, where "auto" is asked for and the preset judges no plane.
+    /// Makes a symmetry that is found deserve a look, if "auto" is requested and the preset judges
+    /// no plane.
     void look_in(CriteriaPreset& preset) const;
 
 private:

@@ -20,7 +20,7 @@ int trace(const TraceArguments& arguments, const Job& job) {
     const StandardInput input(job);
     const StandardOutput output(job);
     SceneArguments inputs = arguments.scene;
-    // Only light is shadowed, and what casts shadows takes time to find.
+    // Only light is shadowed, and occluders take time to find.
     if (!light_column(hit_columns(arguments.options.columns))) inputs.options.shadows = false;
     const Scene scene = inputs.open(job);
     const TraceCounts counts = trace_rays(

@@ -63,14 +63,14 @@ std::string short_number(double value) {
     return text;
 }
 
-/// "0.0370": how good it is, with its trailing zeros.
+/// A value's error bound with its trailing zeros, "0.0370", which state its precision.
 std::string bound_number(double bound) {
     char text[32];
     std::snprintf(text, sizeof text, "%#.3g", bound);
     return text;
 }
 
-/// How a measure is put into words.
+/// Wording of a measure in messages.
 struct Wording {
     const char* what; ///< "the gap"
     const char* unit; ///< " mm"
@@ -111,7 +111,7 @@ Check not_judged(std::string_view code, const std::string& reason) {
     return check;
 }
 
-/// Why the angle of a stretch and what follows from it are not judged, or nullptr.
+/// Reason why the angle of a stretch and the quantities derived from it are not judged, or nullptr.
 const char* excuse_of(const MeasuredSeam& seam) {
     if (seam.scrap) return "the stretch is shorter than what is negligible";
     if (seam.kind == SeamClass::crease) return "the stretch is a crease";
@@ -128,7 +128,8 @@ Check gap_check(const MeasuredSeam& seam, double join) {
     return check;
 }
 
-/// Where control points coincide at a border its normal may exist as a limit, and break.
+/// Check of a seam whose angle is unknown. Where control points coincide at a border, its normal
+/// may exist as a limit, and break.
 Check unknown_angle(const MeasuredSeam& seam, const CriteriaPreset& preset) {
     if (seam.verdict == Verdict::pass) return not_judged("G-SU-NT", "a side has no normal");
     Check check = named("G-SU-NT");
@@ -138,7 +139,7 @@ Check unknown_angle(const MeasuredSeam& seam, const CriteriaPreset& preset) {
     return check;
 }
 
-/// Whether a value is undecided for places that have none, not for its bound.
+/// True if a value is undecided because places have none, not because of its bound.
 bool is_known_in_part(const MeasuredValue& worst) {
     return worst.verdict == Verdict::undecided && worst.value + worst.bound <= worst.limit;
 }
@@ -202,7 +203,8 @@ Check flaw_check(const Flaw& flaw) {
     return check;
 }
 
-/// One a flaw; where there is none, one that tells so, by the limit of the narrowest window.
+/// One check a flaw. If there is no flaw, one check reports this, with the limit of the narrowest
+/// window.
 std::vector<Check> flaw_checks(const MeasuredFace& face, const WavinessLimit& limit) {
     if (!face.curvature) return {not_judged("G-SU-WV", no_curvature)};
     std::vector<Check> checks;
@@ -215,7 +217,7 @@ std::vector<Check> flaw_checks(const MeasuredFace& face, const WavinessLimit& li
     return checks;
 }
 
-/// One a flaw that is worth a look.
+/// One check a flaw that deserves a look.
 std::vector<Check> looks_of(const MeasuredFace& face) {
     std::vector<Check> looks;
     for (const Flaw& flaw : face.flaws) {
@@ -226,8 +228,8 @@ std::vector<Check> looks_of(const MeasuredFace& face) {
     return looks;
 }
 
-/// A fold fails, as one at a seam does. Other places are worth a look, where nothing proves them
-/// regular too.
+/// Check of a singular place. A fold fails, like one at a seam. Other places deserve a look unless
+/// something proves them regular too.
 Check check_of_singular(const SingularPlace& place, const CriteriaPreset& preset) {
     using Kind = SingularPlace::Kind;
     const MeasuredValue worst{place.angle, 0, preset.angle, place.place,

@@ -13,7 +13,7 @@ namespace keiko {
 struct Opening;
 struct Overlap;
 
-/// What surfaces are held to, and its names.
+/// A criterion that surfaces are judged by, and its names.
 struct Criterion {
     std::string_view code;        ///< [SASIG-PDQ], [VDA4955]: "G-SU-LG"; Keiko's own: "KEIKO-..."
     std::string_view rule;        ///< name in [ISO10303-59], or empty
@@ -21,13 +21,13 @@ struct Criterion {
     std::string_view description; ///< one sentence
 };
 
-/// The criterion of a code; throws std::out_of_range for one that there is not.
+/// The criterion of a code; throws std::out_of_range for an unknown code.
 const Criterion& criterion_of(std::string_view code);
 
-/// One criterion held against one seam or face, or against the lines that cross a seam. One that is
-/// judged and does not pass is a finding, unless it is only worth a look.
+/// One criterion held against one seam or face, or against the lines that cross a seam. A judged
+/// check that does not pass is a finding, unless its severity is `look`.
 struct Check {
-    /// `judged` decides on the verdict with all others; `look` has no part in it.
+    /// `judged` counts in the verdict; `look` does not.
     enum class Severity { judged, look };
 
     std::string code;     ///< as Criterion
@@ -35,8 +35,8 @@ struct Check {
     std::string quantity; ///< as Criterion
     std::string unit;     ///< "mm", "deg", "deg/mm", "1" (a share of 1) or "1/mm"
     std::string formula;  ///< of a curvature mismatch, or empty
-    MeasuredValue worst;  ///< value, bound, limit, place, verdict; none where not judged
-    bool judged = true;   ///< else `message` says why not
+    MeasuredValue worst;  ///< value, bound, limit, place, verdict; empty if not judged
+    bool judged = true;   ///< if false, `message` gives the reason
     Severity severity = Severity::judged;
     std::uint32_t seam = no_index; ///< into Inspection::seams; no_index: of a face
     std::uint32_t face = no_index; ///< into Inspection::faces; no_index: of a seam
@@ -52,35 +52,36 @@ private:
 };
 
 /// A criterion of reflection lines, "KEIKO-LINE-...", held against the worst of `lines` that cross
-/// a seam in a view, of which `failing` do not pass. Without seam and face.
+/// a seam in a view; `failing` of them do not pass. Without seam and face.
 Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::size_t lines,
                      std::size_t failing);
 
-/// KEIKO-SYMMETRY held against how far a body is from its image at a plane, "y = 0", at its worst
-/// place. Without face.
+/// KEIKO-SYMMETRY held against the largest distance of a body from its image at a plane, such as "y
+/// = 0". Without face.
 Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane);
 
-/// KEIKO-OPENING: an opening that is wider than the preset's gap is worth a look. `faces`: the
+/// KEIKO-OPENING: an opening that is wider than the preset's gap deserves a look. `faces`: the
 /// names of its sides. Without face.
 Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,
                        const std::string& faces);
 
-/// KEIKO-OVERLAP, KEIKO-TEE or KEIKO-CROSSING: a run of a free edge on the inside of another face
-/// that is longer than the preset's negligible length is worth a look, and so is each that passes
-/// through it. `faces`: the names of its sides. Without face.
+/// KEIKO-OVERLAP, KEIKO-TEE or KEIKO-CROSSING: a run of a free edge on the inside of another face.
+/// It deserves a look if it is longer than the preset's negligible length or passes through that
+/// face. `faces`: the names of its sides. Without face.
 Check check_of_overlap(const Overlap& overlap, const CriteriaPreset& preset,
                        const std::string& faces);
 
-/// Every criterion of the preset held against one measured face (number `index`), and what of it is
-/// worth a look. What the preset has no limit for is left out.
+/// Every criterion of the preset held against one measured face (number `index`), and the checks of
+/// it that deserve a look. Criteria without a limit in the preset are left out.
 std::vector<Check> checks_of(const MeasuredFace& face, const CriteriaPreset& preset,
                              std::uint32_t index);
 
-/// "fail", "undecided" or "pass"; "look" of what is worth one.
+/// "fail", "undecided" or "pass"; "look" for a check that deserves one.
 std::string_view outcome_of(const Check& check);
 
 /// Every criterion of the preset held against one measured seam (number `index`), in the order gap,
-/// angle, curvature, its slope, fading. What the preset has no limit for is left out. `join` in mm.
+/// angle, curvature, its slope, fading. Criteria without a limit in the preset are left out. `join`
+/// in mm.
 std::vector<Check> checks_of(const MeasuredSeam& seam, const CriteriaPreset& preset, double join,
                              std::uint32_t index);
 

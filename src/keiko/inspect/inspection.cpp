@@ -39,12 +39,13 @@ std::size_t& count_of(Verdict verdict, FaceCounts& counts) {
                                            : counts.pass;
 }
 
-/// 1/mm. Where one side bends the other way, the mismatch is 100 % whatever it amounts to.
+/// 1/mm. If one side bends the other way, the mismatch is 100 % whatever its amount.
 double curvature_change(const MeasuredSeam& seam) {
     return seam.curvature ? std::abs(seam.curvature->curvature_a - seam.curvature->curvature_b) : 0;
 }
 
-/// Of the findings of some seams: of equal shares the one where the curvature changes more.
+/// Order of the findings of seams by severity; among equal shares of the limit, the larger change
+/// of curvature is worse.
 class Worse {
 public:
     explicit Worse(const std::vector<MeasuredSeam>& seams) : seams_(seams) {}
@@ -64,7 +65,7 @@ private:
     const std::vector<MeasuredSeam>& seams_;
 };
 
-/// Whether a place of a face, in world coordinates, lies in one of its irregular patches.
+/// True if a place of a face, in world coordinates, lies in one of its irregular patches.
 bool in_irregular_patch(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face,
                         const Vec3& place) {
     const Affine& transform = model.instances[instance].transform;
@@ -88,7 +89,7 @@ void mark_irregular(const SurfaceModel& model, std::vector<MeasuredSeam>& seams)
     }
 }
 
-/// Those of some checks that the predicate holds for, the worst first.
+/// The checks that satisfy the predicate, the worst first.
 std::vector<Check> ranked(const Inspection& inspection, bool (Check::*predicate)() const) {
     std::vector<Check> found;
     std::copy_if(inspection.checks.begin(), inspection.checks.end(), std::back_inserter(found),
@@ -132,7 +133,7 @@ void add_singular_places(const ModelBorders& borders, Inspection& result, const 
     });
 }
 
-/// "face 1 | face 2", once where both are one.
+/// "face 1 | face 2"; a single name if both are the same.
 std::string names_of(const SurfaceModel& model, const PlacedFace& a, const PlacedFace& b) {
     const std::string name = placed_face_name(model, a.instance, a.face);
     return a == b ? name : name + " | " + placed_face_name(model, b.instance, b.face);
@@ -148,7 +149,7 @@ void add_of_face(Inspection& result, const PlacedFace& of, Check check) {
     result.checks.push_back(std::move(check));
 }
 
-/// What is found at the free edges of a model.
+/// Adds the checks of a model's free edges.
 void add_at_free_edges(const ModelBorders& borders, Inspection& result, const Job& job) {
     const SurfaceModel& model = borders.model;
     const CriteriaPreset& preset = result.preset;

@@ -8,36 +8,36 @@
 
 namespace keiko {
 
-/// Stretches of seams by verdict. A crease that passes counts as a crease only, a run-out that does
-/// as a run-out, and a scrap as a scrap.
+/// Stretches of seams by verdict. A passing crease counts as a crease only, a passing run-out as a
+/// run-out, and a scrap as a scrap.
 struct SeamCounts {
     std::size_t fail = 0, undecided = 0, pass = 0, creases = 0, run_outs = 0, scraps = 0;
 
     bool operator==(const SeamCounts&) const = default;
 };
 
-/// Faces by verdict on them alone.
+/// Faces by their own verdict.
 struct FaceCounts {
     std::size_t fail = 0, undecided = 0, pass = 0;
 
     bool operator==(const FaceCounts&) const = default;
 };
 
-/// The geometry of a model held against criteria.
+/// The geometry of a model judged by criteria.
 struct Inspection {
     CriteriaPreset preset;
     double join = 0.5; ///< mm
     ModelFacts facts;
     std::vector<Seam> pieces; ///< as MeasuredSeams::pieces; MeasuredSeam::pieces points here
     std::vector<MeasuredSeam> seams;
-    std::vector<MeasuredFace> faces; ///< each as it is placed
-    std::vector<Check> checks;   ///< seam by seam, then face by face: all held against the preset
+    std::vector<MeasuredFace> faces; ///< each as placed
+    std::vector<Check> checks;       ///< seam by seam, then face by face: all checks of the preset
     std::vector<Check> findings; ///< those that do not pass: failures before undecided, worst first
-    std::vector<Check> looks;    ///< those that are worth a look, in the same order
+    std::vector<Check> looks;    ///< checks that deserve a look, in the same order
     SeamCounts counts;
     FaceCounts face_counts;
-    /// The worst of all seams and faces; never pass where faces were lost, since nobody judged
-    /// their seams.
+    /// The worst verdict of all seams and faces; never pass if faces were lost, since their seams
+    /// are not judged.
     Verdict verdict = Verdict::pass;
 };
 
@@ -46,13 +46,13 @@ struct Inspection {
 Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset = {}, double join = 0.5,
                    const Job& job = {});
 
-/// Adds a check that was made of a face apart from the inspection, as if it had been made with it.
+/// Adds a check of a face that was made apart from the inspection, as if it had been made with it.
 void add_check(Inspection& inspection, Check check);
 
 /// Indices of the `count` worst seams, by falling severity; neither scraps nor creases that pass.
 std::vector<std::uint32_t> worst_seams(const Inspection& inspection, std::size_t count);
 
-/// Where the judged quantity that is furthest over its limit is worst; world, mm.
+/// Place of the worst value of the judged quantity that exceeds its limit most; world, mm.
 Vec3 worst_place(const MeasuredSeam& seam);
 
 } // namespace keiko

@@ -13,7 +13,7 @@ namespace {
 
 using BorderKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
 
-/// What of each border meets another one.
+/// The parts of each border that meet another border.
 std::map<BorderKey, IntervalSet> covered_borders(std::span<const Seam> seams) {
     std::map<BorderKey, std::vector<ParameterInterval>> parts;
     for (const Seam& seam : seams)

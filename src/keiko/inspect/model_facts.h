@@ -35,7 +35,7 @@ struct FaceFacts {
     std::uint32_t file = 0;      ///< into ModelFacts::files
 };
 
-/// How many remarks of each severity the import made; a lost face is an error.
+/// Number of remarks of each severity from the import; a lost face is an error.
 struct RemarkCounts {
     std::size_t notes = 0, warnings = 0, errors = 0;
 };
@@ -46,12 +46,12 @@ struct RepairTotal {
     double size = 0; ///< mm, of the largest
 };
 
-/// What is in a model file.
+/// Summary of a model file.
 struct ModelFacts {
     std::string source, format;
     std::vector<std::string> files; ///< as files_of
     std::string unit;               ///< of the file; empty: it names none and is read as mm
-    std::optional<double> millimetres_per_unit; ///< nothing for a unit that Keiko does not know
+    std::optional<double> millimetres_per_unit; ///< nullopt for an unknown unit
     std::size_t parts = 0, instances = 0, faces = 0, placed_faces = 0;
     std::vector<PartFacts> part_list; ///< in the order of the model
     std::vector<FaceFacts> face_list; ///< in the order of the model
@@ -67,16 +67,16 @@ struct ModelFacts {
     std::size_t seams = 0;    ///< lines along which faces meet, or one breaks; 0 where not measured
     double join = 0;          ///< mm, within which two borders count as a seam
     double border_length = 0; ///< mm, of all borders of all placed faces
-    double free_length = 0;   ///< mm, of borders that meet no other
+    double free_length = 0;   ///< mm, of free edges
     std::vector<LostFace> lost_faces;
     std::vector<Repair> repairs; ///< one a face and kind, by face
     std::map<RepairKind, RepairTotal> repair_totals;
     Diagnostics diagnostics;           ///< other remarks of the import
     RemarkCounts remarks;              ///< of the diagnostics and the lost faces
-    std::optional<TraceFacts> tracing; ///< when a tracer was built
+    std::optional<TraceFacts> tracing; ///< if a tracer was built
 };
 
-/// `seams`: those of pair_seams for `join` mm.
+/// Summary of a model. `seams`: those of pair_seams for `join` mm.
 ModelFacts model_facts(const ModelBorders& borders, std::span<const Seam> seams, double join,
                        const Job& job = {});
 

@@ -17,7 +17,7 @@ std::string file_of(const std::string& view, const std::string& layer) {
     return view + "." + layer + ".exr";
 }
 
-/// One line, so that version control tells which metric changed.
+/// JSON on one line, so that version control shows which metric changed.
 std::string line_of(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -165,7 +165,7 @@ KeptRecord record_of(const FolderContent& files, const std::string& folder) {
         throw;
     } catch (const Error& error) {
         throw Error(folder, error.where(), error.reason());
-    } catch (const std::exception& error) { // of the JSON library
+    } catch (const std::exception& error) { // thrown by the JSON library
         throw Error(folder, "", "cannot be read: " + shortened(error.what()));
     }
 }
@@ -173,7 +173,7 @@ KeptRecord record_of(const FolderContent& files, const std::string& folder) {
 std::vector<BaselineChange> changes_in(const FolderContent& files) {
     try {
         return changes_from(parsed(files, manifest_file, manifest_format));
-    } catch (const std::exception&) { // ours, and of the JSON library
+    } catch (const std::exception&) { // ours, and those of the JSON library
         return {};
     }
 }

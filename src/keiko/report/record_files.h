@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// Who accepted a baseline, when, why, and what it changed.
+/// Author, date and reason of an accepted baseline, and its changes.
 struct BaselineChange {
     std::string date; ///< "2026-11-21T15:54:00Z"
     std::string by, reason;
@@ -20,18 +20,18 @@ struct BaselineChange {
 /// lamps that were placed, and manifest.json (keiko-manifest/1) with the SHA-256 of each.
 struct KeptRecord {
     FixtureRecord record;
-    std::string key;                     ///< what it was made from; empty for a baseline
+    std::string key;                     ///< of its inputs; empty for a baseline
     std::vector<BaselineChange> changes; ///< of a baseline, oldest first
 };
 
 FolderContent files_of(const KeptRecord& kept);
 
-/// The record in files of `folder`, which is for messages. Throws Error for files that are missing,
-/// too many, damaged or of another format.
+/// The record in files of `folder`, whose name is for messages. Throws Error for files that are
+/// missing, too many, damaged or of another format.
 KeptRecord record_of(const FolderContent& files, const std::string& folder);
 
-/// The changes that manifest.json tells of, whatever became of the other files; none where it
-/// cannot be read itself.
+/// The changes listed in manifest.json, regardless of the other files; empty if it cannot be read
+/// itself.
 std::vector<BaselineChange> changes_in(const FolderContent& files);
 
 } // namespace keiko

@@ -17,17 +17,17 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double zebra_period = 10, isophote_period = 5; ///< degrees, a dark and a light band
-/// Share of the picture of the body that may be beyond the scale of curvatures.
+/// Share of the body's picture that may exceed the scale of curvatures.
 constexpr double beyond_scale = 0.02;
 
 constexpr std::array<std::string_view, 7> names{"zebra",           "isophote",       "highlight",
                                                 "curvature:gauss", "curvature:mean", "curvature:k1",
                                                 "curvature:k2"};
 
-/// What a pixel's centre shows.
+/// Surface at a pixel's centre.
 struct Seen {
-    Vec3 place, ray, normal; ///< the normal towards the eye
-    bool turned = false;     ///< the layer's normal looks away
+    Vec3 place, ray, normal; ///< the normal towards the viewpoint
+    bool turned = false;     ///< the layer's normal points away
     double facing() const { return -normal.dot(ray); }
 };
 
@@ -51,7 +51,7 @@ public:
                     turned ? -normal.normalized() : normal.normalized(), turned};
     }
 
-    /// As the eye sees it, positive in hollows.
+    /// Curvature viewed from the camera, positive in hollows.
     double curvature(AnalysisMode look, int x, int y) const {
         const auto seen = at(x, y);
         if (!seen) return none;
@@ -67,7 +67,7 @@ private:
     const Camera& camera_;
 };
 
-/// A number a pixel, none where there is none.
+/// One number a pixel; NaN without one.
 template <class F>
 std::vector<double> numbers(const FilmSight& sight, const F& of) {
     std::vector<double> values;
@@ -81,7 +81,7 @@ double angle_to_vertical(const Vec3& direction) {
         std::atan2(std::hypot(direction.x, direction.y), direction.z)); // exact near the poles too
 }
 
-/// In bands: those of one kind are where the integer part is even.
+/// Phase in bands: bands of one kind have an integer part that is 2n.
 double phase_of(AnalysisMode look, const Seen& seen, std::span<const LineField> planes) {
     if (look == AnalysisMode::zebra)
         return 2 * angle_to_vertical(seen.ray + seen.normal * (2 * seen.facing())) / zebra_period;
@@ -112,7 +112,7 @@ public:
               return seen ? phase_of(look, *seen, planes) : none;
           })) {}
 
-    /// From 0, dark, to 1; grey where there is no phase.
+    /// Light from 0, dark, to 1; grey if there is no phase.
     double light(int x, int y) const {
         const double phase = at(x, y);
         if (std::isnan(phase)) return 0.5;
@@ -152,7 +152,7 @@ std::string band_words(AnalysisMode look) {
     return "highlight lines: normals that meet the lamps' plane, by pitch";
 }
 
-/// Lines of words, none longer than the width allows where words can be parted.
+/// Lines of words, none wider than `width` if words can be broken there.
 std::vector<std::string> wrapped(const std::string& words, double width) {
     std::vector<std::string> lines{""};
     std::istringstream in(words);
@@ -196,7 +196,7 @@ Image banded(AnalysisMode look, const FilmSight& sight, std::span<const LineFiel
     return with_caption(std::move(picture), band_words(look));
 }
 
-/// The least value that all but a share of the sizes are below.
+/// The least value that all sizes except a share of them are below.
 double usual_size(std::vector<double> values) {
     values.erase(
         std::remove_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); }),

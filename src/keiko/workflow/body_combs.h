@@ -9,15 +9,15 @@
 
 namespace keiko {
 
-/// Curves with how they bend all along, as files have them.
+/// Curves with their curvature all along, prepared for files.
 struct Combs {
     std::vector<CombCurve> curves;
-    std::vector<std::string> remarks; ///< of planes that miss the body, touch it or hold faces
+    std::vector<std::string> remarks; ///< on planes that miss the body, touch it or contain faces
     std::string json, csv;
     std::vector<CombPicture> pictures;
 };
 
-/// Whether the options ask for any curve.
+/// True if the options request any curve.
 bool has_curves(const CombOptions& options);
 /// The sections and iso-curves of a body.
 Combs combs_of(const SurfaceModel& model, const CombOptions& options, const Job& job = {});

@@ -19,14 +19,14 @@ struct CheckOptions {
     CombOptions combs{};
 };
 
-/// What a check made.
+/// Result of a check.
 struct CheckResult {
     Inspection inspection;
-    std::optional<Combs> combs{}; ///< where any were asked for
+    std::optional<Combs> combs{}; ///< if any were requested
 };
 
-/// Reads models, which together form one body, or one scene file (.toml), and holds their geometry
-/// against criteria, without lamps or pictures. Throws Error for input that cannot be read.
+/// Reads models, which together form one body, or one scene file (.toml), and judges their geometry
+/// by criteria, without lamps or pictures. Throws Error for input that cannot be read.
 CheckResult check_models(std::span<const std::filesystem::path> inputs,
                          const CheckOptions& options = {}, const Job& job = {});
 

@@ -6,7 +6,7 @@
 namespace keiko {
 namespace {
 
-/// Named by the file's stem, as pictures of it are.
+/// View named by the file's stem, like its pictures.
 NamedView view_of_file(const std::filesystem::path& path, const Framing& framing) {
     Camera camera = read_view(path);
     camera.width = framing.width, camera.height = framing.height;

@@ -27,14 +27,14 @@ std::vector<std::string> names_of(const SurfaceModel& model, const PlacedModel& 
     return names;
 }
 
-/// The latter, mirrored if that is asked for.
+/// The latter, mirrored if requested.
 Scene opened_after(const fs::path& file, const CompareBodiesOptions& options, const Job& job) {
     Scene scene = opened(file, options, job);
     if (!options.mirror) return scene;
     return moved_scene(std::move(scene), options.mirror->motion(), options.scene, job);
 }
 
-/// Moves the latter onto the former, if that is asked for.
+/// Moves the latter onto the former, if requested.
 ClosestPointQuery aligned(Scene& after, const ClosestPointQuery& before,
                           const CompareBodiesOptions& options, Comparison& comparison,
                           const Job& job) {

@@ -8,11 +8,11 @@
 
 namespace keiko {
 
-/// The views and lines that revisions are shown by.
+/// The views and lines in which revisions are compared.
 struct CompareViewsOptions {
     std::vector<std::string> views;           ///< names; empty: three automatic ones of the former
     std::optional<std::filesystem::path> rig; ///< none: the former's own, or else placed on it
-    int width = 0, height = 0;                ///< pixels; 0: as the former's scene has it
+    int width = 0, height = 0;                ///< pixels; 0: the size of the former's scene
     FilmTolerance tolerance{};
     LineShiftOptions shift{};
 };
@@ -25,8 +25,8 @@ struct CompareBodiesOptions {
     CompareOptions seams{};
     DeviationOptions deviation{};
     double reach = 0;                           ///< mm; 0: a fiftieth of the former's size
-    std::optional<MirrorPlane> mirror{};        ///< take the mirror image of the latter
-    bool align = false;                         ///< move the latter onto the former first
+    std::optional<MirrorPlane> mirror{};        ///< reflects the latter at this plane
+    bool align = false;                         ///< moves the latter onto the former first
     std::optional<CompareViewsOptions> views{}; ///< none: geometry alone
 };
 
@@ -36,14 +36,14 @@ struct CompareResult {
     std::optional<LightRig> rig{};
 };
 
-/// Reads, measures and compares two models or scenes, in the same coordinates or aligned: a body
-/// and its own mirror image tell how far it is from symmetric. Throws Error, Cancelled.
+/// Reads, measures and compares two models or scenes, in the same coordinates or aligned. The
+/// comparison of a body with its own mirror image measures its asymmetry. Throws Error, Cancelled.
 CompareResult compare_bodies(const std::filesystem::path& before,
                              const std::filesystem::path& after,
                              const CompareBodiesOptions& options = {}, const Job& job = {});
 
-/// compare.html, compare.json, the pictures and, if there are views, rig.toml, for a folder: its
-/// path is what the rig names its files from.
+/// compare.html, compare.json, the pictures and, if there are views, rig.toml, for a folder. The
+/// rig names its files relative to the folder's path.
 FolderContent comparison_files(const std::filesystem::path& folder, const CompareResult& result);
 
 } // namespace keiko

@@ -13,7 +13,7 @@
 namespace keiko {
 namespace {
 
-/// What to tell of the lamps of the views.
+/// Source of the lamps of the views, for the report.
 std::string source_of(const ChosenLights& lights, const CompareViewsOptions& options) {
     if (options.rig) return options.rig->string();
     return lights.placement ? "placed on the part before" : "those of the scene before";
@@ -33,14 +33,14 @@ std::vector<JoinedLines> lines_of(const Scene& scene, const LightRig& rig,
     return lines;
 }
 
-/// What a map is full at, mm: nearly all of the area lies within.
+/// Deviation at which a map is saturated, mm: nearly all of the area lies within.
 double map_scale(const Deviation& deviation, double tolerance) {
     const double farthest = std::max(std::abs(deviation.lowest), std::abs(deviation.highest));
     const double most = std::isfinite(deviation.percent_99_9) ? deviation.percent_99_9 : farthest;
     return round_scale(std::max({most, tolerance, 1e-9}));
 }
 
-/// A body as its pictures show it, with the names that `name` gives its faces by their numbers.
+/// A body in its pictures, with the names that `name` gives its faces by their numbers.
 template <class Name>
 OutlineBody outline_body(const Scene& scene, const ClosestPointQuery& feet, const Name& name) {
     OutlineBody body{.tracer = scene.seen(),
@@ -92,7 +92,7 @@ private:
         FilmTolerance tolerance = options_.views->tolerance;
         view.outlines = outline_difference(outlines, before, after,
                                            film_difference(before, after, tolerance), camera, job_);
-        tolerance.flips = 0; // those left are measured to be too large
+        tolerance.flips = 0; // the remaining ones are measured to be too large
         const FilmDifference difference =
             film_difference(before, after, tolerance, &view.outlines.left_out);
         view.picture.take(difference);

@@ -5,7 +5,7 @@
 
 namespace keiko {
 
-/// Both bodies ready to be shown, and how they lie to each other.
+/// Both bodies ready to be rendered, and their deviation.
 struct ComparedScenes {
     const Scene& before;
     const Scene& after;
@@ -14,9 +14,8 @@ struct ComparedScenes {
     const Deviation& deviation; ///< of the latter from the former
 };
 
-/// Shows both under the same cameras and lamps and holds pictures and reflection lines against each
-/// other; draws the distance maps. Adds rig, views and pictures to the result. Throws Error,
-/// Cancelled.
+/// Renders both under the same cameras and lamps, compares pictures and reflection lines, and draws
+/// the distance maps. Adds rig, views and pictures to the result. Throws Error, Cancelled.
 void compare_views(const ComparedScenes& scenes, const CompareBodiesOptions& options,
                    CompareResult& result, const Job& job);
 

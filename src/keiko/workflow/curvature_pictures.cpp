@@ -11,16 +11,17 @@
 namespace keiko {
 namespace {
 
-/// Of the distance to the eye: how far behind what a pixel shows a curve may be to count as seen.
+/// Share of the distance to the camera: a curve no farther behind the surface at a pixel counts as
+/// visible.
 constexpr double depth_slack = 2e-3;
-constexpr double most_step = 4; ///< pixels between places where sight is asked for
+constexpr double most_step = 4; ///< pixels between visibility tests
 
 class CurvePainter {
 public:
     CurvePainter(const Film& film, const Camera& camera)
         : depth_(film.aovs.at(Aov::depth)), camera_(camera) {}
 
-    /// Broken where something hides it.
+    /// The curve as drawn, broken where something hides it.
     Polyline drawn(const InflectionCurve& curve) const {
         Polyline line{.points = {}, .color = Rgb(0.02), .width = 1.6};
         for (std::size_t i = 1; i < curve.points.size(); ++i) {
@@ -46,7 +47,8 @@ private:
         return at && seen(*at, place) ? *at : Vec2(none, none);
     }
 
-    /// As near as what the pixel or one beside it shows: curves on silhouettes are seen.
+    /// True if a place is as near as the surface at its pixel or one beside it: curves on
+    /// silhouettes are visible.
     bool seen(const Vec2& at, const Vec3& place) const {
         const Ray ray = camera_.ray(at.x, at.y);
         const double distance = (place - ray.origin).dot(ray.direction);

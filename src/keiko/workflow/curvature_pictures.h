@@ -7,9 +7,9 @@
 
 namespace keiko {
 
-/// The views of a body by other looks than its lamps', from their films, which have look_layers: of
-/// each the Gaussian curvature, by one scale for all, with what the eye sees of the inflection
-/// curves, and zebra.
+/// Analysis pictures of a body, from the films of its views, which have look_layers. Each view has
+/// two pictures: the Gaussian curvature, by one scale for all, with the visible inflection curves,
+/// and zebra.
 std::vector<ReportPicture> curvature_pictures(std::span<const NamedView> views,
                                               std::span<const std::pair<std::string, Film>> films,
                                               const Inspection& inspection);

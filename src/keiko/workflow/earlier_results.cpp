@@ -30,7 +30,7 @@ std::set<fs::path> files_read(std::span<const fs::path> inputs) {
         if (input.extension() != ".toml") continue;
         try {
             for (const fs::path& file : files_named_by(input)) read.insert(real_path(file));
-        } catch (const Error&) { // of the input, which the run will report
+        } catch (const Error&) { // in the input, which the run will report
         }
     }
     return read;
@@ -45,12 +45,12 @@ void remove_result(const fs::path& path) {
 std::string hash_of(const fs::path& path) {
     try {
         return sha256_hex(read_file(path));
-    } catch (const Error&) { // what cannot be read is not what was written
+    } catch (const Error&) { // an unreadable file differs from the written one
         return "";
     }
 }
 
-/// Names that a manifest lists lie in its folder.
+/// True if a name in a manifest lies in its folder.
 bool is_plain_name(const fs::path& name) {
     return name == name.filename() && name != "." && name != "..";
 }

@@ -8,20 +8,20 @@
 
 namespace keiko {
 
-/// Places that a run is about to write results to. Empty paths stand for nothing.
+/// Places to which a run is about to write results. Empty paths are ignored.
 struct ResultPlaces {
     std::vector<std::filesystem::path> files;
     std::vector<std::filesystem::path> folders; ///< their content with_manifest
 };
 
-/// The files of a folder and one more, which lists them with their hashes: what a later run may
-/// withdraw.
+/// The files of a folder and one more, which lists them with their hashes: those that a later run
+/// may withdraw.
 FolderContent with_manifest(FolderContent content);
 
-/// Removes what an earlier run has left in these places, so that a run that fails leaves no results
-/// that pass for its own. Of a folder only what its manifest lists, and only where it is unchanged.
-/// Devices and pipes stay, and so does whatever `inputs` are or name, as scenes name files. Throws
-/// Error for a result that cannot be removed.
+/// Removes the results of an earlier run in these places, so that a failed run leaves none that
+/// could be mistaken for its own. In a folder it removes only files that its manifest lists, and
+/// only if they are unchanged. Devices and pipes stay, and so do all `inputs` and the files that
+/// they name, as scenes do. Throws Error for a result that cannot be removed.
 void withdraw_results(const ResultPlaces& places, std::span<const std::filesystem::path> inputs);
 
 } // namespace keiko

@@ -15,25 +15,25 @@
 namespace keiko {
 
 struct LinesOptions {
-    std::vector<std::string> views;           ///< names; empty: one, as choose_views has it
+    std::vector<std::string> views;           ///< names; empty: one, as in choose_views
     std::optional<std::filesystem::path> rig; ///< none: the scene's own
     SurfaceLineOptions lines;
     CriteriaPreset preset = standard_presets().front();
     double join = 0.5; ///< mm
 };
 
-/// The reflection lines, highlight lines or isophotes of a rig's lamps that views of a scene show
-/// on the body, joined over seams, measured and judged there. Throws Error without a rig, and for
-/// one without C-planes.
+/// The reflection lines, highlight lines or isophotes of a rig's lamps on the body in views of a
+/// scene, joined over seams, measured and judged there. Throws Error without a rig, and for one
+/// without C-planes.
 LineList find_lines(const Scene& scene, const LinesOptions& options = {}, const Job& job = {});
 
-/// The rig that the options name, or else the scene's own. Throws Error without either.
+/// The rig of the options, or else the scene's own. Throws Error without either.
 LightRig rig_for_lines(const Scene& scene, const LinesOptions& options);
 
-/// Whether a rig has lamps whose lines can be followed.
+/// True if a rig has lamps whose lines can be followed.
 bool has_lines(const LightRig& rig);
 
-/// As find_lines, of a rig that has lines and in views that are chosen already.
+/// Lines as in find_lines, for a rig that has lines and for chosen views.
 LineList lines_under(const Scene& scene, const LightRig& rig, std::span<const NamedView> views,
                      const LinesOptions& options, const Job& job);
 

@@ -16,7 +16,7 @@ std::string file_hash(const fs::path& file) {
     return sha256_hex(read_file(file));
 }
 
-/// Build of Keiko, and the instruction set that it found here.
+/// Build of Keiko, and the detected instruction set.
 std::string program() {
     return build_id() + " " + sub_patch_kernels().name;
 }

@@ -9,9 +9,9 @@
 
 namespace keiko {
 
-/// SHA-256 of all that a run depends on: the build of Keiko, the processor's instruction set, the
-/// program that imports models, `settings`, and the input files. Files that TOML files name are
-/// among them. Each counts under its path from `folder`.
+/// SHA-256 of everything that a run depends on: the build of Keiko, the processor's instruction
+/// set, the program that imports models, `settings`, and the input files. Files named by TOML files
+/// are among them. Each counts under its path from `folder`.
 std::string input_key(std::span<const std::filesystem::path> inputs,
                       const std::filesystem::path& folder, const LoadOptions& load,
                       const std::string& settings = "");

@@ -10,8 +10,8 @@ namespace keiko {
 /// verdict, the worst of the list numbered by their rank.
 Image with_lines(const Film& film, const LineList& list, std::size_t view);
 
-/// The stripes of the lamps in one view of a list with its lines drawn over them and their
-/// crossings marked by verdict, the worst of the list numbered as the table has them.
+/// The stripes of the lamps in one view of a list, with its lines drawn over them and their
+/// crossings marked by verdict. The worst of the list are numbered as in the table.
 Image lines_picture(const Scene& scene, const LinesOptions& options, const LineList& list,
                     std::size_t view, const Job& job = {});
 

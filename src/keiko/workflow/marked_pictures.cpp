@@ -13,14 +13,14 @@ namespace {
 
 constexpr int close_up_width = 360, close_up_height = 240;
 
-/// The hit through which the camera sees a place of the body; nothing where something hides it.
+/// The hit at which a place of the body is visible to the camera; nullopt if something hides it.
 std::optional<Hit> seen_at(const Scene& scene, const Camera& camera, const Vec3& place) {
     const auto pixel = project(camera, place);
     if (!pixel || pixel->x < 0 || pixel->y < 0 || pixel->x >= camera.width ||
         pixel->y >= camera.height)
         return std::nullopt;
     const double near = 1e-3 * scene.tracer.bounds().size();
-    // Borders lie at the rim of what can be hit: look a little beside them, too.
+    // Borders lie at the rim of what can be hit: rays beside them are tested, too.
     for (const Vec2& beside : {Vec2(0, 0), Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
         const Ray ray = camera.ray(pixel->x + beside.x, pixel->y + beside.y);
         auto hit = scene.tracer.nearest(ray);
@@ -30,14 +30,14 @@ std::optional<Hit> seen_at(const Scene& scene, const Camera& camera, const Vec3&
     return std::nullopt;
 }
 
-/// How squarely a view looks at a place, 0 to 1; 0 where it is hidden.
+/// Cosine between a view's direction and the normal of a place, 0 to 1; 0 where it is hidden.
 double squareness(const Scene& scene, const Camera& camera, const Vec3& place) {
     const auto hit = seen_at(scene, camera, place);
     if (!hit) return 0;
     return std::abs(hit->normal.dot((place - camera.eye).normalized()));
 }
 
-/// The same eye, turned to the place and zoomed in.
+/// Camera at the same viewpoint, turned to the place and zoomed in.
 Camera close_up_camera(const Scene& scene, const Camera& view, const Vec3& place) {
     Camera camera = view;
     camera.target = place;
@@ -50,7 +50,7 @@ Camera close_up_camera(const Scene& scene, const Camera& view, const Vec3& place
     return camera;
 }
 
-/// What a close-up is made of.
+/// Subject of a close-up.
 struct Finding {
     CloseUp::Of of;
     std::uint32_t index;
@@ -76,8 +76,8 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The worst seams, of the seams, faces and crossings that do not pass the worst, and faces that
-/// are worth a look.
+/// The worst seams, the worst of the seams, faces and crossings that do not pass, and faces that
+/// deserve a look.
 std::vector<Finding> worst_findings(const Report& report) {
     constexpr std::size_t most_seams = 20, most_crossings = 10;
     const Inspection& inspection = report.inspection;

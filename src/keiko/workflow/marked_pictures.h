@@ -8,21 +8,21 @@
 
 namespace keiko {
 
-/// Where the worst seams of an inspection can be seen in a view: a marker with the seam's rank for
-/// each worst place that is in the picture and not hidden by the body.
+/// Markers of the worst seams of an inspection in a view. Each has the seam's rank, for each worst
+/// place that is in the picture and not hidden by the body.
 std::vector<PictureMarker> markers_in(const Scene& scene, const Inspection& inspection,
                                       const Camera& camera);
 
-/// The display picture of a film as the report takes it, which draws the markers itself.
+/// The display picture of a film for the report, which draws the markers itself.
 ReportPicture report_picture(const std::string& title, const Film& film,
                              const std::vector<PictureMarker>& markers);
 
 /// The display picture of a film with the markers drawn into it.
 Image marked_image(const Film& film, const std::vector<PictureMarker>& markers);
 
-/// Pictures close by the places of the worst seams, and of the worst seams, faces and crossings of
-/// lines that do not pass, each from the view that shows it most squarely; none of what no view
-/// shows.
+/// Close-up pictures of the places of the worst seams, and of the worst seams, faces and crossings
+/// of lines that do not pass. Each is from the view that shows it most squarely; places that no
+/// view shows have none.
 std::vector<CloseUp> close_ups(const Scene& scene, const LightRig& rig, const Report& report,
                                std::span<const NamedView> views, const PictureOptions& options,
                                const Job& job);

@@ -10,10 +10,10 @@ namespace keiko {
 struct FactsOptions {
     LoadOptions load;
     double join = 0.5;    ///< mm, within which two borders count as a seam
-    bool tracing = false; ///< build the tracer too, and tell what it takes
+    bool tracing = false; ///< builds the tracer too, and reports its statistics
 };
 
-/// Reads a model file and tells what is in it.
+/// Reads a model file and summarises it.
 ModelFacts model_info(const std::filesystem::path& file, const FactsOptions& options = {},
                       const Job& job = {});
 

@@ -13,7 +13,7 @@ SurfaceModel on_ground(const SurfaceModel& body, const Box3& bounds, double z) {
     return merge(models);
 }
 
-/// What of a scene is made to be traced.
+/// Traced form of a scene.
 struct Traced {
     Tracer tracer; ///< of the body
     std::optional<Surroundings> surroundings{};

@@ -28,46 +28,47 @@ struct SceneOptions {
     double frame = 0;                        ///< of a scene file with [[animation]]
 };
 
-/// The body on its ground, as pictures show it: the faces of the body, then that of the ground.
+/// The body on its ground in pictures: the faces of the body, then that of the ground.
 struct Surroundings {
     double ground = 0; ///< mm, its z
     std::vector<Material> materials;
     Tracer tracer;
 };
 
-/// A body ready to be looked at.
+/// A body prepared for rendering.
 struct Scene {
     SurfaceModel model;
     std::vector<Material> materials; ///< one a face of the model
     Tracer tracer;
-    std::optional<Occluders> occluders; ///< of what is seen, if it shall cast shadows
-    std::optional<Camera> camera;       ///< as the scene file has it
+    std::optional<Occluders> occluders; ///< of the visible geometry, if it casts shadows
+    std::optional<Camera> camera;       ///< of the scene file
     std::optional<std::string> view;    ///< a named view of the scene file
     std::optional<LightRig> rig;
     Rgb background{0};
     int width = 960, height = 540;
     std::optional<Surroundings> surroundings{}; ///< of a scene file with [ground]
-    std::optional<int> max_depth{};             ///< as the scene file has them, else as
+    std::optional<int> max_depth{};             ///< of the scene file, else of
     std::optional<double> min_weight{};         ///< PictureOptions
 
-    /// What pictures and traced rays see: the body, and the ground if there is one.
+    /// Tracer of pictures and rays: the body, and the ground if there is one.
     const Tracer& seen() const { return surroundings ? surroundings->tracer : tracer; }
     const std::vector<Material>& seen_materials() const {
         return surroundings ? surroundings->materials : materials;
     }
-    /// What pictures show under a rig, which is only looked at, as is the scene.
+    /// Scene of pictures under a rig, to which, as to the scene, a reference is kept.
     PictureScene picture(const LightRig& under) const {
         return {seen(), seen_materials(), under, background, occluders ? &*occluders : nullptr};
     }
-    /// Of its pictures, in pixels; of its camera too.
+    /// Sets the size of its pictures, in pixels, and of its camera.
     void set_picture_size(int wide, int high);
-    /// The number that files and reports give a face of what is seen; 0: the ground.
+    /// The number of a face of the visible geometry in files and reports; 0: the ground.
     std::uint32_t face_id(std::size_t face) const {
         return face < model.faces.size() ? model.faces[face].id : 0;
     }
 };
 
-/// What a scene file says of how far reflections are followed, before what `options` says.
+/// Options of a scene's pictures. The limits of reflections in a scene file replace those of
+/// `options`.
 PictureOptions picture_options(const Scene& scene, PictureOptions options = {});
 
 /// Opens models, which together form one body, or one scene file (.toml). Throws Error for input
@@ -75,8 +76,8 @@ PictureOptions picture_options(const Scene& scene, PictureOptions options = {});
 Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options = {},
                  const Job& job = {});
 
-/// The same scene with its body moved; ground, lamps and camera stay. `options` as it was opened
-/// by.
+/// The scene with its body moved; ground, lamps and camera stay. `options` are those by which it
+/// was opened.
 Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options = {},
                   const Job& job = {});
 

@@ -12,7 +12,7 @@
 namespace keiko {
 
 /// The scene of models, which together form one body, or of one scene file (.toml) at a frame of
-/// its animation. Models that no scene file paints are of the named material. Throws Error.
+/// its animation. Models that no scene file paints have the named material. Throws Error.
 SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const std::string& material,
                   double frame = 0);
 

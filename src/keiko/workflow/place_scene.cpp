@@ -14,7 +14,7 @@
 namespace keiko {
 namespace {
 
-/// A face is meant by its number or by a pattern of its name.
+/// True if `pattern` is the number of a face or matches its name.
 bool means(const std::string& pattern, const Face& face) {
     return pattern == std::to_string(face.id) ||
            fnmatch(pattern.c_str(), face.name.c_str(), 0) == 0;

@@ -9,7 +9,7 @@
 namespace keiko {
 namespace {
 
-/// Planes through the eye across each axis, at 0 where it is that but for rounding.
+/// Planes through the camera's eye across each axis, at 0 if they are there to within rounding.
 std::vector<MirrorPlane> planes_through(const Camera& camera) {
     const double rounding = 1e-9 * (camera.target - camera.eye).length();
     std::vector<MirrorPlane> planes;
@@ -25,7 +25,7 @@ bool is_symmetric(std::span<const Camera> cameras, const MirrorPlane& plane) {
                        [&](const Camera& camera) { return is_own_image(camera, plane); });
 }
 
-/// Whether the image of each direction is among them.
+/// True if the image of each direction is among them.
 bool is_symmetric(const PlaneChoice& where, const MirrorPlane& plane) {
     const auto has_image = [&](const Vec3& direction) {
         constexpr double same = 1 - 1e-12; // cosine

@@ -27,7 +27,7 @@ std::array<Vec3, 5> outline(const CPlane& plane) {
     return {o, o + plane.u, o + plane.u + plane.v, o + plane.v, o};
 }
 
-/// The camera above everything that the plan shows.
+/// The camera above all contents of the plan.
 Camera plan_camera(const Scene& scene, const PlaceResult& result) {
     Box3 box = scene.tracer.bounds();
     for (const PlacedPlane& plane : result.placement.planes)
@@ -46,7 +46,7 @@ Camera plan_camera(const Scene& scene, const PlaceResult& result) {
     return camera;
 }
 
-/// The body in grey, lighter where it lies level.
+/// The body in grey, lighter where it is level.
 Image body_from_above(const Tracer& tracer, const Camera& camera, const Job& job) {
     Image image(camera.width, camera.height, 3, 0.1F);
     parallel_for(static_cast<std::size_t>(camera.height), job, "plan", [&](std::size_t row) {
@@ -80,7 +80,7 @@ Image histogram_picture(const PlacedPlane& plane) {
         for (int x = 0; x < image.width; ++x) {
             const double weight = h.at(x * h.width() / image.width,
                                        (image.height - 1 - y) * h.height() / image.height);
-            // The root shows the thin parts, which decide how far lamps must reach.
+            // The root shows the thin parts, which decide how far lamps must extend.
             if (weight > 0) paint(image, x, y, jet(std::sqrt(weight / most)));
         }
     const Vec2 scale = Vec2(image.width, image.height) / h.range().extent();

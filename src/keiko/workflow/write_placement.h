@@ -6,7 +6,7 @@
 
 namespace keiko {
 
-/// Writes placement.json, histogram-N.png for each plane and plan.png (body, lamps and eyes from
+/// Writes placement.json, histogram-N.png for each plane and plan.png (body, lamps and cameras from
 /// above) into a folder.
 void write_placement(const std::filesystem::path& folder, const Scene& scene,
                      const PlaceResult& result, const Job& job = {});

@@ -98,7 +98,7 @@ std::array<BernsteinField, 2> BernsteinField::parts(bool by_u, double share) con
             second.coefficients_[of(k)] = row[static_cast<std::size_t>(k)];
         }
     }
-    // Means round off by some units in the last place each, and errors mix as values do.
+    // Means round by some units in the last place each, and errors mix as values do.
     const double more = 3.0 * (last + 1) * unit_roundoff * magnitude();
     first.rounding_ += more, second.rounding_ += more;
     return {std::move(first), std::move(second)};

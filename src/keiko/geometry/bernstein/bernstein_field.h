@@ -10,8 +10,8 @@
 namespace keiko {
 
 /// A polynomial over [0, 1]^2 by its Bernstein coefficients, whose hull holds its values
-/// [FaroukiRajan1988]. Degrees are not limited to those of patches. Keeps how far each coefficient
-/// may be off by rounding.
+/// [FaroukiRajan1988]. Degrees are not limited to those of patches. Keeps a bound of the rounding
+/// error of each coefficient.
 class BernsteinField {
 public:
     BernsteinField() : BernsteinField(0, 0, {0.0}, 0) {}
@@ -29,21 +29,21 @@ public:
 
     /// The largest absolute coefficient.
     double magnitude() const;
-    /// Holds every value.
+    /// Range that holds every value.
     Interval range() const;
-    /// Of the side u = 0 or 1 (`by_u`), else v = 0 or 1.
+    /// Range of the side u = 0 or 1 (`by_u`), else v = 0 or 1.
     Interval side_range(bool by_u, bool upper) const;
-    /// Derivative by u or v; 0 where the degree is.
+    /// Derivative by u or v; 0 if the degree is 0.
     BernsteinField derivative(bool by_u) const;
     double operator()(const Vec2& uv) const;
     /// The parts below and above u (or v) = `share`, each over [0, 1]^2 again.
     std::array<BernsteinField, 2> parts(bool by_u, double share) const;
-    /// Divided by u (`by_u`, lower side), 1 - u (upper side), v or 1 - v, for a field that vanishes
-    /// on that side; needs a degree of 1 or more.
+    /// The field divided by u (`by_u`, lower side), 1 - u (upper side), v or 1 - v, for a field
+    /// that vanishes on that side; needs a degree of 1 or more.
     BernsteinField without_side(bool by_u, bool upper) const;
 
     friend BernsteinField operator*(const BernsteinField& a, const BernsteinField& b);
-    /// Of equal degrees.
+    /// Sum of two fields of equal degrees.
     friend BernsteinField operator+(const BernsteinField& a, const BernsteinField& b);
     friend BernsteinField operator-(const BernsteinField& a, const BernsteinField& b);
 

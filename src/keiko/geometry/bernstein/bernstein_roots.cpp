@@ -37,8 +37,8 @@ std::pair<Stretch, Stretch> halves(const Stretch& whole) {
     return {std::move(left), std::move(right)};
 }
 
-/// A root right at a cut is seen from both sides, or, where the coefficient there is zero, from
-/// neither: it is added here, and the caller drops doubles.
+/// Adds the roots in a stretch. A root right at a cut is found from both sides, or, if the
+/// coefficient there is zero, from neither: it is added here, and the caller drops doubles.
 void find(const Stretch& stretch, double noise, std::vector<double>& roots) {
     const int variations = sign_variations(stretch.c, noise);
     if (variations == 0) return;

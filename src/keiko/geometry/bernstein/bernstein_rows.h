@@ -9,7 +9,7 @@
 namespace keiko {
 
 /// rows[k][i] = k-th derivative of B_i^degree at t, for k = 0..order; the others are 0. Requires
-/// degree < size and order <= 3; t may lie outside [0, 1]. `size`: the smaller the less there is to
+/// degree < size and order <= 3; t may lie outside [0, 1]. A smaller `size` means less memory to
 /// clear.
 template <std::size_t size>
 std::array<std::array<double, size>, 4> bernstein_rows(std::size_t degree, double t,

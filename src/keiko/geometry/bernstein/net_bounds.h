@@ -25,8 +25,8 @@ struct NetBounds {
     double bend_u = 0, bend_v = 0, twist = 0; ///< of |f_xx|, |f_yy|, |f_xy|
 };
 
-/// By the convex hulls of the four quadrants' coefficients: for a parabola over the whole these
-/// are exact where the hull of the whole is twice too wide. Rounding is included.
+/// Bounds by the convex hulls of the four quadrants' coefficients. For a parabola over the whole
+/// these are exact, while the hull of the whole is twice too wide. Rounding is included.
 NetBounds net_bounds(const BernsteinNet& net);
 
 } // namespace keiko

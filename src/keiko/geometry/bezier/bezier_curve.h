@@ -7,7 +7,7 @@
 
 namespace keiko {
 
-/// A plane Bezier curve over [0, 1], rational or not, seen in place: a piece of a p-curve.
+/// View of a plane Bezier curve over [0, 1], rational or not: a piece of a p-curve.
 struct BezierCurveView {
     /// degree + 1 homogeneous control points (w x, w y, w).
     std::span<const Vec3> points;
@@ -19,7 +19,7 @@ struct BezierCurveView {
 /// Requires order <= 3; entries above it are 0.
 std::array<Vec2, 4> evaluate(const BezierCurveView& curve, double t, int order);
 
-/// Box of the control points, which holds the curve where all weights are positive.
+/// Box of the control points, which holds the curve if all weights are positive.
 Box2 hull_bounds(const BezierCurveView& curve);
 
 } // namespace keiko

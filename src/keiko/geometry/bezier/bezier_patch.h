@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// A tensor-product Bezier patch over [0, 1]^2, rational or not, seen in place.
+/// View of a tensor-product Bezier patch over [0, 1]^2, rational or not.
 struct BezierPatchView {
     int degree_u = 0, degree_v = 0;
     /// (degree_u + 1) x (degree_v + 1) homogeneous control points, u outer.
@@ -18,7 +18,7 @@ struct BezierPatchView {
         const int index = i * (degree_v + 1) + j;
         return points[static_cast<std::size_t>(index)];
     }
-    /// Whether any two weights differ.
+    /// True if any two weights differ.
     bool rational() const;
 };
 
@@ -42,7 +42,7 @@ struct SurfaceDerivatives {
 /// [PieglTiller1997, algorithm A4.4]. The other entries are 0.
 SurfaceDerivatives evaluate(const BezierPatchView& patch, const Vec2& uv, int order);
 
-/// Box of the control points, which holds the patch where all weights are positive.
+/// Box of the control points, which holds the patch if all weights are positive.
 Box3 hull_bounds(const BezierPatchView& patch);
 
 } // namespace keiko

@@ -26,8 +26,8 @@ double second_form(const SurfaceDerivatives& s, const Vec3& n, const Components&
 double normal_curvature_slope(const SurfaceDerivatives& s, const Vec3& normal,
                               const Vec3& direction) {
     const Components a(s, direction.normalized());
-    // The straight line in parameters bends in space; what it bends within the tangent plane
-    // takes the section along, and is taken off again.
+    // The straight line in parameters is curved in space. Its curvature within the tangent plane
+    // turns the section along, and is subtracted again.
     const Vec3 second = s.duu() * (a.u * a.u) + s.duv() * (2 * a.u * a.v) + s.dvv() * (a.v * a.v);
     const Vec3 third = s.d[3][0] * (a.u * a.u * a.u) + s.d[2][1] * (3 * a.u * a.u * a.v) +
                        s.d[1][2] * (3 * a.u * a.v * a.v) + s.d[0][3] * (a.v * a.v * a.v);

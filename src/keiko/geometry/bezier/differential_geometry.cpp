@@ -7,7 +7,8 @@
 namespace keiko {
 namespace {
 
-/// Cross product whose length is small against its factors says nothing about a direction.
+/// Unit cross product; nullopt if its length is small against its factors, where its direction is
+/// undefined.
 std::optional<Vec3> unit_cross(const Vec3& a, const Vec3& b, double scale) {
     const Vec3 n = a.cross(b);
     const double length = n.length();
@@ -41,8 +42,8 @@ std::optional<Vec3> unit_normal(const SurfaceDerivatives& s, const Vec2& uv) {
 }
 
 PrincipalCurvatures principal_curvatures(const SurfaceDerivatives& s, const Vec3& normal) {
-    // The second form in a frame that is orthonormal: a symmetric matrix, whose eigenvalues keep
-    // their digits where they are equal, unlike the roots of k^2 - 2 H k + K.
+    // The second form in an orthonormal frame: a symmetric matrix, whose eigenvalues keep their
+    // digits where they are equal, unlike the roots of k^2 - 2 H k + K.
     const FirstForm one = first_form(s);
     const double l = s.duu().dot(normal), m = s.duv().dot(normal), n = s.dvv().dot(normal);
     const double skew = one.f / one.e, width2 = one.determinant() / one.e;
@@ -55,8 +56,8 @@ PrincipalCurvatures principal_curvatures(const SurfaceDerivatives& s, const Vec3
 std::optional<PrincipalCurvatures> reliable_curvatures(const SurfaceDerivatives& s,
                                                        const Vec3& normal) {
     const FirstForm one = first_form(s);
-    // The second form is off by the rounding of what it is made of; the first one's least
-    // eigenvalue magnifies that.
+    // The second form has the rounding error of its terms; the first one's least eigenvalue
+    // magnifies it.
     const double size = s.du().length() + s.dv().length();
     const double made_of = size + s.duu().length() + 2 * s.duv().length() + s.dvv().length();
     const double least_stretch = one.determinant() / (one.e + one.g);

@@ -6,9 +6,9 @@
 
 namespace keiko {
 
-/// Unit normal along du x dv. Where a tangent vanishes (collapsed edge, pole) the limit from
-/// inside the patch is taken by the second derivatives; nothing where that too is undefined.
-/// `derivatives` must hold order 2.
+/// Unit normal along du x dv. Where a tangent vanishes (collapsed edge, pole) the limit from inside
+/// the patch is taken by the second derivatives; nullopt if that too is undefined. `derivatives`
+/// must hold order 2.
 std::optional<Vec3> unit_normal(const SurfaceDerivatives& derivatives, const Vec2& uv);
 
 /// Principal curvatures in 1/mm with respect to the given unit normal, k1 >= k2; positive where
@@ -20,11 +20,12 @@ struct PrincipalCurvatures {
     double gaussian() const { return k1 * k2; }
 };
 
-/// Needs derivatives of order 2 and a regular point (du x dv not 0).
+/// Principal curvatures at a regular point (du x dv not 0); needs derivatives of order 2.
 PrincipalCurvatures principal_curvatures(const SurfaceDerivatives& derivatives, const Vec3& normal);
 
-/// The same where rounding leaves three digits of them, or of the bend of a surface of the patch's
-/// own size; nothing close to a pole, where the parameters run together, and at it.
+/// Principal curvatures with at least three digits beyond rounding, relative to them or to the
+/// curvature of a surface of the patch's own size. nullopt at and close to a pole, where the
+/// parameters coincide.
 std::optional<PrincipalCurvatures> reliable_curvatures(const SurfaceDerivatives& derivatives,
                                                        const Vec3& normal);
 

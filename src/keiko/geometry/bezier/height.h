@@ -4,7 +4,7 @@
 
 namespace keiko {
 
-/// How far places lie along a direction, mm: a linear function of them.
+/// Height of places along a direction, mm: a linear function of them.
 struct Height {
     Vec3 slope{0};
     double offset = 0;

@@ -15,7 +15,7 @@ void insert_knot(NurbsCurve<P>& curve, double knot) {
         std::upper_bound(knots.begin() + curve.degree, knots.end() - curve.degree - 1, knot);
     const auto span = static_cast<std::size_t>(above - knots.begin()) - 1;
     points.insert(points.begin() + static_cast<std::ptrdiff_t>(span), P(points[span]));
-    // From the end on, so that a point still finds the old one before it.
+    // From the end backwards, so that a point still finds the old one before it.
     for (std::size_t i = span; i + degree > span && i > 0; --i) {
         const double a = knots[i] >= knot ? 0 : (knot - knots[i]) / (knots[i + degree] - knots[i]);
         points[i] = a == 0 ? points[i - 1] : points[i - 1] * (1 - a) + points[i] * a;
@@ -39,7 +39,7 @@ void saturate_knots(NurbsCurve<P>& curve) {
     }
 }
 
-/// Where a Bezier segment lies in a curve whose knots are saturated.
+/// Parameters of a Bezier segment in a curve whose knots are saturated.
 struct SpanPlace {
     double begin = 0, end = 1;
     std::size_t first_point = 0;

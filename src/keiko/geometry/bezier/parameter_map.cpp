@@ -6,8 +6,8 @@
 
 namespace keiko {
 
-// A standard-form rational quadratic arc of half angle h satisfies tan(phi / 2) = (2t - 1) T with
-// T = tan(h / 2) and phi the angle from its middle (tanh and atanh for a hyperbola).
+// A standard-form rational quadratic arc of half angle h satisfies tan(phi / 2) = (2t - 1) T. Here
+// T = tan(h / 2) and phi is the angle from its middle (tanh and atanh for a hyperbola).
 
 namespace {
 

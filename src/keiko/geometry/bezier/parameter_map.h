@@ -4,10 +4,10 @@
 
 namespace keiko {
 
-/// How a patch's own parameter t in [0, 1] runs through its face's parameter: the parameter of
-/// the CAD surface, in which the p-curves are written. Rational quadratic arcs are not
-/// parametrised by angle, so circles need a map that is not affine; with it a face keeps its
-/// exact p-curves and its exact geometry.
+/// Map from a patch's own parameter t in [0, 1] to its face's parameter: the parameter of the CAD
+/// surface, in which the p-curves are written. Rational quadratic arcs are not parametrised by
+/// angle, so circles need a map that is not affine; with it a face keeps its exact p-curves and its
+/// exact geometry.
 struct ParameterMap {
     enum class Kind : std::uint8_t {
         affine,    ///< face = begin + t (end - begin)

@@ -9,17 +9,17 @@
 
 namespace keiko {
 
-/// How long a small step in a parameter plane is, mm: a surface's first fundamental form, or that
-/// of what it looks like from somewhere.
+/// Length of a small step in a parameter plane, mm: a surface's first fundamental form, or that of
+/// its projection to a viewpoint.
 class ParameterMetric {
 public:
-    /// From the tangents, mm in a unit of u and of v.
+    /// Metric of the tangents, mm in a unit of u and of v.
     ParameterMetric(const Vec3& du, const Vec3& dv)
         : uu_(du.length2()),
           uv_(du.dot(dv)),
           vv_(dv.length2()),
           least_(least(vv_, du.cross(dv).length(), uu_), least(uu_, du.cross(dv).length(), vv_)) {}
-    /// Of tangents at right angles, so long.
+    /// Metric of tangents at right angles with these lengths.
     explicit ParameterMetric(const Vec2& lengths)
         : ParameterMetric(Vec3(lengths.x, 0, 0), Vec3(0, lengths.y, 0)) {}
 
@@ -47,7 +47,7 @@ public:
         return std::sqrt(uu_ * extent.x * extent.x + 2 * std::abs(uv_) * extent.x * extent.y +
                          vv_ * extent.y * extent.y);
     }
-    /// The shortest step that goes on by 1 in u, whatever it does in v; and by 1 in v.
+    /// The shortest steps that advance by 1 in u, with any step in v, and by 1 in v.
     const Vec2& least() const { return least_; }
 
 private:

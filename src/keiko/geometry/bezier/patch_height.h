@@ -15,15 +15,15 @@ public:
     PatchHeight(const BezierPatchView& patch, const Height& height);
 
     const Box2& uv() const { return uv_; }
-    /// An upper bound, to within rounding: the largest coefficient, and no more than the bound of
-    /// the larger box that this one was cut from.
+    /// An upper bound, to within rounding: the largest coefficient, and at most the bound of the
+    /// larger box that this one was cut from.
     double upper() const { return upper_; }
     /// The heights of the four corners of the box: (0, 0), (1, 0), (0, 1), (1, 1).
     std::array<double, 4> corners() const;
-    /// Whether the gradient may vanish anywhere in the box. Of a line, only the slope along it
+    /// True if the gradient may vanish anywhere in the box. For a line, only the slope along it
     /// counts.
     bool may_be_level() const;
-    /// Whether its coefficients vary more along u than along v, or as much.
+    /// True if its coefficients vary at least as much along u as along v.
     bool varies_by_u() const;
     /// Either half; `by_u`: cut across u.
     std::array<PatchHeight, 2> halves(bool by_u) const;
@@ -45,7 +45,7 @@ private:
     BernsteinField centered() const;
 
     BernsteinField height_; ///< times weight
-    BernsteinField weight_; ///< of degree 0 where all weights are equal
+    BernsteinField weight_; ///< of degree 0 if all weights are equal
     Box2 uv_;
     double upper_;
 };

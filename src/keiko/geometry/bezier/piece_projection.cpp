@@ -22,13 +22,13 @@ struct Local {
         uu = first_uu + off.dot(s.duu());
         uv = first_uv + off.dot(s.duv());
         vv = first_vv + off.dot(s.dvv());
-        // Where the function bends down, go by the tangents alone (Gauss-Newton).
+        // Where the function is concave, the tangents alone are used (Gauss-Newton).
         if (!(uu > 0.1 * first_uu && vv > 0.1 * first_vv && uu * vv - uv * uv > 0.01 * uu * vv))
             uu = first_uu, uv = first_uv, vv = first_vv;
     }
 };
 
-/// Whether going down leads out of the unit square there.
+/// True if descent leads out of the unit square there.
 bool held(double t, double gradient) {
     return (t <= 0 && gradient > 0) || (t >= 1 && gradient < 0);
 }

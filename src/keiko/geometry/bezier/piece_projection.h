@@ -11,8 +11,8 @@ struct PieceProjection {
     double distance = 0;
 };
 
-/// Newton's iteration on |S(u, v) - p|^2 / 2 within the unit square, from its middle: a local
-/// minimum, and the only one where the squared distance is convex.
+/// Nearest point by Newton's iteration on |S(u, v) - p|^2 / 2 within the unit square, from its
+/// middle: a local minimum, and the only one where the squared distance is convex.
 PieceProjection piece_projection(const BezierPatchView& piece, const Vec3& p);
 
 } // namespace keiko

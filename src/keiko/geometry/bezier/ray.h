@@ -11,8 +11,8 @@
 
 namespace keiko {
 
-/// A place on a surface that a hit was proved to lie in: a box of patch parameters. Secondary
-/// rays exclude the root they start from by it, not by an offset along the ray.
+/// A place on a surface in which a hit was proved to lie: a box of patch parameters. Secondary rays
+/// exclude the root they start from by it, not by an offset along the ray.
 struct Root {
     std::uint32_t instance = 0, patch = 0;
     Box2 uv;
@@ -24,13 +24,14 @@ struct Ray {
     double t_min = 0;
     double t_max = std::numeric_limits<double>::infinity();
     std::optional<RayDifferentials> differentials{};
-    /// Must be a root of this very ray, at t = 0 or at t_max: where it starts, or where it ends.
+    /// Root excluded from the hits. It must be a root of this very ray, at t = 0 or at t_max: its
+    /// start or its end.
     std::optional<Root> excluded{};
 
     Vec3 at(double t) const { return origin + direction * t; }
 };
 
-/// Many of them.
+/// Array of rays, not initialised when resized.
 using Rays = std::vector<Ray, DefaultInitAllocator<Ray>>;
 
 } // namespace keiko

@@ -3,7 +3,7 @@
 namespace keiko {
 namespace {
 
-/// `count` control points, `step` apart, of which one end is cut off in place, or continued, at t.
+/// `count` control points, `step` apart; one end is cut off in place, or continued, at t.
 struct Line {
     Vec4* c;
     std::size_t count, step;
@@ -23,7 +23,7 @@ struct Line {
     }
 };
 
-/// Cuts the line down to [a, b]. What goes on past the patch is continued first, from the whole of
+/// Restricts the line to [a, b]. The part beyond the patch is continued first, from the whole of
 /// it: continued by as much from a narrow piece, rounding would grow with a power of their ratio.
 void restrict_line(const Line& line, double a, double b) {
     if (a < 0) {

@@ -6,8 +6,8 @@
 
 namespace keiko {
 
-/// Control points of the piece of a patch over a box of its parameters, u outer. The box may
-/// reach a little beyond [0, 1]^2: the polynomials go on there.
+/// Control points of the piece of a patch over a box of its parameters, u outer. The box may extend
+/// a little beyond [0, 1]^2: the polynomials continue there.
 std::vector<Vec4> subpatch(const BezierPatchView& patch, const Box2& box);
 
 } // namespace keiko

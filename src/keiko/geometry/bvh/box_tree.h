@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// A binary tree over boxes that answers which of them meet a given one, or are near a point.
+/// A binary tree over boxes for queries by box and by distance from a point.
 class BoxTree {
 public:
     /// Empty and infinite boxes overlap nothing.
@@ -16,8 +16,8 @@ public:
 
     /// Indices of the boxes that overlap `box`, ascending.
     std::vector<std::uint32_t> overlapping(const Box3& box) const;
-    /// Shows `visit` the boxes nearer to `p` than `radius` mm, the nearest first; it returns the
-    /// radius for those to come.
+    /// Calls `visit` with the boxes nearer to `p` than `radius` mm, the nearest first; it returns
+    /// the radius for the following ones.
     void visit_near(const Vec3& p, double radius,
                     const std::function<double(std::uint32_t)>& visit) const;
 

@@ -24,8 +24,8 @@ private:
 
         bool cut_by(const Vec3& normal, double offset) const;
     };
-    /// In the order of a walk: the first child comes next, `skip` is where the walk goes on past
-    /// this node's children.
+    /// Node in the order of traversal: the first child comes next, `skip` is the node after this
+    /// node's children.
     struct Node {
         Block block;
         std::uint32_t first = 0, count = 0; ///< into order_, of a leaf

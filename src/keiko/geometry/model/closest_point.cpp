@@ -19,7 +19,8 @@ double newton_step(const SurfaceCurve::Point& c, const Vec3& p) {
     const Vec3 off = c.position - p;
     const double square = c.first.dot(c.first);
     const double full = square + off.dot(c.second);
-    // Near a centre of curvature the full derivative vanishes or turns: Gauss-Newton then.
+    // Near a centre of curvature the full derivative vanishes or changes its sign; Gauss-Newton is
+    // used there.
     const double slope = full > 0.1 * square ? full : square;
     return -off.dot(c.first) / slope;
 }

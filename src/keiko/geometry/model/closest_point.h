@@ -12,7 +12,7 @@ struct ClosestPoint {
     double slip = 0; ///< mm along the tangent by which the foot is not square: the curve has ended
 };
 
-/// Newton's iteration from `guess` on (C(t) - p) . C'(t) = 0 within [begin, end].
+/// Nearest point by Newton's iteration from `guess` on (C(t) - p) . C'(t) = 0 within [begin, end].
 ClosestPoint closest_point(const SurfaceCurve& curve, const Vec3& p, double guess, double begin = 0,
                            double end = 1);
 

@@ -41,7 +41,7 @@ private:
         const bool fine = sag <= chord_error_ && (8 * sag <= chord || chord <= chord_error_);
         if (fine || depth == max_depth) {
             result_.deviation = std::max(result_.deviation, sag);
-            // Of an arc; a point has no direction to turn from.
+            // Turn of an arc; a point has no direction to turn from.
             if (chord > 0) result_.turn = std::max(result_.turn, 2 * std::atan(2 * sag / chord));
             add(t1, p1);
             return;

@@ -16,25 +16,26 @@ struct CurvePolyline {
 
     Box3 box() const; ///< of the curve
     double distance(const Vec3& p) const;
-    /// Parameter of about the point of the curve that is nearest to p.
+    /// Parameter of approximately the point of the curve that is nearest to p.
     double nearest(const Vec3& p) const;
 };
 
 /// Halves the curve until the chords are within `chord_error` mm of it and turn little.
 CurvePolyline make_polyline(const SurfaceCurve& curve, double chord_error);
 
-/// Parameter in [0, 1] of the point of the segment p0 p1 that is nearest to p; 0 of a point.
+/// Parameter in [0, 1] of the point of the segment p0 p1 that is nearest to p; 0 if the segment is
+/// a point.
 double nearest_on_segment(const Vec3& p0, const Vec3& p1, const Vec3& p);
 /// Distance in mm between a point and the segment p0 p1.
 double segment_distance(const Vec3& p0, const Vec3& p1, const Vec3& p);
 
-/// Where two segments are nearest to each other.
+/// Closest approach of two segments.
 struct SegmentApproach {
     double distance = 0; ///< mm
-    double share = 0;    ///< of the way along the first one, 0 to 1
+    double share = 0;    ///< position along the first one, 0 to 1
 };
 
-/// Of the segments p0 p1 and q0 q1.
+/// Closest approach of the segments p0 p1 and q0 q1.
 SegmentApproach segment_approach(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1);
 
 } // namespace keiko

@@ -15,7 +15,7 @@ bool is_way_back(const BezierCurveView& before, const BezierCurveView& own) {
                       own.points.rend());
 }
 
-/// Whether the curve goes on where the one before it ends; a seam's other side starts elsewhere, or
+/// True if the curve continues the one before it. The other side of a seam starts elsewhere, or
 /// runs back.
 bool continues(const SurfaceModel& model, std::uint32_t curve) {
     const BezierCurveView before = model.trim_curve(curve - 1), own = model.trim_curve(curve);

@@ -7,23 +7,23 @@
 
 namespace keiko {
 
-/// The patches of one face as the grid that they form over the face's parameter plane; a patch
-/// may cover several cells of it, as an adaptive approximation makes them.
+/// The patches of one face as the grid that they form over the face's parameter plane. A patch may
+/// cover several cells of it, as adaptive approximation produces them.
 class PatchGrid {
 public:
     PatchGrid(const SurfaceModel& model, const Face& face);
 
-    /// Index into SurfaceModel::patches of the patch that holds a point of the parameter plane.
-    /// On a line between patches the one that the direction `toward` points into, so that a
-    /// border along a knot line is read from the side of its material; outside of the grid the
-    /// nearest patch.
+    /// Index into SurfaceModel::patches of the patch that holds a point of the parameter plane;
+    /// outside of the grid the nearest patch. On a line between patches it is the one that the
+    /// direction `toward` points into. A border along a knot line is thus read from the side of its
+    /// material.
     std::uint32_t locate(const Vec2& point, const Vec2& toward) const;
     /// The rectangle of face parameters that the patches cover.
     Box2 domain() const;
-    /// How many lines between patches pass through a box of the parameter plane.
+    /// Number of lines between patches that pass through a box of the parameter plane.
     int lines_through(const Box2& box) const;
 
-    /// Squared extent in mm2 of a patch of this face: what its du x dv is large or small against.
+    /// Squared extent in mm2 of a patch of this face, to which its du x dv is compared.
     double square_size(std::uint32_t patch) const { return square_sizes_[patch - first_patch_]; }
 
 private:

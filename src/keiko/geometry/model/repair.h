@@ -6,7 +6,7 @@
 
 namespace keiko {
 
-/// What was wrong with a face in its file, and what became of it.
+/// Defect of a face in its file, and how it was repaired.
 enum class RepairKind : std::uint8_t {
     p_curve_built,         ///< an edge had none on the surface: projected
     p_curve_approximated,  ///< of a kind that has no rational form
@@ -16,18 +16,18 @@ enum class RepairKind : std::uint8_t {
     edge_dropped,          ///< inside or outside of the face: it bounds no material
     tiny_edge,             ///< shorter than its own tolerance; kept as it is
     degenerate_edge_added, ///< the side of the face at a pole was missing
-    gap_bridged,           ///< between neighbouring edges, by a straight piece
+    gap_bridged,           ///< gap between neighbouring edges, by a straight piece
     loop_closed,           ///< by a straight piece from its end to its begin
     point_loop_dropped,    ///< a loop that is only a point bounds nothing
     wire_split,            ///< one wire was several loops
     wire_reversed,         ///< both borders of a band ran the same way
     wire_around_closed,    ///< a wire once around the surface without a seam
     loop_doubled,          ///< across the seam of a closed surface
-    loop_runs_backwards,   ///< material on its right; told by nesting, not by direction
+    loop_runs_backwards,   ///< material on its right; detected by nesting, not by direction
     surface_continued,     ///< loops leave its domain by a little
     loops_cut_off,         ///< loops leave the surface's domain by too much
     surface_approximated,  ///< it has no rational form
-    by_reader              ///< what the CAD reader mended, in its own words
+    by_reader              ///< a repair by the CAD reader, in its own words
 };
 
 /// "gap_bridged", ...

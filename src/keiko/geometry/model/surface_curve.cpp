@@ -61,8 +61,9 @@ int SurfaceCurve::degree_at(double t) const {
 
 namespace {
 
-/// Where the patch changes between two parameters on different ones, in rising order: halves until
-/// only neighbouring numbers are left, so patches in between are found too.
+/// Adds the parameters at which the patch changes between two parameters on different patches, in
+/// rising order. Halves until only neighbouring numbers are left, so patches in between are found
+/// too.
 void add_changes(const SurfaceCurve& curve, double low, std::uint32_t at_low, double high,
                  std::uint32_t at_high, std::vector<double>& changes) {
     if (at_low == at_high) return;
@@ -107,7 +108,7 @@ std::optional<BoundaryFrame> SurfaceCurve::frame(double t, int order) const {
     const Place p = place(t, order);
     const Vec3 first = p.surface.du() * p.u.first + p.surface.dv() * p.v.first;
     const double speed = first.length();
-    // Near a pole du x dv is what rounding leaves of it: its direction is that good to 1e-8 rad.
+    // Near a pole du x dv is mostly rounding: its direction is accurate to 1e-8 rad.
     constexpr double regular = 1e-8;
     const double area = p.surface.du().cross(p.surface.dv()).length();
     if (!(speed > 0 && area > regular * grid_->square_size(p.patch))) return std::nullopt;

@@ -11,14 +11,14 @@ namespace keiko {
 /// The border of a placed face at one point; all vectors in world coordinates.
 struct BoundaryFrame {
     Vec3 position{0};
-    Vec3 tangent{0};            ///< unit, the way the curve runs
+    Vec3 tangent{0};            ///< unit, in the direction of the curve
     Vec3 normal{0};             ///< unit, along du x dv
     Vec3 inward{0};             ///< unit, tangent to the surface, from the border into the material
-    SurfaceDerivatives surface; ///< by patch parameters, to the order asked for
+    SurfaceDerivatives surface; ///< by patch parameters, to the requested order
 };
 
 /// A trim curve as a curve in space: the exact surface along the exact p-curve, placed by its
-/// instance. Looks into the model and the grid it was made from.
+/// instance. Keeps references to its model and grid.
 class SurfaceCurve {
 public:
     /// `p_curve` in face parameters; `material_left`: the material lies to the left of its run
@@ -36,14 +36,14 @@ public:
         Vec3 position{0}, first{0}, second{0};
     };
     Point at(double t) const;
-    /// Nothing where the curve stands still or the surface is singular, as at a pole.
-    /// `order` is that of the surface's derivatives, 2 or 3.
+    /// Frame of the border; nullopt if the curve is stationary or the surface is singular, as at a
+    /// pole. `order` is that of the surface's derivatives, 2 or 3.
     std::optional<BoundaryFrame> frame(double t, int order = 2) const;
     /// Arc length in mm between two parameters, in either order. It is integrated from patch change
-    /// to patch change, for the speed may jump or bend there.
+    /// to patch change, since the speed may have a jump or a kink there.
     double length(double begin, double end) const;
-    /// The same from `begin` to a greater parameter `end` with known patch changes between them, in
-    /// rising order.
+    /// Arc length from `begin` to a greater parameter `end` with known patch changes between them,
+    /// in rising order.
     double length(double begin, double end, std::span<const double> changes) const;
     /// Face parameters at t.
     Vec2 parameters(double t) const { return evaluate(p_curve_, t, 0)[0]; }
@@ -51,17 +51,17 @@ public:
     std::uint32_t patch_at(double t) const;
     /// Highest degree of that patch, in either parameter.
     int degree_at(double t) const;
-    /// How many patches it may run through.
+    /// Number of patches through which it may run.
     int patch_count() const { return 1 + grid_->lines_through(hull_bounds(p_curve_)); }
     /// Parameters between `begin` and `end`, begin < end, at which it passes from patch to patch,
     /// in rising order and exact to a few roundings. A patch that it enters and leaves between two
-    /// of `2 patch_count() + 2` even steps is missed.
+    /// of `2 patch_count() + 2` equal steps is missed.
     std::vector<double> patch_changes(double begin, double end) const;
 
 private:
     struct Place;
     Place place(double t, int order) const;
-    /// mm a unit of the parameter.
+    /// Speed, mm a unit of the parameter.
     double speed(double t) const;
 
     const SurfaceModel* model_;

@@ -38,26 +38,26 @@ struct TrimLoop {
     std::uint32_t first_curve = 0, curve_count = 0;
 };
 
-/// A trimmed surface. The material is where a point is inside an odd number of loops;
-/// a face without loops is whole.
+/// A trimmed surface. A point is material if it is inside an odd number of loops; a face without
+/// loops is whole.
 struct Face {
     std::uint32_t id = 0; ///< position in the file, stable between loads, from 1
     std::string name;     ///< of the face, or empty
     std::string layer;
     std::optional<Rgb> color;
-    std::string surface_kind; ///< as the file has it: "plane", "b-spline", "torus", ...
+    std::string surface_kind; ///< as named in the file: "plane", "b-spline", "torus", ...
     std::uint32_t part = 0;
     std::uint32_t first_patch = 0, patch_count = 0;
     std::uint32_t first_loop = 0, loop_count = 0;
     bool reversed = false;   ///< the file's outward normal is -(du x dv)
-    double approximated = 0; ///< mm, tolerance of an approximation; 0 where the patches are exact
-    std::uint32_t line = 0;  ///< of its entity in a STEP file, from 1; 0 where it is not known
+    double approximated = 0; ///< mm, tolerance of an approximation; 0 if the patches are exact
+    std::uint32_t line = 0;  ///< of its entity in a STEP file, from 1; 0 if unknown
     std::uint32_t file = 0;  ///< into files_of(model)
 };
 
-/// An edge as the file shares it between faces.
+/// An edge that the file shares between faces.
 struct Edge {
-    double tolerance = 0; ///< mm, as the file claims; never hides a gap
+    double tolerance = 0; ///< mm, as claimed by the file; never hides a gap
     std::uint32_t use_count = 0;
     bool degenerate = false; ///< a point in space, e.g. at a pole
 };
@@ -82,7 +82,7 @@ struct LostFace {
     std::string reason;
 };
 
-/// A patch in the last ring around an irregular point of a subdivision surface: it stands in for a
+/// A patch in the last ring around an irregular point of a subdivision surface: it replaces a
 /// surface that has no curvature there.
 struct IrregularPatch {
     std::uint32_t face = 0; ///< into SurfaceModel::faces
@@ -90,12 +90,12 @@ struct IrregularPatch {
     double radius = 0;      ///< mm
 };
 
-/// What a CAD file, a cage or a patch file becomes: rational Bezier patches with trim loops,
+/// Geometry read from a CAD file, a cage or a patch file: rational Bezier patches with trim loops,
 /// in millimetres, in flat arrays.
 struct SurfaceModel {
     std::string source; ///< path it was read from
     std::string format; ///< "STEP", "IGES", "BREP", "BPT"
-    std::string unit;   ///< of the file, or empty where it names none (read as mm)
+    std::string unit;   ///< of the file, or empty if it names none (read as mm)
 
     std::vector<Vec4> control_points; ///< homogeneous, mm
     std::vector<Vec3> trim_points;    ///< homogeneous, face parameters
@@ -124,14 +124,14 @@ struct SurfaceModel {
 };
 
 /// Box of the control points of all placed patches, world, mm. It holds the material and may be
-/// much larger: sizes are those of material_bounds().
+/// much larger: material_bounds() measures sizes.
 Box3 hull_bounds(const SurfaceModel& model);
 
 /// Paths of the files that a model was read from, in the order of Face::file: `files`, or `source`
 /// of a model that is not merged.
 std::vector<std::string> files_of(const SurfaceModel& model);
 
-/// One body of several models; faces keep their order, ids are made unique by renumbering.
+/// Merged model of several models; faces keep their order, ids are made unique by renumbering.
 SurfaceModel merge(std::span<const SurfaceModel> models);
 
 } // namespace keiko

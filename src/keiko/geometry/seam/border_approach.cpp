@@ -13,7 +13,7 @@ bool nearly_parallel(const Vec3& a, const Vec3& b, double sine) {
 
 namespace {
 
-/// Of a chord.
+/// Box of a chord.
 Box3 box_of(const CurvePolyline& line, std::size_t chord) {
     Box3 box;
     box.extend(line.points[chord]);

@@ -5,7 +5,8 @@ namespace {
 
 using Polygon = std::vector<Vec2>;
 
-/// Enough for the sign of a loop's area and for who lies inside whom, which is all it is for.
+/// Number of samples of a curve; enough for the sign of a loop's area and for the nesting of loops,
+/// its only uses.
 constexpr int samples_per_curve = 16;
 
 Polygon polygon_of(const SurfaceModel& model, const TrimLoop& loop) {
@@ -44,7 +45,8 @@ Box2 box_of(const Polygon& polygon) {
     return box;
 }
 
-/// Loops may touch, so a few points of a loop vote on whether it lies inside another.
+/// True if a loop lies inside another one by the majority of a few of its points, since loops may
+/// touch.
 bool mostly_inside(const Polygon& inner, const Polygon& outer, const Box2& outer_box) {
     constexpr std::size_t voters = 9;
     std::size_t votes = 0;
@@ -55,7 +57,7 @@ bool mostly_inside(const Polygon& inner, const Polygon& outer, const Box2& outer
     return 2 * votes > voters;
 }
 
-/// Whether each loop of a face has its material on the left, by the even-odd rule.
+/// Sides of a face's loops: true if the material is on the left, by the even-odd rule.
 std::vector<bool> loop_sides(const SurfaceModel& model, const Face& face) {
     std::vector<Polygon> polygons;
     for (const TrimLoop& loop : model.loops_of(face)) polygons.push_back(polygon_of(model, loop));
@@ -72,7 +74,7 @@ std::vector<bool> loop_sides(const SurfaceModel& model, const Face& face) {
     return sides;
 }
 
-/// Anticlockwise around the domain: the material is on the left.
+/// Sides of a domain, anticlockwise: the material is on the left.
 std::array<Vec3, 8> natural_sides(const Box2& domain) {
     const Vec3 a(domain.lower.x, domain.lower.y, 1), b(domain.upper.x, domain.lower.y, 1);
     const Vec3 c(domain.upper.x, domain.upper.y, 1), d(domain.lower.x, domain.upper.y, 1);

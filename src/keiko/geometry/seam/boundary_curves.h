@@ -7,8 +7,8 @@
 
 namespace keiko {
 
-/// Every border curve of every placed face of a model, as curves in space: the trim curves, and
-/// the four natural sides of faces without loops. Looks into the model it was made from.
+/// Every border curve of every placed face of a model, as curves in space: the trim curves, and the
+/// four natural sides of faces without loops. Keeps a reference to the model.
 class BoundaryCurves {
 public:
     explicit BoundaryCurves(const SurfaceModel& model);

@@ -31,7 +31,7 @@ public:
 private:
     void make_borders();
     void find_candidates();
-    /// Pairs of borders of which `wanted` says so, within `join`.
+    /// Pairs of borders within `join` that `wanted` accepts.
     template <class Wanted>
     std::vector<SeamCandidate> candidates(const BoxTree& tree, double join,
                                           const Wanted& wanted) const;
@@ -97,7 +97,7 @@ std::vector<SeamCandidate> SeamPairing::candidates(const BoxTree& tree, double j
     return all;
 }
 
-/// Borders with partners all along.
+/// Borders that have partners all along.
 std::vector<bool> SeamPairing::covered_borders(const std::vector<SeamCandidate>& candidates) const {
     std::vector<std::vector<ParameterInterval>> parts(borders_.size());
     for (const SeamCandidate& c : candidates) {
@@ -112,8 +112,8 @@ std::vector<bool> SeamPairing::covered_borders(const std::vector<SeamCandidate>&
     return covered;
 }
 
-/// Looks close by first, where a sewn model finds everything, and only for borders that are
-/// still open as far as the join distance.
+/// Searches near by first, where a sewn model finds everything. Only borders that are still open
+/// are searched as far as the join distance.
 void SeamPairing::find_candidates() {
     std::vector<Box3> boxes;
     for (const Border& border : borders_) boxes.push_back(border.polyline.box());
@@ -140,8 +140,8 @@ void SeamPairing::list_offers() {
     }
 }
 
-/// Whether the way from border to border leads over the whole width of one of the faces: what
-/// lies beyond its other border is that one's neighbour.
+/// True if the connection between the borders crosses the whole width of one of the faces. The
+/// border beyond its other border is that face's neighbour.
 bool SeamPairing::across_a_face(const SeamCandidate& candidate, const FacingPoints& p) const {
     const double reach = p.distance + indistinct_share * join_;
     const auto narrow = [&](const std::vector<SeamOffer>& offers, double x) {
@@ -152,7 +152,7 @@ bool SeamPairing::across_a_face(const SeamCandidate& candidate, const FacingPoin
     return p.overlap && (narrow(offers_[candidate.a], p.t) || narrow(offers_[candidate.b], p.s));
 }
 
-/// Whether the borders belong to other partners here: both have a clearly nearer one, or a whole
+/// True if the borders belong to other partners here: both have a clearly nearer one, or a whole
 /// face lies between them.
 bool SeamPairing::dominated(const SeamCandidate& candidate, const FacingPoints& p) const {
     const double slack = indistinct_share * join_;
@@ -208,7 +208,7 @@ SeamPiece SeamPairing::piece(const SeamCandidate& candidate, const Stretch& stre
     return result;
 }
 
-/// The edge of the file that both borders are of.
+/// The edge of the file to which both borders belong; nullopt if there is none.
 std::optional<std::uint32_t> SeamPairing::shared_edge(const SeamCandidate& candidate) const {
     const BoundaryInterval &a = intervals_[candidate.a], &b = intervals_[candidate.b];
     if (a.curve >= natural_side || b.curve >= natural_side) return std::nullopt;

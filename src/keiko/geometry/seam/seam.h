@@ -21,20 +21,21 @@ struct BoundaryInterval {
     bool operator==(const BoundaryInterval&) const = default;
 };
 
-/// Two boundary intervals that stay within the join distance of each other: where two faces meet,
-/// whether or not the file says so. Both may lie on one face, where a closed surface meets itself.
+/// Two boundary intervals that stay within the join distance of each other: a place where two faces
+/// meet, whether or not the file states it. Both may lie on one face if a closed surface meets
+/// itself.
 struct Seam {
     BoundaryInterval a, b; ///< run in the same direction in space; a is the earlier in the model
-    std::optional<std::uint32_t> edge; ///< the file's shared edge, where both agree on one
+    std::optional<std::uint32_t> edge; ///< the file's shared edge, if both agree on one
 
     bool operator==(const Seam&) const = default;
 };
 
-/// Finds the seams of a model geometrically: T-junctions, split borders and faces of different
-/// files included; a file's shared edges are only a hint. A stretch beside two borders belongs to
-/// the clearly nearer one, so the two sides of a sliver are not taken for a seam; a border with
-/// partners within join / 50 all along looks no further. `join` in mm;
-/// a border near the inside of another face is none. The order is that of the model's borders.
+/// Finds the seams of a model geometrically, including T-junctions, split borders and faces of
+/// different files; a file's shared edges are only a hint. A stretch beside two borders belongs to
+/// the clearly nearer one, so that the two sides of a sliver do not form a seam. A border with
+/// partners within join / 50 all along is not searched further. `join` in mm; a border near the
+/// inside of another face is none. The order is that of the model's borders.
 std::vector<Seam> pair_seams(const SurfaceModel& model, double join, const Job& job = {});
 
 } // namespace keiko

@@ -15,15 +15,17 @@ namespace keiko {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Of the part's size: smaller gaps are not worth a table; wider ones are not sealed against the
-/// file's word; what approximation leaves open between borders that meet, and what rounding does.
+/// Shares of the part's size. Smaller gaps than the first need no table; wider ones than the second
+/// are not sealed against the file's claim. The others are the gap that approximation leaves open
+/// between borders that meet, and the one that rounding leaves.
 constexpr double smallest_gap = 1e-7, widest_surprise = 1e-5, least_width = 1e-8, rounding = 1e-10;
 constexpr double spare_width = 1.5;
 constexpr int fine_steps = 16;
-/// Of the part's size: chords of the curves that the nearest place of a border is sought on.
+/// Chord error of the curves on which the nearest place of a border is searched, as a share of the
+/// part's size.
 constexpr double chord_error = 1e-3;
-/// Where a gap is looked for first. Not at equal steps: p-curves are often interpolated at such,
-/// and meet the neighbour there and only there.
+/// First places at which a gap is measured. They are not at equal steps: p-curves are often
+/// interpolated at such, and meet the neighbour there and only there.
 const std::vector<double>& first_places() {
     static const std::vector<double> places = [] {
         std::vector<double> t{0, 1};
@@ -39,7 +41,7 @@ std::vector<double> equal_steps(int steps) {
     return t;
 }
 
-/// Measures the way from one border to another.
+/// Measures the distance from one border to another.
 class GapMeter {
 public:
     GapMeter(const SurfaceModel& model, const std::vector<double>& sizes, const Job& job)
@@ -73,7 +75,8 @@ private:
         return {model_, *grids_[face], in_part_, model_.trim_curve(curve), true};
     }
 
-    /// By Newton on the curve whose polyline is nearest, and on the next, which may be nearer yet.
+    /// The nearest place by Newton's iteration on the curve whose polyline is nearest, and on the
+    /// next, which may be nearer yet.
     Vec3 nearest(const Vec3& p, const EdgeUse& use) const {
         struct Candidate {
             double distance = infinity;
@@ -131,15 +134,15 @@ SeamGap seam_gap(const GapMeter& meter, const std::vector<EdgeUse>& uses, std::s
     const double found = widest(meter.measure(uses[own], curve, first_places(), other));
     if (found > smallest_gap * size && found <= join)
         gap.samples = meter.measure(uses[own], curve, equal_steps(fine_steps), other);
-    // A table that misses what the first look found is none.
+    // A table that misses a gap found at the first places is discarded.
     if (widest(gap.samples) < found / 2) gap.samples.clear();
     if (found <= std::max(claimed, widest_surprise * size))
         gap.width = spare_width * std::max(found, widest(gap.samples)) + least_width * size;
     return gap;
 }
 
-/// By the second differences of the samples at either end of the interval: twice what a straight
-/// line between them is off by.
+/// Error of a straight line between the samples at an interval's ends, times two, by the second
+/// differences of the samples at either end.
 double bend(const std::vector<SeamGap::Sample>& samples, std::size_t interval) {
     double most = 0;
     for (std::size_t i = std::max<std::size_t>(interval, 1);
@@ -162,7 +165,7 @@ bool SeamGap::holds(double t, const Vec3& off, const Vec3& direction) const {
     const double share = place - static_cast<double>(i);
     const Vec3 run = samples[i + 1].border - samples[i].border;
     const Vec3 side = run.cross(direction);
-    // Seen end-on the border has no sides.
+    // Viewed end-on the border has no sides.
     constexpr double least_sine = 1e-3;
     if (!(side.length() > least_sine * run.length())) return true;
     const Vec3 outward = side.normalized() * (off.dot(side) < 0 ? -1 : 1);

@@ -13,8 +13,8 @@ double cost(const FacingPoints& p) {
 
 namespace {
 
-/// Between the values of the points of an offer, that at a parameter of its border; infinity where
-/// it does not reach and beside points that do not count.
+/// Value at a parameter of the border, interpolated between the points of an offer; infinity beyond
+/// its ends and beside points that do not count.
 template <class Counts, class Value>
 double between(const SeamOffer& offer, double x, const Counts& counts, const Value& value) {
     const auto& points = offer.candidate->stretch.points;

@@ -12,7 +12,7 @@ struct SeamCandidate {
     Stretch stretch;
 };
 
-/// What another candidate offers along a stretch of one border.
+/// The facing points that another candidate provides along a stretch of one border.
 struct SeamOffer {
     const SeamCandidate* candidate;
     bool as_a;
@@ -20,12 +20,13 @@ struct SeamOffer {
     double parameter(const FacingPoints& p) const { return as_a ? p.t : p.s; }
 };
 
-/// How far apart two points are, as candidates compete: a far side of a sliver faces the neighbour
+/// Distance of two points by which candidates compete: a far side of a sliver faces the neighbour
 /// across the sliver's own material, which counts more.
 double cost(const FacingPoints& p);
-/// Cost of an offer at a parameter of its border, or infinity where it does not reach.
+/// Cost of an offer at a parameter of its border, or infinity beyond its ends.
 double cost_at(const SeamOffer& offer, double x);
-/// The same of the distance in mm, only where what lies between is material.
+/// Distance in mm of an offer at a parameter of its border, only where material lies between;
+/// otherwise infinity.
 double width_at(const SeamOffer& offer, double x);
 
 } // namespace keiko

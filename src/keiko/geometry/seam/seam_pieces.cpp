@@ -7,8 +7,8 @@
 namespace keiko {
 namespace {
 
-/// Ends of pieces meet within this share of the join distance, and this one of the shorter
-/// piece's length: the ends of a tiny one would meet each other.
+/// Distance within which ends of pieces meet, as a share of the join distance and as a share of the
+/// shorter piece's length: the ends of a tiny one would otherwise meet each other.
 constexpr double meeting = 0.02, meeting_in_lengths = 0.1;
 
 bool long_enough(double length, double widest, double join, bool fills_border) {
@@ -20,8 +20,8 @@ bool goes_on(const SeamPiece::Tip& x, const SeamPiece::Tip& y, double near) {
     return (x.position - y.position).length() <= near && !is_corner(x.onward, -y.onward);
 }
 
-/// Calls `work(i, j)`, i < j, for the ends of pieces that go on into each other on both borders.
-/// The ends of piece k are 2 k and 2 k + 1.
+/// Calls `work(i, j)`, i < j, for the ends of pieces that continue each other on both borders. The
+/// ends of piece k are 2 k and 2 k + 1.
 template <class Work>
 void for_meeting_ends(std::span<const SeamPiece> pieces, double join, const Work& work) {
     const auto tips = [&](std::size_t i) -> const std::array<SeamPiece::Tip, 2>& {
@@ -55,7 +55,7 @@ struct Run {
     }
 };
 
-/// The scraps among some pieces, joined where they go on into each other.
+/// The scraps among some pieces, joined where they continue each other.
 class JoinedScraps {
 public:
     JoinedScraps(std::span<const SeamPiece> pieces, const std::vector<bool>& seams, double join)
@@ -69,7 +69,7 @@ public:
         add_runs();
     }
 
-    /// Whether a scrap is a seam with those that it is joined to.
+    /// True if a scrap forms a seam with those that it is joined to.
     bool is_seam(std::size_t i) {
         return same_runs_[of_same_faces_.root(i)].is_seam(join_) ||
                over_runs_[over_faces_.root(i)].is_seam(join_);
@@ -99,7 +99,7 @@ private:
     std::span<const SeamPiece> pieces_;
     const std::vector<bool>& seams_;
     double join_;
-    /// Sets of scraps, of the same two faces, and over the borders between faces: a gap of many
+    /// Sets of scraps of the same two faces, and over the borders between faces: a gap of many
     /// small faces.
     DisjointSets of_same_faces_, over_faces_;
     std::vector<Run> same_runs_, over_runs_; ///< by the roots of the sets

@@ -15,31 +15,32 @@ namespace {
 constexpr double snap = 1e-6;
 const double sin_parallel = std::sin(parallel_borders);
 
-/// Either end of a closed curve stands for both: a foot does not tell them apart.
+/// Parameters of an end; either end of a closed curve represents both, as a foot does not
+/// distinguish them.
 std::vector<double> ends_at(double t, bool closed) {
     if (closed && (t == 0 || t == 1)) return {0, 1};
     return {t};
 }
 
-/// One look from a point of `a` at `b`.
+/// Projection of a point of `a` to `b`.
 struct Look {
     double t = 0, s = 0;
     double distance = 0;
     bool facing = false;  ///< a square foot within the join distance, nearly parallel
-    bool forward = false; ///< b runs the way a runs
+    bool forward = false; ///< b has the same direction as a
     bool end_of_b = false;
 
-    /// b lies beside a on the side of greater (else lesser) t, too.
+    /// True if b lies beside a on the side of greater (else lesser) t, too.
     bool goes_on(bool greater) const { return !end_of_b || s != (forward == greater ? 1 : 0); }
 };
 
-/// From one look to the next the borders face each other without a turn.
+/// True if the borders face each other from one projection to the next without a turn.
 bool go_on(const Look& x, const Look& y) {
     const bool ordered = x.forward ? x.s < y.s : x.s > y.s;
     return x.facing && y.facing && x.forward == y.forward && ordered;
 }
 
-/// An end of the curve instead of a parameter that is as good as there.
+/// Parameter of the foot, or that of an end of the curve if it is equally near.
 double snapped(const ClosestPoint& foot) {
     const double speed = foot.point.first.length();
     if (foot.t * speed <= snap) return 0;
@@ -103,7 +104,7 @@ Look Alongside::look(double t, double guess) const {
             .forward = from.first.dot(foot.point.first) > 0};
 }
 
-/// The point of a that faces an end of b, where a has not ended before.
+/// The point of a that faces an end of b, unless a ends before.
 std::optional<Look> Alongside::look_at_end_of_b(double s) const {
     const SurfaceCurve::Point from = b_.curve.at(s);
     const ClosestPoint foot =
@@ -143,7 +144,7 @@ std::vector<Look> Alongside::looks_in(const ParameterInterval& range) const {
             looks.push_back(there);
         }
     }
-    // Of the ends of a closed b that face one point of a, that of the part before first.
+    // Of the ends of a closed b that face one point of a, that of the part before comes first.
     std::sort(looks.begin(), looks.end(), [](const Look& x, const Look& y) {
         if (x.t != y.t) return x.t < y.t;
         return x.forward ? x.s > y.s : x.s < y.s;
@@ -151,8 +152,8 @@ std::vector<Look> Alongside::looks_in(const ParameterInterval& range) const {
     return looks;
 }
 
-/// Between two looks of which one does not face b the borders may meet all the same, and part
-/// between two that do.
+/// Adds projections between others. If one of two neighbours does not face b, the borders may still
+/// meet between them; if both do, they may part.
 void Alongside::add_looks_between(std::vector<Look>& looks) const {
     std::vector<Look> more;
     for (std::size_t i = 0; i + 1 < looks.size(); ++i)

@@ -6,7 +6,7 @@
 
 namespace keiko {
 
-/// A border curve ready to be searched.
+/// A border curve prepared for searching.
 struct Border {
     SurfaceCurve curve;
     CurvePolyline polyline;
@@ -29,7 +29,7 @@ struct Stretch {
 /// distance passes `join` mm.
 std::vector<Stretch> stretches_alongside(const Border& a, const Border& b, double join);
 
-/// Distances below this share of the join distance do not tell two candidates apart.
+/// Share of the join distance below which distances do not distinguish two candidates.
 constexpr double indistinct_share = 1e-3;
 
 } // namespace keiko

@@ -22,7 +22,7 @@ public:
     const Vec2& last() const { return last_; }
     /// A box of face parameters that holds the stretch.
     Box2 box() const { return hull_bounds(BezierCurveView{points_}); }
-    /// How much of its curve it is, 0 to 1.
+    /// Share of its curve, 0 to 1.
     double share() const { return share_; }
     std::array<CurveStretch, 2> halves() const;
     /// Place and its first derivative by s, in face parameters.
@@ -44,7 +44,7 @@ private:
 };
 
 /// The curves of a face's loops, and the straight ones that close them where they do not quite
-/// meet, as TrimRegion has them.
+/// meet, as in TrimRegion.
 std::vector<CurveStretch> border_of(const SurfaceModel& model, const Face& face);
 
 } // namespace keiko

@@ -38,7 +38,7 @@ struct SurfacePart {
     bool inside = false; ///< no trim curve touches it
 };
 
-/// A stretch of a trim curve, as far as it is on a patch.
+/// The part of a stretch of a trim curve that is on a patch.
 struct CurvePart {
     std::shared_ptr<const PatchMaterial> patch;
     CurveStretch stretch;
@@ -118,7 +118,7 @@ private:
                 PlacedPatch{placed, p});
     }
 
-    /// Into all that its highest place may be on.
+    /// Splits a placed patch into the parts that its highest place may be on.
     void split(const PlacedPatch& placed) {
         const FaceTrims& trims = trims_of(placed.face.face);
         const auto patch = std::make_shared<const PatchMaterial>(model_, placed.patch, trims.region,
@@ -153,7 +153,8 @@ private:
     }
 
     void split(const SurfacePart& part) {
-        // A box so narrow, in patch parameters, is not cut: what trims it is searched by itself.
+        // A box of this width, in patch parameters, is not cut: the curves that trim it are
+        // searched by themselves.
         constexpr double narrowest = 1e-12;
         if (!part.height.may_be_level()) return;
         const bool by_u = part.height.varies_by_u();
@@ -167,8 +168,8 @@ private:
     void add_curve(const std::shared_ptr<const PatchMaterial>& patch, CurveStretch stretch) {
         const auto overlap = patch->overlap(stretch);
         if (!overlap || !is_higher(patch->whole().over(overlap->uv).upper())) return;
-        // A curve that leaves the patch is cut at once, until its parts are so short a share of
-        // it: places on the patch must be known before boxes that the curve touches are cut.
+        // A curve that leaves the patch is cut at once, until its parts are this share of it:
+        // places on the patch must be known before boxes that the curve touches are cut.
         constexpr double shortest_cut = 1e-4;
         if (!overlap->whole && stretch.share() > shortest_cut) {
             for (CurveStretch& half : stretch.halves()) add_curve(patch, std::move(half));
@@ -192,7 +193,7 @@ private:
     }
 
     void split(const CurvePart& part) {
-        // A stretch so short, as a share of its curve, is dropped where no material lies beside it.
+        // A stretch this short, as a share of its curve, is dropped if no material lies beside it.
         constexpr double finest = 1e-3, narrowest = 1e-12;
         const double share = part.stretch.share();
         if (part.monotone || share < narrowest) return;

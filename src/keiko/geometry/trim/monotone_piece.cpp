@@ -10,10 +10,10 @@
 namespace keiko {
 namespace {
 
-/// A coordinate that shows no side of a piece.
+/// A coordinate that decides no side of a piece.
 constexpr double anywhere = std::numeric_limits<double>::quiet_NaN();
 
-/// Of what is added up across a chord, where places are far from 0.
+/// Rounding of the sums across a chord whose places are far from 0.
 constexpr double rounding = 1e-14;
 
 Vec2 projected(const Vec3& p) {

@@ -8,7 +8,7 @@
 namespace keiko {
 
 /// A stretch of a plane Bezier curve along which x and y each only rise or only fall. Its box is
-/// the box of its two ends, and so for each of its own stretches.
+/// the box of its two ends; this also holds for each of its own stretches.
 class MonotonePiece {
 public:
     /// Homogeneous control points over [begin, end] of the curve `curve`.
@@ -26,24 +26,23 @@ public:
     /// Bounds of the magnitudes of the second derivatives of x and of y by t; infinite where a
     /// weight is not positive.
     const Vec2& bend() const { return bend_; }
-    /// Whether the ray from `p` towards +x crosses the piece. An end at exactly p.y belongs to
-    /// the side above, so that a closed chain is crossed an even or odd number of times whatever
-    /// p is.
+    /// True if the ray from `p` towards +x crosses the piece. An end at exactly p.y belongs to the
+    /// side above, so that a closed chain is crossed an odd or an even number of times for any p.
     bool crossed_from(const Vec2& p) const;
-    /// Where the piece meets the line on which coordinate `axis` (0 is x, 1 is y) is `at`, to
-    /// rounding: the other coordinate. Of a piece that runs along the line, both of its ends.
+    /// Crossings of the piece with the line on which coordinate `axis` (0 is x, 1 is y) is `at`, to
+    /// rounding: the other coordinate. If the piece runs along the line, both of its ends.
     std::vector<double> crossings(unsigned axis, double at) const;
-    /// Whether any point of the piece lies in the box.
+    /// True if any point of the piece lies in the box.
     bool touches(const Box2& box) const;
-    /// False for boxes beside the strip along its chord that holds the control points: of such it
-    /// touches none. Much quicker.
+    /// False for boxes beside the strip along its chord that holds the control points: it touches
+    /// none of them. Much faster.
     bool may_touch(const Box2& box) const;
 
 private:
     /// Signed distance of a place, relative to the first end, from the chord's line, times the
     /// chord's length.
     double beside_chord(const Vec2& place) const;
-    /// The most that two places so far apart differ in it.
+    /// The largest difference of this distance between two places that are `size` apart.
     double across(const Vec2& size) const;
     void find_strip();
     void find_bend();
@@ -52,9 +51,9 @@ private:
         double a, b;
         Vec2 at_a, at_b;
     };
-    /// Closes in on coordinate `axis` being `at`, which must lie between the ends, until t is known
-    /// to rounding or the bracket shows which side of the piece a place there is on, whose other
-    /// coordinate is `beside`.
+    /// Brackets the place where coordinate `axis` is `at`, which must lie between the ends. It ends
+    /// when t is known to rounding, or when the bracket decides the side of the piece for a place
+    /// there whose other coordinate is `beside`.
     template <unsigned axis>
     Bracket bracket(double at, double beside) const;
 

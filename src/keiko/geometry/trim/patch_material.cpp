@@ -6,7 +6,8 @@
 namespace keiko {
 namespace {
 
-/// A trim curve this close to a side of a patch, as a share of the patch, is taken to run along it.
+/// Distance from a side of a patch, as a share of the patch, within which a trim curve is assumed
+/// to run along it.
 constexpr double side_width = 1e-10;
 
 /// The box, with no side much shorter than the other, within the patch.
@@ -58,7 +59,8 @@ bool PatchMaterial::contains(const Vec2& uv) const {
 std::optional<double> PatchMaterial::height_at(const Vec2& face_parameters) const {
     if (!domain_.contains(face_parameters)) return std::nullopt;
     const Vec3 place = evaluate(model_.patch(patch_), to_patch(face_parameters), 0).position();
-    return std::min(height_.of(place), whole_.upper()); // what rounding adds is not there
+    return std::min(height_.of(place), whole_.upper()); // a height above the upper bound is
+                                                        // rounding
 }
 
 std::optional<PatchMaterial::Overlap> PatchMaterial::overlap(const CurveStretch& stretch) const {
@@ -78,7 +80,7 @@ PatchMaterial::CurveBound PatchMaterial::bound(const CurveStretch& stretch,
     const CurveStretch::Rates rates =
         stretch.rates(model_.patches[patch_], whole_.over(rounded_out(overlap.uv)));
     bound.monotone = !rates.first.holds_zero();
-    // Nowhere farther above its chord than a parabola that bends as much as it does at most.
+    // Nowhere farther above its chord than a parabola with its largest second derivative.
     const double above_chord = std::max(0.0, -rates.second.low) / 8;
     const double by_chord = std::max(*first, *last) + above_chord;
     if (by_chord < bound.upper) bound.upper = by_chord;
@@ -86,7 +88,7 @@ PatchMaterial::CurveBound PatchMaterial::bound(const CurveStretch& stretch,
 }
 
 bool beside_material(const TrimRegion& trims, const CurveStretch& stretch, double s) {
-    // Of the face's parameters: so far from the curve.
+    // Distance from the curve, in face parameters.
     constexpr double aside = 1e-10;
     const auto at = stretch.at(s);
     const Vec2 scale = trims.bounds().extent();

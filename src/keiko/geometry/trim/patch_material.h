@@ -8,14 +8,15 @@
 
 namespace keiko {
 
-/// A patch of a trimmed face, with the height of its places. Looks into the model and the trims.
+/// A patch of a trimmed face, with the height of its places. Keeps references to the model and the
+/// trims.
 class PatchMaterial {
 public:
     /// `height`: of a place in part coordinates.
     PatchMaterial(const SurfaceModel& model, std::uint32_t patch, const TrimRegion& trims,
                   const Height& height);
 
-    /// The height over all of the patch, whatever the trims.
+    /// The height over all of the patch, regardless of the trims.
     const PatchHeight& whole() const { return whole_; }
     const TrimRegion& trims() const { return trims_; }
     TrimSide classify(const Box2& uv) const { return trims_.classify(face_box(uv)); }
@@ -26,7 +27,7 @@ public:
         Box2 uv;            ///< holds that part
         bool whole = false; ///< all of the stretch is on the patch
     };
-    /// Returns nothing for a stretch beside the patch.
+    /// The part of a stretch that is on the patch; nullopt for a stretch beside the patch.
     std::optional<Overlap> overlap(const CurveStretch& stretch) const;
     /// Bounds of the height along a stretch that is on the patch.
     struct CurveBound {
@@ -34,7 +35,7 @@ public:
         bool monotone = false; ///< it rises or falls all along
     };
     CurveBound bound(const CurveStretch& stretch, const Overlap& overlap) const;
-    /// The height at a place in face parameters; nothing where that is beside the patch.
+    /// The height at a place in face parameters; nullopt if that is beside the patch.
     std::optional<double> height_at(const Vec2& face_parameters) const;
 
 private:
@@ -49,7 +50,7 @@ private:
     Box2 domain_; ///< face parameters of the patch, and a little more
 };
 
-/// Whether material lies beside the stretch, at its local parameter s.
+/// True if material lies beside the stretch, at its local parameter s.
 bool beside_material(const TrimRegion& trims, const CurveStretch& stretch, double s);
 
 } // namespace keiko

@@ -8,7 +8,7 @@
 namespace keiko {
 namespace {
 
-/// Rows beyond this many cost memory and win nothing.
+/// Number of rows beyond which more would cost memory without a gain.
 constexpr std::size_t most_rows = 256;
 
 MonotonePiece connector(const Vec2& from, const Vec2& to, std::uint32_t curve, double at) {
@@ -45,8 +45,8 @@ struct Stretch {
     }
 };
 
-/// How far any place of a stretch is off its chord, at the most: no farther than its box is wide,
-/// and, by Taylor's theorem, than an eighth of the bend.
+/// Largest distance of any place of a stretch from its chord: at most the width of its box, and, by
+/// Taylor's theorem, an eighth of the bend.
 double most_off(const Stretch& s, double bend, const ParameterMetric& metric) {
     Box2 box;
     box.extend(s.at_a);
@@ -58,10 +58,10 @@ double most_off(const Stretch& s, double bend, const ParameterMetric& metric) {
 /// Nearest point of a piece by branch and bound on the chords of its stretches; tightens `best`.
 bool approach(const MonotonePiece& piece, const Vec2& p, const ParameterMetric& metric,
               TrimRegion::NearCurve& best) {
-    // Where steps have no length (at a pole) everything is equally near: without an end of its own
-    // the search would visit all of it.
+    // Where steps have no length (at a pole) everything is equally near: without this limit the
+    // search would visit all of it.
     constexpr double share_of_distance = 1e-3, share_of_reach = 1e-9;
-    // So short a stretch is its chord to within rounding.
+    // A stretch this short is its chord to within rounding.
     constexpr double straight = 1e-9;
     const double least = share_of_reach * best.distance, bend = metric.across(piece.bend());
     bool found = false;
@@ -139,7 +139,7 @@ void TrimRegion::build_rows() {
     row_begin_.push_back(static_cast<std::uint32_t>(row_pieces_.size()));
 }
 
-/// Where pieces begin and end, but for some where they are many.
+/// Finds the begins and ends of pieces as borders of rows; if there are many, some are left out.
 void TrimRegion::find_row_borders() {
     std::vector<double> ends;
     for (const MonotonePiece& piece : pieces_) {

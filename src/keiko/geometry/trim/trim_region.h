@@ -11,29 +11,31 @@
 
 namespace keiko {
 
-/// Which side of a face's trim loops a place of its parameter plane is on.
+/// Position of a place of the parameter plane relative to a face's trim loops.
 enum class TrimSide { inside, outside, mixed };
 
-/// The material of one trimmed face, for point and box questions: p-curves split into
-/// bi-monotone pieces, answered by the even-odd rule along a line of constant v, decided at each
-/// piece by bracketing in one dimension, never by a polyline. A loop is a closed chain: where
-/// the file's curves do not quite meet, a straight piece joins their ends.
+/// The material of one trimmed face, for point and box queries. P-curves are split into bi-monotone
+/// pieces. Queries use the even-odd rule along a line of constant v, decided at each piece by
+/// bracketing in one dimension, never by a polyline. A loop is a closed chain: where the file's
+/// curves do not quite meet, a straight piece joins their ends.
 class TrimRegion {
 public:
-    /// `seam_widths`, a trim curve of the model: how far beyond it nearest_edge looks, mm; without
-    /// them that is the edges' tolerances.
+    /// `seam_widths`, one for each trim curve of the model: distance beyond it that nearest_edge
+    /// searches, mm; without them the edges' tolerances.
     TrimRegion(const SurfaceModel& model, const Face& face,
                std::span<const double> seam_widths = {});
 
-    /// Whether the point of the parameter plane is material. Points on a curve itself may go
-    /// either way.
+    /// True if the point of the parameter plane is material. Points on a curve itself may be
+    /// classified either way.
     bool contains(const Vec2& face_parameters) const;
-    /// Between which places a line on which coordinate `axis` (0 is u, 1 is v) is `at` is either
-    /// inside or outside, to rounding: the other coordinate of where trim curves meet it, rising.
+    /// Ends of the intervals of a line that are either inside or outside, to rounding. The line is
+    /// where coordinate `axis` (0 is u, 1 is v) is `at`. Returns the other coordinates of its
+    /// crossings with trim curves, rising.
     std::vector<double> crossings(unsigned axis, double at) const;
-    /// inside or outside when no trim curve can touch the box.
+    /// Position of a box: inside or outside if no trim curve can touch it.
     TrimSide classify(const Box2& box) const;
-    /// The nearest point of any trim curve within `radius` mm of the point, or nothing.
+    /// The nearest point of any trim curve within `radius` mm of the point; nullopt if there is
+    /// none.
     struct NearCurve {
         double distance = 0;            ///< by the metric, i.e. about mm
         std::uint32_t curve = no_index; ///< into SurfaceModel::trim_curves
@@ -43,8 +45,8 @@ public:
     std::optional<NearCurve> nearest_curve(const Vec2& face_parameters,
                                            const ParameterMetric& metric, double radius) const;
     /// The nearest point of an edge's curves that lies within that curve's seam width (at most
-    /// `most` mm) by the metric; only of the edges of the sorted `among`, when it is not empty.
-    /// Curves without an edge, or of a seam too narrow, hide none behind them.
+    /// `most` mm) by the metric; only of the edges of the sorted `among`, if it is not empty.
+    /// Curves without an edge, or with too narrow a seam, hide none behind them.
     struct NearEdge {
         NearCurve at;
         std::uint32_t edge = no_index; ///< into SurfaceModel::edges
@@ -52,8 +54,8 @@ public:
     std::optional<NearEdge> nearest_edge(const Vec2& face_parameters, const ParameterMetric& metric,
                                          double most,
                                          std::span<const std::uint32_t> among = {}) const;
-    /// Whether nearest_edge may find a place in the box, of face parameters: by what boxes
-    /// and strips hold the curves, much quicker.
+    /// True if nearest_edge may find a place in the box, of face parameters: tested by boxes and
+    /// strips that hold the curves, much faster.
     bool may_be_near_edge(const Box2& around) const;
     /// Edges of the face's loops, sorted.
     std::span<const std::uint32_t> edges() const { return edges_; }
@@ -61,7 +63,7 @@ public:
     bool untrimmed() const { return pieces_.empty(); }
     /// Box of all trim curves in face parameters; empty for a face without loops.
     const Box2& bounds() const { return bounds_; }
-    /// Of its arrays.
+    /// Memory of its arrays.
     std::size_t bytes() const;
 
 private:
@@ -74,7 +76,7 @@ private:
     void find_row_borders();
     void list_edges(const SurfaceModel& model, std::span<const double> seam_widths);
 
-    /// Of one of pieces_.
+    /// Edge of one of pieces_.
     struct PieceEdge {
         std::uint32_t edge = no_index;
         double width = 0; ///< mm; 0 without an edge
@@ -84,9 +86,9 @@ private:
     std::vector<PieceEdge> piece_edges_;
     std::vector<std::uint32_t> edges_;
     Box2 bounds_;
-    // Rows of constant v between neighbouring entries of row_borders_; row r holds the pieces
-    // row_pieces_[row_begin_[r]] .. row_pieces_[row_begin_[r + 1] - 1], those that reach
-    // farthest right first.
+    // Rows of constant v between neighbouring entries of row_borders_. Row r holds the pieces
+    // row_pieces_[row_begin_[r]] .. row_pieces_[row_begin_[r + 1] - 1], those that extend farthest
+    // right first.
     std::vector<double> row_borders_;
     std::vector<std::uint32_t> row_begin_, row_pieces_;
 };

@@ -6,8 +6,8 @@
 
 namespace keiko {
 
-/// Eye of a visibility query: a point, or a direction towards parallel light, which is a point at
-/// infinity. Homogeneous: (place, 1), or (unit direction towards the light, 0).
+/// Viewpoint of a visibility query: a point, or a direction towards parallel light, which is a
+/// point at infinity. Homogeneous: (place, 1), or (unit direction towards the light, 0).
 class Viewpoint {
 public:
     /// Viewpoint at a point. On a surface, `excluded` is its own root, left out as for any
@@ -21,14 +21,14 @@ public:
     /// The point, or the unit direction towards it.
     const Vec3& place() const { return place_; }
     const std::optional<Root>& excluded() const { return excluded_; }
-    /// From the viewpoint to x; from infinity along the light, unit.
+    /// Vector from the viewpoint to x; from infinity the unit direction of the light.
     Vec3 way_to(const Vec3& x) const { return infinite_ ? -place_ : x - place_; }
     /// Homogeneous coordinates relative to `center`.
     Vec4 seen_from(const Vec3& center) const {
         const Vec3 p = infinite_ ? place_ : place_ - center;
         return {p.x, p.y, p.z, infinite_ ? 0.0 : 1.0};
     }
-    /// The ray that asks whether `x` is seen.
+    /// The ray that tests whether `x` is visible.
     Ray ray_to(const Vec3& x) const {
         Ray ray;
         ray.origin = infinite_ ? x : place_;

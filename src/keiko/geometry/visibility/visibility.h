@@ -10,7 +10,7 @@
 
 namespace keiko {
 
-/// From a to b, mm; its points are a + t (b - a), t in [0, 1].
+/// Segment from a to b, mm; its points are a + t (b - a), t in [0, 1].
 struct Segment {
     Vec3 a{0}, b{0};
 
@@ -21,44 +21,45 @@ struct Segment {
 /// The parallel edges of a prism.
 using Prism = std::array<Segment, 4>;
 
-/// Rule that selects the turns of outlines across a prism that matter to lines along it.
+/// Rule that selects the slices at outlines across a prism that matter to lines along it.
 struct TurnRule {
     double gap = 1;    ///< between the lines, of the prism's width
-    double missed = 0; ///< what all that are left out may hide between lines, of the whole prism
+    double missed = 0; ///< largest part of the whole prism that all omitted ones together may hide
+                       ///< between lines
 };
 
-/// A place across a prism where the visible part of its lines may jump or bend. There the outline
-/// of something before it begins, ends or turns back, runs along it, or leaves it by its ends.
+/// A place across a prism where the visible part of its lines may have a jump or a kink. There the
+/// outline of an occluder begins, ends or turns back, runs along it, or leaves it by its ends.
 struct CriticalSlice {
     Vec3 way{0};       ///< from the viewpoint, at right angles to the prism
-    double missed = 0; ///< what lines a gap apart may miss of the prism if they know nothing of it
-    /// The side of it that is dark, by rising angle about the prism's direction: 1 or -1, or 0
-    /// where that is not known.
+    double missed = 0; ///< part of the prism that lines a gap apart may miss without knowledge of
+                       ///< it
+    /// The side of it that is dark, by rising angle about the prism's direction: 1 or -1, or 0 if
+    /// unknown.
     int dark = 0;
-    bool jump = true; ///< what is hidden may change at once there; else only how fast it does
+    bool jump = true; ///< the hidden part may jump there; otherwise only its rate may
 };
 
-/// Visible parts of segments from one viewpoint: the contract between lamps, light shafts and
-/// whatever computes occlusion. Lamps query the lamp axis from a surface point, light shafts the
-/// camera ray from a light. The contract knows neither surfaces nor ray tracing.
+/// Visible parts of segments from one viewpoint: the contract between lamps, light shafts and every
+/// occlusion algorithm. Lamps query the lamp axis from a surface point, light shafts the camera ray
+/// from a light. The contract knows neither surfaces nor ray tracing.
 class Visibility {
 public:
     virtual ~Visibility() = default;
-    /// Parameters t of the segment that the viewpoint sees.
+    /// Parameters t of the segment that are visible from the viewpoint.
     virtual IntervalSet intervals(const Segment& segment) const = 0;
-    /// Visible parameters of several segments at once, which costs less where they are parallel.
+    /// Visible parameters of several segments at once, which costs less if they are parallel.
     virtual std::vector<IntervalSet> intervals(std::span<const Segment> segments) const {
         std::vector<IntervalSet> all;
         for (const Segment& segment : segments) all.push_back(intervals(segment));
         return all;
     }
-    /// Visibility of whole prisms: true where a prism is proved visible, false where it is proved
-    /// hidden, nothing where neither is proved. The part of it below the horizon of the point does
-    /// not count.
+    /// Visibility of whole prisms: true for a prism proved visible, false for one proved hidden,
+    /// nullopt if neither is proved. The part of it below the horizon of the point does not count.
     virtual std::vector<std::optional<bool>> classify_prisms(std::span<const Prism> prisms) const {
         return std::vector<std::optional<bool>>(prisms.size());
     }
-    /// Known places where the visible part of the lines along a prism may change at once.
+    /// Known places where the visible part of the lines along a prism may jump or kink.
     virtual std::vector<CriticalSlice> turns(const Prism&, const TurnRule&) const { return {}; }
 };
 

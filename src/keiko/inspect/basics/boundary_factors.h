@@ -13,8 +13,8 @@ struct BoundaryFactor {
     int times = 1;      ///< its multiplicity: 2 and more where the slope across it is 0 as well
 };
 
-/// Divides those sides out of `field` along which it is at most `tolerance`, as often as it is:
-/// what is left has the same zeros otherwise.
+/// Divides `field` by its boundary factors: the sides along which it is at most `tolerance`, each
+/// with its multiplicity. The other zeros stay as they are.
 std::vector<BoundaryFactor> divide_sides(BernsteinField& field, double tolerance);
 
 } // namespace keiko

@@ -9,7 +9,7 @@
 
 namespace keiko {
 
-/// A piece of a curve in a chain of such.
+/// One piece of a curve in a chain of pieces.
 struct ChainLink {
     std::size_t piece = 0;
     bool turned = false; ///< runs from its second end to its first
@@ -20,9 +20,9 @@ struct CurveChain {
     bool closed = false;
 };
 
-/// Pieces by both their ends, joined where ends are within `reach` mm, the nearest first along each
-/// chain. Every piece is in one chain; chains begin with their first piece in the order given,
-/// unless that goes on at both ends.
+/// Chains of curve pieces, which are given by both their ends and joined where ends are within
+/// `reach` mm, the nearest first along each chain. Every piece is in one chain. Chains begin with
+/// their first piece in the order given, unless that goes on at both ends.
 std::vector<CurveChain> chain_curves(std::span<const std::array<Vec3, 2>> ends, double reach);
 
 } // namespace keiko

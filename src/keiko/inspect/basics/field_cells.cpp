@@ -7,7 +7,8 @@
 namespace keiko {
 namespace {
 
-/// Not the middle, where the symmetry of a part likes to have its curves.
+/// Share of a box at which it is cut. It is not the middle, where symmetric parts tend to have
+/// their curves.
 constexpr double cut_share = 0.4811;
 
 struct Piece {
@@ -15,13 +16,13 @@ struct Piece {
     Box2 uv;
 };
 
-/// Whether a side is met at most once.
+/// True if a side is crossed at most once.
 bool clear_side(const BernsteinField& field, bool by_u, bool upper) {
     return !field.side_range(by_u, upper).holds_zero() ||
            !field.derivative(!by_u).side_range(by_u, upper).holds_zero();
 }
 
-/// Whether the zeros are at most one arc, strict along u (or v) as `by_u` has it.
+/// True if the zeros are at most one arc, strictly monotonic along u if `by_u`, else along v.
 bool one_arc(const BernsteinField& field, bool by_u) {
     return !field.derivative(by_u).range().holds_zero() && clear_side(field, by_u, false) &&
            clear_side(field, by_u, true);

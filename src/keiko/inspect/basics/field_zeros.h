@@ -24,12 +24,11 @@ private:
     const BernsteinField& field_;
 };
 
-/// The line of constant u (`by_u`) or v as the zeros of a field; a side of the patch is taken a
+/// The line of constant u (`by_u`) or v as the zeros of a field. A side of the patch is placed a
 /// rounding error inside of it, where the field has both signs.
 BernsteinField iso_field(bool by_u, double at);
 
-/// Every piece of the curves through the cells on which `material` holds, as visible_pieces has
-/// them.
+/// Every piece of the curves through the cells on which `material` holds, found by visible_pieces.
 std::vector<PatchLine> material_pieces(std::span<const LineCell> cells, const FieldZeros& zeros,
                                        double chord_error, double step,
                                        const std::function<bool(const LinePoint&)>& material);

@@ -6,8 +6,8 @@
 namespace keiko {
 namespace {
 
-/// By what weights must grow from one control point to the next so that a row runs as fast at its
-/// end as at its beginning; at most a factor of 4 all along.
+/// Ratio of the weights of neighbouring control points that makes a row run as fast at its end as
+/// at its beginning; at most a factor of 4 over the whole row.
 double evening_ratio(const BezierPatchView& patch, bool along_u) {
     const int degree = along_u ? patch.degree_u : patch.degree_v;
     const int rows = along_u ? patch.degree_v : patch.degree_u;
@@ -29,8 +29,9 @@ double evening_ratio(const BezierPatchView& patch, bool along_u) {
     return std::clamp(std::sqrt(last / first), 1 / most, most);
 }
 
-/// The patch by parameters that run more evenly: r u / (1 + (r - 1) u) for u moves no point of it
-/// off the surface and multiplies control points by powers of r [Patterson1985].
+/// The patch reparametrised so that its parameters run more uniformly. Replacing u by r u / (1 + (r
+/// - 1) u) keeps every point on the surface and multiplies control points by powers of r
+/// [Patterson1985].
 std::vector<Vec4> evened(const BezierPatchView& patch) {
     std::vector<Vec4> points(patch.points.begin(), patch.points.end());
     if (!patch.rational()) return points;
@@ -44,8 +45,9 @@ std::vector<Vec4> evened(const BezierPatchView& patch) {
     return points;
 }
 
-/// Moves a patch to its centre and turns it so that its tangents there lie in the plane z = 0: then
-/// the ranges of a piece that is small tell of its bend, not of how it lies in space.
+/// Moves a patch to its centre and turns it so that its tangents there lie in the plane z = 0. The
+/// ranges of a small piece then depend on its curvature, not on its position and orientation in
+/// space.
 void level(const BezierPatchView& patch, std::vector<Vec4>& points) {
     const SurfaceDerivatives s = evaluate({patch.degree_u, patch.degree_v, points}, {0.5, 0.5}, 1);
     const Vec3 n = s.du().cross(s.dv());
@@ -57,7 +59,7 @@ void level(const BezierPatchView& patch, std::vector<Vec4>& points) {
     }
 }
 
-/// Of the control points of a levelled patch, mm.
+/// Rounding error of the control points of a levelled patch, mm.
 double rounding_of(const BezierPatchView& patch, const std::vector<Vec4>& points, double given) {
     constexpr double relative_rounding = 1e-14;
     double extent = 0, weight = 0, weight_before = 0;

@@ -6,16 +6,16 @@
 
 namespace keiko {
 
-/// A patch moved to its centre, turned so that its tangents there lie in the plane z = 0, and given
-/// parameters that run evenly: its derivatives then tell of its bend alone, not of how it lies in
-/// space or is run through (docs/theory/inspection.md).
+/// A patch moved to its centre, turned so that its tangents there lie in the plane z = 0, with
+/// parameters that run uniformly. Its derivatives then depend on its curvature alone, not on its
+/// position in space or its parametrisation (docs/theory/inspection.md).
 class LevelledPatch {
 public:
-    /// `rounding`: how far each coordinate of a control point may be off, mm.
+    /// `rounding`: error of each coordinate of a control point, mm.
     LevelledPatch(const BezierPatchView& patch, double rounding);
 
     BezierPatchView view() const { return {degree_u_, degree_v_, points_}; }
-    /// The same of its own control points, with what levelling rounds off, mm.
+    /// Error of each coordinate of its own control points, including the rounding of levelling, mm.
     double rounding() const { return rounding_; }
 
 private:

@@ -26,7 +26,7 @@ public:
         over_box_ = field.ratio(r.place, cross(r.dx, r.dy), shift);
     }
 
-    /// Natural bound and mean value form, whichever is tighter at either end.
+    /// Natural bound or mean value form, whichever is tighter at either end.
     Jet<Interval> bounds(double level) const {
         Jet<Interval> all = over_box_.residual(level - shift_);
         const Interval reach(-0.5, 0.5);
@@ -34,7 +34,7 @@ public:
             all.f.intersection(center_.residual(level - shift_) + all.u * reach + all.v * reach);
         return all;
     }
-    /// Whether the level cannot be met on the side x or y = `at`, along which the slope is known.
+    /// True if the level cannot occur on the side x or y = `at`, along which the slope is known.
     bool clear_side(double level, bool x_fixed, double at, const Interval& slope) const {
         const auto middle = x_fixed ? thin(at, 0.5) : thin(0.5, at);
         const Interval along = middle.residual(level - shift_) + slope * Interval(-0.5, 0.5);
@@ -54,7 +54,7 @@ private:
     LineRatio<Jet<Interval>> over_box_;
 };
 
-/// Whether the level's line is at most one arc, strict along x (or y) as `by_x` has it.
+/// True if the level's line is at most one arc, strictly monotonic along x if `by_x`, else along y.
 bool one_arc(const BoxField& box, double level, const Jet<Interval>& bounds, bool by_x) {
     const Interval& strict = by_x ? bounds.u : bounds.v;
     const Interval& other = by_x ? bounds.v : bounds.u;

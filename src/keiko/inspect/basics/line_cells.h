@@ -12,25 +12,27 @@ namespace keiko {
 /// A box of a patch's parameters that a line may pass through.
 struct LineCell {
     Box2 uv;
-    std::uint32_t level = 0; ///< into the levels asked for
-    /// Proved: the field rises or falls strictly along one parameter, and each side along the other
-    /// one is crossed at most once. Then the line is one arc or absent, as the signs of the field
-    /// at the corners tell, and has no loop inside.
+    std::uint32_t level = 0; ///< index of a requested level
+    /// True if the cell is proved: the field rises or falls strictly along one parameter, and each
+    /// side along the other one is crossed at most once. The line is then one arc or absent, which
+    /// the signs of the field at the corners decide, and has no loop inside.
     bool proved = false;
     bool graph_over_v = false; ///< the field is strict along u, so that the arc is u = g(v)
 };
 
 struct LineCellOptions {
-    /// Boxes of a patch to look at before what is left is handed back unproved: around places where
-    /// the field's gradient vanishes, as at poles and at saddles on the very level.
+    /// Number of boxes of a patch that are tested before the rest is returned unproved. Many are
+    /// needed around places where the field's gradient vanishes, as at poles and at saddles on the
+    /// very level.
     std::size_t most_boxes = 20000;
-    /// Boxes no larger than this share of the patch in both parameters are not cut any more.
+    /// Smallest extent of a box, as a share of the patch in both parameters; smaller boxes are not
+    /// cut.
     double least_extent = 1.0 / 4096;
 };
 
-/// Cells that together hold every point of every level's line on the patch (control points in world
-/// coordinates): boxes are cut until interval bounds of the field exclude the level or prove
-/// the cell. In the order of the search, which is the same for any thread count.
+/// Cells that together hold every point of every level's line on the patch, whose control points
+/// are in world coordinates. Boxes are cut until interval bounds of the field exclude the level or
+/// prove the cell. They are in the order of the search, which is the same for any thread count.
 std::vector<LineCell> line_cells(const BezierPatchView& patch, const LineField& field,
                                  std::span<const double> levels,
                                  const LineCellOptions& options = {});

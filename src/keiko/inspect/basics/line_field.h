@@ -9,22 +9,23 @@
 
 namespace keiko {
 
-/// Which curves on a surface are looked at.
+/// Kind of curves that are inspected on a surface.
 enum class LineLook {
     reflection, ///< where the mirrored camera ray meets a line of the C-plane
-    highlight,  ///< where the surface's normal meets it [BeierChen1994]; the same for all eyes
+    highlight,  ///< where the surface's normal meets it [BeierChen1994]; independent of the
+                ///< viewpoint
     isophote    ///< where the normal keeps an angle to the C-plane's normal
 };
 std::string_view name_of(LineLook look);
 
-/// Where a body is looked at from: a point, or a direction for orthographic cameras.
+/// Viewpoint of a body: a point, or a direction for orthographic cameras.
 struct LineEye {
     Vec3 point{0};
     Vec3 direction{0}; ///< unit, of all view rays; 0: from the point
     bool parallel = false;
 
     explicit LineEye(const Camera& camera);
-    /// From the eye towards a place; of any length.
+    /// Direction from the viewpoint towards a place; of any length.
     Vec3 towards(const Vec3& place) const { return parallel ? direction : place - point; }
 };
 
@@ -37,9 +38,10 @@ struct LineRatio {
     T residual(double level) const { return above - below * T(level); }
 };
 
-/// The function on the surface whose level sets are the lines of one C-plane: the coordinate v, mm
-/// from the plane's corner, at which the reflected ray or the normal meets the plane; for isophotes
-/// the cosine of the angle between the normal and the plane's. See docs/theory/reflection-lines.md.
+/// The function on the surface whose level sets are the lines of one C-plane. It is the coordinate
+/// v, mm from the plane's corner, at which the reflected ray or the normal meets the plane. For
+/// isophotes it is the cosine of the angle between the normal and the plane's. See
+/// docs/theory/reflection-lines.md.
 class LineField {
 public:
     LineField(LineLook look, const LineEye& eye, const CPlane& plane, const Vec3& body);
@@ -65,23 +67,23 @@ public:
                 down};
     }
 
-    /// Of a place of the surface.
+    /// Reflection of the C-plane at one place of the surface.
     struct Image {
         double value = 0;   ///< the field: v in mm, or a cosine
         double along = 0;   ///< mm along the lamps from the corner; 0 for isophotes
         double reach = 0;   ///< mm from the surface to the C-plane along the ray; 0 for isophotes
         bool faces = false; ///< the ray runs from the surface's visible side to the plane
     };
-    /// What the place mirrors; the normal, of any length, is turned towards the eye.
+    /// Reflection at the place; the normal, of any length, is turned towards the viewpoint.
     Image image(const Vec3& place, const Vec3& normal) const;
 
-    /// Seam angle in degrees that would move the field's value by `change` at a place whose ray
-    /// is so long: the unit in which the limit of seams is given.
+    /// Seam angle in degrees that would move the field's value by `change` at a place with this
+    /// image: the unit in which the limit of seams is given.
     double normal_turn(const Image& image, double change) const;
 
-    /// How far the field's value moves at a place when the normal turns the way that moves it most:
-    /// mm a radian, 2 D where a reflected ray of length D meets the C-plane at a right angle; for
-    /// isophotes of the cosine.
+    /// Largest rate at which the field's value moves when the normal at a place turns. For lines of
+    /// lamps it is in mm a radian: 2 D where a reflected ray of length D meets the C-plane at a
+    /// right angle. For isophotes it is a cosine a radian.
     double turn_gain(const Vec3& place, const Vec3& normal) const;
 
 private:

@@ -5,7 +5,7 @@
 
 namespace keiko {
 
-/// The worst of one quantity along a seam or over a face.
+/// The worst value of one quantity along a seam or over a face.
 struct MeasuredValue {
     double value = 0;
     double bound = 0; ///< the exact worst lies within this of the value
@@ -15,7 +15,7 @@ struct MeasuredValue {
     bool at_least = false; ///< the limit is the smallest value allowed, not the largest
 };
 
-/// How far over its limit a value is: 1 at the limit, more beyond it.
+/// Ratio of a value to its limit: 1 at the limit, more beyond it.
 inline double share_of_limit(const MeasuredValue& worst) {
     return worst.at_least ? worst.limit / worst.value : worst.value / worst.limit;
 }

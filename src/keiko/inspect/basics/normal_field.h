@@ -22,17 +22,17 @@ struct HomogeneousField {
     HomogeneousField derivative(bool by_u) const;
 };
 
-/// `rounding`: how far each coordinate of a control point may be off, mm.
+/// `rounding`: error of each coordinate of a control point, mm.
 HomogeneousField homogeneous_field(const BezierPatchView& patch, double rounding);
 
 /// S_u x S_v of a patch times its weight cubed, w^3, or w^2 where all weights are equal. Its
 /// direction is the patch's normal, and it is 0 where the patch is singular.
 FieldTriple normal_field(const BezierPatchView& patch, double rounding);
 
-/// Divides the sides of the patch out of a vector along which all of it is 0, as often as it is.
-/// What is left has the same direction inside, and on those sides its limit. Coefficients of up to
-/// 1e-9 of the largest count as 0: what they make of the field reaches no farther inside than that
-/// share of the patch.
+/// Divides a vector by the sides of the patch along which all of it is 0, each with its
+/// multiplicity. The result has the same direction inside, and its limit on those sides.
+/// Coefficients of up to 1e-9 of the largest count as 0: they change the field no farther inside
+/// than that share of the patch.
 FieldTriple without_zero_sides(FieldTriple field);
 
 } // namespace keiko

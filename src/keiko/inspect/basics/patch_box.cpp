@@ -5,9 +5,9 @@
 namespace keiko {
 namespace {
 
-/// Rounding of de Casteljau's averages and of differences, as a share of the largest coordinate:
-/// each of some 30 halvings of degree up to 25 adds less than one unit in the last place to the
-/// mean of its numbers.
+/// Rounding error of de Casteljau's averages and of differences, as a share of the largest
+/// coordinate. Each of some 30 halvings of degree up to 25 adds less than one unit in the last
+/// place to the mean of its numbers.
 constexpr double relative_rounding = 1e-14;
 
 /// Control points of a derivative net.
@@ -86,7 +86,7 @@ std::array<PatchBox, 2> PatchBox::halves(bool by_u) const {
         };
         for (std::size_t k = 0; k < length; ++k) lower[k] = points_[index(k)];
         // cut() leaves the upper half in `upper` and turns `lower` into the last averages; the
-        // lower half is the same cut seen from the other end.
+        // lower half is the same cut from the other end.
         std::vector<Vec4> reversed(lower.rbegin(), lower.rend()), mirrored(length);
         cut(lower, upper);
         cut(reversed, mirrored);

@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// Part of a Bezier patch over a box of its parameters, with control points of its own. Local
+/// Part of a Bezier patch over a box of its parameters, with its own control points. Local
 /// parameters x, y in [0, 1] run over the box.
 class PatchBox {
 public:
@@ -19,7 +19,7 @@ public:
     /// Either half; `by_u`: cut across u.
     std::array<PatchBox, 2> halves(bool by_u) const;
 
-    /// Position, and tangents by x and y: ranges over the box that hold the values and the first
+    /// Ranges of position and tangents by x and y over the box. They hold the values and the first
     /// derivatives, from the convex hulls of the derivatives' control points.
     struct Ranges {
         Triple<Jet<Interval>> place, dx, dy;
@@ -32,7 +32,7 @@ public:
     };
     Values values(double x, double y) const;
 
-    /// Its own control points; looks into the box.
+    /// View of its own control points, which the box must outlive.
     BezierPatchView view() const { return {degree_u_, degree_v_, points_}; }
 
 private:

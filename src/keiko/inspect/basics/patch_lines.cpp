@@ -15,14 +15,15 @@ namespace {
 constexpr double same_end = 1e-9;
 constexpr int most_halvings = 12; ///< of an arc
 
-/// What of a line runs through one cell.
+/// The part of a line in one cell.
 struct Arc {
     LineCell cell;
     std::vector<LinePoint> points;
     double deviation = 0;
 };
 
-/// Where the level crosses the sides of a cell, by the signs at its corners, in their order around.
+/// Points at which the level crosses the sides of a cell, found by the signs at its corners, in
+/// their order around it.
 std::vector<Vec2> crossings(const ZeroFunction& f, const Box2& box) {
     const std::array<Vec2, 4> corners{box.lower, Vec2(box.upper.x, box.lower.y), box.upper,
                                       Vec2(box.lower.x, box.upper.y)};
@@ -32,7 +33,7 @@ std::vector<Vec2> crossings(const ZeroFunction& f, const Box2& box) {
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t next = (i + 1) % 4;
         if ((values[i] < 0) == (values[next] < 0)) continue;
-        // From the same end whichever cell asks, so that both find the same bits.
+        // Always from the same end, so that both neighbouring cells find the same bits.
         const bool forward = i < 2;
         const std::size_t a = forward ? i : next, b = forward ? next : i;
         found.push_back(f.root(corners[a], values[a], corners[b], values[b]));
@@ -40,8 +41,8 @@ std::vector<Vec2> crossings(const ZeroFunction& f, const Box2& box) {
     return found;
 }
 
-/// The point of a proved cell's arc halfway between two others, along the parameter that the arc
-/// is a graph over; nothing where rounding leaves no sign change.
+/// The point of a proved cell's arc halfway between two others, along the parameter that the arc is
+/// a graph over; nullopt if rounding leaves no sign change.
 std::optional<Vec2> halfway(const ZeroFunction& f, const LineCell& cell, const Vec2& a,
                             const Vec2& b) {
     Vec2 low = cell.uv.lower, high = cell.uv.upper;

@@ -14,9 +14,10 @@ struct LinePoint {
 
 /// A connected piece of one level's line on a patch.
 struct PatchLine {
-    std::uint32_t level = 0; ///< into the levels asked for
+    std::uint32_t level = 0; ///< index of a requested level
     bool closed = false;     ///< the last point is the first one again
-    bool proved = true;      ///< runs through proved cells only; else its course is likely, no more
+    bool proved = true;      ///< runs through proved cells only; otherwise its course is likely,
+                             ///< not certain
     std::vector<LinePoint> points;
     double deviation = 0; ///< mm, about the largest distance between curve and chords
 };
@@ -26,9 +27,9 @@ struct PatchLineOptions {
     LineCellOptions cells;
 };
 
-/// The zeros of a function that lie in cells of it: one arc a cell, its ends and its inner points
-/// found between places of opposite sign, so that no step can leave the arc for another; arcs
-/// joined where they share an end. In the order of the cells.
+/// The zeros of a function in its cells: one arc a cell, joined where arcs share an end, in the
+/// order of the cells. Ends and inner points of an arc are found between places of opposite sign,
+/// so that no step can leave the arc for another.
 std::vector<PatchLine> lines_through(std::span<const LineCell> cells, const ZeroFunction& f,
                                      double chord_error);
 

@@ -8,13 +8,14 @@
 namespace keiko {
 namespace {
 
-/// Of the models, one more for their remainders, and two for the second derivatives.
+/// Order of the models. One more is needed for their remainders, and two for the second
+/// derivatives.
 constexpr std::size_t order = 6;
 
-/// A derivative of point and weight: at the centre, and how large it is anywhere.
+/// A derivative of point and weight: its value at the centre, and its largest size anywhere.
 struct Derivative {
     Vec4 centre{0}, most{0};
-    double growth = 0; ///< how much larger an error of control points may be in it
+    double growth = 0; ///< factor by which errors of control points are amplified in it
 };
 
 /// Control points of a derivative, u outer; none where it vanishes. x runs twice as far as u, which
@@ -40,7 +41,7 @@ struct Net {
         --columns;
         points.resize(rows * columns);
     }
-    /// Largest coordinates of its control points, in whose convex hull it is.
+    /// Largest coordinates of its control points, whose convex hull holds the derivative.
     Vec4 most() const {
         Vec4 largest(0);
         for (const Vec4& p : points)
@@ -95,11 +96,11 @@ public:
         }
     }
 
-    /// Of the derivative (k, l) along one axis, by Taylor's theorem.
+    /// Taylor model of the derivative (k, l) along one axis, by Taylor's theorem.
     TaylorModel model(std::size_t k, std::size_t l, int axis) const {
         constexpr double factorial[] = {1, 1, 2, 6, 24};
-        // Of differences and sums of up to some ten each, beside what the control points themselves
-        // are off by.
+        // Rounding of differences and sums of up to some ten terms each; the errors of the control
+        // points come on top.
         const double rounding = 5e-15 * largest_[axis];
         TaylorModel m;
         m.error = error_[axis] * all_[k][l].growth;

@@ -18,8 +18,9 @@ struct PatchModel {
     HomogeneousModel s, x, y, xx, xy, yy;
 };
 
-/// From the derivatives at the centre, and the convex hulls of the control points of those beyond.
-/// `rounding`: how far each homogeneous coordinate of a control point may be off, mm.
+/// Taylor models from the derivatives at the centre, and from the convex hulls of the control
+/// points of the higher ones. `rounding`: error of each homogeneous coordinate of a control point,
+/// mm.
 PatchModel patch_model(const BezierPatchView& patch, double rounding);
 
 } // namespace keiko

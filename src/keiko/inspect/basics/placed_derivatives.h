@@ -4,7 +4,7 @@
 
 namespace keiko {
 
-/// Derivatives to order 3 of a patch as an instance places it, by patch parameters; world, mm.
+/// Derivatives to order 3 by the patch parameters of a patch placed by an instance; world, mm.
 SurfaceDerivatives placed_derivatives(const SurfaceModel& model, std::uint32_t instance,
                                       std::uint32_t patch, const Vec2& uv);
 

@@ -4,7 +4,7 @@
 
 namespace keiko {
 
-/// A face as an instance places it.
+/// A face placed by an instance.
 struct PlacedFace {
     std::uint32_t instance = 0, face = 0; ///< into SurfaceModel::instances and ::faces
 

@@ -4,19 +4,20 @@
 
 namespace keiko {
 
-/// Undecided: the error bound straddles the limit. Ordered from good to bad.
+/// Result of a comparison with a limit, ordered from good to bad. Undecided: the error bound
+/// straddles the limit.
 enum class Verdict { pass, undecided, fail };
 
-/// Of a value that is known to within `bound`, against the largest one allowed.
+/// Verdict on a value known to within `bound`, against the largest one allowed.
 constexpr Verdict judge(double value, double bound, double limit) {
     if (value + bound <= limit) return Verdict::pass;
     if (value - bound > limit) return Verdict::fail;
     return Verdict::undecided;
 }
 
-/// The verdict on a maximum of which the largest value found is known to within `error`, while what
-/// was not evaluated may be larger by `hidden`. A value found over its limit fails, whatever else
-/// is hidden.
+/// The verdict on a maximum. Its largest value found is known to within `error`, and values that
+/// were not evaluated may be larger by `hidden`. A found value over its limit fails, whatever may
+/// be hidden.
 constexpr Verdict judge_maximum(double found, double hidden, double error, double limit) {
     if (found + hidden + error <= limit) return Verdict::pass;
     return found - error > limit ? Verdict::fail : Verdict::undecided;

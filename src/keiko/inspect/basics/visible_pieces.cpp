@@ -73,7 +73,7 @@ private:
     std::vector<std::vector<LinePoint>> pieces_;
 };
 
-/// Where a closed line begins inside a piece, its last piece goes on in its first one.
+/// Joins the last piece of a closed line to its first one if the line begins inside a piece.
 void close_up(std::vector<std::vector<LinePoint>>& pieces, const PatchLine& line) {
     if (!line.closed || pieces.size() < 2) return;
     std::vector<LinePoint>&first = pieces.front(), &last = pieces.back();

@@ -14,12 +14,13 @@ public:
     virtual double operator()(const Vec2& uv) const = 0;
     virtual LinePoint point(const Vec2& uv) const = 0;
 
-    /// Between two places of opposite sign, by the Illinois form of the secant rule
-    /// [DowellJarratt1971], which keeps the root between its ends; halving where that is slow.
+    /// The root between two places of opposite sign, by the Illinois form of the secant rule
+    /// [DowellJarratt1971]. That keeps the root between its ends; halving replaces it where it is
+    /// slow.
     Vec2 root(Vec2 a, double at_a, Vec2 b, double at_b) const;
 
     /// A point of the line between two others near each other on it, beside the given share of
-    /// their chord; nothing where no change of sign tells it.
+    /// their chord; nullopt if no change of sign locates it.
     std::optional<LinePoint> between(const LinePoint& a, const LinePoint& b, double share) const;
 };
 

@@ -50,7 +50,7 @@ CombCurve curve_of(const CurveChain& chain, std::vector<CombPiece>& pieces) {
     return curve;
 }
 
-/// Joined over the borders of patches and faces.
+/// Curves joined over the borders of patches and faces.
 std::vector<CombCurve> curves_of(std::vector<CombPiece> pieces, double join) {
     std::vector<std::array<Vec3, 2>> ends;
     for (const CombPiece& piece : pieces)
@@ -107,7 +107,7 @@ std::vector<FoundOnFace> search(const SurfaceModel& model, const std::vector<Com
     return found;
 }
 
-/// The curves of one plane; takes them out of `found`.
+/// The curves of one plane, which are removed from `found`.
 std::vector<CombCurve> section_curves(std::vector<FoundOnFace>& found, std::uint32_t plane,
                                       const CombOptions& options) {
     constexpr double same = 2; // chord errors
@@ -136,7 +136,7 @@ std::vector<SectionRemark> remarks_on(const std::vector<FoundOnFace>& found,
     return remarks;
 }
 
-/// A plane with neither curves nor remarks.
+/// Remark on a plane with neither curves nor other remarks.
 SectionRemark missed(const SurfaceModel& model, const SectionPlane& plane, std::uint32_t index) {
     SectionRemark remark{SectionRemark::Kind::missed, index};
     remark.reach = heights(model, plane.normal);
@@ -164,7 +164,7 @@ FoundCombs comb_curves(const SurfaceModel& model, const CombOptions& options, co
 std::vector<Vec3> inflections_of(const CombCurve& curve) {
     std::vector<Vec3> places;
     for (const CombPiece& piece : curve.pieces) {
-        const CombSample* bent = nullptr; // the last sample that bends, before those that do not
+        const CombSample* bent = nullptr; // the last curved sample, before flat ones
         for (const CombSample& sample : piece.samples) {
             const double to = sample.bend.curvature;
             if (to == 0) continue;

@@ -17,22 +17,23 @@ struct CombSample {
     CurveBend bend;   ///< with respect to the face's outward normal
 };
 
-/// What of a curve runs over one patch; curvatures may jump from one such piece to the next.
+/// The part of a curve on one patch; curvatures may jump from one piece to the next.
 struct CombPiece {
     std::uint32_t instance = 0, face = 0, patch = 0; ///< into the model's arrays
-    bool on_border = false; ///< of the patch or the face: what is beyond it has the curve as well
-    /// The plane is tangent to the surface all along: the curvature is that of the curve, positive
-    /// to the left of the way that the samples run, seen from where the plane's normal points to.
+    bool on_border = false; ///< of the patch or the face: its neighbour there has the curve as well
+    /// True if the plane is tangent to the surface all along. The curvature is then the curve's
+    /// own, positive to the left of the direction of the samples, viewed from the side that the
+    /// plane's normal points to.
     bool touching = false;
     std::vector<CombSample> samples{};
 };
 
-/// A curve on the surface with how it bends all along.
+/// A curve on the surface with its curvature all along.
 struct CombCurve {
     enum class Kind { section, iso_u, iso_v };
     Kind kind = Kind::section;
     std::string name;        ///< of the plane, "y=120", or of the iso-curve, "face 3: u at 0.25"
-    std::uint32_t plane = 0; ///< of sections: into those asked for
+    std::uint32_t plane = 0; ///< of sections: index of the requested plane
     bool closed = false;
     double length = 0; ///< mm
     std::vector<CombPiece> pieces;
@@ -40,20 +41,21 @@ struct CombCurve {
 
 struct CombOptions {
     std::vector<SectionPlane> planes;
-    int iso_curves = 0;        ///< of each face each way, evenly over its parameters
+    int iso_curves = 0;        ///< of each face in either direction, uniform over its parameters
     double chord_error = 0.01; ///< mm
-    /// Of a curve's largest curvature (of 1 / the body's size at least): how far a curvature may be
-    /// off the straight line between two samples.
+    /// Largest deviation of a curvature from the straight line between two samples, as a share of
+    /// the curve's largest curvature, which counts as at least 1 / the body's size.
     double tolerance = 0.01;
     double join = 0.5; ///< mm, over which sections go on from face to face
 };
 
-/// What a plane does beside cutting the body in curves.
+/// A remark on a plane that misses the body, touches it or lies in one of its faces.
 struct SectionRemark {
     enum class Kind { missed, touches, within };
     Kind kind = Kind::missed;
-    std::uint32_t plane = 0;              ///< into those asked for
-    std::uint32_t instance = 0, face = 0; ///< but for missed: that it touches or that lies in it
+    std::uint32_t plane = 0;              ///< index of the requested plane
+    std::uint32_t instance = 0, face = 0; ///< unless missed: the face that the plane touches or
+                                          ///< that lies in it
     Vec3 place{0};                        ///< of touches: mm, world
     std::array<double, 2> reach{};        ///< of missed: the heights of the body, mm
 };
@@ -63,16 +65,16 @@ struct FoundCombs {
     std::vector<SectionRemark> remarks;
 };
 
-/// The curves in which planes cut the trimmed faces or touch them, followed over all seams, each
-/// once also where it runs along a border; then the iso-curves of the faces; each sampled until its
-/// comb is true to `tolerance` (docs/theory/inspection.md). The same for any thread count. Throws
-/// Cancelled.
+/// Combs of the sections of planes with the trimmed faces, touching curves included, and of the
+/// faces' iso-curves after them. Sections are followed over all seams; one along a border counts
+/// once. Each curve is sampled until its comb is accurate to `tolerance`
+/// (docs/theory/inspection.md). The result is the same for any thread count. Throws Cancelled.
 FoundCombs comb_curves(const SurfaceModel& model, const CombOptions& options, const Job& job = {});
 
-/// Where a curve turns to bend the other way: changes of sign between neighbouring samples, in a
-/// straight line between them; not where it jumps at a border.
+/// Inflections of a curve: changes of sign of its curvature between neighbouring samples,
+/// interpolated linearly; not where the curvature jumps at a border.
 std::vector<Vec3> inflections_of(const CombCurve& curve);
-/// The sample with the largest curvature either way; requires a curve of comb_curves.
+/// The sample with the largest absolute curvature; requires a curve of comb_curves.
 const CombSample& most_bent(const CombCurve& curve);
 
 } // namespace keiko

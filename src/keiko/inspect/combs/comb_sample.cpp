@@ -33,7 +33,7 @@ std::optional<CurveBend> section_bend(const SurfaceDerivatives& s, const Vec3& o
     const Vec3 in_plane = outward - plane * plane.dot(outward);
     const double sine = in_plane.length();
     if (!(sine > least_sine)) return std::nullopt;
-    // Along the curve the plane's height does not change.
+    // Along the curve the plane's height is constant.
     const Vec2 level(plane.dot(s.dv()), -plane.dot(s.du()));
     auto bend = normal_bend(s, outward, level);
     if (!bend) return std::nullopt;

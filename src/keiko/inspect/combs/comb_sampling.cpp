@@ -34,8 +34,8 @@ private:
         CombSample sample;
     };
 
-    /// The points of a line at which it can be told how it bends, and the last ones before those,
-    /// such as poles, where it cannot.
+    /// The points of a line at which its curvature can be computed, and the last ones before
+    /// points, such as poles, where it cannot.
     std::vector<Point> reliable(const PatchLine& line) const {
         std::vector<Point> points;
         const LinePoint* unknown = nullptr;
@@ -49,7 +49,7 @@ private:
         return points;
     }
 
-    /// As near to a place of which nothing is known as can be told.
+    /// The point nearest to a place of unknown curvature at which it can be computed.
     Point nearest(Point known, LinePoint unknown) const {
         while ((unknown.place - known.at.place).length() > sampling_.chord_error) {
             const auto at = zeros_.between(known.at, unknown, 0.5);

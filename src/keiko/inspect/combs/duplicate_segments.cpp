@@ -18,7 +18,7 @@ Box3 box_of(const CombPiece& piece) {
     return box;
 }
 
-/// Whether the foot of a place on a chord is near and between its ends, but for rounding.
+/// True if the foot of a place on a chord is near and, to within rounding, between its ends.
 bool beside(const Vec3& place, const Vec3& a, const Vec3& b, double near) {
     constexpr double slack = 1e-9;
     const Vec3 chord = b - a;

@@ -6,8 +6,8 @@
 
 namespace keiko {
 
-/// Pieces along borders without what an earlier such piece has already, within `near` mm of it: a
-/// border belongs to the faces on both of its sides.
+/// Pieces along borders without the parts that an earlier piece covers within `near` mm. A border
+/// belongs to the faces on both of its sides.
 std::vector<CombPiece> without_doubles(std::vector<CombPiece> pieces, double near);
 
 } // namespace keiko

@@ -6,12 +6,13 @@
 namespace keiko {
 namespace {
 
-/// Of the body's size: how far apart on a curve trims are asked; how far off a plane what lies in
-/// it may be; how far beside a curve it is material that it borders.
+/// Shares of the body's size: the distance between trim tests on a curve; the largest distance from
+/// a plane in which a place lies; the distance beside a curve within which it borders material.
+/// Each applies to the body as a whole.
 constexpr double trim_step = 1e-3, in_plane = 1e-9, border_width = 1e-9;
-/// Of the body's size: what is shorter is a point.
+/// Length below which a curve is a point, as a share of the body's size.
 constexpr double point_share = 1e-6;
-/// Of what lies in a plane: how far off it a place may be that is told as touched.
+/// Distance from a plane within which a place counts as touched, in units of `in_plane`.
 constexpr double near_plane = 1000;
 
 /// The steps in a patch's parameters across the zeros of a field and along them.
@@ -37,7 +38,7 @@ private:
     BernsteinField u_, v_, uu_, uv_, vv_;
 };
 
-/// So that `towards` is to the left of the way that the samples run.
+/// Orients `towards` to the left of the direction of the samples.
 void turn_left(std::vector<CombSample>& samples, const Vec3& plane) {
     if (samples.size() < 2) return;
     const Vec3 way = samples[1].place - samples[0].place;
@@ -67,7 +68,7 @@ bool passes(const std::vector<CombPiece>& pieces, const Vec3& place, double reac
     });
 }
 
-/// Places that no piece passes, one of those near each other.
+/// Places that no piece passes; of several near each other only one.
 std::vector<Vec3> beside(const std::vector<Vec3>& places, const std::vector<CombPiece>& pieces,
                          double reach) {
     std::vector<Vec3> found;
@@ -140,7 +141,7 @@ void FaceCombs::add_section(const PatchUse& patch, const SectionPlane& plane,
             section.touched.push_back(patch.place(uv));
     for (const MeetingField& curve : meeting.fields)
         for (CombPiece& piece : meeting_pieces(patch, meeting, curve, plane)) {
-            // Where the plane is tangent at a point, and at a pole, a place is all there is.
+            // Where the plane is tangent at a point, and at a pole, the result is only a place.
             const double least = curve.touching ? trim_step : point_share;
             if (length_of(piece) < least * size_) {
                 section.touched.push_back(piece.samples.front().place);
@@ -151,7 +152,7 @@ void FaceCombs::add_section(const PatchUse& patch, const SectionPlane& plane,
         }
 }
 
-/// A curve may run along a trim: it is material where there is material on either side of it.
+/// A curve may run along a trim: it is on material if there is material on either side of it.
 std::vector<CombPiece> FaceCombs::meeting_pieces(const PatchUse& patch, const PlaneMeeting& meeting,
                                                  const MeetingField& curve,
                                                  const SectionPlane& plane) const {
@@ -213,7 +214,7 @@ std::vector<CombPiece> FaceCombs::iso_curve(bool by_u, double share) const {
     return all;
 }
 
-/// Where the iso-curve runs in a patch's own parameter, if it does.
+/// Parameter of the iso-curve in a patch; nullopt if it does not run through the patch.
 std::optional<double> FaceCombs::iso_parameter(std::uint32_t patch, bool by_u, double share) const {
     const auto axis = [by_u](const Vec2& p) { return by_u ? p.x : p.y; };
     const double at = axis(domain_.lower) + share * (axis(domain_.upper) - axis(domain_.lower));
@@ -224,8 +225,8 @@ std::optional<double> FaceCombs::iso_parameter(std::uint32_t patch, bool by_u, d
     return local_share(patch, by_u, at);
 }
 
-/// The patch parameter at which a parameter of the face is reached; parameters rise or fall all
-/// along a patch, not always evenly.
+/// The patch parameter at which a parameter of the face is reached. Parameters rise or fall all
+/// along a patch, not always uniformly.
 double FaceCombs::local_share(std::uint32_t patch, bool by_u, double at) const {
     const auto reached = [&](double t) {
         const Vec2 p = model_.face_parameters(patch, Vec2(t));

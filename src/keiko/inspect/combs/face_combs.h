@@ -10,12 +10,12 @@
 
 namespace keiko {
 
-/// A face as it is placed.
+/// A placed face.
 struct CombFace {
     std::uint32_t instance = 0, face = 0;
 };
 
-/// What of a face a plane meets.
+/// Section of a face with a plane.
 struct FaceSection {
     std::vector<CombPiece> pieces; ///< one a patch and stretch of material
     bool within = false;           ///< a patch lies in the plane
@@ -30,12 +30,13 @@ public:
               double size);
 
     FaceSection section(const SectionPlane& plane) const;
-    /// What of the iso-curve at a share of the face's parameters is material, a piece a patch.
+    /// The parts of the iso-curve at a share of the face's parameters that lie on material, one
+    /// piece a patch.
     std::vector<CombPiece> iso_curve(bool by_u, double share) const;
 
 private:
     struct PatchUse;
-    /// What is asked at the places of a curve.
+    /// Predicates that are evaluated at the places of a curve.
     struct CurveRules {
         std::function<bool(const LinePoint&)> material, on_border;
         BendAt bend;

@@ -10,7 +10,7 @@
 namespace keiko {
 namespace {
 
-/// Boxes of a patch to look at. A curve that crosses the plane takes some tens.
+/// Number of boxes of a patch that are tested. A curve that crosses the plane takes some tens.
 constexpr std::size_t most_boxes = 2000;
 
 FieldCells cells_of(const BernsteinField& field) {
@@ -43,8 +43,9 @@ std::vector<Vec2> doubtful_places(const FieldCells& found) {
     return places;
 }
 
-/// Where a plane touches along a curve the height has a double zero, and its derivative across the
-/// curve a simple one: that by u where the height bends more along u, else that by v.
+/// Adds the fields of the curves along which a plane touches. The height has a double zero there,
+/// and its derivative across the curve a simple one. That is the derivative by u if the height has
+/// the larger second derivative along u, else by v.
 void add_slopes(const BernsteinField& height, PlaneMeeting& meeting) {
     for (const bool by_u : {true, false}) {
         BernsteinField slope = height.derivative(by_u);
@@ -57,7 +58,7 @@ void add_slopes(const BernsteinField& height, PlaneMeeting& meeting) {
 } // namespace
 
 bool PlaneMeeting::steep_by_u(const Vec2& at) const {
-    // Not 1, where a curve may run all along.
+    // Greater than 1, as a curve with equal slopes may run all along.
     constexpr double favour = 1.1;
     return favour * std::abs(bend_u(at)) >= std::abs(bend_v(at));
 }

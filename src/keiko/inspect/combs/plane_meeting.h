@@ -15,23 +15,25 @@ struct MeetingField {
     std::vector<LineCell> cells; ///< that hold its zeros
     bool touching = false; ///< the plane is tangent along them; only zeros in the plane are curves
     bool on_side = false;  ///< along a side of the patch, where the next patch has them too
-    bool by_u = false;     ///< of a slope: by which parameter; true to the curve where it is steep
+    bool by_u = false;     ///< of a slope: the parameter of its derivative; valid for the curve
+                           ///< where it is steep
 };
 
 struct PlaneMeeting {
     BernsteinField height; ///< over the plane, mm, times the weight
-    double tolerance = 0;  ///< of that height: what is no further off lies in the plane
+    double tolerance = 0;  ///< of that height: places within it lie in the plane
     std::vector<MeetingField> fields;
     bool within = false;           ///< all of the patch lies in the plane
     std::vector<Vec2> doubtful;    ///< places where the plane touches the patch, or may
     BernsteinField bend_u, bend_v; ///< of the height, twice by u and by v; where it has slopes
 
-    /// Whether the slope by u, and not that by v, shows the curve that the plane touches along at a
-    /// place: the other one has zeros that cross it where it runs along v.
+    /// True if the slope by u, not that by v, represents the curve along which the plane touches at
+    /// a place. The other slope has zeros that cross it where it runs along v.
     bool steep_by_u(const Vec2& at) const;
 };
 
-/// `view` is of the patch's own points. What is within `tolerance` mm of the plane lies in it.
+/// Curves in which a plane meets a patch. `view` is of the patch's own points. Places within
+/// `tolerance` mm of the plane lie in it.
 PlaneMeeting plane_meeting(const PlacedPatch& patch, const BezierPatchView& view,
                            const SectionPlane& plane, double tolerance);
 

@@ -11,7 +11,7 @@
 namespace keiko {
 namespace {
 
-/// Nothing unless all of the text is one finite number, without blanks.
+/// The finite number that the whole text states, without blanks; nullopt for any other text.
 std::optional<double> number(std::string_view text) {
     double value = 0;
     const char* end = text.data() + text.size();
@@ -20,7 +20,7 @@ std::optional<double> number(std::string_view text) {
     return value;
 }
 
-/// Of "x", "y", "z" or "A,B,C".
+/// Unit normal named "x", "y", "z" or "A,B,C".
 std::optional<Vec3> normal(std::string_view text) {
     Vec3 n(0);
     if (text.size() == 1 && text[0] >= 'x' && text[0] <= 'z') {

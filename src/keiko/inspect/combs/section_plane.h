@@ -9,7 +9,7 @@ namespace keiko {
 
 /// The points p with normal . p = height; the normal is unit, the height mm.
 struct SectionPlane {
-    std::string name; ///< as it was asked for, "y=120"
+    std::string name; ///< as requested, "y=120"
     Vec3 normal{0, 1, 0};
     double height = 0;
 };

@@ -19,8 +19,8 @@ struct Direction {
     double x = 0, y = 0;
 };
 
-/// Directions along which the surface is looked at: at the centre its tangents there are unit
-/// vectors along the principal directions.
+/// Parameter directions of the principal curvatures: the tangents along them at the centre are unit
+/// vectors.
 struct Frame {
     Direction a, b;
 };
@@ -38,7 +38,8 @@ Vec3 centre(const HomogeneousModel& model) {
     return {model.p.x.c[0], model.p.y.c[0], model.p.z.c[0]};
 }
 
-/// Of a patch whose centre is the origin. Nothing where the tangents there span no plane.
+/// Principal frame of a patch whose centre is the origin; nullopt if the tangents there span no
+/// plane.
 std::optional<Frame> principal_frame(const PatchModel& patch) {
     const double unit = 1 / patch.s.w.c[0];
     const Vec3 x = centre(patch.x) * unit, y = centre(patch.y) * unit, n = x.cross(y);
@@ -80,12 +81,13 @@ struct Shape {
     bool known() const { return std::isfinite(b11.error + b12.error + b21.error + b22.error); }
     TaylorModel mean() const { return (b11 + b22) * 0.5; }
     TaylorModel gaussian() const { return b11 * b22 - b12 * b21; }
-    /// Of the principal curvatures: the square of half their difference.
+    /// Square of half the difference of the principal curvatures.
     TaylorModel parting() const { return square((b11 - b22) * 0.5) + b12 * b21; }
 };
 
-/// By homogeneous coordinates, where the derivatives of the weight drop out of most: with
-/// m = w^3 S_a x S_b, D_ij = w^4 S_ij . (S_a x S_b) and q_i = w^2 S_i, B = w (I II) / |m|^3.
+/// Shape operator in homogeneous coordinates, where the derivatives of the weight drop out of most
+/// terms. With m = w^3 S_a x S_b, D_ij = w^4 S_ij . (S_a x S_b) and q_i = w^2 S_i, B = w (I II) /
+/// |m|^3.
 Shape shape(const PatchModel& patch, const Frame& frame, const Tangents& t, bool rational) {
     const auto bend = [&](const Direction& p, const Direction& q) {
         const double xx = p.x * q.x, xy = p.x * q.y + p.y * q.x, yy = p.y * q.y;
@@ -109,7 +111,7 @@ Shape shape(const PatchModel& patch, const Frame& frame, const Tangents& t, bool
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Interval everything{-infinity, infinity};
 
-/// By the patch's parameters.
+/// Place of a peak in the patch's parameters.
 Vec2 place_of(const TaylorPeak& peak) {
     return (peak.place + Vec2(1)) / 2;
 }
@@ -119,7 +121,7 @@ Spread spread_of(const TaylorModel& model) {
     return {{-low.bound, high.bound}, place_of(low), place_of(high)};
 }
 
-/// What both hold.
+/// Narrows `spread` to its intersection with another one.
 void sharpen(Spread& spread, const Spread& other) {
     if (other.range.low > spread.range.low)
         spread.range.low = other.range.low, spread.lowest = other.lowest;
@@ -127,14 +129,15 @@ void sharpen(Spread& spread, const Spread& other) {
         spread.range.high = other.range.high, spread.highest = other.highest;
 }
 
-/// Upper bound of the larger eigenvalue, which grows with both entries of the diagonal where the
-/// product of the others is not negative.
+/// Upper bound of the larger eigenvalue. It grows with both entries of the diagonal if the product
+/// of the others is not negative.
 double larger_eigenvalue(double b11, double b22, double product) {
     const Interval half = (Interval(b11) - Interval(b22)) * 0.5;
     return ((Interval(b11) + Interval(b22)) * 0.5 + sqrt(square(half) + Interval(product))).high;
 }
 
-/// From the entries' ranges; it holds at umbilics too, where the roots are not smooth.
+/// Ranges of the eigenvalues from those of the entries. They hold at umbilics too, where the roots
+/// are not smooth.
 void take_eigenvalues(const Shape& s, CurvatureRange& range) {
     const Spread a = spread_of(s.b11), b = spread_of(s.b22);
     const Interval both = spread_of(s.b12 * s.b21).range;
@@ -152,7 +155,7 @@ void take_eigenvalues(const Shape& s, CurvatureRange& range) {
                 smaller.highest};
 }
 
-/// As smooth functions, where they are parted all over the patch.
+/// Ranges of the eigenvalues as smooth functions; requires that they differ all over the patch.
 void take_roots(const Shape& s, CurvatureRange& range) {
     const TaylorModel root = sqrt(s.parting()), mean = s.mean();
     if (!std::isfinite(root.error)) return;
@@ -160,8 +163,8 @@ void take_roots(const Shape& s, CurvatureRange& range) {
     sharpen(range.k2, spread_of(mean - root));
 }
 
-/// How far the normal turns and how far the speed changes, as a share, times what is bent; without
-/// that where the curvatures are not known.
+/// Bends along u and v: the rotation of the normal and the relative change of speed, times the
+/// curvature, or alone if the curvatures are unknown.
 void take_bends(const Vector& normal, const Shape& s, CurvatureRange& range) {
     const double length = Vec3(normal.x.c[0], normal.y.c[0], normal.z.c[0]).length();
     range.bend_u = (normal.x.along_x() + normal.y.along_x() + normal.z.along_x()) / length;

@@ -17,9 +17,9 @@ namespace keiko {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// A piece whose parametrisation may be singular is given up below this share of the face's size.
+/// Share of the face's size below which a piece is given up whose parametrisation may be singular.
 constexpr double singular_share = 1e-2;
-/// What is maximised: the six extremes, least ones with their sign turned.
+/// Number of goals that are maximised: the six extremes, the least ones with their sign turned.
 constexpr std::size_t goal_count = 6;
 using Goals = std::array<double, goal_count>;
 constexpr Goals nothing_known{infinity, infinity, infinity, infinity, infinity, infinity};
@@ -29,7 +29,7 @@ Goals uppers(const CurvatureRange& r) {
             -r.mean.range.low, r.gaussian.range.high, -r.gaussian.range.low};
 }
 
-/// Where a piece is likely to reach them, by its own parameters.
+/// Places where a piece probably reaches the goals, in its own parameters.
 std::array<Vec2, goal_count> places(const CurvatureRange& r) {
     return {r.k1.highest,  r.k2.lowest,        r.mean.highest,
             r.mean.lowest, r.gaussian.highest, r.gaussian.lowest};
@@ -39,13 +39,14 @@ Goals values(const PrincipalCurvatures& k) {
     return {k.k1, -k.k2, k.mean(), -k.mean(), k.gaussian(), -k.gaussian()};
 }
 
-/// A piece of a patch, its control points about the origin: its numbers are as small as itself.
+/// A piece of a patch with its control points about the origin, so that its numbers are as small as
+/// itself.
 struct Cell {
     std::size_t patch = 0; ///< into the placed patches
     Box2 uv;
     std::vector<Vec4> points;
     Goals upper = nothing_known;
-    bool cut_u = true; ///< the way to cut it
+    bool cut_u = true; ///< direction of its next cut
 };
 
 bool bounded(const Cell& cell) {
@@ -66,7 +67,7 @@ Box2 part_of(const Box2& whole, const Box2& share) {
 
 class CurvatureSearch {
 public:
-    /// `tolerated`: what rounding may make of curvatures, times the size of the face.
+    /// `tolerated`: rounding error of curvatures that is allowed, times the size of the face.
     CurvatureSearch(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face,
                     double tolerated)
         : model_(model),
@@ -140,7 +141,7 @@ private:
     }
 
     void look_at_peaks(const Cell& cell, const std::array<Vec2, goal_count>& peaks, TrimSide side) {
-        // Trims often run along sides of a patch: on them nobody knows what is material.
+        // Trims often run along sides of a patch, where material is undefined.
         constexpr double inwards = 1e-7;
         for (std::size_t goal = 0; goal < goal_count; ++goal) {
             if (!(cell.upper[goal] > best_[goal].value)) continue;
@@ -151,7 +152,7 @@ private:
         }
     }
 
-    /// Takes the curvatures at a place of the cell for better ones, if they are.
+    /// Takes the curvatures at a place of the cell as the best ones if they are better.
     void look(const Cell& cell, const Vec2& local, TrimSide side) {
         const PlacedPatch& patch = patches_[cell.patch];
         const Box2& box = cell.uv;
@@ -169,7 +170,7 @@ private:
                 best_[g] = {found[g], 0, patch.middle + s.position(), false};
     }
 
-    /// What rounding makes of the curvatures at a place, as a share of what is tolerated: much
+    /// Rounding error of the curvatures at a place, as a share of the tolerated one. It is large
     /// where a tangent is short, as near poles.
     double rounding_share(const PlacedPatch& patch, const BezierPatchView& view,
                           const SurfaceDerivatives& s) const {
@@ -187,9 +188,9 @@ private:
         return static_cast<std::size_t>(most - cells_.begin());
     }
 
-    /// Sets what the best may be below the true extreme, by the piece that promises most.
+    /// Sets the bound of the best value from the piece with the largest upper bound.
     void judge(std::size_t goal, const Cell& most) {
-        // What a Gaussian curvature is when the lesser of the principal ones is 1 / size.
+        // Gaussian curvature of a place whose smaller principal curvature is 1 / size.
         const double bent =
             std::max({std::abs(best_[0].value), std::abs(best_[1].value), 1 / size_});
         const double flat = (goal < 4 ? 1 : bent) / size_;
@@ -199,8 +200,8 @@ private:
                          best.bound > curvature_tolerance * std::max(std::abs(best.value), flat);
     }
 
-    /// Splits the pieces that promise most, for each of the extremes [first, last) in turn, until
-    /// none promises more than the best; returns how many splits of those allowed are left.
+    /// Splits the pieces with the largest upper bounds, for each of the extremes [first, last) in
+    /// turn, until none exceeds the best value. Returns how many of the allowed splits are left.
     std::size_t refine(std::size_t first, std::size_t last, std::size_t splits) {
         bool split_any = true;
         while (split_any) {
@@ -246,8 +247,8 @@ private:
 
 std::optional<FaceCurvature> face_curvature(const SurfaceModel& model, std::uint32_t instance,
                                             std::uint32_t face, std::size_t most_splits) {
-    // Rounding of long coordinates may be too much all over a face of short patches; where a few
-    // places, as those near poles, have more of it than others, they are left out.
+    // Rounding of long coordinates may be too large all over a face of short patches. If only a few
+    // places have more of it than others, as those near poles, they are left out.
     for (const double tolerated : {1e-9, 1e-6})
         if (auto found = CurvatureSearch(model, instance, face, tolerated).run(most_splits))
             return found;

@@ -9,21 +9,21 @@
 namespace keiko {
 namespace {
 
-/// 1 / the largest curvature either way; the true radius is smaller by the bound at most.
+/// 1 / the largest absolute curvature; the true radius is smaller by the bound at most.
 std::optional<MeasuredValue> smallest_radius(const FaceCurvature& c, std::optional<double> limit) {
     const CurvatureExtreme& k =
         std::abs(c.largest.value) > std::abs(c.smallest.value) ? c.largest : c.smallest;
     const double curvature = std::abs(k.value);
     const double most =
         std::max(c.largest.value + c.largest.bound, c.smallest.bound - c.smallest.value);
-    constexpr double flat = 1e-9; // of 1 / size: what rounding leaves of a plane
+    constexpr double flat = 1e-9; // of 1 / size: curvature of a plane by rounding
     if (!(std::max(curvature, most) * c.size > flat)) return std::nullopt;
     const double radius = 1 / std::max(curvature, flat / c.size);
     MeasuredValue worst{
         radius, radius - 1 / std::max(most, curvature), limit.value_or(0), k.place, Verdict::pass,
         true};
     if (!limit) return worst;
-    // The found radius is there: only the bound may be too careful.
+    // A place of the found radius exists; only the bound may be too wide.
     if (radius < *limit)
         worst.verdict = Verdict::fail;
     else if (radius - worst.bound < *limit)

@@ -14,27 +14,28 @@
 
 namespace keiko {
 
-/// Everything known of one placed face by itself, whatever its neighbours are.
+/// Measurements of one placed face by itself, independent of its neighbours.
 struct MeasuredFace {
     std::uint32_t instance = 0, face = 0;
     std::uint32_t id = 0; ///< Face::id
-    std::string name;     ///< "face 12 (fender-outer)"; its instance too where there are several
-    /// Nothing where the face stands in for one of the file, approximated or at an irregular point
-    /// of a cage, whose curvature it does not have; or where trims leave nothing of it.
+    std::string name;     ///< "face 12 (fender-outer)"; with its instance if there are several
+    /// Extremes of curvature. nullopt if trims leave no material of the face. Also nullopt if it is
+    /// an approximation of a face of the file, or lies at an irregular point of a cage: its
+    /// curvature then differs from the true one.
     std::optional<FaceCurvature> curvature;
-    /// The smallest radius of curvature, mm; nothing of a plane. Measured where the preset does not
-    /// judge it too; its limit is then 0.
+    /// The smallest radius of curvature, mm; nullopt for a plane. It is measured even if the preset
+    /// does not judge it; its limit is then 0.
     std::optional<MeasuredValue> radius;
-    /// Dents, bumps and waves at least half as deep as the limit, the deepest first; `inspect`
-    /// looks for them (find_flaws) where the preset has a limit, judged or not.
+    /// Dents, bumps and waves at least half as deep as the limit, the deepest first. `inspect`
+    /// searches them (find_flaws) if the preset has a limit, judged or not.
     std::vector<Flaw> flaws;
-    /// Where it is not regular, the largest angle first; `inspect` searches them (singular_places),
-    /// of faces that have a curvature. A fold is judged and fails.
+    /// Places at which the face is not regular, the largest angle first. `inspect` searches them
+    /// (singular_places) on faces that have a curvature. A fold is judged and fails.
     std::vector<SingularPlace> singular;
-    /// Where it turns from bending one way to a saddle, the longest first; not judged. None of a
-    /// face that stands in for another.
+    /// Curves along which the face turns from convex or concave to a saddle, the longest first; not
+    /// judged. Empty for a face that stands in for another.
     std::vector<InflectionCurve> inflections;
-    Verdict verdict = Verdict::pass; ///< the worst of all
+    Verdict verdict = Verdict::pass; ///< the worst of all its verdicts
 };
 
 /// Measures and judges every placed face by itself, without flaws, in the order of instances and

@@ -14,9 +14,9 @@
 namespace keiko {
 namespace {
 
-/// Of the face's size: how far apart on a curve its trims are asked.
+/// Distance between trim tests on a curve, as a share of the face's size.
 constexpr double trim_step = 5e-3;
-/// Pieces whose ends are so near each other are one curve, mm.
+/// Distance in mm between the ends of pieces that are one curve.
 constexpr double same_end = 0.01;
 constexpr std::size_t most_boxes = 4000; ///< of a patch
 
@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    /// Whether a patch bends at all in its flatter direction, as far as a few places tell.
+    /// True if a patch is curved in its flatter direction at any of a few places.
     bool bends_both_ways(const BezierPatchView& view) const {
         constexpr int count = 6;
         for (int i = 0; i < count; ++i)
@@ -119,8 +119,8 @@ private:
         }
     }
 
-    /// Along a side the curvature changes its sign only if the patch beyond it has the other one;
-    /// then one of the two stays.
+    /// Pairs the pieces along sides. The curvature changes its sign there only if the patch beyond
+    /// has the other sign; one of the two pieces then stays.
     void pair_sides() {
         std::vector<Piece> kept;
         for (std::size_t i = 0; i < pieces_.size(); ++i) {

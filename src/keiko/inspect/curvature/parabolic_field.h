@@ -15,16 +15,16 @@ struct ParabolicSide {
     int sign = 0;       ///< of the Gaussian curvature beside it; 0 where that changes along it
 };
 
-/// Where a patch's Gaussian curvature changes its sign: it has the sign of `inner` everywhere
-/// inside, and is 0 on `sides`, where patches of revolution and of fillets often end.
+/// A field with the sign of a patch's Gaussian curvature. `inner` has that sign everywhere inside;
+/// the curvature is 0 on `sides`, where patches of revolution and of fillets often end.
 struct ParabolicField {
     BernsteinField inner; ///< polynomial in the patch's own parameters
     std::vector<ParabolicSide> sides;
 };
 
-/// Exact but for rounding, from the numerator of the Gaussian curvature in Bernstein form
-/// (docs/theory/inspection.md). Nothing where the curvature is 0 as far as rounding lets tell, as
-/// on developable patches, or can change nowhere, as on ruled ones.
+/// The field from the numerator of the Gaussian curvature in Bernstein form, exact to within
+/// rounding (docs/theory/inspection.md). It is nullopt if the curvature is 0 to within rounding, as
+/// on developable patches, or cannot change its sign, as on ruled ones.
 std::optional<ParabolicField> parabolic_field(const BezierPatchView& patch, double rounding);
 
 } // namespace keiko

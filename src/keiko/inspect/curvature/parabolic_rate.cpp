@@ -4,7 +4,7 @@
 
 namespace keiko {
 
-// K = (L N - M M) / (E G - F F), so that at K = 0 only the numerator's slopes count: with second
+// K = (L N - M M) / (E G - F F), so that at K = 0 only the numerator's slopes count. With second
 // forms of the normal's length n = |Su x Sv|, K = D / n^4. The other curvature is that of 2 H.
 double parabolic_rate(const SurfaceDerivatives& s) {
     const auto d = [&s](std::size_t k, std::size_t l) -> const Vec3& { return s.d[k][l]; };

@@ -4,8 +4,8 @@
 
 namespace keiko {
 
-/// How fast, in 1/mm a mm, the principal curvature that is 0 changes across a parabolic curve at a
-/// place of it; 0 where the place is singular or planar. Needs derivatives to order 3.
+/// Rate, in 1/mm a mm, at which the principal curvature that is 0 changes across a parabolic curve
+/// at a place of it; 0 if the place is singular or planar. Needs derivatives to order 3.
 double parabolic_rate(const SurfaceDerivatives& s);
 
 } // namespace keiko

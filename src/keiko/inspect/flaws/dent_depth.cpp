@@ -21,8 +21,8 @@ std::optional<TangentFrame> outlook(const FaceAdjacency& faces, const SheetPoint
     return s ? faces.frame(at, s->du()) : std::nullopt;
 }
 
-/// The surface around a place by samples in all directions that stand for equal areas; each
-/// straight way ends where material does.
+/// The surface around a place by samples in all directions that represent equal areas. Each
+/// straight trace ends where the material does.
 std::vector<Height> heights_around(const FaceAdjacency& faces, const SheetPoint& at,
                                    const TangentFrame& from, double reach) {
     std::vector<Height> heights;
@@ -49,7 +49,7 @@ std::vector<Height> within(std::span<const Height> heights, double reach) {
     return near;
 }
 
-/// Whether less than a twentieth of the samples lie in some quarter.
+/// True if less than a twentieth of the samples lie in some quarter.
 bool is_one_sided(std::span<const Height> heights) {
     std::array<std::size_t, 4> quarters{};
     for (const Height& h : heights) ++quarters[(h.x > 0 ? 1u : 0u) + (h.y > 0 ? 2u : 0u)];
@@ -57,7 +57,7 @@ bool is_one_sided(std::span<const Height> heights) {
                        [&](std::size_t count) { return count * 20 < heights.size(); });
 }
 
-/// Whether less than a quarter of the samples are more than `far` off the form.
+/// True if less than a quarter of the samples deviate from the form by more than `far`.
 bool is_alone(std::span<const Height> heights, const ReferenceForm& under, double far) {
     const auto off = std::count_if(heights.begin(), heights.end(), [&](const Height& h) {
         return std::abs(under.offset(h)) > far;
@@ -65,7 +65,8 @@ bool is_alone(std::span<const Height> heights, const ReferenceForm& under, doubl
     return static_cast<std::size_t>(off) * 4 < heights.size();
 }
 
-/// By steps in the plane that are halved where none leads further off.
+/// The place of the largest deviation, by steps in the plane that are halved when no step increases
+/// it.
 SheetPoint furthest(const FaceAdjacency& faces, const SheetPoint& begin, const TangentFrame& from,
                     const ReferenceForm& under, double reach) {
     SheetPoint at = begin;

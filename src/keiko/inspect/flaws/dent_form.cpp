@@ -16,8 +16,8 @@ std::vector<ReferenceForm> fits(std::span<const Height> heights, double half_win
     return found;
 }
 
-/// Of a fit among those of its kind by ascending reach, of which one is narrower, and of the
-/// others.
+/// Error bound of a fit among those of its kind by ascending reach, from its narrower neighbour and
+/// the fits of the other kind.
 double bound_of(std::span<const ReferenceForm> kind, std::size_t index,
                 std::span<const ReferenceForm> other_kind) {
     const double here = kind[index].at_origin();

@@ -8,21 +8,21 @@
 
 namespace keiko {
 
-/// The form under a dent, and how well its surroundings tell it.
+/// The form under a dent, and the accuracy to which its surroundings determine it.
 struct DentForm {
     ReferenceForm base;
-    double bound = 0; ///< mm: how far its height at the origin may be off, an estimate
+    double bound = 0; ///< mm: estimated error of its height at the origin
 };
 
-/// How far around a dent its form is fitted, as shares of half a window's width: the roots of 8,
-/// 12, 19 and 31 rings of samples out of 12.
+/// Radii around a dent within which its form is fitted, as shares of half a window's width: the
+/// roots of 8, 12, 19 and 31 rings of samples out of 12.
 constexpr std::array<double, 4> dent_reaches{0.8165, 1, 1.2583, 1.6073};
 
-/// Fits the form to heights as far as each of the reaches (`half_window` mm times the shares
-/// above), of either kind, and takes the fit that has the least bound. A dent that fills most of
-/// the narrow ones does not of the wide ones; what else stands around is in the wide ones alone.
-/// The bound is by how much the height at the origin changes from the next narrower fit, or leaves
-/// the bounds of a wider one, and what the scatter about the fit makes of it. Nothing where no two
+/// Fits the form of either kind to heights within each of the reaches (`half_window` mm times the
+/// shares above), and takes the fit with the least bound. A dent that fills most of the narrow
+/// reaches does not fill the wide ones; other features around it lie in the wide ones alone. The
+/// bound is the change of the height at the origin from the next narrower fit, or its distance from
+/// the bounds of a wider one, with the effect of the scatter about the fit. It is nullopt if no two
 /// of a kind can be fitted.
 std::optional<DentForm> dent_form(std::span<const Height> heights, double half_window);
 

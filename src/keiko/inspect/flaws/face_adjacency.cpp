@@ -109,7 +109,7 @@ std::optional<SheetPoint> FaceAdjacency::moved(const TangentFrame& over, const S
     return moved(over, from, to);
 }
 
-/// By Newton's method on the surface beyond its trims.
+/// Newton's method on the surface beyond its trims.
 std::optional<Vec2> FaceAdjacency::solved(const TangentFrame& over, const SheetPoint& from,
                                           const Vec2& to) const {
     constexpr int most_steps = 20;
@@ -139,7 +139,7 @@ std::optional<SheetPoint> FaceAdjacency::moved(const TangentFrame& over, const S
     if (there && faces_[from.face].has_material(*there)) return SheetPoint{from.face, *there};
     if (crossings_left == 0) return std::nullopt;
     const Vec3 here = evaluate(from, 0)->position();
-    constexpr double slope = 2; // the way along the surface is longer than in the plane
+    constexpr double slope = 2; // a trace along the surface is longer than in the plane
     if (!has_crossing_near(from.face, here, slope * (to - flat(over.local(here))).length()))
         return std::nullopt;
     const SheetPoint last = border(over, from, to, there);
@@ -163,7 +163,7 @@ SheetPoint FaceAdjacency::border(const TangentFrame& over, const SheetPoint& fro
     SheetPoint last = from;
     const Vec2 begin = flat(over.local(evaluate(from, 0)->position()));
     double near = 0, far = 1;
-    constexpr int halvings = 12; // only to find who goes on
+    constexpr int halvings = 12; // only to find the adjacent face
     for (int i = 0; i < halvings; ++i) {
         const double middle = (near + far) / 2;
         const std::optional<Vec2> next = there ? from.place + (*there - from.place) * middle

@@ -18,49 +18,50 @@ struct SheetPoint {
     Vec2 place{0};        ///< of that FaceSurface
 };
 
-/// A plane that touches a surface, to look from at what is around. Unit vectors, world, mm.
+/// A plane that touches a surface, as frame for its surroundings. Unit vectors, world, mm.
 struct TangentFrame {
     Vec3 origin{0}, x{0}, y{0}, z{0};
 
-    /// In the frame, mm.
+    /// Position in the frame, mm.
     Vec3 local(const Vec3& position) const {
         const Vec3 from = position - origin;
         return {from.dot(x), from.dot(y), from.dot(z)};
     }
 };
 
-/// The placed faces of a model and where one goes on smoothly in another: over seams that are no
-/// creases and whose gap, angle and, where the preset asks for it, curvature pass.
+/// The placed faces of a model and their smooth connections. These lead over seams that are no
+/// creases and whose gap, angle and, if the preset limits it, curvature pass.
 class FaceAdjacency {
 public:
-    /// `spacing`, mm: how far apart seams are looked up. Looks into the model.
+    /// `spacing`, mm: distance between the lookups of a seam. Keeps a reference to the model.
     FaceAdjacency(const SurfaceModel& model, std::span<const MeasuredSeam> seams,
                   std::span<const Seam> pieces, double spacing);
 
-    /// Instances outer, as measure_faces has them.
+    /// Number of placed faces, instances outer, as in measure_faces.
     std::size_t size() const { return faces_.size(); }
     const FaceSurface& face(std::size_t index) const { return faces_[index]; }
-    /// A number that faces have in common where one can be reached from the other.
+    /// Number of the connected surface of a face; faces share it if one can be reached from the
+    /// other.
     std::size_t sheet(std::size_t face) const { return sheets_[face]; }
 
     std::optional<SurfaceDerivatives> evaluate(const SheetPoint& at, int order) const {
         return faces_[at.face].evaluate_beyond(at.place, order);
     }
-    /// The plane at a place with x along `direction`, z outwards; nothing at a pole.
+    /// The plane at a place with x along `direction`, z outwards; nullopt at a pole.
     std::optional<TangentFrame> frame(const SheetPoint& at, const Vec3& direction) const;
-    /// The same by the derivatives there.
+    /// The plane at a place whose derivatives are known.
     std::optional<TangentFrame> frame(const SheetPoint& at, const SurfaceDerivatives& there,
                                       const Vec3& direction) const;
-    /// The place over (or under) the point (x, y) of a plane that a straight way from `from` leads
-    /// to, over smooth seams; nothing where material ends before.
+    /// The place over (or under) the point (x, y) of a plane that a straight trace from `from`
+    /// reaches, over smooth seams; nullopt if material ends before.
     std::optional<SheetPoint> moved(const TangentFrame& over, const SheetPoint& from,
                                     const Vec2& to) const;
-    /// The same from the origin of the plane, where the derivatives to order 2 are known.
+    /// The place reached from the origin of the plane, where the derivatives to order 2 are known.
     std::optional<SheetPoint> moved(const TangentFrame& over, const SheetPoint& from,
                                     const SurfaceDerivatives& there, const Vec2& to) const;
 
 private:
-    /// A point of a face's border where another goes on.
+    /// A point of a face's border where another face continues it.
     struct Crossing {
         Vec3 position{0}; ///< world, mm
         SheetPoint beyond;
@@ -68,26 +69,26 @@ private:
     using Key = std::pair<std::uint32_t, std::uint32_t>; ///< instance and face
 
     void add_crossings(const BoundaryCurves& curves, const Seam& piece, double spacing);
-    /// `goes_on`: from the last one of the face, along the same seam.
+    /// `goes_on`: the crossing follows the last one of the face along the same seam.
     void add_crossing(std::size_t face, const Crossing& crossing, bool goes_on);
-    /// Whether a seam of the face may come within `reach` mm of a position.
+    /// True if a seam of the face may come within `reach` mm of a position.
     bool has_crossing_near(std::size_t face, const Vec3& position, double reach) const;
     std::optional<Vec2> solved(const TangentFrame& over, const SheetPoint& from,
                                const Vec2& to) const;
     std::optional<SheetPoint> moved(const TangentFrame& over, const SheetPoint& from,
                                     const Vec2& to, std::size_t barred, int crossings_left) const;
-    /// The last place of the way to `to` that is still on the face of `from`, which goes on to
-    /// `there` beyond its trims where that is known.
+    /// The last place on the face of `from` on the trace to `to`. `there` is the trace's end on
+    /// that face beyond its trims, if known.
     SheetPoint border(const TangentFrame& over, const SheetPoint& from, const Vec2& to,
                       const std::optional<Vec2>& there) const;
-    /// Where another face than `barred` goes on from a place on a border.
+    /// The place on a face other than `barred` that continues a place on a border.
     std::optional<SheetPoint> beyond(const TangentFrame& over, const SheetPoint& border,
                                      std::size_t barred) const;
 
     std::vector<FaceSurface> faces_;
     std::map<Key, std::size_t> index_;             ///< into faces_
     std::vector<std::vector<Crossing>> crossings_; ///< a face
-    std::vector<double> crossing_steps_; ///< mm, a face: the furthest from one to the next
+    std::vector<double> crossing_steps_; ///< mm, a face: the largest distance between neighbours
     std::vector<std::size_t> sheets_;
 };
 

@@ -8,7 +8,7 @@
 namespace keiko {
 namespace {
 
-/// Places in the middles of equal parts of each span, no further apart than `spacing`.
+/// Places in the middles of equal parts of each span, at most `spacing` apart.
 std::vector<double> spread(const std::vector<double>& lengths, double spacing) {
     constexpr double most = 1000; // of one span
     std::vector<double> places;

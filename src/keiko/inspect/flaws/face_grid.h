@@ -6,7 +6,7 @@
 
 namespace keiko {
 
-/// A place of a placed face that was looked at.
+/// A sample of a placed face.
 struct FaceSample {
     Vec3 position{0}; ///< world, mm
     /// 1/mm, normal curvature along the lines of constant v and of constant u; positive where the
@@ -15,10 +15,10 @@ struct FaceSample {
     bool material = false;
 };
 
-/// A placed face over all its knot spans, sampled evenly.
+/// A placed face over all its knot spans, sampled uniformly.
 class FaceGrid {
 public:
-    /// `spacing`: about how far samples lie apart, mm.
+    /// `spacing`: approximate distance between samples, mm.
     FaceGrid(const FaceSurface& face, double spacing);
 
     std::size_t columns() const { return u_.size(); } ///< along u
@@ -26,7 +26,7 @@ public:
     const FaceSample& sample(std::size_t column, std::size_t row) const {
         return samples_[row * u_.size() + column];
     }
-    /// Of the face.
+    /// Place of a sample on the face.
     Vec2 place(std::size_t column, std::size_t row) const { return {u_[column], v_[row]}; }
 
 private:

@@ -9,16 +9,16 @@
 namespace keiko {
 namespace {
 
-/// Of the window's width.
+/// Distance between samples as a share of the window's width.
 constexpr double sample_share = 1.0 / 20;
-/// Ripples are looked for down to this share of the limit: planted dents are up to 5.3 times as
-/// deep as theirs may be.
+/// Share of the limit down to which ripples are searched: planted dents are up to 5.3 times as deep
+/// as their ripples may be.
 constexpr double ripple_share = 1.0 / 6;
-/// How far lines are followed beyond a face: half the widest wave and what it takes to see that the
-/// curvature comes back.
+/// Distance to which lines are followed beyond a face: half the widest wave and what it takes to
+/// detect that the curvature comes back.
 constexpr double follow_share = 0.75;
 
-/// A line over a face and what it goes on in at either end.
+/// A line over a face and its continuation at either end.
 class RippleLine {
 public:
     RippleLine(const FaceAdjacency& faces, std::size_t face, bool along_u, double window)
@@ -41,7 +41,7 @@ public:
         std::vector<FaceRipple> found;
         for (const Ripple& r :
              find_ripples(measured(points), depth, window_, {before.ended, behind.ended})) {
-            // What is on the next face that finds itself.
+            // Ripples on the next face are found there.
             if (r.index + 1 < begin || r.index > end) continue;
             if (r.width > quantised(widest_share * window_)) continue;
             const WalkPoint& point = points[r.index];
@@ -54,14 +54,14 @@ public:
 
 private:
     double spacing() const { return window_ * sample_share; }
-    /// The turns at either end of half a wave are seen to the next sample.
+    /// Width with the error of its turns, as each is located to the next sample only.
     double quantised(double width) const { return width + 2 * spacing(); }
 
     Vec3 direction(const WalkPoint& point) const {
         const auto s = faces_.evaluate(point.at, 1);
         return (along_u_ ? s->du() : s->dv()).normalized();
     }
-    /// Without its first point, which is the line's own.
+    /// The continuation without its first point, which is the line's own.
     GeodesicTrace beyond(const WalkPoint& end, double side) const {
         GeodesicTrace walk = walk_straight(faces_, end.at, direction(end) * side, spacing(),
                                            follow_share * window_, true);

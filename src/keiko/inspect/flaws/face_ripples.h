@@ -7,22 +7,22 @@
 
 namespace keiko {
 
-/// Waves are no longer than this share of the window, so that two of them fit in; dents bend no
-/// wider (docs/theory/verdict.md).
+/// Longest wave as a share of the window, so that two of them fit in; dents bend no wider
+/// (docs/theory/verdict.md).
 constexpr double widest_share = 0.5;
 
 /// A ripple of a line of constant u or v on a face.
 struct FaceRipple {
     SheetPoint at;
     Vec3 position{0};
-    Vec3 along{0};      ///< unit, the way of the line
+    Vec3 along{0};      ///< unit, direction of the line
     double width = 0;   ///< mm
     double depth = 0;   ///< mm, about; positive on crests
     double deepest = 0; ///< mm, as a Ripple's
-    bool cut = false;   ///< by a border
+    bool cut = false;   ///< cut by a border
 };
 
-/// All that a face has: lines are followed over smooth seams, and up to borders.
+/// All ripples of a face: lines are followed over smooth seams, and up to borders.
 std::vector<FaceRipple> find_face_ripples(const FaceAdjacency& faces, std::size_t face,
                                           const WavinessLimit& limit);
 

@@ -8,26 +8,27 @@
 
 namespace keiko {
 
-/// A face where an instance places it, over all its knot spans. Places of it are (u, v), their
-/// whole parts count spans, the rest runs over one from 0 to 1. Looks into the model.
+/// A face placed by an instance, over all its knot spans. Its places are (u, v): their whole parts
+/// count spans, the rest runs over one span from 0 to 1. Keeps a reference to the model.
 class FaceSurface {
 public:
     FaceSurface(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face);
 
-    /// The surface at a place, with its derivatives by (u, v) up to `order`, world, mm; nothing
-    /// where there is no material.
+    /// The surface at a place, with its derivatives by (u, v) up to `order`, world, mm; nullopt if
+    /// there is no material.
     std::optional<SurfaceDerivatives> evaluate(const Vec2& place, int order) const;
-    /// The same whatever the trims, and up to a quarter of a span beyond the sides of the face.
+    /// The surface regardless of trims, up to a quarter of a span beyond the sides of the face.
     std::optional<SurfaceDerivatives> evaluate_beyond(const Vec2& place, int order) const;
     bool has_material(const Vec2& place) const;
-    /// Where the parameters of the face are.
+    /// Place of parameters of the face.
     Vec2 place_of(const Vec2& face_parameters) const;
-    /// -1 where the outward normal is -(du x dv).
+    /// -1 if the outward normal is -(du x dv), else 1.
     double sign() const { return sign_; }
 
     std::size_t spans_u() const { return begins_u_.size(); }
     std::size_t spans_v() const { return begins_v_.size(); }
-    /// mm, of the longest row of control points of any patch in each span along u, along v.
+    /// Length of the longest row of control points of any patch in each span along u, mm;
+    /// span_lengths_v along v.
     std::vector<double> span_lengths_u() const;
     std::vector<double> span_lengths_v() const;
 
@@ -35,7 +36,8 @@ private:
     std::uint32_t patch_in(std::size_t column, std::size_t row) const {
         return table_[row * begins_u_.size() + column];
     }
-    /// Into patches_, of the span that holds the place or is next to it; no_index where none is.
+    /// Index into patches_ of the span that holds the place or is next to it; no_index if there is
+    /// none.
     std::uint32_t patch_at(const Vec2& place, Vec2& uv) const;
 
     const SurfaceModel& model_;

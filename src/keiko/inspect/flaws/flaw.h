@@ -8,9 +8,9 @@ namespace keiko {
 struct Flaw {
     enum class Kind { dent, bump, waves };
     Kind kind = Kind::dent;
-    MeasuredValue depth; ///< mm, how far the surface leaves the form around it
-    double width = 0;    ///< mm: between where it bends most the other way; of waves their length
-    double window = 0;   ///< mm, of the limit that it is held against
+    MeasuredValue depth; ///< mm, deviation of the surface from the form around it
+    double width = 0;    ///< mm: between the largest opposite curvatures; of waves their length
+    double window = 0;   ///< mm, of the limit that it is judged by
 };
 
 } // namespace keiko

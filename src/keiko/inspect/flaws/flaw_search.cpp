@@ -13,27 +13,28 @@
 namespace keiko {
 namespace {
 
-/// What is deeper than this share of the window is form, not a flaw.
+/// Depth as a share of the window beyond which a deviation is form, not a flaw.
 constexpr double deepest_share = 1.0 / 50;
-/// A depth that changes by more than this share of it with how much around is looked at may be
-/// form.
+/// Relative change of a depth with the extent of its surroundings beyond which it may be form.
 constexpr double form_share = 0.25;
-/// How much further a form may be off where it is continued to a border, not across a gap.
+/// Factor by which a form's error may be larger where it is continued to a border, not across a
+/// gap.
 constexpr double one_sided_factor = 3;
-/// A dent that is so many times as deep as its ripple may be is form that bends otherwise; planted
-/// ones are up to 5.3 times, up to 10 times where their middle lies beyond a border.
+/// Ratio of a dent's depth to its ripple's possible depth beyond which it is form. Planted dents
+/// reach 5.3, or 10 if their middle lies beyond a border.
 constexpr double most_beyond_ripple = 12;
-/// How far apart a dent's curvature turns that a border cuts, as a share of the window: dents of a
-/// third of it do at 0.65 of their width, seen to the next samples (docs/theory/verdict.md).
+/// Largest distance of the turns of the curvature of a dent that a border cuts, as a share of the
+/// window. Dents of a third of the window turn at 0.65 of their width, located to the next samples
+/// (docs/theory/verdict.md).
 constexpr double widest_cut_share = 0.65 / 3 + 0.1;
-/// How many of the deepest crests and troughs of a flaw are measured, and how many are tried: in a
-/// corner too little may be around.
+/// Numbers of the deepest crests and troughs of a flaw that are measured and that are tried; in a
+/// corner the surroundings may be too small.
 constexpr std::size_t most_measured = 6, most_tried = 30;
 
 struct PlacedFlaw {
     Flaw flaw;
     std::size_t face = 0;        ///< into FaceAdjacency
-    bool alone = false;          ///< of a dent: nothing around is as far off
+    bool alone = false;          ///< of a dent: nothing around deviates as much
     std::vector<Vec3> ripples{}; ///< world, mm: the places of all that show it
 };
 
@@ -42,8 +43,8 @@ public:
     FlawMeasure(const FaceAdjacency& faces, const WavinessLimit& limit)
         : faces_(faces), limit_(limit) {}
 
-    /// Of the ripples of one, the deepest first. What seems to be waves but has no two of them, as
-    /// a dent that a border cuts, is none.
+    /// A flaw measured from its ripples, the deepest first. Ripples that resemble waves but are
+    /// fewer than two, as those of a dent that a border cuts, are none.
     std::optional<PlacedFlaw> measured(const std::vector<FaceRipple>& ripples) const {
         if (!to_and_fro(ripples))
             return limit_.waves_only ? std::nullopt : deepest_of(ripples, &FlawMeasure::dent);
@@ -80,7 +81,7 @@ private:
         return flaw.flaw.depth.value > limit_.window * deepest_share;
     }
 
-    /// Whether it is of a crest or trough that has been measured, as another line shows it.
+    /// True if it belongs to a measured crest or trough, which another line shows too.
     bool is_beside(const std::vector<const FaceRipple*>& measured, const FaceRipple& ripple) const {
         return std::any_of(measured.begin(), measured.end(), [&](const FaceRipple* other) {
             const Vec3 apart = ripple.position - other->position;
@@ -89,7 +90,7 @@ private:
         });
     }
 
-    /// Whether it is of a dent that has been measured.
+    /// True if it belongs to a measured dent.
     bool is_at(const std::vector<Vec3>& places, const FaceRipple& ripple) const {
         return std::any_of(places.begin(), places.end(), [&](const Vec3& place) {
             return (place - ripple.position).length() < limit_.window / 4;
@@ -97,7 +98,7 @@ private:
     }
 
     MeasuredValue depth(double value, double bound, const Vec3& place) const {
-        constexpr double doubtful = 2; // fits that do not agree tell little of how far they are off
+        constexpr double doubtful = 2; // fits that disagree say little of their errors
         const bool form = bound > form_share * value;
         if (form) bound *= doubtful;
         Verdict verdict = judge(value, bound, limit_.depth);
@@ -118,7 +119,7 @@ private:
         if (r.cut && r.width > widest_cut_share * limit_.window) return std::nullopt;
         const auto found = dent_depth(faces_, r.at, limit_.window / 2);
         if (!found) return std::nullopt;
-        // With form on one side only, much that bends near a border would be undecided.
+        // With form on one side only, many bends near a border would be undecided.
         if (std::abs(found->offset) > most_beyond_ripple * r.deepest) return std::nullopt;
         const bool form = found->bound > form_share * std::abs(found->offset);
         if (form && (found->one_sided || r.cut)) return std::nullopt;
@@ -130,13 +131,13 @@ private:
             found->alone};
     }
 
-    /// Whether it is a dent that looks like waves by its rims, or beside another bend.
+    /// True if a dent appears as waves by its rims, or beside another bend.
     static bool is_no_wave(const PlacedFlaw& dent, const PlacedFlaw& waves) {
         const MeasuredValue &a = dent.flaw.depth, &b = waves.flaw.depth;
         return dent.alone && (a.value - a.bound > b.value || a.verdict > b.verdict);
     }
 
-    /// Whether there are crests and troughs that are nearly as deep.
+    /// True if there are crests and troughs that are nearly as deep.
     static bool to_and_fro(const std::vector<FaceRipple>& ripples) {
         const double first = ripples.front().depth;
         return std::any_of(ripples.begin(), ripples.end(), [first](const FaceRipple& r) {
@@ -160,7 +161,7 @@ std::vector<FaceRipple> all_ripples(const FaceAdjacency& faces, const std::vecto
     return all;
 }
 
-/// All that one window shows.
+/// All flaws found with one window.
 std::vector<PlacedFlaw> flaws_in_window(const FaceAdjacency& faces,
                                         const std::vector<bool>& searched,
                                         const WavinessLimit& limit, const Job& job) {
@@ -183,8 +184,8 @@ bool is_measured(const Flaw& flaw) {
     return flaw.depth.bound <= form_share * flaw.depth.value;
 }
 
-/// Whether a flaw of a wider window is one that a narrower one shows too, anywhere on it. What is
-/// far deeper than that, and waves that are longer, are others.
+/// True if a flaw of a wider window appears in a narrower one too, anywhere on it. A far deeper
+/// flaw and longer waves count as different.
 bool is_same(const PlacedFlaw& narrower, const PlacedFlaw& wider) {
     const Flaw &a = narrower.flaw, &b = wider.flaw;
     if (!(a.window < b.window)) return false;
@@ -200,8 +201,8 @@ bool is_same(const PlacedFlaw& narrower, const PlacedFlaw& wider) {
     return passes(narrower, b.depth.place) || passes(wider, a.depth.place);
 }
 
-/// Adds a flaw of a wider window, in place of those there that narrower ones show but cannot
-/// measure; not where one measures it.
+/// Adds a flaw of a wider window. It replaces flaws there that narrower windows find but cannot
+/// measure; it is dropped if one of them measures it.
 void add(std::vector<PlacedFlaw>& flaws, const PlacedFlaw& wider) {
     const bool measured = is_measured(wider.flaw);
     const bool known = std::any_of(flaws.begin(), flaws.end(), [&](const PlacedFlaw& other) {

@@ -8,7 +8,7 @@
 namespace keiko {
 namespace {
 
-/// One who walks: where he is, and how he looks ahead.
+/// State of a trace: its place, direction and curvature.
 struct Walker {
     SheetPoint at;
     SurfaceDerivatives there;
@@ -25,7 +25,7 @@ std::optional<Walker> standing(const FaceAdjacency& faces, const SheetPoint& at,
     return Walker{at, there, *frame, normal_curvature(there, frame->z, frame->x)};
 }
 
-/// The arc of a circle seen on its tangent.
+/// The arc of a circle, projected to its tangent.
 std::optional<Walker> ahead(const FaceAdjacency& faces, const Walker& from, double step) {
     const double turn = from.bend * step;
     if (std::abs(turn) > 1) return std::nullopt;

@@ -27,7 +27,7 @@ double dot(const Terms& a, const Terms& b) {
     return sum;
 }
 
-/// Of the two principal curvatures at the origin the larger one in size, over a disc of radius 1.
+/// The principal curvature at the origin that is larger in size, over a disc of radius 1.
 double largest_bend(const Terms& t) {
     const double mean = t[3] + t[5], half = std::hypot(t[3] - t[5], t[4]);
     return mean + std::copysign(half, mean);
@@ -56,7 +56,7 @@ public:
     }
     /// The terms of the heights added.
     Terms solution() const { return solved(right_); }
-    /// What the terms weigh at the origin: the solution for a right side of (1, 0, ...).
+    /// Weights of the heights' terms at the origin: the solution for a right side of (1, 0, ...).
     Terms at_origin() const { return solved({1}); }
 
 private:
@@ -76,7 +76,7 @@ private:
     Terms right_{};
 };
 
-/// Heights over a disc of radius 1, their terms made ready.
+/// Heights over a disc of radius 1, with their terms computed.
 struct Place {
     Terms terms;
     double z, weight;
@@ -92,7 +92,7 @@ class Reweighted {
 public:
     explicit Reweighted(std::vector<Place> places) : places_(std::move(places)) {}
 
-    /// By least squares.
+    /// Terms by least squares.
     std::optional<Terms> all() const {
         return solved([](const Place&) { return 1.0; });
     }
@@ -109,7 +109,7 @@ public:
             return solved([&](const Place& place) { return biweight(place, last, reach); });
         });
     }
-    /// As ReferenceForm::origin_bound.
+    /// ReferenceForm::origin_bound of these terms.
     std::optional<double> origin_bound(const Terms& t) const {
         const double reach = biweight_reach(spread(t));
         const auto fit = weighted([&](const Place& place) { return biweight(place, t, reach); });
@@ -133,7 +133,7 @@ private:
     static double distance(const Place& place, const Terms& t) {
         return place.z - dot(place.terms, t);
     }
-    /// Tukey's.
+    /// Tukey's biweight.
     static double biweight(const Place& place, const Terms& t, double reach) {
         const double off = distance(place, t) / reach;
         const double share = std::max(0.0, 1 - off * off);
@@ -143,7 +143,7 @@ private:
     /// Improves terms until they hardly change.
     template <class Next>
     std::optional<Terms> repeated(std::optional<Terms> t, const Next& next) const {
-        constexpr int rounds = 40;     // the rim of a dent goes out slowly
+        constexpr int rounds = 40;     // the weight of a dent's rim fades slowly
         constexpr double close = 1e-4; // of the spread
         for (int i = 0; i < rounds && t; ++i) {
             const Terms last = *t;
@@ -158,7 +158,7 @@ private:
         for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
         return largest;
     }
-    /// Nothing where the fit is singular.
+    /// The weighted fit; nullopt if it is singular.
     template <class WeightOf>
     std::optional<Fit> weighted(const WeightOf& weight_of) const {
         Fit fit;
@@ -194,7 +194,7 @@ std::optional<ReferenceForm> ReferenceForm::fit(std::span<const Height> heights,
     if (places.size() < 2 * n) return std::nullopt;
     ReferenceForm base;
     base.reach_ = reach;
-    constexpr int rounds = 4; // the curvature is known better from levelled heights
+    constexpr int rounds = 4; // levelled heights give the curvature more accurately
     for (int i = 0; kind == BaseKind::bent && i < rounds; ++i) {
         std::vector<Place> levelled = places;
         for (Place& place : levelled) place.z = base.levelled(place.z);

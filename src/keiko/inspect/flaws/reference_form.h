@@ -6,37 +6,37 @@
 
 namespace keiko {
 
-/// A place of a surface beside a tangent plane, mm, and how much it counts.
+/// A place of a surface beside a tangent plane, mm, and its weight.
 struct Height {
     double x = 0, y = 0, z = 0;
     double weight = 1;
 };
 
-/// What a ReferenceForm takes for smooth: heights that are polynomials, or heights z less b z² / 2
-/// with the larger curvature b at the origin, as spheres and cylinders exactly are.
+/// Smooth forms of a ReferenceForm: heights that are polynomials, or heights z less b z² / 2 with
+/// the larger curvature b at the origin, which spheres and cylinders are exactly.
 enum class BaseKind { flat, bent };
 
-/// The form under a dent: a polynomial of total degree 4 over the plane that goes by most heights;
-/// those that lie off the others by far do not count. By iteratively reweighted least squares,
-/// first to the smallest sum of distances, then with Tukey's biweight [HollandWelsch1977], as
-/// [ISO16610-31] does for profiles.
+/// The form under a dent: a polynomial of total degree 4 over the plane through most heights.
+/// Outliers do not count. It is fitted by iteratively reweighted least squares, first to the
+/// smallest sum of distances, then with Tukey's biweight [HollandWelsch1977], as [ISO16610-31] does
+/// for profiles.
 class ReferenceForm {
 public:
     static constexpr std::size_t term_count = 15;
 
-    /// Of the heights within `reach` of the origin, mm. Nothing where they are too few or too close
-    /// to a line.
+    /// The form of the heights within `reach` of the origin, mm; nullopt if they are too few or too
+    /// close to a line.
     static std::optional<ReferenceForm> fit(std::span<const Height> heights, double reach,
                                             BaseKind kind = BaseKind::flat);
 
-    /// mm: how far a height lies off the form, along the normal of the plane near the origin.
+    /// mm: deviation of a height from the form, along the normal of the plane near the origin.
     double offset(const Height& height) const;
-    /// mm, of the form above the plane at the origin.
+    /// mm: height of the form above the plane at the origin.
     double at_origin() const { return terms_[0]; }
     double reach() const { return reach_; } ///< mm
-    /// mm: how far the height at the origin may be off the form there, an estimate. The root of the
-    /// mean square distance of the heights that count, times what the fit makes of it where a gap
-    /// or a side is without heights (its Lebesgue constant).
+    /// mm: estimated error of the form's height at the origin. It is the root of the mean square
+    /// distance of the heights that count, times the fit's Lebesgue constant, which is large where
+    /// a gap or a side has no heights.
     double origin_bound() const { return origin_bound_; }
 
 private:

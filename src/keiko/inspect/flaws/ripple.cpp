@@ -8,13 +8,14 @@
 namespace keiko {
 namespace {
 
-/// Where the values turn round.
+/// An extremum of the values.
 struct Turn {
     std::size_t index = 0;
-    bool cut = false; ///< the line begins or ends there before they have come back
+    bool cut = false; ///< the line begins or ends there before the values have come back
 };
 
-/// Largest and smallest values in turn, between which the values change by more than `swing`.
+/// Largest and smallest values in alternation, between which the values change by more than
+/// `swing`.
 std::vector<Turn> turns(std::span<const BendPoint> line, double swing) {
     std::vector<Turn> found;
     std::size_t high = 0, low = 0;
@@ -44,8 +45,8 @@ double step_beside(std::span<const BendPoint> line, std::size_t index) {
                     line[index + 1].length - line[index].length);
 }
 
-/// The turn `at` between its neighbours; nothing where the line is cut on both sides, or on one
-/// where the surface goes on or the end is too far off to have cut a wave.
+/// The turn `at` between its neighbours. nullopt if the line is cut on both sides, or on one where
+/// the surface continues or the end is too far away to have cut a wave.
 std::optional<Ripple> ripple_between(std::span<const BendPoint> line, const Turn& before,
                                      const Turn& at, const Turn& behind, const LineEnds& ends) {
     const BendPoint &a = line[before.index], &b = line[at.index], &c = line[behind.index];
@@ -60,7 +61,7 @@ std::optional<Ripple> ripple_between(std::span<const BendPoint> line, const Turn
         if (!ends.at_end || rest > slack * to_a) return std::nullopt;
         to_c = to_a;
     }
-    // Beside a dent the form may turn far off: the nearer turn is the ripple's own.
+    // Beside a dent the form may turn far away: the nearer turn is the ripple's own.
     const double width = 2 * std::min(to_a, to_c);
     const double rise = a.bend - b.bend, fall = c.bend - b.bend;
     const double swing = std::abs(rise) < std::abs(fall) ? rise : fall;
@@ -74,7 +75,7 @@ std::optional<Ripple> ripple_between(std::span<const BendPoint> line, const Turn
 
 std::vector<Ripple> find_ripples(std::span<const BendPoint> line, double depth, double window,
                                  const LineEnds& ends) {
-    // The least that a ripple as wide as the window has.
+    // The least curvature of a ripple as wide as the window.
     const std::vector<Turn> at = turns(line, depth / radius_squared(window));
     std::vector<Ripple> ripples;
     for (std::size_t i = 1; i + 1 < at.size(); ++i) {

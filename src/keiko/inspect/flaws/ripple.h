@@ -6,29 +6,30 @@
 
 namespace keiko {
 
-/// Along a line on a surface.
+/// A point along a line on a surface.
 struct BendPoint {
     double length = 0; ///< mm from the line's begin
     double bend = 0;   ///< 1/mm, normal curvature
 };
 
-/// Where the curvature along a line turns round, between two turns the other way. Where the
-/// surface ends less than half a wave away, its border stands for one of the two.
+/// An extremum of the curvature along a line, between two opposite ones. If the surface ends less
+/// than half a wave away, its border replaces one of the two.
 struct Ripple {
     std::size_t index = 0; ///< into the line
-    double width = 0;      ///< mm, twice the way to the nearer turn
-    double depth = 0;   ///< mm, of a sine that bends as much; positive where the line bends least
-    double deepest = 0; ///< mm, its size where each turn lies half a step of the line further off
-    bool cut = false;   ///< by a border
+    double width = 0;      ///< mm, twice the distance to the nearer turn
+    double depth = 0;   ///< mm, of a sine with this curvature; positive where the line's curvature
+                        ///< is least
+    double deepest = 0; ///< mm, its size if each turn lies half a step of the line farther away
+    bool cut = false;   ///< cut by a border
 };
 
-/// Whether the surface ends where the line does.
+/// The ends of a line at which the surface ends too.
 struct LineEnds {
     bool at_begin = false, at_end = false;
 };
 
-/// The ripples of a line that are no wider than `window` and may be `depth` deep, mm. A bend of
-/// the form, a fillet say, turns but once and is none.
+/// The ripples of a line that are at most as wide as `window` and may be `depth` deep, mm. A bend
+/// of the form such as a fillet turns only once and is no ripple.
 std::vector<Ripple> find_ripples(std::span<const BendPoint> line, double depth, double window,
                                  const LineEnds& ends = {});
 

@@ -6,8 +6,8 @@
 
 namespace keiko {
 
-/// The ripples of one flaw each: those in the same or in neighbouring cells of space, `cell` mm
-/// wide, on faces that go on smoothly in each other. In each group the deepest first.
+/// Ripples grouped by flaw: those in the same or in neighbouring cells of space, `cell` mm wide, on
+/// smoothly connected faces. In each group the deepest comes first.
 std::vector<std::vector<FaceRipple>> ripple_groups(const FaceAdjacency& faces,
                                                    std::vector<FaceRipple> ripples, double cell);
 

@@ -8,9 +8,9 @@ namespace {
 
 constexpr double reach = 2.5;  ///< waves
 constexpr double steps = 24;   ///< a wave
-constexpr std::size_t few = 8; ///< samples that tell nothing
+constexpr std::size_t few = 8; ///< too few samples to decide
 
-/// By Numerov's method, of order 4, for w'' = k.
+/// Numerov's method, of order 4, for w'' = k.
 std::vector<double> integrated(const std::vector<WalkPoint>& points, double step) {
     std::vector<double> w(points.size(), 0);
     for (std::size_t i = 1; i + 1 < w.size(); ++i)

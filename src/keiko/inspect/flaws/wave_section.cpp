@@ -8,22 +8,22 @@
 namespace keiko {
 namespace {
 
-/// A wave as one profile shows it.
+/// A wave on one profile.
 struct Wave {
     double depth = 0; ///< mm, upwards
     double length = 0;
     double crest = 0;  ///< mm along the profile
-    double middle = 0; ///< where the two waves lie that it is measured by
+    double middle = 0; ///< middle of the two waves by which it is measured
 };
 
-/// By the fourth difference over two waves, which has no part in a form to its third derivative.
+/// Depth by the fourth difference over two waves, which cancels a form up to its third derivative.
 double swing_at(const RoughnessProfile& profile, double middle, double length) {
     const auto height = [&](double waves) { return profile.height(middle + waves * length); };
     return (6 * height(0) - 4 * (height(0.5) + height(-0.5)) + height(1) + height(-1)) / 16;
 }
 
-/// A wave of this length whose crest is there; by the waves about the crest or, where the profile
-/// is too short for that, about the next places half a wave apart.
+/// A wave of this length with its crest at the given place. It is measured by the waves about the
+/// crest or, if the profile is too short, about the next places half a wave apart.
 std::optional<Wave> wave_at(const RoughnessProfile& profile, double crest, double length) {
     for (const int shift : {0, 1, -1, 2, -2}) {
         const double middle = crest + shift * length / 2;
@@ -34,7 +34,7 @@ std::optional<Wave> wave_at(const RoughnessProfile& profile, double crest, doubl
     return std::nullopt;
 }
 
-/// The wave that is deepest near a first guess.
+/// The deepest wave near a first guess.
 std::optional<Wave> deepest(const RoughnessProfile& profile, double side, double length) {
     auto best = wave_at(profile, 0, length);
     double step = 0.1;
@@ -52,9 +52,9 @@ std::optional<Wave> deepest(const RoughnessProfile& profile, double side, double
     return best;
 }
 
-/// A wave as it stands on its form, which is the cubic that the fourth difference leaves out. The
-/// profile is laid out flat: its slope is an angle, which is larger than its sine, and its length
-/// that of the way up and down.
+/// A wave measured perpendicular to its form, which is the cubic that the fourth difference leaves
+/// out. The profile is laid out flat: its slope is an angle, which is larger than its sine, and its
+/// length is that of the trace up and down.
 struct Upright {
     double depth = 0, length = 0; ///< mm
 };
@@ -85,7 +85,7 @@ Upright upright(const RoughnessProfile& profile, double middle, double length) {
     return {(6 * height[2] - 4 * (height[1] + height[3]) + height[0] + height[4]) / 16, ahead / 2};
 }
 
-/// A place that a profile is looked at from, and the wave found there.
+/// The start of a profile, and the wave found there.
 struct Found {
     SheetPoint at;
     double depth = 0, length = 0, bound = 0; ///< mm

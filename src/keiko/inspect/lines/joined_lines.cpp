@@ -18,7 +18,7 @@
 namespace keiko {
 namespace {
 
-/// A piece, turned the right way, with how it runs and what its ends meet.
+/// A piece oriented as its line, with its geometry and what its ends meet.
 struct StudiedPiece {
     std::vector<CourseAt> courses;
     std::array<LineBorders::End, 2> ends; ///< head, tail
@@ -39,7 +39,7 @@ std::vector<CourseAt> courses_of(const SurfaceModel& model, const SurfaceLine& p
     return courses;
 }
 
-/// Whether the points run against the courses.
+/// True if the points run against the courses.
 bool runs_backwards(const SurfaceModel& model, const SurfaceLine& piece, const LampLevels& lamps) {
     const std::vector<LinePoint>& points = piece.line.points;
     const std::size_t middle = points.size() / 2;
@@ -61,7 +61,8 @@ StudiedPiece study(const SurfaceModel& model, const LineBorders& borders, Surfac
     return studied;
 }
 
-/// Breaks inside a face are told from the digits of files, as those of knot lines are.
+/// True if a break inside a face is larger than the digits of files explain, like those of knot
+/// lines.
 bool worth_telling(const LineCrossing& crossing) {
     constexpr double gap = 1e-4, angle = 1e-4, kink = 0.06;
     return crossing.border.seam != no_index || crossing.gap > gap || crossing.angle > angle ||
@@ -121,7 +122,7 @@ private:
     std::vector<LineEndpoint> meetings_;
     std::vector<LinePair> pairs_;
     std::vector<std::uint32_t> next_, before_, line_of_; ///< by piece
-    std::vector<bool> breaks_after_;                     ///< by piece: a crossing is told there
+    std::vector<bool> breaks_after_;                     ///< by piece: a crossing is reported there
 };
 
 void LineJoiner::study_all() {
@@ -228,7 +229,8 @@ RunOutPlaces LineJoiner::run_outs_of(std::uint32_t chain, const FaceSizes& sizes
                                    seams_.join_distance)};
 }
 
-/// Where a crease fades out lines jump, too: the seam's own verdict says whether it fades well.
+/// Excuses jumps of lines where a crease fades out: the seam's own verdict states whether it fades
+/// well.
 void LineJoiner::excuse_run_outs() {
     std::map<std::uint32_t, std::vector<LineCrossing*>> by_chain;
     for (LineCrossing& crossing : result_.crossings)
@@ -265,7 +267,8 @@ std::string LineJoiner::faces_at(const LineBorder& border) const {
     return placed_face_name(model_, border.instance, border.face) + place.data();
 }
 
-/// Of one stretch, which begins `along` mm from where the line does. `pieces`: a course.
+/// Adds the inflections of one stretch, which begins `along` mm after the line does. `pieces`: one
+/// a course.
 void LineJoiner::add_inflections(JoinedLine& line, const LineStatistics& shape,
                                  std::span<const CourseAt> courses,
                                  std::span<const std::uint32_t> pieces, double along) const {
@@ -285,7 +288,7 @@ void LineJoiner::shape() {
     parallel_for(result_.lines.size(), job_, "shapes", [&](std::size_t i) {
         JoinedLine& line = result_.lines[i];
         std::vector<CourseAt> courses;
-        std::vector<std::uint32_t> pieces; // a course
+        std::vector<std::uint32_t> pieces; // one a course
         double along = 0;
         for (const std::uint32_t piece : line.pieces) {
             const std::vector<CourseAt>& some = studied_[piece].courses;

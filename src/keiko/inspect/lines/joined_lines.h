@@ -17,31 +17,32 @@ struct JoinedLine {
     std::vector<std::uint32_t> pieces;  ///< into JoinedLines::pieces, in the order along the line
     double length = 0;                  ///< mm, of the chords
     std::vector<LineStatistics> shapes; ///< between the crossings, in order
-    /// As the shapes count them, in order; a place at a border where the bend jumps over 0 there.
+    /// Inflections in the order of the shapes; at a border where the curvature jumps over 0, the
+    /// place there.
     std::vector<LineInflection> inflections;
 };
 
-/// The lines of all lamps that one eye sees on a body.
+/// The lines of all lamps that are visible on a body from one viewpoint.
 struct JoinedLines {
-    std::vector<SurfaceLine> pieces;     ///< running so that the field rises to their left
+    std::vector<SurfaceLine> pieces;     ///< oriented so that the field rises to their left
     std::vector<JoinedLine> lines;       ///< by plane, lamp and first piece
     std::vector<LineCrossing> crossings; ///< worst first; those without a verdict last
 };
 
-/// The seams of a model, made ready for lines.
+/// The seams of a model, prepared for lines.
 struct LineSeams {
     std::vector<Seam> seams;
     BoundaryCurves curves;
-    std::vector<std::vector<std::uint32_t>> chains; ///< as seam_chains has them
+    std::vector<std::vector<std::uint32_t>> chains; ///< as returned by seam_chains
     double join_distance = 0;                       ///< mm
 
     /// `join` in mm.
     LineSeams(const SurfaceModel& model, double join, const Job& job);
 };
 
-/// Joins the pieces that surface_lines found for the same planes, camera and look across the
-/// borders of patches and seams, measures each crossing and judges it by the preset. The same for
-/// any thread count. Throws Cancelled.
+/// Joins the pieces that surface_lines found for the same planes, camera and kind of lines across
+/// the borders of patches and seams, measures each crossing and judges it by the preset. The same
+/// for any thread count. Throws Cancelled.
 JoinedLines join_lines(const SurfaceModel& model, const LineSeams& seams,
                        std::vector<SurfaceLine> pieces, std::span<const CPlane> planes,
                        const Camera& camera, LineLook look, const CriteriaPreset& preset,

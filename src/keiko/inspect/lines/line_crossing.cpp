@@ -9,7 +9,7 @@
 namespace keiko {
 namespace {
 
-/// mm: how exactly the nearest place of the other border is found.
+/// mm: accuracy of the nearest place of the other border.
 constexpr double foot_error = 1e-9;
 /// radians: error of a border's own direction.
 constexpr double direction_rounding = 1e-12;
@@ -20,7 +20,7 @@ LineValue judged(double value, double bound, const std::optional<double>& limit)
     return result;
 }
 
-/// What is known of one side of a crossing: its errors.
+/// Errors of one side of a crossing.
 struct SideErrors {
     LineGeometryBounds course;
     double place = 0; ///< mm along the border
@@ -36,7 +36,7 @@ SideErrors errors_of(const LineEndpoint& m, const LampLevels& lamps) {
     return errors;
 }
 
-/// Of the line against its border, turning left, radians.
+/// Angle of the line to its border, positive to the left, radians.
 double angle_to_border(const LineEndpoint& m) {
     const Vec3 beside = m.course.normal.cross(m.along);
     return std::atan2(beside.dot(m.course.tangent), m.along.dot(m.course.tangent));
@@ -54,7 +54,7 @@ LineCrossing crossing_at(const LineEndpoint& end, const LampLevels& lamps, doubl
     crossing.from = end.piece, crossing.plane = end.plane, crossing.lamp = end.lamp;
     crossing.border = end.border, crossing.place = end.place;
     crossing.gap = end.gap, crossing.angle = end.angle;
-    // Seen from the piece that goes on, the other side is the one that it comes from.
+    // Viewed from the piece that goes on, the other side is the one that it comes from.
     crossing.plane_jump = end.head ? -end.jump : end.jump;
     const double off = place_error + foot_error;
     const double error =

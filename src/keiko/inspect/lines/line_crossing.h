@@ -13,19 +13,18 @@ namespace keiko {
 struct LineValue {
     double value = 0;
     double bound = 0;            ///< the exact value lies within this of it
-    std::optional<double> limit; ///< nothing: not judged
+    std::optional<double> limit; ///< nullopt: not judged
     Verdict verdict = Verdict::pass;
 };
 
-/// What becomes of a line where it meets a seam, or a line inside a face at which it breaks. Values
-/// are those of the side that the line goes to, less those of the side that it comes from; to
-/// the left is positive.
+/// Crossing of a line with a seam, or the break of a line inside a face. Values are those of the
+/// side that the line goes to, less those of the side that it comes from; to the left is positive.
 struct LineCrossing {
     std::uint32_t line = 0; ///< into JoinedLines::lines
-    /// Into JoinedLines::pieces; where the line is not continued, the piece that ends or begins
+    /// Index into JoinedLines::pieces; if the line is not continued, the piece that ends or begins
     /// here.
     std::uint32_t from = 0;
-    /// The next piece; no_index where none goes on: the other side shows the lamp elsewhere.
+    /// The next piece; no_index if there is none, as the other side reflects the lamp elsewhere.
     std::uint32_t to = no_index;
     std::uint32_t plane = 0, lamp = 0;
     LineBorder border;
@@ -33,28 +32,28 @@ struct LineCrossing {
     Vec3 place{0};     ///< world, mm, on the side that the line comes from
     double gap = 0;    ///< mm
     double angle = 0;  ///< degrees between the normals
-    /// How far the lamp's image jumps, mm on the C-plane (the change of the cosine for isophotes).
+    /// Jump of the lamp's image, mm on the C-plane (the change of the cosine for isophotes).
     double plane_jump = 0;
     LineValue jump; ///< mm on the part, across the line
-    LineValue turn; ///< degrees of a seam angle that moves the image as far as it jumps
-    LineValue kink; ///< degrees, on the surface: a fold of it counts for nothing
+    LineValue turn; ///< degrees of a seam angle that moves the image as far as the jump
+    LineValue kink; ///< degrees, on the surface: its fold counts for nothing
     LineValue bend; ///< 1/mm, of geodesic curvature
-    /// At a run-out of a crease, whose fading is judged with the crease and not here.
+    /// True at a run-out of a crease, whose fading is judged with the crease and not here.
     bool run_out = false;
-    /// Nothing at a run-out, and where no piece goes on and the image's jump alone is within its
-    /// limit.
+    /// Verdict on the crossing. nullopt at a run-out, and if no piece goes on and the image's jump
+    /// alone is within its limit.
     std::optional<Verdict> verdict;
-    double severity = 0; ///< how far the worst judged value is over its limit: 1 at the limit
+    double severity = 0; ///< ratio of the worst judged value to its limit: 1 at the limit
 
     bool continued() const { return to != no_index; }
 };
 
-/// Measures where the line of `tail` goes on in that of `head`.
+/// Measures the crossing at which the line of `tail` continues in that of `head`.
 LineCrossing line_crossing(const LineEndpoint& tail, const LineEndpoint& head,
                            const LampLevels& lamps, const LineLimits& limits);
 
-/// Measures an end of a line that goes on nowhere: only the jump of the image and what it amounts
-/// to.
+/// Measures an end of a line without continuation: only the jump of the image and the seam angle
+/// that equals it.
 LineCrossing line_break(const LineEndpoint& end, const LampLevels& lamps, const LineLimits& limits);
 
 } // namespace keiko

@@ -6,20 +6,20 @@
 
 namespace keiko {
 
-/// Why a line ends.
+/// Reason why a line ends.
 enum class LineEnd {
-    closed,      ///< it does not: it runs back into itself
-    lamp,        ///< with the lamp
-    silhouette,  ///< where the surface turns away from the eye
-    hidden,      ///< behind something, or its lamp's light does not get there
-    free_border, ///< where the material ends
+    closed,      ///< no end: it runs back into itself
+    lamp,        ///< end of the lamp
+    silhouette,  ///< the surface turns away from the viewpoint
+    hidden,      ///< hidden by something, or its lamp's light is
+    free_border, ///< end of the material
     crease,      ///< at a seam with more than the feature angle
-    seam,        ///< at a seam beyond which it does not go on
+    seam,        ///< at a seam beyond which it does not continue
     patch        ///< at a line inside a face, where the search lost it
 };
 std::string_view name_of(LineEnd end);
 
-/// Why a line ends where a piece of it has its head or tail; `end`: what it meets there. Angles of
+/// Reason why a line ends at the head or tail of a piece; `end`: what it meets there. Angles of
 /// more than `feature_angle` degrees are creases.
 LineEnd line_end(const SurfaceModel& model, const SurfaceLine& piece, bool head,
                  const LineBorders::End& end, const LineField& field, double feature_angle);

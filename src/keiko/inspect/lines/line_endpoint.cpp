@@ -11,20 +11,21 @@
 namespace keiko {
 namespace {
 
-/// mm: how far from a border an end can lie that belongs to it, besides four of its gaps. Trim
-/// curves of CAD files are off their faces' sides by some 1e-5 mm; where sides overlap, the upper
-/// one hides the last bit of the lower.
+/// mm: largest distance of an end from a border that it belongs to, besides four of its gaps. Trim
+/// curves of CAD files deviate from their faces' sides by some 1e-5 mm; where sides overlap, the
+/// upper one hides the last bit of the lower.
 constexpr double near_border = 1e-4;
-/// mm: farther off no border is looked for.
+/// mm: borders farther away are not searched.
 constexpr double search_radius = 0.5;
-/// Share of a curve's parameter by which seams that meet at a T may leave an end out.
+/// Share of a curve's parameter that seams meeting at a T may leave uncovered.
 constexpr double between_seams = 1e-7;
 
 Vec3 facing(const LineField& field, const Vec3& place, const Vec3& normal) {
     return field.eye().towards(place).dot(normal) > 0 ? -normal : normal;
 }
 
-/// Where a line crosses a border curve, near t; t itself where it runs all but along the curve.
+/// Parameter at which a line crosses a border curve, near t; t itself if the line is almost
+/// parallel to the curve.
 double crossing_at(const SurfaceCurve& curve, const LineField& field, double level, double t,
                    double within) {
     constexpr int most_steps = 8;
@@ -48,7 +49,7 @@ bool holds(const BoundaryInterval& interval, double t) {
     return t >= low - between_seams && t <= high + between_seams;
 }
 
-/// The other side's image at the nearest place; `position` and `normal` are the other side's.
+/// Sets the other side's image at the nearest place; `position` and `normal` are the other side's.
 void look_across(LineEndpoint& meeting, const LampLevels& lamps, const Vec3& position,
                  const Vec3& normal) {
     const LineField::Image image = lamps.field.image(position, normal);
@@ -168,14 +169,14 @@ std::optional<LineEndpoint> LineBorders::at_knot(const Asked& end, bool constant
     if (x != 0 && x != 1) return std::nullopt;
     const Patch& own = model_.patches[piece.patch];
     const ParameterMap& own_map = constant_u ? own.map_u : own.map_v;
-    const double at = x == 0 ? own_map.begin : own_map.end; // exactly as the neighbour has it
+    const double at = x == 0 ? own_map.begin : own_map.end; // exactly the neighbour's parameter
     Vec2 uv = model_.face_parameters(piece.patch, end.point.uv);
     (constant_u ? uv.x : uv.y) = at;
     const Vec2 outward = constant_u ? Vec2(x == 0 ? -1 : 1, 0) : Vec2(0, x == 0 ? -1 : 1);
     const std::uint32_t beyond = grids_[piece.face].locate(uv, outward);
     const Patch& far = model_.patches[beyond];
     const ParameterMap& far_map = constant_u ? far.map_u : far.map_v;
-    // Beyond the last line of the grid it locates a patch that ends there, too.
+    // Beyond the last line of the grid, it locates a patch that ends there, too.
     if (beyond == piece.patch || (x == 0 ? far_map.end : far_map.begin) != at) return std::nullopt;
     const SurfaceDerivatives s =
         placed_derivatives(model_, piece.instance, piece.patch, end.point.uv);

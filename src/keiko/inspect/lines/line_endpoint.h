@@ -13,7 +13,7 @@
 
 namespace keiko {
 
-/// What two patches meet along: a chain of seams, or a line between the patches of one face.
+/// Border between two patches: a chain of seams, or a line between the patches of one face.
 struct LineBorder {
     std::uint32_t seam = no_index; ///< number of the chain; no_index: inside a face
     std::uint32_t instance = 0, face = 0;
@@ -25,8 +25,8 @@ struct LineBorder {
     bool operator==(const LineBorder& other) const { return order() == other.order(); }
 };
 
-/// Where an end of a piece lies on such a border, and what the other side shows there. All values
-/// are limits from the piece's own side unless it says otherwise.
+/// The end of a piece on such a border, and the reflection on the other side there. All values are
+/// limits from the piece's own side unless stated otherwise.
 struct LineEndpoint {
     std::uint32_t piece = 0, plane = 0, lamp = 0;
     bool head = false; ///< the piece begins here, else it ends here
@@ -34,24 +34,24 @@ struct LineEndpoint {
     bool second = false; ///< of the border's two sides
     std::uint32_t instance = 0, face = 0;
     Vec3 place{0};
-    Vec3 along{0}; ///< unit, along the border, the same way for both sides
+    Vec3 along{0}; ///< unit, along the border, the same direction for both sides
     SurfaceDerivatives surface;
     int degree = 1; ///< the larger one of the patch
     LineGeometry course;
-    double off = 0; ///< mm, the place may be off by this along the border
+    double off = 0; ///< mm, error of the place along the border
 
     double gap = 0;   ///< mm, to the nearest place of the other side
-    double angle = 0; ///< degrees, between the normals towards the eye
+    double angle = 0; ///< degrees, between the normals towards the viewpoint
     double jump =
-        0; ///< field there less the level; NaN where the other side does not show the lamps
+        0; ///< field there less the level; NaN if the other side does not reflect the lamps
     SurfaceDerivatives other; ///< of the other side there
     int other_degree = 1;
 
-    /// Of the field along the border.
+    /// Slope of the field along the border.
     double slope() const { return course.gradient().dot(along); }
 };
 
-/// Tells which borders of a model ends of lines lie on. Keeps references.
+/// Finds the borders of a model on which ends of lines lie. Keeps references.
 class LineBorders {
 public:
     LineBorders(const SurfaceModel& model, const BoundaryCurves& curves,
@@ -78,7 +78,7 @@ private:
     struct Asked {
         const SurfaceLine& piece;
         LinePoint point;
-        LineEndpoint meeting; ///< as far as it is the same for all borders
+        LineEndpoint meeting; ///< the values that are the same for all borders
         const LampLevels& lamps;
     };
 

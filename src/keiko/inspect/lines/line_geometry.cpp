@@ -38,8 +38,8 @@ Triple<Second<T>> second_jet(const Entries<T>& d, std::size_t k, std::size_t l) 
     return {{f.x, u.x, v.x}, {f.y, u.y, v.y}, {f.z, u.z, v.z}};
 }
 
-/// The key is that of docs/theory/reflection-lines.md: f the field, E, F, G of the first
-/// fundamental form, rho the squared length of the gradient.
+/// Field and first fundamental form in the notation of docs/theory/reflection-lines.md: f the
+/// field, E, F, G of the first fundamental form, rho the squared length of the gradient.
 template <class T>
 struct Course {
     Triple<T> run; ///< along the line, for a normal along du x dv
@@ -72,7 +72,7 @@ Course<T> course(const LineField& field, double level, const Entries<T>& d, doub
             (rho.u * rise_u + rho.v * rise_v) / sqrt(rho.f)};
 }
 
-/// -1 where du x dv turns away from the eye.
+/// -1 if du x dv points away from the viewpoint, else 1.
 double side_of(const LineField& field, const SurfaceDerivatives& surface) {
     const Vec3 normal = surface.du().cross(surface.dv());
     return field.eye().towards(surface.position()).dot(normal) > 0 ? -1 : 1;
@@ -86,7 +86,7 @@ Interval widened(double x, double by) {
     return {x - by, x + by};
 }
 
-/// The derivatives with all that rounding and a place `off` mm away can make of them.
+/// The derivatives widened by rounding and by their change within `off` mm of the place.
 Entries<Interval> widened(const SurfaceDerivatives& surface, int degree, double off) {
     const double reach =
         surface.position().length() + surface.du().length() + surface.dv().length();

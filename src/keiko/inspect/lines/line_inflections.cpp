@@ -7,7 +7,7 @@
 namespace keiko {
 namespace {
 
-/// A place of the line and how it bends there.
+/// A place of the line and its curvature there.
 struct Bent {
     LinePoint at;
     double bend = 0;

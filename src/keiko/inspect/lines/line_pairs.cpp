@@ -7,26 +7,27 @@
 namespace keiko {
 namespace {
 
-/// mm; ends this near each other on the part need no jump to explain it: what rounding of files
-/// and of ends that run nearly along the border leaves.
+/// mm: ends this near each other on the part need no jump to explain it. Rounding of files causes
+/// such distances, and so do ends that run nearly along the border.
 constexpr double same_place = 1e-5;
-/// Jumps seen from both sides may differ by this share, as the field's change along the way may.
+/// Relative difference allowed between the jumps of both sides, as the field may change along the
+/// border.
 constexpr double alike = 0.5;
-/// The field's slope along the border predicts how far the sides' ends lie apart; it is asked at
-/// either end, and may change between them by this factor.
+/// Factor by which the field's slope along the border may change between the ends. It predicts the
+/// distance of the sides' ends and is evaluated at either end.
 constexpr double prediction_slack = 4;
 
 double distance(const LineEndpoint& a, const LineEndpoint& b) {
     return (a.place - b.place).length();
 }
 
-/// Whether the field's jump from one side to the other explains how far apart the ends lie.
+/// True if the field's jump between the sides explains the distance of the ends.
 bool explained(const LineEndpoint& tail, const LineEndpoint& head) {
     const double jump = std::max(std::abs(tail.jump), std::abs(head.jump));
     const double least_slope = std::min(std::abs(tail.slope()), std::abs(head.slope()));
     const double reach = std::max(tail.gap, head.gap) + prediction_slack * jump / least_slope;
     if (!(distance(tail, head) <= reach + same_place)) return false;
-    // What moves a place by same_place moves the field by as much as its gradient makes of it.
+    // A shift by same_place changes the field by that length times its gradient.
     const double noise = same_place * std::max(tail.course.density, head.course.density);
     return std::abs(tail.jump + head.jump) <= alike * jump + noise;
 }
@@ -50,7 +51,7 @@ private:
                !done_.count({meeting.piece, meeting.head});
     }
 
-    /// Groups meetings by border and lamp, and lists what fits in each group.
+    /// Groups meetings by border and lamp, and lists matching pairs in each group.
     template <class BorderOf>
     std::vector<Candidate> candidates(const BorderOf& border_of, bool any_seam) const {
         std::map<std::tuple<LineBorder, std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>

@@ -9,10 +9,11 @@
 namespace keiko {
 namespace {
 
-/// Degrees. A stretch that turns by less is straight to any eye, and often to rounding.
+/// Degrees. A stretch that turns by less is visually straight, and often straight to within
+/// rounding.
 constexpr double least_turning = 0.05;
 
-/// A stretch of a line that turns one way.
+/// A stretch of a line with curvature of one sign.
 struct Stretch {
     std::size_t begin = 0; ///< the course that it begins with
     double turning = 0;    ///< degrees

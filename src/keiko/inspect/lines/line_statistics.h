@@ -9,31 +9,31 @@
 
 namespace keiko {
 
-/// How a line runs between two crossings, from its courses at the points of its pieces: values are
-/// exact there, and the worst of them is told.
+/// Statistics of a line between two crossings, from its geometry at the points of its pieces.
+/// Values are exact there, and the worst of them is reported.
 struct LineStatistics {
     double length = 0;   ///< mm
-    double turning = 0;  ///< degrees to the left, in all
+    double turning = 0;  ///< degrees to the left, in total
     double waviness = 0; ///< degrees that it turns back and forth beyond that
-    /// Indices of the courses after which the line turns over, between stretches that turn by 0.05
-    /// degrees or more. There or at the next course its bend changes its sign.
+    /// Indices of the courses after which the line has an inflection, between stretches that turn
+    /// by 0.05 degrees or more. There or at the next course its curvature changes its sign.
     std::vector<std::size_t> inflections;
     double largest_bend = 0;  ///< 1/mm, geodesic curvature, signed
     double least_spacing = 0; ///< mm to the next lamp's line, by the gradient; 0: no other lamp
     double most_spacing = 0;
     double spacing_ratio =
-        1; ///< of that spacing and the next one beside, where farthest from 1; >= 1
+        1; ///< ratio of that spacing and the next one beside, where farthest from 1; >= 1
     double spacing_rate = 0; ///< largest relative change of the spacing along the line, 1/mm
 };
 
-/// A place of a line and how it runs there.
+/// A place of a line and the line's geometry there.
 struct CourseAt {
     double step = 0; ///< mm from the place before; 0 for the first
     LineGeometry course;
     LinePoint at;
 };
 
-/// `step` as LampLevels::step has it.
+/// Statistics of a line; `step` as returned by LampLevels::step.
 LineStatistics line_shape(std::span<const CourseAt> courses, double step);
 
 } // namespace keiko

@@ -7,8 +7,8 @@ namespace keiko {
 
 namespace {
 
-/// mm, and of the size of what is seen: what is in the way so near is the other side of a seam,
-/// which stands a little higher; a line does not end there.
+/// mm, and share of the size of the visible geometry: an occluder nearer than this is the other
+/// side of a seam, which is a little higher. A line does not end there.
 constexpr double nearest_occluder = 0.2, nearest_in_sizes = 2e-4;
 
 } // namespace
@@ -20,10 +20,11 @@ LineVisibility::LineVisibility(const Tracer& seen, const LineField& field, doubl
       begin_(std::min(nearest_occluder, nearest_in_sizes * seen.bounds().size())) {}
 
 bool LineVisibility::on_lamp(const LineField::Image& image) const {
-    // At a collapsed edge the field is 0 on every level, and says nothing of the lamp.
+    // At a collapsed edge the field is 0 on every level, and does not identify the lamp.
     constexpr double rounding = 1e-4; // degrees
     const bool isophote = field_.look() == LineLook::isophote;
-    // An isophote has levels of both signs, as the patch's own normal may turn away from the eye.
+    // An isophote has levels of both signs, as the patch's own normal may point away from the
+    // viewpoint.
     const double level = isophote ? std::abs(level_) : level_;
     if (!image.faces || !(field_.normal_turn(image, level - image.value) < rounding)) return false;
     return isophote || (image.along >= 0 && image.along <= field_.plane().length);

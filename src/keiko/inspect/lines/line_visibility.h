@@ -5,17 +5,18 @@
 
 namespace keiko {
 
-/// Whether the eye of a field sees one level's line at places of the surfaces.
+/// Visibility of one level's line from the viewpoint of a field.
 class LineVisibility {
 public:
-    /// `seen`: all that may stand in the way. Keeps references.
+    /// `seen`: all possible occluders. Keeps references.
     LineVisibility(const Tracer& seen, const LineField& field, double level);
 
-    /// Whether the eye sees the place and, in it, the lamp of the line: the ray to the eye is free
-    /// and, of reflections, the mirrored one up to the C-plane too; reflection and highlight lines
-    /// end with the lamp; what stands in the way less than 0.2 mm from the place (2e-4 of the size
-    /// of what is seen) is the other side of a seam and hides no line; isophotes are kept where the
-    /// normal that faces the eye faces the lamps. `normal` is unit, `root` the place's own.
+    /// True if the place is visible from the viewpoint and the lamp of the line is visible in it.
+    /// The ray to the viewpoint must be free and, for reflections, the mirrored one up to the
+    /// C-plane too. Reflection and highlight lines end with the lamp. An occluder less than 0.2 mm
+    /// from the place (2e-4 of the size of the visible geometry) is the other side of a seam and
+    /// hides no line. Isophotes are kept where the normal towards the viewpoint faces the lamps.
+    /// `normal` is unit, `root` the place's own.
     bool sees(const Vec3& place, const Vec3& normal, const Root& root) const;
 
 private:

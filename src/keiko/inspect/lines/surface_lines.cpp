@@ -15,10 +15,11 @@
 namespace keiko {
 namespace {
 
-/// Of the patch: farther than rounding carries a root of the line from the tracer's.
+/// Share of the patch: larger than the distance by which rounding parts a root of the line from the
+/// tracer's.
 constexpr double own_root = 1e-7;
 /// Least chord error as a share of the body's size: finer chords of a body as large as a planet
-/// never come to an end.
+/// never terminate.
 constexpr double least_chord_error = 1e-10;
 
 struct PlacedPatch {

@@ -12,7 +12,7 @@
 namespace keiko {
 namespace {
 
-/// mm: how far the polyline of a free edge is to be from the edge at most.
+/// mm: largest distance of the polyline of a free edge from the edge.
 constexpr double chord_error = 0.002;
 
 using BorderKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
@@ -21,7 +21,7 @@ BorderKey key_of(const BoundaryInterval& on) {
     return {on.instance, on.face, on.curve};
 }
 
-/// What of each border belongs to seams.
+/// The parts of each border that belong to seams.
 using CoveredBorders = std::map<BorderKey, IntervalSet>;
 
 CoveredBorders covered_borders(std::span<const Seam> seams) {
@@ -68,7 +68,7 @@ IntervalSet free_parts(const BoundaryInterval& border, const CoveredBorders& cov
     return found == covered.end() ? IntervalSet::whole() : found->second.complement();
 }
 
-/// Puts together the free edge amid which a loop begins: of its runs the last and the first.
+/// Joins the last and the first run of a loop that begins inside a free edge.
 void join_ends(std::vector<Run>& runs) {
     if (runs.size() == 1) {
         runs.front().closed = true;
@@ -79,7 +79,7 @@ void join_ends(std::vector<Run>& runs) {
     runs.erase(runs.begin());
 }
 
-/// What is free of one loop.
+/// The free runs of one loop.
 std::vector<Run> free_runs(const std::vector<BoundaryInterval>& loop,
                            const CoveredBorders& covered) {
     std::vector<Run> runs;
@@ -129,7 +129,7 @@ class Joining {
 public:
     explicit Joining(FreeEdges& edges) : edges_(edges), tree_(boxes_of_ends(edges)) {}
 
-    /// The ends beside those of seams.
+    /// Joins the ends beside those of seams.
     void join_beside(const BoundaryCurves& curves, std::span<const Seam> seams, double near) {
         for (const Seam& seam : seams)
             for (const bool at_end : {false, true}) {
@@ -139,7 +139,7 @@ public:
             }
     }
 
-    /// The others, the nearest first.
+    /// Joins the other ends, the nearest first.
     void join_rest(double near) {
         struct Pair {
             double distance;
@@ -176,7 +176,7 @@ private:
         return boxes;
     }
 
-    /// The ends of one edge meet only if it goes out between them.
+    /// True if two ends may meet; the ends of one edge do only if it leads away between them.
     bool may_meet(std::uint32_t i, std::uint32_t j, double distance) const {
         return i / 2 != j / 2 || edges_.all[i / 2].length() > 4 * distance;
     }

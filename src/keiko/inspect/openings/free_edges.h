@@ -18,16 +18,16 @@ struct FreePlace {
     Vec3 position{0};        ///< world, mm
 };
 
-/// Borders of one face that follow each other and meet no other border, as one polyline.
+/// Consecutive free borders of one face, which meet no other border, as one polyline.
 struct FreeEdge {
     std::vector<BoundaryInterval> pieces;
     std::vector<FreePlace> places; ///< at least two, in the order of the face's loop
     std::vector<double> ways;      ///< mm along the edge to each place, rising from 0
-    double deviation = 0;          ///< mm, of the polyline from the borders
-    bool closed = false;           ///< a whole loop: it ends where it began
+    double deviation = 0;          ///< mm, distance of the polyline from the borders
+    bool closed = false;           ///< a whole loop: it ends at its beginning
 
     double length() const { return ways.back(); }
-    /// The place at a way along it, on a chord between two places.
+    /// The place at a length along it, on a chord between two places.
     FreePlace at(double way) const;
 };
 
@@ -36,17 +36,17 @@ struct FreeEnd {
     std::uint32_t edge = 0;
     bool last = false; ///< else the first
 
-    /// Its place in FreeEdges::next.
+    /// Its index in FreeEdges::next.
     std::uint32_t number() const { return 2 * edge + last; }
     static FreeEnd of_number(std::uint32_t number) { return {number / 2, number % 2 == 1}; }
     bool operator==(const FreeEnd&) const = default;
 };
 
-/// The free edges of a model and how they go on into each other where seams end, from the border
-/// of one face to that of the next.
+/// The free edges of a model and their connections where seams end, from the border of one face to
+/// that of the next.
 struct FreeEdges {
     std::vector<FreeEdge> all;
-    /// The end that follows upon each end, by FreeEnd::number; nothing where no end is near.
+    /// The end that follows each end, by FreeEnd::number; nullopt if no end is near.
     std::vector<std::optional<FreeEnd>> next;
 
     std::optional<FreeEnd> next_of(const FreeEnd& end) const { return next[end.number()]; }
@@ -56,8 +56,8 @@ struct FreeEdges {
     }
 };
 
-/// The free edges beside some seams. Edges no longer than `least` mm are left out; ends without
-/// a seam between them are joined within `join` mm, the nearest first.
+/// The free edges of a model with these seams. Edges up to `least` mm are left out. Ends without a
+/// seam between them are joined within `join` mm, the nearest first.
 FreeEdges free_edges(const SurfaceModel& model, const BoundaryCurves& curves,
                      std::span<const Seam> seams, double least, double join, const Job& job = {});
 

@@ -20,7 +20,7 @@ Vec3 centroid_of(const std::vector<FreePlace>& outline) {
     return sum / length;
 }
 
-/// At right angles to the outline, as long as what it encloses is large.
+/// Normal of the outline, with the enclosed area as its length.
 Vec3 area_of(const std::vector<FreePlace>& outline, const Vec3& middle) {
     Vec3 area{0};
     for (std::size_t i = 0; i < outline.size(); ++i)
@@ -34,7 +34,7 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Counter-clockwise.
+/// Convex hull, counter-clockwise.
 std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
     std::sort(points.begin(), points.end(),
               [](const Vec2& a, const Vec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
@@ -90,7 +90,7 @@ void add_sides(const BoundaryCurves& curves, const FreeEdges& edges,
 } // namespace
 
 bool HoleForm::is_within_faces() const {
-    constexpr double taper = 0.25; // sine of 14 degrees: so much do tubes narrow towards their rims
+    constexpr double taper = 0.25; // sine of 14 degrees: tubes narrow this much towards their rims
     constexpr double one_side = 0.4, level = 0.9;
     return away - nearer >= taper || (away >= one_side && away >= level * nearer);
 }

@@ -12,7 +12,7 @@
 namespace keiko {
 namespace {
 
-/// Every chord of some free edges, to be searched.
+/// Search structure over every chord of some free edges.
 class Chords {
 public:
     explicit Chords(const FreeEdges& edges) : edges_(edges), tree_(list()) {}

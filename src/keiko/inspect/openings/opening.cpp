@@ -14,7 +14,7 @@
 namespace keiko {
 namespace {
 
-/// Times the join distance: so far is the outline of a hole followed.
+/// Distance to which the outline of a hole is followed, in join distances.
 constexpr double longest_outline = 6 * opening_reach;
 
 /// Radians: corners of cut-outs and of panels have 90 degrees and more.
@@ -48,7 +48,7 @@ private:
     std::optional<Opening> around_hole(const Strand& a, const Strand& b, double reach) const;
     std::optional<Opening> between(const Strand& a, const Strand& b, double reach,
                                    bool in_hole) const;
-    /// Both free edges at equal ways from the end of the seam.
+    /// Places on both free edges at equal distances from the end of the seam.
     struct Across {
         FreePlace a, b;
         double distance() const { return (a.position - b.position).length(); }
@@ -71,7 +71,7 @@ private:
                 .place = (a.position + b.position) / 2};
     }
 
-    /// No opening between the same free edges was found within opening_reach of it.
+    /// True if no opening between the same free edges was found within opening_reach of it.
     bool is_new(const Opening& opening, std::uint32_t a, std::uint32_t b) {
         const Key key = std::minmax(a, b);
         const auto [begin, end] = found_.equal_range(key);
@@ -91,7 +91,7 @@ private:
     std::set<std::uint32_t> holes_;  ///< with an opening, by their lowest edges
 };
 
-/// How far from the end of the seam the edges go on as close as those of a seam.
+/// Distance from the end of the seam along which the edges stay as close as those of a seam.
 double OpeningSearch::touching(const Strand& a, const Strand& b, double reach) const {
     const double step = limits_.gap;
     double way = 0;
@@ -100,9 +100,10 @@ double OpeningSearch::touching(const Strand& a, const Strand& b, double reach) c
     return way;
 }
 
-/// Whether the way across leaves one of the faces and does not go straight into the other, or runs
-/// beside two faces that lie on either side of it, as where one border rises from the other. It
-/// runs beside both on one side at the rim of a tube, and beside one in a notch at a crease.
+/// True if the connection between the edges spans a gap. It then leaves one of the faces and does
+/// not go straight into the other, or runs beside two faces on either side of it, as where one
+/// border rises from the other. At the rim of a tube it runs beside both on one side, and in a
+/// notch at a crease beside one.
 bool OpeningSearch::over_a_gap(const Across& across) const {
     const Vec3 way = across.b.position - across.a.position;
     const Vec3 a = inward(across.a), b = inward(across.b);
@@ -112,13 +113,14 @@ bool OpeningSearch::over_a_gap(const Across& across) const {
     return least <= leaves && most <= enters;
 }
 
-/// Into the face at a free edge, unit; 0 where that is not known.
+/// Unit direction into the face at a free edge; 0 if unknown.
 Vec3 OpeningSearch::inward(const FreePlace& p) const {
     const auto frame = curves_.curve(edges_.all[p.edge].pieces[p.piece]).frame(p.t);
     return frame ? frame->inward : Vec3(0);
 }
 
-/// Nothing where one was found before in the same hole or near by between the same free edges.
+/// Opening from the end of a seam; nullopt if one was found before in the same hole or near by
+/// between the same free edges.
 std::optional<Opening> OpeningSearch::from_end_of_seam(FreeEnd start_a, FreeEnd start_b) {
     const double most = opening_reach * limits_.join;
     const double follow = longest_outline * limits_.join;
@@ -132,7 +134,7 @@ std::optional<Opening> OpeningSearch::from_end_of_seam(FreeEnd start_a, FreeEnd 
     return found;
 }
 
-/// The opening that is a hole; `a` leads around it one way and `b` the other.
+/// The opening that is a hole; `a` leads around it in one direction and `b` in the other.
 std::optional<Opening> OpeningSearch::around_hole(const Strand& a, const Strand& b,
                                                   double reach) const {
     const std::optional<HoleForm> form = hole_form(curves_, edges_, a);
@@ -149,7 +151,7 @@ std::optional<Opening> OpeningSearch::around_hole(const Strand& a, const Strand&
     return found;
 }
 
-/// `in_hole`: what lies between them is known to be no material.
+/// Opening between two strands. `in_hole`: the area between them is known to be no material.
 std::optional<Opening> OpeningSearch::between(const Strand& a, const Strand& b, double reach,
                                               bool in_hole) const {
     const double from = touching(a, b, reach);
@@ -172,7 +174,7 @@ std::optional<Opening> OpeningSearch::between(const Strand& a, const Strand& b, 
     return found;
 }
 
-/// The largest of the ways from either side to the nearest place of the other.
+/// The largest of the distances from either side to the nearest place of the other.
 std::optional<OpeningSearch::Across> OpeningSearch::widest(const std::vector<Across>& over,
                                                            const Strand& a, const Strand& b) const {
     if (over.empty()) return std::nullopt;

@@ -6,14 +6,15 @@
 
 namespace keiko {
 
-/// The way along free edges from the end of a seam.
+/// The path along free edges from the end of a seam.
 class Strand {
 public:
-    /// From `start` until an edge ends without a next one, to `reach` mm or to the end `back`.
+    /// The path from `start` to an edge's end without a next one, to `reach` mm or to the end
+    /// `back`.
     Strand(const FreeEdges& edges, FreeEnd start, FreeEnd back, double reach);
 
     double length() const { return length_; }
-    /// It leads around a hole.
+    /// True if it leads around a hole.
     bool closed() const { return closed_; }
     /// The lowest number of its free edges.
     std::uint32_t lowest_edge() const;
@@ -21,7 +22,7 @@ public:
     double deviation() const;
 
     FreePlace at(double way) const;
-    /// The corners of its polyline up to a way, and the place there.
+    /// The corners of its polyline up to a length, and the place there.
     std::vector<FreePlace> places(double until) const;
 
 private:

@@ -7,12 +7,12 @@
 
 namespace keiko {
 
-/// Numbered samples of free edges: the corners of their polylines, and evenly spaced places between
-/// them. Numbers rise by 1 along each edge.
+/// Numbered samples of free edges: the corners of their polylines, and uniformly spaced places
+/// between them. Numbers rise by 1 along each edge.
 class EdgeSamples {
 public:
-    /// A chord of an edge's polyline with `steps` + 1 samples, of which the last one is the first
-    /// of the next chord. Numbers are those of its samples.
+    /// A chord of an edge's polyline with `steps` + 1 samples; its last one is the first of the
+    /// next chord. Numbers are those of its samples.
     struct Chord {
         std::uint32_t edge = 0, place = 0; ///< into FreeEdges::all and FreeEdge::places
         std::uint32_t first = 0, steps = 1;
@@ -21,7 +21,7 @@ public:
         Vec3 at(std::uint32_t step) const { return from + (to - from) * (double(step) / steps); }
     };
 
-    /// No two neighbours are farther apart than `step` mm. Looks into `edges`.
+    /// Samples at most `step` mm apart along each edge. Keeps a reference to `edges`.
     EdgeSamples(const FreeEdges& edges, double step);
 
     const FreeEdges& edges() const { return edges_; }

@@ -53,7 +53,7 @@ private:
         if (!chords.empty()) search(unit_square, chords, 0);
     }
 
-    /// The piece over `box` of the patch, for those of the chords that come near it.
+    /// Searches the piece over `box` of the patch for the chords that come near it.
     void search(const Box2& box, const Chords& among, int depth) {
         const std::vector<Vec4> points = subpatch(view_, box);
         const BezierPatchView piece{view_.degree_u, view_.degree_v, points};
@@ -102,7 +102,7 @@ private:
         }
     }
 
-    /// The nearest candidate of each sample, where that is inside.
+    /// The nearest candidate of each sample, if it is inside.
     std::vector<FaceApproach> nearest_inside() {
         std::stable_sort(found_.begin(), found_.end(), [](const Candidate& a, const Candidate& b) {
             const FaceApproach &x = a.approach, &y = b.approach;

@@ -16,8 +16,8 @@ struct FaceApproach {
     bool along = false; ///< the edge runs with the face there: within `parallel_borders` of it
 };
 
-/// What comes within `join` mm of a placed face, farther than that from its borders: samples of the
-/// edges of other faces, ascending. The natural sides of a face without loops are borders too.
+/// Samples of the edges of other faces, ascending, that come within `join` mm of a placed face,
+/// farther than that from its borders. The natural sides of a face without loops are borders too.
 std::vector<FaceApproach> approaches_to(const SurfaceModel& model, const PlacedFace& face,
                                         const EdgeSamples& samples, double join);
 

@@ -6,14 +6,15 @@
 
 namespace keiko {
 
-/// What of a face's material lies farther from all of its borders than a margin. Looks into the
-/// model and the face.
+/// The material of a face that lies farther from all of its borders than a margin. Keeps references
+/// to the model and the face.
 class FaceInside {
 public:
     /// `margin` in mm.
     FaceInside(const SurfaceModel& model, const Face& face, double margin);
 
-    /// Where a box of a patch's parameters lies to the trims; inside for a face without loops.
+    /// Position of a box of a patch's parameters relative to the trims; inside for a face without
+    /// loops.
     TrimSide side(std::uint32_t patch, const Box2& uv);
     /// `s`: the placed derivatives there by the patch's parameters, mm, of first order or more.
     bool is_inside(std::uint32_t patch, const Vec2& uv, const SurfaceDerivatives& s);
@@ -25,7 +26,7 @@ private:
     const SurfaceModel& model_;
     const Face& face_;
     double margin_;
-    std::optional<TrimRegion> trims_; ///< made when first asked for
+    std::optional<TrimRegion> trims_; ///< made on first use
     Box2 domain_;                     ///< face parameters of all patches
 };
 

@@ -13,9 +13,9 @@
 namespace keiko {
 namespace {
 
-/// Degrees between a face and one that it stands on, or more.
+/// Least angle, degrees, between a face and one that it stands on.
 constexpr double tee_angle = 30;
-/// Times the join distance, between parts of one run.
+/// Largest break between parts of one run, in join distances.
 constexpr double longest_break = 4;
 
 using Approaches = std::span<const FaceApproach>;
@@ -24,7 +24,7 @@ double sample_step(const OverlapLimits& limits) {
     return std::min(limits.join / 4, limits.negligible);
 }
 
-/// Parts of what comes near one face that are one run each.
+/// Groups approaches to one face by run.
 std::vector<Approaches> runs_of(Approaches all, const EdgeSamples& samples, double join) {
     std::vector<Approaches> runs;
     std::size_t begin = 0;
@@ -40,7 +40,7 @@ std::vector<Approaches> runs_of(Approaches all, const EdgeSamples& samples, doub
     return runs;
 }
 
-/// Of the places of one run along the face.
+/// Extent of one run along the face.
 struct Extent {
     double length = 0, bound = 0, distance = 0; ///< mm
 };
@@ -72,7 +72,7 @@ public:
                   const OverlapLimits& limits)
         : curves_(curves), samples_(samples), limits_(limits), borders_(curves) {}
 
-    /// What the samples near the face `on` make.
+    /// The overlaps that the samples near the face `on` form.
     std::vector<Overlap> overlaps(const PlacedFace& on, Approaches near) const {
         std::vector<Overlap> found;
         std::vector<CurvePolyline> borders;
@@ -118,7 +118,7 @@ private:
                                  });
     }
 
-    /// Of what runs along the face; `depth`: its distance to the borders.
+    /// The deepest approach of a run along the face; `depth`: its distance to the borders.
     static const FaceApproach& deepest_of(Approaches run, const std::vector<CurvePolyline>& borders,
                                           double& depth) {
         constexpr std::size_t most_tried = 64;

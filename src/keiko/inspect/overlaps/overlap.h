@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// A run of a free edge on the inside of another face, which may be a fault or meant.
+/// A run of a free edge on the inside of another face, which may be a fault or intended.
 struct Overlap {
     enum class Kind {
         lap,     ///< the two faces lie on each other
@@ -26,17 +26,17 @@ struct Overlap {
     Vec3 place{0};                     ///< world, mm: where the run is deepest
 };
 
-/// What counts as an overlap.
+/// Limits beyond which a run counts as an overlap.
 struct OverlapLimits {
     double join = 0.5;       ///< mm, within which borders are paired
     double negligible = 0.1; ///< mm, the shortest run that counts
 };
 
-/// The overlaps of a model with these free edges, in the order of the edges. A run is what of an
-/// edge comes within the join distance of the inside of another face, farther than that from its
-/// borders, and runs within `parallel_borders` of it. Parts of a run are at most four join
-/// distances apart. What passes through the other face, from half the join distance on one side to
-/// as much on the other, is a crossing whatever its length.
+/// The overlaps of a model with these free edges, in the order of the edges. A run is the part of
+/// an edge that comes within the join distance of the inside of another face, farther than that
+/// from its borders, and runs within `parallel_borders` of it. Parts of a run are at most four join
+/// distances apart. A run through the other face, from half the join distance on one side to as
+/// much on the other, is a crossing whatever its length.
 std::vector<Overlap> find_overlaps(const SurfaceModel& model, const BoundaryCurves& curves,
                                    const FreeEdges& edges, const OverlapLimits& limits,
                                    const Job& job = {});

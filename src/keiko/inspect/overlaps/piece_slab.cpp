@@ -9,7 +9,7 @@ Vec3 euclidean(const Vec4& p) {
     return Vec3(p.x, p.y, p.z) / p.w;
 }
 
-/// Cuts an interval of s down to where low <= from + s * slope <= high.
+/// Restricts an interval of s to low <= from + s * slope <= high.
 void cut(ParameterInterval& part, double from, double slope, double low, double high) {
     if (slope == 0) {
         if (!(low <= from && from <= high)) part = {1, 0};

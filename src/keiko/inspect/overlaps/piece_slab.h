@@ -7,8 +7,8 @@
 
 namespace keiko {
 
-/// What is within a distance of a piece of surface, or little more: its box, and between two planes
-/// square to its mean normal, where it has one.
+/// Bounds of the points within a distance of a piece of surface: its box, and, if it has a mean
+/// normal, two planes square to that.
 class PieceSlab {
 public:
     /// `reach` in mm.
@@ -16,11 +16,11 @@ public:
 
     /// mm: the diagonal of the piece's box.
     double size() const { return size_; }
-    /// mm between the planes that hold the piece; its size where it has no mean normal.
+    /// mm between the planes that hold the piece; its size if it has no mean normal.
     double thickness() const { return thickness_; }
     /// The axis along which the piece is longer, 0 or 1.
     unsigned longer_side() const { return longer_side_; }
-    /// The part of a segment, from 0 to 1, that is within the slab.
+    /// The part of a segment, from 0 to 1, that is within the slab; nullopt if there is none.
     std::optional<ParameterInterval> clip(const Vec3& from, const Vec3& to) const;
 
 private:

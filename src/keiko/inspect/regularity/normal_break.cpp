@@ -18,7 +18,7 @@ Vec2 clamped(const Vec2& uv) {
     return {std::clamp(uv.x, 0.0, 1.0), std::clamp(uv.y, 0.0, 1.0)};
 }
 
-/// Where in a box around a place, and the patch, the field is least.
+/// The place in a box around a place, and in the patch, at which the field is least.
 Vec2 least_normal(const NormalPatch& patch, const Box2& box) {
     constexpr int rounds = 12, half = 2;
     Vec2 best = box.center(), step = box.extent() / (2 * half);
@@ -54,7 +54,7 @@ std::vector<Normal> ring(const NormalPatch& patch, const Vec2& middle, const Vec
     return normals;
 }
 
-/// Degrees.
+/// Largest angle between neighbouring normals, degrees.
 double largest_turn(const std::vector<Normal>& normals) {
     double most = 0;
     for (const Normal& a : normals)
@@ -62,7 +62,7 @@ double largest_turn(const std::vector<Normal>& normals) {
     return most;
 }
 
-/// mm, by way of three places in between.
+/// Distance on the surface by way of three places in between, mm.
 double way_along(const NormalPatch& patch, const Vec2& a, const Vec2& b) {
     double way = 0;
     constexpr int steps = 4;

@@ -56,7 +56,7 @@ std::optional<std::array<Vec2, 2>> NormalCell::turned_corners() const {
     return std::nullopt;
 }
 
-/// Radians, from side to side.
+/// Turn of the normals from side to side, radians.
 double NormalCell::turn(bool by_u) const {
     double most = 0;
     for (int k = 0; k <= last(!by_u); ++k) {

@@ -13,13 +13,13 @@ public:
     const Box2& uv() const { return box_.uv(); }
     /// mm, not less than the part's diameter.
     double size() const;
-    /// Whether all of its normals are proved to be within 90 degrees of one direction: it is
+    /// True if all of its normals are proved to be within 90 degrees of one direction: it is
     /// regular and does not turn over.
     bool is_regular() const;
-    /// Two corners whose normals differ by more than 90 degrees, by the patch's parameters.
+    /// Two corners whose normals differ by more than 90 degrees, in the patch's parameters.
     std::optional<std::array<Vec2, 2>> turned_corners() const;
-    /// Cut across u or v. It is cut where its normals turn more, until that side is no longer than
-    /// `negligible` mm; a `turned` cell at its longer side.
+    /// Halves across u or v. The cell is cut where its normals turn more, until that side is at
+    /// most `negligible` mm long; a `turned` cell at its longer side.
     std::array<NormalCell, 2> halves(bool turned, double negligible) const;
 
 private:

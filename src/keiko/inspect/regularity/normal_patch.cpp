@@ -3,7 +3,7 @@
 namespace keiko {
 namespace {
 
-/// Of the control points of a side of a patch.
+/// Box of the control points of a side of a patch.
 Box3 side_box(const BezierPatchView& patch, bool by_u, bool upper) {
     Box3 box;
     const int last = by_u ? patch.degree_v : patch.degree_u;
@@ -35,7 +35,7 @@ Vec3 NormalPatch::position(const Vec2& uv) const {
 }
 
 std::optional<Vec3> NormalPatch::normal(const Vec2& uv) const {
-    constexpr double clearly = 100; // times what rounding makes of it
+    constexpr double clearly = 100; // times its rounding error
     const Vec3 n = value_at(field_, uv);
     const double rounding = field_[0].rounding() + field_[1].rounding() + field_[2].rounding();
     if (!(n.length() > clearly * rounding)) return std::nullopt;

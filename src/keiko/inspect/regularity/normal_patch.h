@@ -11,7 +11,7 @@ namespace keiko {
 /// The normals of a placed patch of a face.
 class NormalPatch {
 public:
-    /// `negligible` in mm: a side no longer than that is a point.
+    /// `negligible` in mm: a side up to this length is a point.
     NormalPatch(const SurfaceModel& model, std::uint32_t patch, const Affine& placed,
                 double negligible);
 
@@ -22,8 +22,8 @@ public:
     const FieldTriple& field() const { return field_; }
     /// World, mm.
     Vec3 position(const Vec2& uv) const;
-    /// Unit normal along du x dv, its limit at collapsed sides; nothing where it is 0 as far as
-    /// rounding lets tell.
+    /// Unit normal along du x dv, its limit at collapsed sides; nullopt if it is 0 to within
+    /// rounding.
     std::optional<Vec3> normal(const Vec2& uv) const;
     /// The sides that are points: world, mm.
     const std::vector<Vec3>& tips() const { return tips_; }

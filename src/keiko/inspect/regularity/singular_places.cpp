@@ -65,7 +65,8 @@ private:
         return *trims_;
     }
 
-    /// Most parts are regular after few cuts, before trims matter.
+    /// True if a part is outside of the trims. Most parts are regular after few cuts, before trims
+    /// matter.
     bool is_outside(const Part& part) {
         constexpr int soon = 6;
         if (part.depth < soon || face_.loop_count == 0) return false;
@@ -82,7 +83,7 @@ private:
         };
     }
 
-    /// Whether nothing is left to be found in a part by cutting it.
+    /// True if further cuts of a part would find nothing.
     bool is_judged(const Part& part) {
         const double size = part.cell.size();
         if (size > coarse_) return false;

@@ -11,7 +11,7 @@ struct SingularPlace {
     enum class Kind {
         fold,      ///< the normal turns over: the face folds back on itself
         no_limit,  ///< the normals about it have no limit: a kink that ends, or a tip
-        unresolved ///< not shown to be regular within the bound on work
+        unresolved ///< not proved regular within the bound on work
     };
     Kind kind = Kind::no_limit;
     double angle = 0;  ///< degrees: between two normals at the place; 180 of a fold
@@ -19,19 +19,18 @@ struct SingularPlace {
     Vec3 place{0};     ///< world, mm: where the angle is largest
 };
 
-/// When places count.
+/// Thresholds from which places count.
 struct SingularLimits {
-    double negligible = 0.1; ///< mm: nothing smaller is told from a regular place
-    double angle = 0.1;      ///< degrees: normals no farther apart count as one
+    double negligible = 0.1; ///< mm: smaller features cannot be distinguished from a regular place
+    double angle = 0.1;      ///< degrees: normals within this angle count as one
 };
 
 /// The places of a placed face, within its trims, at which it is not regular: one of each kind, the
-/// largest angle first.
-/// Each of its patches is cut until each part is proved regular: the Bernstein coefficients of
-/// S_u x S_v lie all on one side of a plane. Sides along which S_u x S_v is 0 are divided out. A
-/// part no larger than the negligible length that is not proved is judged by the normals around
-/// it. Sides of patches that are points, as at poles and the tips of cones, have no such places
-/// within three times that length. `most_cuts` bounds the work.
+/// largest angle first. Each of its patches is cut until each part is proved regular: the Bernstein
+/// coefficients of S_u x S_v lie all on one side of a plane. Sides along which S_u x S_v is 0 are
+/// divided out. An unproved part up to the negligible length is judged by the normals around it.
+/// Sides of patches that are points, as at poles and the tips of cones, have no such places within
+/// three times that length. `most_cuts` bounds the work.
 std::vector<SingularPlace> singular_places(const SurfaceModel& model, std::uint32_t instance,
                                            std::uint32_t face, const SingularLimits& limits,
                                            std::size_t most_cuts = 20000);

@@ -12,9 +12,9 @@ namespace {
 
 /// Share of a patch's width at which the search for a distance from a line starts.
 constexpr double first_step = 1e-6;
-/// Degrees: what rounding and the rates of curvatures leave of a window's turn is far less.
+/// Degrees: larger than the turn of a window that rounding and the errors of curvature rates cause.
 constexpr double least_turn = 1e-3;
-/// Degrees: the same of sides close together.
+/// Degrees: larger than the turn between sides close together that rounding causes.
 constexpr double least_limit = 1e-4;
 
 class Bends {
@@ -60,7 +60,7 @@ private:
             bends_.push_back({close, apart.is_bend() ? apart : close});
     }
 
-    /// Of bends within each other's windows the one whose sides are nearest.
+    /// The bend with the nearest sides among bends within each other's windows.
     std::vector<KnotPiece> sharpest() {
         const auto nearer = [](const Bend& a, const Bend& b) {
             return a.piece.high - a.piece.low < b.piece.high - b.piece.low;
@@ -75,8 +75,8 @@ private:
         return kept;
     }
 
-    /// Whether the normal turns clearly more between the sides than in the limit, and no less
-    /// within the window than their curvatures would make it turn there besides.
+    /// True if the normal turns clearly more between the sides than in the limit. Within the window
+    /// it must not turn less than the sides' curvatures would additionally make it turn.
     bool is_tight(const KnotPiece& apart, double limit) const {
         constexpr double clearly = 1.01;
         const std::vector<SeamPoint> points = places(apart);
@@ -114,7 +114,7 @@ private:
         return std::any_of(points.begin(), points.end(), breaks_at);
     }
 
-    /// The line with its sides `distance` mm away, itself where the face ends before.
+    /// The line with its sides `distance` mm away, or at the line itself if the face ends before.
     KnotPiece between(KnotPiece line, double distance, double width) const {
         const Box2 domain = face_.domain();
         const double begin = line.constant_u ? domain.lower.x : domain.lower.y;
@@ -126,7 +126,7 @@ private:
     }
 
     /// The parameter beside a line whose farthest tested place is `distance` mm away from it, to a
-    /// thousandth of the parameter; nothing where there is none within `most`. The search starts at
+    /// thousandth of the parameter; nullopt if there is none within `most`. The search starts at
     /// `width`.
     std::optional<double> parameter_at(const KnotPiece& line, double distance, double width,
                                        double most) const {
@@ -157,7 +157,7 @@ private:
         return most;
     }
 
-    /// A pole has no sides.
+    /// True if a line is a point, as at a pole, and has no sides.
     bool is_point(const KnotPiece& line) const {
         const auto place = [&](double t) {
             return face_.point(line.point(line.at, line.begin + t * (line.end - line.begin)));

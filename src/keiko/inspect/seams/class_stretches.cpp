@@ -43,11 +43,11 @@ private:
     std::span<const SeamProbe> probes_;
     const StretchLimits& limits_;
     std::vector<SeamPart> parts_;
-    /// Of creases that fade, by piece and parameter of the crease's begin.
+    /// Fading of creases that fade out, by piece and parameter of the crease's begin.
     std::map<std::pair<std::uint32_t, double>, MeasuredValue> fading_;
 };
 
-/// Indices of parts of one class that go on into each other, by their first.
+/// Groups of connected parts of one class: their indices, by their first.
 std::vector<std::vector<std::size_t>> StretchMaker::groups() const {
     const double reach = std::max(limits_.join, limits_.negligible);
     std::vector<std::array<SeamEnd, 2>> ends;
@@ -96,7 +96,7 @@ void StretchMaker::add_run_outs() {
 
 void StretchMaker::add_run_out(std::size_t crease, bool forward, double longest) {
     const std::optional<RunOut> found = follow_run_out(probes_, parts_, crease, forward, limits_);
-    // What is mostly run-out is no feature line but a fault that its peak would excuse.
+    // A seam that is mostly run-out is no feature line but a fault that its peak would excuse.
     if (!found || found->length() > longest) return;
     const auto [fading, is_first] =
         fading_.try_emplace({parts_[crease].piece, parts_[crease].begin.t}, found->step);

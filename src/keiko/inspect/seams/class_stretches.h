@@ -8,18 +8,19 @@
 
 namespace keiko {
 
-/// A maximal part of a seam that is all of one class; of one or more pieces of the seam.
+/// A maximal part of a seam that is all of one class; it consists of one or more pieces of the
+/// seam.
 struct SeamStretch {
     SeamClass kind = SeamClass::smooth;
     std::vector<SeamPart> parts; ///< in the order of the seam's pieces
     double length = 0;           ///< mm
-    bool scrap = false;          ///< shorter than what the limits call negligible
-    bool unknown = false;        ///< a side has no normal for more than is negligible
-    /// Of a crease that fades out: the worst step of its angle's slope, degrees/mm.
+    bool scrap = false;          ///< shorter than the negligible length of the limits
+    bool unknown = false;        ///< a side has no normal for more than the negligible length
+    /// Worst step of the angle's slope of a crease that fades out, degrees/mm.
     std::optional<MeasuredValue> fading;
 };
 
-/// The worse of two: by verdict, then by the largest value that it may have.
+/// The worse of two values: by verdict, then by the largest possible value.
 const MeasuredValue& worse_of(const MeasuredValue& a, const MeasuredValue& b);
 
 /// Cuts the pieces of a seam into stretches, by their first parts. The smooth part beside a crease

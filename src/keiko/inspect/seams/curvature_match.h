@@ -8,9 +8,9 @@
 
 namespace keiko {
 
-/// Mismatch of two signed curvatures k1, k2 in 1/mm, as a share of 1. The curvatures that the
-/// change is compared with count as no less than 1 / `flat_radius` (mm): what is flatter is as good
-/// as flat, after flat_curvature_radius_tolerance of g2_discontinuity_between_adjacent_faces in ISO
+/// Mismatch of two signed curvatures k1, k2 in 1/mm, as a share of 1. The curvatures to which the
+/// change is compared count as at least 1 / `flat_radius` (mm): flatter ones are practically flat.
+/// This follows flat_curvature_radius_tolerance of g2_discontinuity_between_adjacent_faces in ISO
 /// 10303-59. The mismatch is continuous in both curvatures.
 inline double curvature_mismatch(CurvatureFormula formula, double k1, double k2,
                                  double flat_radius) {
@@ -22,7 +22,7 @@ inline double curvature_mismatch(CurvatureFormula formula, double k1, double k2,
     return base > 0 ? change / base : 0;
 }
 
-/// The formula as it is printed beside its value.
+/// The formula as printed beside its value.
 constexpr std::string_view formula_text(CurvatureFormula formula) {
     return formula == CurvatureFormula::alias ? "|R1-R2|/(R1+R2)" : "|C1-C2|/max(|C1|,|C2|)";
 }

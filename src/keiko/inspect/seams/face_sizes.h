@@ -8,13 +8,13 @@
 
 namespace keiko {
 
-/// How large placed faces are: mm, the diagonal of the box of five places on each of a face's
-/// border curves. It depends on nothing but the face.
+/// Sizes of placed faces: mm, the diagonal of the box of five places on each of a face's border
+/// curves. A size depends on the face alone.
 class FaceSizes {
 public:
     explicit FaceSizes(const BoundaryCurves& curves);
 
-    /// 0 of a face without borders.
+    /// Size of a placed face; 0 if it has no borders.
     double of(std::uint32_t instance, std::uint32_t face) const;
 
 private:

@@ -7,11 +7,11 @@
 namespace keiko {
 namespace {
 
-/// Share of a piece: what rounding makes of crossings at one place is shorter.
+/// Share of a piece that is longer than rounding makes the distance of crossings at one place.
 constexpr double sliver = 1e-12;
 
-/// Parameters along a piece, from its begin to its end, between which both of its sides are each
-/// either in the material or out of it.
+/// Parameters along a piece, from its begin to its end, between which each of its sides is either
+/// in the material or out of it.
 std::vector<double> cuts_of(const KnotPiece& piece, const TrimRegion& region) {
     std::vector<double> cuts{piece.begin, piece.end};
     for (const double line : {piece.low, piece.high})
@@ -50,7 +50,7 @@ std::vector<KnotPiece> trimmed(const SurfaceModel& model, const Face& face,
     return kept;
 }
 
-/// Bends of one line are found in patch after patch, each with a rounding of its own.
+/// Aligns the bends of one line, which are found in patch after patch, each with its own rounding.
 void align(std::vector<KnotPiece>& pieces) {
     const auto rises = [](const KnotPiece& a, const KnotPiece& b) { return a.order() < b.order(); };
     std::sort(pieces.begin(), pieces.end(), rises);

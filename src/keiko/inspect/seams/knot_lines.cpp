@@ -55,7 +55,7 @@ private:
                                       const CriteriaPreset& preset,
                                       const StretchLimits& limits) const;
 
-    /// The bends that are narrower than a window, mm of the face as it is not placed.
+    /// The bends that are narrower than a window, mm of the unplaced face.
     struct WindowBends {
         double window = 0;
         std::vector<KnotLine> lines;
@@ -68,7 +68,7 @@ private:
     std::vector<WindowBends> searched_;
 };
 
-/// Each window is searched once, for all instances that have it.
+/// The bends within a window. Each window is searched once, for all instances that have it.
 const std::vector<KnotLine>& FaceKnots::bends_within(double window) {
     constexpr double rounding = 1e-9; // share, of the scales of turned instances
     const auto is_same = [&](const WindowBends& bends) {
@@ -80,7 +80,7 @@ const std::vector<KnotLine>& FaceKnots::bends_within(double window) {
     return searched_.back().lines;
 }
 
-/// The bends of the face, without those at which it is torn.
+/// The bends of the face, except those at which it is torn.
 std::vector<KnotPiece> FaceKnots::untorn_bends(double window) const {
     std::vector<KnotPiece> bends = bend_pieces(face_, window);
     for (const KnotPiece& knot : knots_.torn)

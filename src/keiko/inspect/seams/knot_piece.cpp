@@ -23,7 +23,7 @@ SeamProbe KnottedFace::probe(const KnotPiece& piece, const Affine& placed,
 
 bool breaks_at(const SeamPoint& p) {
     constexpr double gap = 1e-4, angle = 1e-4, share = 1e-3, change = 2e-7;
-    constexpr double unlimited_radius = HUGE_VAL; // mm: `change` tells apart what is flat
+    constexpr double unlimited_radius = HUGE_VAL; // mm: `change` identifies flat sides
     if (p.gap > gap) return true;
     if (!p.angle) return false;
     return *p.angle > angle || (std::abs(p.curvature_a - p.curvature_b) > change &&

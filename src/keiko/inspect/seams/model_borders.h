@@ -5,8 +5,8 @@
 namespace keiko {
 
 /// The border curves of a model and the sizes of its placed faces: made once, for everything that
-/// asks for seams and free edges. A model converts to it where one thing alone is asked. Looks
-/// into the model it was made from.
+/// needs seams and free edges. A model converts to it for a single query. Keeps a reference to the
+/// model.
 struct ModelBorders {
     ModelBorders(const SurfaceModel& of) : model(of), curves(of), sizes(curves) {}
 

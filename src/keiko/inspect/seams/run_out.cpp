@@ -10,17 +10,17 @@
 namespace keiko {
 namespace {
 
-/// In negligible lengths: the window over which mean slopes are taken, and the samples' distance.
+/// Window over which mean slopes are taken, and the samples' distance, in negligible lengths.
 constexpr double window_width = 2, sample_step = 1;
-/// In negligible lengths: a corner is where the line turns by seam_corner within this.
+/// Length within which the line turns by seam_corner at a corner, in negligible lengths.
 constexpr double corner_length = 4;
 
-/// The angle at one place of the way out of a crease.
+/// The angle at one place of the path out of a crease.
 struct FadeSample {
-    double along = 0; ///< mm, from where the crease ends; negative inside it
+    double along = 0; ///< mm, from the end of the crease; negative inside it
     double angle = 0; ///< degrees, signed
     Vec3 place{0};
-    Vec3 run{0};        ///< the way out, of any length
+    Vec3 run{0};        ///< direction of the path out, of any length
     bool joint = false; ///< a patch or a part ends here: the slope may have a step
 };
 
@@ -28,8 +28,8 @@ const SeamPoint& point_at(const SeamPart& part, bool last) {
     return last ? part.end : part.begin;
 }
 
-/// The mean slope between a sample and the first one at least `width` mm away from it, and how far
-/// away that is.
+/// The mean slope between a sample and the first one at least `width` mm away from it, and their
+/// distance.
 struct MeanSlope {
     double slope = 0, width = 0;
 };
@@ -44,20 +44,20 @@ MeanSlope mean_slope(std::span<const FadeSample> samples, std::size_t i, double 
     return {(samples[k].angle - samples[i].angle) / run, std::abs(run)};
 }
 
-/// A slope, and how far it may deviate.
+/// A slope, and its largest possible error.
 struct BoundedSlope {
     double slope = 0, bound = 0;
 };
 
-/// Mean slopes deviate in proportion to their widths, so that two of them give the slope itself but
-/// for the third derivative.
+/// The slope extrapolated from two mean slopes, which deviate in proportion to their widths; the
+/// third derivative remains as error.
 double extrapolated(const MeanSlope& narrow, const MeanSlope& wide) {
     if (!(wide.width > narrow.width)) return narrow.slope;
     return (narrow.slope * wide.width - wide.slope * narrow.width) / (wide.width - narrow.width);
 }
 
-/// The slope on one side of a sample. What the third derivative leaves is in proportion to the
-/// product of the two widths, and so follows from what twice the widths give.
+/// The slope on one side of a sample. The error by the third derivative is proportional to the
+/// product of the two widths, and is estimated by the slopes of twice the widths.
 BoundedSlope slope_beside(std::span<const FadeSample> samples, std::size_t i, double width,
                           bool after) {
     const MeanSlope half = mean_slope(samples, i, width / 2, after);
@@ -69,7 +69,7 @@ BoundedSlope slope_beside(std::span<const FadeSample> samples, std::size_t i, do
     return {slope, wider ? change * half.width / (twice.width - half.width) : change};
 }
 
-/// The parameters at which a part is sampled from one end to the other, and which are joints.
+/// Parameters at which a part is sampled from one end to the other, and which of them are joints.
 struct SampleStep {
     double t = 0;
     bool joint = false;
@@ -123,24 +123,25 @@ public:
     }
 
 private:
-    /// A part, and whether it is entered where side a begins.
+    /// A part, and whether it is entered at the begin of side a.
     struct Entry {
         std::size_t part = 0;
         bool forward = true;
     };
 
-    /// What lies in the way for less than counts.
+    /// True if a part on the path is shorter than counts.
     bool is_scrap(const SeamPart& part) const {
         return part.kind != SeamClass::smooth && part.length < limits_.negligible;
     }
-    /// The direction of the way out at parameter t of a part that is gone through forward or not.
+    /// Direction of the path out at parameter t of a part that is traversed forward or backward.
     Vec3 way_out(const SeamPart& part, double t, bool forward) const {
         const Vec3 run = probes_[part.piece].run(t);
         return forward ? run : -run;
     }
     double step() const { return sample_step * limits_.negligible; }
     double window() const { return window_width * limits_.negligible; }
-    /// Sampled so far beyond where the angle stops falling that its slope's step there is known.
+    /// True if samples reach far enough beyond the minimum of the angle for its slope's step there
+    /// to be known.
     bool is_done() const { return faded_ && samples_.back().along > lowest_at_ + 4 * window(); }
 
     std::optional<Entry> neighbour(std::size_t part, bool forward) const;
@@ -167,8 +168,8 @@ private:
     RunOut result_;
 };
 
-/// The part that goes on from the end of another: the next one of its piece, or the nearest one of
-/// another piece.
+/// The part that continues from the end of another: the next one of its piece, or the nearest one
+/// of another piece.
 std::optional<FadeWalk::Entry> FadeWalk::neighbour(std::size_t part, bool forward) const {
     std::size_t beside = part;
     do {
@@ -187,7 +188,7 @@ std::optional<FadeWalk::Entry> FadeWalk::neighbour(std::size_t part, bool forwar
             if (used_[i] || is_scrap(parts_[i])) continue;
             const SeamEnd end = end_of(probes_[parts_[i].piece], parts_[i], !from_begin);
             const double apart = (end.place - exit.place).length();
-            // A piece that is closed goes on at its other end.
+            // A closed piece continues at its other end.
             if (parts_[i].piece == parts_[part].piece && apart > class_change_bound) continue;
             if (apart < least && goes_on(exit, end, reach))
                 least = apart, nearest = Entry{i, from_begin};
@@ -195,8 +196,8 @@ std::optional<FadeWalk::Entry> FadeWalk::neighbour(std::size_t part, bool forwar
     return nearest;
 }
 
-/// Samples of the crease before its end, over as many of its parts as it takes, in the order of the
-/// way out.
+/// Samples of the crease before its end, over as many of its parts as necessary, in the order of
+/// the path out.
 void FadeWalk::sample_crease(std::size_t crease, bool forward) {
     const SeamPart& part = parts_[crease];
     const SeamPoint& out = point_at(part, forward);
@@ -211,7 +212,7 @@ void FadeWalk::sample_crease(std::size_t crease, bool forward) {
     std::reverse(samples_.begin(), samples_.end());
 }
 
-/// Samples one part of the crease, entered `along` mm before its end; returns how far it came.
+/// Samples one part of the crease, entered `along` mm before its end; returns the distance reached.
 double FadeWalk::sample_back(const Entry& entry, double along) {
     const SeamPart& part = parts_[entry.part];
     const SeamProbe& probe = probes_[part.piece];
@@ -228,7 +229,7 @@ double FadeWalk::sample_back(const Entry& entry, double along) {
     return along;
 }
 
-/// Goes through one smooth part. Returns false where the angle does not fade.
+/// Traverses one smooth part. Returns false if the angle does not fade.
 bool FadeWalk::follow(const Entry& entry) {
     const SeamPart& part = parts_[entry.part];
     const SeamProbe& probe = probes_[part.piece];
@@ -252,7 +253,7 @@ bool FadeWalk::follow(const Entry& entry) {
     return true;
 }
 
-/// Whether the line has turned a corner on its way to `along` mm.
+/// True if the line has turned a corner on its way to `along` mm.
 bool FadeWalk::turns_corner(double along, const Vec3& way) const {
     const double least = along - corner_length * limits_.negligible;
     for (std::size_t i = samples_.size(); i > 0 && samples_[i - 1].along >= least; --i)
@@ -260,7 +261,7 @@ bool FadeWalk::turns_corner(double along, const Vec3& way) const {
     return false;
 }
 
-/// Adds a sample. Returns false where the angle rises again or takes too long to fade.
+/// Adds a sample. Returns false if the angle rises again or takes too long to fade.
 bool FadeWalk::note(double along, const SeamPoint& to, const Vec3& way, bool joint) {
     along_ = along;
     if (!to.angle) return true;
@@ -285,7 +286,7 @@ SeamPoint FadeWalk::faded_between(const Entry& entry, SeamPoint over, SeamPoint 
     return under;
 }
 
-/// The run-out takes up a part from where it is entered to `until`.
+/// Adds a part to the run-out, from its entry to `until`.
 void FadeWalk::take(const Entry& entry, const SeamPoint& until) {
     const SeamPart& part = parts_[entry.part];
     SeamPart taken = part, left = part;

@@ -10,7 +10,7 @@ namespace keiko {
 
 /// The end of a crease, along which its angle fades from the feature angle to the angle's limit.
 struct RunOut {
-    /// The parts that it takes up, and what it leaves of the last one; by index into the parts.
+    /// The parts that it occupies, and the remainder of the last one; by index into the parts.
     struct Piece {
         std::size_t part = 0;
         SeamPart taken;
@@ -29,12 +29,13 @@ struct RunOut {
 
 /// Follows the angle from one end of a crease through the smooth parts beyond it. `parts` are all
 /// parts of the seam, `crease` the index of one; `forward` names its end in the order of side a.
-/// Returns nullopt where no smooth part goes on, or where the angle does not fade: where it rises
-/// by more than its limit, runs on for longer than the limits allow or is over its limit where the
-/// seam ends. A corner ends the seam: a turn of more than seam_corner within four negligible
-/// lengths. The slope's step is searched where patches and pieces end, by mean slopes over
-/// once and twice the negligible length, extrapolated to none on each side. Beyond the seam's own
-/// end the angle counts as what it is there.
+/// Returns nullopt if no smooth part follows, or if the angle does not fade. It does not if it
+/// rises by more than its limit, runs on for longer than the limits allow or is over its limit at
+/// the seam's end.
+/// A corner ends the seam: a turn of more than seam_corner within four negligible lengths. The
+/// slope's step is searched where patches and pieces end. It uses mean slopes over once and twice
+/// the negligible length, extrapolated to zero length on each side. Beyond the seam's own end the
+/// angle counts as its value there.
 std::optional<RunOut> follow_run_out(std::span<const SeamProbe> probes,
                                      std::span<const SeamPart> parts, std::size_t crease,
                                      bool forward, const StretchLimits& limits);

@@ -10,12 +10,12 @@ namespace keiko {
 /// The run-outs of the creases of one seam.
 class RunOutPlaces {
 public:
-    /// None.
+    /// No run-outs.
     RunOutPlaces() = default;
-    /// Of the seam's pieces, whose curves are kept.
+    /// Run-outs of the seam's pieces, whose curves are kept.
     RunOutPlaces(std::span<const SeamProbe> pieces, const StretchLimits& limits);
 
-    /// Whether a place, world, mm, lies within `reach` mm of a run-out.
+    /// True if a place, world, mm, lies within `reach` mm of a run-out.
     bool hold(const Vec3& place, double reach) const;
 
 private:

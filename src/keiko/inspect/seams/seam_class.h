@@ -12,8 +12,8 @@ namespace keiko {
 enum class SeamClass {
     smooth,  ///< up to the feature angle: gap, angle, curvature and its slope are judged
     run_out, ///< the end of a crease, along which its angle fades to the limit of the angle
-    crease,  ///< more than the feature angle: a feature line, of which the gap alone is judged
-    fold     ///< the sides lie on each other, as those of a face that is there twice: it fails
+    crease,  ///< more than the feature angle: a feature line, whose gap alone is judged
+    fold     ///< the sides lie on each other, as for a duplicated face: it fails
 };
 
 constexpr std::string_view name_of(SeamClass kind) {
@@ -33,7 +33,7 @@ constexpr std::string_view name_of(SeamClass kind) {
 /// Degrees: from this angle on the two sides count as folded back on each other.
 constexpr double fold_angle = 179;
 
-/// The class of one place; nullopt where a side has no normal. Run-outs belong to whole stretches.
+/// The class of one place; nullopt if a side has no normal. Run-outs belong to whole stretches.
 inline std::optional<SeamClass> class_of(const SeamPoint& point, double feature_angle) {
     if (!point.angle) return std::nullopt;
     if (*point.angle > fold_angle) return SeamClass::fold;

@@ -39,7 +39,7 @@ std::vector<Cell> first_cells(const SeamProbe& probe, int count) {
     return cells;
 }
 
-/// The largest of the three values, and what the cell can hold at most.
+/// The largest of the three values, and an upper bound of the cell's values.
 struct Reach {
     double best = -HUGE_VAL, upper = -HUGE_VAL;
     SeamPoint point;

@@ -14,20 +14,21 @@ struct SeamExtreme {
     SeamPoint point;
 };
 
-/// What is asked of each place of a seam; nothing where it is not defined.
+/// Quantity at a place of a seam; nullopt if it is not defined there.
 using SeamQuantity = std::function<std::optional<double>(const SeamPoint&)>;
 
-/// One quantity and how closely its maximum is wanted, in its own unit.
+/// One quantity and the required accuracy of its maximum, in its own unit.
 struct SeamQuestion {
     SeamQuantity quantity;
     double tolerance = 0;
 };
 
-/// Finds the largest value of each quantity along a seam: cells are halved, the most promising
-/// first, until no cell can hold more than `tolerance` above the best; then the peak is polished
-/// on the exact geometry. A cell can hold what its three points show plus how far they are from a
-/// straight line (four times what a parabola through them could hide): an estimate, which needs at
-/// least `cells` to begin with that show the quantity's ups and downs. Cells end where patches do.
+/// Finds the largest value of each quantity along a seam. Cells are halved, the most promising
+/// first, until no cell can hold more than `tolerance` above the best. The peak is then polished on
+/// the exact geometry. A cell's upper bound is the largest value at its three points plus their
+/// distance from a straight line (four times what a parabola through them could hide). This is an
+/// estimate, which needs at least `cells` initial cells that resolve the quantity's variation.
+/// Cells end where patches do.
 std::vector<std::optional<SeamExtreme>> seam_extremes(const SeamProbe& probe,
                                                       const std::vector<SeamQuestion>& questions,
                                                       int cells = 8);

@@ -13,7 +13,7 @@
 namespace keiko {
 namespace {
 
-/// Extremes are wanted to this share of their limit: less than any verdict turns on.
+/// Accuracy of extremes as a share of their limit: finer than any verdict depends on.
 constexpr double relative_tolerance = 1e-4;
 /// Error of an evaluated point, as a share of its distance from the origin: some tens of
 /// roundings of the Bernstein sums.
@@ -34,7 +34,7 @@ struct CurvatureJudge {
     bool flat(const SeamPoint& p) const {
         return std::max(std::abs(p.curvature_a), std::abs(p.curvature_b)) * flat_radius < 1;
     }
-    /// Whether the flat radius stands in for what the change is compared with.
+    /// True if the flat radius replaces the curvatures to which the change is compared.
     bool is_floored(const SeamPoint& p) const {
         return mismatch(limit.formula, p) <
                curvature_mismatch(limit.formula, p.curvature_a, p.curvature_b, HUGE_VAL);
@@ -56,7 +56,7 @@ void keep_worse(std::optional<SeamExtreme>& kept, const std::optional<SeamExtrem
     kept->bound = upper - kept->value;
 }
 
-/// Where a preset does not judge G3 it is still measured, to this share of a degree.
+/// Accuracy, as a share of a degree, to which G3 is measured if a preset does not judge it.
 constexpr double unjudged_slope = 0.1;
 
 /// The parts of a line's pieces that make up a stretch, as probes of their own.
@@ -162,7 +162,7 @@ void judge_smooth(MeasuredSeam& seam, const StretchExtremes& found, const Criter
     if (preset.curvature_slope) take(seam, seam.slope->worst);
 }
 
-/// A point halfway along; of an even number of parts where the later half begins.
+/// A point halfway along; for an even number of parts, the beginning of the later half.
 Vec3 middle_of(const std::vector<SeamProbe>& probes) {
     const SeamProbe& probe = probes[probes.size() / 2];
     return probes.size() % 2 == 0 ? probe.at(probe.begin()).place : probe.middle();
@@ -176,7 +176,7 @@ std::vector<Vec3> course_of(const SeamProbe& probe) {
     return course;
 }
 
-/// Which faces meet, and where.
+/// Measured seam with its faces and its position only.
 MeasuredSeam located(const SurfaceModel& model, const SeamLine& line, const SeamStretch& stretch,
                      const std::vector<SeamProbe>& probes) {
     MeasuredSeam seam;
@@ -197,7 +197,7 @@ void judge_gap(MeasuredSeam& seam, const SeamExtreme& gap, double error, double 
     take(seam, seam.gap);
 }
 
-/// The angle and what follows from it, by the rules of the class.
+/// Judges the angle and the quantities derived from it by the rules of the class.
 void judge_angle(MeasuredSeam& seam, const StretchExtremes& found, const SeamStretch& stretch,
                  const CriteriaPreset& preset) {
     seam.angle = worst(*found.angle, angle_rounding, preset.angle);
@@ -234,7 +234,7 @@ MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
 StretchLimits stretch_limits(double size_a, double size_b, const CriteriaPreset& preset,
                              double join) {
     constexpr double share_of_face = 0.01;
-    // What a run-out leaves is judged as smooth: there no bound may straddle the limit.
+    // The rest beside a run-out is judged as smooth: there no bound may straddle the limit.
     constexpr double faded = 0.99;
     return {.feature_angle = preset.feature_angle,
             .negligible =

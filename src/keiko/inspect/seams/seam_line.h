@@ -7,7 +7,7 @@
 
 namespace keiko {
 
-/// A line along which two sides meet, ready to be measured.
+/// A line along which two sides meet, prepared for measuring.
 struct SeamLine {
     std::uint32_t instance_a = 0, face_a = 0, instance_b = 0, face_b = 0;
     std::vector<SeamProbe> probes; ///< piece after piece, at least one
@@ -20,12 +20,12 @@ struct MeasuredStretch {
 };
 
 /// The lengths and angles by which a preset cuts the lines between two faces of these sizes (mm)
-/// into stretches. No length is negligible that is more than a hundredth of the smaller one.
+/// into stretches. Negligible lengths are at most a hundredth of the smaller size.
 StretchLimits stretch_limits(double size_a, double size_b, const CriteriaPreset& preset,
                              double join);
 
-/// Takes scraps out of the verdict: those of faces whose scraps that do not pass are together no
-/// longer than what is negligible for the seam. The others are scraps no more.
+/// Takes scraps out of the verdict. This applies to faces whose scraps that do not pass are
+/// together at most as long as the seam's negligible length. All others stop being scraps.
 void excuse_scraps(std::vector<MeasuredSeam>& seams);
 
 /// Cuts a line into stretches, measures each on the exact geometry and judges it by the rules of

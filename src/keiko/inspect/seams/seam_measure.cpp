@@ -25,7 +25,7 @@ Seam cut_seam(Seam seam, const SeamPart& part) {
     return seam;
 }
 
-/// The seams between faces, with scraps that are judged.
+/// The seams between faces, with judged scraps.
 MeasuredSeams with_judged_scraps(const ModelBorders& borders, std::span<const Seam> paired,
                                  const CriteriaPreset& preset, double join, const Job& job) {
     const SurfaceModel& model = borders.model;

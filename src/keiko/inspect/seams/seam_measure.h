@@ -14,19 +14,20 @@
 
 namespace keiko {
 
-/// The curvatures across the seam where they differ most.
+/// The curvatures across the seam at the place of their largest difference.
 struct CurvatureStep {
     double curvature_a = 0, curvature_b = 0; ///< 1/mm
     CurvatureFormula formula = CurvatureFormula::alias;
     double mismatch = 0;         ///< by the formula, share of 1
     double alias = 0, catia = 0; ///< by either formula, whichever is judged
-    bool flat = false; ///< the preset's flat radius stands in for what the change is compared with
+    bool flat = false; ///< the preset's flat radius replaces the curvatures to which the change is
+                       ///< compared
     MeasuredValue worst; ///< share of 1
 };
 
-/// How the curvatures across the seam change, where that differs most (G3).
+/// Slopes of the curvatures across the seam at the place of their largest difference (G3).
 struct CurvatureSlopeStep {
-    double slope_a = 0, slope_b = 0; ///< 1/mm2, on the way from a to b
+    double slope_a = 0, slope_b = 0; ///< 1/mm2, in the direction from a to b
     double change = 0;               ///< 1/mm2, of the slope
     MeasuredValue worst;             ///< degrees, see slope_angle
 };
@@ -36,60 +37,60 @@ struct CurvatureSlopeStep {
 struct MeasuredSeam {
     std::uint32_t instance_a = 0, face_a = 0, instance_b = 0, face_b = 0;
     std::uint32_t id_a = 0, id_b = 0; ///< Face::id of the sides
-    std::string
-        faces; ///< "face 12 (fender-outer) | face 13"; instances too where there are several
+    std::string faces; ///< "face 12 (fender-outer) | face 13"; instances too if there are several
     std::uint32_t line = 0;            ///< number of the line that it is a stretch of, from 0
     std::vector<std::uint32_t> pieces; ///< into MeasuredSeams::pieces; empty where internal
     double length = 0;                 ///< mm
     Vec3 middle{0};                    ///< a point halfway along, world, mm
-    /// Where it runs: of each of its pieces 33 points from end to end, world, mm. An end at which
-    /// the class changes is known to class_change_bound.
+    /// Course of the stretch: 33 points of each of its pieces, from end to end, world, mm. The
+    /// position of an end at which the class changes is accurate to class_change_bound.
     std::vector<std::vector<Vec3>> course{};
     SeamClass kind = SeamClass::smooth;
-    /// Shorter than the preset's negligible length, and so not judged: `verdict` is pass.
+    /// True if it is shorter than the preset's negligible length, and so not judged: `verdict` is
+    /// pass.
     bool scrap = false;
     double negligible = 0;              ///< mm: a shorter stretch of the line is a scrap
     MeasuredValue gap;                  ///< G0, mm
-    std::optional<MeasuredValue> angle; ///< G1, degrees; nothing where a side has no normal
-    double smallest_angle = 0;          ///< degrees, where there is an angle
+    std::optional<MeasuredValue> angle; ///< G1, degrees; nullopt if a side has no normal
+    double smallest_angle = 0;          ///< degrees, if there is an angle
     /// G2; only where smooth, and gap and angle pass.
     std::optional<CurvatureStep> curvature;
-    /// G3; only where gap, angle and curvature pass, and not all along nearly flat.
+    /// G3; only if gap, angle and curvature pass, and unless the seam is nearly flat all along.
     std::optional<CurvatureSlopeStep> slope;
     /// Degrees/mm: of a crease that fades out, the largest step of its angle's slope there.
     std::optional<MeasuredValue> fading;
 
-    /// Its worst place lies in the last ring around an irregular point of a subdivision surface,
-    /// which has no curvature there.
+    /// True if its worst place lies in the last ring around an irregular point of a subdivision
+    /// surface, which has no curvature there.
     bool irregular = false;
 
     /// A knot line inside a face, along which the face itself breaks.
     bool internal = false;
-    /// Where the gap is largest one side lies on the other's material.
+    /// True if one side lies on the other's material where the gap is largest.
     bool overlap = false;
-    /// A fold whose sides lie over each other, apart by more than the gap allowed: as the two skins
-    /// of a sheet do without the faces between their borders.
+    /// True for a fold whose sides lie over each other at a distance larger than the gap allowed,
+    /// like the two skins of a sheet without the faces between their borders.
     bool stacked = false;
-    /// The gap grows past the distance within which borders count as a seam.
+    /// True if the gap grows past the distance within which borders count as a seam.
     bool parted = false;
 
-    /// Of what its class is judged by: the worst.
+    /// The worst verdict of the quantities by which its class is judged.
     Verdict verdict = Verdict::pass;
-    /// How far over its limit the worst judged quantity is: 1 at the limit. 0 of a scrap.
+    /// Ratio of the worst judged quantity to its limit: 1 at the limit; 0 for a scrap.
     double severity = 0;
 
-    /// A crease or the run-out of one, of which all passes that is judged.
+    /// True for a crease or its run-out if all of its judged quantities pass.
     bool is_passing_crease() const {
         return (kind == SeamClass::crease || kind == SeamClass::run_out) &&
                verdict == Verdict::pass && !scrap;
     }
-    /// Whether the angle is held against a limit.
+    /// True if the angle is compared with a limit.
     bool is_angle_judged() const {
         return !scrap && (kind == SeamClass::smooth || kind == SeamClass::fold);
     }
 };
 
-/// The seams of a model as they are judged.
+/// The judged seams of a model.
 struct MeasuredSeams {
     std::vector<Seam> pieces; ///< as paired, cut where their class changes
     std::vector<MeasuredSeam> seams;
@@ -101,12 +102,12 @@ struct MeasuredSeams {
 MeasuredSeams measure_seams(const ModelBorders& borders, std::span<const Seam> seams,
                             const CriteriaPreset& preset, double join, const Job& job = {});
 
-/// The same, followed by the stretches of knot lines inside faces (measure_knot_lines). The scraps
-/// of a face are excused by the length of all of them, of seams and of knot lines.
+/// Measures the seams, followed by the stretches of knot lines inside faces (measure_knot_lines).
+/// The scraps of a face are excused by the length of all of them, on seams and knot lines together.
 MeasuredSeams measure_all_seams(const ModelBorders& borders, std::span<const Seam> seams,
                                 const CriteriaPreset& preset, double join, const Job& job = {});
 
-/// How many lines some stretches are of: what reports call the number of seams.
+/// Number of lines to which stretches belong: the number of seams in reports.
 std::size_t line_count(std::span<const MeasuredSeam> seams);
 
 } // namespace keiko

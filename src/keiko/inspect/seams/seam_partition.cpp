@@ -10,12 +10,12 @@ namespace {
 
 constexpr int least_steps = 16;
 constexpr int most_halvings = 48;
-/// Places of one piece that are evaluated at the most. What is beyond is judged as smooth.
+/// Largest number of places of one piece that are evaluated. The rest is judged as smooth.
 constexpr int most_places = 4000;
-/// degrees: angles as near as this on both sides of a threshold are not told apart.
+/// degrees: angles this close on both sides of a threshold are not distinguished.
 constexpr double indistinct = 1e-8;
 
-/// Whether an angle that is `a`, `m` and `b` at begin, middle and end of a step may pass
+/// True if an angle that is `a`, `m` and `b` at begin, middle and end of a step may pass
 /// `threshold` between them, although none of the three lies beyond it.
 bool may_pass(double threshold, double a, double m, double b) {
     const auto [low, high] = std::minmax({a, m, b});
@@ -39,7 +39,8 @@ public:
             before = after;
         }
         drop_empty();
-        // Quadrature is exact where the curve runs evenly, chords are no longer than any curve.
+        // Quadrature is exact where the parametrisation is uniform; chords are at most as long as
+        // the curve.
         for (SeamPart& part : parts_)
             part.length = std::max(part.length, probe_.part(part.begin, part.end).length());
         return std::move(parts_);
@@ -50,7 +51,7 @@ private:
         return class_of(point, limits_.feature_angle);
     }
 
-    /// Whether no angle between the points of a step lies beyond a threshold that none of them
+    /// True if no angle between the points of a step lies beyond a threshold that none of them
     /// passes.
     bool is_plain(const SeamPoint& a, const SeamPoint& m, const SeamPoint& b) const {
         const double length = (b.place - a.place).length();
@@ -89,7 +90,7 @@ private:
         refine(a, m, halvings + 1), refine(m, b, halvings + 1);
     }
 
-    /// Goes on to a point in a class, or in none where it belongs to whatever is beside it.
+    /// Continues to a point of a class, or of none if it belongs to its neighbour.
     void add(std::optional<SeamClass> known, const SeamPoint& to) {
         if (parts_.empty()) {
             parts_.push_back({piece_, known.value_or(SeamClass::smooth), to, to, 0});

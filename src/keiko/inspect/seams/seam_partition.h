@@ -16,14 +16,14 @@ struct SeamPart {
     double unknown = 0;   ///< mm of it along which a side has no normal
 };
 
-/// mm: a place at which the class changes is known to this length.
+/// mm: error of the position at which the class changes.
 constexpr double class_change_bound = 1e-6;
 
 /// Cuts a piece of a seam where its class changes, as parts in order, at least one. Steps between
-/// patch changes are halved while their ends differ in class, or while the angle at their middle
-/// leaves the chord between their ends by as much as could carry it over a threshold: an estimate,
-/// down to an eighth of the negligible length. A place without normals has the class of its
-/// neighbours.
+/// patch changes are halved while their ends differ in class. They are also halved while the angle
+/// at their middle deviates from the chord between their ends by enough to carry it over a
+/// threshold. This is an estimate, down to an eighth of the negligible length. A place without
+/// normals has the class of its neighbours.
 std::vector<SeamPart> partition_seam(const SeamProbe& probe, std::uint32_t piece,
                                      const StretchLimits& limits);
 

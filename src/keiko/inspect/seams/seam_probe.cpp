@@ -13,9 +13,10 @@
 namespace keiko {
 namespace {
 
-/// A unit vector across the border, from the material out over the seam on side a and on into
-/// the material of side b, and the normal to the left of it and of the seam's run: for both
-/// sides of a smooth surface the same, however each side is parametrised.
+/// A side's frame at a place of the border. `across` is a unit vector across the border, from the
+/// material out over the seam on side a and on into the material of side b. `normal` is to the left
+/// of it and of the seam's run. On a smooth surface both sides have equal frames, whatever their
+/// parametrisation.
 struct Side {
     Vec3 across{0}, normal{0}, run{0};
     double curvature = 0, slope = 0;
@@ -30,8 +31,8 @@ Side side(const BoundaryFrame& frame, bool leaving, bool forward) {
             normal_curvature_slope(frame.surface, normal, across)};
 }
 
-/// The same along a given way, in place of square to the line; as it was where that way leads out
-/// of the surface more than along it.
+/// The frame along a given direction, in place of the one square to the line; unchanged if that
+/// direction leads out of the surface more than along it.
 Side along_way(const Side& side, const SurfaceDerivatives& surface, const Vec3& way) {
     constexpr double mostly = 0.5;
     const Vec3 along = way - side.normal * way.dot(side.normal);
@@ -48,19 +49,19 @@ double turn_between(const Side& from, const Side& into) {
     return from.normal.cross(into.normal).dot(from.run) < 0 ? -angle : angle;
 }
 
-/// Whether the way from one side to the other leads back over the material of either.
+/// True if the path from one side to the other leads back over the material of either.
 bool lies_on_material(const Vec3& apart, const Side& from, const Side& into) {
     const double least = 0.5 * apart.length();
     return -apart.dot(from.across) > least || -apart.dot(into.across) > least;
 }
 
-/// Whether the way from one side to the other leads along both normals.
+/// True if the path from one side to the other leads along both normals.
 bool lies_over(const Vec3& apart, const Side& from, const Side& into) {
     const double least = 0.9 * apart.length();
     return std::abs(apart.dot(from.normal)) > least && std::abs(apart.dot(into.normal)) > least;
 }
 
-/// Radians that the normal turns about the run of the line on a way from one side to the other,
+/// Radians that the normal turns about the run of the line on a path from one side to the other,
 /// beyond what the mean of their curvatures explains; negative where the surface bends towards it.
 double unexplained_turn(const Side& from, const Side& into, double way) {
     const double all =
@@ -68,8 +69,8 @@ double unexplained_turn(const Side& from, const Side& into, double way) {
     return all + (from.curvature + into.curvature) / 2 * way;
 }
 
-/// Moves a step by up to a tenth either way, so that no regular wave has its zeros at all of them:
-/// the fractions of the golden section's multiples.
+/// Moves a step by up to a tenth in either direction, so that no regular wave has its zeros at all
+/// of them: the fractions of the golden section's multiples.
 double uneven(int i) {
     constexpr double golden = 0.6180339887498949, most = 0.1;
     return most * (2 * std::fmod(i * golden, 1.0) - 1);
@@ -146,7 +147,7 @@ SeamProbe::PatchChanges SeamProbe::find_changes() const {
     return changes;
 }
 
-/// In which a search of the steps' ends and middles sees the waves of a polynomial of that degree.
+/// Number of steps whose ends and middles resolve the waves of a polynomial of that degree.
 int SeamProbe::least_steps(double from, double stop) const {
     const double t = (from + stop) / 2, span = on_a_.end - on_a_.begin;
     const double s = on_b_.begin + (t - on_a_.begin) / span * (on_b_.end - on_b_.begin);

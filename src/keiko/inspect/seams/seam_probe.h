@@ -17,7 +17,8 @@ struct SeamPoint {
     std::optional<double> angle; ///< degrees, 0 smooth to 180 folded back; needs both normals
     double signed_angle = 0;     ///< the angle, negative where the surface bends the other way
     double curvature_a = 0, curvature_b = 0; ///< 1/mm, across the seam, normals on one side
-    double slope_a = 0, slope_b = 0;         ///< 1/mm2, of these curvatures on the way from a to b
+    double slope_a = 0, slope_b = 0;         ///< 1/mm2, of these curvatures in the direction from a
+                                             ///< to b
     bool overlap = false; ///< one side lies on the other's material rather than apart from it
     bool stacked =
         false; ///< one side lies over the other, along the normals, rather than beside it
@@ -37,10 +38,10 @@ public:
               const ParameterInterval& on_b);
 
     /// Two lines that run alike on either side of a bend inside one face, `a` to the left of `b`.
-    /// They have no gap, and their angle is what the normal turns about them beyond what the
-    /// curvatures of both sides make of the way between: 0 on any evenly bent surface. Where the
-    /// lines diverge by more than `parallel_borders`, as at a tip, curvatures and turn are those
-    /// along that way, not square to either line.
+    /// They have no gap. Their angle is the turn of the normal about them beyond what the
+    /// curvatures of both sides explain over the distance between: 0 on any uniformly curved
+    /// surface. Where the lines diverge by more than `parallel_borders`, as at a tip, curvatures
+    /// and turn are those along the connection, not square to either line.
     static SeamProbe across_bend(const SurfaceCurve& a, const SurfaceCurve& b) {
         SeamProbe probe(a, {0, 1}, b, {0, 1});
         probe.bend_ = true;
@@ -53,19 +54,20 @@ public:
 
     double begin() const { return on_a_.begin; }
     double end() const { return on_a_.end; }
-    /// The parameters of side a, and those of side b that face them; the latter fall where b runs
-    /// the other way.
+    /// The parameters of side a, and those of side b that face them; the latter fall if b runs in
+    /// the opposite direction.
     const ParameterInterval& on_a() const { return on_a_; }
     const ParameterInterval& on_b() const { return on_b_; }
-    /// The seam at parameter t of side a; `s_guess` is where side b is thought to face it.
+    /// The seam at parameter t of side a; `s_guess` is the estimated parameter of side b that faces
+    /// it.
     SeamPoint at(double t, double s_guess) const;
-    /// The same with a guess in proportion.
+    /// The seam at parameter t of side a, with an estimate in proportion.
     SeamPoint at(double t) const;
     /// mm, of side a.
     double length() const { return a_.length(begin(), end(), changes_.a); }
     /// The point at parameter t of side a; world, mm.
     Vec3 place(double t) const { return a_.at(t).position; }
-    /// Where side a runs at parameter t, mm a unit of it; 0 where it stands still. World.
+    /// Derivative of side a at parameter t, mm a unit of it; 0 where it is stationary. World.
     Vec3 run(double t) const { return a_.at(t).first; }
     /// A point halfway along, on side a; world, mm.
     Vec3 middle() const { return place((begin() + end()) / 2); }
@@ -90,9 +92,9 @@ private:
     SurfaceCurve a_, b_;
     ParameterInterval on_a_, on_b_; ///< that of b runs backwards where begin > end
     ParameterInterval reach_b_;     ///< where the nearest point of side b is searched
-    bool forward_;                  ///< side b runs as side a does
+    bool forward_;                  ///< side b runs in the direction of side a
     PatchChanges changes_;
-    bool bend_ = false; ///< the sides belong to one surface, a way apart
+    bool bend_ = false; ///< the sides belong to one surface, at a distance from each other
 };
 
 } // namespace keiko

@@ -35,7 +35,7 @@ public:
                 {std::min(on->begin, on->end), std::max(on->begin, on->end)});
     }
 
-    /// How far a border is free from `t` on, to greater or lesser parameters.
+    /// Parameter, greater or smaller than `t`, up to which a border is free.
     double free_until(const BoundaryInterval& on, double t, bool greater) const {
         double free = greater ? 1 : 0;
         for (const ParameterInterval& cover : covers_.at(key_of(on))) {
@@ -64,8 +64,8 @@ public:
           join_(join),
           cover_(cover) {}
 
-    /// Where the borders part beyond an end of the seam; the end itself where its gap is not what
-    /// ended it.
+    /// Place where the borders part beyond an end of the seam; the end itself if its gap is not the
+    /// reason why it ended.
     Facing parted(bool at_end) const {
         Facing last =
             at_end ? Facing{seam_.a.end, seam_.b.end} : Facing{seam_.a.begin, seam_.b.begin};

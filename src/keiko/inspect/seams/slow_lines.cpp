@@ -29,7 +29,7 @@ double fastest_slow(int degree, double window, double most) {
     return (degree - 1) * std::sqrt(2 * window * most);
 }
 
-/// Whether the control points alone exclude slow lines: the speed is at least what all their
+/// True if the control points alone exclude slow lines: the speed is at least what all their
 /// differences advance in one direction.
 bool advances(const BezierPatchView& patch, bool constant_u, double window) {
     if (patch.rational()) return false;
@@ -54,7 +54,7 @@ bool advances(const BezierPatchView& patch, bool constant_u, double window) {
     return least > std::max(window, fastest_slow(degree, window, most));
 }
 
-/// Where a speed is least between two parameters, which belong to the choice.
+/// The parameter of least speed between two others, ends included.
 double slowest_between(const CrossSpeed& speed, double low, double high) {
     constexpr double enough = 1e-9;
     const FunctionPlace inside = golden_section_minimum(speed, low, high, enough);
@@ -62,7 +62,7 @@ double slowest_between(const CrossSpeed& speed, double low, double high) {
     return speed(high) <= inside.value ? high : inside.at;
 }
 
-/// Whether the speed rises by a quarter on the way of half a window, to one side of `t`.
+/// True if the speed rises by a quarter within half a window, to one side of `t`.
 bool quickens(const CrossSpeed& speed, double t, double window, double step) {
     constexpr double rise = 1.25;
     const double slow = speed(t);

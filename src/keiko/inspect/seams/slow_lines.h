@@ -9,12 +9,12 @@ namespace keiko {
 
 /// The isolines of a patch at which its surface could bend within `window` mm: where |S_u|, the
 /// speed across, is least. This is a heuristic. A bend within w is expected only of lines slower
-/// than (n - 1) sqrt(2 w max |S_u|) of degree n, and of a slow one the speed must rise by a quarter
-/// within half a window. The limit is motivated by Markov's inequality, which is for polynomials
-/// and bounds the change of S_u roughly; rational patches are treated alike. A patch no wider than
-/// the window has one in its middle. Parameters in [0, 1], rising: of u where `constant_u`, else of
-/// v. Speeds are sampled in 4 n steps at the places `along` the line, so minima closer together may
-/// be missed.
+/// than (n - 1) sqrt(2 w max |S_u|) of degree n. The speed beside a slow line must also rise by a
+/// quarter within half a window. The limit is motivated by Markov's inequality, which is for
+/// polynomials and bounds the change of S_u roughly; rational patches are treated alike. A patch no
+/// wider than the window has one in its middle. Parameters in [0, 1], rising: of u if `constant_u`,
+/// else of v. Speeds are sampled in 4 n steps at the places `along` the line, so minima closer
+/// together may be missed.
 std::vector<double> slow_lines(const BezierPatchView& patch, bool constant_u,
                                std::span<const double> along, double window);
 

@@ -7,23 +7,23 @@
 
 namespace keiko {
 
-/// keiko-combs/1: every curve with its length, its largest curvature, where it turns over, and its
-/// samples; and what planes do beside cutting.
+/// keiko-combs/1: every curve with its length, its largest curvature, its inflections and its
+/// samples, and the remarks on planes.
 std::string combs_json(const FoundCombs& combs, std::span<const SectionPlane> planes,
                        const SurfaceModel& model, const std::string& tool_version);
 
-/// What a user should know of planes that miss the body, touch it, or hold faces: a line a plane
+/// Remarks for the user on planes that miss the body, touch it, or contain faces: a line a plane
 /// and kind.
 std::vector<std::string> comb_remarks(const FoundCombs& combs, std::span<const SectionPlane> planes,
                                       const SurfaceModel& model);
 
-/// A header, then a row a sample.
+/// CSV with a header, then a row a sample.
 std::string combs_csv(std::span<const CombCurve> curves, const SurfaceModel& model);
 
-/// One SVG picture of curves with a tooth at each sample, on the side away from which it bends.
-/// `normal`: the direction towards the viewer, unit. The scale is written in it: the tooth that
-/// stands for a round curvature near the largest usual one; longer teeth, of 2 % of the samples at
-/// most, are cut and red.
+/// One SVG picture of curves with a tooth at each sample, on the side away from which the curve
+/// bends. `normal`: the direction towards the viewer, unit. The scale is written in it: the tooth
+/// of a round curvature near the largest usual one. Longer teeth, of 2 % of the samples at most,
+/// are cut and red.
 std::string combs_svg(std::span<const CombCurve> curves, const Vec3& normal,
                       const std::string& title);
 
@@ -33,7 +33,7 @@ struct CombPicture {
 
     std::string file_name() const { return "combs-" + name + ".svg"; }
 };
-/// A picture of each plane, then one of the iso-curves from three quarters; those that there are.
+/// A picture of each plane, then one of the iso-curves from three quarters; those that exist.
 std::vector<CombPicture> comb_pictures(std::span<const CombCurve> curves,
                                        std::span<const SectionPlane> planes);
 

@@ -41,7 +41,8 @@ std::vector<std::string> faces_turned(const Comparison& comparison) {
 }
 
 bool is_alone(const LineShift& line) {
-    constexpr double wander = 1, share = 0.01; // mm, and of the length: where a silhouette cuts it
+    constexpr double wander = 1, share = 0.01; // mm, and share of the length: tolerance where a
+                                               // silhouette cuts it
     return line.alone > wander + share * line.length;
 }
 

@@ -14,34 +14,34 @@
 
 namespace keiko {
 
-/// What counts as the same body.
+/// Tolerances within which two bodies count as the same.
 struct BodyTolerance {
     double deviation = 5e-4;      ///< mm
-    double border = 1e-3;         ///< mm: p-curves that are made anew differ by about as much
+    double border = 1e-3;         ///< mm: p-curves that are recomputed differ by about as much
     double normal = 0.01;         ///< degrees between the normals
     double line = 0.1;            ///< mm that a reflection line may move on the part
     double outline = 0.01;        ///< mm that an outline may move on the part, or
     double outline_pixels = 0.05; ///< of the picture, whichever is more
 };
 
-/// The pictures and lines that one view shows of both bodies.
+/// The pictures and lines of both bodies in one view.
 struct ComparedView {
     PictureOutcome picture;       ///< without the pixels that the outlines excuse
     OutlineDifference outlines{}; ///< of those in which the pictures differ
     std::string map{};            ///< name of the PNG file of the signed distance map
     int map_width = 0, map_height = 0;
-    std::vector<LineShift> lines{};       ///< of the former, each held against the latter's
-    std::vector<LineShift> after_lines{}; ///< of the latter, held against the former's
+    std::vector<LineShift> lines{};       ///< of the former, each compared with the latter's
+    std::vector<LineShift> after_lines{}; ///< of the latter, each compared with the former's
 };
 
-/// Two revisions of a part held against each other.
+/// Comparison of two revisions of a part.
 struct Comparison {
     std::string tool_version;
     std::string before, after; ///< files
     BodyTolerance tolerance{};
-    std::optional<Alignment> alignment{}; ///< how the latter was moved, if that was asked for
+    std::optional<Alignment> alignment{}; ///< motion of the latter, if alignment was requested
     Deviation deviation{};                ///< of the latter from the former
-    Deviation missing{};                  ///< of the former from the latter: what has gone
+    Deviation missing{};                  ///< of the former from the latter: the missing parts
     std::vector<std::string> faces_before{}, faces_after{}; ///< names, as Deviation::faces
     Inspection inspection_before{}, inspection_after{};
     InspectionDifference seams{};
@@ -49,39 +49,40 @@ struct Comparison {
     std::vector<ComparedView> views{};
     FolderContent pngs{}; ///< that the views name
 
-    /// Whether every check of comparison_checks is within its tolerance.
+    /// True if every check of comparison_checks is within its tolerance.
     bool same() const;
 };
 
-/// One thing that two revisions are held to.
+/// One criterion of the comparison of two revisions.
 struct ComparisonCheck {
     std::string name; ///< "deviation", "seams", "front: lines"
     bool within = true;
-    std::string message; ///< one sentence, whether within or not
-    bool judged = true;  ///< false: there was nothing to hold it against; nor is it within
+    std::string message; ///< one sentence, within or not
+    bool judged = true;  ///< false: there was nothing to compare with; it is not within either
 };
 
-/// Everything that is judged but the pictures: those tell for themselves.
+/// All judged criteria except the pictures, which report themselves.
 std::vector<ComparisonCheck> comparison_checks(const Comparison& comparison);
 
 /// Names of faces of one revision that the other does not have, and of those of the latter with
-/// the inside outside.
+/// their inside outside.
 std::vector<std::string> faces_gone(const Comparison& comparison);
 std::vector<std::string> faces_new(const Comparison& comparison);
 std::vector<std::string> faces_turned(const Comparison& comparison);
 
-/// Of a view: whether no line has moved farther than the tolerance, come or gone.
+/// True if no line of a view has moved farther than the tolerance, appeared or disappeared.
 bool lines_within(const ComparedView& view, const BodyTolerance& tolerance);
-/// Whether a line has no partner for more of its length than its ends may wander.
+/// True if a line has no partner for more of its length than its ends may wander.
 bool is_alone(const LineShift& line);
 
-/// For people, some lines; the same text for any number of threads.
+/// The comparison for people, in a few lines; the same text for any number of threads.
 std::string comparison_text(const Comparison& comparison);
-/// "keiko-comparison/1"; see docs/file-formats.md. No times: every run gives the same.
+/// The comparison as "keiko-comparison/1"; see docs/file-formats.md. It holds no times: every run
+/// gives the same bytes.
 std::string comparison_json(const Comparison& comparison);
-/// A page of its own, pictures included: verdict first.
+/// The comparison as a self-contained page, pictures included: verdict first.
 std::string comparison_html(const Comparison& comparison);
-/// For build servers: one suite; a case a check, new finding, view and layer.
+/// The comparison for build servers: one suite; a case a check, new finding, view and layer.
 std::string comparison_junit(const Comparison& comparison);
 
 } // namespace keiko

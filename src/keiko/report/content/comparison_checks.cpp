@@ -17,7 +17,7 @@ ComparisonCheck surface_check(const char* name, const std::string& what, const D
                 place_text(d.worst.place) + "; " + short_number(tolerance) + " mm allowed"};
 }
 
-/// Whether no place of either body has any of the other within reach.
+/// True if no place of either body has any of the other within reach.
 bool are_apart(const Comparison& c) {
     return c.deviation.beyond >= 1 && c.missing.beyond >= 1;
 }

@@ -11,7 +11,7 @@ namespace keiko {
 std::string distance_words(double value, double reach);
 /// "at most 0.012 mm", "< 1e-9 mm", or "further than 50 mm".
 std::string at_most(double value, double reach);
-/// How the pictures of a view differ.
+/// Difference of the pictures of a view in words.
 std::string picture_words(const PictureOutcome& picture);
 /// "turned by 0.25 degrees about (0, 0, 1), its centre shifted by (3, -2, 1) mm; ..."
 std::string alignment_words(const Alignment& alignment);

@@ -14,7 +14,7 @@ struct FoldedRemark {
     std::string text; ///< "face 12: invalid in the file (226 times)"
 };
 
-/// Equal remarks as one with their number, in the order in which each came first.
+/// Remarks in which equal ones are one with their number, in the order of first occurrence.
 std::vector<FoldedRemark> folded_remarks(const Diagnostics& remarks);
 
 /// "note", "warning" or "error".

@@ -13,14 +13,14 @@ namespace {
 struct LineCriterion {
     std::string_view code;
     LineValue LineCrossing::*value;
-    bool of_breaks; ///< known where a line is not continued too
+    bool of_breaks; ///< known if a line is not continued too
 };
 constexpr std::array criteria{LineCriterion{"KEIKO-LINE-TURN", &LineCrossing::turn, true},
                               LineCriterion{"KEIKO-LINE-JUMP", &LineCrossing::jump, false},
                               LineCriterion{"KEIKO-LINE-KINK", &LineCrossing::kink, false},
                               LineCriterion{"KEIKO-LINE-BEND", &LineCrossing::bend, false}};
 
-/// The crossings of one seam by one criterion.
+/// Crossings of one seam by one criterion.
 struct Tally {
     MeasuredValue worst;
     std::size_t lines = 0, failing = 0;

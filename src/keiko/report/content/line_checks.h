@@ -7,8 +7,8 @@
 
 namespace keiko {
 
-/// What the lines that cross each seam come to, in the order of views and faces: of each limit that
-/// they are held to in a view the worst crossing.
+/// Checks of the lines that cross each seam, in the order of views and faces: the worst crossing
+/// for each limit of a view.
 std::vector<Check> line_checks(const LineList& list);
 
 /// The inspection with the checks and findings of the lines among its own, for other programs.

@@ -7,14 +7,14 @@
 
 namespace keiko {
 
-/// The lines that one view shows.
+/// The lines of one view.
 struct ViewLines {
     std::string view;
     Camera camera;
     JoinedLines found;
 };
 
-/// What a search for lines found: to be written.
+/// Results of a search for lines, prepared for writing.
 struct LineList {
     std::string tool_version;
     std::string rig; ///< its name
@@ -27,7 +27,7 @@ struct LineList {
 /// Crossings of all views by verdict.
 struct CrossingCounts {
     std::size_t fail = 0, undecided = 0, pass = 0;
-    std::size_t not_judged = 0; ///< lines that end at a seam without a jump that says why
+    std::size_t not_judged = 0; ///< lines that end at a seam without a jump that explains it
 };
 CrossingCounts count_crossings(const LineList& list);
 
@@ -43,7 +43,8 @@ struct CrossingPlace {
         return list.views[view].found.crossings[crossing];
     }
 };
-/// All that have a verdict, worst first: tables and pictures number them in this order from 1.
+/// All crossings that have a verdict, worst first: tables and pictures number them in this order
+/// from 1.
 std::vector<CrossingPlace> ranked_crossings(const LineList& list);
 
 } // namespace keiko

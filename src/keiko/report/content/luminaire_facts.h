@@ -7,7 +7,7 @@
 
 namespace keiko {
 
-/// What is in a luminaire file.
+/// Summary of a luminaire file.
 struct LuminaireFacts {
     std::string source;
     PhotometricWeb web;
@@ -20,14 +20,15 @@ struct LuminaireFacts {
 
 LuminaireFacts luminaire_facts(const std::string& source, PhotometricWeb web);
 
-/// For a terminal: one fact a line.
+/// The summary for a terminal: one fact a line.
 std::string luminaire_text(const LuminaireFacts& facts);
 
-/// "keiko-luminaire-facts/1": source, name, photometric_type ("A", "B", "C"), symmetry, planes and
-/// vertical_angles {count, first, last} in degrees, luminous_flux and lamp_flux (null for absolute
-/// photometry) in lm, light_output_ratio, largest_intensity in cd with its vertical and horizontal
-/// angle, beam_angle and field_angle (see full_angles_json), beam_edges and field_edges (see
-/// edges_json), opening [x, y, z] in mm, diagnostics [{severity, entity, message}].
+/// The summary as "keiko-luminaire-facts/1". Header: source, name, photometric_type ("A", "B",
+/// "C"), symmetry, planes and vertical_angles {count, first, last} in degrees. Light: luminous_flux
+/// and lamp_flux (null for absolute photometry) in lm, light_output_ratio, largest_intensity in cd
+/// with its vertical and horizontal angle. Beam: beam_angle and field_angle (see full_angles_json),
+/// beam_edges and field_edges (see edges_json). Further keys: opening [x, y, z] in mm, diagnostics
+/// [{severity, entity, message}].
 std::string luminaire_json(const LuminaireFacts& facts);
 
 } // namespace keiko

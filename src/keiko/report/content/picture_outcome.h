@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// How two pictures of a view are told to differ.
+/// Difference of two pictures of a view, prepared for reports.
 struct PictureOutcome {
     std::string view;
     std::string problem{}; ///< as PictureDifference::problem
@@ -16,11 +16,11 @@ struct PictureOutcome {
     bool flips_within = true;
     std::vector<LayerDifference> layers{};
     int width = 0, height = 0;
-    /// Names of the PNG files of the pictures before, after, and of their difference; empty where
+    /// Names of the PNG files of the pictures before, after, and of their difference; empty if
     /// there is none.
     std::string before{}, after{}, difference{};
 
-    /// Takes over the numbers of a difference.
+    /// Copies the numbers of a difference.
     void take(const FilmDifference& found);
     bool within() const;
 };
@@ -28,7 +28,7 @@ struct PictureOutcome {
 /// The numbers of a view's layers as an HTML table with a line about its silhouette.
 std::string html_layers(const PictureOutcome& picture);
 
-/// A case for the silhouette and for each layer, or one for the problem.
+/// Adds a case for the silhouette and for each layer, or one for the problem.
 void add_picture_cases(const PictureOutcome& picture, const std::string& class_name,
                        JunitSuite& suite);
 

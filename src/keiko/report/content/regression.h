@@ -10,11 +10,11 @@
 
 namespace keiko {
 
-/// What became of a fixture, from good to bad.
+/// Result of a fixture, from good to bad.
 enum class FixtureState {
     same,      ///< within its tolerances
-    different, ///< beyond one of them
-    missing,   ///< has no baseline to be held against
+    different, ///< beyond one of its tolerances
+    missing,   ///< has no baseline to compare with
     error      ///< could not be run, or its baseline is damaged
 };
 
@@ -22,45 +22,49 @@ inline constexpr std::array every_fixture_state{FixtureState::same, FixtureState
                                                 FixtureState::missing, FixtureState::error};
 std::string_view name_of(FixtureState state);
 
-/// What became of a fixture.
+/// Outcome of a fixture.
 struct FixtureOutcome {
     std::string name;
     FixtureState state = FixtureState::same;
     std::string error{}; ///< one line, of an error
-    /// Of "shape", "seams" and "lines" those that were asked for.
+    /// Requested checks among "shape", "seams" and "lines".
     std::vector<std::string> checks{};
     std::size_t metrics_compared = 0;
     std::vector<MetricDifference> metrics{};
     std::vector<PictureOutcome> pictures{};
-    FolderContent pngs{}; ///< of views that differ or have nothing to be held against
+    FolderContent pngs{}; ///< of views that differ or have no baseline
 };
 
-/// One run of a suite, or of a share of it.
+/// One run of a suite, or of a shard of it.
 struct Regression {
     std::string tool_version;
     std::vector<std::string> suite;             ///< every fixture of the suite, by name
-    std::string suite_key{};                    ///< of all that the suite's outcome depends on
-    std::vector<std::string> stale_baselines{}; ///< folders of baselines that no fixture has
+    std::string suite_key{};                    ///< of everything on which the suite's outcome
+                                                ///< depends
+    std::vector<std::string> stale_baselines{}; ///< folders of baselines without a fixture
     int shard = 1, shards = 1;                  ///< fixture i is of shard i % shards + 1
     std::vector<FixtureOutcome> fixtures{};     ///< those of the shard, by name
 
     std::size_t count(FixtureState state) const;
-    /// The worst of all fixtures; different where a baseline is stale, for then a fixture has gone.
+    /// The worst state of all fixtures; different if a baseline is stale, since then a fixture is
+    /// gone.
     FixtureState state() const;
 };
 
 /// "7 fixtures, 5 same, 1 different, 0 missing, 1 error"
 std::string summary_of(const Regression& regression);
 
-/// "keiko-regression/1": everything but the pictures' bytes. No times: every run gives the same.
+/// The run as "keiko-regression/1": everything except the pictures' bytes. It holds no times: every
+/// run gives the same bytes.
 std::string regression_json(const Regression& regression);
-/// What regression_json wrote; `file` is for messages. Throws Error.
+/// Inverse of regression_json; `file` is for messages. Throws Error.
 Regression parse_regression(const std::string& json, const std::string& file);
 
-/// A page of its own with what is not the same: pictures before, after, difference, and numbers.
+/// The run as a self-contained page with everything that is not the same: pictures before, after,
+/// difference, and numbers.
 std::string regression_html(const Regression& regression);
 
-/// For build servers: a suite a fixture, a case a check, view and layer.
+/// The run for build servers: a suite a fixture, a case a check, view and layer.
 std::string regression_junit(const Regression& regression);
 
 } // namespace keiko

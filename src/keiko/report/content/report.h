@@ -10,13 +10,13 @@
 
 namespace keiko {
 
-/// A number put on a picture, pixels from the upper left.
+/// A number drawn on a picture, pixels from the upper left.
 struct PictureMarker {
     int number = 0;
     double x = 0, y = 0;
 };
 
-/// A finished picture and what to say of it.
+/// A finished picture and its texts.
 struct ReportPicture {
     std::string title;     ///< e.g. "front"
     std::string caption;   ///< one sentence, or empty
@@ -30,37 +30,37 @@ struct ReportPicture {
 struct CloseUp {
     enum class Of { seam, face, crossing };
     Of of = Of::seam;
-    /// Into Inspection::seams or faces, or into ranked_crossings.
+    /// Index into Inspection::seams or faces, or into ranked_crossings.
     std::uint32_t index = 0;
     ReportPicture picture;
 };
 
-/// How much of the surface the lamps' reflections reach.
+/// Share of the surface that the lamps' reflections reach.
 struct CoverageSummary {
     std::string rig;                    ///< path or name of the rig
     double covered = 0;                 ///< share of 1
     std::vector<std::string> unreached; ///< faces or regions, one line each
 };
 
-/// Everything a report tells. Values only: the same report gives the same bytes.
+/// All contents of a report. Values only: the same report gives the same bytes.
 struct Report {
     std::string tool_version;
     Inspection inspection;
     std::optional<CoverageSummary> coverage;
     std::optional<LineList> lines;            ///< of the views of `pictures`
     std::vector<ReportPicture> pictures;      ///< stripe pictures, in order
-    std::vector<ReportPicture> line_pictures; ///< the same with the lines
-    /// The surface by other looks than the lamps', each named for its view.
+    std::vector<ReportPicture> line_pictures; ///< stripe pictures with the lines
+    /// Analysis pictures of the surface, each named for its view.
     std::vector<ReportPicture> curvature_pictures;
-    std::vector<CombPicture> combs; ///< where combs were asked for
+    std::vector<CombPicture> combs; ///< if combs were requested
     std::vector<std::string> comb_remarks;
     std::vector<CloseUp> close_ups;
 };
 
-/// The worst of the inspection's and the lines'.
+/// The worst of the verdicts of the inspection and the lines.
 Verdict verdict_of(const Report& report);
 
-/// How many seams count as the worst ones, which pictures number and the first screen shows.
+/// Number of worst seams, which pictures number and the first screen shows.
 constexpr std::size_t worst_seam_count = 5;
 
 } // namespace keiko

@@ -8,7 +8,7 @@
 namespace keiko {
 namespace {
 
-/// Degrees by which the halves of a beam differ that is called symmetric.
+/// Largest difference in degrees between the halves of a beam that is called symmetric.
 constexpr double symmetric_within = 0.05;
 constexpr int digits = 6;
 

@@ -12,11 +12,11 @@ namespace keiko {
 /// C180".
 std::string spread_text(PhotometricType type, int plane, const std::optional<BeamSpread>& spread);
 
-/// Full angles {plane_0, plane_90} in degrees; null where an edge is not reached, or all is dark.
+/// Full angles {plane_0, plane_90} in degrees; null if an edge is not reached, or all is dark.
 Json full_angles_json(const PrincipalSpreads& spreads);
 
 /// Edges {plane_0, plane_90}, each {positive {degrees, reached}, negative {degrees, reached},
-/// opposite}, or null where all is dark.
+/// opposite}, or null if all is dark.
 Json edges_json(const PrincipalSpreads& spreads);
 
 } // namespace keiko

@@ -5,7 +5,7 @@
 namespace keiko {
 namespace {
 
-/// mm; less is what rounding leaves between seams that follow each other along a border.
+/// mm; shorter gaps between seams that follow each other along a border are rounding.
 constexpr double least_length = 0.05;
 
 } // namespace

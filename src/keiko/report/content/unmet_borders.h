@@ -6,12 +6,12 @@
 
 namespace keiko {
 
-/// "798.8 of 798.8 mm of borders meet no other": borders that no seam judges. Empty where all meet
-/// but for what rounding leaves.
+/// Length of free edges, which no seam judges, in words: "798.8 of 798.8 mm of borders meet no
+/// other". Empty if all borders meet to within rounding.
 std::string unmet_borders(const ModelFacts& facts);
 
-/// Of a body of several faces without any seam: that nothing was judged, and within which distance
-/// seams were sought. Else empty.
+/// Statement that nothing was judged, for a body of several faces without any seam, with the
+/// distance within which seams were searched. Else empty.
 std::string nothing_judged(const Inspection& inspection);
 
 } // namespace keiko

@@ -19,7 +19,7 @@ std::string row(const std::string& tone, const std::string& cells) {
     return "<tr class=\"" + tone + "\">" + cells + "</tr>";
 }
 
-/// Where there is no number.
+/// Text of a missing number.
 const std::string none = "–";
 
 std::string number(const std::optional<double>& value, double scale = 1) {

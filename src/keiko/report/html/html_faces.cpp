@@ -15,7 +15,7 @@ std::string soft_note(const std::string& text) {
     return " <span class=\"soft small\">" + text + "</span>";
 }
 
-/// The value, and where it is not settled how far beyond it the true one may lie.
+/// The value and, if it is undecided, the largest distance of the true one beyond it.
 std::string extreme(const CurvatureExtreme& k, double direction) {
     std::string text = short_number(k.value);
     if (k.undecided && std::isfinite(k.bound))
@@ -32,7 +32,7 @@ std::string curvature_cells(const MeasuredFace& face) {
            extreme(c.smallest_gaussian, -1);
 }
 
-/// The radius found, and where it is not settled how small the true one may be.
+/// The radius found and, if it is undecided, the smallest possible true one.
 std::string radius_cell(const MeasuredValue& radius) {
     std::string text = short_number(radius.value, 4);
     if (radius.bound > curvature_tolerance * radius.value)
@@ -51,7 +51,7 @@ std::string flaw_cell(const MeasuredFace& face) {
         flaw.depth.verdict != Verdict::pass);
 }
 
-/// The length of all, and where the longest is.
+/// The length of all inflections, and the place of the longest.
 std::string inflections_cell(const MeasuredFace& face) {
     if (face.inflections.empty()) return no_cell();
     double length = 0;

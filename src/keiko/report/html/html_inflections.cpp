@@ -7,7 +7,7 @@
 namespace keiko {
 namespace {
 
-/// Above these, places are left to keiko lines.
+/// Number of rows beyond which places are left to keiko lines.
 constexpr std::size_t most_rows = 1000;
 
 std::string row(std::size_t rank, const std::string& view, const JoinedLine& line,

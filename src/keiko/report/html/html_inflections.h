@@ -6,7 +6,7 @@
 
 namespace keiko {
 
-/// Where the lines turn over, in a table under a line that opens it; empty where none does.
+/// Inflections of the lines, in a table under a line that opens it; empty if there are none.
 std::string html_inflections(const LineList& list);
 
 } // namespace keiko

@@ -10,7 +10,7 @@
 namespace keiko {
 namespace {
 
-/// Above these, crossings that pass are left to report.json.
+/// Number of rows beyond which passing crossings are left to report.json.
 constexpr std::size_t most_rows = 400;
 
 std::string summary(const LineList& list) {

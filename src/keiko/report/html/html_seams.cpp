@@ -10,7 +10,7 @@
 namespace keiko {
 namespace {
 
-/// How a seam is shown: by its verdict, scraps and passing creases apart.
+/// Tone of a seam: its verdict, or "crease" for scraps and passing creases.
 std::string tone_of(const MeasuredSeam& seam) {
     if (seam.scrap || seam.is_passing_crease()) return "crease";
     return std::string(name_of(seam.verdict));
@@ -31,8 +31,8 @@ std::string gap_measure(const MeasuredSeam& seam) {
                    share_of_limit(gap));
 }
 
-/// How far a seam angle moves a lamp's image on lamps 2 m away: docs/theory/verdict.md. Over a fold
-/// no image goes on.
+/// Shift of a lamp's image by a seam angle, for lamps 2 m away: docs/theory/verdict.md. Over a fold
+/// no image is continued.
 std::string lamp_shift(double degrees) {
     constexpr double lamp_distance = 2000; // mm
     constexpr double fold = 30;            // degrees
@@ -66,7 +66,7 @@ std::string curvature_measure(const MeasuredSeam& seam) {
                    share_of_limit(step.worst));
 }
 
-/// Nothing of a seam that is no crease, or of a crease that does not fade out.
+/// Cell of the fading; empty for a seam that is no crease, and for a crease that does not fade out.
 std::string fading_measure(const MeasuredSeam& seam) {
     if (!seam.fading) return "";
     const MeasuredValue& worst = *seam.fading;
@@ -75,7 +75,7 @@ std::string fading_measure(const MeasuredSeam& seam) {
                    share_of_limit(worst));
 }
 
-/// Nothing where the preset does not judge it.
+/// Cell of the slope; empty if the preset does not judge it.
 std::string slope_measure(const MeasuredSeam& seam, const CriteriaPreset& preset) {
     if (!preset.curvature_slope) return "";
     if (!seam.slope)
@@ -89,12 +89,13 @@ std::string slope_measure(const MeasuredSeam& seam, const CriteriaPreset& preset
                    "limit " + short_number(worst.limit) + "°", share_of_limit(worst));
 }
 
-/// Where a subdivision surface has no curvature a failed limit says nothing of the cage.
+/// Note on an irregular point: a subdivision surface has no curvature there, so a failed limit says
+/// nothing about the cage.
 std::string irregular_note(const MeasuredSeam& seam) {
     return seam.irregular ? ", at an irregular point of the cage" : "";
 }
 
-/// What is not plain about the seam.
+/// Note on unusual properties of the seam.
 std::string kind_note(const MeasuredSeam& seam) {
     std::string note = seam.internal ? " · a knot line inside the face" : "";
     if (seam.kind == SeamClass::fold)
@@ -122,7 +123,7 @@ bool over(const MeasuredValue& worst) {
     return worst.verdict != Verdict::pass;
 }
 
-/// Sorted by how far over its limit.
+/// Cell sorted by the ratio to its limit.
 std::string curvature_cell(const CurvatureStep& step) {
     return html_number_cell(share_of_limit(step.worst), fixed_number(step.mismatch * 100, 1) + " %",
                             over(step.worst));
@@ -134,8 +135,8 @@ std::string kind_of(const MeasuredSeam& seam) {
     return kind + (seam.overlap ? ", overlap" : "") + (seam.parted ? ", parted" : "");
 }
 
-/// Sorts from good to bad: scraps and creases, pass, undecided, fail, each by how far over the
-/// limit.
+/// Cell sorted from good to bad: scraps and creases, pass, undecided, fail, each by its ratio to
+/// the limit.
 std::string verdict_cell(const MeasuredSeam& seam) {
     const std::string tone = seam.scrap ? "scrap" : tone_of(seam);
     const bool crease = tone_of(seam) == "crease";

@@ -6,10 +6,10 @@
 
 namespace keiko {
 
-// The parts of report.html in the order of the page, each an HTML fragment; empty where there is
-// nothing to tell.
+// The parts of report.html in the order of the page, each an HTML fragment; empty if there is
+// nothing to report.
 
-/// What was inspected, the verdict and the counts.
+/// The inspected model, the verdict and the counts.
 std::string html_verdict(const Report& report);
 /// The stripe pictures with the places of the worst seams.
 std::string html_pictures(const Report& report);
@@ -19,24 +19,24 @@ std::string html_figure(const ReportPicture& picture);
 std::string html_form(const Report& report);
 /// Sections and iso-curves with their combs.
 std::string html_combs(const Report& report);
-/// The picture of a close-up, and where there is one what makes a table's row open it.
+/// The picture of a close-up, and, if there is one, the attributes by which a table's row opens it.
 std::string html_close_up(const Report& report, CloseUp::Of of, std::size_t index);
 std::string html_opens_close_up(const Report& report, CloseUp::Of of, std::size_t index);
-/// The close-ups that no other part shows, for rows to open, and the window that they open in.
+/// The close-ups that no other part shows, for rows to open, and the window in which they open.
 std::string html_gallery(const Report& report);
-/// The reflection lines in pictures, and what they do where they cross seams.
+/// The reflection lines in pictures, and their crossings with seams.
 std::string html_lines(const Report& report);
 /// The worst seams, each with its measures against their limits.
 std::string html_worst_seams(const Report& report);
-/// What is worth a look though nothing judges it.
+/// Findings that deserve a look without being judged.
 std::string html_looks(const Report& report);
-/// How much of the surface the lamps reach.
+/// Share of the surface that the lamps reach.
 std::string html_coverage(const Report& report);
 /// Every seam in a table.
 std::string html_all_seams(const Report& report);
 /// Every face by itself in a table.
 std::string html_faces(const Report& report);
-/// The file, what was lost of it and what was repaired.
+/// The file, its losses and its repairs.
 std::string html_facts(const Report& report);
 
 } // namespace keiko

@@ -6,7 +6,7 @@
 namespace keiko {
 
 Json camera_json(const Camera& camera);
-/// What camera_json made. Throws Json::exception.
+/// Inverse of camera_json. Throws Json::exception.
 Camera camera_from(const Json& json);
 
 } // namespace keiko

@@ -47,7 +47,7 @@ Json hit_json(const ViewSample& s) {
     return json;
 }
 
-/// Calls `read` and tells of what is not there or of another kind as of `where`.
+/// Calls `read`; its error names `where`, at which a value is missing or of another kind.
 template <class Read>
 auto part(const std::string& where, const Read& read) {
     try {

@@ -5,8 +5,8 @@
 
 namespace keiko {
 
-/// What a report tells of lines: rig, look, preset, verdict, counts and crossings, with the keys of
-/// lines_json but without the curves.
+/// Lines in a report: rig, look, preset, verdict, counts and crossings, with the keys of lines_json
+/// but without the curves.
 Json line_verdicts_json(const LineList& list);
 
 } // namespace keiko

@@ -8,7 +8,7 @@ namespace keiko {
 /// view, problem, pixels, coverage_flips, face_flips, flips_within, layers [{layer, beyond,
 /// largest, excess, root_mean_square, x, y, within}], width, height, before, after, difference.
 Json picture_outcome_json(const PictureOutcome& picture);
-/// What picture_outcome_json made. Throws Json::exception.
+/// Inverse of picture_outcome_json. Throws Json::exception.
 PictureOutcome picture_outcome_from(const Json& json);
 
 } // namespace keiko

@@ -8,12 +8,13 @@
 
 namespace keiko {
 
-/// A placement or the rating of a rig, "keiko-placement/1": tool {name, version}, rig, views,
-/// coverage, blocked, stripes {narrow, median, wide, in_range, uniformity}, planes [{origin, u, v,
-/// lamps, pitch, diameter, score}], faces [{id, name, instance, share, reached}], unreached [{view,
-/// because, share, place, box {lower, upper}, faces [ids], pixels [x0, y0, x1, y1]}], candidates
-/// [{towards, distance, score}]; a score is {coverage, stripes, uniformity, in_range, crossing,
-/// compactness, objective}. Lengths in mm, spacings in pixels, shares of 1.
+/// A placement or the rating of a rig as "keiko-placement/1". Whole: tool {name, version}, rig,
+/// views, coverage, blocked, stripes {narrow, median, wide, in_range, uniformity}. Lamps: planes
+/// [{origin, u, v, lamps, pitch, diameter, score}]. Body: faces [{id, name, instance, share,
+/// reached}], unreached [{view, because, share, place, box {lower, upper}, faces [ids], pixels [x0,
+/// y0, x1, y1]}]. Further positions: candidates [{towards, distance, score}]. A score is {coverage,
+/// stripes, uniformity, in_range, crossing, compactness, objective}. Lengths are in mm, spacings in
+/// pixels, shares of 1.
 std::string placement_json(const Placement& placement, const SurfaceModel& model,
                            std::span<const std::string> views, const std::string& tool_version);
 

@@ -75,7 +75,8 @@ FixtureOutcome fixture_from(const Json& json) {
     return fixture;
 }
 
-/// Names of fixtures are names of folders, into which whoever merges shards writes.
+/// Throws Error for unsound values. Names of fixtures are names of folders, into which a merge of
+/// shards writes.
 void require_sound(const Regression& regression) {
     if (regression.shard < 1 || regression.shard > regression.shards)
         throw Error("", "shard", "is none of those there are");

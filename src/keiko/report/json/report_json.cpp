@@ -39,7 +39,7 @@ Json slope(const CurvatureSlopeStep& step) {
     return json;
 }
 
-/// A value that nothing was held against.
+/// A value that was not compared with a limit.
 Json without_verdict(Json json) {
     json["limit"] = Json(), json["verdict"] = Json();
     return json;

@@ -5,8 +5,8 @@
 
 namespace keiko {
 
-/// A whole HTML page in the report's style; `title` and `more_style` as they stand in it, `body`
-/// what its main part holds, `script` what follows it, if anything.
+/// A whole HTML page in the report's style. `title` and `more_style` are inserted unchanged, `body`
+/// is the content of its main part, and `script` follows it, if any.
 std::string html_page(std::string_view title, std::string_view more_style, std::string_view body,
                       std::string_view script = {});
 

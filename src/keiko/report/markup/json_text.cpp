@@ -11,8 +11,8 @@
 namespace keiko {
 namespace {
 
-/// In JSON that nlohmann-json has written: characters that a terminal would obey, which only stand
-/// in its strings, as \uXXXX. Line breaks between its values stay.
+/// JSON by nlohmann-json with terminal control characters as \uXXXX, which occur only in its
+/// strings. Line breaks between its values stay.
 std::string with_controls_escaped(std::string_view text) {
     std::string escaped;
     while (!text.empty()) {

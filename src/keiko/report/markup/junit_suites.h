@@ -6,7 +6,7 @@
 
 namespace keiko {
 
-/// A test case as build servers show it.
+/// A test case as displayed by build servers.
 struct JunitCase {
     enum class Outcome { pass, failure, error, skipped };
     std::string class_name, name;

@@ -101,7 +101,7 @@ footer { margin-top: 32px; color: var(--soft); font-size: 13px; }
 )css";
 
 /// Sorts a table by the column whose heading was pressed, by the cells' data-v; pressing again
-/// turns the order round. A row that has a close-up shows it when it is pressed, and so does the
+/// reverses the order. A row that has a close-up shows it when it is pressed, and so does the
 /// close-up itself.
 constexpr std::string_view report_script = R"js(
 for (const button of document.querySelectorAll("th button")) button.onclick = () => {

@@ -7,7 +7,7 @@
 
 namespace keiko {
 
-/// ` name="value"`, with what must be escaped; XML needs no more escapes than HTML.
+/// ` name="value"`, escaped; XML needs no more escapes than HTML.
 inline std::string xml_attribute(const char* name, std::string_view value) {
     return std::string(" ") + name + "=\"" + html_escaped(value) + "\"";
 }

@@ -11,7 +11,7 @@
 namespace keiko {
 namespace {
 
-/// The criteria of the run in the order in which they were first asked.
+/// The criteria of the run in the order of their first use.
 std::vector<const Criterion*> rules_of(const Inspection& inspection) {
     std::vector<const Criterion*> rules;
     for (const Check& check : inspection.checks) {
@@ -21,8 +21,8 @@ std::vector<const Criterion*> rules_of(const Inspection& inspection) {
     return rules;
 }
 
-/// A message that holds no arguments and no links: braces and brackets of names would be taken for
-/// such (SARIF 2.1.0, 3.11.5 and 3.11.6).
+/// A message without arguments and links: braces and brackets of names would be read as such (SARIF
+/// 2.1.0, 3.11.5 and 3.11.6).
 Json text(std::string_view message) {
     std::string plain;
     for (std::size_t i = 0; i < message.size(); ++i) {
@@ -80,8 +80,8 @@ Json properties_of(const Check& check) {
     return properties;
 }
 
-/// Hash of what a finding keeps from one run to the next: its code, and the names and files of its
-/// faces. Numbers of seams and measured values move.
+/// Hash of the properties that a finding keeps from one run to the next: its code, and the names
+/// and files of its faces. Numbers of seams and measured values change.
 std::string fingerprint(const Check& check, std::span<const SarifPlace> places, SarifFiles files) {
     constexpr std::size_t digits = 16;
     std::string identity = check.code + "\n" + check.view;
@@ -119,7 +119,8 @@ private:
         return std::find(rules_.begin(), rules_.end(), &criterion_of(check.code)) - rules_.begin();
     }
 
-    /// Apart from earlier ones: two dents of one face have the same hash.
+    /// Hash with a number that separates it from earlier ones: two dents of one face have the same
+    /// hash.
     std::string numbered(const std::string& hash) {
         return hash + ":" + std::to_string(++uses_[hash]);
     }
@@ -130,8 +131,8 @@ private:
     std::map<std::string, int> uses_;
 };
 
-/// Findings that a run has room for: failures before what is undecided, else in their order, and
-/// last what is worth a look.
+/// The findings that fit into a run: failures before undecided ones, otherwise in their order, and
+/// last those that deserve a look.
 std::vector<const Check*> top_findings(const Inspection& inspection) {
     std::vector<const Check*> top;
     for (const Check& finding : inspection.findings) top.push_back(&finding);
@@ -147,7 +148,7 @@ Json notification(const char* level, const std::string& message) {
     return {{"level", level}, {"message", text(message)}};
 }
 
-/// Invocation, with notifications of all that the results leave out.
+/// Invocation, with notifications of everything that the results omit.
 Json invocation(const Inspection& inspection) {
     Json json = {{"executionSuccessful", true}};
     Json& notifications = json["toolExecutionNotifications"] = Json::array();

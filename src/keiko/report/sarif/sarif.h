@@ -9,7 +9,7 @@
 
 namespace keiko {
 
-/// Results that GitHub takes in one run; it refuses a file with more.
+/// Number of results that GitHub accepts in one run; it refuses a file with more.
 constexpr std::size_t most_sarif_results = 25'000;
 
 /// The findings as a SARIF 2.1.0 log [SARIF], for tools that show those of static analysers: one

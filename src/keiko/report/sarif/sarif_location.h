@@ -19,8 +19,7 @@ struct SarifPlace {
     std::uint32_t file = 0, line = 1;
 };
 
-/// The faces that a check is of, one or two. Without a face that is known: line 1 of the first
-/// file.
+/// The one or two faces of a check. Without a known face: line 1 of the first file.
 std::vector<SarifPlace> places_of(const Check& check, const Inspection& inspection);
 
 /// SARIF artifactLocation of a file: a percent-encoded relative reference [RFC3986], to the base

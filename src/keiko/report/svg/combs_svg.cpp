@@ -12,13 +12,13 @@ namespace keiko {
 namespace {
 
 constexpr double width = 960, margin = 40, head = 64; ///< units of the picture
-/// Length of a tooth of the scale's curvature, of the drawing's diagonal.
+/// Length of a tooth of the scale's curvature, as a share of the drawing's diagonal.
 constexpr double tooth_share = 0.08;
 constexpr double usual_share = 0.98;  ///< of the samples are within the scale
 constexpr double least_spacing = 2.5; ///< of teeth, in the picture
-constexpr double spike = 1.1;         ///< times the tooth before: stands in its place
+constexpr double spike = 1.1;         ///< ratio to the tooth before: replaces it
 
-/// Axes of a drawing as seen from `towards`, z up where it can be.
+/// Axes of a drawing viewed from `towards`, z up if possible.
 struct DrawingAxes {
     Vec3 right, up;
 
@@ -40,7 +40,7 @@ void for_each_sample(std::span<const CombCurve> curves, const F& visit) {
             for (const CombSample& sample : piece.samples) visit(sample);
 }
 
-/// The 1, 2 or 5 times a power of ten at or above what nearly all curvatures are below.
+/// The 1, 2 or 5 times a power of ten that is not below nearly all curvatures.
 double usual_curvature(std::span<const CombCurve> curves) {
     std::vector<double> sizes;
     for_each_sample(curves,
@@ -88,8 +88,8 @@ public:
     }
 
 private:
-    /// Of samples too near each other to be told apart the first, or one that bends clearly more: a
-    /// spike may be as narrow as it likes.
+    /// Samples whose teeth are drawn. Of samples too near each other to be distinguished, it is the
+    /// first, or one with a clearly larger curvature: a spike may have any width.
     std::vector<const CombSample*> teeth(const CombPiece& piece) const {
         std::vector<const CombSample*> chosen;
         std::optional<Vec2> first;

@@ -6,10 +6,10 @@
 
 namespace keiko {
 
-/// The polar curve of a luminaire as an SVG picture, as catalogues have it: the axis of its angles
-/// downwards, intensity in cd as distance from the middle, a full line for the plane of H = 0 and
-/// 180 (of types A and B the plane of the axis that holds the horizontal) and a dashed one for the
-/// plane across. The right half is that of H = 0 and 90.
+/// The polar curve of a luminaire as an SVG picture in the form of catalogues: the axis of its
+/// angles points down, and the distance from the middle is the intensity in cd. A full line is the
+/// plane of H = 0 and 180 (for types A and B the plane of the axis that holds the horizontal). A
+/// dashed line is the plane across. The right half is that of H = 0 and 90.
 std::string polar_curve_svg(const LuminaireFacts& facts);
 
 } // namespace keiko

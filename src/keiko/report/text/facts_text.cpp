@@ -31,7 +31,7 @@ void write_counts(TextLines& lines, const ModelFacts& facts) {
     }
 }
 
-/// ", up to 0.01 mm", or nothing for a kind without size.
+/// ", up to 0.01 mm", or an empty text for a kind without size.
 void write_size(std::ostream& out, double millimetres) {
     if (millimetres > 0) out << ", up to " << millimetres << " mm";
 }

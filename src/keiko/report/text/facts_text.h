@@ -6,7 +6,7 @@
 
 namespace keiko {
 
-/// What is in a model file, for a terminal: one fact a line.
+/// Summary of a model file for a terminal: one fact a line.
 std::string facts_text(const ModelFacts& facts);
 
 } // namespace keiko

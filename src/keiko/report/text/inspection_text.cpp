@@ -16,14 +16,14 @@ std::string faces_text(const Inspection& inspection) {
            " undecided, " + std::to_string(counts.pass) + " pass";
 }
 
-/// Where it passes, too: whoever asks for it wants to know by how much.
+/// Adds the symmetry even if it passes, since its amount is of interest.
 void add_symmetry(TextLines& lines, const Inspection& inspection) {
     for (const Check& check : inspection.checks)
         if (check.code == "KEIKO-SYMMETRY" && check.worst.verdict == Verdict::pass)
             lines.line() << "pass  " << check.code << "  " << placed_message(check);
 }
 
-/// Nothing where each seam is of one class.
+/// Counts of stretches; empty if each seam is of one class.
 std::string stretches_text(const Inspection& inspection) {
     const std::size_t stretches = inspection.seams.size(), seams = inspection.facts.seams;
     if (stretches == seams) return "";

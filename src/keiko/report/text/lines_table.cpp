@@ -8,7 +8,7 @@
 namespace keiko {
 namespace {
 
-/// Without the sign of what is rounded to 0.
+/// A number without the sign of one that is rounded to 0.
 std::string number(const char* format, double value) {
     char text[48];
     std::snprintf(text, sizeof text, format, value);
