@@ -12,7 +12,7 @@
 namespace keiko {
 namespace {
 
-/// In the order of preference.
+/// Names of candidates in the order of preference.
 constexpr std::array<std::string_view, 17> candidates{"three-quarter-front-left",
                                                       "three-quarter-front-right",
                                                       "three-quarter-rear-left",
@@ -31,20 +31,20 @@ constexpr std::array<std::string_view, 17> candidates{"three-quarter-front-left"
                                                       "high-rear",
                                                       "top"};
 constexpr int test_width = 64;  ///< pixels
-constexpr double clearly = 1.1; ///< by how much a later candidate must be better
+constexpr double clearly = 1.1; ///< factor by which a later candidate must be better
 constexpr double other_side = degrees_to_radians(35); ///< least angle between two views
 constexpr double least_share = 0.25; ///< of the best score, that a further view must reach
-constexpr double outer_bonus = 0.5;  ///< most that curvature adds to or takes from a hit's worth
+constexpr double outer_bonus = 0.5;  ///< largest change of a hit's worth by curvature
 
-/// Worth of an incidence: little near grazing, where the picture is squeezed, and somewhat less
-/// straight on, where the eye stands among the lamps it would mirror.
+/// Worth of an incidence: small near grazing, where the picture is squeezed, and somewhat less
+/// straight on, where the camera stands among the lamps that it would reflect.
 double worth(double cosine) {
     const double t = std::clamp((cosine - 0.15) / 0.35, 0.0, 1.0);
     const double not_grazing = t * t * (3 - 2 * t);
     return not_grazing * (1 - 0.4 * std::pow(cosine, 8));
 }
 
-/// -1 where the surface is hollow towards the eye, 1 where it bulges, 0 where it is flat.
+/// -1 if the surface is hollow towards the camera, 1 if it bulges, 0 if it is flat.
 double bulge(const SurfaceModel& model, const Hit& hit, const Vec3& normal, double size) {
     const SurfaceDerivatives s = world_derivatives(model, hit);
     if (!(s.du().cross(s.dv()).length() > 1e-9 * s.du().length() * s.dv().length())) return 0;
@@ -81,7 +81,7 @@ std::vector<NamedView> scored_candidates(const Tracer& tracer, const SurfaceMode
     return views;
 }
 
-/// Whether the view shows the body from another side than all of those.
+/// True if the view shows the body from another side than all of those.
 bool differs(const NamedView& view, std::span<const NamedView> chosen) {
     const Vec3 towards = view.camera.target - view.camera.eye;
     return std::all_of(chosen.begin(), chosen.end(), [&](const NamedView& other) {

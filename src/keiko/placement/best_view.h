@@ -10,7 +10,7 @@
 
 namespace keiko {
 
-/// A camera and the name of the view it is.
+/// A named view: its camera.
 struct NamedView {
     std::string name;
     Camera camera;
@@ -20,15 +20,15 @@ struct NamedView {
 /// Cameras of all views, in their order.
 std::vector<Camera> cameras_of(std::span<const NamedView> views);
 
-/// Chooses the view that shows a part well: much of it large in the picture, at incidences that
-/// mirror clearly, and of sheet panels the convex, outer side. Tries the eight level or slightly
-/// raised views, the same from high above, and top, on small pictures; the first of equally good
-/// ones wins. Throws Error for an empty model.
+/// Chooses the view that shows a part well: large in the picture, at incidences with clear
+/// reflections, and for sheet panels from the convex, outer side. It tests the eight level or
+/// slightly raised views, the same from high above, and top, on small pictures; the first of
+/// equally good ones wins. Throws Error for an empty model.
 NamedView best_view(const Tracer& tracer, const SurfaceModel& model, const Framing& framing = {},
                     const Job& job = {});
 
-/// Up to `count` (at least 1) such views from different sides, the best first; fewer where no
-/// other side shows much.
+/// Up to `count` (at least 1) such views from different sides, the best first; fewer if no other
+/// side shows much.
 std::vector<NamedView> best_views(const Tracer& tracer, const SurfaceModel& model, int count,
                                   const Framing& framing = {}, const Job& job = {});
 

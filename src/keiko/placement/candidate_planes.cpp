@@ -44,12 +44,12 @@ bool overlap(const OrientedBox& a, const OrientedBox& b) {
 
 namespace {
 
-constexpr std::array<double, 4> distances{0.8, 1.5, 2.5, 4}; ///< in sizes of what is seen
+constexpr std::array<double, 4> distances{0.8, 1.5, 2.5, 4}; ///< in sizes of the visible part
 constexpr double neighbourhood = 0.5; ///< cosine to a direction of those gathered around it
 constexpr int rounds = 8;             ///< of the mean shift
-constexpr double same = 0.985;        ///< cosine of directions that are not worth telling apart
+constexpr double same = 0.985;        ///< cosine of directions that count as the same
 
-/// Mean direction of the waiting reflected rays within the neighbourhood of `around`, or of all.
+/// Mean direction of the uncovered reflected rays within the neighbourhood of `around`, or of all.
 std::optional<Vec3> mean_direction(const LampField& field, const std::optional<Vec3>& around) {
     Vec3 sum(0);
     for (std::size_t i = 0; i < field.samples().size(); ++i) {
@@ -62,7 +62,7 @@ std::optional<Vec3> mean_direction(const LampField& field, const std::optional<V
     return sum.normalized();
 }
 
-/// Mean shift: climbs to where mirror directions gather.
+/// Local maximum of the density of reflected directions by mean shift.
 std::optional<Vec3> gathered(const LampField& field, const Vec3& start) {
     std::optional<Vec3> direction = start;
     for (int round = 0; round < rounds && direction; ++round)
@@ -93,10 +93,11 @@ PlaneFrame facing(const Vec3& center, const Vec3& direction, double distance) {
     return {center + direction * distance, u, direction.cross(u)};
 }
 
-/// Each direction along the mirror as it would be there, and each that faces aside to one side.
+/// Directions for a mirror: each one along it projected to it, and each one that faces aside moved
+/// to one side.
 std::vector<Vec3> folded(const std::vector<Vec3>& directions, const MirrorPlane& mirror) {
-    constexpr double aside = 0.2;       // sine from which lamps hang in pairs
-    constexpr double along_least = 0.5; // cosine down to which lamps on the mirror may do as well
+    constexpr double aside = 0.2;       // sine from which lamps are placed in pairs
+    constexpr double along_least = 0.5; // cosine down to which lamps on the mirror may suffice
     std::vector<Vec3> found;
     const auto add = [&](const Vec3& direction) {
         if (std::none_of(found.begin(), found.end(),

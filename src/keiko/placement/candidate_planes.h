@@ -19,26 +19,27 @@ struct OrientedBox {
 };
 
 OrientedBox oriented(const Box3& box);
-/// The room that the lamps of a C-plane take.
+/// The volume of the lamps of a C-plane.
 OrientedBox oriented(const CPlane& plane);
 
-/// Whether two boxes have a point in common (separating axes [Gottschalk1996]).
+/// True if two boxes have a point in common (separating axes [Gottschalk1996]).
 bool overlap(const OrientedBox& a, const OrientedBox& b);
 
 /// Restriction of the planes that are searched.
 struct PlaneChoice {
     std::vector<Vec3> towards;      ///< unit directions from the body; none: any
-    std::vector<PlaneFrame> frames; ///< these planes and no others, unless there are none
+    std::vector<PlaneFrame> frames; ///< only these planes, unless empty
 };
 
-/// Planes worth trying for the samples that still wait: a ceiling, walls on four sides, and
-/// planes that face what is mirrored (the mean mirror direction, and the directions around which
-/// many are gathered), each at several distances from the middle of what is seen, as multiples of
-/// its size. u is along the vehicle's x axis as far as the plane allows. In a fixed order.
+/// Candidate planes for the samples that are still uncovered, in a fixed order. They are a ceiling,
+/// walls on four sides, and planes that face the reflections: the mean mirror direction, and the
+/// directions around which many are gathered. Each is at several distances from the middle of the
+/// visible part, as multiples of its size. u is along the vehicle's x axis as far as the plane
+/// allows.
 std::vector<PlaneFrame> candidate_planes(const LampField& field, const PlaneChoice& choice = {});
 
-/// Planes worth trying for lamps that are to be symmetric about a mirror: planes that are their own
-/// images, and of planes and their images, which face aside, one each.
+/// Candidate planes for lamps that are symmetric about a mirror: planes that are their own images,
+/// and one each of planes that face aside and their images.
 std::vector<PlaneFrame> candidate_planes(const LampField& field, const PlaneChoice& choice,
                                          const MirrorPlane& mirror);
 

@@ -8,7 +8,7 @@ namespace keiko {
 namespace {
 
 constexpr double tail = 0.005; ///< share left out at each end of the range
-constexpr double margin = 0.1; ///< by which the range is wider than what is left
+constexpr double margin = 0.1; ///< relative width added to the rest of the range
 
 /// Values below which `low` and 1 - `low` of the weight lies.
 std::pair<double, double> quantiles(std::vector<std::pair<double, double>> values, double low) {
@@ -85,7 +85,7 @@ struct CellWindow {
     }
 };
 
-/// The smaller window that gives up least weight per area and keeps `least`, or the same window.
+/// The smaller window that loses the least weight per area and keeps `least`, or the same window.
 CellWindow shrunk(const CellWindow& window, const SummedArea& sums, double least) {
     CellWindow best = window;
     double lowest = 0;

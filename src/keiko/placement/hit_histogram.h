@@ -7,13 +7,13 @@
 
 namespace keiko {
 
-/// A place on a plane and what it counts.
+/// A place on a plane and its weight.
 struct WeightedPlace {
     Vec2 place{0};
     double weight = 0;
 };
 
-/// How much of the picture is mirrored to which part of a plane: weights on a grid of cells.
+/// Distribution of the picture's reflections over a plane: weights on a grid of cells.
 class HitHistogram {
 public:
     HitHistogram() = default;
@@ -32,9 +32,9 @@ public:
     /// Each cell the 1-2-1 tent mean of its neighbourhood: for pictures.
     HitHistogram smoothed() const;
 
-    /// For each share of the total (falling, 0 to 1) a small rectangle that holds it, found by
-    /// taking away the border row or column of least weight per area as long as enough remains.
-    /// A share that the range does not hold gives the whole range.
+    /// For each share of the total (falling, 0 to 1) a small rectangle that holds it. It is found
+    /// by removing the border row or column of least weight per area as long as enough remains. A
+    /// share that the range does not hold gives the whole range.
     std::vector<Box2> rectangles(std::span<const double> shares) const;
 
 private:

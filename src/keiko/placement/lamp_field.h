@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// The samples of a picture and what the lamps placed so far do for each of them.
+/// The samples of a picture and the effect of the lamps placed so far on each of them.
 class LampField {
 public:
     explicit LampField(std::vector<ViewSample> samples);
@@ -19,23 +19,24 @@ public:
     /// Weighted mean of the places on the surface, and the diagonal of their box, mm.
     const Vec3& centroid() const { return centroid_; }
     double size() const { return size_; }
-    /// Number of different (instance, face) pairs, and which one a sample is on.
+    /// Number of different (instance, face) pairs, and the one of a sample.
     std::size_t region_count() const { return region_count_; }
     std::uint32_t region(std::size_t sample) const { return regions_[sample]; }
 
-    /// Whether the sample still waits for lamps: not blocked by the body, not hidden from the eye
+    /// True if the sample is still uncovered: not blocked by the body, not hidden from the camera
     /// by lamps, not reached yet.
     bool waits(std::size_t sample) const;
-    /// Whether the sample mirrors lamps.
+    /// True if the sample reflects lamps.
     bool reached(std::size_t sample) const { return lit_[sample] && !hidden_[sample]; }
-    /// Whether the tube of a lamp stands between the sample and the eye.
+    /// True if the tube of a lamp stands between the sample and the camera.
     bool hidden(std::size_t sample) const { return hidden_[sample]; }
     /// Share of the weight that is reached.
     double coverage() const;
 
-    /// Takes the lamps of one more plane into account.
+    /// Adds the lamps of one more plane.
     void place(const CPlane& plane);
-    /// `count` to twice as many of the samples, evenly taken, nothing placed: for searches.
+    /// Field of `count` to twice as many of the samples, uniformly chosen, without lamps: for
+    /// searches.
     LampField thinned(std::size_t count) const;
 
 private:

@@ -40,7 +40,7 @@ constexpr double t8_diameter = 26;                      ///< mm
 constexpr double least_duty = 0.3, greatest_duty = 0.5; ///< diameter by pitch
 constexpr std::size_t search_samples = 2000;
 
-/// Rows that are hung together: one, or one and its mirror image.
+/// Rows that are placed together: one, or one and its mirror image.
 struct RowGroup {
     LampRectangle first;
     std::optional<LampRectangle> image{};
@@ -52,7 +52,7 @@ struct RowGroup {
     double coverage() const { return first.score.coverage + (image ? image->score.coverage : 0); }
 };
 
-/// Hangs rows of lamps one after the other, on a thinned field.
+/// Places rows of lamps one after the other, on a thinned field.
 class RowSearch {
 public:
     RowSearch(const LampField& field, const Box3& body, const LampDemand& demand,
@@ -62,8 +62,8 @@ public:
           demand_(demand),
           options_(&options) {}
 
-    /// The best lamps for what still waits on each plane that is of use, the best first; of rows
-    /// after the first only those that bring enough.
+    /// The best lamps for the uncovered samples on each useful plane, the best first; after the
+    /// first row only those that contribute enough.
     std::vector<RowGroup> next(const Job& job, std::vector<PlaneCandidate>& tried) const {
         const std::vector<PlaneFrame> planes =
             demand_.mirror ? candidate_planes(field_, options_->where, *demand_.mirror)
@@ -88,7 +88,7 @@ public:
         return found;
     }
 
-    /// Hangs rows, and then the best ones as long as they are wanted.
+    /// Places rows, and then the best ones as long as they are wanted.
     void run(const RowGroup& first, const Job& job) {
         place(first);
         std::vector<PlaneCandidate> tried;
@@ -103,7 +103,7 @@ public:
     CPlane lamps(const LampRectangle& r) const {
         return r.c_plane(lamp_diameter(r.pitch()), options_->luminance);
     }
-    /// Objective of all rows: coverage, each part by what its stripes are worth.
+    /// Objective of all rows: coverage, with each part weighted by the quality of its stripes.
     double worth() const {
         double sum = 0;
         for (const LampRectangle& row : rows_) sum += row.score.objective();
@@ -124,8 +124,8 @@ private:
         placed_.push_back(oriented(plane));
         rows_.push_back(row);
     }
-    /// With the image of a row that is none itself, where symmetry is asked for; the score of both
-    /// struck out where they run into each other.
+    /// The row with its image, if symmetry is requested and the row is not its own image. The score
+    /// of both is 0 if they intersect each other.
     RowGroup group_of(LampRectangle row) const {
         if (!demand_.mirror || row.lamps == 0 || !(row.score.objective() > 0) ||
             is_own_image(row.frame, *demand_.mirror))
@@ -140,7 +140,7 @@ private:
         image.score = PlaneSearch(field, image.frame, demand).rated(image.extent).score;
         return {row, image};
     }
-    /// The rectangle, its score struck out where it runs into the body or into other lamps.
+    /// The rectangle, with a score of 0 if it intersects the body or other lamps.
     LampRectangle admitted(LampRectangle r) const {
         if (r.lamps == 0) return r;
         const OrientedBox room = oriented(lamps(r));
@@ -159,7 +159,7 @@ private:
     std::vector<LampRectangle> rows_;
 };
 
-/// The first ones that face different ways.
+/// The first ones that face different directions.
 std::vector<RowGroup> beginnings(const std::vector<RowGroup>& found) {
     constexpr std::size_t most = 4;
     constexpr double same = 0.9; // cosine
@@ -174,7 +174,7 @@ std::vector<RowGroup> beginnings(const std::vector<RowGroup>& found) {
     return chosen;
 }
 
-/// The best row and what goes with it; where that is not enough, other rows may be a better begin.
+/// The best row with the following ones; if they do not suffice, other rows may be a better begin.
 RowSearch best_rows(const RowSearch& start, std::vector<PlaneCandidate>& tried, const Job& job) {
     constexpr double worth_changing = 1.05;
     RowSearch best = start;

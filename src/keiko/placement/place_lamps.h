@@ -12,40 +12,41 @@
 
 namespace keiko {
 
-/// Rating of the lamps of a given rig for what pictures of `picture_height` pixels saw of the
-/// model: the same figures as of a placed one. Spotlights and suns are passed over. Throws Error
-/// for a rig without C-planes, and where the pictures see no surface.
+/// Rating of the lamps of a given rig for samples `seen` in pictures of `picture_height` pixels of
+/// the model: the same figures as for a placed one. Spotlights and suns are skipped. Throws Error
+/// for a rig without C-planes, and if the pictures show no surface.
 Placement rated_rig(std::vector<ViewSample> seen, const SurfaceModel& model, int picture_height,
                     const LightRig& rig, const StripeSpacing& spacing = {});
 
 struct PlacementOptions {
     int lamps = 12;           ///< on each plane; 0: as many as give the wanted spacing
-    int planes = 3;           ///< at most; one more is taken only where it serves enough
+    int planes = 3;           ///< at most; one more is added only if it serves enough
     double least_gain = 0.05; ///< share of the picture that another plane must add
-    double enough = 0.9;      ///< coverage at which no further plane is looked for
+    double enough = 0.9;      ///< coverage at which no further plane is searched
     LampDirection direction = LampDirection::best;
     PlaneChoice where;
     StripeSpacing spacing; ///< px of a picture 540 high
-    /// Lamps are symmetric about it: each row in itself, or two rows that are images of each other.
-    /// For views and a body that are symmetric too, and no planes given as frames.
+    /// Plane of symmetry of the lamps: each row is its own image, or two rows are images of each
+    /// other. It is for views and a body that are symmetric too, and without planes given as
+    /// frames.
     std::optional<MirrorPlane> mirror{};
     Rgb luminance{9000}; ///< cd/m2 of the lamps
     SamplingOptions sampling;
 };
 
-/// Hangs parallel lamps so that their mirror images cover what the cameras see of the body: the
-/// histogram of reflected rays on candidate planes chooses plane, rectangle and direction of the
-/// lamps; further planes serve what the ones before leave. Lamps never cut the body's box, stand
-/// between eye and body as little as possible, and scale with the body. The same input gives the
-/// same rig for any thread count. Throws Error where the cameras see no surface, or where no plane
-/// serves anything.
+/// Places parallel lamps so that their reflections cover the visible part of the body. The
+/// histogram of reflected rays on candidate planes selects plane, rectangle and direction of the
+/// lamps. Further planes serve the samples that the ones before leave uncovered. Lamps never cut
+/// the body's box, stand between camera and body as little as possible, and scale with the body.
+/// The same input gives the same rig for any thread count. Throws Error if the cameras see no
+/// surface, or if no plane serves anything.
 Placement place_lamps(const Tracer& tracer, const SurfaceModel& model,
                       std::span<const Camera> cameras, const PlacementOptions& options = {},
                       const Job& job = {});
 Placement place_lamps(const Tracer& tracer, const SurfaceModel& model, const Camera& camera,
                       const PlacementOptions& options = {}, const Job& job = {});
-/// Placement from what pictures of `picture_height` pixels saw of the model, whose faces lie in
-/// `body`; of the options all but `sampling`.
+/// Placement from samples `seen` in pictures of `picture_height` pixels of the model, whose faces
+/// lie in `body`; uses all options except `sampling`.
 Placement place_lamps(std::vector<ViewSample> seen, const SurfaceModel& model, const Box3& body,
                       int picture_height, const PlacementOptions& options = {},
                       const Job& job = {});

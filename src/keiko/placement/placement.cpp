@@ -18,7 +18,7 @@ struct Spacing {
     double pixels = 0, weight = 0;
 };
 
-/// From stripe to stripe where a sample mirrors the lamps; nothing where it does not.
+/// Spacing of stripes where a sample reflects the lamps; nullopt if it does not.
 std::optional<double> spacing_at(const ViewSample& sample, const CPlane& plane) {
     const auto hit = meet(frame_of(plane), sample.mirror);
     const Box2 lamps{Vec2(0), Vec2(plane.u.length(), plane.v.length())};
@@ -44,7 +44,7 @@ std::vector<Spacing> spacings(std::span<const ViewSample> samples, std::span<con
     return found;
 }
 
-/// The spacing below which `share` of the weight lies, of sorted spacings.
+/// The spacing below which `share` of the weight lies, from sorted spacings.
 double quantile(std::span<const Spacing> sorted, double total, double share) {
     double sum = 0;
     for (const Spacing& s : sorted)
@@ -81,7 +81,7 @@ UnreachedBecause reason(const LampField& field, std::size_t i) {
     return field.hidden(i) ? UnreachedBecause::hidden : UnreachedBecause::beyond_lamps;
 }
 
-/// Joins samples that are neighbours in their picture and not reached for the same reason.
+/// Joins samples that are neighbours in their picture and unreached for the same reason.
 DisjointSets joined(const LampField& field) {
     using Cell = std::tuple<std::uint32_t, int, int>;
     DisjointSets groups(field.samples().size());

@@ -14,13 +14,13 @@
 
 namespace keiko {
 
-/// Statistics of the stripes of lamps in the pictures, over all places that mirror them. Spacings
+/// Statistics of the stripes of lamps in the pictures, over all places that reflect them. Spacings
 /// are from stripe to stripe, px.
 struct StripeStatistics {
-    /// Below which a tenth, half and nine tenths of the weight lie; 0 where nothing is known.
+    /// Spacings below which a tenth, half and nine tenths of the weight lie; 0 if unknown.
     double narrow = 0, median = 0, wide = 0;
     double in_range = 0;   ///< share of the weight whose spacing is wanted, 0 to 1
-    double uniformity = 0; ///< exp(-standard deviation of ln spacing), 1 for even stripes
+    double uniformity = 0; ///< exp(-standard deviation of ln spacing), 1 for uniform stripes
 };
 
 /// Statistics of the stripes of lamps on these planes; a place that several planes reach counts for
@@ -28,17 +28,17 @@ struct StripeStatistics {
 StripeStatistics stripe_statistics(std::span<const ViewSample> samples,
                                    std::span<const CPlane> planes, const StripeSpacing& wanted);
 
-/// Why a place mirrors no lamp.
+/// Reason why a place reflects no lamp.
 enum class UnreachedBecause {
     beyond_lamps, ///< its reflected ray passes beside all lamps
-    blocked,      ///< it mirrors the body itself
-    hidden        ///< lamps stand between it and the eye
+    blocked,      ///< it reflects the body itself
+    hidden        ///< lamps stand between it and the camera
 };
 
 /// "beyond the lamps", "mirrors the body", "hidden by lamps"
 std::string_view name_of(UnreachedBecause reason);
 
-/// A part of a picture that hangs together and mirrors no lamp.
+/// A connected part of a picture that reflects no lamp.
 struct UnreachedRegion {
     std::uint32_t view = 0; ///< which of the cameras
     UnreachedBecause because = UnreachedBecause::beyond_lamps;
@@ -46,13 +46,13 @@ struct UnreachedRegion {
     Vec3 place{0};                    ///< mm: the place on the surface nearest to its middle
     Box3 box;                         ///< mm, of its places on the surface
     std::vector<std::uint32_t> faces; ///< of the model, rising
-    Box2 pixels;                      ///< where it is in the picture
+    Box2 pixels;                      ///< its bounds in the picture
 };
 
 /// The regions of at least `least_share`, the largest first.
 std::vector<UnreachedRegion> unreached_regions(const LampField& field, double least_share = 0.002);
 
-/// Lamps on one plane, and what they do for the picture.
+/// Lamps on one plane, and their benefit for the picture.
 struct PlacedPlane {
     CPlane lamps;
     PlacementScore score;
@@ -61,40 +61,41 @@ struct PlacedPlane {
     HitHistogram histogram;
 };
 
-/// How much of a face the lamps reach.
+/// Share of a face that the lamps reach.
 struct FaceCoverage {
     std::uint32_t instance = 0, face = 0;
     double share = 0;   ///< of the picture's weight that is this face
-    double reached = 0; ///< share of that which mirrors lamps, 0 to 1
+    double reached = 0; ///< share of that which reflects lamps, 0 to 1
 };
 
-/// A plane that was tried.
+/// A plane that was tested.
 struct PlaneCandidate {
-    Vec3 towards{0};     ///< unit, from the middle of what is seen to the plane
+    Vec3 towards{0};     ///< unit, from the middle of the visible part to the plane
     double distance = 0; ///< mm
     PlacementScore score;
 };
 
-/// A rig for a picture, and how good it is.
+/// A rig for a picture, and its quality.
 struct Placement {
     LightRig rig;
     std::optional<MirrorPlane> mirror{}; ///< that the rig has been made symmetric about
-    double coverage = 0;                 ///< share of the picture's weight that mirrors lamps
+    double coverage = 0;                 ///< share of the picture's weight that reflects lamps
     std::vector<PlacedPlane> planes;     ///< best first; the rig's C-planes in the same order
     StripeStatistics stripes;
-    std::vector<FaceCoverage> faces; ///< every face that is seen, the largest unreached part first
+    std::vector<FaceCoverage> faces; ///< every visible face, the largest unreached part first
     std::vector<UnreachedRegion> unreached; ///< the largest first
-    std::vector<PlaneCandidate> candidates; ///< for the first plane, in the order they were tried
-    double blocked = 0;                     ///< share of the weight that mirrors the body itself
-    Diagnostics diagnostics; ///< a warning for every face of which a large part is not reached
+    std::vector<PlaneCandidate> candidates; ///< for the first plane, in the order of the search
+    double blocked = 0;                     ///< share of the weight that reflects the body itself
+    Diagnostics diagnostics; ///< a warning for every face with a large unreached part
 };
 
-/// The rest of a placement whose rig and planes are known: what the lamps reach in the field, where
-/// all of them are placed.
+/// Computes the rest of a placement whose rig and planes are known: the coverage in the field, in
+/// which all lamps are placed.
 void tell_what_is_reached(Placement& placement, const LampField& field, const SurfaceModel& model,
                           const StripeSpacing& wanted);
 
-/// Histogram of the places where the reflected rays of all samples meet the plane of some lamps.
+/// Histogram of the intersections of the reflected rays of all samples with the plane of some
+/// lamps.
 HitHistogram hit_histogram(const LampField& field, const CPlane& plane);
 
 } // namespace keiko

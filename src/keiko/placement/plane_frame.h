@@ -11,7 +11,7 @@
 
 namespace keiko {
 
-/// Orthonormal coordinates of a plane that lamps may hang on: u along them, v across, mm.
+/// Orthonormal coordinates of a plane for lamps: u along them, v across, mm.
 struct PlaneFrame {
     Vec3 origin{0};
     Vec3 u{1, 0, 0}, v{0, 1, 0};
@@ -23,7 +23,7 @@ struct PlaneFrame {
         return {(point - origin).dot(u), (point - origin).dot(v)};
     }
     double height(const Vec3& point) const { return (point - origin).dot(normal()); }
-    /// Turned about its origin from u towards v.
+    /// The frame turned about its origin from u towards v.
     PlaneFrame turned(double radians) const;
 };
 
@@ -35,29 +35,30 @@ struct PlaneHit {
     Vec2 place{0};
     double t = 0;
     double cosine = 0; ///< of the angle of incidence, above 0
-    /// Change of u and v with the picture's x and y, per pixel, where the ray has differentials.
+    /// Change of u and v with the picture's x and y, per pixel, if the ray has differentials.
     struct Gradients {
         Vec2 u{0}, v{0};
     };
     std::optional<Gradients> gradients;
 };
 
-/// Intersection of a ray with the plane; nullopt for rays that run away from the plane or along it.
+/// Intersection of a ray with the plane; nullopt for rays that point away from the plane or along
+/// it.
 std::optional<PlaneHit> meet(const PlaneFrame& frame, const Ray& ray);
 
 /// Place where the segment from a to b crosses the plane, if it does.
 std::optional<Vec2> crossing(const PlaneFrame& frame, const Vec3& a, const Vec3& b);
 
-/// Whether a plane for lamps is its own mirror image, with u and v along the mirror or square to
+/// True if a plane for lamps is its own mirror image, with u and v along the mirror or square to
 /// it.
 bool is_own_image(const PlaneFrame& frame, const MirrorPlane& mirror);
 /// The image of a frame.
 PlaneFrame image_of(const PlaneFrame& frame, const MirrorPlane& mirror);
-/// The smallest rectangle that holds another, on a frame that is its own image, and is one too.
+/// The smallest symmetric rectangle that holds another, on a frame that is its own image.
 Box2 symmetric_extent(const PlaneFrame& frame, const Box2& extent, const MirrorPlane& mirror);
 
-/// Whether a camera's picture is its own mirror image where what it sees is: its eye lies on the
-/// mirror, and so do its axes but one.
+/// True if a camera's picture of a symmetric scene is its own mirror image: its eye lies on the
+/// mirror, and so do its axes except one.
 bool is_own_image(const Camera& camera, const MirrorPlane& mirror);
 
 } // namespace keiko

@@ -13,7 +13,7 @@ namespace keiko {
 
 namespace {
 
-/// Shares of what a plane could serve that rectangles are tried for.
+/// Shares of the weight that a plane could serve for which rectangles are tested.
 constexpr std::array<double, 5> shares{0.98, 0.95, 0.9, 0.8, 0.65};
 constexpr int cells = 64;               ///< of the histogram, each way
 constexpr double coarse_angle = 15;     ///< degrees
@@ -22,17 +22,18 @@ constexpr double worth_turning = 1.005; ///< gain below which lamps are not turn
 /// Gain below which lamps stay along or across the vehicle: surfacers read such stripes best.
 constexpr double worth_being_aslant = 1.1;
 constexpr double enough_stripes = 5; ///< on a face
-/// Diagonal of the lamps, in sizes of what is seen, at which they are worth half.
+/// Diagonal of the lamps, in sizes of the visible part, at which their worth is halved.
 constexpr double unwieldy = 8;
 constexpr int least_lamps = 3, most_lamps = 64;
-/// Coverage counts most: with these powers the first plane reaches about 0.8 of a bonnet, 0.8 of a
-/// fender and 0.6 of a deck; with 0.5, 0.5 and 1 it reached 0.66, 0.65 and 0.52.
+/// Powers of the objective's factors; coverage counts most. With these the first plane reaches
+/// about 0.8 of a bonnet, 0.8 of a fender and 0.6 of a deck; with 0.5, 0.5 and 1 it reached 0.66,
+/// 0.65 and 0.52.
 constexpr double stripes_power = 0.25, uniformity_power = 0.15, in_range_power = 0.5;
 /// Share of the objective that is kept for lamps whose stripes are all too narrow or too wide, so
-/// that there is still a best one.
+/// that a best one still exists.
 constexpr double least_in_range = 0.05;
-/// Bends of features, over the size of what is seen: that counts as much as the picture as such,
-/// and beyond which a feature counts no more.
+/// Bends of features, over the size of the visible part: the one that counts as much as the picture
+/// as a whole, and the one beyond which a feature counts no more.
 constexpr double plain_bend = 0.5, sharpest_bend = 20;
 
 /// Sums over the samples that a rectangle serves.
@@ -207,7 +208,7 @@ LampRectangle PlaneSearch::score(const PlaneFrame& frame, const Box2& extent,
         const double weight = field_.samples()[r.sample].weight;
         const bool inside = extent.contains(r.place);
         if (field_.reached(r.sample)) {
-            // Stripes of two planes across each other are as bad as none.
+            // Crossed stripes of two planes are as bad as none.
             if (hidden[r.sample] || inside) tally.lost += weight;
             continue;
         }

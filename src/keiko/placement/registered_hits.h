@@ -8,21 +8,21 @@
 
 namespace keiko {
 
-/// Mirror samples of pictures of a body, registered while they were made, for lamps to be placed by
-/// it without another look at the body.
+/// Mirror samples of pictures of a body, registered during rendering. Lamps can be placed by them
+/// without tracing the body again.
 struct RegisteredHits {
     std::vector<NamedView> views;
     std::vector<ViewSample> samples; ///< of all faces, each with its solid angle as weight
     std::size_t faces = 0, instances = 0;
     Box3 body;
 
-    /// The samples of the faces that count, weighed as the options say. Throws Error for hits of a
+    /// The samples of the faces that count, weighted by the options. Throws Error for hits of a
     /// body with other faces.
     std::vector<ViewSample> chosen(const SurfaceModel& model, const Box3& bounds,
                                    const SamplingOptions& options) const;
 };
 
-/// Registered hits of views of one body, the same samples that place_lamps takes by itself.
+/// Registered hits of views of one body, the same samples that place_lamps computes itself.
 RegisteredHits register_hits(const Tracer& tracer, const SurfaceModel& model,
                              std::vector<NamedView> views, const Job& job = {});
 

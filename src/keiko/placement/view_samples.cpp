@@ -33,7 +33,7 @@ Ray mirrored_ray(const SurfaceModel& model, const Hit& hit, const Ray& camera_ra
 
 namespace {
 
-/// The tangent of least absolute normal curvature, and by how much it bends less.
+/// The tangent of least absolute normal curvature, and the difference of the absolute curvatures.
 struct LeastBend {
     Vec3 tangent{0};
     double difference = 0;
@@ -43,7 +43,7 @@ LeastBend least_bend(const SurfaceDerivatives& s, const Vec3& normal) {
     const PrincipalCurvatures k = principal_curvatures(s, normal);
     const bool second = std::abs(k.k2) < std::abs(k.k1);
     const double least = second ? k.k2 : k.k1, most = second ? k.k1 : k.k2;
-    // (II - least I) (a, b) = 0 has two rows; the longer one tells (a, b) better.
+    // (II - least I) (a, b) = 0 has two rows; the longer one determines (a, b) better.
     const Vec3 du = s.du(), dv = s.dv();
     const Vec2 first_row(normal.dot(s.duu()) - least * du.length2(),
                          normal.dot(s.duv()) - least * du.dot(dv));
@@ -75,7 +75,7 @@ FeatureDirection feature_direction(const SurfaceDerivatives& surface, const Ray&
 
 namespace {
 
-/// Edge, in pixels, of the square that one sample stands for.
+/// Edge, in pixels, of the square that one sample represents.
 int stride(const Camera& camera, int samples) {
     const double pixels = static_cast<double>(camera.width) * camera.height;
     return std::max(1, static_cast<int>(std::sqrt(pixels / std::max(samples, 1))));
@@ -90,7 +90,7 @@ public:
         for (const std::uint32_t face : options.faces) wanted_.at(face) = true;
     }
 
-    /// The samples of one row of a picture; counts all that it meets.
+    /// The samples of one row of a picture; counts all of its hits.
     std::vector<ViewSample> row(const Camera& camera, std::uint32_t view, double y, int step,
                                 HitStatistics& paths) const {
         std::vector<Ray> rays;

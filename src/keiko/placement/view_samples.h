@@ -23,14 +23,14 @@ Vec3 facing_normal(const Hit& hit, const Ray& ray);
 /// S and its derivatives to order 2 at the hit, in world coordinates.
 SurfaceDerivatives world_derivatives(const SurfaceModel& model, const Hit& hit);
 
-/// Which way a feature of the surface runs in the picture, and how much of a feature it is.
+/// Direction of a surface feature in the picture, and its strength.
 struct FeatureDirection {
-    Vec2 along{0};       ///< unit, picture x and y; zero where there is none
-    double strength = 0; ///< 1/mm: by how much the surface bends more across it than along it
+    Vec2 along{0};       ///< unit, picture x and y; zero if there is none
+    double strength = 0; ///< 1/mm: absolute curvature across it less that along it
 };
 
-/// Fillets, edges and character lines run along the principal direction of least curvature.
-/// `mirrored` starts at the place and tells by its differentials how the picture sees it.
+/// Direction of fillets, edges and character lines: the principal direction of least curvature.
+/// `mirrored` starts at the place; its differentials give the projection to the picture.
 FeatureDirection feature_direction(const SurfaceDerivatives& surface, const Ray& mirrored);
 
 /// Measure by which a place in the picture is weighted.
@@ -39,17 +39,17 @@ enum class SampleWeight {
     pixels       ///< every pixel the same, as in [NishitaTubes]
 };
 
-/// A place of a picture that sees the surface, and what it mirrors.
+/// A place of the surface in a picture, and its reflected ray.
 struct ViewSample {
     std::uint32_t view = 0; ///< which of the cameras
     std::uint32_t instance = 0, face = 0;
     Vec2 pixel{0};
-    int edge = 1; ///< pixels, of the square that it stands for
+    int edge = 1; ///< pixels, of the square that it represents
     double weight = 0;
     Vec3 eye{0};          ///< origin of the camera ray
-    Vec3 normal{0};       ///< unit, on the side of the eye
+    Vec3 normal{0};       ///< unit, on the side of the camera
     Ray mirror;           ///< from the surface along the mirror direction
-    bool blocked = false; ///< the reflected ray meets the body again
+    bool blocked = false; ///< the reflected ray hits the body again
     FeatureDirection feature;
 
     const Vec3& position() const { return mirror.origin; }

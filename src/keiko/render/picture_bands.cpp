@@ -6,14 +6,14 @@
 namespace keiko {
 namespace {
 
-/// Rows of a band that are looked at together, so few that all that is known of them stays near the
-/// processor; with those around them as many as a Hilbert curve's square has.
+/// Rows of a band that are traced together: few enough for their data to stay in the processor's
+/// cache. With those around them they are as many as a Hilbert curve's square has.
 constexpr int rows_at_once = 14;
 constexpr int band_width = 126, most_rows = 10 * rows_at_once;
-/// Of a thread: what the last one to end is waited for is little of them all.
+/// Least number of bands a thread, for the wait for the last one to be short.
 constexpr std::size_t least_bands = 32;
 
-/// A grid below one that was looked at.
+/// Removes the traced rows from a grid that continues another.
 void leave_out_seen_rows(TileRays& grid) {
     std::erase_if(grid.places, [](const GridPlace& place) { return place.y < 2; });
     grid.continues_above = true;

@@ -8,13 +8,13 @@
 
 namespace keiko {
 
-/// The picture in bands, each of which one thread renders from top to bottom, some rows at a time.
-/// What is found beyond the border of one is found for its neighbours again, so they are as high as
-/// leaves enough of them for that many threads.
+/// The picture in bands, each rendered by one thread from top to bottom, some rows at a time.
+/// Results beyond the border of a band are computed for its neighbours again, so bands are as high
+/// as leaves enough of them for that many threads.
 std::vector<Tile> picture_bands(const Camera& camera, std::size_t threads);
 
-/// Where Integrator::only_mirrors(): one ray a pixel, and those around the band. How many hits were
-/// found in which way for its own.
+/// Renders a band if Integrator::only_mirrors(): one ray a pixel, and those around the band.
+/// Returns the statistics of the hits of its own pixels.
 HitStatistics render_band(const Integrator& integrator, const PictureRays& eye, const Tile& band,
                           Film& film);
 

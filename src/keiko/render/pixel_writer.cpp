@@ -32,7 +32,8 @@ float blank_value(Aov aov) {
     return 0;
 }
 
-/// `color`: cd/m2; `illuminance`: lx, both in the mean over the pixel or of one sample.
+/// Writes the layers of light. `color`: cd/m2; `illuminance`: lx, both as mean over the pixel or of
+/// one sample.
 void write_light_aovs(Film& film, int x, int y, const Rgb& color, double illuminance) {
     if (const auto layer = film.aovs.find(Aov::luminance); layer != film.aovs.end())
         put(layer->second, x, y, {luminance(color)});
@@ -52,7 +53,7 @@ void write_aov(Aov aov, Image& image, int x, int y, const PixelSample& sample) {
     switch (aov) {
         case Aov::luminance:
         case Aov::illuminance:
-            break; // go with the colour
+            break; // written with the colour
         case Aov::normal:
             put(image, x, y, {hit.normal.x, hit.normal.y, hit.normal.z});
             break;

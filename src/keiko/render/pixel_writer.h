@@ -14,7 +14,7 @@ Film blank_film(int width, int height, std::span<const Aov> aovs);
 void write_row(Film& film, int x, int y, std::span<const PixelSample> samples);
 
 /// Replaces colour, coverage, luminance and illuminance of a pixel by the mean over samples,
-/// `shares` of the pixel; the other layers keep what its centre shows.
+/// `shares` of the pixel; the other layers keep the values of its centre.
 void write_mean(Film& film, int x, int y, std::span<const PixelSample> samples,
                 std::span<const double> shares);
 

@@ -13,11 +13,11 @@
 namespace keiko {
 namespace {
 
-/// Pixels a side of a tile, rendered by one thread, whose pixels may be refined.
+/// Pixels a side of a tile with pixels that may be refined; one thread renders it.
 constexpr int tile_size = 32;
 
-/// One ray a pixel, those of pixels `in_parts` without the light of shading points. The view is one
-/// pixel wider.
+/// Renders one ray a pixel, those of pixels `in_parts` without the light of shading points. The
+/// view is one pixel wider.
 HitStatistics render_centres(const Integrator& integrator, const Tile& tile, double light_error,
                              const std::vector<bool>& in_parts, SampleBatch view, Film& film) {
     if (view.points.empty()) return write_samples(view.samples, 1, tile, film);
@@ -26,7 +26,7 @@ HitStatistics render_centres(const Integrator& integrator, const Tile& tile, dou
     return write_samples(view.samples, 0, tile, film);
 }
 
-/// The pixels of a tile that may hold outlines, with what their centres show unless they are
+/// The pixels of a tile that may contain edges, with the samples of their centres unless they are
 /// discontinuous.
 std::vector<EdgeCell> outlined_cells(const Tile& tile, std::span<const Outline> outlines,
                                      std::span<const PixelSample> samples) {
@@ -68,7 +68,8 @@ RefinedPixels refine_outlines(const Integrator& integrator, const PictureRays& e
                           1.0 / edge_samples);
 }
 
-/// Neighbours beyond the tile tell where outlines are and how the images of pixels are bent.
+/// Renders a tile. Neighbours beyond it determine where edges are and how the images of pixels are
+/// bent.
 HitStatistics render_tile(const Integrator& integrator, const PictureRays& eye, const Tile& tile,
                           const PictureOptions& options, Film& film) {
     const TileRays grid = grid_of(eye, tile);

@@ -11,7 +11,7 @@
 namespace keiko {
 namespace {
 
-/// More boxes are taken together, neighbours in their order, so that no model costs much.
+/// Number of boxes beyond which neighbours in their order are merged, so that no model is slow.
 constexpr std::size_t most_boxes = 1 << 15;
 
 std::vector<Box3> joined(std::span<const Box3> boxes) {
@@ -29,8 +29,8 @@ double margin_of(const Camera& camera, std::span<const Box3> boxes) {
     return 1e-9 * (all.size() + all.center().length() + camera.eye.length());
 }
 
-/// The pixels around the corners of a box as the picture shows them; nothing where one of them is
-/// not before the eye.
+/// The pixels around the corners of a box in the picture; nullopt if one of them is not before the
+/// camera.
 std::optional<Box2> shown(const PreparedCamera& camera, const Box3& box) {
     Box2 shown;
     for (const double x : {box.lower.x, box.upper.x})
@@ -43,7 +43,8 @@ std::optional<Box2> shown(const PreparedCamera& camera, const Box3& box) {
     return shown;
 }
 
-/// How many rectangles hold each cell of a grid: their corners are counted, then summed up.
+/// Number of rectangles that contain each cell of a grid: their corners are counted, then summed
+/// up.
 class RectangleCounts {
 public:
     RectangleCounts(int columns, int rows)
@@ -51,7 +52,7 @@ public:
           rows_(static_cast<std::size_t>(rows)),
           counts_((columns_ + 1) * (rows_ + 1)) {}
 
-    /// The last column and row with it.
+    /// Adds a rectangle, its last column and row included.
     void add(std::size_t x0, std::size_t y0, std::size_t x1, std::size_t y1) {
         at(x0, y0) += 1, at(x1 + 1, y1 + 1) += 1;
         at(x1 + 1, y0) -= 1, at(x0, y1 + 1) -= 1;
@@ -110,7 +111,7 @@ std::vector<Tile> tiles_of(const Camera& camera, int width, int height) {
 }
 
 PictureRays::PictureRays(const PictureScene& scene, const Camera& seen_by) : camera(seen_by) {
-    // Where there is a medium, rays that meet nothing see it too.
+    // In a medium, rays that miss the scene show it too.
     if (!scene.rig.medium) cover.emplace(seen_by, scene.tracer.boxes());
 }
 

@@ -13,7 +13,7 @@
 
 namespace keiko {
 
-/// The cells of a picture that a model may be seen in: no ray through any other meets it.
+/// The cells of a picture in which a model may be visible: no ray through any other hits it.
 class ScreenBounds {
 public:
     /// `boxes`: world, mm; the model is within them.
@@ -48,7 +48,7 @@ std::vector<Tile> tiles_of(const Camera& camera, int width, int height);
 /// The camera rays of a picture.
 struct PictureRays {
     PreparedCamera camera;
-    std::optional<ScreenBounds> cover; ///< others see nothing but the background
+    std::optional<ScreenBounds> cover; ///< others show only the background
 
     PictureRays(const PictureScene& scene, const Camera& seen_by);
     bool may_meet(int x, int y) const { return !cover || cover->may_show(x, y); }
@@ -57,11 +57,11 @@ struct PictureRays {
 /// A tile and the pixels around it; valid as long as `eye` is.
 TileRays grid_of(const PictureRays& eye, const Tile& tile);
 
-/// Writes what the pixels of a tile show, and of `border` more on all sides. How many hits were
-/// found in which way for the tile's own.
+/// Writes the pixels of a tile, from samples of it and of `border` more on all sides. Returns the
+/// statistics of the hits of the tile's own pixels.
 HitStatistics write_samples(std::span<const PixelSample> samples, int border, const Tile& tile,
                             Film& film);
-/// Writes the pixels of a tile whose rays meet nothing.
+/// Writes the pixels of a tile whose rays miss the scene.
 void write_unseen(const Integrator& integrator, const Tile& tile, Film& film);
 
 } // namespace keiko

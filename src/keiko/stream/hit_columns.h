@@ -15,7 +15,7 @@ namespace keiko {
 enum class HitColumn {
     t,        ///< in lengths of the ray's direction
     instance, ///< index of the placed part, from 0
-    face,     ///< number of the face, as reports state it
+    face,     ///< number of the face, as in reports
     patch,    ///< index of the patch in the model, from 0
     u,
     v, ///< patch parameters, 0 to 1
@@ -29,13 +29,13 @@ enum class HitColumn {
     k2,    ///< 1/mm, principal curvatures, k1 >= k2; > 0 bends towards the normal
     bound, ///< mm, certified distance to the exact intersection
     flags,
-    luminance, ///< cd/m2, seen along the ray
+    luminance, ///< cd/m2, along the ray
     r,
     g,
     b ///< cd/m2
 };
 
-/// "t,face,u": each once. Throws Error that names what is wrong.
+/// Columns of a list "t,face,u": each once. Throws Error that names the fault.
 std::vector<HitColumn> hit_columns(std::string_view list);
 
 /// The name of the first of them that needs light.
@@ -44,16 +44,16 @@ std::optional<std::string> light_column(const std::vector<HitColumn>& columns);
 /// "t,face,u", without line break.
 std::string header_of(const std::vector<HitColumn>& columns);
 
-/// How a hit was found, and whether at a seam: "unique", "clipped", "tangential", or the last two
-/// together, then "seam" if it is; with `|` between.
+/// Classification of a hit in words: "unique", "clipped", "tangential", or the last two together,
+/// then "seam" if it is at one; with `|` between.
 std::string flag_words(HitFlags flags);
 
 /// Appends the row of a hit and a line break. Numbers are the shortest that read back as the same
-/// double; a field without a value, as the curvatures of a pole, is empty.
+/// double; a field without a value, as for the curvatures of a pole, is empty.
 void append_row(std::string& text, const std::vector<HitColumn>& columns, const Hit& hit,
                 const Rgb& luminance);
 
-/// Appends the row of a ray that hits nothing: empty fields and a line break.
+/// Appends the row of a ray without a hit: empty fields and a line break.
 void append_empty_row(std::string& text, const std::vector<HitColumn>& columns);
 
 /// Appends the digits of a number, the fewest that read back as the same.

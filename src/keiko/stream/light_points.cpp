@@ -14,7 +14,7 @@
 namespace keiko {
 namespace {
 
-/// Illuminance at the points of some lines: of each the lux from every source, then their sum.
+/// Illuminance at the points of some lines: for each the lux from every source, then their sum.
 struct Piece : RowPiece {
     std::vector<std::vector<double>> lux;
 };
@@ -42,14 +42,14 @@ void end_before_lamps(ParsedRays& points, const RayLines& lines, const LightRig&
                                   point_header);
 }
 
-/// A place on the surfaces, to be lit.
+/// A place on the surfaces for which light is computed.
 struct Place {
     Vec3 position;
-    std::optional<Root> root; ///< its own, if it is on one
+    std::optional<Root> root; ///< its own, if it is on a surface
 };
 
-/// The point of a surface that is nearest along the normal, if it is so near that it is meant:
-/// coordinates are written with a few digits.
+/// The point of a surface that is nearest along the normal, if it is within the rounding of
+/// coordinates with a few digits.
 Place place_of(const Tracer& surfaces, const Vec3& point, const Vec3& normal) {
     constexpr double meant = 1e-3; // mm
     Ray across;

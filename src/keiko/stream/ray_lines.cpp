@@ -14,7 +14,7 @@ constexpr std::size_t piece = 1 << 16; ///< bytes: some 700 rays
 constexpr std::size_t fields = 6;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// Why a line is no ray, of which field.
+/// Reason why a line is no ray, and the field at fault.
 struct Refusal {
     std::string_view field;
     std::string reason;
@@ -26,7 +26,8 @@ std::string_view without_blanks(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-/// Of several '\r' only the last is the line's end; the others are no fields either.
+/// True if a line is blank. If it ends with several '\r', only the last is the line's end; the
+/// others are no fields either.
 bool is_blank(std::string_view line) {
     return line.find_first_not_of(" \t\r") == std::string_view::npos;
 }
@@ -63,7 +64,7 @@ std::string_view direction_names(std::string_view header) {
 std::optional<Refusal> refusal_of(const Ray& ray, std::string_view header) {
     // Doubles beyond it are more than 0.1 mm apart.
     constexpr double farthest = 1e15;
-    // Squares of what lies outside are no numbers.
+    // Squares of values outside are not finite or 0.
     constexpr double shortest = 1e-100, longest = 1e100;
     if (largest_component(ray.origin) > farthest)
         return Refusal{place_names(header), "lies beyond 1e15 mm"};
@@ -102,7 +103,7 @@ std::uint64_t newlines_in(std::string_view text) {
     return static_cast<std::uint64_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// Whether a line holds the names of the header, blanks around them or not.
+/// True if a line consists of the names of the header, with or without blanks around them.
 bool names_columns(std::string_view line, std::string_view header) {
     if (std::count(line.begin(), line.end(), ',') != fields - 1) return false;
     for (std::size_t i = 0; i < fields; ++i)
@@ -110,7 +111,7 @@ bool names_columns(std::string_view line, std::string_view header) {
     return true;
 }
 
-/// Start of the blank lines that a text ends with. A line that is too long is none of them.
+/// Start of the blank lines at the end of a text. A line that is too long is none of them.
 std::size_t end_of_rays(std::string_view text) {
     while (!text.empty()) {
         std::string_view line = text;
@@ -130,7 +131,7 @@ Error fault_at(std::uint64_t line, const Refusal& refusal) {
 
 } // namespace
 
-/// Reads up to the end of a line; false where nothing is left.
+/// Reads up to the end of a line; false if nothing is left.
 bool RayLineReader::fill(std::string& text) {
     text.swap(rest_);
     rest_.clear();
@@ -161,7 +162,7 @@ void RayLineReader::drop_header(RayLines& lines) {
     lines.first_line = 2;
 }
 
-/// Keeps blank lines back until it is known whether a ray follows; of many the first is enough.
+/// Holds blank lines back until it is known whether a ray follows; the first of many is enough.
 void RayLineReader::hold_blank_lines(RayLines& lines) {
     const std::size_t end = end_of_rays(lines.text);
     const std::uint64_t held =

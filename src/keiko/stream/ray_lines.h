@@ -14,15 +14,15 @@
 
 namespace keiko {
 
-/// Source of a stream of bytes: fills the front of the span with what there is, at least
-/// one byte, and returns how many; 0: the end.
+/// Source of a stream of bytes: fills the front of the span with the available bytes, at least one,
+/// and returns their number; 0: the end.
 using ByteSource = std::function<std::size_t(std::span<char>)>;
 
 /// The columns of a line of rays: origin and direction. The first line of a file may name them.
 constexpr std::string_view ray_header = "ox,oy,oz,dx,dy,dz";
 /// The columns of a line of points on surfaces: position and normal.
 constexpr std::string_view point_header = "x,y,z,nx,ny,nz";
-/// Bytes; six numbers need less than 200.
+/// Longest line in bytes; six numbers need less than 200.
 constexpr std::size_t longest_ray_line = 1024;
 
 /// Whole lines of a file of rays.
@@ -32,8 +32,8 @@ struct RayLines {
     std::uint64_t first_ray = 0;  ///< number of its first ray
 };
 
-/// Cuts a stream into pieces of whole lines, one piece for what one read brings, so that who sends
-/// a ray and waits is answered. Leaves out a UTF-8 byte order mark, the first line where it is the
+/// Cuts a stream into pieces of whole lines, one piece for each read, so that a sender that waits
+/// after a ray receives its answer. Leaves out a UTF-8 byte order mark, the first line if it is the
 /// header, and blank lines at the end of the stream; a blank line before a ray stays, for rays_of
 /// to refuse.
 class RayLineReader {
@@ -41,8 +41,8 @@ public:
     explicit RayLineReader(ByteSource source, std::string_view header = ray_header)
         : source_(std::move(source)), header_(header) {}
 
-    /// Fills `lines` anew; false at the end. A line beyond the longest comes in several pieces,
-    /// the first of which rays_of refuses.
+    /// Fills `lines` anew; false at the end. A line beyond the longest comes in several pieces;
+    /// rays_of refuses the first one.
     bool read(RayLines& lines);
 
 private:
@@ -54,27 +54,29 @@ private:
     std::string_view header_;
     std::string rest_; ///< the beginning of a line
     std::uint64_t next_line_ = 1, next_ray_ = 0;
-    std::optional<std::uint64_t> blank_line_; ///< the first of those that may be the last ones
+    std::optional<std::uint64_t> blank_line_; ///< the first of the blank lines that may be the last
+                                              ///< ones
     bool ended_ = false;
 };
 
-/// The rays of some lines, up to the first that is none.
+/// The rays of some lines, up to the first line that is no ray.
 struct ParsedRays {
     std::vector<Ray> rays;
     std::optional<Error> fault; ///< names the line and the field
 };
 
-/// One ray a line: six finite decimal numbers between commas, blanks around them or not; the origin
-/// within 1e15 mm of zero, the direction no zero vector. Points are read as rays along their
-/// normals; the header names the columns in errors.
+/// One ray a line: six finite decimal numbers between commas, with or without blanks around them.
+/// The origin is within 1e15 mm of zero, the direction no zero vector. Points are read as rays
+/// along their normals; the header names the columns in errors.
 ParsedRays rays_of(const RayLines& lines, std::string_view header = ray_header);
 
-/// Ends the rays of `lines` before one of them, for a `reason` that is stated of its origin.
+/// Ends the rays of `lines` before one of them, for a `reason` about its origin.
 void end_before(ParsedRays& parsed, const RayLines& lines, std::size_t ray,
                 const std::string& reason, std::string_view header = ray_header);
 
-/// Ends the rays of `lines` before the first that comes from so far outside of a body with these
-/// bounds, 1e8 times its size, that doubles do not tell where it meets it; a tracer finds nothing.
+/// Ends the rays of `lines` before the first whose origin is too far from a body with these bounds:
+/// 1e8 times its size. At that distance doubles do not resolve the intersection, and a tracer finds
+/// nothing.
 void end_before_far_origins(ParsedRays& parsed, const RayLines& lines, const Box3& body);
 
 } // namespace keiko

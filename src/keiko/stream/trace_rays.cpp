@@ -13,7 +13,7 @@ struct Piece : RowPiece {
     HitStatistics hits;
 };
 
-/// Follows rays and writes what they hit.
+/// Traces rays and writes their hits.
 class RowWriter {
 public:
     RowWriter(const Scene& scene, const TraceOptions& options)

@@ -12,42 +12,42 @@
 
 namespace keiko {
 
-/// Sink of a stream of bytes; false: nobody reads it any more.
+/// Sink of a stream of bytes; returns false if no reader is left.
 using ByteSink = std::function<bool(std::string_view)>;
 
 struct TraceOptions {
-    std::string columns = "t,face,u,v,x,y,z,nx,ny,nz"; ///< as HitColumn names them
+    std::string columns = "t,face,u,v,x,y,z,nx,ny,nz"; ///< names of HitColumn
     bool all = false; ///< every hit by rising t, after a column `ray`, rather than the first
 };
 
-/// Counts of what went through trace_rays.
+/// Counts of the rays that trace_rays has processed.
 struct TraceCounts {
     std::uint64_t rays = 0;
     HitStatistics hits;
 };
 
-/// Throws Error for columns that trace_rays would refuse for any scene: before the long work.
+/// Throws Error, before the long work, for columns that trace_rays would refuse for any scene.
 void require_columns(const TraceOptions& options);
 
 /// Reads lines of rays (see rays_of) and writes hits as CSV: a header line, then for each ray in
-/// order the row of its first hit, empty fields where there is none. With `all` each hit has a
+/// order the row of its first hit, with empty fields if there is none. With `all` each hit has a
 /// row, led by the number of its ray from 0; a ray without hits has one with that number alone.
 /// Rows are written as rays come, in constant memory, and are the same bytes for any thread count.
-/// Ends early when the sink wants no more. Throws Error for the first malformed line, after the
+/// Ends early if the sink accepts no more. Throws Error for the first malformed line, after the
 /// rows of those before it.
 TraceCounts trace_rays(const Scene& scene, const ByteSource& rays, const ByteSink& hits,
                        const TraceOptions& options = {}, const Job& job = {});
 
-/// A piece of a stream of rays on its way from lines to rows.
+/// A piece of a stream of rays between lines and rows.
 struct RowPiece {
     RayLines lines;
     std::string rows;
     std::optional<Error> fault; ///< of the first malformed line, behind the rows before it
 };
 
-/// Streams pieces (of a type made from RowPiece) in constant memory and in order: `work(piece)`
+/// Streams pieces (of a type derived from RowPiece) in constant memory and in order: `work(piece)`
 /// fills one on any thread, `count(piece)` is called for each before its rows are written. Ends
-/// early when the sink wants no more; throws a piece's fault.
+/// early if the sink accepts no more; throws a piece's fault.
 template <class Piece, class Work, class Count>
 void stream_rows(RayLineReader& reader, const ByteSink& sink, const Job& job, const Work& work,
                  const Count& count) {

@@ -39,7 +39,8 @@ double HeightField::at(double x, double y) const {
 
 namespace {
 
-/// What of the segment is between the troughs and the crests of the waves, where it may cross.
+/// The part of the segment between the troughs and the crests of the waves, where it may cross the
+/// surface.
 ParameterInterval between_crests(const HeightField& field, const Segment& segment) {
     double reach = 0;
     for (const Wave& wave : field.waves) reach += std::abs(wave.amplitude);
@@ -49,7 +50,7 @@ ParameterInterval between_crests(const HeightField& field, const Segment& segmen
     return {std::clamp(std::min(a, b), 0.0, 1.0), std::clamp(std::max(a, b), 0.0, 1.0)};
 }
 
-/// Lengths of the shortest waves that lie along the whole segment.
+/// Length of the segment in shortest waves along it.
 double waves_along(const HeightField& field, const Segment& segment) {
     const Vec3 way = segment.b - segment.a;
     double most = 0;
@@ -59,8 +60,8 @@ double waves_along(const HeightField& field, const Segment& segment) {
     return most;
 }
 
-/// Walks along a segment from crossing to crossing, past what height and slope at a place and the
-/// bound of the bend prove free of crossings, or to hold a single one.
+/// Steps along a segment from crossing to crossing. Height and slope at a place, with the bound of
+/// the second derivative, prove a step free of crossings, or that it holds a single one.
 class CrossingWalk {
 public:
     CrossingWalk(const HeightField& field, const Segment& segment)
@@ -80,8 +81,8 @@ public:
 
 private:
     static constexpr double least = 1e-9; ///< mm
-    /// A walk takes about ten places a wave. Only along a segment that lies in the surface would it
-    /// take more than these, and is given up.
+    /// Number of places after which a walk is given up. It takes about ten places a wave, and more
+    /// than these only along a segment that lies in the surface.
     static constexpr double some_places = 10000, places_per_wave = 64;
     static constexpr int places_between_checks = 1024;
 
@@ -97,11 +98,11 @@ private:
     double stride(const Place& here) const {
         const double bend = over_.bend(), height = std::abs(here.height);
         const double away = here.below() ? -here.slope : here.slope;
-        // Behind the only crossing, where the surface is farthest for sure.
+        // Behind the only crossing, at the place certainly farthest from the surface.
         if (away < 0 && away * away > 2 * bend * height) return -away / bend;
         const double turn = std::sqrt(away * away + 2 * bend * height);
         const double free = away < 0 ? 2 * height / (turn - away) : (away + turn) / bend;
-        // Between places so near the surface is no farther off than `least` twice.
+        // Between places this near to the surface, its distance is at most twice `least`.
         const double near = std::max(std::sqrt(8 * least / bend), 1e-15);
         return free > near ? free : near;
     }
@@ -116,7 +117,7 @@ private:
             const double step = -here.height / here.slope, next = t + step;
             const bool inside = next > low && next < high;
             t = inside ? next : (low + high) / 2;
-            // What the next step would be at most.
+            // Largest possible next step.
             const double left = over_.bend() * step * step / (2 * std::abs(here.slope));
             if (inside && left <= narrow) break;
         }
@@ -141,7 +142,7 @@ std::vector<double> crossings(const HeightField& field, const Segment& segment) 
 }
 
 std::vector<Wave> noise_waves(double amplitude, double wavelength) {
-    // Lengths and phases in the golden ratio never fall into step.
+    // Lengths and phases in the golden ratio never come into phase.
     constexpr int count = 6;
     constexpr double golden = std::numbers::phi;
     std::vector<Wave> waves;

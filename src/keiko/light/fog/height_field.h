@@ -27,22 +27,22 @@ struct HeightField {
 
     /// z of the surface over a place, mm.
     double at(double x, double y) const;
-    /// How far a point lies over the surface, along z; negative below.
+    /// Height of a point over the surface, along z; negative below.
     double above(const Vec3& point) const { return point.z - at(point.x, point.y); }
 
     bool operator==(const HeightField&) const = default;
 };
 
-/// Parameters of the segment, rising, at which it crosses the surface: all of them but for pairs
-/// between which it is less than 1e-9 mm off.
+/// Parameters of the segment, rising, at which it crosses the surface. They are complete except for
+/// pairs between which it deviates by less than 1e-9 mm from the surface.
 std::vector<double> crossings(const HeightField& field, const Segment& segment);
 
-/// A natural looking surface: waves of many lengths up to `wavelength` mm, of `amplitude` mm
-/// altogether. The same for the same numbers.
+/// A natural surface: waves of many lengths up to `wavelength` mm, of `amplitude` mm in total. The
+/// same numbers give the same surface.
 std::vector<Wave> noise_waves(double amplitude, double wavelength);
 
-/// How far a segment lies over a height field, along z, as a function of its parameter: a straight
-/// line less a sum of cosines, two a wave, whose second derivative is bounded.
+/// Height of a segment over a height field, along z, as a function of its parameter. It is a
+/// straight line less a sum of cosines, two a wave, whose second derivative is bounded.
 class HeightAlong {
 public:
     HeightAlong(const HeightField& field, const Segment& segment);
@@ -51,9 +51,9 @@ public:
         double height; ///< mm over the surface
         double slope;  ///< of that, per parameter
     };
-    /// Not for two threads at once.
+    /// Value at a parameter; not for two threads at once.
     Value at(double t) const;
-    /// Of the second derivative per parameter.
+    /// Bound of the second derivative per parameter.
     double bend() const { return bend_; }
 
 private:

@@ -12,7 +12,8 @@
 
 namespace keiko {
 
-/// Phase function 1 + k cos^16(gamma / 2), k >= 0, of fog [NishitaShafts]; k = 0 scatters evenly.
+/// Phase function 1 + k cos^16(gamma / 2), k >= 0, of fog [NishitaShafts]; k = 0 scatters
+/// uniformly.
 struct HazePhase {
     double k = 0;
 
@@ -26,7 +27,7 @@ struct HenyeyGreenstein {
     bool operator==(const HenyeyGreenstein&) const = default;
 };
 
-/// How a medium spreads the light that it scatters over the angle gamma of deviation.
+/// Distribution of the light that a medium scatters over the angle gamma of deviation.
 using PhaseFunction = std::variant<HazePhase, HenyeyGreenstein>;
 
 /// Phase function in 1/sr, with an integral of 1 over all directions
@@ -43,7 +44,7 @@ inline double phase(const PhaseFunction& function, double cosine) {
     return std::visit([cosine](const auto& kind) { return phase(kind, cosine); }, function);
 }
 
-/// Uniform density: the same everywhere.
+/// Uniform density.
 struct HomogeneousDensity {
     bool operator==(const HomogeneousDensity&) const = default;
 };
@@ -57,26 +58,26 @@ struct LayeredDensity {
 /// The medium's extinction times the density of a grid, whose values are shares.
 struct GridDensity {
     std::shared_ptr<const VoxelDensity> grid;
-    std::string file{}; ///< where it was read from
+    std::string file{}; ///< path from which it was read
 };
 
 using Density = std::variant<HomogeneousDensity, LayeredDensity, GridDensity>;
 
 /// Quadrature rule of the integral along a camera ray.
 enum class ScatteringRule {
-    gauss,  ///< in the angle at the lamp, refined to a tolerance; closed form where there is one
-    simpson ///< of the papers: evenly along the ray, 16 steps a lit part
+    gauss,  ///< in the angle at the lamp, refined to a tolerance; closed form if there is one
+    simpson ///< of the papers: uniform along the ray, 16 steps a lit part
 };
 
 /// A medium that scatters light once.
 struct Medium {
     Rgb extinction{0};     ///< 1/m, absorption and scattering together
     Rgb albedo{0.9};       ///< share of the extinction that is scattering
-    Rgb ambient{0};        ///< cd/m2 that an infinite depth of it shows
+    Rgb ambient{0};        ///< cd/m2 of an infinite depth of it
     PhaseFunction phase{}; ///< uniform by default
     Density density{};
-    /// Whether light is dimmed on its way from a lamp to where it is scattered; [NishitaSpots, eq.
-    /// 18] leaves that out indoors.
+    /// True if light is attenuated on its way from a lamp to the place of scattering;
+    /// [NishitaSpots, eq. 18] omits that indoors.
     bool dims_light_leg = true;
     ScatteringRule rule = ScatteringRule::gauss;
 };

@@ -12,16 +12,16 @@
 
 namespace keiko {
 
-/// Integral of a colour over pieces of a line, each smooth inside, by Gauss quadrature: of the
-/// pieces the one is halved where rules of `order` and twice that many nodes differ most, until all
-/// these differences together are within the tolerance.
+/// Integral of a colour over pieces of a line, each smooth inside, by Gauss quadrature. Rules of
+/// `order` and of twice as many nodes are compared on each piece. The piece with the largest
+/// difference is halved until all differences together are within the tolerance.
 template <class F>
 class RefinedIntegral {
 public:
-    /// `tolerance`: of the whole.
+    /// `tolerance`: of the whole integral.
     RefinedIntegral(const F& f, double tolerance) : f_(f), tolerance_(tolerance) {}
 
-    /// Over the pieces between neighbouring `ends`, which rise.
+    /// Integral over the pieces between neighbouring `ends`, which rise.
     Rgb operator()(std::span<const double> ends) {
         pieces_.clear();
         error_ = 0;
@@ -50,7 +50,7 @@ private:
         bool operator<(const Piece& other) const { return error < other.error; }
     };
 
-    /// Between the many kinks of a table there is little left to follow.
+    /// Order of the rule; between the many kinks of a table a low one suffices.
     int order_of(std::size_t pieces) const {
         constexpr std::size_t many = 6;
         return tolerance_ < 1e-6 ? 8 : pieces > many ? 2 : tolerance_ < 1e-4 ? 4 : 3;
@@ -59,7 +59,7 @@ private:
     void add(double a, double b, int halvings) {
         check_stop();
         const Rgb fine = integrate(f_, a, b, 2 * order_), gap = fine - integrate(f_, a, b, order_);
-        // What cannot be halved any more counts as found.
+        // A piece that cannot be halved any more counts as accurate.
         const bool last = halvings == most_halvings;
         const double error =
             last ? 0 : std::max({std::abs(gap.r), std::abs(gap.g), std::abs(gap.b)});

@@ -54,8 +54,8 @@ Complex turned_e1(double u, double y) {
 
 double airlight(double u, double begin, double end) {
     const auto direct = [&](double xi) { return std::exp(-u * std::tan(xi)); };
-    // Where nearly nothing is dimmed, or little is to be integrated, terms of the closed form
-    // cancel, and the integrand is next to a polynomial.
+    // Where attenuation is negligible, or the range is narrow, terms of the closed form cancel, and
+    // the integrand is almost a polynomial.
     constexpr double quarter_turn = std::numbers::pi / 2, narrow = 0.05;
     const double width = end - begin;
     const bool smooth = quarter_turn - end > 3 * width && u * (std::tan(end) - std::tan(begin)) < 1;
@@ -109,13 +109,13 @@ public:
         return (*this)(angle(t)) * (distance_ * length_ / (distance_ * distance_ + along * along));
     }
 
-    /// Integral in closed form, of an isotropic emitter in a uniform medium that scatters
+    /// Integral in closed form, for an isotropic emitter in a uniform medium that scatters
     /// isotropically (docs/theory/fog.md#the-integral).
     Rgb closed_form(const ParameterInterval& part) const {
         constexpr double pi = std::numbers::pi;
         const double begin = pi / 4 + angle(part.begin) / 2, end = pi / 4 + angle(part.end) / 2;
         const auto channel = [&](double extinction, double scattered) {
-            // Of a light so far behind the eye nothing is left.
+            // A light this far behind the camera contributes nothing.
             if (-extinction * metres(foot_) > 600) return 0.0;
             return scattered * std::exp(-extinction * metres(foot_)) *
                    airlight(extinction * metres(distance_), begin, end) /
@@ -146,7 +146,7 @@ private:
     double length_;
     Vec3 direction_;
     const AttenuatedRay& dimmed_;
-    double foot_ = 0, distance_ = 0; ///< mm: of the emitter along and from the ray
+    double foot_ = 0, distance_ = 0; ///< mm: distances of the emitter along and from the ray
 };
 
 bool has_closed_form(const Medium& medium, const PointEmitter& emitter) {

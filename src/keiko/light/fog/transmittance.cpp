@@ -17,7 +17,7 @@ double length_of(const Segment& segment) {
 double share_above(const HeightField& border, const Segment& segment) {
     std::vector<double> ends = crossings(border, segment);
     ends.push_back(1);
-    // By turns above and below.
+    // Alternately above and below.
     bool above = border.above(segment.at(ends.front() / 2)) > 0;
     double sum = 0, begin = 0;
     for (const double end : ends) {
@@ -40,7 +40,7 @@ struct At {
     }
 };
 
-/// Mean along a segment.
+/// Mean density along a segment.
 struct Mean {
     const Medium& medium;
     const Segment& segment;

@@ -28,11 +28,11 @@ Rgb transmittance(const Medium& medium, const Segment& segment);
 /// Luminance in cd/m2 that the medium's own ambient light adds over an optical depth: Ja (1 - T).
 Rgb ambient_inscatter(const Medium& medium, const Rgb& optical_depth);
 
-/// A lit part of a camera ray in pieces in which everything is smooth, as parameters of the ray.
+/// A lit part of a camera ray split into smooth pieces, as parameters of the ray.
 std::vector<double> smooth_pieces(const ParameterInterval& part, std::span<const double> breaks);
 
-/// The optical depth from the eye along a ray, known up to the breaks of the medium's density, so
-/// that one more point costs no more than one piece.
+/// The optical depth from the eye along a ray, precomputed up to the breaks of the medium's
+/// density, so that one more point costs at most one piece.
 class AttenuatedRay {
 public:
     /// Keeps references to both.
@@ -41,7 +41,7 @@ public:
     const Medium& medium() const { return medium_; }
     const Segment& ray() const { return ray_; }
 
-    /// From the eye to a parameter of the ray.
+    /// Optical depth from the eye to a parameter of the ray.
     Rgb depth_to(double t) const;
     const std::vector<double>& breaks() const { return breaks_; }
 
@@ -50,8 +50,8 @@ private:
     const Segment& ray_;
     std::vector<double> breaks_;
     std::vector<Rgb> depths_; ///< at the breaks
-    /// Of the whole ray if all of it were as it is between two breaks, where that is even: by the
-    /// number of breaks before. Empty where it is not.
+    /// Depth of the whole ray if all of it had the density between two breaks, where that is
+    /// uniform: by the number of breaks before. Empty if it is not.
     std::vector<Rgb> even_;
 };
 

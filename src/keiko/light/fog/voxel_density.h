@@ -11,8 +11,9 @@ namespace keiko {
 /// (docs/theory/fog.md#grids).
 class VoxelDensity {
 public:
-    /// The first and the last nodes lie at the corners `low` and `high`, mm. Requires at least two
-    /// nodes each way, low below high, and as many values as nodes, x fastest, then y.
+    /// Density with the first and the last nodes at the corners `low` and `high`, mm. Requires at
+    /// least two nodes along each axis, low below high, and as many values as nodes, x fastest,
+    /// then y.
     VoxelDensity(const Vec3& low, const Vec3& high, const std::array<int, 3>& nodes,
                  std::vector<double> values);
 

@@ -9,8 +9,8 @@
 namespace keiko {
 namespace {
 
-/// Whether a point of the window's plane is in the polygon: even-odd, seen along the largest part
-/// of the normal.
+/// True if a point of the window's plane is in the polygon: even-odd rule, viewed along the largest
+/// component of the normal.
 bool holds(const Window& window, const Vec3& normal, const Vec3& point) {
     const Vec3 size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
     const unsigned skipped = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -32,7 +32,7 @@ double depth_behind(const Window& window, const Vec3& normal, const Vec3& direct
     return normal.dot(point - window.corners.front()) / normal.dot(direction);
 }
 
-/// The light along the ray, at a parameter of it.
+/// The light along the ray, at one parameter of it.
 class BeamRay {
 public:
     BeamRay(const AttenuatedRay& camera_ray, const ParallelBeam& beam)
@@ -54,7 +54,8 @@ public:
                transmittance(depth) * (phase_ * metres(length_));
     }
 
-    /// The same, integrated in a medium that is even: the exponent is linear along the ray.
+    /// Luminance scattered in a part of the ray in a uniform medium: the exponent is linear along
+    /// the ray.
     Rgb closed_form(const ParameterInterval& part) const {
         const double first = behind(ray_.at(part.begin)), last = behind(ray_.at(part.end));
         const double leg = medium_.dims_light_leg ? 1 : 0;

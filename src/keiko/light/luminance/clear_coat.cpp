@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Surfaces seen more nearly edge-on have no limit.
+/// Cosine below which surfaces are too nearly edge-on to have a limit.
 constexpr double least_cosine = 1e-3;
 
 const Vec3 up(0, 0, 1);
@@ -31,7 +31,7 @@ Vec3 about(const Vec3& pole, double theta, double phi) {
 }
 
 /// Integral of f(theta, phi) sin(theta) over [0, end] and both halves [begin(theta), end(theta)] of
-/// a function that is the same for phi and -phi, its detail near theta = 0 as wide as `detail`.
+/// a function that is even in phi. Its detail near theta = 0 is as wide as `detail`.
 template <class Range, class F>
 Rgb polar_integral(double end, double detail, double allowed, const Range& range, const F& f) {
     const auto ring = [&](double theta) {

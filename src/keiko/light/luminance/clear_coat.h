@@ -11,18 +11,18 @@
 
 namespace keiko {
 
-/// Integral of a kernel over all directions of light above the horizon: the share of even light,
-/// 0 to 1, that the surface sends to the eye, which sees it under `cosine` above 0. To about
+/// Integral of a kernel over all directions of light above the horizon: the share of uniform light,
+/// 0 to 1, that the surface reflects to a viewer under `cosine` above 0. Accurate to about
 /// `allowed`.
 Rgb directional_albedo(const Gloss& gloss, double cosine, double allowed = 1e-5);
 Rgb directional_albedo(const Flakes& flakes, double cosine, double allowed = 1e-5);
 
-/// Directional albedos kept by the cosine, and their mean over the hemisphere.
+/// Directional albedos tabulated by the cosine, and their mean over the hemisphere.
 class AlbedoTable {
 public:
     explicit AlbedoTable(const std::function<Rgb(double cosine)>& albedo);
 
-    /// Linear in between; to about 1e-3.
+    /// Albedo interpolated linearly; accurate to about 1e-3.
     Rgb operator()(double cosine) const;
     /// Twice the integral of the table times the cosine over the cosines from 0 to 1.
     const Rgb& mean() const { return mean_; }
@@ -34,33 +34,34 @@ private:
 };
 
 /// Diffuse paint under a clear coat of index `n` >= 1
-/// (docs/theory/luminance.md#coats-flakes-metals): light that enters is refracted, scattered by the
-/// base and partly thrown back by the coat from within.
+/// (docs/theory/luminance.md#coats-flakes-metals). Light that enters is refracted, scattered by the
+/// base and partly reflected by the coat from within.
 class ClearCoat {
 public:
-    /// Under a smooth coat.
+    /// Paint under a smooth coat.
     ClearCoat(const Rgb& base_reflectance, double n)
         : ClearCoat(base_reflectance, n, fresnel_mean(n)) {}
-    /// Under a rough one that throws back what `outside` tells.
+    /// Paint under a rough coat that reflects by the table `outside`.
     ClearCoat(const Rgb& base_reflectance, double n, std::shared_ptr<const AlbedoTable> outside)
         : ClearCoat(base_reflectance, n, outside->mean().g) {
         rough_ = std::move(outside);
     }
 
-    /// Share of the light that the coat throws back, by the cosine of the angle of incidence.
+    /// Share of the light that the coat reflects, by the cosine of the angle of incidence.
     double mirrored(double cosine) const {
         if (passes_all()) return 0;
         return rough_ ? (*rough_)(cosine).g : fresnel_dielectric(cosine, n_);
     }
-    /// Whether it throws nothing back.
+    /// True if it reflects nothing.
     bool passes_all() const { return n_ == 1 && !rough_; }
-    /// The rest.
+    /// Share of the light that enters the coat.
     double entering(double cosine) const { return 1 - mirrored(cosine); }
 
-    /// What takes the place of the reflectance in Lambert's rho E / pi for light whose share
-    /// `entering` was taken beforehand, seen under `cosine_view`.
+    /// Reflectance for Lambert's rho E / pi if the illuminance already counts only the share
+    /// `entering`, viewed under `cosine_view`.
     Rgb inner_reflectance(double cosine_view) const { return scale_ * entering(cosine_view); }
-    /// Reflectance of the base for light that comes in under `cosine_light`, counted as it arrives.
+    /// Reflectance of the base for light that comes in under `cosine_light`, relative to the
+    /// arriving light.
     Rgb base_reflectance(double cosine_view, double cosine_light) const {
         return inner_reflectance(cosine_view) * entering(cosine_light);
     }
@@ -70,7 +71,7 @@ public:
     }
 
 private:
-    /// Light passes a border alike in both directions: n^2 (1 - inner) = 1 - mean.
+    /// Light passes an interface alike in both directions: n^2 (1 - inner) = 1 - mean.
     ClearCoat(const Rgb& base, double n, double mean) : n_(n), mean_(mean) {
         const double n2 = n * n, inner = 1 - (1 - mean) / n2;
         const auto scaled = [&](double rho) { return rho / (n2 * (1 - rho * inner)); };

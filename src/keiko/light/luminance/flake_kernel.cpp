@@ -31,7 +31,7 @@ Rgb FlakeKernel::operator()(const Vec3& light) const {
     const double length = std::sqrt(length2), nh = normal_.dot(sum) / length, vh = length / 2;
     const double density =
         flakes_.distribution.density(nh, normal_.cross(sum).length2() / length2) * nh / (4 * vh);
-    // A cone of light narrows at the border: dw' = dw cos / (n^2 cos').
+    // A cone of light narrows at the interface: dw' = dw cos / (n^2 cos').
     const double narrowed = nl / (n * n * inner_nl);
     return outside_ * (density * narrowed * (1 - fresnel_dielectric(nl, n)));
 }

@@ -4,16 +4,17 @@
 
 namespace keiko {
 
-/// Metal flakes in a paint below a smooth clear coat: light is refracted on its way in, mirrored by
-/// flakes whose normals have the distribution, and refracted on its way out.
+/// Metal flakes in a paint below a smooth clear coat. Light is refracted on its way in, reflected
+/// by flakes whose normals have the distribution, and refracted on its way out.
 struct Flakes {
     Distribution distribution{DistributionKind::trowbridge_reitz, 0.3};
-    Rgb reflectance{0.3};          ///< share of the light that met flakes and came back
+    Rgb reflectance{0.3};          ///< share of the light on the flakes that is reflected
     double refractive_index = 1.5; ///< of the coat
 };
 
-/// The luminance that flakes send to one eye, as GlossKernel tells that of a border; what the coat
-/// mirrors on either way is taken off (docs/theory/luminance.md#coats-flakes-metals).
+/// The luminance that flakes reflect to one viewer, in the form of GlossKernel for an interface.
+/// The coat's reflection on either way is subtracted
+/// (docs/theory/luminance.md#coats-flakes-metals).
 class FlakeKernel {
 public:
     FlakeKernel(const Flakes& flakes, const Vec3& normal, const Vec3& eye);

@@ -12,8 +12,8 @@ double square(double x) {
     return x * x;
 }
 
-/// Closed form of the mean [Walsh1926], n > 1 (docs/theory/luminance.md#fresnel-reflectance); loses
-/// digits like 1e-16 / (n - 1)^3.
+/// Closed form of the mean [Walsh1926], n > 1 (docs/theory/luminance.md#fresnel-reflectance); its
+/// relative error is about 1e-16 / (n - 1)^3.
 double walsh_mean(double n) {
     const double n2 = n * n, n4 = n2 * n2;
     return 0.5 + (n - 1) * (3 * n + 1) / (6 * square(n + 1)) +
@@ -22,8 +22,8 @@ double walsh_mean(double n) {
            8 * n4 * (n4 + 1) / ((n2 + 1) * square(n4 - 1)) * std::log(n);
 }
 
-/// The same for 1 < n by quadrature in t with c = s sinh t, g = s cosh t, s^2 = n^2 - 1: there
-/// (g - c) / (g + c) = exp(-2t) and the knee at grazing incidence is smooth.
+/// Mean reflectance for 1 < n by quadrature in t with c = s sinh t, g = s cosh t, s^2 = n^2 - 1.
+/// There (g - c) / (g + c) = exp(-2t), and the knee at grazing incidence is smooth.
 double mean_by_quadrature(double n) {
     const double s = std::sqrt((n - 1) * (n + 1));
     const auto reflected = [s](double t) {
@@ -34,7 +34,7 @@ double mean_by_quadrature(double n) {
     return 2 * integrate(reflected, 0, std::asinh(1 / s), 64);
 }
 
-/// Below this the closed form has lost more than 1e-12.
+/// Index below which the closed form has lost more than 1e-12.
 constexpr double closed_form_from = 1.2;
 
 } // namespace

@@ -8,15 +8,16 @@
 
 namespace keiko {
 
-/// Unpolarised reflectance, 0 to 1, of a smooth border between dielectrics. `cosine` >= 0 belongs
-/// to the angle of incidence, `n` > 0 is the index behind the border over the one before it; 1
-/// where the reflection is total [CookTorrance1982] (docs/theory/luminance.md#fresnel-reflectance).
+/// Unpolarised reflectance, 0 to 1, of a smooth interface between dielectrics. `cosine` >= 0
+/// belongs to the angle of incidence, `n` > 0 is the index behind the interface over the one before
+/// it; 1 if the reflection is total [CookTorrance1982]
+/// (docs/theory/luminance.md#fresnel-reflectance).
 double fresnel_dielectric(double cosine, double n);
 
-/// Unpolarised reflectance, 0 to 1, of a metal with complex index n + ik seen from air.
+/// Unpolarised reflectance, 0 to 1, of a metal with complex index n + ik in air.
 double fresnel_conductor(double cosine, double n, double k);
 
-/// Reflectance of a smooth border with relative index `n` > 0 under diffuse light: twice the
+/// Reflectance of a smooth interface with relative index `n` > 0 under diffuse light: twice the
 /// integral of fresnel_dielectric(c, n) c over c in [0, 1]. From inside a coat of index n it is
 /// fresnel_mean(1 / n), which is 1 - (1 - fresnel_mean(n)) / n^2.
 double fresnel_mean(double n);
@@ -28,8 +29,8 @@ struct MetalIndex {
     bool operator==(const MetalIndex&) const = default;
 };
 
-/// Reflectance of a smooth border, by the cosine of the angle of incidence: all
-/// of it, that of a dielectric or that of a metal.
+/// Reflectance of a smooth interface, by the cosine of the angle of incidence: 1, that of a
+/// dielectric or that of a metal.
 class Reflectance {
 public:
     /// A mirror without loss.
@@ -54,9 +55,9 @@ private:
     MetalIndex index_;
 };
 
-/// Direction of light behind a border that it meets in unit direction `d`: `normal` is the unit
-/// normal on the side it comes from, `eta` the index before the border over that behind it. nullopt
-/// where the reflection is total (docs/theory/luminance.md#fresnel-reflectance).
+/// Direction of light behind an interface that it meets in unit direction `d`: `normal` is the unit
+/// normal on the side it comes from, `eta` the index before the interface over that behind it.
+/// nullopt if the reflection is total (docs/theory/luminance.md#fresnel-reflectance).
 inline std::optional<Vec3> refract(const Vec3& d, const Vec3& normal, double eta) {
     const double cosine = -d.dot(normal);
     const double square = 1 - eta * eta * (1 - cosine * cosine);

@@ -17,7 +17,7 @@ double gauss_peak(double m) {
     const auto f = [m](double alpha) {
         return std::exp(-(alpha / m) * (alpha / m)) * std::sin(alpha) * std::cos(alpha);
     };
-    // Beyond 7 m nothing is left.
+    // Beyond 7 m the integrand is negligible.
     const double end = std::min(pi / 2, 7 * m), middle = std::min(end, 2 * m);
     return 1 / (2 * pi * (integrate(f, 0, middle, 48) + integrate(f, middle, end, 48)));
 }

@@ -10,7 +10,7 @@
 namespace keiko {
 
 /// Distribution of the reflected light of a glossy surface (docs/theory/luminance.md#lobes). The
-/// `width` of each is its parameter as the papers write it.
+/// `width` of each is its parameter as in the papers.
 enum class DistributionKind {
     phong,            ///< n: cos^n of the angle to the mirror direction
     blinn,            ///< n: cos^n of the angle between normal and half vector
@@ -26,7 +26,8 @@ public:
 
     DistributionKind kind() const { return kind_; }
     double width() const { return width_; }
-    /// Whether it is one of half vectors; Phong's is of directions about the mirror direction.
+    /// True for a distribution of half vectors; Phong's is of directions about the mirror
+    /// direction.
     bool of_half_vectors() const { return kind_ != DistributionKind::phong; }
 
     /// 1/sr, from the cosine and the squared sine of alpha, the angle of the half vector to the
@@ -34,11 +35,11 @@ public:
     /// cos alpha for half vectors, is 1; 0 where the cosine is not positive.
     double density(double cosine, double sine2) const;
 
-    /// Angle in radians within which about two thirds of the light lie, seen from the surface: for
-    /// half vectors twice that of alpha.
+    /// Angle in radians within which about two thirds of the light lie, viewed from the surface:
+    /// for half vectors twice that of alpha.
     double spread() const;
-    /// Half angle in radians of the cone about the mirror direction outside of which the density is
-    /// below `share` of its peak; pi where there is none.
+    /// Half angle in radians of the cone about the mirror direction that contains all densities of
+    /// at least `share` of the peak; pi if there is none.
     double cone(double share) const;
 
 private:
@@ -47,16 +48,16 @@ private:
     double scale_; ///< density at alpha = 0
 };
 
-/// A chart of directions of light in which a lobe is a round bell about 0, 1 its spread: for lobes
-/// of half vectors the slope of the half vector, tan alpha. Seen at a grazing angle such a lobe is
-/// narrow across the plane of incidence and towards the horizon, which angles to its peak do not
-/// tell.
+/// A chart of directions of light in which a lobe is a round bell about 0 with spread 1. For lobes
+/// of half vectors it is the slope of the half vector, tan alpha. Viewed at a grazing angle such a
+/// lobe is narrow across the plane of incidence and towards the horizon, which angles to its peak
+/// do not represent.
 class LobeChart {
 public:
     /// Chart of a lobe about a unit direction; `spread` in radians, small.
     LobeChart(const Vec3& peak, double spread) : peak_(peak), scale_(1 / spread) {}
-    /// Chart of half vectors about the unit `normal`, `spread` twice theirs; `eye` and they inside
-    /// of a border of index `n` >= 1.
+    /// Chart of half vectors about the unit `normal`, `spread` twice theirs; `eye` and they are
+    /// inside of an interface of index `n` >= 1.
     LobeChart(const Vec3& peak, double spread, const Vec3& normal, const Vec3& eye, double n = 1)
         : peak_(peak), scale_(2 / spread), facets_(Facets{normal, eye, n}) {}
 
@@ -91,20 +92,20 @@ private:
 
     Vec3 peak_;
     double scale_;
-    std::optional<Facets> facets_; ///< nothing: about the peak itself
+    std::optional<Facets> facets_; ///< nullopt: about the peak itself
 };
 
-/// Rule by which a distribution becomes reflected light (docs/theory/luminance.md#lobes).
+/// Rule that converts a distribution to reflected light (docs/theory/luminance.md#lobes).
 enum class GlossMode {
     lobe, ///< [NishitaTubes]: a lobe of integral 1, times the reflectance at the angle of view
-    brdf  ///< [CookTorrance1982]: D G F / (4 N.V), with what facets shade of each other
+    brdf  ///< [CookTorrance1982]: D G F / (4 N.V), with the shadowing of facets
 };
 
-/// Facets that hide each other: V-shaped cavities [CookTorrance1982], or the correlated heights
-/// [Smith1967], [Heitz2014] that belong to Trowbridge and Reitz.
+/// Model of facets that hide each other: V-shaped cavities [CookTorrance1982], or the correlated
+/// heights [Smith1967], [Heitz2014] that belong to Trowbridge and Reitz.
 enum class Shadowing { none, cavities, smith };
 
-/// Reflection at a rough border.
+/// Reflection at a rough interface.
 struct Gloss {
     Distribution distribution{DistributionKind::beckmann, 0.2};
     GlossMode mode = GlossMode::lobe;
@@ -112,18 +113,19 @@ struct Gloss {
     Reflectance reflectance{};
 };
 
-/// The light that a rough border sends to one eye, as a function of where it comes from: the
-/// luminance is the integral of the kernel times the incoming luminance over directions [1/sr].
+/// The light that a rough interface reflects to one viewer, as a function of the direction it comes
+/// from. The luminance is the integral of the kernel times the incoming luminance over directions
+/// [1/sr].
 class GlossKernel {
 public:
-    /// Unit normal and unit direction to the eye, which lies above the surface.
+    /// Kernel for a unit normal and the unit direction to the eye, which is above the surface.
     GlossKernel(const Gloss& gloss, const Vec3& normal, const Vec3& eye);
 
-    /// For the unit direction `light` from the surface; 0 below the horizon.
+    /// Kernel for the unit direction `light` from the surface; 0 below the horizon.
     Rgb operator()(const Vec3& light) const;
 
     const Vec3& normal() const { return normal_; }
-    /// The direction about which the light comes in, and the angle within which most of it does.
+    /// The central direction of the incoming light, and the angle that contains most of it.
     const Vec3& peak() const { return peak_; }
     double spread() const { return gloss_.distribution.spread(); }
     LobeChart chart() const;
@@ -135,7 +137,7 @@ private:
     const Gloss& gloss_;
     Vec3 normal_, eye_, peak_;
     double nv_;
-    Rgb outside_; ///< the factor that no direction of light changes
+    Rgb outside_; ///< the factor that is independent of the direction of light
 };
 
 } // namespace keiko

@@ -12,21 +12,20 @@ constexpr double metres(double millimetres) {
     return millimetres / 1000;
 }
 
-/// Illuminance in lx at `distance` mm from a point source of `intensity` cd, on a surface whose
-/// normal makes the angle with `cosine` to the direction of the light; 0 from behind (cosine not
-/// positive) and at distance 0, where it has no value.
+/// Illuminance in lx at `distance` mm from a point source of `intensity` cd. `cosine` is that of
+/// the angle between the surface's normal and the direction of the light. It is 0 from behind
+/// (cosine not positive) and at distance 0, where it is undefined.
 inline Rgb inverse_square_illuminance(const Rgb& intensity, double distance, double cosine) {
     if (!(cosine > 0) || !(distance > 0)) return {};
     return intensity * (cosine / (metres(distance) * metres(distance)));
 }
 
-/// Luminance in cd/m2 that a diffuse surface with `reflectance` 0 to 1 shows under `illuminance`
-/// lx.
+/// Luminance in cd/m2 of a diffuse surface with `reflectance` 0 to 1 under `illuminance` lx.
 inline Rgb lambert_luminance(const Rgb& reflectance, const Rgb& illuminance) {
     return reflectance * illuminance / std::numbers::pi;
 }
 
-/// Luminance in cd/m2 of surroundings that shed `illuminance` lx uniformly from all sides.
+/// Luminance in cd/m2 of uniform surroundings that cause `illuminance` lx.
 inline Rgb even_luminance(const Rgb& illuminance) {
     return illuminance / std::numbers::pi;
 }

@@ -10,8 +10,8 @@ namespace keiko {
 
 namespace {
 
-/// The boundary sum of a polygon that is clipped to the horizon while its edges pass by, so that
-/// nothing is stored. All vectors are relative to the point.
+/// The boundary sum of a polygon that is clipped to the horizon edge by edge, without storage. All
+/// vectors are relative to the point.
 class ClippedBoundary {
 public:
     explicit ClippedBoundary(const Vec3& normal) : normal_(normal) {}
@@ -45,8 +45,8 @@ private:
         if (sine > 0) sum_ += std::atan2(sine, a.dot(b)) * normal_.dot(plane) / sine;
     }
 
-    /// The side that lies in the horizon counts in full: its great circle has the normal +-N.
-    /// The signed angle about N stays right where the crossings nearly coincide.
+    /// Adds the side in the horizon in full: its great circle has the normal +-N. The signed angle
+    /// about N stays right where the crossings nearly coincide.
     void add_horizon_arc(const Vec3& a, const Vec3& b) {
         sum_ += std::atan2(normal_.dot(a.cross(b)), a.dot(b));
     }
@@ -62,7 +62,7 @@ private:
 
     Vec3 normal_;
     double sum_ = 0;
-    bool outside_ = false; ///< gone below the horizon at exit_, not yet back
+    bool outside_ = false; ///< went below the horizon at exit_ and is not back yet
     Vec3 exit_{0}, first_entry_{0};
 };
 
@@ -80,10 +80,9 @@ double projected_solid_angle(std::span<const Vec3> corners, const Vec3& point, c
     return std::abs(boundary.closed());
 }
 
-// Key: psi runs along the rim from the place that is farthest from the point, so that the squared
-// distance is a + b cos(psi), a > b >= 0. N.(r x dr/dpsi) is alpha + beta cos(psi) + gamma
-// sin(psi), the height of the rim above the horizon is lift + lift_cos cos(psi) + lift_sin
-// sin(psi).
+// Key: psi runs along the rim from its place farthest from the point, so that the squared distance
+// is a + b cos(psi), a > b >= 0. N.(r x dr/dpsi) is alpha + beta cos(psi) + gamma sin(psi). The
+// height of the rim above the horizon is lift + lift_cos cos(psi) + lift_sin sin(psi).
 namespace {
 
 using std::numbers::pi;
@@ -139,7 +138,7 @@ double inverse_integral(const Rim& rim, double psi) {
            std::atan2((rim.a - rim.b) * std::sin(psi / 2), rim.a_b * std::cos(psi / 2));
 }
 
-/// The same over any range of at most a turn within [-2 pi, 2 pi].
+/// Integral of 1 / (a + b cos) over any range of at most a full turn within [-2 pi, 2 pi].
 double inverse_integral(const Rim& rim, double begin, double end) {
     const auto from_zero = [&](double psi) {
         if (psi > pi) return inverse_integral(rim, psi - 2 * pi) + 2 * pi / rim.a_b;
@@ -149,7 +148,7 @@ double inverse_integral(const Rim& rim, double begin, double end) {
     return from_zero(end) - from_zero(begin);
 }
 
-/// Part of the rim. The closed form loses digits like a / b, and the kernel is all but a sine where
+/// Part of the rim. The closed form loses digits like a / b, and the kernel is almost a sine where
 /// they are many.
 double arc(const Rim& rim, double begin, double end) {
     if (rim.b < 0.03 * rim.a)
@@ -161,7 +160,7 @@ double arc(const Rim& rim, double begin, double end) {
     return rim.alpha * inverse + rim.beta * cosines + rim.gamma * sines;
 }
 
-/// The chord lies in the horizon, whose great circle has the normal N.
+/// Part of a chord in the horizon, whose great circle has the normal N.
 double chord(const Vec3& from, const Vec3& to, const Vec3& normal) {
     return std::atan2(normal.dot(from.cross(to)), from.dot(to));
 }
@@ -192,7 +191,7 @@ LinePiece above_horizon(const LinePiece& piece) {
 double cosine_line_integral(const LinePiece& piece) {
     const double h = piece.distance, x1 = piece.begin, x2 = piece.end;
     const double length = x2 - x1, r12 = (h * h + x1 * x1) * (h * h + x2 * x2);
-    // In products, so that nothing cancels when the piece is short or the element far along.
+    // As products, so that nothing cancels if the piece is short or the element far along.
     const double across =
         length * (h * h - x1 * x2) / r12 + std::atan2(length * h, h * h + x1 * x2) / h;
     const double along = h * length * (x1 + x2) / r12;

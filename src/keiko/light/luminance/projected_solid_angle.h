@@ -7,11 +7,11 @@
 namespace keiko {
 
 /// Projected solid angle in sr, 0 to pi, of the part of a planar polygon that lies above the
-/// horizon N.(Q - P) = 0 of `point` with unit normal `normal`; times the polygon's uniform
-/// luminance it is the illuminance in lx, divided by pi the form factor of a surface element.
+/// horizon N.(Q - P) = 0 of `point` with unit normal `normal`. Times the polygon's uniform
+/// luminance it is the illuminance in lx; divided by pi it is the form factor of a surface element.
 /// Lambert's boundary sum [Lambert1760] (docs/theory/luminance.md#planar-polygons-and-discs), to
-/// 1e-11. Corners in either order, both faces count, 0 for fewer than three corners and for a
-/// polygon seen edge-on. Any unit of length.
+/// 1e-11. Corners are in either order, and both faces count. It is 0 for fewer than three corners
+/// and for a polygon viewed edge-on. Any unit of length.
 double projected_solid_angle(std::span<const Vec3> corners, const Vec3& point, const Vec3& normal);
 
 /// A flat round disc; `normal` is the unit vector of its face, lengths in one unit of any kind.
@@ -21,22 +21,22 @@ struct Disc {
 };
 
 /// Projected solid angle in sr, 0 to pi, of the part of a disc that lies above the horizon of
-/// `point` with unit `normal`; both faces of the disc count, 0 where it is seen edge-on. Stokes'
+/// `point` with unit `normal`. Both faces of the disc count; 0 if it is viewed edge-on. Stokes'
 /// integral N.(r x dr) / r^2 along the rim in closed form
 /// (docs/theory/luminance.md#planar-polygons-and-discs), and along the chord in which the tangent
 /// plane cuts the disc; to 1e-11.
 double projected_solid_angle(const Disc& disc, const Vec3& point, const Vec3& normal);
 
-/// A piece of a straight line as a surface element sees it: positions x along the line count from
-/// the foot of the element, whose unit normal has the components `n_along` along the line and
-/// `n_line` towards the foot. Lengths in one unit of any kind.
+/// A piece of a straight line viewed from a surface element. Positions x along the line count from
+/// the foot of the element. Its unit normal has the components `n_along` along the line and
+/// `n_line` towards the foot. Lengths are in one unit of any kind.
 struct LinePiece {
     double begin = 0, end = 0;
     double distance = 0; ///< of the element from the line, > 0
     double n_along = 0, n_line = 0;
 };
 
-/// The piece above the element's horizon; empty (begin >= end) where there is none.
+/// The piece above the element's horizon; empty (begin >= end) if there is none.
 LinePiece above_horizon(const LinePiece& piece);
 
 /// Integral of (N.w) cos(angle to the perpendicular) / r^2 along a piece that lies above the

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double least_share = 1e-4; ///< of a lobe's peak
 
-/// Answers what some lamps of a source give.
+/// Luminance of some lamps of a source.
 template <class Kernel>
 class GlossReceiver {
 public:

@@ -11,18 +11,18 @@
 
 namespace keiko {
 
-/// Luminance in cd/m2 that the lobe of a kernel sends from `point` to the eye of the kernel, of one
-/// source through the medium if there is one: tubes as they are, or the paper's rectangles where a
-/// row's `mirror` is flat. `visible` answers for the point. Lamps that hide each other are counted
-/// each in full, and tubes outside of the lobe's cone, where it is below 1e-4 of its peak, not at
-/// all.
+/// Luminance in cd/m2 that the lobe of a kernel reflects from `point` to the kernel's viewer, of
+/// one source, through the medium if there is one. Lamps are exact tubes, or the paper's rectangles
+/// if a row's `mirror` is flat. `visible` is the visibility from the point. Lamps that hide each
+/// other are each counted in full. Tubes outside of the lobe's cone, where it is below 1e-4 of its
+/// peak, do not count.
 template <class Kernel>
 Rgb glossy_luminance_from(const LightSource& source, const std::optional<Medium>& medium,
                           const Vec3& point, const Kernel& kernel, const Visibility& visible,
                           GlossQuadrature quadrature = GlossQuadrature::picture);
 
-/// The same from some lamps of a source, each by itself, of whose axes `seen` is known, as
-/// light_visibilities() has it.
+/// Luminance of some lamps of a source, each by itself. `seen` is the visibility of their axes, as
+/// returned by light_visibilities().
 template <class Kernel>
 std::vector<Rgb> glossy_luminance_by_lamp(const LightSource& source, std::span<const int> lamps,
                                           std::span<const LightVisibility> seen,
@@ -45,7 +45,7 @@ extern template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, st
                                                           const std::optional<Medium>&, const Vec3&,
                                                           const FlakeKernel&, GlossQuadrature);
 
-/// Luminance in cd/m2 that the lobe of a kernel sends to its eye, of all sources of a rig.
+/// Luminance in cd/m2 that the lobe of a kernel reflects to its viewer, of all sources of a rig.
 template <class Kernel>
 Rgb glossy_luminance(const LightRig& rig, const Vec3& point, const Kernel& kernel,
                      const Visibility& visible,

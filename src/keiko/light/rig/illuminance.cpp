@@ -14,11 +14,11 @@
 namespace keiko {
 namespace {
 
-/// Pieces of a visible part of a lamp that are attenuated by one distance each.
+/// Number of pieces of a visible part of a lamp, each attenuated by one distance.
 constexpr int pieces_in_fog = 8;
 constexpr double pi = std::numbers::pi;
 
-/// Answers what some lamps of a source give to the point.
+/// Illuminance of the point by some lamps of a source.
 class Receiver {
 public:
     Receiver(std::span<const int> asked, std::span<const LightVisibility> seen,
@@ -71,8 +71,9 @@ private:
                (cosine * (coat_ ? coat_->entering(cosine) : 1));
     }
 
-    /// Of the whole lamp, the share that is seen over the width. What a coat and the medium leave
-    /// of it they leave of what is seen of the axis, or, where that lights nothing, of all of it.
+    /// Illuminance by the whole lamp times its share visible over the width. The transmittance of a
+    /// coat and of the medium is that of the visible axis, or, if that lights nothing, of all of
+    /// it.
     Rgb lit_over_width(const TubeRowIrradiance& comb, int index, const TubeLamp& lamp,
                        const LightVisibility& seen) const {
         if (!(seen.share > 0) && !(lamp.luminous_caps && seen.cap > 0)) return {};
@@ -90,7 +91,8 @@ private:
         const double cap = cap_solid_angle(lamp, point_, normal_);
         return (whole - cap) * seen.share + cap * seen.cap;
     }
-    /// Solid angle of parts of a lamp, dimmed by the medium; with a coat, of what enters it.
+    /// Solid angle of parts of a lamp, attenuated by the medium; with a coat, only the light that
+    /// enters it.
     Rgb lit_over(const TubeRowIrradiance& comb, int index, const TubeLamp& lamp,
                  const IntervalSet& parts) const {
         return medium_ ? through_medium(comb, index, lamp, parts)
@@ -100,8 +102,8 @@ private:
         return medium_ ? transmittance(*medium_, {from, point_}) : Rgb(1);
     }
 
-    /// The lamp in pieces, each seen through the medium along one distance: to the mean of the
-    /// tube's near side, weighed as it is seen.
+    /// Solid angle of the lamp in pieces, each through the medium along one distance: the mean
+    /// distance of the tube's near side, weighted by its projection.
     Rgb through_medium(const TubeRowIrradiance& comb, int index, const TubeLamp& lamp,
                        const IntervalSet& seen) const {
         const auto view = view_of(lamp, point_, normal_);
@@ -120,12 +122,12 @@ private:
         return sum;
     }
 
-    /// Solid angle of the visible parts of a lamp; with a coat, of what enters it.
+    /// Solid angle of the visible parts of a lamp; with a coat, only the light that enters it.
     double entered(const TubeRowIrradiance& comb, int index, const TubeLamp& lamp,
                    const IntervalSet& seen) const {
         if (!coat_) return comb.solid_angle(index, seen);
         const auto view = view_of(lamp, point_, normal_);
-        if (!view) return comb.solid_angle(index, seen); // a cap alone, seen along the axis
+        if (!view) return comb.solid_angle(index, seen); // a cap alone, viewed along the axis
         const auto outline = lamp.luminous_caps ? TubeOutline::capped : TubeOutline::lateral;
         const auto share = [&](const ParameterInterval& part) {
             const VisiblePart visible{view->x_at(part.begin), view->x_at(part.end),

@@ -24,7 +24,7 @@ std::vector<LightId> lights_of(const LightRig& rig) {
 
 namespace {
 
-/// Of a tube's radius: points this near to the glass are taken to lie on it.
+/// Distance from the glass, as a share of a tube's radius, within which points count as on it.
 constexpr double rounding = 1e-9;
 
 struct Holds {

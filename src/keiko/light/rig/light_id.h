@@ -14,14 +14,14 @@ struct LightId {
     int lamp = 0; ///< by rising v; 0 of a source that is no row
 };
 
-/// Numbers of the lamps of a source, from 0; 0 alone of one that is no row.
+/// Numbers of the lamps of a source, from 0; only 0 for one that is no row.
 std::vector<int> lamp_numbers(const LightSource& source);
 
-/// All of a rig, by source, then by lamp.
+/// All lights of a rig, by source, then by lamp.
 std::vector<LightId> lights_of(const LightRig& rig);
 
-/// Lights by rising source, then lamp, a source at a time: `visit(source, lamps, first)`, the
-/// numbers of its lamps and the place of their first among the lights.
+/// Lights by rising source, then lamp, a source at a time: `visit(source, lamps, first)` receives
+/// the numbers of its lamps and the index of their first among the lights.
 template <class Visit>
 void each_source(std::span<const LightId> lights, const Visit& visit) {
     for (std::size_t i = 0; i < lights.size();) {
@@ -34,8 +34,8 @@ void each_source(std::span<const LightId> lights, const Visit& visit) {
     }
 }
 
-/// Whether a point (mm) lies inside the glass of one of the tubes of a source, or where a point
-/// light is: what light there would be has no meaning. The glass itself is outside.
+/// True if a point (mm) lies inside the glass of one of the tubes of a source, or at a point light,
+/// where its light is undefined. The glass itself is outside.
 bool within_lamp(const LightSource& source, const Vec3& point);
 
 } // namespace keiko

@@ -16,20 +16,20 @@
 
 namespace keiko {
 
-/// Parallel light. Where it comes in through windows, nothing but what they let in is lit, and the
-/// medium dims and scatters it from the window on; else the medium does neither.
+/// Parallel light. If it comes in through windows, it lights only what lies behind them, and the
+/// medium attenuates and scatters it from the window on. Without windows the medium does neither.
 struct Sun {
-    Vec3 direction{0, 0, -1}; ///< the way the light goes; of any length but 0
+    Vec3 direction{0, 0, -1}; ///< direction of the light; of any length but 0
     Rgb illuminance{60000};   ///< lx on a surface across the light, past the air; colour included
-    std::vector<Window> windows{}; ///< none: it shines from everywhere
+    std::vector<Window> windows{}; ///< empty: it shines from everywhere
     bool shaft = true;             ///< it lights the medium behind its windows
 
     /// Unit vector towards the light.
     Vec3 towards() const { return direction / -direction.length(); }
-    /// A place on the way to it, mm, so far off that nothing in a scene lies beyond.
+    /// A place on the way to it, mm, far enough that nothing in a scene lies beyond.
     Vec3 seen_from(const Vec3& point) const { return point + towards() * 1e7; }
-    /// How far light that reaches a point came through the room, mm: 0 where there is no window,
-    /// nothing where none lets it in.
+    /// Distance, mm, that light reaching a point travels through the room: 0 without windows,
+    /// nullopt if no window lets it in.
     std::optional<double> way_to(const Vec3& point) const {
         if (windows.empty()) return 0;
         std::optional<double> longest;

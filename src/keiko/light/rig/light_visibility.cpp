@@ -10,9 +10,11 @@
 namespace keiko {
 namespace {
 
-/// Of a lamp's illuminance: what its penumbrae may be off by, half of what the whole system may.
+/// Error allowed in the penumbrae of a lamp, as a share of its illuminance: half of the error of
+/// the whole system.
 constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
-/// Widest gap, of half a lamp's width, by the angle around it, between lines that see the same.
+/// Widest gap between lines of equal visibility, as a share of half a lamp's width, by the angle
+/// around it.
 constexpr double widest_gap = 0.12, widest_gap_in_pictures = 1;
 
 class Looker {

@@ -10,23 +10,24 @@
 
 namespace keiko {
 
-/// From `a` at 0 to `b` at 1, where both see the same number of parts; else nothing.
+/// Visibility interpolated from `a` at 0 to `b` at 1, if both see the same number of parts; else
+/// nullopt.
 std::optional<LightVisibility> between(const LightVisibility& a, const LightVisibility& b,
                                        double at);
 
-/// Whether two points see the same parts of a light as a whole, in part and not at all. Between two
-/// that do not, its light has a kink.
+/// True if two points see the same parts of a light as a whole, in part and not at all. Between two
+/// points that do not, its light has a kink.
 bool alike(const LightVisibility& a, const LightVisibility& b);
 
-/// Whether a model of a row weighs shadows over the whole width of the lamps: those do that stand
-/// for the whole tube. `model`: what is asked for, which a row that names its own overrides.
+/// True if a model of a row weighs shadows over the whole width of the lamps, as all models of the
+/// whole tube do. `model`: the requested one, which a row that names its own overrides.
 bool weighs_width(const CPlane& plane, TubeModel model);
 
-/// What a point with a unit normal sees of some lamps of a source, by rising number as
-/// lamp_numbers() has them. `visible` answers for that point; a source without extent is asked for
-/// as the segment from it to itself. What cannot reach the point is not asked for, and not seen.
-/// Without `axes` those of lamps are only asked for where shadows are not weighed over the width,
-/// or caps shine.
+/// Visibility of some lamps of a source from a point with a unit normal, by rising number as in
+/// lamp_numbers(). `visible` is the visibility from that point; for a source without extent it is
+/// queried with the segment from it to itself. Lights that cannot reach the point are not queried,
+/// and not visible. Without `axes`, lamps' axes are queried only if shadows are not weighed over
+/// the width, or caps shine.
 std::vector<LightVisibility> light_visibilities(const LightSource& source,
                                                 std::span<const int> lamps, const Vec3& point,
                                                 const Vec3& normal, const Visibility& visible,

@@ -12,8 +12,8 @@ namespace {
 struct InLight {
     const Segment& ray;
 
-    /// A lamp's own glow in the medium is left out: it is spread so wide that `ambient` stands
-    /// for it.
+    /// A lamp's own glow in the medium is left out: it is spread widely enough for `ambient` to
+    /// represent it.
     IntervalSet operator()(const CPlane&) const { return {}; }
     template <PointLight Light>
     IntervalSet operator()(const Light& light) const {
@@ -28,7 +28,7 @@ struct InLight {
     }
 };
 
-/// What of `parts` of a segment a source sees.
+/// The parts of `parts` of a segment that are visible from a source.
 IntervalSet seen_of(const IntervalSet& parts, const Segment& segment, std::size_t source,
                     const VisibleFrom& visible_from) {
     if (!visible_from) return parts;
@@ -56,7 +56,7 @@ PointEmitter emitter_of(const Luminaire& luminaire, const Segment& ray) {
     return emitter;
 }
 
-/// Answers what the medium scatters of one source into the camera ray.
+/// Light of one source that the medium scatters into the camera ray.
 struct Inscatter {
     const AttenuatedRay& ray;
     const IntervalSet& lit;
@@ -67,7 +67,7 @@ struct Inscatter {
     Rgb operator()(const Light& light) const {
         return scattered_light(ray, lit, emitter_of(light, ray.ray()), tolerance);
     }
-    /// Where windows are behind each other the light counts once, from the first of them.
+    /// If windows are behind each other the light counts once, from the first of them.
     Rgb operator()(const Sun& sun) const {
         Rgb sum;
         IntervalSet left = lit;
@@ -104,7 +104,7 @@ Rgb luminance_along(const LightRig& rig, const Segment& camera_ray, const Rgb& s
 
 namespace {
 
-/// Optical depth from a source to a place; nothing of one that does not light the medium.
+/// Optical depth from a source to a place; nullopt for a source that does not light the medium.
 struct DepthTo {
     const Medium& medium;
     const Vec3& place;

@@ -7,7 +7,7 @@ namespace keiko {
 
 namespace {
 
-/// Whether planes are one but for the rounding of their numbers.
+/// True if planes are identical to within the rounding of their numbers.
 bool in_one_plane(const CPlaneFrame& a, const CPlaneFrame& b) {
     constexpr double rounding = 1e-14;
     const double size = a.origin.length() + b.origin.length() + a.length + b.length;

@@ -11,7 +11,7 @@
 
 namespace keiko {
 
-/// Sum of layers one behind the other, taken from the front to the back: the operator over
+/// Sum of layers one behind the other, accumulated from the front to the back: the operator over
 /// [PorterDuff1984] (docs/theory/luminance.md#rows-behind-each-other).
 struct FrontToBack {
     Rgb light;          ///< of the layers so far
@@ -28,7 +28,7 @@ struct FrontToBack {
 /// Light of a rig along a mirror ray.
 struct MirroredLight {
     Rgb luminance;        ///< cd/m2, mean over the pixel; darkness between the lamps
-    double coverage = 0;  ///< share of the pixel that lamps fill; what lies behind fills the rest
+    double coverage = 0;  ///< share of the pixel that lamps fill; the background fills the rest
     bool resolved = true; ///< false: some stripes are too fine and show their mean
 };
 
@@ -40,7 +40,7 @@ struct RigPlaneHit {
     std::size_t number = 0;             ///< of the plane among those of the rig
 };
 
-/// The C-planes of a rig, made ready for mirror rays. Sources without extent are not seen.
+/// The C-planes of a rig, prepared for reflected rays. Sources without extent are not visible.
 class RigPlanes {
 public:
     struct Plane {
@@ -48,17 +48,17 @@ public:
         CPlaneFrame frame;
         Rgb luminance;
         MirrorModel mirror;
-        std::size_t level; ///< number of the first plane of the rig that lies in the same one:
-                           ///< rays meet both at the distance of that
+        std::size_t level; ///< number of the first plane of the rig in the same position: rays meet
+                           ///< both at the distance of that one
     };
 
     explicit RigPlanes(const LightRig& rig);
 
-    /// The lamps of every C-plane that the ray meets with t up to `t_max` (in lengths of
-    /// `direction`; a lamp behind the next surface is not seen), a nearer row before those behind
-    /// it, rows at one distance in the order of the rig. With a `spread` each pixel is integrated
-    /// in closed form over its footprint on the plane, without one the ray is a point. Each row
-    /// looks as its `mirror` says.
+    /// The lamps of every C-plane that the ray meets with t up to `t_max`, in lengths of
+    /// `direction`; a lamp behind the next surface is hidden. A nearer row comes before those
+    /// behind it, rows at one distance in the order of the rig. With a `spread` each pixel is
+    /// integrated in closed form over its footprint on the plane; without one the ray is a point.
+    /// The `mirror` of each row selects its model.
     MirroredLight luminance(const Vec3& origin, const Vec3& direction,
                             const std::optional<RayDifferentials>& spread = {},
                             double t_max = std::numeric_limits<double>::infinity()) const;
@@ -66,11 +66,11 @@ public:
     MirroredLight luminance(const std::optional<RigPlaneHit>& nearest, const Vec3& origin,
                             const Vec3& direction, const std::optional<RayDifferentials>& spread,
                             double t_max) const;
-    /// Whether it is proved that luminance() finds no lamp for any ray of a bundle.
+    /// True if luminance() is proved to find no lamp for any ray of a bundle.
     bool are_missed_by(const RayCone& rays) const;
-    /// The nearest plane on the ray; of planes at one distance the first of the rig.
+    /// The nearest plane on the ray; for planes at one distance the first of the rig.
     std::optional<RigPlaneHit> nearest(const Vec3& origin, const Vec3& direction) const;
-    /// All, by their numbers.
+    /// All planes, by their numbers.
     std::span<const Plane> planes() const { return planes_; }
 
 private:

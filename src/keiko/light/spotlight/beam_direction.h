@@ -8,14 +8,14 @@
 
 namespace keiko {
 
-/// A direction as a lamp sees it: theta is its angle to the axis, phi the angle about it.
+/// A direction relative to a lamp: theta is its angle to the axis, phi the angle about it.
 struct BeamDirection {
     double versine = 0;  ///< 1 - cos theta, without cancellation for narrow beams
     double x = 0, y = 0; ///< sin theta cos phi, sin theta sin phi
 
     double cosine() const { return 1 - versine; }
     double theta() const { return std::atan2(std::hypot(x, y), cosine()); }
-    /// Radians, 0 to 2 pi; 0 on the axis.
+    /// Angle about the axis, radians, 0 to 2 pi; 0 on the axis.
     double phi() const {
         const double angle = std::atan2(y, x);
         return angle < 0 ? angle + 2 * std::numbers::pi : angle;
@@ -41,8 +41,8 @@ struct BeamFrame {
 };
 
 /// The frame whose phi = 0 is the part of `reference` across the axis, turned back by `spin`
-/// radians, which adds that to phi; a reference along the axis is replaced by the coordinate axis
-/// that is least along it. NaN, which lights nothing, where the axis has no length.
+/// radians, which adds that to phi. A reference along the axis is replaced by the coordinate axis
+/// that is least along it. NaN, which lights nothing, if the axis has no length.
 inline BeamFrame beam_frame(const Vec3& along, Vec3 reference, double spin = 0) {
     const Vec3 axis = along / along.length();
     Vec3 across = reference - axis * reference.dot(axis);

@@ -9,30 +9,30 @@
 
 namespace keiko {
 
-/// A luminaire of a file, placed; without extent.
+/// A placed luminaire of a file; without extent.
 struct Luminaire {
     std::string file{}; ///< IES LM-63 or EULUMDAT
     std::shared_ptr<const PhotometricWeb> web{};
     Vec3 position{0};   ///< mm
-    Vec3 aim{0, 0, -1}; ///< mm, a point where the axis of the file's angles leads (see web_axis)
+    Vec3 aim{0, 0, -1}; ///< mm, a point on the axis of the file's angles (see web_axis)
     /// Direction of H = 0, or of up for type A; of any length, its part along the axis is dropped.
     Vec3 reference{1, 0, 0};
     double spin = 0;     ///< degrees by which H = 0 is turned about the axis, towards rising H
-    bool flip_h = false; ///< H runs the other way round, as some tools write it
+    bool flip_h = false; ///< H runs in the opposite direction, as some tools write it
     Rgb factor{1};       ///< multiplies the file's intensities: dimming and colour
     bool shaft = true;   ///< it lights the medium
 };
 
-/// Intensity of a luminaire, made ready for many points; keeps a reference to
-/// it. The luminaire must have a web.
+/// Intensity of a luminaire, prepared for many points; keeps a reference to it. The luminaire must
+/// have a web.
 class LuminaireIntensity {
 public:
     explicit LuminaireIntensity(const Luminaire& luminaire);
 
     /// cd towards a point in mm; 0 at the luminaire itself.
     Rgb operator()(const Vec3& point) const;
-    /// About the axis that the file's angles go round: `axis` leads along it, phi = 0 and 90 are
-    /// the angles of its planes.
+    /// Frame of the file's angles: `axis` is the axis that they turn about, phi = 0 and 90 are the
+    /// angles of its planes.
     BeamFrame frame() const;
     /// A direction of the world in the luminaire's own frame.
     Vec3 own(const Vec3& direction) const {

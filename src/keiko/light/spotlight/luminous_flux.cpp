@@ -21,7 +21,7 @@ constexpr int nodes = 16; ///< a cell and angle
 /// Angles in radians between which an intensity is smooth.
 using Breaks = std::vector<double>;
 
-/// Where k has a kink: at multiples of half the period, and where negative q cuts it off.
+/// Adds the kinks of k: multiples of half the period, and the places where negative q cuts it off.
 void add_wave(Breaks& breaks, double period, double q, double end) {
     for (int i = 0; i * period / 2 <= end; ++i) {
         const double middle = i * period / 2, half_width = period / 2 / (1 - q);
@@ -79,9 +79,9 @@ private:
         for (double& x : phi) x = std::fmod(x - spin, 2 * pi) + (x < spin ? 2 * pi : 0);
     }
 
-    /// Breaks of the rim cot^2 theta = cos^2 phi / a^2 + sin^2 phi / b^2, where it crosses a kink
-    /// over theta. A slim rim is singular close by, at tan phi = +-i b / a: panels that double away
-    /// from there are no longer than their distance, and keep all digits.
+    /// Breaks of the rim cot^2 theta = cos^2 phi / a^2 + sin^2 phi / b^2, at its crossings with a
+    /// kink over theta. A slim rim is singular close by, at tan phi = +-i b / a: panels that double
+    /// away from there are at most as long as their distance, and keep all digits.
     void add_rim(double a, double b) {
         const double ratio = b / a;
         for (double t = std::min(1.0, ratio); t < std::max(1.0, ratio); t *= 2)
@@ -126,8 +126,8 @@ Rgb luminous_flux(const Spotlight& light) {
 
 namespace {
 
-/// lm of the table of a web over its angles: `area` tells what a cell of both angles, in radians,
-/// is of the sphere.
+/// lm of the table of a web over its angles: `area` returns the solid angle of a cell of both
+/// angles, in radians.
 template <class Area>
 double flux_over(const IntensityTable& table, const Breaks& vertical, const Breaks& horizontal,
                  const Area& area) {

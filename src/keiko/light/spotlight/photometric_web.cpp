@@ -11,7 +11,7 @@ namespace keiko {
 
 namespace {
 
-/// Between which entries an angle lies, and how far on: t in [0, 1].
+/// The entries around an angle, and its position between them: t in [0, 1].
 struct Bracket {
     std::size_t low, high;
     double t;
@@ -31,7 +31,7 @@ double versine_of(double degrees) {
     return 2 * sine * sine;
 }
 
-/// The same share, linear in the cosine.
+/// Position of an angle between two others, linear in the cosine.
 double cosine_share(double a, double b, double angle) {
     const double from = versine_of(a);
     return (versine_of(angle) - from) / (versine_of(b) - from);
@@ -93,7 +93,7 @@ double IntensityTable::operator()(double v, double h) const {
     if (interpolation_ == TableInterpolation::cosine && row.low != row.high)
         row.t = cosine_share(vertical_[row.low], vertical_[row.high], v);
     if (symmetry_ == PlaneSymmetry::none && plane.low == plane.high && horizontal_.size() > 1) {
-        // Between the last plane and the first, one turn on.
+        // Between the last plane and the first, one full turn later.
         const double last = horizontal_.back(), first = horizontal_.front() + 360;
         const double turned = h < horizontal_.front() ? h + 360 : h;
         plane = {horizontal_.size() - 1, 0, first > last ? (turned - last) / (first - last) : 0};

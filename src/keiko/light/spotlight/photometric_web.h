@@ -12,13 +12,13 @@ namespace keiko {
 /// planes it is always linear in the angle.
 enum class TableInterpolation {
     linear, ///< in the angle
-    cosine  ///< in its cosine: flat on the axis, as a symmetric lamp is
+    cosine  ///< in its cosine: flat on the axis, like a symmetric lamp
 };
 
-/// Symmetry by which the planes of a table stand for others
+/// Symmetry by which the planes of a table represent others
 /// (docs/theory/spotlights.md#luminaire-files).
 enum class PlaneSymmetry {
-    none,             ///< the planes go all the way round
+    none,             ///< the planes cover the full circle
     axial,            ///< one plane for all
     quadrant,         ///< 0 to 90 degrees, mirrored at both
     bilateral,        ///< 0 to 180 degrees, mirrored there
@@ -28,18 +28,18 @@ enum class PlaneSymmetry {
 };
 
 /// Intensities over a grid of two angles in degrees, V (from the axis, or the elevation) and H
-/// (about the axis, or the azimuth): the one look-up of tables in scenes and of luminaire files.
+/// (about the axis, or the azimuth): the only look-up of tables in scenes and of luminaire files.
 class IntensityTable {
 public:
-    /// `values`: plane by plane of `horizontal`, V fastest. Requires ascending angles, at least one
-    /// of each, and as many values as both have together; with PlaneSymmetry::none the planes of
-    /// 0 to below 360 degrees, or up to 360.
+    /// Table of `values` plane by plane of `horizontal`, V fastest. Requires ascending angles, at
+    /// least one of each, and as many values as both have together. PlaneSymmetry::none requires
+    /// the planes of 0 to below 360 degrees, or up to 360.
     IntensityTable(std::vector<double> vertical, std::vector<double> horizontal,
                    std::vector<double> values, PlaneSymmetry symmetry,
                    TableInterpolation interpolation = TableInterpolation::linear);
 
-    /// Intensity under angles in degrees; 0 outside of the vertical angles, and of the planes where
-    /// these are limited or lateral.
+    /// Intensity under angles in degrees; 0 outside of the vertical angles, and outside of the
+    /// planes if these are limited or lateral.
     double operator()(double vertical, double horizontal) const;
 
     const std::vector<double>& vertical() const { return vertical_; }
@@ -49,8 +49,8 @@ public:
     PlaneSymmetry symmetry() const { return symmetry_; }
     TableInterpolation interpolation() const { return interpolation_; }
     double largest() const;
-    /// The largest vertical angle that is not dark in every plane, and beyond which all is; the
-    /// next one where a value leads there. 0 where all is dark.
+    /// The largest vertical angle that is not dark in every plane, and beyond which all is dark;
+    /// the next one if a value leads there. 0 if all is dark.
     double lit_up_to() const;
 
     bool operator==(const IntensityTable&) const = default;
@@ -72,34 +72,35 @@ enum class PhotometricType {
     c  ///< V: from straight down, H: about the vertical, the C angle; most luminaires
 };
 
-/// Figures of the flux in the header of a luminaire file. The table alone is computed with.
+/// Figures of the flux in the header of a luminaire file. Only the table is used in computations.
 struct StatedFlux {
     std::optional<double> output_ratio{};   ///< flux of the luminaire over `reference`
     double reference = 0;                   ///< lm that the ratio refers to
     std::optional<double> downward_share{}; ///< of the luminaire's flux, below the horizontal
 };
 
-/// Intensities and figures that a luminaire file states of a luminaire.
+/// Intensities and figures of a luminaire file.
 struct PhotometricWeb {
     PhotometricType type = PhotometricType::c;
     IntensityTable candela; ///< cd
-    std::string name{};     ///< of the luminaire, as the file has it
+    std::string name{};     ///< of the luminaire, as in the file
     double lamp_flux = 0;   ///< lm of its lamps; 0: not stated, absolute photometry
     Vec3 opening{0};        ///< mm: along x, along y, height; 0: a point
-    StatedFlux stated{};    ///< what the header says of the flux
+    StatedFlux stated{};    ///< flux by the header
 };
 
-/// cd into a unit direction of the luminaire's own frame.
+/// cd in a unit direction of the luminaire's own frame.
 double intensity(const PhotometricWeb& web, const Vec3& direction);
 
 /// The unit direction of angles in degrees.
 Vec3 web_direction(PhotometricType type, double vertical, double horizontal);
 
-/// The direction that the type's angles lead from: straight down, or x of type A.
+/// The direction from which the type's angles are measured: straight down, or x for type A.
 Vec3 web_axis(PhotometricType type);
 
-/// The unit direction that many degrees off the axis: in the plane of H = `plane` of type C; of
-/// types A and B in the plane of the axis that holds the horizontal (0) or the vertical (90).
+/// The unit direction at an angle of `degrees` from the axis. For type C it is in the plane of H =
+/// `plane`. For types A and B it is in the plane of the axis that holds the horizontal (0) or the
+/// vertical (90).
 Vec3 off_axis(PhotometricType type, double degrees, double plane);
 
 } // namespace keiko

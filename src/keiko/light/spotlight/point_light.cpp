@@ -13,7 +13,7 @@ std::vector<double> crossings(double a, double b, double c) {
     const double q = -(b + std::copysign(std::sqrt(std::max(b * b - a * c, 0.0)), b));
     std::vector<double> ends{0, 1};
     // A double root (a ray through the lamp, a beam of 90 degrees) must not be lost to rounding of
-    // the discriminant, hence the 0; where there is no root, or a or q is 0, the end too many is
+    // the discriminant, hence the 0. If there is no root, or a or q is 0, the surplus end is
     // harmless.
     for (const double t : {q / a, c / q})
         if (t > 0 && t < 1) ends.push_back(t);
@@ -34,8 +34,8 @@ std::vector<double> cone_crossings(const Vec3& p, const Vec3& w, const Vec3& axi
 
 namespace {
 
-/// The pieces between `ends` whose middle is inside: tells the lit nappe from the one behind the
-/// lamp.
+/// The pieces between `ends` whose middle is inside: distinguishes the lit nappe from the one
+/// behind the lamp.
 template <class Inside>
 IntervalSet pieces(const std::vector<double>& ends, const Inside& inside) {
     std::vector<ParameterInterval> lit;
@@ -54,7 +54,8 @@ IntervalSet in_round_cone(const Vec3& p, const Vec3& w, const Vec3& axis, double
     });
 }
 
-/// The same with X^2 + Y^2 < Z^2, Z > 0 in coordinates divided by the tangents of both angles.
+/// The line in the elliptic cone: X^2 + Y^2 < Z^2, Z > 0 in coordinates divided by the tangents of
+/// both angles.
 IntervalSet in_elliptic_cone(const Vec3& p, const Vec3& w, const BeamFrame& frame, double along,
                              double across) {
     const auto scaled = [&](const Vec3& x) {
@@ -98,7 +99,7 @@ public:
     KinkFinder(const BeamFrame& frame, const Vec3& lamp, const Segment& segment)
         : frame_(frame), p_(segment.a - lamp), w_(segment.b - segment.a) {}
 
-    /// The half plane under phi, in degrees, and the one opposite: a kink too many is harmless.
+    /// Adds the half plane under phi, in degrees, and the one opposite: a surplus kink is harmless.
     void add_plane(double phi) {
         const double angle = degrees_to_radians(phi);
         const Vec3 normal = frame_.up * std::cos(angle) - frame_.across * std::sin(angle);
@@ -107,7 +108,7 @@ public:
     void add_planes(double step) {
         for (int i = 0; i * step < 180; ++i) add_plane(i * step);
     }
-    /// The cone under theta, in degrees, and the one opposite.
+    /// Adds the cone under theta, in degrees, and the one opposite.
     void add_cone(double theta) {
         for (const double t : cone_crossings(p_, w_, frame_.axis, degrees_to_radians(theta)))
             add(t);
@@ -115,7 +116,7 @@ public:
     void add_cones(double step, double end) {
         for (int i = 1; i * step < end; ++i) add_cone(i * step);
     }
-    /// The planes of a table, those that stand for others mirrored.
+    /// Adds the planes of a table; those that represent others are mirrored.
     void add_planes(const std::vector<double>& degrees, PlaneSymmetry symmetry) {
         if (symmetry == PlaneSymmetry::axial) return;
         const bool whole = symmetry == PlaneSymmetry::none || symmetry == PlaneSymmetry::limited;

@@ -10,7 +10,7 @@
 
 namespace keiko {
 
-/// Parameters in ]0, 1[ where a t^2 + 2 b t + c = 0, between 0 and 1, sorted.
+/// Parameters in ]0, 1[, sorted, at which a t^2 + 2 b t + c = 0.
 std::vector<double> crossings(double a, double b, double c);
 
 /// Parameters in ]0, 1[, sorted, of the crossings of the line p + t w with both nappes of the cone
@@ -28,21 +28,21 @@ IntervalSet in_beam(const Spotlight& light, const Segment& segment);
 /// its file is dark; all of it for types A and B.
 IntervalSet in_beam(const Luminaire& luminaire, const Segment& segment);
 
-/// Parameters of a segment, rising, between which the intensity of a beam is smooth but for where
-/// negative q cuts petals and dots off: its crossings with the borders and middles of the pattern's
-/// periods, with sixths of the hue circle, and with the angles of a table.
+/// Parameters of a segment, rising, between which the intensity of a beam is smooth, except where
+/// negative q cuts petals and dots off. These are its crossings with the borders and middles of the
+/// pattern's periods, with sixths of the hue circle, and with the angles of a table.
 std::vector<double> intensity_kinks(const Spotlight& light, const Segment& segment);
 
 /// Kinks of the intensity of a luminaire along a segment; the intensity is linear between the
 /// angles of its file.
 std::vector<double> intensity_kinks(const Luminaire& luminaire, const Segment& segment);
 
-/// Lights without extent; each has a position and answers `intensity_towards` and `in_beam`.
+/// Light without extent; it has a position, `intensity_towards` and `in_beam`.
 template <class T>
 concept PointLight = std::same_as<T, Spotlight> || std::same_as<T, Luminaire>;
 
-/// Illuminance in lx at a `point` that sees the light, on a surface with unit `normal`; 0 from
-/// behind (docs/theory/spotlights.md#frame-and-illuminance).
+/// Illuminance in lx at a `point` to which the light is visible, on a surface with unit `normal`; 0
+/// from behind (docs/theory/spotlights.md#frame-and-illuminance).
 template <PointLight Light>
 Rgb illuminance(const Light& light, const Vec3& point, const Vec3& normal) {
     const Vec3 towards = light.position - point;

@@ -113,7 +113,7 @@ double versine_of(double angle) {
     return 2 * sine * sine;
 }
 
-/// Whether the intensity depends on theta alone.
+/// True if the intensity depends on theta alone.
 bool axial(const Spotlight& light) {
     const auto* table = std::get_if<TableProfile>(&light.profile);
     return std::holds_alternative<std::monostate>(light.pattern) && !light.hue &&

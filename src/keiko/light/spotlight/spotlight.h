@@ -18,7 +18,7 @@ enum class BeamEdge { sharp, soft, mixed };
 /// Edges of the paper: with s = (cos theta - cos g) / (1 - cos g), 1, s, or (1 - q) s + q.
 struct EdgeProfile {
     BeamEdge edge = BeamEdge::soft;
-    double q = 0.5; ///< share of the sharp edge where the edge is mixed
+    double q = 0.5; ///< share of the sharp edge if the edge is mixed
 
     bool operator==(const EdgeProfile&) const = default;
 };
@@ -40,7 +40,7 @@ struct CosinePolynomial {
 /// A table over theta (V) and phi (H).
 using TableProfile = std::shared_ptr<const IntensityTable>;
 
-/// Intensity over the one that a lamp is given with, by direction.
+/// Intensity relative to the lamp's given one, by direction.
 using BeamProfile = std::variant<EdgeProfile, CosinePower, CosinePolynomial, TableProfile>;
 
 /// Value of the polynomial at x, not below 0.
@@ -56,7 +56,8 @@ double profile_share(const BeamProfile& profile, const BeamDirection& direction,
 /// them.
 struct Petals {
     int count = 12;
-    double q = 0; ///< below 1: their least brightness, where it is not negative; less: narrower
+    double q = 0; ///< below 1: their least brightness, if not negative; a smaller q makes them
+                  ///< narrower
 
     bool operator==(const Petals&) const = default;
 };
@@ -101,8 +102,8 @@ struct Spotlight {
     Vec3 position{0};       ///< mm
     Vec3 aim{0, 0, -1};     ///< a point on the axis, mm
     double half_angle = 20; ///< degrees from the axis to the rim
-    BeamProfile profile{};  ///< over theta, and phi where it is a table; 0 beyond the rim
-    Rgb intensity{1000};    ///< cd where the profile is 1, colour included
+    BeamProfile profile{};  ///< over theta, and phi if it is a table; 0 beyond the rim
+    Rgb intensity{1000};    ///< cd for a profile of 1, colour included
     Vec3 reference{1, 0,
                    0}; ///< direction of phi = 0, of any length; its part along the axis is dropped
     double spin = 0;   ///< degrees added to phi
@@ -114,21 +115,20 @@ struct Spotlight {
     bool shaft = true; ///< it lights the medium
 };
 
-/// Unit vector along the beam; NaN, which lights nothing, where aim and position coincide.
+/// Unit vector along the beam; NaN, which lights nothing, if aim and position coincide.
 inline Vec3 beam_axis(const Spotlight& light) {
     const Vec3 axis = light.aim - light.position;
     return axis / axis.length();
 }
 
-/// Intensity of a spotlight, made ready for many directions; keeps a reference
-/// to it.
+/// Intensity of a spotlight, prepared for many directions; keeps a reference to it.
 class BeamIntensity {
 public:
     explicit BeamIntensity(const Spotlight& light);
 
     /// cd towards a point in mm; 0 at the lamp itself.
     Rgb operator()(const Vec3& point) const;
-    /// cd into a direction of the lamp's own frame.
+    /// cd in a direction of the lamp's own frame.
     Rgb towards(const BeamDirection& direction) const;
     const BeamFrame& frame() const { return frame_; }
     /// Versine of the half angle at an angle phi in radians, without spin: 0 to 2.

@@ -11,7 +11,7 @@ namespace keiko {
 enum class TubeModel {
     automatic, ///< strip up to d/D = 0.018, where its error is 1e-4 at most; cylinder beyond
     picture,   ///< strip up to d/D = 0.2, where its error is 2.3e-3; cylinder beyond
-    preview,   ///< the same, and shadows cut the lamp along its axis alone
+    preview,   ///< as picture, and shadows cut the lamp along its axis alone
     nishita,   ///< [NishitaTubes, eq. 1] with its indices corrected: -0.27 d/D
     rectangle, ///< the facing rectangle, exactly: -0.27 d/D
     line,      ///< the limit of a thin lamp: -0.26 d/D
@@ -19,33 +19,33 @@ enum class TubeModel {
     cylinder   ///< the tube itself by quadrature: below 1e-9
 };
 
-/// Models of the mirror image of a row of lamps (docs/theory/luminance.md#in-mirrors).
+/// Models of the reflection of a row of lamps (docs/theory/luminance.md#in-mirrors).
 enum class MirrorModel {
     tube, ///< round tubes in closed form: strips of their apparent width, rims at the ends
     flat, ///< the flat strips of [NishitaTubes]
     exact ///< the capped cylinders; a pixel as the mean over a grid of rays
 };
 
-/// The plane that a row of parallel tube lamps hangs on (the C-plane of [NishitaTubes]; not a
-/// photometric C-plane, whose angle is called c_angle). Lamps lie along u and are spaced along v.
+/// The plane of a row of parallel tube lamps (the C-plane of [NishitaTubes]; not a photometric
+/// C-plane, whose angle is called c_angle). Lamps lie along u and are spaced along v.
 struct CPlane {
     Vec3 origin{0};     ///< corner u = v = 0, mm
     Vec3 u{1000, 0, 0}; ///< edge along the lamps, mm; its length is the lamp length
     Vec3 v{0, 1000, 0}; ///< edge across the lamps, mm; made orthogonal to u on reading
     int lamps = 12;
-    double pitch = 0;           ///< mm from axis to axis; 0: |v| / lamps. The comb is centred in v
+    double pitch = 0;           ///< mm from axis to axis; 0: |v| / lamps. The row is centred in v
     double diameter = 26;       ///< mm
     Rgb luminance{9000};        ///< cd/m2 of the tube's surface, colour included
     bool luminous_caps = false; ///< whether the tubes' end discs shine like the rest
-    TubeModel diffuse = TubeModel::automatic; ///< what lights surfaces
-    MirrorModel mirror = MirrorModel::tube;   ///< what mirrors show
+    TubeModel diffuse = TubeModel::automatic; ///< model for the light on surfaces
+    MirrorModel mirror = MirrorModel::tube;   ///< model for reflections
 
     double spacing() const { return pitch > 0 ? pitch : v.length() / lamps; }
 };
 
-/// A C-plane made ready for computing: unit axes, v orthogonal to u, and the comb of lamp axes.
-/// Frame coordinates are (u, v, height over the plane) in mm from the corner. A plane without
-/// extent has NaN axes, which no ray hits and no point sees.
+/// A C-plane prepared for computing: unit axes, v orthogonal to u, and the row of lamp axes. Frame
+/// coordinates are (u, v, height over the plane) in mm from the corner. A plane without extent has
+/// NaN axes, which no ray hits and no point sees.
 struct CPlaneFrame {
     Vec3 origin, u, v, normal;
     double length = 0; ///< of the lamps, mm

@@ -42,7 +42,7 @@ namespace {
 /// (docs/theory/luminance.md#in-mirrors).
 constexpr double parallel = 1e-12;
 
-/// Stripes are given up, and their mean shown, where a pixel spans more pitches.
+/// Number of pitches in a pixel beyond which stripes are replaced by their mean.
 constexpr double resolvable_pitches = 4;
 
 /// Derivative of (u, v) by one picture axis: the hit moves with the ray and stays on the plane.
@@ -65,8 +65,8 @@ bool point_shines(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& or
     return tube_shines(frame, origin, direction);
 }
 
-/// The lamps that lie ahead of a ray that starts between the planes that touch all tubes: of those
-/// behind it the line may run through the strips as well.
+/// The lamps ahead of a ray that starts between the planes that touch all tubes. The ray's line may
+/// run through the strips of lamps behind it as well.
 CPlaneFrame ahead(CPlaneFrame frame, const CPlaneHit& hit) {
     const Vec3& d = hit.direction;
     if (d.y == 0 || frame.lamps == 0) return frame;
@@ -79,12 +79,12 @@ CPlaneFrame ahead(CPlaneFrame frame, const CPlaneHit& hit) {
     return frame;
 }
 
-/// The direction, in frame coordinates, from which a pixel sees what is `way` off where its
-/// centre's ray meets the plane, or what of the pixel is nearest to that: what nears the plane's
-/// horizon is seen at another slant.
+/// The direction, in frame coordinates, of the pixel's ray that meets the plane at an offset of
+/// `way` from the centre's hit, or of the pixel's ray nearest to that. Near the plane's horizon
+/// rays have another slant.
 Vec3 direction_to(const CPlaneHit& hit, const Footprint& footprint, const Vec2& way) {
     if (way == Vec2(0)) return hit.direction;
-    // Of (x dx + y dy) / (1 + x descent.x + y descent.y) = way, the denominator.
+    // The denominator of (x dx + y dy) / (1 + x descent.x + y descent.y) = way.
     const Vec2 dx = footprint.dx - way * footprint.descent.x;
     const Vec2 dy = footprint.dy - way * footprint.descent.y;
     const double descent = footprint.dx.cross(footprint.dy) / dx.cross(dy);
@@ -93,7 +93,7 @@ Vec3 direction_to(const CPlaneHit& hit, const Footprint& footprint, const Vec2& 
     return {hit.direction.x, hit.direction.y, hit.direction.z * seen};
 }
 
-/// To the row's point next to the hit.
+/// Offset from the hit to the nearest point of the row.
 Vec2 way_to_row(const CPlaneFrame& frame, const CPlaneHit& hit) {
     return {std::clamp(hit.u, 0.0, frame.length) - hit.u,
             std::clamp(hit.v, frame.first, frame.last()) - hit.v};

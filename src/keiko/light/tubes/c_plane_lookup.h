@@ -9,12 +9,12 @@
 
 namespace keiko {
 
-/// What a pixel's square becomes along one axis of the C-plane when the map from picture to plane
-/// is linear across the pixel: two boxes of widths |du/dx| and |du/dy| folded together, a
+/// Image of a pixel's square along one axis of the C-plane if the map from picture to plane is
+/// linear across the pixel. It is the convolution of two boxes of widths |du/dx| and |du/dy|, a
 /// trapezoid of unit area. Both widths 0: a point.
 class PixelFilter {
 public:
-    /// Widths in mm, of either sign.
+    /// Filter of two widths in mm, of either sign.
     PixelFilter(double by_x, double by_y)
         : wide_(std::max(std::abs(by_x), std::abs(by_y))),
           narrow_(std::min(std::abs(by_x), std::abs(by_y))) {}
@@ -30,7 +30,7 @@ public:
 private:
     /// Integral of the filter up to x.
     double below(double x) const { return 0.5 + std::copysign(half(std::abs(x)), x); }
-    /// Its integral from 0 to x >= 0.
+    /// Integral of the filter from 0 to x >= 0.
     double half(double x) const {
         if (x >= reach()) return 0.5;
         if (x <= reach() - narrow_) return x / wide_;
@@ -41,13 +41,13 @@ private:
     double wide_, narrow_;
 };
 
-/// Share of a filter centred at v = `center` mm that falls on the comb's strips of `strip_width`
-/// mm, 0 to 1: exact for any filter (docs/theory.md#stripes-without-noise). Strips that overlap
-/// count as one.
+/// Share of a filter centred at v = `center` mm that falls on the row's strips of `strip_width` mm,
+/// 0 to 1: exact for any filter (docs/theory.md#stripes-without-noise). Strips that overlap count
+/// as one.
 double comb_coverage(const CPlaneFrame& frame, double strip_width, double center,
                      const PixelFilter& filter);
 
-/// Share of a filter for stripes too fine to be distinguished: the comb as a grey band.
+/// Share of a filter for stripes too fine to be distinguished: the row as a grey band.
 double mean_coverage(const CPlaneFrame& frame, double strip_width, double center,
                      const PixelFilter& filter);
 
@@ -58,33 +58,34 @@ struct CPlaneHit {
     Vec3 direction{0};   ///< of the ray, in frame coordinates
 };
 
-/// Intersection of a ray with the plane; nullopt for a ray that runs away from the plane or within
-/// 1e-12 rad of parallel to it.
+/// Intersection of a ray with the plane; nullopt for a ray that points away from the plane or is
+/// within 1e-12 rad of parallel to it.
 std::optional<CPlaneHit> c_plane_coordinates(const CPlaneFrame& frame, const Vec3& origin,
                                              const Vec3& direction);
 std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& origin,
                                              const Vec3& direction);
 
-/// A pixel's image on a C-plane, as its rays have it if they change linearly with the picture's x
-/// and y: a place (x, y) off the pixel's centre, px, sees what is
-/// (x dx + y dy) / (1 + x descent.x + y descent.y) off the image's.
+/// A pixel's image on a C-plane, for rays that change linearly with the picture's x and y. A place
+/// (x, y) away from the pixel's centre, px, is mapped to the offset (x dx + y dy) / (1 + x
+/// descent.x + y descent.y) from the image's centre.
 struct Footprint {
     Vec2 dx{0}, dy{0}; ///< derivatives of (u, v) at the centre, mm per pixel; all 0: a point
-    /// Of the component of the rays' direction across the plane, over itself, per pixel; 0: the
-    /// image is a parallelogram.
+    /// Rate of the component of the rays' direction across the plane, over itself, per pixel; 0:
+    /// the image is a parallelogram.
     Vec2 descent{0};
 
     /// An axis-parallel box of that extent, mm.
     static Footprint box(double du, double dv) { return {{du, 0}, {0, dv}}; }
     bool is_point() const { return dx == Vec2(0) && dy == Vec2(0); }
-    /// Largest distance from its centre along an axis of the plane, mm; infinite where the
-    /// plane's horizon runs through the pixel.
+    /// Largest distance from its centre along an axis of the plane, mm; infinite if the plane's
+    /// horizon runs through the pixel.
     double reach(unsigned axis) const;
-    /// What is so long where the centre's ray meets the plane, where most nears its horizon.
+    /// Largest image of a `length` at the centre's hit: that at the place of the pixel nearest to
+    /// the plane's horizon.
     double widened(double length) const;
 };
 
-/// Whether the ray starts between the two planes that touch all tubes of the row.
+/// True if the ray starts between the two planes that touch all tubes of the row.
 bool starts_among_tubes(const CPlaneFrame& frame, const CPlaneHit& hit);
 
 /// The footprint of a ray at its `hit` on the plane, to first order.
@@ -97,21 +98,22 @@ struct LampCoverage {
     bool resolved = true; ///< false: over 4 pitches in a pixel; the coverage is the mean
 };
 
-/// Looks the lamps up on the plane (docs/theory/luminance.md#in-mirrors); both sides of it are
-/// visible. A point is met exactly, end caps included; a footprint is integrated in closed form
-/// over strips of the tubes' apparent width up to the images of their rims, or (exact) is the mean
-/// over 256 parallel rays. What lies between the lamps and what stands before them is the caller's.
+/// Coverage of a ray or pixel by the lamps on the plane (docs/theory/luminance.md#in-mirrors); both
+/// sides of it are visible. A point is intersected exactly, end caps included. A footprint is
+/// integrated in closed form over strips of the tubes' apparent width up to the images of their
+/// rims, or (exact) is the mean over 256 parallel rays. The light between the lamps and occluders
+/// before them are the caller's task.
 LampCoverage look_up(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction,
                      const Footprint& footprint = {}, MirrorModel look = MirrorModel::tube);
 /// Coverage of a ray that is known to meet the plane at `hit`.
 LampCoverage look_up(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin,
                      const Vec3& direction, const Footprint& footprint, MirrorModel look);
 
-/// Luminance in cd/m2 of the same, darkness between the lamps.
+/// Luminance in cd/m2 of a row of lamps along a ray, darkness between the lamps.
 Rgb mirrored_luminance(const CPlane& plane, const Vec3& origin, const Vec3& direction,
                        const Footprint& footprint = {}, MirrorModel look = MirrorModel::tube);
 
-/// The strip that holds the point (u, v), by rising v; nothing between the strips. `width` in mm.
+/// The strip that holds the point (u, v), by rising v; nullopt between the strips. `width` in mm.
 std::optional<int> strip_at(const CPlaneFrame& frame, double u, double v, double width);
 
 } // namespace keiko

@@ -18,7 +18,7 @@ public:
                                        const Vec3& normal) {
         const Vec3 along = (lamp.b - lamp.a).normalized();
         const Vec3 from_a = point - lamp.a, from_b = point - lamp.b;
-        // Seen edge-on a disc brings nothing, and what its chords bring is rounding.
+        // Viewed edge-on a disc contributes nothing, and the light of its chords is rounding.
         constexpr double edge_on = 1e-9; // rad
         if (along.dot(from_a) < -edge_on * from_a.length())
             return FacingCap(lamp.a, along, lamp.diameter / 2, point, normal);
@@ -28,7 +28,7 @@ public:
     }
     bool above_horizon() const { return lowest_ < std::numbers::pi / 2; }
 
-    /// Of the lowest chord above the horizon.
+    /// Angle of the lowest chord above the horizon.
     double lowest() const { return lowest_; }
     bool has_chord(double angle) const { return std::cos(angle) > 1e-9; }
     Segment chord(double angle) const {
@@ -36,8 +36,8 @@ public:
         const Vec3 half = along_chords_ * (radius_ * std::cos(angle));
         return {middle - half, middle + half};
     }
-    /// What parts of a chord bring, in the measure of the angle: it is the same all along it but
-    /// for the fourth power of the distance.
+    /// Light of parts of a chord, in the measure of the angle: it is constant along the chord
+    /// except for the fourth power of the distance.
     double light(double angle, const IntervalSet& parts) const {
         const Segment line = chord(angle);
         const Vec3 way = line.a - point_, step = line.b - line.a;
@@ -70,7 +70,7 @@ private:
     double radius_, lowest_ = 0; ///< angle of the lowest chord above the horizon
 };
 
-/// What a chord brings, and what is seen of that.
+/// Light of a chord, and the visible part of that.
 struct Chord {
     double angle = 0, all = 0, lit = 0;
 };
@@ -90,13 +90,13 @@ std::vector<Chord> chords_at(const std::vector<double>& angles, const FacingCap&
     return chords;
 }
 
-/// Between neighbouring chords, with the one in the middle.
+/// Gap between neighbouring chords, with the one in the middle.
 struct Gap {
     Chord begin, end, middle{};
 
     double width() const { return end.angle - begin.angle; }
-    /// By how much trapezoids disagree with and without the middle: at the edge of a shadow that
-    /// lies along the chords by a share of the jump, wherever between them it is.
+    /// Difference of the trapezoid rules with and without the middle. At the edge of a shadow that
+    /// lies along the chords it is a share of the jump, wherever between them the edge is.
     double doubt() const { return std::abs(begin.lit - 2 * middle.lit + end.lit) / 4 * width(); }
     double all() const { return (begin.all + 4 * middle.all + end.all) / 6 * width(); }
     double lit() const { return (begin.lit + 4 * middle.lit + end.lit) / 6 * width(); }
@@ -113,7 +113,7 @@ std::vector<Gap> first_gaps(const FacingCap& cap, const Visibility& visible) {
     return gaps;
 }
 
-/// Halves gaps until all are told to within `tolerance`.
+/// Halves gaps until all are accurate to within `tolerance`.
 double share(const FacingCap& cap, const Visibility& visible, double tolerance) {
     constexpr int most_halvings = 20;
     std::vector<Gap> open = first_gaps(cap, visible);
@@ -128,7 +128,7 @@ double share(const FacingCap& cap, const Visibility& visible, double tolerance) 
         for (std::size_t i = 0; i < open.size(); ++i) {
             Gap& gap = open[i];
             gap.middle = middles[i];
-            // What is no number is not told better by more chords.
+            // More chords do not improve a value that is NaN.
             if (!(gap.doubt() > allowed) || halvings == most_halvings)
                 all += gap.all(), lit += gap.lit();
             else

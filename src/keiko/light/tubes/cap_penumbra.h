@@ -5,10 +5,11 @@
 
 namespace keiko {
 
-/// Share, 0 to 1, that `point` with unit `normal` sees of what the cap that faces it brings, of all
-/// of it above the horizon: by chords of its disc along the horizon, closer where what is seen of
-/// neighbours is not in line, to about `tolerance`. What lies between the first 33 and hides none
-/// of them is missed. 1 where no cap faces the point.
+/// Visible share, 0 to 1, of the light of the cap that faces `point` with unit `normal`, relative
+/// to all of it above the horizon. It is sampled by chords of the cap's disc along the horizon,
+/// closer where the visibilities of neighbours are not in line, to about `tolerance`. Occluders
+/// that lie between the first 33 chords and hide none of them are missed. 1 if no cap faces the
+/// point.
 double seen_share_of_cap(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
                          const Visibility& visible, double tolerance);
 

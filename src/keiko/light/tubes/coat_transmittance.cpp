@@ -9,7 +9,7 @@
 namespace keiko {
 namespace {
 
-/// Light that is given to the surface, and what of it enters.
+/// Light that arrives at the surface, and the part of it that enters.
 struct Entry {
     double given = 0, entered = 0;
 
@@ -49,8 +49,8 @@ HalfPlane half_plane(const TubeView& view, double psi) {
     return {view.n_lamp * std::cos(psi) + view.n_sideways * std::sin(psi), view.n_along};
 }
 
-/// Nodes along a lamp whose ends are seen under cosines from `lowest` up: to 1e-3 each, for indices
-/// up to 1.8. Fresnel's share is steep at grazing incidence.
+/// Number of nodes along a lamp whose ends appear under cosines from `lowest` up: to 1e-3 each, for
+/// indices up to 1.8. Fresnel's share is steep at grazing incidence.
 int nodes_along(double span, double lowest) {
     if (span < 0.7 * lowest) return 2;
     if (span * span < lowest) return 3;
@@ -58,7 +58,8 @@ int nodes_along(double span, double lowest) {
     return span * span < 18 * lowest ? 5 : 6;
 }
 
-/// A lamp well above the horizon, by 1 or 2 half-planes, which take the same elevations.
+/// Entering light of a lamp well above the horizon, by 1 or 2 half-planes, which have the same
+/// elevations.
 Entry in_few(const ClearCoat& coat, const TubeSlices& slices, int half_planes) {
     const TubeView& view = slices.view();
     const AcrossNode& node = width_quadrature(half_planes).back();
@@ -90,8 +91,8 @@ Entry in_four(const ClearCoat& coat, const TubeSlices& slices) {
     return sum;
 }
 
-/// By the angle that makes the outline smooth, as cylinder_solid_angle() does, halved as needed
-/// where the horizon cuts the lamp.
+/// Entering light by the angle that makes the outline smooth, as in cylinder_solid_angle(), halved
+/// as needed where the horizon cuts the lamp.
 Entry adaptively(const ClearCoat& coat, const TubeSlices& slices, double refinement, int nodes) {
     const double quarter = std::numbers::pi / 2, limit = std::sin(slices.half_angle());
     Breakpoints outline(-quarter, quarter);
@@ -109,7 +110,7 @@ Entry adaptively(const ClearCoat& coat, const TubeSlices& slices, double refinem
 double entering_share(const ClearCoat& coat, const TubeSlices& slices, TubeModel model) {
     if (model == TubeModel::automatic || model == TubeModel::cylinder)
         return adaptively(coat, slices, 1e-8, 24).share();
-    // One half-plane misses the dip^2, two the dip^4, and what the rims' mean leaves out goes with
+    // One half-plane omits the dip^2, two the dip^4, and the error of the rims' mean is of order
     // (d/D)^2: a test holds them to 2.3e-3.
     const double dip = slices.dip(), ratio = slices.view().ratio();
     if (slices.whole() && dip < 0.07 && ratio < 0.1) return in_few(coat, slices, 1).share();

@@ -33,9 +33,9 @@ std::vector<ParameterInterval> hidden_elevations(const TubeView& view,
     return hidden;
 }
 
-// Key: a half-plane through the line parallel to the axis through the point has the wedge angle
-// psi from the direction of the axis, sin psi = (R / D) sin t; with t everything is smooth up to
-// the tube's outline t = +-pi/2. eta is the elevation in that half-plane towards the lamp's end b.
+// Key: a half-plane through the line parallel to the axis through the point has the wedge angle psi
+// from the direction of the axis, sin psi = (R / D) sin t. In t everything is smooth up to the
+// tube's outline t = +-pi/2. In that half-plane, eta is the elevation towards the lamp's end b.
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -67,7 +67,7 @@ private:
     std::vector<double> ends_{-pi / 2, pi / 2};
 };
 
-/// Where the tangent plane crosses the rim at x: a chord of the circle. At most two places.
+/// Splits where the tangent plane crosses the rim at x: a chord of the circle. At most two places.
 void split_at_rim(Pieces& pieces, const TubeView& view, double x) {
     const double n_towards = -view.n_lamp;
     const double lever = std::hypot(n_towards, view.n_sideways) * view.radius;
@@ -78,14 +78,14 @@ void split_at_rim(Pieces& pieces, const TubeView& view, double x) {
         pieces.split_at(view.radius * std::sin(phi), view.distance - view.radius * std::cos(phi));
 }
 
-/// Where the tangent plane crosses a radial cut through the axis at x.
+/// Splits where the tangent plane crosses a radial cut through the axis at x.
 void split_at_cut(Pieces& pieces, const TubeView& view, double x) {
     const double height = view.n_lamp * view.distance + view.n_along * x;
     pieces.split_at(-height, view.n_sideways * view.distance);
 }
 
-/// At the kinks of another tube, and ever closer to them where the point is so near to the endless
-/// tube's surface that its bends on either side are as sharp.
+/// Splits at the kinks of another tube. If the point is very near to the endless tube's surface, it
+/// splits ever closer to them, as the bends on either side are as sharp.
 void split_at_kinks(Pieces& pieces, const TubeView& view, const OccludingTube& tube) {
     constexpr double sharp = 0.25, farthest = 1;
     const double share = view.radius / tube.distance;

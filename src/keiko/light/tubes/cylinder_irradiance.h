@@ -11,7 +11,7 @@
 
 namespace keiko {
 
-/// Integral of (al cos eta + nz sin eta) cos eta over the elevations [low, high] as far as it is
+/// Integral of (al cos eta + nz sin eta) cos eta over the elevations [low, high] where it is
 /// positive (docs/theory/luminance.md#a-tube).
 inline double arc_integral(double al, double nz, double low, double high) {
     const double zenith = std::atan2(nz, al);
@@ -22,21 +22,21 @@ inline double arc_integral(double al, double nz, double low, double high) {
     return (al * (span + std::cos(sum) * std::sin(span)) + nz * std::sin(sum) * std::sin(span)) / 2;
 }
 
-/// Another tube of the same row in the cross-section through the point: it hides what lies behind
-/// it, its dark caps included.
+/// Another tube of the same row in the cross-section through the point. It hides everything behind
+/// it, and its dark caps do too.
 struct OccludingTube {
     double distance = 0; ///< mm, of its axis from the point; within the radius beyond an end alone
     double angle = 0;    ///< radians, from the direction of the lamp's axis towards `sideways`
 
-    /// Wedge angles, radians, beside which what the tube hides bends most sharply: those of the
-    /// half-planes that touch it or, where the point is within its extension, of those across the
-    /// way to its axis.
+    /// Wedge angles, radians, near which the hidden part bends most sharply. They are those of the
+    /// half-planes that touch the tube or, if the point is within its extension, of those across
+    /// the direction to its axis.
     std::array<double, 2> kinks(double radius) const;
 };
 
-/// Elevations towards the lamp's end b, radians, that tubes nearer than `near` mm take in the
-/// half-plane at the wedge angle `psi`, in any order. The tubes are parallel to the lamp that
-/// `view` shows, of its radius and its ends (docs/theory/luminance.md#lamps-that-hide-each-other).
+/// Elevations towards the lamp's end b, radians, that tubes nearer than `near` mm occupy in the
+/// half-plane at the wedge angle `psi`, in any order. The tubes are parallel to the lamp of `view`,
+/// of its radius and its ends (docs/theory/luminance.md#lamps-that-hide-each-other).
 std::vector<ParameterInterval> hidden_elevations(const TubeView& view,
                                                  std::span<const OccludingTube> hiding, double psi,
                                                  double near);
@@ -44,8 +44,8 @@ std::vector<ParameterInterval> hidden_elevations(const TubeView& view,
 /// Projected solid angle in sr of a part of the lateral surface of a tube, clipped by the tangent
 /// plane (docs/theory/luminance.md#a-tube). The inner integral is in closed form, the outer by
 /// Gauss's rule between the angles at which the horizon passes over a rim, a cut or the axis
-/// direction. What the tubes in `hiding`, parallel to it, of its radius and its ends, hide of it is
-/// left out (docs/theory/luminance.md#lamps-that-hide-each-other).
+/// direction. Parts hidden by the tubes in `hiding`, parallel to it, of its radius and its ends,
+/// are left out (docs/theory/luminance.md#lamps-that-hide-each-other).
 double cylinder_solid_angle(const TubeView& view, const VisiblePart& part,
                             std::span<const OccludingTube> hiding = {});
 

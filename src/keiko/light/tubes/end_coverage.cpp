@@ -7,8 +7,8 @@
 namespace keiko {
 
 // A ray that passes a tube's axis at R q in the cross-section enters the tube R sqrt(1 - q^2)
-// before it is nearest to the axis, and there it is R q d.y / |d.z| from the plane of the axes,
-// both counted along the ray as seen along the lamps.
+// before its point nearest to the axis. That point is R q d.y / |d.z| from the plane of the axes.
+// Both lengths count along the ray, viewed along the lamps.
 LampEnds LampEnds::of_tubes(const CPlaneFrame& frame, const Vec3& d) {
     const double slope = d.x / std::sqrt(d.y * d.y + d.z * d.z);
     const double bulge = frame.radius() * slope, shear = bulge * d.y / std::abs(d.z);
@@ -23,19 +23,20 @@ double end_room(const CPlaneFrame& frame, const Vec3& d) {
 
 namespace {
 
-/// Whether a curve bulges away from a side, or not at all.
+/// True if a curve bulges away from a side, or not at all.
 bool bounds_convex(const LampEnd& end, Side side) {
     return side == Side::before ? end.bulge >= 0 : end.bulge <= 0;
 }
 
-/// How far from a unit circle's centre a chord would be that bounds as much as its arc.
+/// Distance from a unit circle's centre of the chord that bounds the same area as its arc.
 double mean_level(double half_chord) {
     constexpr double small = 1e-6;
     if (!(half_chord > small)) return 1;
     return (std::sqrt(1 - half_chord * half_chord) + std::asin(half_chord) / half_chord) / 2;
 }
 
-/// By the chords of an arc; `line`(normal, level) of one, so far from the circle's centre.
+/// Clips by the chords of an arc; `line`(normal, level) is the line of one at that distance from
+/// the circle's centre.
 template <class Line>
 ClippedPixel cut_along(const ClippedPixel& part, const Vec2& from, const Vec2& to, int halvings,
                        double level, const Line& line) {
@@ -84,8 +85,8 @@ std::array<Vec2, 2> TubeEndClipper::arc_on(const ClippedPixel& part, double axis
         low = std::isfinite(q) ? std::min(low, q) : -1;
         high = std::isfinite(q) ? std::max(high, q) : 1;
     }
-    // Beside the strip's sides the arc is steep: there the side itself is taken, or rounding of the
-    // part's corners would count many times.
+    // Near the strip's sides the arc is steep: there the side itself is used, or rounding of the
+    // part's corners would be amplified.
     constexpr double steep = 0.99;
     low = low < -steep ? -1 : std::min(low, steep);
     high = high > steep ? 1 : std::max({high, low, -steep});
@@ -95,7 +96,7 @@ std::array<Vec2, 2> TubeEndClipper::arc_on(const ClippedPixel& part, double axis
 int TubeEndClipper::halvings_of(double& half_chord, double bulge) const {
     constexpr double allowed = 1e-3; // of the pixel
     constexpr int most = 4;
-    // What is on one side of a chord at its mean level is up to 0.02 times its length cubed.
+    // The area on one side of a chord at its mean level is up to 0.02 times its length cubed.
     const double scale = 8 * 0.02 * half_ * bulge, enough = allowed * image_.least_area();
     int halvings = 0;
     while (halvings < most && scale * half_chord * half_chord * half_chord > enough) {
@@ -121,7 +122,7 @@ public:
           cutter_(half_, image_),
           pixel_(image_.before_horizon()) {}
 
-    /// Of strips narrower than the pitch.
+    /// Coverage of strips narrower than the pitch.
     double of_strips_apart() const {
         double sum = 0;
         for_each_lamp([&](double axis, const ClippedPixel& strip) {
@@ -129,9 +130,9 @@ public:
         });
         return sum;
     }
-    /// Of strips that overlap: of each lamp what is seen past the tube, cap included, that rays
-    /// meet right before it. What tubes before that one hide is hidden by that one too. (Tubes that
-    /// shine all over may be taken in either order.)
+    /// Coverage of strips that overlap: for each lamp the part not hidden by the tube, cap
+    /// included, that rays meet right before it. Parts hidden by tubes before that one are hidden
+    /// by that one too. (Tubes that shine all over may be processed in either order.)
     double of_overlapping_strips() const {
         double sum = 0;
         for_each_lamp([&](double axis, const ClippedPixel& strip) {
@@ -140,7 +141,7 @@ public:
         });
         return std::clamp(sum, 0.0, 1.0);
     }
-    /// Of strips too fine to be told apart, in the mean over the places that they may have.
+    /// Coverage of strips too fine to be distinguished, as the mean over their possible positions.
     double of_grey_band() const {
         const int count = ends_.begin.shear == 0 ? 1 : 8;
         double sum = 0;
@@ -160,18 +161,18 @@ private:
     double band(const ClippedPixel& part, double beyond) const {
         return image_.between(part, frame_.first - beyond, frame_.last() + beyond).area();
     }
-    /// What of a strip is on the lamp's side of its end without a dark cap, or of its begin: it is
+    /// The part of a strip on the lamp's side of its end without a dark cap, or of its begin: it is
     /// convex.
     ClippedPixel cut_convex(const ClippedPixel& strip, double axis) const {
         return ends_.begins_with_cap() ? cutter_.cut(strip, axis, ends_.end, Side::before)
                                        : cutter_.cut(strip, axis, ends_.begin, Side::past);
     }
-    /// Of what is cut so, the area that is on the lamp's side of its other end too.
+    /// The area of such a part that is on the lamp's side of its other end too.
     double seen_of(const ClippedPixel& part, double axis) const {
         return ends_.begins_with_cap() ? cutter_.area(part, axis, ends_.begin, Side::past)
                                        : cutter_.area(part, axis, ends_.end, Side::before);
     }
-    /// Of the same, the area behind the neighbour that rays meet before the lamp.
+    /// The area of such a part behind the neighbour that rays meet before the lamp.
     double hidden_of(const ClippedPixel& part, double axis) const {
         const bool from_begin = ends_.begins_with_cap();
         const bool is_lesser = from_begin == (ends_.begin.shear > 0);
@@ -188,7 +189,7 @@ private:
     static LampEnd rim(const LampEnd& end, double sign) {
         return {end.at, end.shear, sign * std::abs(end.bulge)};
     }
-    /// `use`(axis, what of the pixel lies on the strip), of lamps in it.
+    /// Calls `use`(axis, part of the pixel on the strip) for the lamps in it.
     template <class Use>
     void for_each_lamp(const Use& use) const {
         double low = frame_.last(), high = frame_.first;

@@ -10,42 +10,42 @@
 
 namespace keiko {
 
-/// One end of a lamp as it looks on the plane, at q across its strip, -1 to 1: the curve
-/// u = at + shear q + bulge sqrt(1 - q^2), half of the image of a rim.
+/// Image of one end of a lamp on the plane, half of the image of a rim. At q across its strip, -1
+/// to 1, it is the curve u = at + shear q + bulge sqrt(1 - q^2).
 struct LampEnd {
-    double at = 0; ///< mm along u, as the others
+    double at = 0; ///< mm along u, like the others
     double shear = 0, bulge = 0;
 };
 
-/// The ends of a row's lamps as they look on the plane; the same for each.
+/// The images of the ends of a row's lamps on the plane; the same for each.
 struct LampEnds {
     LampEnd begin, end;
 
-    /// Straight across.
+    /// Ends straight across the lamps.
     static LampEnds straight(const CPlaneFrame& frame) { return {{0}, {frame.length}}; }
-    /// As rays of a direction, in frame coordinates, meet round tubes: each end looks moved by
-    /// where they meet the rim above or below the plane, times their slope along the lamps. Dark
-    /// caps hide the near half of the rim, luminous ones show both.
+    /// Ends of round tubes, for rays of a direction in frame coordinates. Each end appears shifted
+    /// by the height at which rays meet the rim above or below the plane, times their slope along
+    /// the lamps. Dark caps hide the near half of the rim, luminous ones show both.
     static LampEnds of_tubes(const CPlaneFrame& frame, const Vec3& d);
-    /// Whether rays meet caps that are dark at the begin.
+    /// True if rays meet dark caps at the begin.
     bool begins_with_cap() const { return begin.bulge > 0; }
 };
 
-/// How far an end of a round tube may look moved along u, mm: by rays of that direction, in frame
-/// coordinates.
+/// Largest apparent shift of an end of a round tube along u, mm, for rays of that direction, in
+/// frame coordinates.
 double end_room(const CPlaneFrame& frame, const Vec3& d);
 
-/// Something linear in the place in the picture, off the pixel's centre.
+/// A function linear in the place in the picture, relative to the pixel's centre.
 struct PixelLinear {
     double amid, by_x, by_y;
 
     double at(const Vec2& place) const { return amid + by_x * place.x + by_y * place.y; }
 };
 
-/// A convex part of a pixel, px off its centre.
+/// A convex part of a pixel, px from its centre.
 class ClippedPixel {
 public:
-    /// All of it.
+    /// The whole pixel.
     ClippedPixel() : count_(4) {
         corners_[0] = {-0.5, -0.5}, corners_[1] = {0.5, -0.5};
         corners_[2] = {0.5, 0.5}, corners_[3] = {-0.5, 0.5};
@@ -59,7 +59,7 @@ public:
         return *this;
     }
 
-    /// The part that lies where `side` is not negative.
+    /// The part where `side` is not negative.
     ClippedPixel where(const PixelLinear& side) const {
         ClippedPixel cut{Nothing()};
         if (count_ == 0) return cut;
@@ -75,7 +75,7 @@ public:
         }
         return cut;
     }
-    /// Whether all of it lies there.
+    /// True if `side` is not negative in all of it.
     bool is_all_where(const PixelLinear& side) const {
         return std::all_of(begin(), end(),
                            [&](const Vec2& corner) { return side.at(corner) >= 0; });
@@ -96,8 +96,8 @@ public:
 private:
     struct Nothing {};
     explicit ClippedPixel(Nothing) : count_(0) {}
-    // A cut adds a corner to the square's four, and the horizon, sides and chords of three curves
-    // are some sixty; what rounding adds to a line of them is no area.
+    // Adds a corner. A cut adds one to the square's four, and the horizon, sides and chords of
+    // three curves are some sixty. Corners that rounding adds to a line of them enclose no area.
     void add(const Vec2& corner) {
         if (count_ < corners_.size()) corners_[count_++] = corner;
     }
@@ -115,13 +115,12 @@ public:
           footprint_(footprint),
           denominator_{1, footprint.descent.x, footprint.descent.y} {}
 
-    /// The part of the pixel that sees the plane.
+    /// The part of the pixel whose rays meet the plane.
     ClippedPixel before_horizon() const {
         const ClippedPixel all;
         return all.is_all_where(denominator_) ? all : all.where(denominator_);
     }
-    /// By how much `slope` times the way from a point of the plane is more than `least`, times the
-    /// denominator.
+    /// `slope` times the vector from a point of the plane, less `least`, times the denominator.
     PixelLinear past(const Vec2& slope, const Vec2& from, double least) const {
         const double off = slope.dot(centre_ - from) - least;
         return {off, slope.dot(footprint_.dx) + off * denominator_.by_x,
@@ -131,7 +130,7 @@ public:
     ClippedPixel between(const ClippedPixel& part, double low, double high) const {
         return part.where(past({0, 1}, {0, low}, 0)).where(past({0, -1}, {0, high}, 0));
     }
-    /// No number on the horizon, to rounding.
+    /// v of a place; not finite on the horizon, to within rounding.
     double v(const Vec2& place) const {
         const double before = denominator_.at(place);
         const double rounding =
@@ -139,7 +138,7 @@ public:
         if (!(before > rounding)) return std::numeric_limits<double>::quiet_NaN();
         return centre_.y + (footprint_.dx.y * place.x + footprint_.dy.y * place.y) / before;
     }
-    /// mm2 per pixel, where it is least: where the rays meet the plane most steeply.
+    /// The smallest area of the image, mm2 per pixel: where the rays meet the plane most steeply.
     double least_area() const {
         const double most = 1 + (std::abs(denominator_.by_x) + std::abs(denominator_.by_y)) / 2;
         return std::abs(footprint_.dx.cross(footprint_.dy)) / (most * most * most);
@@ -151,26 +150,27 @@ private:
     PixelLinear denominator_;
 };
 
-/// Which side of an end's curve: of lesser u or of greater.
+/// Side of an end's curve: of lesser u or of greater.
 enum class Side { before, past };
 
 /// Cuts strips in a pixel at the ends of lamps, by chords that bound as much as the curves.
 class TubeEndClipper {
 public:
-    /// `half`: of a strip's width, mm.
+    /// `half`: half of a strip's width, mm.
     TubeEndClipper(double half, const PixelImage& image) : half_(half), image_(image) {}
 
-    /// Of a part, which lies on the strip around `axis`, what is on one side of an end; to 1e-3 of
-    /// a pixel or so.
+    /// Area of a part, which lies on the strip around `axis`, on one side of an end; accurate to
+    /// about 1e-3 of a pixel.
     double area(const ClippedPixel& part, double axis, const LampEnd& end, Side side) const;
-    /// The same as a part: of the side from which the curve bulges away.
+    /// The part on one side of an end, as a polygon; requires the side from which the curve bulges
+    /// away.
     ClippedPixel cut(const ClippedPixel& part, double axis, const LampEnd& end, Side side) const;
 
 private:
-    /// Where the arc begins and ends on which a part lies: of the unit circle that a rim is across
-    /// a strip, x along the lamp, half of it at the most.
+    /// Begin and end of the arc on which a part lies. The arc is of the unit circle that a rim is
+    /// across a strip, x along the lamp, and at most half of it.
     std::array<Vec2, 2> arc_on(const ClippedPixel& part, double axis) const;
-    /// How often an arc is halved until chords are near enough; halves the chord with it.
+    /// Number of halvings of an arc until chords are near enough; halves the chord with it.
     int halvings_of(double& half_chord, double bulge) const;
 
     double half_;
@@ -178,11 +178,11 @@ private:
 };
 
 /// Share of a pixel whose image, `footprint` around `centre` (u, v), falls on strips of
-/// `strip_width` mm between `ends`, 0 to 1. What projects straight edges to straight ones is cut in
-/// the picture itself: the pixel's square by the lines that the strips' edges and chords of their
-/// ends are there (homogeneous clipping [BlinnNewell1978]), so that the plane's horizon may run
-/// through it. Of strips that overlap, each tube hides those that rays meet later. Not `resolved`:
-/// stripes too fine to be distinguished, as a grey band.
+/// `strip_width` mm between `ends`, 0 to 1. As the map is projective, the pixel's square is cut in
+/// the picture itself, by the images of the strips' edges and of the chords of their ends
+/// (homogeneous clipping [BlinnNewell1978]). The plane's horizon may thus run through it. If strips
+/// overlap, each tube hides those that rays meet later. Not `resolved`: stripes too fine to be
+/// distinguished, as a grey band.
 double end_coverage(const CPlaneFrame& frame, double strip_width, bool resolved,
                     const LampEnds& ends, const Vec2& centre, const Footprint& footprint);
 

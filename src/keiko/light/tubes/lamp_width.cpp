@@ -61,7 +61,7 @@ std::vector<double> LampWidth::cuts() const {
     return cuts;
 }
 
-/// Where across the lamp a wedge angle is, beyond [-1, 1] beside it.
+/// Place of a wedge angle across the lamp; beyond [-1, 1] it is beside the lamp.
 double LampWidth::place_of(double psi) const {
     const double ratio = view_.radius / view_.distance;
     if (shape_ == TubeShape::rectangle) return std::tan(psi) / ratio;

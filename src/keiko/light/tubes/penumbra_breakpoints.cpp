@@ -6,9 +6,10 @@
 namespace keiko {
 namespace {
 
-/// What is hidden jumps by as much up as down between lines that agree, so that the sum of jumps
-/// times places is the same about any place: about the one on either side of which as much jumps
-/// it is the least. And no more than that jumps up, or down, may be out of its place.
+/// Largest hidden part that agreeing lines may miss between them. Between such lines jumps up and
+/// down have equal sums, so that the sum of jumps times places is independent of the reference
+/// place. The sum of sizes is least about the place that has equal jumps on either side. At most
+/// that much may jump up, or down, out of its place.
 template <class Turns>
 double missed_of(const Turns& turns) {
     double all = 0, up = 0, down = 0, before = 0, missed = 0;
@@ -38,7 +39,7 @@ PenumbraBreakpoints::PenumbraBreakpoints(const LampWidth& width,
               [](const Turn& a, const Turn& b) { return a.place < b.place; });
 }
 
-/// Between the ends and the middles of the parts between cuts, on which nothing is missed.
+/// Cells between the ends and the middles of the parts between cuts, on which nothing is missed.
 std::vector<PenumbraBreakpoints::Cell> PenumbraBreakpoints::cells(
     std::span<const double> cuts) const {
     std::vector<Cell> cells;
@@ -69,7 +70,7 @@ double PenumbraBreakpoints::missed(std::span<const double> cuts) const {
 std::vector<double> PenumbraBreakpoints::places(double allowed, bool agree) const {
     std::vector<double> cuts;
     if (agree && missed(cuts) <= allowed) return cuts;
-    constexpr double for_sure = 4; // less is left to the choice below, which takes fewer cuts
+    constexpr double for_sure = 4; // less is left to the choice below, which needs fewer cuts
     const double told = agree ? for_sure * allowed : allowed;
     for (const Turn& turn : turns_)
         if (turn.jump * gap_ / 2 > told) cuts.push_back(turn.place);
@@ -90,13 +91,13 @@ std::vector<double> PenumbraBreakpoints::places(double allowed, bool agree) cons
 }
 
 bool PenumbraBreakpoints::jumps_at(double place) const {
-    constexpr double one_place = 2e-5; // what turns are found to, of half the width
+    constexpr double one_place = 2e-5; // accuracy of the places of turns, of half the width
     return std::any_of(turns_.begin(), turns_.end(), [&](const Turn& turn) {
         return std::abs(turn.place - place) <= one_place && turn.at_once;
     });
 }
 
-/// Cuts so near to each other that all between them matters little are one.
+/// Cuts that are close enough together for everything between them to be negligible are merged.
 std::vector<WidthCut> PenumbraBreakpoints::cuts(double allowed, bool agree) const {
     std::vector<WidthCut> cuts;
     double left = allowed / 2; // of half the width, to be left out

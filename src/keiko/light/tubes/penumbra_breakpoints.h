@@ -8,24 +8,24 @@
 
 namespace keiko {
 
-/// Where across a lamp's width what is seen of its lines may jump or bend, and what of that lines
-/// may miss.
+/// Places across a lamp's width where the visible part of its lines may jump or kink, and the part
+/// that lines may miss of that.
 class PenumbraBreakpoints {
 public:
-    /// `gap`: that the turns were weighed for, of the whole width.
+    /// `gap`: the one for which the turns were weighed, of the whole width.
     PenumbraBreakpoints(const LampWidth& width, std::span<const CriticalSlice> turns, double gap);
 
-    /// Places, sorted, such that both ends and the middle of each part between two, if they agree,
-    /// miss no more than `allowed` of the lamp together. Every jump of more than that is among
-    /// them, or of four times as much where both ends and the middle of the whole `agree`, for
-    /// which none may be enough.
+    /// Places, sorted. If both ends and the middle of each part between two of them agree, they
+    /// miss at most `allowed` of the lamp together. Every jump of more than that is among them. If
+    /// both ends and the middle of the whole `agree`, for which no cut may be needed, the threshold
+    /// is four times as large.
     std::vector<WidthCut> cuts(double allowed, bool agree) const;
 
 private:
     struct Turn {
         double place, jump;
         int dark;
-        bool at_once; ///< else only how fast changes
+        bool at_once; ///< else only the rate of change changes
     };
     /// Turns between two neighbouring lines.
     struct Cell {

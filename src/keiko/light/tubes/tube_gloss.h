@@ -6,24 +6,24 @@
 
 namespace keiko {
 
-/// One half-plane through a lamp: the integral of a kernel over the elevations that the lamp takes
-/// there, cut about the lobe's crest.
+/// One half-plane through a lamp: the integral of a kernel over the elevations that the lamp
+/// occupies there, cut about the lobe's crest.
 template <class Kernel>
 class GlossSlice {
 public:
-    /// All are only looked at.
+    /// References to all are kept.
     GlossSlice(const TubeSlices& slices, const Kernel& kernel, const LobeChart& chart, double psi)
         : along_(slices.view().along), across_(slices.across(psi)), kernel_(kernel) {
         find_crest(chart);
     }
 
-    /// To about 3e-4, by pairs of rules that tell their error.
+    /// Integral to about 3e-4, by pairs of rules that estimate their error.
     Rgb for_picture(const ParameterInterval& range) const {
         return range.begin < range.end
                    ? integrate_paired(integrand(), cut(range, {1.5, 5}), picture_error)
                    : Rgb();
     }
-    /// Halved until `allowed` is reached.
+    /// Integral, halved until `allowed` is reached.
     Rgb as_number(const ParameterInterval& range, double allowed) const {
         if (!(range.begin < range.end)) return {};
         return sum_over_pieces(cut(range, {0.7, 2}), [&](double a, double b) {
@@ -32,8 +32,8 @@ public:
     }
 
 private:
-    /// The place in the half-plane that lies fewest spreads off the peak, by two steps of Gauss and
-    /// Newton's from the one at the least angle.
+    /// Finds the place in the half-plane that lies fewest spreads from the peak, by two
+    /// Gauss-Newton steps from the one at the least angle.
     void find_crest(const LobeChart& chart) {
         constexpr double furthest = 0.5; // radians a step
         crest_ = std::atan2(along_.dot(chart.peak()), across_.dot(chart.peak()));
@@ -70,15 +70,15 @@ private:
     double spread_ = 0; ///< of the lobe along the half-plane, radians
 };
 
-/// How finely lobes are integrated over lamps.
+/// Accuracy with which lobes are integrated over lamps.
 enum class GlossQuadrature {
     picture, ///< few half-planes: 2.3e-3 of what a lamp gives, 4e-3 of the narrowest lobes
     number   ///< halved until 1e-9 of the lamp is reached
 };
 
-/// Integral of a kernel (GlossKernel, FlakeKernel) over the directions to a part of a lamp: times
-/// the lamp's luminance, what the surface sends to the eye. Quadrature in wedge angle and elevation
-/// (docs/theory/luminance.md#lobes), cut about the kernel's peak.
+/// Integral of a kernel (GlossKernel, FlakeKernel) over the directions to a part of a lamp; times
+/// the lamp's luminance it is the luminance that the surface reflects to the viewer. Quadrature in
+/// wedge angle and elevation (docs/theory/luminance.md#lobes), cut about the kernel's peak.
 template <class Kernel>
 class TubeGloss {
 public:
@@ -104,12 +104,12 @@ private:
         double steep; ///< of the flank at the rims
         double ratio; ///< d / D
     };
-    /// Gauss's rules of 1, 2 and 4 half-planes miss the width^2, ^4 and ^8 with factors of about
-    /// 0.5, 0.2 and 0.02 where the lobe is steepest, the dip^2, ^4 and ^8 likewise, and what the
-    /// rims' mean leaves out goes with (d/D)^2.
+    /// Limits of Gauss's rules of 1, 2 and 4 half-planes. Their errors are of order width^2, ^4 and
+    /// ^8 with factors of about 0.5, 0.2 and 0.02 where the lobe is steepest, and likewise of
+    /// dip^2, ^4 and ^8. The error of the rims' mean is of order (d/D)^2.
     static constexpr Reach one{0.02, 0.05, 0.1, 0.1}, two{0.08, 0.15, 0.1, 0.2},
         four{0.4, 0.15, 0.35, 0.2};
-    /// Half-planes that differ by more ask for more of them.
+    /// Difference of half-planes beyond which more of them are needed.
     static constexpr double steepest = 0.2;
 
     bool within(const Reach& reach) const {
@@ -152,8 +152,8 @@ private:
         });
     }
 
-    /// `of_slice` of a half-plane by the angle t that makes the outline smooth, sin psi =
-    /// sin(half) sin t, times the rate of psi.
+    /// Integral of `of_slice` of a half-plane by the angle t that makes the outline smooth, sin psi
+    /// = sin(half) sin t, times the rate of psi.
     template <class OfSlice>
     auto over_outline(OfSlice of_slice) const {
         return [this, of_slice, limit = std::sin(half_)](double t) {
@@ -164,7 +164,7 @@ private:
                    rate;
         };
     }
-    /// t, cut about the peak.
+    /// Range of t, cut about the peak.
     Breakpoints outline() const {
         const double quarter = std::numbers::pi / 2, limit = std::sin(half_);
         Breakpoints range(-quarter, quarter);
@@ -175,7 +175,7 @@ private:
         }
         return range;
     }
-    /// Measures the lobe where the part comes nearest to the peak.
+    /// Measures the lobe at the part's nearest place to the peak.
     void approach() {
         const TubeView& view = slices_.view();
         const double least = std::atan2(slices_.part().begin, view.distance);
@@ -209,8 +209,8 @@ private:
     double half_;
     double psi_;            ///< wedge angle of the peak
     double psi_spread_ = 0; ///< the lobe's spread in that angle
-    /// By how much the lobe changes as the lamp's end is shifted by what a rim stands out, where
-    /// only the lobe's flank lies on the lamp.
+    /// Relative change of the lobe when the lamp's end is shifted by the extent of a rim, if only
+    /// the lobe's flank lies on the lamp.
     double steep_ = 0;
 };
 

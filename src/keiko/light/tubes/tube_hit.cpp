@@ -15,7 +15,7 @@ struct ClosedLampRange {
     int begin = 0, end = -1;
 };
 
-/// A little more than rounding, so that no tube is passed over.
+/// Slightly more than rounding, so that no tube is missed.
 constexpr double slack = 1 + 1e-9;
 
 /// Lamps whose endless tubes the ray's line meets. `o` and `d` are in frame coordinates.
@@ -77,34 +77,35 @@ double apparent_diameter(const CPlaneFrame& frame, const Vec3& d) {
     return frame.diameter * std::sqrt(d.y * d.y + d.z * d.z) / std::abs(d.z);
 }
 
-// Another ray of the bundle is off the centre's by e where that one meets the plane, at t: it meets
-// the plane itself at e - (d / d.z) e.z from there, d being its own direction. With e = x wx + y wy
-// + rest the rest may be taken as it is, times 1 + slant, and of wx and wy what counts is how they
-// slide along the plane, as in the footprint of the centre.
+// Another ray of the bundle is displaced from the centre's by e where that one meets the plane, at
+// t. It meets the plane itself at e - (d / d.z) e.z from there, d being its own direction. With e =
+// x wx + y wy + rest, the rest counts in full, times 1 + slant. Of wx and wy only their sliding
+// along the plane counts, as in the footprint of the centre.
 namespace {
 
 /// Far more than the rounding of a look-up.
 constexpr double rounding = 1e-9;
 
-/// Half of what one step in x and one in y add up to.
+/// Half of the sum of one step in x and one in y.
 double half_sum(double x, double y) {
     return 0.5 * (std::abs(x) + std::abs(y));
 }
 
-/// Where a bundle meets a plane, in frame coordinates.
+/// Image of a bundle on a plane, in frame coordinates.
 struct Image {
-    double u, v;      ///< mm, of the centre
-    double slant;     ///< mm that a ray runs, at the most, while it comes a mm nearer to the plane
-    double footprint; ///< mm, a bound of any of them
-    double room_u, room_v; ///< mm: how far images and footprints go to each side, at the most
+    double u, v;           ///< mm, of the centre
+    double slant;          ///< largest length in mm of a ray for each mm towards the plane
+    double footprint;      ///< mm, a bound for each ray's footprint
+    double room_u, room_v; ///< mm: largest extent of images and footprints to each side
 };
 
-/// Half the change of a ray over the pixel, at the most.
+/// Largest half change of a ray over the pixel.
 double off(double rest, const Vec3& dx, const Vec3& dy) {
     return rest + half_sum(dx.length(), dy.length());
 }
 
-/// Of a plane that the centre's ray meets at `t`; `least_down`: of any direction, towards it.
+/// Image on a plane that the centre's ray meets at `t`; `least_down`: least component of any
+/// direction towards it.
 Image image_of(const CPlaneFrame& frame, const RayCone& rays, const Vec3& d, double t,
                double least_down) {
     const RayDifferentials& s = rays.spread;
@@ -117,11 +118,11 @@ Image image_of(const CPlaneFrame& frame, const RayCone& rays, const Vec3& d, dou
     const double later = (rest + half_sum(wx.z, wy.z)) / least_down;
     const double slope_rest = rays.origin_slope_rest + (t + later) * rays.direction_slope_rest +
                               later * std::max(s.direction_dx.length(), s.direction_dy.length());
-    // Of the descent of any ray, what is left of it all over its footprint.
+    // Part of the descent of any ray that remains all over its footprint.
     const double turn_within = half_sum(s.direction_dx.length(), s.direction_dy.length());
     const double left = 1 - (turn_within + rays.direction_slope_rest) / least_down;
     const double widening = left > 0 ? 1 / left : std::numeric_limits<double>::infinity();
-    // Twice: as far as the images lie apart, and half a footprint beyond them.
+    // Twice: the distance of the images, and half a footprint beyond them.
     const auto room = [&](double along_x, double along_y, double along_d) {
         const double slope = along_d / d.z;
         const double images = 2 * (half_sum(along_x - slope * wx.z, along_y - slope * wy.z) +
@@ -140,8 +141,8 @@ Image image_of(const CPlaneFrame& frame, const RayCone& rays, const Vec3& d, dou
             room_v * (1 + rounding) + blur};
 }
 
-/// Whether what is within `reach` of v is between lamps or beside all of them. A footprint of many
-/// pitches sees the mean of the row.
+/// True if everything within `reach` of v is between lamps or beside all of them. A footprint of
+/// many pitches contains the mean of the row.
 bool misses_across(const CPlaneFrame& frame, double v, double reach, double footprint) {
     if (footprint > frame.pitch) {
         const double room = reach + frame.pitch / 2;
@@ -166,7 +167,7 @@ bool misses_lamps(const CPlaneFrame& frame, const RayCone& rays) {
     if (t < 0)
         return std::abs(height) > (1 + rounding) * off(rays.origin_rest, s.origin_dx, s.origin_dy);
     const Image image = image_of(frame, rays, d, t, least_down);
-    // Tubes look wider by the slant, and their ends bulge by as much.
+    // Tubes appear wider by the slant, and their ends bulge by as much.
     const double bulge = (1 + rounding) * frame.radius() * image.slant;
     const double along = image.room_u + bulge, across = image.room_v + bulge;
     if (!(std::isfinite(along) && std::isfinite(across))) return false;
@@ -177,7 +178,7 @@ bool misses_lamps(const CPlaneFrame& frame, const RayCone& rays) {
 LampRange lamps_in_cone(const CPlaneFrame& frame, const Vec3& point, const Vec3& axis,
                         double half_angle) {
     const LampRange all{0, frame.lamps};
-    // Tubes reach out of the plane by their radius: a wider cone than at the plane.
+    // Tubes rise from the plane by their radius: a wider cone than at the plane.
     const Vec3 at = frame.point(point), r = frame.vector(axis);
     const double height = std::abs(at.z) + frame.radius();
     const double towards = at.z > 0 ? -r.z : r.z;

@@ -14,8 +14,8 @@ struct TubeHit {
     bool cap = false; ///< on an end disc
 };
 
-/// The first capped cylinder of the comb that the ray enters at t > 0, tubes that hide each other
-/// included; nothing for a ray that starts inside a tube and meets no other.
+/// The first capped cylinder of the row that the ray enters at t > 0, tubes that hide each other
+/// included; nullopt for a ray that starts inside a tube and meets no other.
 std::optional<TubeHit> nearest_tube(const CPlaneFrame& frame, const Vec3& origin,
                                     const Vec3& direction);
 
@@ -25,28 +25,27 @@ std::optional<TubeHit> nearest_tube(const CPlaneFrame& frame, const Vec3& origin
 double apparent_diameter(const CPlaneFrame& frame, const Vec3& d);
 
 /// The rays of a pixel, half a unit of the picture's x and y to all sides of its centre's, each
-/// with a footprint of the pixel's size or a smaller one: nothing is known of them but bounds.
+/// with a footprint of the pixel's size or a smaller one. Only bounds of them are known.
 struct RayCone {
     Vec3 origin, direction;  ///< of the centre's ray
-    RayDifferentials spread; ///< of the same
-    /// How far the others are, at the most, from where that spread leads.
+    RayDifferentials spread; ///< of that ray
+    /// Largest deviations of the other rays from those that the spread predicts.
     double origin_rest = 0, direction_rest = 0;
-    /// How far their own differentials are from it.
+    /// Largest deviations of their own differentials from it.
     double origin_slope_rest = 0, direction_slope_rest = 0;
 };
 
-/// Whether it is proved that look_up() finds no lamp of a C-plane for any ray of a bundle and its
+/// True if look_up() is proved to find no lamp of a C-plane for any ray of a bundle and its
 /// footprint.
 bool misses_lamps(const CPlaneFrame& frame, const RayCone& rays);
 
-/// Lamps of a row, by rising v, from begin up to but without end.
+/// Range of lamps of a row, by rising v, from begin up to but without end.
 struct LampRange {
     int begin = 0, end = 0;
 };
 
-/// Lamps that a cone about the unit direction `axis` from `point` can meet, its half angle in
-/// radians (docs/theory/luminance.md#lobes); all of them where the cone is not bounded by the
-/// plane.
+/// Range of lamps that a cone about the unit direction `axis` from `point` can meet, its half angle
+/// in radians (docs/theory/luminance.md#lobes); all of them if the plane does not bound the cone.
 LampRange lamps_in_cone(const CPlaneFrame& frame, const Vec3& point, const Vec3& axis,
                         double half_angle);
 

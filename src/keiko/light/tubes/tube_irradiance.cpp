@@ -70,7 +70,7 @@ namespace {
 /// The strip's error, up to 0.28 (d/D)^2 of short lamps aside and normals aslant, stays below 1e-4,
 /// the accuracy of the whole system.
 constexpr double strip_up_to = 0.018;
-/// Ratio d/D beyond which the strip is no longer good for a picture either
+/// Ratio d/D beyond which the strip is inaccurate for pictures too
 /// (docs/theory/luminance.md#the-ladder-of-approximations).
 constexpr double strip_in_pictures_up_to = 0.2;
 

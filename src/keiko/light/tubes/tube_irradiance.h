@@ -6,8 +6,9 @@
 
 namespace keiko {
 
-/// Projected solid angle in sr of a part of a lamp taken for something flat, clipped by the tangent
-/// plane. TubeModel states their errors (docs/theory/luminance.md#the-ladder-of-approximations).
+/// Projected solid angles in sr of a part of a lamp approximated by a flat shape, clipped by the
+/// tangent plane. TubeModel states their errors
+/// (docs/theory/luminance.md#the-ladder-of-approximations).
 
 /// Facing rectangle by [NishitaTubes, eq. 1] with its indices corrected. As in the paper, the
 /// tangent plane clips the axis only.
@@ -24,28 +25,28 @@ double strip_solid_angle(const TubeView& view, const VisiblePart& part);
 /// form.
 double line_solid_angle(const TubeView& view, const VisiblePart& part);
 
-/// Projected solid angle in sr of what `point` with unit `normal` sees of the lateral surface of
-/// a lamp, and of its cap if that shines: the illuminance in lx for a luminance of 1 cd/m2.
+/// Projected solid angle in sr of the visible lateral surface of a lamp from `point` with unit
+/// `normal`, and of its cap if that shines: the illuminance in lx for a luminance of 1 cd/m2.
 /// `visible` holds the parts of the axis that are not hidden, parameters 0 (end a) to 1 (end b); a
-/// cap is seen where its end is. The tangent plane clips by itself. 0 inside the glass; on the line
-/// of the axis only a cap is seen.
+/// cap is visible if its end is. The tangent plane clips by itself. It is 0 inside the glass; on
+/// the line of the axis only a cap is visible.
 double projected_solid_angle(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
                              const IntervalSet& visible = IntervalSet::whole(),
                              TubeModel model = TubeModel::automatic);
 
-/// Projected solid angle in sr of the cap that faces the point; 0 where caps are dark.
+/// Projected solid angle in sr of the cap that faces the point; 0 if caps are dark.
 double cap_solid_angle(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
                        const IntervalSet& visible = IntervalSet::whole());
 
-/// Illuminance in lx: the same times the lamp's luminance. What other lamps hide of it is not
-/// accounted for: comb_solid_angle does.
+/// Illuminance in lx: the projected solid angle times the lamp's luminance. Occlusion by other
+/// lamps is not included: TubeRowIrradiance does.
 inline Rgb irradiance(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
                       const IntervalSet& visible = IntervalSet::whole(),
                       TubeModel model = TubeModel::automatic) {
     return lamp.luminance * projected_solid_angle(lamp, point, normal, visible, model);
 }
 
-/// Whether the whole lamp lies below the tangent plane, so that nobody need ask what hides it.
+/// True if the whole lamp lies below the tangent plane, so that its visibility need not be queried.
 inline bool below_horizon(const TubeLamp& lamp, const Vec3& point, const Vec3& normal) {
     const double radius = lamp.diameter / 2;
     return normal.dot(lamp.a - point) <= -radius && normal.dot(lamp.b - point) <= -radius;

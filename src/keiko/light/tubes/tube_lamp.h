@@ -14,10 +14,10 @@ struct TubeLamp {
     Vec3 a{0}, b{0};            ///< ends of the axis, mm
     double diameter = 0;        ///< mm
     Rgb luminance;              ///< cd/m2 of the lateral surface
-    bool luminous_caps = false; ///< whether the end discs shine alike; else they are dark
+    bool luminous_caps = false; ///< true if the end discs shine alike; else they are dark
 };
 
-/// Lamp `index`, 0 to lamps - 1, of the comb.
+/// Lamp `index`, 0 to lamps - 1, of the row.
 inline TubeLamp lamp_of(const CPlaneFrame& frame, int index, const Rgb& luminance) {
     const double across = frame.axis(index);
     return {frame.at(0, across), frame.at(frame.length, across), frame.diameter, luminance,
@@ -33,7 +33,7 @@ inline std::vector<TubeLamp> lamps_of(const CPlane& plane) {
     return lamps;
 }
 
-/// A lamp as a surface element sees it (docs/theory/luminance.md#a-tube): the frame in which every
+/// A lamp viewed from a surface element (docs/theory/luminance.md#a-tube): the frame in which every
 /// model of the lamp integrates. Positions along the axis, called x, count in mm from the foot of
 /// the point.
 struct TubeView {
@@ -50,13 +50,13 @@ struct TubeView {
     Vec3 normal;
 
     double x_at(double t) const { return x_a + t * length; }
-    /// Diameter over distance: what the models' errors depend on.
+    /// Diameter over distance, on which the models' errors depend.
     double ratio() const { return 2 * radius / distance; }
 };
 
-/// View of a lamp; nullopt where the lateral surface is not visible: inside the glass, on the axis
-/// line, or so near to that line beyond an end that only the dark cap shows; nor of a lamp without
-/// extent.
+/// View of a lamp; nullopt if the lateral surface is not visible or the lamp has no extent. It is
+/// not visible from inside the glass, from the axis line, or so near to that line beyond an end
+/// that only the dark cap shows.
 inline std::optional<TubeView> view_of(const TubeLamp& lamp, const Vec3& point,
                                        const Vec3& normal) {
     TubeView view;
@@ -77,7 +77,7 @@ inline std::optional<TubeView> view_of(const TubeLamp& lamp, const Vec3& point,
     return view;
 }
 
-/// A visible part of a lamp, from x = begin to end; `begins` and `ends` tell whether these are the
+/// A visible part of a lamp, from x = begin to end; `begins` and `ends` state whether these are the
 /// lamp's own ends. Where a shadow cuts the lamp there is no rim, the cut runs radially.
 struct VisiblePart {
     double begin = 0, end = 0;

@@ -27,7 +27,7 @@ std::vector<Prism> boxes_around(std::span<const TubeLamp> row) {
     return boxes;
 }
 
-/// Of a lamp's axis.
+/// The part of a lamp's axis above the horizon.
 IntervalSet above_horizon(const TubeLamp& lamp, const Vec3& point, const Vec3& normal) {
     const double a = normal.dot(lamp.a - point), b = normal.dot(lamp.b - point);
     if (a >= 0 && b >= 0) return IntervalSet::whole();
@@ -35,13 +35,13 @@ IntervalSet above_horizon(const TubeLamp& lamp, const Vec3& point, const Vec3& n
     return a > 0 ? IntervalSet::whole(0, a / (a - b)) : IntervalSet::whole(a / (a - b), 1);
 }
 
-/// A cap alone lights.
+/// Visibility of a lamp whose only lit part is a cap.
 LightVisibility seen_end_on(const TubeLamp& lamp, const Visibility& visible) {
     const IntervalSet axis = visible.intervals({lamp.a, lamp.b});
     return {axis, axis.empty() ? 0.0 : 1.0};
 }
 
-/// A lamp of which some may be hidden, with the nodes that are asked for first.
+/// A lamp that may be partly hidden, with the nodes that are queried first.
 class PartlySeen {
 public:
     PartlySeen(const TubeLamp& lamp, const LampWidth& width, const PenumbraOptions& options)
@@ -56,7 +56,7 @@ public:
         if (options_.axes && !middle_tells_) lines.push_back(axis_);
         add_ends_and_middles(width_, parts_, lines);
     }
-    /// By what is seen of those lines, from `next` on.
+    /// Visibility of the lamp from that of those lines, from `next` on.
     LightVisibility seen(const Visibility& visible,
                          std::vector<IntervalSet>::const_iterator& next) {
         LightVisibility seen;
@@ -84,8 +84,8 @@ private:
     bool agree() const {
         return parts_.size() == 1 && ends_and_middle_agree(parts_[0], rule_of(parts_[0]));
     }
-    /// Cuts the width at turns of outlines, as many as it takes that no more than the tolerance may
-    /// be missed between lines.
+    /// Cuts the width at turns of outlines, as often as necessary for at most the tolerance to be
+    /// missed between lines.
     void look_between(const Visibility& visible) {
         const double gap = options_.widest_gap / 2, allowed = options_.tolerance;
         const auto line = [&](double place) { return width_.line_of(width_.sub_axis(place)); };
@@ -96,7 +96,7 @@ private:
             PenumbraBreakpoints(width_, found, gap).cuts(allowed, agree());
         if (!cuts.empty()) cut_at(cuts, visible);
     }
-    /// What is seen of both ends is known.
+    /// Cuts the width; the visibility of both ends is known.
     void cut_at(std::span<const WidthCut> cuts, const Visibility& visible) {
         std::vector<Slices> parts = parts_of(width_, cuts);
         if (parts.front().begin() == -1) parts.front().seen.front() = parts_.front().seen.front();
@@ -113,7 +113,7 @@ private:
     LampWidth width_;
     PenumbraOptions options_;
     std::vector<Slices> parts_;
-    bool middle_tells_; ///< what is seen of the axis
+    bool middle_tells_; ///< visibility of the middle line determines that of the axis
     double brightest_ = 0;
 };
 

@@ -12,12 +12,13 @@ namespace keiko {
 
 /// Visible part of a light from a point.
 struct LightVisibility {
-    /// Of a lamp's axis; of a source without extent the whole where it is seen, else nothing.
+    /// Visible parts of a lamp's axis; for a source without extent the whole if it is visible, else
+    /// empty.
     IntervalSet axis{};
-    /// 0 to 1, of what a lamp brings to the surface where nothing but lamps hides any of it; of
-    /// models that ask for the whole width.
+    /// Visible share, 0 to 1, of a lamp's light on the surface, relative to that with occlusion by
+    /// lamps alone; for models that need the whole width.
     double share = 1;
-    /// 0 to 1, of what the cap that faces the point brings, of the same models.
+    /// Visible share, 0 to 1, of the light of the cap that faces the point, for the same models.
     double cap = 1;
 
     bool operator==(const LightVisibility&) const = default;
@@ -27,23 +28,25 @@ struct LightVisibility {
 struct PenumbraOptions {
     double tolerance = 0; ///< of a lamp's projected solid angle, as bright all over as at its best
     TubeShape shape = TubeShape::cylinder;
-    bool axes = false; ///< what is seen of axes is asked for as well
-    /// Of half the width, by the angle around a cylinder: lines that all see the same are no
-    /// farther apart than this. What hides less may be missed between them unless it is looked for.
+    bool axes = false; ///< visible parts of axes are queried as well
+    /// Widest gap between lines of equal visibility, of half the width, by the angle around a
+    /// cylinder. Smaller occluders may be missed between them unless they are searched for.
     double widest_gap = 1;
-    /// The width is cut where outlines turn that hide more than the tolerance between lines, and
-    /// lines agree only if they do of each part that is seen.
+    /// True if the width is cut where outlines turn that hide more than the tolerance between
+    /// lines. Lines then agree only if they do for each visible part.
     bool between_lines = false;
 };
 
 /// Visible shares of a row's lamps from `point` with unit `normal`: 0 to 1, of their projected
-/// solid angles, weighed as they light. They are of the whole width of each lamp
-/// (docs/theory/visibility.md#the-width-of-a-lamp); the axis alone misses them by 2e-3 in ordinary
+/// solid angles, weighted by their light. They are of the whole width of each lamp
+/// (docs/theory/visibility.md#the-width-of-a-lamp). The axis alone misses them by 2e-3 in ordinary
 /// places, by 2 % where an occluder's edge runs along the lamp. `row`: parallel lamps of one
-/// diameter, in order. One ray answers for a lamp of which all above the horizon is proved to be
-/// seen alike; else sub-axes across the lamp do, more of them until the estimated error is below
+/// diameter, in order.
+///
+/// One ray suffices for a lamp if all of it above the horizon is proved to have one visibility.
+/// Otherwise sub-axes across the lamp are traced, more of them until the estimated error is below
 /// the tolerance. `hiding`: empty, or for each lamp others of the row that hide some of it; the
-/// share is of what they leave.
+/// share is relative to the rest.
 std::vector<LightVisibility> seen_tubes(std::span<const TubeLamp> row, const Vec3& point,
                                         const Vec3& normal, const Visibility& visible,
                                         const PenumbraOptions& options,

@@ -30,7 +30,7 @@ bool TubeRowIrradiance::overlap(const Wedge& a, const Wedge& b) {
     return std::abs(a.angle - b.angle) < a.half + b.half;
 }
 
-/// A point within an endless tube, beyond an end, has that lamp in all directions.
+/// Wedge of a lamp. A point within an endless tube, beyond an end, has that lamp in all directions.
 TubeRowIrradiance::Wedge TubeRowIrradiance::wedge_of(int lamp) const {
     const double across = frame_.axis(lamp) - at_.y, distance = std::hypot(across, at_.z);
     const double half =
@@ -38,8 +38,8 @@ TubeRowIrradiance::Wedge TubeRowIrradiance::wedge_of(int lamp) const {
     return {std::atan2(across, std::abs(at_.z)), half, distance};
 }
 
-/// Far enough from the plane that no line through the point meets two tubes: the cosine of such a
-/// line's angle to the perpendicular is at most d / pitch.
+/// True if the point is far enough from the plane that no line through it meets two tubes: the
+/// cosine of such a line's angle to the perpendicular is at most d / pitch.
 bool TubeRowIrradiance::surely_apart() const {
     const double cosine = frame_.diameter / frame_.pitch;
     if (!(cosine < 1)) return false;
@@ -51,7 +51,7 @@ bool TubeRowIrradiance::surely_apart() const {
 std::vector<OccludingTube> TubeRowIrradiance::hiding_tubes(int lamp) const {
     std::vector<OccludingTube> hiding;
     if (!overlapping()) return hiding;
-    const double sense = at_.z > 0 ? -1 : 1; // of `sideways` seen from either side of the plane
+    const double sense = at_.z > 0 ? -1 : 1; // of `sideways` viewed from either side of the plane
     const Wedge& own = wedges_[static_cast<std::size_t>(lamp)];
     for (const Wedge& other : wedges_)
         if (&other != &own && overlap(own, other))

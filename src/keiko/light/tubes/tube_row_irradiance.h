@@ -9,8 +9,8 @@
 
 namespace keiko {
 
-/// The lamps of a C-plane as they light a point. Where lamps of the row hide each other, the models
-/// automatic, picture, preview, strip and cylinder take the cylinders with what is hidden left out
+/// Light of the lamps of a C-plane at a point. If lamps of the row hide each other, the models
+/// automatic, picture, preview, strip and cylinder use the cylinders without their hidden parts
 /// (docs/theory/luminance.md#lamps-that-hide-each-other). The models nishita, rectangle and line
 /// count every lamp in full, as [NishitaTubes] does.
 class TubeRowIrradiance {
@@ -19,12 +19,12 @@ public:
     TubeRowIrradiance(const CPlaneFrame& frame, const Vec3& point, const Vec3& normal,
                       TubeModel model);
 
-    /// Projected solid angle in sr of what the point sees of one lamp, 0 to lamps - 1 by rising v:
-    /// the illuminance in lx for a luminance of 1 cd/m2. `visible` holds the parts of its axis that
-    /// nothing but lamps hides.
+    /// Projected solid angle in sr of the visible part of one lamp, 0 to lamps - 1 by rising v: the
+    /// illuminance in lx for a luminance of 1 cd/m2. `visible` holds the parts of its axis that are
+    /// not hidden by anything other than lamps.
     double solid_angle(int lamp, const IntervalSet& visible) const;
 
-    /// Whether the point sees some lamp of the row before another.
+    /// True if some lamp of the row is before another one, viewed from the point.
     bool overlapping() const { return !wedges_.empty(); }
     /// The lamps of the row that may hide some of one from the point.
     std::vector<OccludingTube> hiding_tubes(int lamp) const;
@@ -43,7 +43,7 @@ private:
     Vec3 point_, normal_;
     Vec3 at_; ///< the point in the plane's frame
     TubeModel model_;
-    std::vector<Wedge> wedges_; ///< of all lamps where some overlap, else none
+    std::vector<Wedge> wedges_; ///< of all lamps if some overlap, else none
 };
 
 } // namespace keiko

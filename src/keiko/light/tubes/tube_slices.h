@@ -10,13 +10,14 @@
 
 namespace keiko {
 
-/// One of few half-planes that stand for the width of a lamp.
+/// One of few half-planes that represent the width of a lamp.
 struct AcrossNode {
     double x = 0;      ///< wedge angle in half widths of the lamp, -1 to 1
     double weight = 0; ///< all together 2
-    /// How far the near side, and with it the rims at the ends, stands out of the axis, in radii:
-    /// the circle at x, scaled so that the mean over the rule is the circle's, pi / 4. So few nodes
-    /// of Gauss's miss that by up to a quarter, an error of first order in d / D.
+    /// Distance of the near side, and with it of the rims at the ends, from the axis, in radii. It
+    /// is the circle at x, scaled so that the mean over the rule is the circle's, pi / 4. Unscaled,
+    /// Gauss's rules of so few nodes miss that by up to a quarter, an error of first order in d /
+    /// D.
     double rim = 0;
 };
 
@@ -37,15 +38,16 @@ public:
 
     const TubeView& view() const { return view_; }
     const VisiblePart& part() const { return part_; }
-    /// The lamp lies within +- this angle.
+    /// Half of the angle that the lamp covers, to either side of its axis.
     double half_angle() const {
         return outline_ == TubeOutline::rectangle ? std::atan(view_.radius / view_.distance)
                                                   : std::asin(view_.radius / view_.distance);
     }
-    /// How near the lamp comes to the horizon: how far half its width dips towards the tangent
-    /// plane over the height of its axis, where the part is lowest, or, of a part that the plane
-    /// cuts across, four times that where it is highest. What is seen of a lamp changes across it
-    /// by about that share where light grazes. Infinite where the plane may cut it lengthwise.
+    /// Nearness of the lamp to the horizon: the dip of half its width towards the tangent plane
+    /// over the height of its axis, where the part is lowest. For a part that the plane cuts
+    /// across, it is four times the ratio where the part is highest. The visible part of a lamp
+    /// changes across it by about that share where light grazes. Infinite if the plane may cut it
+    /// lengthwise.
     double dip() const {
         const double dips = view_.radius * std::abs(view_.n_sideways);
         if (whole()) return dips / std::min(height(part_.begin), height(part_.end));
@@ -54,25 +56,26 @@ public:
                    ? 4 * dips / highest
                    : std::numeric_limits<double>::infinity();
     }
-    /// Whether all of the part is surely above the horizon.
+    /// True if all of the part is certainly above the horizon.
     bool whole() const { return std::min(height(part_.begin), height(part_.end)) > view_.radius; }
     /// Unit vector of the half-plane, across the axis.
     Vec3 across(double psi) const {
         return view_.sideways * std::sin(psi) - view_.towards * std::cos(psi);
     }
-    /// Elevations towards end b that the part takes in the half-plane, above the horizon; empty
-    /// (begin >= end) where there are none.
+    /// Elevations towards end b that the part occupies in the half-plane, above the horizon; empty
+    /// (begin >= end) if there are none.
     ParameterInterval elevations(double psi) const {
         const double across = view_.distance * std::sin(psi);
         return elevations(
             psi, std::sqrt(std::max(0.0, (view_.radius - across) * (view_.radius + across))));
     }
-    /// Elevations where the lamp's near side stands out by `rim` mm, and its far side as much.
+    /// Elevations for a near side that is `rim` mm in front of the axis, and a far side as much
+    /// behind it.
     ParameterInterval elevations(double psi, double rim) const {
         const ParameterInterval lit = lit_ends(psi, rim);
         return {2 * std::atan(lit.begin), 2 * std::atan(lit.end)};
     }
-    /// Elevations as tangents of half the angles, which take no angles to find.
+    /// Elevations above the horizon as tangents of half the angles, which are found without angles.
     ParameterInterval lit_ends(double psi, double rim) const {
         ParameterInterval lit = ends(psi, rim);
         // The horizon: level cos eta + along sin eta = 0.
@@ -84,7 +87,7 @@ public:
         if (!(level > 0) && along == 0) lit.end = lit.begin;
         return lit;
     }
-    /// Elevations without regard to the horizon, as tangents of half the elevations.
+    /// Elevations regardless of the horizon, as tangents of half the elevations.
     ParameterInterval ends(double psi, double rim) const {
         const double cosine = std::cos(psi), cut = view_.distance / cosine;
         double near = cut, far = cut;

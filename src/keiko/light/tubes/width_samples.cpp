@@ -7,7 +7,7 @@ namespace keiko {
 
 namespace {
 
-/// On [-1, 1].
+/// Nodes on [-1, 1].
 constexpr std::array<double, Slices::count> nodes{
     -1, -0.9604912687080202, -0.7745966692414834, -0.4342437493468026,
     0,  0.4342437493468026,  0.7745966692414834,  0.9604912687080202,
@@ -31,7 +31,7 @@ constexpr std::array<std::size_t, 5> of_gauss{0, 2, 4, 6, 8}; ///< with the ends
 constexpr std::array<std::size_t, 2> of_gauss_alone{2, 6};
 constexpr std::array<std::size_t, 4> of_kronrod_alone{1, 3, 5, 7};
 
-/// What some nodes' slices light.
+/// Computes the light of the slices of some nodes.
 void light_slices(const LampWidth& width, std::span<const std::size_t> nodes_of, Slices& slices) {
     for (const std::size_t i : nodes_of) {
         slices.axes[i] = width.sub_axis(slices.center + slices.half * nodes[i]);
@@ -39,7 +39,7 @@ void light_slices(const LampWidth& width, std::span<const std::size_t> nodes_of,
     }
 }
 
-/// A part of the width, of which nothing is asked yet.
+/// A part of the width before any query.
 Slices part_of(const LampWidth& width, double center, double half) {
     Slices part{center, half};
     light_slices(width, of_gauss, part);
@@ -55,14 +55,15 @@ SolidAngle weighed(const Slices& slices, const Weights& weights) {
     return sums;
 }
 
-/// By how much two rules disagree on what is hidden.
+/// Difference of two rules in the hidden part.
 double difference(const SolidAngle& coarse, const SolidAngle& fine) {
     return std::abs(coarse.all > 0 ? coarse.hidden * (fine.all / coarse.all) - fine.hidden
                                    : fine.hidden);
 }
 
-/// What may be missed between an end and the node next to it: by how much the end's hidden share is
-/// off the line through that node and one farther in, for the share of the width in between.
+/// Error that may be missed between an end and the node next to it. It is the deviation of the
+/// end's hidden share from the line through that node and one farther in, for the share of the
+/// width in between.
 double missed_at(const Slices& slices, std::size_t end, std::size_t node, std::size_t inner) {
     const auto &e = slices.at[end], &n = slices.at[node], &i = slices.at[inner];
     if (!(e.all > 0 && n.all > 0 && i.all > 0)) return 0;
@@ -71,9 +72,9 @@ double missed_at(const Slices& slices, std::size_t end, std::size_t node, std::s
     return std::abs(off) * std::abs(nodes[end] - nodes[node]) / 2;
 }
 
-/// By how much the middle's hidden share is off the line through those of the ends, or the ends of
-/// its seen parts are, and what may be missed where it is on the line by chance, as in the middle
-/// of a ramp between two kinks.
+/// Error bound of the middle. It is the deviation of its hidden share, or of the ends of its
+/// visible parts, from the lines through those of the ends. It includes what may be missed if the
+/// middle is on the line by chance, as in the middle of a ramp between two kinks.
 double missed_by_middle(const Slices& slices) {
     const double begin = slices.at[0].share(), end = slices.at[8].share();
     constexpr double by_chance = 0.1;
@@ -89,18 +90,19 @@ double missed_by_kronrod(const Slices& slices) {
     return missed_at(slices, 0, 1, 2) + missed_at(slices, 8, 7, 6);
 }
 
-/// Whether nodes that a `gap` is between on [-1, 1] are no farther apart than the widest.
+/// True if nodes with a `gap` between them on [-1, 1] are at most the widest gap apart.
 bool near_enough(const Slices& slices, double gap, double widest) {
     return gap * slices.half <= widest;
 }
 
-/// Whether all slices light anything.
+/// True if all slices light anything.
 bool all_above(const Slices& slices) {
     return std::all_of(of_gauss.begin(), of_gauss.end(),
                        [&](std::size_t i) { return slices.at[i].all > 0; });
 }
 
-/// Over parts of a width, by the first of three rules that is enough, else by halves.
+/// Integral over parts of a width, by the first of three rules that is accurate enough, else by
+/// halves.
 class WidthIntegral {
 public:
     WidthIntegral(const LampWidth& width, const Visibility& visible, const SliceRule& until)
@@ -140,7 +142,7 @@ private:
         for (const std::size_t i : nodes_of)
             if (slices.at[i].all > 0) hide_slice(width_, i, *next++, slices);
     }
-    /// Of which the ends are known by the whole.
+    /// Halves of a part; their ends are known from the whole.
     std::array<Slices, 2> halves_of(const Slices& whole) const {
         const double half = whole.half / 2;
         std::array halves{part_of(width_, whole.center - half, half),
@@ -218,7 +220,7 @@ SolidAngle integrate(const LampWidth& width, const Visibility& visible, Slices s
 
 namespace {
 
-/// Where parts that are seen of a slice begin and end, in turn: shares of its light on one side.
+/// Begins and ends of the visible parts of a slice, in turn: shares of its light on one side.
 std::vector<double> seen_ends(const LampWidth& width, const SubAxis& axis, double all,
                               const IntervalSet& seen) {
     std::vector<double> ends;
@@ -228,8 +230,8 @@ std::vector<double> seen_ends(const LampWidth& width, const SubAxis& axis, doubl
     return ends;
 }
 
-/// By how much the ends of the middle's seen parts are off the lines through those of the ends; all
-/// of it where these do not see as many parts.
+/// Deviation of the ends of the middle's visible parts from the lines through those of the ends; 1,
+/// all of it, if these do not have as many parts.
 double parts_off(const LampWidth& width, const Slices& slices) {
     std::array<std::vector<double>, 3> ends;
     for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -243,7 +245,7 @@ double parts_off(const LampWidth& width, const Slices& slices) {
     return off;
 }
 
-/// Whether it is to be asked what is seen of the line of an end or the middle.
+/// True if the visibility of the line of an end or the middle must be queried.
 bool is_asked(const Slices& slices, std::size_t k) {
     const bool shared = k == 0 && slices.begins_where_last_ends;
     return slices.at[Slices::ends_and_middle[k]].all > 0 && !slices.seen[k] && !shared;

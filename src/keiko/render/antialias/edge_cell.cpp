@@ -43,7 +43,7 @@ namespace {
 /// Contrast allowed in a pixel, as a share of the larger luminance.
 constexpr double least_contrast = 0.01;
 
-/// How far two samples are from showing one plane.
+/// Difference of two samples from samples of one plane.
 double change(const PixelSample& a, const PixelSample& b) {
     constexpr double outline = 4; // more than any turn
     if (differ_closely(a, b)) return outline;
@@ -98,14 +98,14 @@ unsigned SeenCell::most_varied_axis(double finest) const {
 
 namespace {
 
-/// Largest distance of an outline from the line between its crossings, as a share of the cell's
-/// mean side.
+/// Largest distance of an edge from the line between its crossings, as a share of the cell's mean
+/// side.
 constexpr double slack = 0.1;
 
 /// Part of a cell between two crossings, counted around the cell.
 CutPart part_between(const SeenCell& seen, const EdgeCrossing& begin, const EdgeCrossing& end) {
     const auto corners = seen.cell.corners();
-    // What shows at the far end of the first side's crossing is in the part, as is what shows at
+    // The sample at the far end of the first side's crossing is in the part, and so is the one at
     // the near end of the last one's.
     SampledPolygon part;
     const auto add = [&](const Vec2& corner, const PixelSample* sample) {

@@ -8,14 +8,14 @@
 
 namespace keiko {
 
-/// A side of a cell whose ends do not show the same, closed in on from both.
+/// A side of a cell whose ends show different things, narrowed from both ends.
 struct EdgeCrossing {
     std::size_t side = 0;
     Vec2 a{0}, b{0}; ///< px
     const PixelSample *at_a = nullptr, *at_b = nullptr;
     enum class State {
-        crossed, ///< by one outline
-        bent,    ///< by none: the surface turns fast
+        crossed, ///< by one edge
+        bent,    ///< by none: the normal turns fast
         tangled  ///< by several
     } state = State::crossed;
 
@@ -23,20 +23,20 @@ struct EdgeCrossing {
     double length() const { return (b - a).length(); }
     /// Copy of the crossing, from the end with the lower coordinates to the other.
     EdgeCrossing upright() const;
-    /// Takes over what was found on the upright line.
+    /// Copies the result for the upright line.
     void take(const EdgeCrossing& upright);
-    /// `seen` in the middle.
+    /// Halves the side; `seen` is the sample in its middle.
     void halve(const PixelSample& seen);
 };
 
-/// A rectangular cell of a pixel that may hold an outline, px.
+/// A rectangular cell of a pixel that may contain an edge, px.
 struct EdgeCell {
     std::size_t pixel = 0;
     Vec2 corner{0}; ///< the upper left
     Vec2 size{1};
-    const PixelSample* centre = nullptr; ///< where that is known
+    const PixelSample* centre = nullptr; ///< if known
 
-    /// Around it.
+    /// Corners, around it.
     std::array<Vec2, 4> corners() const {
         return {corner, corner + Vec2(size.x, 0), corner + size, corner + Vec2(0, size.y)};
     }
@@ -45,41 +45,41 @@ struct EdgeCell {
     std::array<EdgeCell, 2> halves(unsigned axis) const;
 };
 
-/// A cell with what is seen at its corners, around it.
+/// A cell with the samples at its corners, around it.
 struct SeenCell {
     EdgeCell cell;
     std::array<const PixelSample*, 4> corners{};
-    /// The sides, i between the corners i and i + 1, whose ends do not show the same.
+    /// The sides, i between the corners i and i + 1, whose ends show different things.
     InplaceVector<std::size_t, 4> crossed_sides{};
 
     explicit SeenCell(const EdgeCell& unseen) : cell(unseen) {}
     SeenCell(const EdgeCell& seen, std::span<const PixelSample* const, 4> around);
 
     EdgeCrossing side(std::size_t i) const;
-    /// Whether all corners look like a sample, to 1 % of a pixel, on a surface that does not turn:
-    /// lamps fit into where it does.
+    /// True if all corners equal a sample, to 1 % of a pixel, on a surface that does not turn:
+    /// lamps fit into the turn of one that does.
     bool looks_like(const PixelSample& sample) const;
     SampledPolygon part() const;
-    /// Whether more changes over the width, 0, or over the height, 1, of those sides that are
-    /// longer than `finest`, px; of the longer where both change alike.
+    /// Axis with the larger variation along the sides that are longer than `finest`, px: the width,
+    /// 0, or the height, 1. Of equal ones it is the longer.
     unsigned most_varied_axis(double finest) const;
 };
 
-/// Part of a cell on one side of an outline.
+/// Part of a cell on one side of an edge.
 struct CutPart {
     SampledPolygon seen;
     Vec2 beside_cut{0}; ///< a place in it by the middle of the cut, px
 };
 
-/// A cell that one outline cuts along a straight line.
+/// A cell that one edge cuts along a straight line.
 struct ClippedCell {
     SeenCell seen;
     std::array<CutPart, 2> parts;
 
-    /// Crossings by rising side.
+    /// Cell with its crossings by rising side.
     ClippedCell(const SeenCell& cell, const EdgeCrossing& first, const EdgeCrossing& second);
 
-    /// Whether the centre, where that is known, shows what its part has to.
+    /// True if the centre, if known, shows the same as its part.
     bool holds_centre() const;
 };
 

@@ -10,18 +10,18 @@
 namespace keiko {
 namespace {
 
-/// The angle by which the curvature at a hit lets the normal turn over a step, rad.
+/// Angle by which the normal turns over a step by the curvature at a hit, rad.
 double told_turn(const Hit& hit, const Vec3& step) {
     if (!(hit.dpdu.cross(hit.dpdv).length2() > 0)) return 0;
     return std::abs(normal_curvature(derivatives_of(hit), hit.normal, step)) * step.length();
 }
 
-/// Whether a smooth surface turns from one hit to another.
+/// True if a smooth surface turns from one hit to another.
 bool rounds_off(const Hit& a, const Hit& b) {
     const Vec3 step = b.position - a.position;
     const double off = std::min(std::abs(step.dot(a.normal)), std::abs(step.dot(b.normal)));
     constexpr double rounding = 1 + 1e-9;
-    // The last condition, without an angle: most outlines are decided by it.
+    // Precedes the last condition, as it needs no angle: it decides most edges.
     if (off > a.normal.cross(b.normal).length() * step.length() * rounding) return false;
     const double turn = angle_between(a.normal.dot(b.normal) < 0 ? -a.normal : a.normal, b.normal);
     return turn < 2 * std::max(told_turn(a, step), told_turn(b, step)) &&

@@ -46,9 +46,9 @@ bool share_a_pixel(const Spots& points) {
     return std::adjacent_find(pixels.begin(), pixels.end()) != pixels.end();
 }
 
-/// True if the points lie in a row: each pixel once, at most two from the line from the first to
-/// the last, and three on from the one before. Other pieces of outlines of one surface may lie on
-/// the same line.
+/// True if the points lie in a row. Each pixel occurs once, is at most two from the line from the
+/// first to the last, and at most three from the one before. Other pieces of edges of one surface
+/// may lie on the same line.
 bool lie_in_a_row(const Spots& points, const Ends& ends) {
     if (share_a_pixel(points)) return false;
     const double length = ends.way().length();
@@ -136,7 +136,7 @@ std::vector<EdgeRun> edge_runs(const Spots& points) {
 
 namespace {
 
-/// The shading points of one depth, whose light goes to the parts of pixels.
+/// The shading points of one depth, whose light is added to the parts of pixels.
 class SharedLight {
 public:
     SharedLight(const Integrator& integrator, double error, std::vector<Subpixel>& parts)
@@ -150,7 +150,7 @@ public:
             surfaces_[place.point] = std::move(surface);
         }
     }
-    /// Lights what has been added.
+    /// Computes the light of the added points.
     void light() const {
         for (const EdgeRun& row : edge_runs(places_)) {
             const ShadingGrid grid(row.points, row.along);
@@ -164,7 +164,7 @@ public:
 
 private:
     Subpixel& part_of(const ShadingPoint& point) const { return parts_[point.sample]; }
-    /// The one nearest to the mean place of all, by their shares.
+    /// The point nearest to the mean place of all, by their shares.
     OutlineSpot amid(const Spots& surface) const {
         Vec3 sum(0);
         double shares = 0;
@@ -190,7 +190,7 @@ private:
     double error_;
     std::vector<Subpixel>& parts_;
     Spots places_;
-    std::map<const ShadingPoint*, Spots> surfaces_; ///< by the one of them that is lit
+    std::map<const ShadingPoint*, Spots> surfaces_; ///< by the one of their points that is lit
 };
 
 } // namespace

@@ -8,32 +8,32 @@
 
 namespace keiko {
 
-/// A shading point of a pixel that holds an outline.
+/// A shading point of a pixel that contains an edge.
 struct OutlineSpot {
     Pixel pixel;
     const ShadingPoint* point;
 };
 
-/// Shading points of one smooth surface in a row along an outline.
+/// Shading points of one smooth surface in a row along an edge.
 struct EdgeRun {
     std::vector<const ShadingPoint*> points;
-    std::vector<double> along; ///< where each lies from the first to the last, rising
+    std::vector<double> along; ///< position of each from the first to the last, rising
 };
 
 /// Groups of shading points of one smooth surface each: two are in one if shading points that
 /// continue() each other lead from one to the other.
 std::vector<std::vector<OutlineSpot>> smooth_surfaces(std::vector<OutlineSpot> points);
 
-/// Rows of all of `points`, which are of one depth, along straight pieces of outlines. Each row is
-/// of one smooth surface, its pixels apart: at most two from a line, three from one to the next,
-/// and sixteen from end to end.
+/// Rows of all of `points`, which are of one depth, along straight pieces of edges. Each row is of
+/// one smooth surface, its pixels apart: at most two from a line, three from one to the next, and
+/// sixteen from end to end.
 std::vector<EdgeRun> edge_runs(const std::vector<OutlineSpot>& points);
 
 /// Adds the light of the shading points of pixels in parts, `width` in a row, to their samples.
 /// Each smooth surface in a pixel is lit once, at the place in the middle of its visible part, as
-/// it is in a pixel of one ray. Along straight outlines the light is computed at some of the pixels
-/// and interpolated between them. The deviation at those that are tested is at most `error` of what
-/// the eye sees; 0 computes the light in each pixel.
+/// in a pixel of one ray. Along straight edges the light is computed at some of the pixels and
+/// interpolated between them. The deviation at those that are tested is at most `error` of the
+/// visible luminance; 0 computes the light in each pixel.
 void add_shared_light(const Integrator& integrator, int width, double error,
                       RefinedPixels& refined);
 

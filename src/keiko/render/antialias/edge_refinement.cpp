@@ -28,7 +28,7 @@ public:
     }
 
 private:
-    /// The finest stay whole whatever is at their corners.
+    /// True for the finest cells, which stay whole regardless of their corners.
     bool is_finest(const EdgeCell& cell) const {
         return !(std::max(cell.size.x, cell.size.y) > finest_);
     }
@@ -43,14 +43,14 @@ private:
         shade(whole, cuts);
     }
 
-    /// Whether no outline that could be seen runs through a cell.
+    /// True if no edge that could be visible runs through a cell.
     static bool is_plain(const SeenCell& seen) {
         const bool alike = seen.looks_like(*seen.corners[0]) &&
                            (!seen.cell.centre || seen.looks_like(*seen.cell.centre));
         return alike || seen.crossed_sides.empty();
     }
 
-    /// With what is seen at the corners of those that are not the finest.
+    /// Cells with the samples at the corners of those that are not the finest.
     std::vector<SeenCell> looked_at(std::span<const EdgeCell> cells) {
         std::vector<Vec2> places;
         places.reserve(4 * cells.size());
@@ -77,13 +77,14 @@ private:
             next_.push_back(half);
     }
 
-    /// So that what shows at the centre alone, such as a tip, is at a corner of all parts.
+    /// Divides a cell at its centre, so that a thing at the centre alone, such as a tip, is at a
+    /// corner of all parts.
     void divide_at_centre(const EdgeCell& cell) {
         for (const EdgeCell& half : cell.halves(0))
             for (const EdgeCell& quarter : half.halves(1)) next_.push_back(quarter);
     }
 
-    /// Cells that one outline crosses, cut; the others are divided, or whole if they are only bent.
+    /// Cells that one edge crosses, cut; the others are divided, or whole if they are only bent.
     std::vector<ClippedCell> cuts_of(std::vector<SeenCell> cells, std::vector<SeenCell>& whole) {
         const std::vector<EdgeCrossing> all = outline_crossings(probes_, cells);
         std::vector<ClippedCell> cuts;
@@ -127,7 +128,7 @@ private:
         return found;
     }
 
-    /// Sends the rays that the parts are seen by, and keeps the parts that show what they should.
+    /// Traces the rays of the parts, and keeps the parts whose samples are as expected.
     void shade(std::span<const SeenCell> whole, std::span<const ClippedCell> cuts) {
         Rays rays;
         rays.reserve(whole.size() + 2 * cuts.size());
@@ -156,7 +157,7 @@ private:
         if (!cell.centre) ++sample;
     }
 
-    /// Whether the centre tells how all of a cell looks; else it is divided.
+    /// True if the centre represents all of a cell; otherwise the cell is divided.
     bool is_told(const SeenCell& seen, const PixelSample& centre) {
         const SampledPolygon part = seen.part();
         if (!part.shows(centre)) {
@@ -182,10 +183,10 @@ private:
         }
     }
 
-    /// Whether there are strips of a part.
+    /// Adds the strips of a part; false if there are none.
     bool add_strips(std::size_t pixel, const SampledPolygon& part, const PixelSample& amid,
                     double uneven) {
-        const double narrowest = finest_ / 1.5; // one takes the place of several cells
+        const double narrowest = finest_ / 1.5; // one replaces several cells
         const std::vector<PixelArea> strips = part.strips(amid, uneven, narrowest);
         for (const PixelArea& strip : strips) strips_.push_back({pixel, strip});
         return !strips.empty();
@@ -202,7 +203,7 @@ private:
         strips_.clear();
     }
 
-    /// A part of a pixel whose ray is still to be sent.
+    /// A part of a pixel whose ray is not traced yet.
     struct Strip {
         std::size_t pixel;
         PixelArea part;

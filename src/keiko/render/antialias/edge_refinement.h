@@ -8,10 +8,10 @@
 namespace keiko {
 
 /// Divides `pixels`, adaptively. Cells whose corners and centre see one smooth thing stay whole;
-/// those that one straight outline crosses are split along it, where it is found by halving. Others
-/// are halved across what changes most, down to sides of `finest`, px. They are quartered where
-/// their centre alone shows something, which may halve a side of `finest` once more. What shows one
-/// surface whose image on the lamps' plane is bent is cut into strips. Pixels that turn out to be
+/// those that one straight edge crosses are split along it, where it is found by halving. Others
+/// are halved across the largest variation, down to sides of `finest`, px. They are quartered if
+/// their centre alone shows something, which may halve a side of `finest` once more. Cells of one
+/// surface whose image on the lamps' plane is bent are cut into strips. Pixels that turn out to be
 /// whole and have a `centre` are left out of the result.
 RefinedPixels refined_pixels(const Integrator& integrator, const PreparedCamera& camera,
                              std::vector<EdgeCell> pixels, double finest);

@@ -52,7 +52,7 @@ HitStatistics EdgeSamples::paths() const {
 
 namespace {
 
-/// px: how near the place of a crossing is known.
+/// px: accuracy of the place of a crossing.
 constexpr double nearness = 1.0 / 64;
 
 bool is_open(const EdgeCrossing& side) {

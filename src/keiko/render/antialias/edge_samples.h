@@ -11,7 +11,7 @@
 
 namespace keiko {
 
-/// Single camera rays through places of the picture, px, that sample what is visible there; their
+/// Single camera rays through places of the picture, px, that sample the visible surface; their
 /// samples are kept.
 class EdgeSamples {
 public:
@@ -32,13 +32,12 @@ private:
     struct PlaceHash {
         std::size_t operator()(const Vec2& place) const;
     };
-    std::pmr::monotonic_buffer_resource memory_; ///< of what is known: nothing is forgotten
+    std::pmr::monotonic_buffer_resource memory_; ///< of the samples: none is discarded
     std::pmr::unordered_map<Vec2, const PixelSample*, PlaceHash> known_{&memory_};
 };
 
-/// The sides that outlines cross of each cell in turn, closed in on by halving until the place is
-/// known to a sixty-fourth of a pixel or no outline is found there. Cells side by side share what
-/// is found.
+/// The sides that edges cross of each cell in turn, halved until the place is accurate to a
+/// sixty-fourth of a pixel or no edge is found there. Neighbouring cells share the result.
 std::vector<EdgeCrossing> outline_crossings(EdgeSamples& probes, std::span<const SeenCell> cells);
 
 } // namespace keiko

@@ -11,7 +11,7 @@
 namespace keiko {
 namespace {
 
-/// Slopes of something over the picture by least squares. Places are relative to their mean, so
+/// Slopes of a quantity over the picture by least squares. Places are relative to their mean, so
 /// that a constant in the values, such as that of a place that is not the mean, drops out.
 class SlopeFit {
 public:
@@ -29,8 +29,8 @@ private:
     Vec3 x_{0}, y_{0};                ///< and with the values
 };
 
-/// How the unit normal changes where the position changes by `step`, as the curvature at a hit
-/// has it; not at all at a pole.
+/// Change of the unit normal with a change of the position by `step`, by the curvature at a hit; 0
+/// at a pole.
 Slopes<Vec3> slopes_at(const Hit& hit, const Slopes<Vec3>& step) {
     const Vec3 &su = hit.dpdu, &sv = hit.dpdv, area = su.cross(sv);
     const double size = area.length();
@@ -44,13 +44,13 @@ Slopes<Vec3> slopes_at(const Hit& hit, const Slopes<Vec3>& step) {
     return {along(step.x), along(step.y)};
 }
 
-/// Sums up how much slopes are along every direction of the picture: a quadratic form.
+/// Sum of the squares of slopes along every direction of the picture: a quadratic form.
 class Steepness {
 public:
     void add(const Slopes<Vec3>& by) {
         xx_ += by.x.dot(by.x), xy_ += by.x.dot(by.y), yy_ += by.y.dot(by.y);
     }
-    /// Along which they are most, unit; 0 where there are none.
+    /// Direction in which they are largest, unit; 0 if there are none.
     Vec2 most() const {
         if (!(xx_ + yy_ > 0)) return Vec2(0);
         const double angle = std::atan2(2 * xy_, xx_ - yy_) / 2;
@@ -81,7 +81,7 @@ Vec2 max_curvature_direction(std::span<const Vec2> corners,
         normals.add(corners[i] - middle, normal - amid.hit->normal);
         positions.add(corners[i] - middle, hit.position - amid.hit->position);
     }
-    // Images are bent where the normal turns unevenly; what turns evenly counts little.
+    // Images are bent where the normal turns non-uniformly; a uniform turn counts little.
     constexpr double even = 0.1;
     const Slopes<Vec3> step = positions.slopes(), mean = normals.slopes();
     const Slopes<Vec3> own = slopes_at(*amid.hit, step);
@@ -98,7 +98,7 @@ Vec2 max_curvature_direction(std::span<const Vec2> corners,
 namespace {
 
 /// Deviation from a parallelogram allowed for the image of a pixel on the lamps' plane, as a share
-/// of its span, where luminances differ by no more than the luminance in the middle.
+/// of its span, if luminances differ by at most the luminance in the middle.
 constexpr double most_bend = 0.03;
 /// Difference allowed between the cosines of a pixel, as a share of the larger.
 constexpr double most_turn = 0.3;
@@ -106,7 +106,7 @@ constexpr double most_turn = 0.3;
 constexpr double most_rotation = 0.17;
 
 /// Deviation allowed of the middle of a pixel from the mean of its corners, as a share of the
-/// larger luminance. It counts where the pixel mirrors the body itself, which has no place on the
+/// larger luminance. It counts where the pixel reflects the body itself, which has no place on the
 /// lamps' plane that would state more.
 constexpr double most_glare = 0.05;
 
@@ -150,7 +150,7 @@ double SampledPolygon::bend(const PixelSample& amid) const {
         places.push_back(sample->across_lamps);
     }
     if (across.span() == 0) return 0;
-    // What the eye sees of an error counts against what is there.
+    // The visibility of an error is relative to the luminance there.
     const double contrast = std::max(1.0, light.span() / std::max(luminance(amid.luminance), 1e-9));
     return std::abs(polygon_mean(corners, places) - amid.across_lamps) * contrast /
            (most_bend * across.span());
@@ -183,7 +183,7 @@ std::vector<PixelArea> SampledPolygon::strips(const PixelSample& amid, double un
     Range range(across.dot(corners[0]));
     for (const Vec2& corner : corners) range.add(across.dot(corner));
     const double most = std::max(2.0, std::ceil(range.span() / narrowest));
-    constexpr double spare = 3; // the bend is not the same all over
+    constexpr double spare = 3; // the bend is not uniform
     const double n = std::min(most, std::ceil(std::sqrt(uneven)) + spare);
     const double step = range.span() / n;
     std::vector<PixelArea> parts;

@@ -10,14 +10,14 @@
 
 namespace keiko {
 
-/// A part of the picture that one camera ray stands for: as a parallelogram around its centre, px.
+/// A part of the picture that one camera ray represents, as a parallelogram around its centre, px.
 struct PixelArea {
     Vec2 centre{0};
     Vec2 right{0}, down{0}; ///< edges
     double area = 0;        ///< of the part itself, px2
 };
 
-/// A convex polygon, its corners in order; room for what two cuts make of six of them.
+/// A convex polygon, its corners in order, with capacity for a six-sided one after two cuts.
 using Polygon = InplaceVector<Vec2, 24>;
 
 /// `size`: width and height.
@@ -26,33 +26,33 @@ PixelArea rectangle_part(const Vec2& corner, const Vec2& size);
 /// corners in order, of either sense.
 PixelArea polygon_part(std::span<const Vec2> corners);
 
-/// Strip of a convex polygon of six corners at the most between two lines across a unit direction,
+/// Strip of a convex polygon of at most six corners between two lines across a unit direction,
 /// `begin` and `end` along it, px.
 Polygon strip_of(std::span<const Vec2> corners, const Vec2& across, double begin, double end);
 
-/// The mean over a convex polygon of what is linear in the triangles at its first corner; `values`
-/// at the corners.
+/// The mean over a convex polygon of a function that is linear in the triangles at its first
+/// corner; `values` at the corners.
 double polygon_mean(std::span<const Vec2> corners, std::span<const double> values);
 
 /// The ray through the centre, with the part as its footprint.
 Ray ray_of(const PreparedCamera& camera, const PixelArea& part);
 
-/// A part of a pixel that shows one smooth thing, and what is seen there.
+/// A part of a pixel that shows one smooth thing, and its sample.
 struct Subpixel {
     std::size_t pixel = 0;
     double share = 0; ///< of the pixel
     PixelSample sample{};
 };
 
-/// Pixels that hold outlines, in parts.
+/// Pixels that contain edges, in parts.
 struct RefinedPixels {
     std::vector<Subpixel> parts;      ///< by rising pixel; the shares of each are 1 together
     std::vector<ShadingPoint> points; ///< of the parts, whose numbers are their samples
-    std::vector<SampleBatch> views;   ///< what the samples point into
+    std::vector<SampleBatch> views;   ///< views that the samples point into
     HitStatistics paths;
 };
 
-/// Collects parts of pixels out of views that hold more than those.
+/// Collects parts of pixels from larger views.
 class Subpixels {
 public:
     /// Begins with a view; keep() takes its samples next.
@@ -60,9 +60,9 @@ public:
     const PixelSample& seen(std::size_t sample) const {
         return result_.views.back().samples[sample];
     }
-    /// Takes a sample of the view for a part of a pixel.
+    /// Adds a sample of the view as a part of a pixel.
     void keep(std::size_t sample, std::size_t pixel, double share);
-    /// Ends with the view: the shading points of the samples that were taken go with them.
+    /// Ends the view, with the shading points of the added samples.
     void close();
     /// All parts; `probes`: hits of the other rays that were traced.
     RefinedPixels finish(const HitStatistics& probes);

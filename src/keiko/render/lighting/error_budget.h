@@ -17,7 +17,7 @@ Lights without(const Lights& lights, const Lights& taken);
 Lights united(const Lights& a, const Lights& b);
 Lights common(const Lights& a, const Lights& b);
 
-/// How far a light may be off, as a share of the error that is allowed.
+/// Error of a light, as a share of the allowed error.
 struct LightError {
     std::size_t light;
     double error = 0;
@@ -25,28 +25,27 @@ struct LightError {
     void add(double other) { error = std::max(error, other); }
 };
 
-/// Errors of lights, 0 for each of them yet.
+/// Errors of lights, all 0.
 std::vector<LightError> errors_in(const Lights& lights);
-/// Lights with an error of no more than `most`.
+/// Lights with an error of at most `most`.
 Lights within(const std::vector<LightError>& errors, double most);
-/// The lights in which there is least doubt, as long as all together are within what is `left` of
-/// the error, which they lessen.
+/// The lights with the smallest errors whose sum is within `left` of the error, which they reduce.
 Lights least_erroneous(std::vector<LightError> errors, double& left);
 
-/// How far the light at a place of a picture may be off.
+/// Error allowed in the light at a place of a picture.
 class ErrorBudget {
 public:
-    /// By `error` of what the eye sees there, which is `seen` besides the light `total`; of that
-    /// light's illuminance as well.
+    /// Budget of `error` of the visible luminance there, which is `seen` besides the light `total`;
+    /// the same share applies to that light's illuminance.
     ErrorBudget(const Integrator& integrator, const ShadingPoint& point, const Rgb& seen,
                 const DirectLight& total, double error);
 
-    /// The share of it that light uses up that is wrong by so much: infinite where nothing is
-    /// allowed, or what is wrong is no number.
+    /// Share of the budget that an error of the light uses up: infinite if nothing is allowed, or
+    /// the error is NaN.
     double used_by(const DirectLight& wrong) const;
 
 private:
-    Rgb weight_; ///< of what the place sends to the eye, in the picture
+    Rgb weight_; ///< of the luminance from the place, in the picture
     Rgb sent_;   ///< cd/m2 a lx on the base
     double luminance_, incident_;
 };

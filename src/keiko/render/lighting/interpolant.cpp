@@ -8,7 +8,7 @@ Interpolant::Nodes::Nodes(int first, double begin, int last, double end)
     : size_(begin < end ? 2 : 1), numbers_{first, last, 0}, places_{begin, end, 0} {}
 
 void Interpolant::Nodes::add(int middle, double place) {
-    constexpr double least_share = 0.2; // of the way to either end
+    constexpr double least_share = 0.2; // of the distance to either end
     const double way = places_[1] - places_[0];
     if (size_ < 2 || std::min(place - places_[0], places_[1] - place) < least_share * way) return;
     numbers_[2] = middle;

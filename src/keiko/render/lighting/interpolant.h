@@ -35,7 +35,7 @@ private:
     std::array<std::array<DirectLight, 3>, 3> factors_{}; ///< by the power of y, then of x
 };
 
-/// Polynomials that tell the light on a rectangle of a grid by that at some of its places.
+/// Polynomials that interpolate the light on a rectangle of a grid from that at some of its places.
 class Interpolant {
 public:
     /// Linear in either coordinate, through the corners.
@@ -44,7 +44,7 @@ public:
     /// middle lies near a corner, linear.
     static Interpolant parabolas(const ShadingGrid& grid, const Rectangle& r);
 
-    /// Whether it goes through the middles too.
+    /// True if it interpolates the middles too.
     bool goes_through_middles() const { return columns_.size() != 2 && rows_.size() != 2; }
 
     /// Weights of the light at each node for a place of the grid.
@@ -72,7 +72,7 @@ private:
     /// (Lagrange).
     class Nodes {
     public:
-        /// One where they are the same.
+        /// Nodes at both ends; one if they are the same.
         Nodes(int first, double begin, int last, double end);
         void add(int middle, double place);
 

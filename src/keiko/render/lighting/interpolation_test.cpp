@@ -12,17 +12,17 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Limits of parabolas on squares of one size. The smaller these are the fewer places test them.
 struct Bending {
-    double most;    ///< of the error: how far off lines at the middles their light may be
-    double caution; ///< their deviation counts so often, since fewer test them than lines
+    double most;    ///< of the error: largest deviation of the light at the middles from lines
+    double caution; ///< factor of their deviation, since fewer places test them than lines
 };
 constexpr Bending bending_on_large{8, 4}, bending_on_small{2, 8};
 
 const Bending& bending_on(const Rectangle& r) {
-    constexpr int large = 6; // have more odd places than one
+    constexpr int large = 6; // have more than one odd place
     return r.longest() >= large ? bending_on_large : bending_on_small;
 }
 
-/// Puts lesser doubts, whose lights it tells, in place of those in the same lights.
+/// Replaces larger errors of lights by smaller ones of the same lights, which it returns.
 Lights lessen(std::vector<LightError>& errors, const std::vector<LightError>& others) {
     Lights lessened;
     auto doubt = errors.begin();
@@ -90,7 +90,8 @@ std::vector<InterpolationTest::Test> InterpolationTest::middles_of(const Rectang
     return middles;
 }
 
-/// Lights that are not hopeful are not computed, and taken linear there.
+/// Tests of odd places. Lights that are unlikely to pass are not computed, and taken as linear
+/// there.
 std::vector<InterpolationTest::Test> InterpolationTest::odd_places_of(const Rectangle& r,
                                                                       const LightPolynomial& known,
                                                                       const UnresolvedLights& open,
@@ -122,7 +123,7 @@ std::vector<LightError> InterpolationTest::doubts_in_parabolas(const Rectangle& 
     return errors;
 }
 
-/// True if nothing indicates a kink: all corners and places of tests see alike.
+/// True if nothing indicates a kink: all corners and places of tests have equal visibility.
 bool InterpolationTest::sees_alike(const Rectangle& r, const std::vector<Test>& odd,
                                    std::size_t light) const {
     const LightVisibility& first = lights_.seen(r.x0, r.y0, light);
@@ -136,7 +137,7 @@ bool InterpolationTest::sees_alike(const Rectangle& r, const std::vector<Test>& 
            std::all_of(odd.begin(), odd.end(), [&](const Test& t) { return like_first(t.place); });
 }
 
-/// Only those that are still within `most`.
+/// Tests only lights that are still within `most`.
 void InterpolationTest::test(const Interpolant& fit, const std::vector<Test>& tests, double most,
                              std::vector<LightError>& errors) const {
     for (const auto& [p, allowed] : tests) {
@@ -151,7 +152,7 @@ void InterpolationTest::test(const Interpolant& fit, const std::vector<Test>& te
     }
 }
 
-/// Only those that are still within `most`.
+/// Tests the visibility of only those lights that are still within `most`.
 void InterpolationTest::test_seen(const Rectangle& r, const std::vector<Test>& tests, double most,
                                   std::vector<LightError>& errors) const {
     for (const auto& [p, allowed] : tests)

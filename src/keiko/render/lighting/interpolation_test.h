@@ -10,8 +10,9 @@ namespace keiko {
 /// places.
 class InterpolationTest {
 public:
-    /// `seen`: what the eye sees of each place besides; the error allowed for all lights together
-    /// is `error` of what it sees. Keeps references to all; computes into `lights`.
+    /// Test with the visible luminance `seen` of each place besides; the error allowed for all
+    /// lights together is `error` of the visible luminance. Keeps references to all; computes into
+    /// `lights`.
     InterpolationTest(const Integrator& integrator, const ShadingGrid& grid,
                       std::span<const Rgb> seen, double error, LightSamples& lights)
         : integrator_(integrator), grid_(grid), seen_(seen), error_(error), lights_(lights) {}
@@ -20,16 +21,16 @@ public:
     struct Accepted {
         Lights parabolas; ///< of degree two: Interpolant::parabolas of the rectangle
         Lights lines;     ///< linear, which in each quarter is Interpolant::lines
-        Lights seen;      ///< what is seen of these is linear in each quarter
-        /// Subset of all these for which that only holds in quarters without a shadow: all tested
-        /// places see them, but something may come between. Of small squares none: shadows narrower
-        /// than two pixels are not searched for there.
+        Lights seen;      ///< with a visibility that is linear in each quarter
+        /// Subset of all these for which that only holds in quarters without a shadow: they are
+        /// visible from all tested places, but something may come between. Empty for small squares:
+        /// shadows narrower than two pixels are not searched for there.
         Lights threatened;
 
         Lights all() const { return united(seen, united(lines, parabolas)); }
     };
     /// Accepted subset of the lights that are open over a rectangle; `known` is the light of the
-    /// others there. The accepted lights reduce `left`, the error that is still allowed.
+    /// others there. The accepted lights reduce `left`, the remaining allowed error.
     Accepted tell(const Rectangle& r, const LightPolynomial& known, const UnresolvedLights& open,
                   double& left);
 

@@ -9,10 +9,10 @@ namespace keiko {
 namespace {
 
 /// Pixels a side of the largest squares that are lit from a few places. Shadows narrower than half
-/// of it may be missed on curved surfaces and where the light is hidden in part anyway, those of
+/// of it may be missed on curved surfaces and where the light is partly hidden anyway, those of
 /// less than two pixels anywhere.
 constexpr int largest_square = 16;
-/// Pixels a side of squares whose corners and middles are all that they have.
+/// Pixels a side of squares that consist of their corners and middles only.
 constexpr int all_asked = 2;
 /// Share of the remaining error for lights interpolated over one size of squares. The rest is for
 /// smaller squares, beside the edges of shadows.
@@ -40,8 +40,8 @@ public:
     }
 
 private:
-    /// Lights a rectangle. `known`: what some lights bring to it; `open`: the others; `left` of the
-    /// error is still allowed.
+    /// Computes the light of a rectangle. `known`: the light of some lights there; `open`: the
+    /// others; `left` of the error is still allowed.
     void light(const Rectangle& r, LightPolynomial known, UnresolvedLights open, double left) {
         if (!asks_for_any(r)) return;
         if (open.lit.empty() || r.longest() <= all_asked) return fill(r, known, open);
@@ -56,7 +56,8 @@ private:
             return fill(r, known, open);
         for (const Rectangle& quarter : r.quarters()) light(r, quarter, told, known, open, left);
     }
-    /// Lights a quarter of a rectangle, with the lights that were accepted over all of it.
+    /// Computes the light of a quarter of a rectangle, with the lights that were accepted over all
+    /// of it.
     void light(const Rectangle& r, const Rectangle& quarter,
                const InterpolationTest::Accepted& told, LightPolynomial known,
                UnresolvedLights open, double left) {

@@ -113,8 +113,8 @@ bool is_whole(const LightVisibility& seen) {
     return seen.share == 1 && seen.cap == 1 && seen.axis == IntervalSet::whole();
 }
 
-/// The normal of the plane that places lie in, which is that at the first; nothing where they do
-/// not lie in one.
+/// The normal of the plane of places, which is that at the first; nullopt if they do not lie in one
+/// plane.
 std::optional<Vec3> plane_of(std::span<const Vec3> places, const Vec3& normal) {
     constexpr double flat = 1e-9;
     for (const Vec3& place : places)
@@ -123,8 +123,8 @@ std::optional<Vec3> plane_of(std::span<const Vec3> places, const Vec3& normal) {
     return normal;
 }
 
-/// Outline of shading points whose hull holds those of the rectangle, if they lie in a plane and
-/// are viewed without curved mirrors; else nearly.
+/// Outline of shading points whose hull contains those of the rectangle, if they lie in a plane and
+/// are viewed without curved mirrors; otherwise nearly.
 struct Outline {
     std::vector<Vec3> places;
     std::optional<Vec3> facing;

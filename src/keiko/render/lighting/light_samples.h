@@ -19,14 +19,14 @@ public:
     /// Keeps references to both.
     LightSamples(const Integrator& integrator, const ShadingGrid& grid);
 
-    /// All of them.
+    /// Numbers of all lights.
     std::span<const std::size_t> numbers() const { return numbers_; }
     /// Computes the light of some lights at a place from their known visibility there, certain or
-    /// not; where none is known, it is computed.
+    /// not; if it is unknown, it is computed.
     void find(int x, int y, std::span<const std::size_t> lights);
     /// Computes the light of some lights at a place from their certain visibility.
     void find_for_sure(int x, int y, std::span<const std::size_t> lights);
-    /// Whether it is known what is seen of a light, for sure or not.
+    /// True if the visibility of a light is known, certain or not.
     bool is_seen(int x, int y, std::size_t light) const {
         const Spot& here = spots_[grid_.index(x, y)];
         return !here.empty() && here[light].is_seen;
@@ -76,7 +76,7 @@ struct LinearlySeen {
     Rectangle between;
 };
 
-/// Lights that are not known yet over a rectangle.
+/// Lights that are still unknown over a rectangle.
 struct UnresolvedLights {
     Lights lit;
     Lights seen;                               ///< those of them whose visibility is unknown too
@@ -84,20 +84,20 @@ struct UnresolvedLights {
 };
 
 /// Visibility of a light at a place, interpolated linearly between the corners of a rectangle,
-/// where it is known. nullopt where the corners do not see the same number of parts of it.
+/// where it is known. nullopt if the corners do not see the same number of parts of it.
 std::optional<LightVisibility> seen_between_corners(const LightSamples& lights,
                                                     const ShadingGrid& grid,
                                                     const LinearlySeen& linear, const Pixel& p);
 
-/// Finds what open lights bring to a place.
+/// Computes the light of open lights at a place.
 void find(const UnresolvedLights& open, const ShadingGrid& grid, const Pixel& p,
           LightSamples& lights);
 
-/// Lights, of some that have been found there, that corners and middles of a rectangle of a grid
-/// all see as a whole.
+/// Subset of some lights, computed there, that are visible as a whole from all corners and middles
+/// of a rectangle of a grid.
 Lights classify_prisms(const LightSamples& found, const Rectangle& r, const Lights& lights);
 
-/// Subset of some lights for which it is not proved that all places of a rectangle see the same:
+/// Subset of some lights that are not proved to have one visibility from all places of a rectangle:
 /// all of a light or nothing.
 Lights possibly_occluded_lights(const Integrator& integrator, const ShadingGrid& grid,
                                 const Rectangle& r, const Lights& lights);

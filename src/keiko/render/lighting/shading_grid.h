@@ -14,14 +14,14 @@ struct Pixel {
     int x, y;
 };
 
-/// A rectangle of pixels, its last column and row with it.
+/// A rectangle of pixels, its last column and row included.
 struct Rectangle {
     int x0, y0, x1, y1;
 
     Pixel middle() const { return {(x0 + x1) / 2, (y0 + y1) / 2}; }
     int longest() const { return std::max(x1 - x0, y1 - y0); }
     std::array<Pixel, 4> corners() const { return {{{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}}}; }
-    /// The four parts around the middle, which share its column and row; two where it is one pixel
+    /// The four parts around the middle, which share its column and row; two if it is one pixel
     /// wide or high.
     std::vector<Rectangle> quarters() const {
         const auto [x, y] = middle();
@@ -34,8 +34,8 @@ struct Rectangle {
         const auto [x, y] = middle();
         return {{{x, y}, {x, y0}, {x0, y}, {x1, y}, {x, y1}}};
     }
-    /// Places with nothing in common with those, since shadows of a row of lamps are stairs, which
-    /// look even where places and steps lie alike. Of narrow rectangles they lie on the border.
+    /// Places at irregular positions: shadows of a row of lamps are stairs, which appear uniform if
+    /// places and steps are equally spaced. For narrow rectangles they lie on the border.
     std::vector<Pixel> odd_places() const {
         std::vector<Pixel> odd;
         if (longest() < 3) return odd;
@@ -52,31 +52,32 @@ struct Rectangle {
 /// Shading points of one depth on a grid of camera rays, row by row.
 class ShadingGrid {
 public:
-    /// `points`: by rising sample, the first ray of the grid being `first_sample`; kept by pointer.
+    /// Grid of `points` by rising sample, the first ray of the grid being `first_sample`; kept by
+    /// pointer.
     ShadingGrid(int width, int height, std::span<const ShadingPoint> points,
                 std::size_t first_sample = 0);
-    /// A row of shading points; `along`: where each lies, rising.
+    /// A row of shading points; `along`: the position of each, rising.
     ShadingGrid(std::vector<const ShadingPoint*> row, std::vector<double> along);
 
     int width() const { return width_; }
     int height() const { return height_; }
     std::size_t size() const { return spots_.size(); }
-    /// Null where the ray meets nothing at this depth.
+    /// Shading point of a place; null if the ray hits nothing at this depth.
     const ShadingPoint* at(int x, int y) const { return spots_[index(x, y)]; }
-    /// Whether a place and its right or lower neighbour show one smooth surface.
+    /// True if a place and its right or lower neighbour show one smooth surface.
     bool goes_right(int x, int y) const { return joins_.right(index(x, y)); }
     bool goes_down(int x, int y) const { return joins_.down(index(x, y)); }
-    /// Whether all of a rectangle, its last row and column with it, shows one smooth surface.
+    /// True if all of a rectangle, its last row and column included, shows one smooth surface.
     bool is_smooth(int x0, int y0, int x1, int y1) const;
 
     /// Position of a place in the grid: along a row, or by its column; and its row.
     Vec2 place(const Pixel& p) const { return Vec2(along_[static_cast<std::size_t>(p.x)], p.y); }
-    /// How far a place of a rectangle lies from its left to its right and from its top to its
+    /// Position of a place of a rectangle from its left to its right and from its top to its
     /// bottom, 0 to 1.
     Vec2 share(const Rectangle& r, const Pixel& p) const;
-    /// Places besides its middles that test whether something is linear between the corners of a
+    /// Places besides its middles that test whether a quantity is linear between the corners of a
     /// rectangle; outside rows, Rectangle::odd_places(). In a row they are those farthest from the
-    /// line from its first to its last, on either side. No more than four in a row remain untested.
+    /// line from its first to its last, on either side. At most four in a row remain untested.
     std::vector<Pixel> odd_places(const Rectangle& r) const;
 
     std::size_t index(int x, int y) const {

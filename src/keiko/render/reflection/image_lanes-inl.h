@@ -41,7 +41,7 @@ struct Space {
     Real length() const { return hn::Sqrt(length2()); }
 };
 
-/// A ray a lane, with how it changes by the picture's x and y.
+/// A ray a lane, with its derivatives by the picture's x and y.
 struct RayLanes {
     Space origin, direction, origin_dx, origin_dy, direction_dx, direction_dy;
 };
@@ -73,12 +73,12 @@ inline Real half_sum(Real x, Real y) {
     return hn::Mul(real(0.5), hn::Add(hn::Abs(x), hn::Abs(y)));
 }
 
-/// Where rays meet a plane, in its frame, and their images on it.
+/// Intersections of rays with a plane, in its frame, and their images on it.
 struct ImageLanes {
-    Space direction, at; ///< `at`: the place, but for its height
+    Space direction, at; ///< `at`: the place, without its height
     Real t;
     Truth meets;
-    Space dx, dy; ///< how the rays change where they meet the plane
+    Space dx, dy; ///< derivatives of the rays where they meet the plane
     Real u_dx, v_dx, u_dy, v_dy, descent_x, descent_y; ///< Footprint
 
     ImageLanes(const FrameLanes& frame, const RayLanes& rays)
@@ -113,7 +113,7 @@ struct ImageLanes {
     }
 };
 
-/// Of an end of tubes, as lamp_ends.h has it.
+/// Room of an end of tubes, as in end_coverage.h.
 inline Real end_room(const CPlaneFrame& frame, const Space& d) {
     return hn::Div(hn::Mul(real(frame.radius()), hn::Abs(d.x)), hn::Abs(d.z));
 }

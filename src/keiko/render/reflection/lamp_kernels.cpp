@@ -2,10 +2,10 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "keiko/render/reflection/lamp_kernels.cpp"
-// First: it includes this file once for each instruction set.
+// First, as it includes this file once for each instruction set.
 #include <hwy/foreach_target.h>
 
-// Then what is made for the one in hand.
+// Then the code for the current one.
 #include "keiko/render/reflection/part_lanes-inl.h"
 #include "keiko/render/reflection/pixel_lanes-inl.h"
 

@@ -7,14 +7,14 @@
 
 namespace keiko {
 
-/// A row of lamps as the kernels read it.
+/// A row of lamps in the form that the kernels read.
 struct StripeRow {
     const CPlaneFrame& frame;
     MirrorModel look; ///< flat or tube
 };
 
-/// How pixels beside each other mirror a row of lamps, of up to 8 that follow each other in a row
-/// of a picture; their reflected rays and those of their four neighbours have differentials.
+/// Reflections of a row of lamps in up to 8 pixels that follow each other in a row of a picture;
+/// their reflected rays and those of their four neighbours have differentials.
 struct LampCoverageBatch {
     static constexpr std::size_t capacity = 8;
     template <class T>
@@ -23,37 +23,37 @@ struct LampCoverageBatch {
     // Sets of pixels, a bit each.
     std::uint32_t meets = 0; ///< the centre's ray meets the plane
     std::uint32_t missed =
-        0; ///< proved to see no lamp: misses_lamps() of ReflectedFootprint::bundle()
+        0; ///< proved to reflect no lamp: misses_lamps() of ReflectedFootprint::bundle()
     std::uint32_t bounded = 0; ///< footprint_nonlinearity() has a value
     std::uint32_t points = 0;  ///< the footprint is a point
-    // Of those that meet the plane.
-    alignas(64) Lanes<double> t, u, v; ///< as CPlaneHit
+    // Values of those that meet the plane.
+    alignas(64) Lanes<double> t, u, v; ///< as in CPlaneHit
     alignas(64)
         Lanes<double> bend; ///< footprint_nonlinearity(), for pixels not `missed` unless thorough
     alignas(64) Lanes<double> residual; ///< ReflectedFootprint::misfit(), mm; if thorough
     alignas(64) Lanes<double> coverage; ///< LampCoverage::coverage, for pixels not `missed`
 };
 
-/// Parts a side of a bent pixel, and how far its rays go.
+/// Number of parts a side of a bent pixel, and the extent of its rays.
 struct SquareParts {
     int side = 1;
     double t_max = 0;
 };
 
-/// Kernels of mirror_of() for a row of lamps, made for one instruction set, for a vector of pixels
-/// or of parts of one at a time. The results are the same to within rounding, in the same order
-/// whatever pixels stand beside each other.
+/// Kernels of mirror_of() for a row of lamps, compiled for one instruction set, for a vector of
+/// pixels or of parts of one at a time. The results are the same to within rounding, in the same
+/// order regardless of the neighbouring pixels.
 struct LampKernels {
     const char* name; ///< of the instruction set
     /// Coverage of the pixels from `place` on; rows of the picture are `width` long.
     void (*look)(const StripeRow&, const ReflectedRays&, std::size_t place, std::size_t width,
                  bool thorough, LampCoverageBatch&);
-    /// The mean coverage over the parts of one pixel, as RigPlanes::luminance() of them.
+    /// The mean coverage over the parts of one pixel, like RigPlanes::luminance() of them.
     double (*coverage_of_parts)(const StripeRow&, const ReflectedRays&, std::size_t place,
                                 std::size_t width, const SquareParts&);
 };
 
-/// The widest that this processor has.
+/// Kernels of the widest instruction set of this processor.
 LampKernels lamp_kernels();
 
 } // namespace keiko

@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-/// ReflectedFootprint: one pixel, and parts of it a lane.
+/// ReflectedFootprint of one pixel, with a part of it a lane.
 class CubicLanes {
 public:
     CubicLanes(const ReflectedRays& rays, std::size_t place, std::size_t width)
@@ -44,7 +44,7 @@ private:
               xy(hn::Mul(at_x, at_y)),
               yy(hn::Mul(hn::Mul(at_y, at_y), real(0.5))) {}
     };
-    /// Where a vector and its slopes begin among the numbers of a ray.
+    /// Index of a vector and of its slopes among the numbers of a ray.
     struct Numbers {
         std::size_t value, dx, dy;
     };

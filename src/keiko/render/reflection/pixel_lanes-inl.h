@@ -37,7 +37,7 @@ struct PixelLanes {
           below(load_rays(rays, place + width)) {}
 };
 
-/// ReflectedFootprint::bundle, but for the centre and its spread.
+/// ReflectedFootprint::bundle without the centre and its spread.
 struct BundleLanes {
     Real origin_rest, direction_rest, origin_slope_rest, direction_slope_rest;
 
@@ -58,8 +58,8 @@ struct BundleLanes {
     }
 };
 
-/// Whether what is within `reach` of the image is between lamps or beside all of them: as in
-/// ray_bundle.cpp.
+/// True if everything within `reach` of the image is between lamps or beside all of them: as in
+/// tube_hit.cpp.
 inline Truth misses_across(const CPlaneFrame& frame, Real v, Real reach, Real footprint) {
     const Real first = real(frame.first), last = real(frame.last()), pitch = real(frame.pitch);
     const Real room = hn::Add(reach, real(frame.pitch / 2));
@@ -130,8 +130,8 @@ inline Truth misses_lamps(const CPlaneFrame& frame, const PixelLanes& pixel,
     return hn::And(sane, hn::Or(behind, ahead));
 }
 
-/// What of a ray, or of a derivative of one, tells where it meets a plane along one of its axes:
-/// see footprint_nonlinearity.cpp.
+/// Part of a ray, or of a derivative of one, that determines its intersection with a plane along
+/// one of its axes: see reflected_footprint.cpp.
 struct SliceLanes {
     Real origin, origin_height, direction, direction_height;
 
@@ -163,7 +163,7 @@ struct SliceSlopes {
           y(frame.vector(rays.origin_dy), frame.vector(rays.direction_dy), axis) {}
 };
 
-/// CubicFootprint::corners. That template itself knows nothing of instruction sets.
+/// CubicFootprint::corners. That template itself is independent of instruction sets.
 inline std::array<SliceLanes, 4> corners(const FrameLanes& frame, const PixelLanes& pixel,
                                          const Space& direction, unsigned axis) {
     const SliceLanes value(frame.point(pixel.centre.origin), direction, axis);
@@ -185,7 +185,7 @@ inline std::array<SliceLanes, 4> corners(const FrameLanes& frame, const PixelLan
             down + twisted + across};
 }
 
-/// What a linear function is at the corners of a pixel at whose centre it is 0.
+/// Values of a linear function at the corners of a pixel at whose centre it is 0.
 inline std::array<Real, 4> linear_corners(Real by_x, Real by_y) {
     const Real sum = hn::Mul(real(0.5), hn::Add(by_x, by_y));
     const Real rise = hn::Mul(real(0.5), hn::Sub(by_x, by_y));
@@ -220,7 +220,7 @@ struct BendLanes {
     }
 
 private:
-    /// As in footprint_nonlinearity.cpp.
+    /// As in reflected_footprint.cpp.
     static Real bend_along(const FrameLanes& frame, const PixelLanes& pixel,
                            const ImageLanes& image) {
         const auto told = linear_corners(image.u_dx, image.u_dy);
@@ -242,7 +242,8 @@ private:
 inline Real residual(const PixelLanes& pixel, Real t) {
     const auto off = [](const Space& value, const Space& own, const Space& there,
                         const Space& opposite, double side, const Space& is) {
-        // The cubic a step to one side: its slope there and at the opposite neighbour say it all.
+        // The cubic a step to one side: its slope there and at the opposite neighbour are
+        // sufficient.
         const Space bend = (there - opposite).scaled(side * 0.5);
         const Space turn = there.plus(-2, own) + opposite;
         const Space told = value.plus(side, own).plus(0.5, bend).plus(side / 6, turn);

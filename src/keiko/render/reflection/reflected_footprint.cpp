@@ -9,8 +9,8 @@
 namespace keiko {
 namespace {
 
-/// Part of a ray, or of a derivative of one, that determines where it meets a plane along one of
-/// its axes: the components along that axis and the plane's normal of origin and direction.
+/// Part of a ray, or of a derivative of one, that determines its intersection with a plane along
+/// one of its axes: the components along that axis and the plane's normal of origin and direction.
 struct Slice {
     double origin, origin_height, direction, direction_height;
 
@@ -57,7 +57,7 @@ private:
 };
 
 /// Places where the rays of a pixel's corners meet a plane along an axis, mm, row by row; nullopt
-/// where one does not.
+/// if one does not.
 std::optional<std::array<double, 4>> corners_of(const CPlaneFrame& frame, unsigned axis,
                                                 const PixelRays& rays) {
     std::array<double, 4> places{};
@@ -76,8 +76,8 @@ std::array<double, 4> linear_corners(double by_x, double by_y) {
     return {-sum, rise, -rise, sum};
 }
 
-/// Deviation of the image's corners along the lamps from what end_coverage() takes it for, as a
-/// share of its span, 1 at the most.
+/// Deviation of the image's corners along the lamps from the image assumed by end_coverage(), as a
+/// share of its span, at most 1.
 double bend_along(const CPlaneHit& hit, const Footprint& image, const std::array<double, 4>& at) {
     const auto told = linear_corners(image.dx.x, image.dy.x);
     const auto nearer = linear_corners(image.descent.x, image.descent.y);
@@ -112,7 +112,7 @@ std::optional<double> footprint_nonlinearity(const RigPlaneHit& plane, const Pix
 
 namespace {
 
-/// mm: what a pixel's image spans across the lamps.
+/// mm: span of a pixel's image across the lamps.
 double span_across(const RigPlaneHit& plane, const RayDifferentials& spread) {
     const Footprint image = footprint_on(*plane.frame, plane.at, spread);
     return std::abs(image.dx.y) + std::abs(image.dy.y);
@@ -162,10 +162,10 @@ ReflectedFootprint::ReflectedFootprint(const PixelRays& rays)
              slopes_of(rays.left), slopes_of(rays.right), slopes_of(rays.above),
              slopes_of(rays.below)) {}
 
-/// With m the largest deviation of neighbours' slopes from the centre's, the second derivatives of
-/// the cubic are at most m, the third at most 2 m. The pixel extends half a unit to all sides: that
-/// adds up to 1/8 + 1/8 + 1/4 + 4/48 + 4/16 times m. For the slopes it adds up to 1/2 + 1/2 + 2/8 +
-/// 2/4 + 2/8.
+/// Bounds of the rays of a pixel. With m the largest deviation of neighbours' slopes from the
+/// centre's, the second derivatives of the cubic are at most m, the third at most 2 m. The pixel
+/// extends half a unit to all sides: that adds up to 1/8 + 1/8 + 1/4 + 4/48 + 4/16 times m. For the
+/// slopes it adds up to 1/2 + 1/2 + 2/8 + 2/4 + 2/8.
 RayCone ReflectedFootprint::bundle(const PixelRays& rays) {
     constexpr double off = 5.0 / 6, slope_off = 2;
     const RayDifferentials& own = *rays.centre.differentials;

@@ -8,13 +8,13 @@
 
 namespace keiko {
 
-/// How something changes with the picture's x and y, per pixel.
+/// Derivatives of a quantity by the picture's x and y, per pixel.
 template <class Jet>
 struct Slopes {
     Jet x, y;
 };
 
-/// Something smooth in a picture as a cubic in the place around a pixel's centre: by Taylor's
+/// A smooth quantity in a picture as a cubic in the place around a pixel's centre: by Taylor's
 /// theorem from its value there and its slopes there and at the centres of four neighbours. `Jet`:
 /// the value, or a derivative of it; it has +, - and * by a number.
 template <class Jet>
@@ -33,13 +33,13 @@ public:
           xyy_(below.x - x_ * 2 + above.x),
           yyy_(below.y - y_ * 2 + above.y) {}
 
-    /// At a place relative to the centre, in pixels.
+    /// Value at a place relative to the centre, in pixels.
     Jet at(double x, double y) const {
         return value_ + x_ * x + y_ * y + xx_ * (x * x / 2) + xy_ * (x * y) + yy_ * (y * y / 2) +
                xxx_ * (x * x * x / 6) + xxy_ * (x * x * y / 2) + xyy_ * (x * y * y / 2) +
                yyy_ * (y * y * y / 6);
     }
-    /// At the pixel's corners, row by row.
+    /// Values at the pixel's corners, row by row.
     std::array<Jet, 4> corners() const {
         const Jet even = value_ + (xx_ + yy_) * (1.0 / 8), twisted = xy_ * (1.0 / 4);
         const Jet across = x_ * 0.5 + xxx_ * (1.0 / 48) + xyy_ * (1.0 / 16);
@@ -73,14 +73,14 @@ struct SubpixelRay {
 class ReflectedFootprint {
 public:
     explicit ReflectedFootprint(const PixelRays& rays);
-    /// Bounds of the rays of all its parts, itself with them.
+    /// Bounds of the rays of all its parts, itself included.
     static RayCone bundle(const PixelRays& rays);
 
     /// The ray of a pixel of `share` times the width and height around a place relative to the
     /// centre, in pixels.
     SubpixelRay part(double x, double y, double share) const;
-    /// By how much the rays of neighbours are off the cubic where they pass the plane that the
-    /// centre's ray meets at t, mm at the most: large where the surface's curvature jumps.
+    /// Largest deviation of the neighbours' rays from the cubic, mm, where they pass the plane that
+    /// the centre's ray meets at t. It is large where the surface's curvature jumps.
     double residual(const PixelRays& rays, double t) const;
 
 private:
@@ -97,15 +97,15 @@ private:
     CubicFootprint<Jet> cubic_;
 };
 
-/// How far the image of a pixel, or of a part of one, may be off what its own rays tell:
+/// Largest deviation of the image of a pixel, or of a part of one, from the image by its own rays:
 /// footprint_nonlinearity().
 constexpr double straight_image = 0.01;
 /// True if the reflection is discontinuous across the pixel: the neighbours' rays miss the pixel's
 /// cubic by `residual` mm > 10 % of the lamp pitch. A residual > 2 % of the pitch suffices if it is
-/// > 5 % of what the image spans across the lamps by the centre's `spread`.
+/// > 5 % of the image's span across the lamps by the centre's `spread`.
 bool is_discontinuous(double residual, const RigPlaneHit& plane, const RayDifferentials& spread);
-/// A side of a pixel that are made of one whose image is bent so far, 1 to 8; the most where the
-/// bend is not a number. Not for negative ones.
+/// Number of parts a side for a pixel whose image has this bend, 1 to 8; 8 if the bend is NaN. Not
+/// for negative ones.
 int parts_of_bend(double bend);
 
 /// Lamps visible in a pixel by its reflected rays.
@@ -116,16 +116,16 @@ struct PixelMirror {
         false; ///< its image on a C-plane is not smooth: more camera rays are needed
 };
 
-/// `centre`: the ray of the pixel's centre. Lamps are seen up to `t_max`. Where the pixel's image
-/// on a C-plane is bent, as `around` tells, the mean over as many parts as make each nearly
-/// straight. `tells_torn`: whether to find that out.
+/// Lamps in a pixel by `centre`, the ray of its centre; they are visible up to `t_max`. If the
+/// pixel's image on a C-plane is bent, by `around`, it is the mean over as many parts as make each
+/// nearly straight. `tells_torn`: whether to detect discontinuities.
 PixelMirror mirror_of(const RigPlanes& planes, const Ray& centre,
                       const std::optional<PixelRays>& around, double t_max, bool tells_torn);
 
 /// Deviation of the corners of a pixel's image on a C-plane, by the cubic through its reflected
-/// rays, from the centre's differentials. It is stated across the lamps, in pitches, and where an
-/// end of lamps may be in the image along them too, of what it spans. `plane`: where the centre's
-/// ray meets it. nullopt where the ray of a corner does not.
+/// rays, from the centre's differentials. It is stated across the lamps, in pitches. If an end of
+/// lamps may be in the image, it is also stated along them, as a share of its span. `plane`: the
+/// hit of the centre's ray. nullopt if the ray of a corner does not meet it.
 std::optional<double> footprint_nonlinearity(const RigPlaneHit& plane, const PixelRays& rays);
 
 } // namespace keiko

@@ -18,7 +18,7 @@
 namespace keiko {
 
 /// Rays as arrays of their numbers, so that neighbouring ones are read side by side: origin,
-/// direction, and how they change with the picture's x and y.
+/// direction, and their derivatives by the picture's x and y.
 class ReflectedRays {
 public:
     static constexpr std::size_t numbers = 18;
@@ -37,7 +37,7 @@ public:
         put(place, origin_dx, d.origin_dx), put(place, origin_dy, d.origin_dy);
         put(place, direction_dx, d.direction_dx), put(place, direction_dy, d.direction_dy);
     }
-    /// Gives the first `count` places what those from `place` on have, behind them.
+    /// Copies the rays of the places from `place` on to the first `count` places.
     void take_over(std::size_t place, std::size_t count) {
         for (std::size_t number = 0; number < numbers; ++number)
             std::copy_n(at(number, place), count, values_.data() + number * stride_);
@@ -68,31 +68,30 @@ private:
         values_; ///< of places without a ray, anything
 };
 
-/// Reflected rays of a grid of camera rays, which go on for ever, and where they begin. All are set
-/// or taken over before any is read.
+/// Reflected rays of a grid of camera rays, of unlimited length, and their starts. All are set or
+/// taken over before any is read.
 class ReflectedGrid {
 public:
-    /// In pixels.
+    /// Grid of a size in pixels.
     ReflectedGrid(int width, int height);
 
     std::size_t size() const { return known_.size(); }
-    /// Asks for what set_begin() soon writes of a place.
+    /// Prefetches the memory that set_begin() soon writes for a place.
     void announce(std::size_t place) const { prefetch(std::span(begins_).subspan(place, 1)); }
     /// Sets the start of the reflected ray of a place.
     void set_begin(std::size_t place, const SurfacePlace& begin) { begins_[place] = begin; }
     /// The reflected ray of a place.
     void set(std::size_t place, const Ray& mirrored);
-    /// Makes the last two rows the first ones of a grid that is no higher; all others are to be
-    /// set.
+    /// Makes the last two rows the first ones of a grid that is no higher; all others must be set.
     void take_over_rows(int height);
-    /// Finds out which neighbours show one surface.
+    /// Determines which neighbours show one surface.
     void join();
     /// Ray as it was set, without its `excluded`.
     Ray ray(std::size_t place) const;
-    /// Rays of a place and its neighbours; nullopt beside the grid's border and where the
-    /// neighbours show something else.
+    /// Rays of a place and its neighbours; nullopt beside the grid's border and if the neighbours
+    /// show something else.
     std::optional<PixelRays> around(std::size_t place) const;
-    /// Whether there are such.
+    /// True if there are such.
     bool is_amid(std::size_t place) const;
     std::size_t width() const { return width_; }
     const ReflectedRays& rays() const { return numbers_; }
@@ -108,7 +107,7 @@ private:
     SurfaceContinuity joins_;
 };
 
-/// The first reflected rays of a grid's pixels, and what they meet.
+/// The first reflected rays of a grid's pixels, and their hits.
 struct ReflectionBuffer {
     struct Way {
         bool goes_on = false;

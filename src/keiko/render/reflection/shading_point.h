@@ -10,33 +10,33 @@
 
 namespace keiko {
 
-/// A place of a surface as a picture shows it.
+/// A visible place of a surface in a picture.
 struct SurfacePlace {
     Vec3 position{0}, normal{0}; ///< world, mm; unit, of either sense
     std::uint32_t paint = 0;     ///< faces of one paint share this number
 };
 
-/// Whether neighbours in a picture show one smooth surface: of the same paint, turned by less than
-/// 10 degrees, and not both far off the other's tangent plane, as one surface before another is.
+/// True if neighbours in a picture show one smooth surface. They have the same paint and normals
+/// within 10 degrees, and are not both far from the other's tangent plane, as one surface in front
+/// of another is.
 bool is_same_surface(const SurfacePlace& a, const SurfacePlace& b);
 
-/// Point where a camera ray, or a mirror reflection of it, meets a surface whose base and lobes are
-/// lit by the lamps directly.
+/// Point at which a camera ray, or a mirror reflection of it, hits a surface whose base and lobes
+/// are lit by the lamps directly.
 struct ShadingPoint {
     std::size_t sample = 0; ///< of the camera rays, in their order
     int depth = 0;          ///< mirror reflections before
-    SurfacePlace place{};   ///< its normal on the side of the eye
+    SurfacePlace place{};   ///< its normal on the side of the viewer
     Root root{};
-    Vec3 eye{0};  ///< unit, towards where it is seen from
-    Rgb weight{}; ///< what its luminance counts in the sample
+    Vec3 eye{0};  ///< unit, towards the viewer
+    Rgb weight{}; ///< weight of its luminance in the sample
 };
 
 /// Light of the lamps at a shading point: smooth along a surface except for shadows.
 struct DirectLight {
-    Rgb illuminance; ///< lx, of what enters the base
-    Rgb lobes;       ///< cd/m2, from lobes to the eye
-    double incident =
-        0; ///< lx on the surface, of what the eye sees first, where an AOV asks for it
+    Rgb illuminance;     ///< lx, of what enters the base
+    Rgb lobes;           ///< cd/m2, from lobes to the viewer
+    double incident = 0; ///< lx on the first visible surface, if an AOV needs it
 
     DirectLight operator+(const DirectLight& o) const {
         return {illuminance + o.illuminance, lobes + o.lobes, incident + o.incident};
@@ -48,14 +48,14 @@ struct DirectLight {
     DirectLight operator*(double s) const { return {illuminance * s, lobes * s, incident * s}; }
 };
 
-/// Which neighbours in a grid of places show one smooth surface.
+/// Pairs of neighbours in a grid of places that show one smooth surface.
 class SurfaceContinuity {
 public:
     SurfaceContinuity() = default;
-    /// `places`: row by row, null where nothing is shown.
+    /// Grid of `places` row by row, null if nothing is shown.
     SurfaceContinuity(int width, std::span<const SurfacePlace* const> places);
 
-    /// Whether the place of that number and its right or lower neighbour do.
+    /// True if the place of that number and its right or lower neighbour show one smooth surface.
     bool right(std::size_t place) const { return joins_[place].right; }
     bool down(std::size_t place) const { return joins_[place].down; }
 

@@ -64,7 +64,7 @@ inline Real strips_coverage(const CPlaneFrame& frame, Truth wanted, Real half, R
 
 constexpr double resolvable_pitches = 4; // as in c_plane_lookup.cpp
 
-/// comb_coverage() of strips `width` wide, or mean_coverage() where they are too fine.
+/// comb_coverage() of strips `width` wide, or mean_coverage() if they are too fine.
 inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, Real center,
                             const FilterLanes& filter) {
     const Real pitch = real(frame.pitch), half = hn::Mul(real(0.5), width);
@@ -82,7 +82,7 @@ inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, 
     return hn::IfThenElse(grey, mean, sum);
 }
 
-/// How far the ends of lamps may look moved along them, and how wide strips are.
+/// Apparent shift of the ends of lamps along them, and width of strips.
 struct LookLanes {
     Real room, width;
 
@@ -114,15 +114,15 @@ inline Real coverage_one_by_one(const StripeRow& row, const ImageLanes& image, T
         const CPlaneHit hit{at(0), at(1), at(2), {at(3), at(4), at(5)}};
         const Vec3 direction = frame.u * at(3) + frame.v * at(4) + frame.normal * at(5);
         const Footprint footprint{{at(6), at(7)}, {at(8), at(9)}, {at(10), at(11)}};
-        // The origin is asked for by points and exact looks alone.
+        // Only points and exact models need the origin.
         found[lane] = look_up(frame, hit, Vec3(0), direction, footprint, row.look).coverage;
     }
     return hn::LoadU(d, found.data());
 }
 
-/// Images that lie between lamps or beside them, however near to their ends, by rays none of which
-/// sees wider strips than `width` by how much nearer it is to the plane's horizon than the
-/// centre's.
+/// Images that lie between lamps or beside them, regardless of their ends. A ray sees wider strips
+/// the nearer it is to the plane's horizon than the centre's; none of theirs exceeds `width` by
+/// more than that.
 inline Truth is_in_gap(const CPlaneFrame& frame, const ImageLanes& image, Real width) {
     const Real pitch = real(frame.pitch), first = real(frame.first), v = image.at.y;
     const Real least = hn::Sub(real(1), half_sum(image.descent_x, image.descent_y));

@@ -12,7 +12,8 @@
 namespace keiko {
 namespace {
 
-/// Around lamps of a row, so far off their axes and beyond their ends.
+/// Corners of a box around lamps of a row, at a distance of `off` from their axes and `beyond`
+/// their ends.
 std::vector<Vec3> box_around(const CPlaneFrame& frame, int first, int last, double off,
                              double beyond) {
     std::vector<Vec3> corners;
@@ -30,7 +31,7 @@ struct Corners {
 
     std::vector<Vec3> operator()(const CPlane& plane) const {
         const CPlaneFrame frame(plane);
-        const double r = frame.radius() * std::numbers::sqrt2; // of boxes however turned
+        const double r = frame.radius() * std::numbers::sqrt2; // of boxes in any orientation
         return box_around(frame, lamps.front(), lamps.back(), r, r);
     }
     template <PointLight Light>
@@ -81,9 +82,9 @@ bool DirectLighting::may_occlude(std::span<const Vec3> places, const LightId& li
     if (!occluders_) return false;
     const LightSource& source = rig_.sources[light.source];
     const auto* sun = std::get_if<Sun>(&source);
-    if (sun && !sun->windows.empty()) return true; // their frames stand in its way, too
+    if (sun && !sun->windows.empty()) return true; // their frames occlude it, too
     std::vector<Vec3> region;
-    // Only the sun stands elsewhere from place to place.
+    // Only the sun's position depends on the place.
     for (const Vec3& place : sun ? places : places.first(1))
         for (const Vec3& corner : lamp_corners(source, light.lamp, place, model))
             region.push_back(corner);

@@ -13,35 +13,35 @@
 
 namespace keiko {
 
-/// Corners of a box around some lamps of a source, by rising number, and those between them: all
-/// that a surface may be lit from, mm.
+/// Corners of a box around some lamps of a source, by rising number, and those between them:
+/// everything that may light a surface, mm.
 std::vector<Vec3> light_bounds(const LightSource& source, std::span<const int> lamps,
                                const Vec3& point);
 
-/// Corners of a convex body around all that a point asks for of one lamp of a source: of a tube its
-/// axis, or where shadows are weighed over its width all of it.
+/// Corners of a convex body around the part of one lamp of a source that a point queries: a tube's
+/// axis, or all of it if shadows are weighed over its width.
 std::vector<Vec3> lamp_corners(const LightSource& source, int lamp, const Vec3& point,
                                TubeModel model);
 
-/// The sources of a rig as lights that the surfaces of a scene stand in the way of.
+/// The sources of a rig as lights that the surfaces of a scene may occlude.
 class DirectLighting {
 public:
-    /// Without occluders nothing casts shadows. Keeps references to all.
+    /// Without occluders no shadows are cast. Keeps references to all.
     DirectLighting(const LightRig& rig, const Occluders* occluders, const Tracer& tracer)
         : rig_(rig), occluders_(occluders), tracer_(tracer), lights_(lights_of(rig)) {}
 
-    /// All of them, by source, then by lamp.
+    /// All lights, by source, then by lamp.
     const std::vector<LightId>& lights() const { return lights_; }
     /// Visibility of some lights from a point with a unit normal on the side to be lit, by source,
-    /// then by lamp; of a point on a surface, its own root. `axes`: see light_visibilities(); rigs
-    /// with a medium have them always.
+    /// then by lamp; for a point on a surface, `root` is its own. `axes`: see light_visibilities();
+    /// rigs with a medium have them always.
     std::vector<LightVisibility> light_visibility(const Vec3& point, const Vec3& normal,
                                                   const std::optional<Root>& root,
                                                   std::span<const LightId> lights, TubeModel model,
                                                   bool axes = true) const;
 
-    /// False where it is proved that all of the hull of `places` sees all of a light or nothing of
-    /// it; see Occluders::may_occlude(). Windows are not looked into.
+    /// False if it is proved that all of the hull of `places` sees all of a light or nothing of it;
+    /// see Occluders::may_occlude(). Windows are not tested.
     bool may_occlude(std::span<const Vec3> places, const LightId& light,
                      const std::optional<Vec3>& facing, TubeModel model) const;
 
@@ -55,9 +55,9 @@ private:
 /// Point of a surface or in space with the known visibility of some lights of a rig.
 class PointLighting {
 public:
-    /// Unit normal on the side to be lit; `lights` by source, then by lamp; `seen` of each, as
-    /// DirectLighting::light_visibility has it for the same model. Keeps references to rig and
-    /// lights.
+    /// Point with a unit normal on the side to be lit. `lights` are by source, then by lamp; `seen`
+    /// of each is as returned by DirectLighting::light_visibility for the same model. Keeps
+    /// references to rig and lights.
     PointLighting(const LightRig& rig, const Vec3& point, const Vec3& normal, TubeModel model,
                   std::span<const LightId> lights, std::vector<LightVisibility> seen)
         : rig_(rig),
@@ -69,7 +69,7 @@ public:
 
     /// lx from each light, in order.
     std::vector<Rgb> illuminance_by_light(const ClearCoat* coat = nullptr) const;
-    /// cd/m2 that the lobe of a kernel, made for the point's normal, sends to its eye of each
+    /// cd/m2 that the lobe of a kernel, made for the point's normal, reflects to its viewer of each
     /// light.
     template <class Kernel>
     std::vector<Rgb> glossy_by_light(const Kernel& kernel) const {

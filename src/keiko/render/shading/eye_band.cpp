@@ -10,8 +10,8 @@
 namespace keiko {
 namespace {
 
-/// Makes the last row of a grid the second of one of `size` places; its first is of no use, as all
-/// is done there but to tell how the images below it are bent.
+/// Makes the last row of a grid the second of one of `size` places. Its first is unused, as
+/// everything is done there except determining the bend of the images below it.
 template <class T>
 void take_over_row(std::vector<T>& places, std::size_t width, std::size_t size, const T& blank) {
     std::copy(places.end() - static_cast<std::ptrdiff_t>(width), places.end(),

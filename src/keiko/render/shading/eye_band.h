@@ -7,19 +7,19 @@
 
 namespace keiko {
 
-/// A grid of camera rays that are followed, and then, as long as its pixels are not refined, the
-/// grids below it, each of which takes over two rows of the one above: neighbours of its own rows
+/// A grid of camera rays that are followed and then, as long as its pixels are not refined, the
+/// grids below it. Each of those takes over two rows of the one above: neighbours of its own rows
 /// that need no rays again.
 class EyeBand {
 public:
-    /// The size of the first grid; others are no higher.
+    /// Band with the size of the first grid; others are no higher.
     EyeBand(int width, int height) : mirrors(width, height) {}
 
-    /// Makes room for what the rays of a grid find: all samples show `unseen` yet, but for those
-    /// of rows taken over.
+    /// Allocates the results of the rays of a grid: all samples are `unseen`, except those of rows
+    /// taken over.
     void begin(const TileRays& grid, const PixelSample& unseen);
 
-    /// Asks for what is soon written of a place.
+    /// Prefetches the memory that is soon written for a place.
     void announce(std::size_t place) const;
 
     SampleBatch view;

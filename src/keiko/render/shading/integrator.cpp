@@ -12,7 +12,7 @@
 namespace keiko {
 namespace {
 
-/// mm: where a ray that meets nothing ends, for the medium in between.
+/// mm: end of a ray that misses the scene, for the medium in between.
 constexpr double far_away = 1e6;
 
 } // namespace
@@ -73,7 +73,7 @@ bool Integrator::shade(PathState& path, const PathVertex& met, int depth, const 
     return max_channel(path.weight) >= options_.min_weight;
 }
 
-/// Records what a camera ray meets first, and what its reflected rays pass.
+/// Records the first hit of a camera ray, and the hits of its reflected rays.
 void Integrator::record_aovs(PathState& path, const PathVertex& met, int depth,
                              const VisibleFrom& shafts, PixelSample& sample) const {
     if (depth == 0) {
@@ -95,12 +95,12 @@ HitDetail Integrator::mirrored_detail() const {
     return ends ? HitDetail::face : HitDetail::all;
 }
 
-/// True if light on a paint, beside what it mirrors, is visible or requested.
+/// True if light on a paint, beside its reflections, is visible or requested.
 bool Integrator::takes_light(std::uint32_t paint, int depth) const {
     return paints_[paint].takes_light() || (depth == 0 && tells_illuminance_);
 }
 
-/// Its side that the path comes from.
+/// Shading point on the side that the path comes from.
 ShadingPoint Integrator::shading_point_at(const PathState& path, const PathVertex& met,
                                           int depth) const {
     const Hit& hit = *met.hit;

@@ -14,33 +14,33 @@
 
 namespace keiko {
 
-/// Integrator of camera rays over mirror reflections. A smooth coat or metal mirrors lamps, the
-/// body itself and, past both, the uniform light that `ambient` stands for. Rough borders and
-/// flakes spread the light of lamps; the base is lit directly. Works on many rays at once, a
-/// reflection deeper each pass.
+/// Integrator of camera rays over mirror reflections. A smooth coat or metal reflects lamps, the
+/// body itself and, behind both, the uniform light `ambient`. Rough interfaces and flakes spread
+/// the light of lamps; the base is lit directly. It processes many rays at once, a reflection
+/// deeper each pass.
 class Integrator {
 public:
-    /// `eye`: where the rays of a picture begin, whose light shafts are made ready for it. Throws
+    /// `eye`: the origin of the rays of a picture, for which light shafts are prepared. Throws
     /// Cancelled.
     Integrator(const PictureScene& scene, const PictureOptions& options,
                const std::optional<Vec3>& eye = {}, const Job& job = {});
 
-    /// One sample a ray, in order, with all its light. Neighbouring rays should stand together.
+    /// One sample a ray, in order, with all its light. Neighbouring rays should be adjacent.
     SampleBatch follow(std::span<const Ray> camera_rays) const;
     /// Samples of camera rays, one a ray, in order, without the light of the shading points.
     SampleBatch view(Rays camera_rays) const;
     /// Samples of the pixels of a grid, without the light of the shading points. Pixels with a ray
-    /// reflect lamps by curved images of the pixel where neighbours determine its curvature; the
-    /// others show the background. In a medium all have rays. Where nothing is refined, pixels at
-    /// the grid's border show no reflections; where no AOVs are requested either, the view has no
-    /// hits, nor places that reflected rays meet.
+    /// reflect lamps by curved images of the pixel if neighbours determine its curvature; the
+    /// others show the background. In a medium all have rays. If nothing is refined, pixels at the
+    /// grid's border show no reflections; if no AOVs are requested either, the view has no hits,
+    /// nor places that reflected rays meet.
     SampleBatch view(const TileRays& grid) const;
-    /// Traces one of several grids that lie one below the other, where only_mirrors(); `band.view`
+    /// Traces one of several grids that lie one below the other, if only_mirrors(); `band.view`
     /// receives the samples of this grid. Its rows at the border or shared with other grids are
     /// unreliable, except the second and the last but one.
     void trace_tile(const TileRays& grid, EyeBand& band) const;
-    /// Whether each pixel of a picture shows lamps in sharp mirrors and nothing else that takes
-    /// long to find, and no pixel is refined.
+    /// True if each pixel of a picture shows lamps in sharp mirrors and nothing else that takes
+    /// long to compute, and no pixel is refined.
     bool only_mirrors() const;
     /// Sample of a camera ray that misses the scene, without a medium.
     PixelSample unseen() const;
@@ -60,12 +60,12 @@ public:
     std::vector<DirectLight> direct_light(const ShadingPoint& point,
                                           std::span<const LightId> lights,
                                           std::vector<LightVisibility> seen) const;
-    /// cd/m2 that the lamps' light makes a shading point's base and lobes send to the eye.
+    /// cd/m2 that a shading point's base and lobes reflect of the lamps' light to the viewer.
     Rgb luminance(const ShadingPoint& point, const DirectLight& light) const;
-    /// cd/m2 that uniform light from all sides makes a shading point's base and lobes send to the
-    /// eye.
+    /// cd/m2 that a shading point's base and lobes reflect of uniform light from all sides to the
+    /// viewer.
     Rgb ambient_luminance(const ShadingPoint& point) const;
-    /// Adds what `light` brings to the sample of a shading point.
+    /// Adds the luminance by `light` to the sample of a shading point.
     void add_light(const ShadingPoint& point, const DirectLight& light, PixelSample& sample) const;
 
 private:
@@ -75,7 +75,7 @@ private:
         Rgb weight;
     };
 
-    /// Rays under way, of the same depth, each with its path.
+    /// Rays to trace, of the same depth, each with its path.
     struct RayQueue {
         Rays rays;
         std::vector<PathState> paths;
@@ -88,13 +88,13 @@ private:
         }
     };
 
-    /// How a ray comes to a surface.
+    /// Incidence of a ray on a surface.
     struct FresnelTerm {
         double cosine = 0; ///< of the angle to the normal
-        Rgb mirrored;      ///< share of the light that goes on
+        Rgb mirrored;      ///< share of the light that is reflected
     };
 
-    /// Surface that a ray meets, and lamps on the way to it.
+    /// Surface that a ray hits, and lamps before it.
     struct PathVertex {
         const Ray& ray;
         const Hit* hit;
@@ -103,16 +103,16 @@ private:
     };
 
     FresnelTerm incidence(const Ray& ray, const Hit& hit, int depth) const;
-    /// Fresnel terms of rays of one depth, one after the other with nothing in between. Each waits
-    /// for roots and divisions, which overlap so.
+    /// Fresnel terms of rays of one depth, computed consecutively, so that the latencies of roots
+    /// and divisions overlap.
     std::vector<FresnelTerm> incidences(std::span<const Ray> rays, const FirstHits& hits,
                                         int depth) const;
 
-    /// A ray's way to what it meets.
+    /// Segment of a ray up to its hit.
     static Segment leg_of(const Ray& ray, const Hit* hit);
-    /// True if occluders between lights and a medium are to be found.
+    /// True if occluders between lights and a medium must be found.
     bool casts_shafts() const { return scene_.rig.medium && scene_.occluders; }
-    /// The ways of rays to what they meet, where they cast shafts.
+    /// Segments of rays up to their hits, if they cast shafts.
     std::vector<Segment> legs_of(std::span<const Ray> rays, const FirstHits& hits) const;
     std::vector<Segment> legs_of(const ReflectionBuffer& mirrors) const;
     /// Shadows of the lights along `legs` after `depth` reflections.
@@ -123,23 +123,23 @@ private:
     void trace_primary(const TileRays& grid, std::span<const GridPlace> places,
                        EyeBand& band) const;
     static void set_rays(const RayQueue& wave, ReflectedGrid& grid);
-    /// Detail required of the hits of rays mirrored once: no surface where no light on it is
-    /// visible and no ray goes on from there.
+    /// Detail required of the hits of rays mirrored once: no surface if no light on it is visible
+    /// and no ray continues from there.
     HitDetail mirrored_detail() const;
     void trace_reflections(const RayQueue& mirrored, ReflectionBuffer& mirrors) const;
-    /// Adds what the first reflected rays of a grid meet, row by row, as neighbours reflect lamps
-    /// side by side. Rows whose neighbours are in another grid are left out. Returns the rays left
-    /// to follow.
+    /// Adds the hits of the first reflected rays of a grid, row by row, as neighbours reflect lamps
+    /// side by side. Rows whose neighbours are in another grid are left out. Returns the remaining
+    /// rays.
     RayQueue shade_hits(const TileRays& grid, const ReflectionBuffer& mirrors,
                         SampleBatch& view) const;
     RayQueue mirrored_again(std::span<const PathState> paths,
                             const ReflectionBuffer& mirrors) const;
-    /// Follows rays of samples of a view that were mirrored so often.
+    /// Follows rays of samples of a view after `depth` reflections.
     void follow(RayQueue wave, int depth, SampleBatch& view) const;
     RayQueue shade_hits(const RayQueue& wave, const FirstHits& hits, int depth,
                         SampleBatch& view) const;
-    /// Adds what a ray meets to the view; false where its mirror reflection does not count, else
-    /// the path is that one's.
+    /// Adds the light of a ray's hit to the view; false if its mirror reflection does not count,
+    /// else the path becomes that of the reflection.
     bool shade(PathState& path, const PathVertex& met, int depth, const VisibleFrom& shafts,
                SampleBatch& view) const;
     void record_aovs(PathState& path, const PathVertex& met, int depth, const VisibleFrom& shafts,

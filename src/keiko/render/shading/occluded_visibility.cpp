@@ -29,7 +29,7 @@ IntervalSet OccludedVisibility::intervals(const Segment& segment) const {
     return of_row_[*place];
 }
 
-/// Looks on from the segment that was found last.
+/// Searches on from the segment that was found last.
 std::optional<std::size_t> OccludedVisibility::place_in_row(const Segment& segment) const {
     for (std::size_t i = 0; i < row_.size(); ++i) {
         const std::size_t place = (next_ + i) % row_.size();

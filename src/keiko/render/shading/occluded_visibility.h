@@ -10,16 +10,16 @@
 
 namespace keiko {
 
-/// What a viewpoint sees past the surfaces of a scene, as the luminance core asks for it.
-/// Candidates are collected when the first question comes.
+/// Visibility from a viewpoint among the surfaces of a scene, for the luminance computation.
+/// Candidates are collected at the first query.
 class OccludedVisibility final : public Visibility {
 public:
-    /// `region`: corners of a convex body that holds every segment to be asked for. `row`: segments
-    /// that are likely to be asked for, best in their order, found together with the first of
-    /// them. With `facing` only what lies before the surface of that normal counts, the rest is
-    /// hidden. Without occluders everything is seen; they and the tracer are only looked at.
-    /// `pencil`, of the viewpoint as its light: answers for the row in their place. Not for two
-    /// threads at once.
+    /// `region`: corners of a convex body that contains every queried segment. `row`: segments that
+    /// are likely to be queried, best in their order, found together with the first of them. With
+    /// `facing` only the half-space before the surface of that normal counts, the rest is hidden.
+    /// Without occluders everything is visible; references to them and the tracer are kept.
+    /// `pencil`, with the viewpoint as its light, replaces them for the row. Not for two threads at
+    /// once.
     OccludedVisibility(const Occluders* occluders, const Tracer& tracer, const Viewpoint& viewpoint,
                        std::vector<Vec3> region, std::vector<Segment> row = {},
                        const std::optional<Vec3>& facing = {},
@@ -49,8 +49,8 @@ private:
     std::optional<Vec3> facing_;
     const EpipolarShadows* pencil_;
     mutable std::optional<VisibilityQuery> view_;
-    mutable std::vector<IntervalSet> of_row_; ///< once one of the row was asked for
-    mutable std::size_t next_ = 0;            ///< after the one of the row that was asked for last
+    mutable std::vector<IntervalSet> of_row_; ///< after the first query of the row
+    mutable std::size_t next_ = 0;            ///< after the last queried one of the row
 };
 
 } // namespace keiko

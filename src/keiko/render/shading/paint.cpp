@@ -27,12 +27,12 @@ std::optional<Flakes> flakes_of(const Material& material) {
 template <class Lobe>
 std::shared_ptr<const AlbedoTable> table_of(const std::optional<Lobe>& lobe) {
     if (!lobe) return {};
-    constexpr double allowed = 1e-4; // a tenth of what the table itself is off by in between
+    constexpr double allowed = 1e-4; // a tenth of the table's own error of interpolation
     return std::make_shared<const AlbedoTable>(
         [&](double cosine) { return directional_albedo(*lobe, cosine, allowed); });
 }
 
-/// Flakes have their share of the light before the base.
+/// Reflectance of the base; flakes take their share of the light first.
 Rgb base_of(const Material& material) {
     if (material.metal) return {};
     return material.flakes ? material.diffuse * (Rgb(1) - material.flakes->reflectance)

@@ -8,21 +8,21 @@
 
 namespace keiko {
 
-/// A material made ready for shading: what it mirrors sharply, spreads in lobes, and scatters.
+/// A material prepared for shading: its sharp reflection, its lobes, and its diffuse base.
 class Paint {
 public:
     explicit Paint(const Material& material);
 
-    /// Share of the light that a smooth border mirrors; 0 for a rough one.
+    /// Share of the light that a smooth interface reflects; 0 for a rough one.
     Rgb mirrored(double cosine) const;
     /// The base below its coat.
     const ClearCoat& base() const { return base_; }
     /// Lobes, if there are any.
     const std::optional<Gloss>& gloss() const { return gloss_; }
     const std::optional<Flakes>& flakes() const { return flakes_; }
-    /// Whether it shows any light but what it mirrors sharply.
+    /// True if it reflects any light other than sharply.
     bool takes_light() const { return takes_light_; }
-    /// Share of even light from all sides that the lobes send to an eye under `cosine`.
+    /// Share of uniform light from all sides that the lobes reflect to a viewer under `cosine`.
     Rgb gloss_albedo(double cosine) const;
 
 private:

@@ -13,34 +13,35 @@
 
 namespace keiko {
 
-/// Scene of a picture; refers to everything without owning it.
+/// Scene of a picture; keeps references to everything.
 struct PictureScene {
     const Tracer& tracer;                ///< built with second_derivatives
     std::span<const Material> materials; ///< one a face of the model
     const LightRig& rig;
-    Rgb background{0}; ///< cd/m2 behind the body, for the eye; it is not mirrored
+    Rgb background{0}; ///< cd/m2 behind the body, for camera rays; it is not reflected
     const Occluders* occluders = nullptr; ///< of the model; without them nothing casts shadows
 };
 
-/// How a picture is made.
+/// Options of a picture.
 struct PictureOptions {
     std::vector<Aov> aovs;
-    /// Cells a side that a pixel with outlines is divided into at the most; 1: one ray a pixel.
+    /// Largest number of cells a side into which a pixel with edges is divided; 1: one ray a pixel.
     int edge_samples = 8;
     /// Relative error allowed when direct diffuse light is interpolated between pixels; 0 computes
     /// it at every pixel.
     double light_error = 2e-3;
     int max_depth = 3;        ///< mirror reflections followed along one ray
-    double min_weight = 1e-3; ///< reflections that count less than this end the path
-    /// How tubes light bases past occluders: picture; automatic, as numbers have it; or preview,
-    /// whose shadows know no width of lamps.
+    double min_weight = 1e-3; ///< reflections with less weight than this end the path
+    /// Model of tubes that light bases past occluders: picture; automatic, as for numbers; or
+    /// preview, whose shadows disregard the width of lamps.
     TubeModel tubes = TubeModel::picture;
 };
 
 /// Renders luminance in cd/m2 with the requested AOVs: one ray a pixel, whose footprint on the
-/// C-plane gives smooth lamp stripes. Pixels near an outline, a trim border, a crease or the border
-/// of a self-reflection of the body are split along it. Where it is not straight, they are divided
-/// into up to `edge_samples`^2 cells. The same bytes for any thread count. Throws Cancelled.
+/// C-plane gives smooth lamp stripes. Pixels near a silhouette, a trim border, a crease or the
+/// border of a self-reflection of the body are split along it. Where it is not straight, they are
+/// divided into up to `edge_samples`^2 cells. The same bytes for any thread count. Throws
+/// Cancelled.
 Film render(const PictureScene& scene, const Camera& camera, const PictureOptions& options,
             const Job& job = {});
 

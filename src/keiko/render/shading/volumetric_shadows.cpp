@@ -14,8 +14,7 @@ struct ApexOf {
     Viewpoint operator()(const Sun& sun) const { return Viewpoint::towards(sun.towards()); }
 };
 
-/// Parts of the rays that a source lights where nothing casts shadows, as luminance_along requests
-/// them.
+/// Parts of the rays that a source lights without occlusion, as luminance_along queries them.
 std::vector<Segment> lit_parts(const LightSource& source, std::span<const Segment> camera_rays) {
     std::vector<Segment> parts;
     for (const Segment& ray : camera_rays)
@@ -24,7 +23,7 @@ std::vector<Segment> lit_parts(const LightSource& source, std::span<const Segmen
     return parts;
 }
 
-/// Corners of a box around segments; none without any.
+/// Corners of a box around segments; empty without any.
 std::vector<Vec3> region_of(std::span<const Segment> segments) {
     Box3 box;
     for (const Segment& segment : segments) {
@@ -39,7 +38,7 @@ std::vector<Vec3> region_of(std::span<const Segment> segments) {
     return corners;
 }
 
-/// Start of a pencil of planes, unless it is the eye itself.
+/// Origin of a pencil of planes, unless it is the camera's eye.
 struct PencilLight {
     std::optional<Vec3> operator()(const CPlane&) const { return std::nullopt; }
     template <PointLight Light>

@@ -9,8 +9,8 @@
 
 namespace keiko {
 
-/// Pencils of the point lights of a rig for the rays of a picture from one eye, by source; empty
-/// where nothing casts shadows in a medium. Throws Cancelled.
+/// Pencils of the point lights of a rig for the rays of a picture from one viewpoint, by source;
+/// empty if nothing casts shadows in a medium. Throws Cancelled.
 std::vector<std::optional<EpipolarShadows>> shaft_pencils(const LightRig& rig,
                                                           const Occluders* occluders,
                                                           const Tracer& tracer, const Vec3& eye,
@@ -20,10 +20,10 @@ std::vector<std::optional<EpipolarShadows>> shaft_pencils(const LightRig& rig,
 /// of their shafts in the medium. Possible occluders of a light are found once for all of the rays.
 class VolumetricShadows {
 public:
-    /// `camera_rays` hold every segment to come; neighbouring ones should stand together. Without
-    /// occluders, or without a medium, nothing casts shadows. `pencils`: as shaft_pencils makes
-    /// them, of the eye from which all of the rays come, each as far as the first surface; empty
-    /// for any other rays. All but the rays are kept by reference. Not for two threads at once.
+    /// `camera_rays` contain every segment to come; neighbouring ones should be adjacent. Without
+    /// occluders, or without a medium, no shadows are cast. `pencils` are those of shaft_pencils,
+    /// for the viewpoint of all of the rays, each ray up to the first surface; empty for any other
+    /// rays. References are kept to everything except the rays. Not for two threads at once.
     VolumetricShadows(const LightRig& rig, const Occluders* occluders, const Tracer& tracer,
                       std::span<const Segment> camera_rays,
                       std::span<const std::optional<EpipolarShadows>> pencils = {});
@@ -32,7 +32,7 @@ public:
     VisibleFrom visible() const;
 
 private:
-    std::vector<OccludedVisibility> seen_; ///< by source; empty where nothing casts shadows
+    std::vector<OccludedVisibility> seen_; ///< by source; empty if nothing casts shadows
 };
 
 } // namespace keiko

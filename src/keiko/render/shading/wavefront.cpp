@@ -1,4 +1,4 @@
-// How the paths of an Integrator go on from mirror to mirror, many at once.
+// Propagation of the paths of an Integrator from mirror to mirror, many at once.
 #include "keiko/intersect/hit/reflect_ray.h"
 #include "keiko/render/shading/integrator.h"
 
@@ -8,10 +8,11 @@
 namespace keiko {
 namespace {
 
-/// Camera rays of a grid that are followed together up to what their mirrored ones meet: few enough
-/// for all that is known of them to stay near the processor, enough to fill its vectors.
+/// Number of camera rays of a grid that are traced together with their reflected rays: few enough
+/// for their data to stay in the processor's cache, enough to fill its vectors.
 constexpr std::size_t rays_at_once = 256;
-/// Places fetched ahead of what is written of them, for they are strewn over more memory than that.
+/// Number of places prefetched before they are written, since they are scattered over more memory
+/// than the cache.
 constexpr std::size_t places_ahead = 8;
 
 /// Sorts shading points by sample; each of the `samples` samples has one at most.
@@ -57,7 +58,7 @@ SampleBatch Integrator::view(const TileRays& grid) const {
 void Integrator::trace_tile(const TileRays& grid, EyeBand& band) const {
     band.begin(grid, unseen());
     const std::span<const GridPlace> places = grid.places;
-    // What lights see of the ways of rays is found for all of them together.
+    // The visibility of the rays' segments from the lights is computed for all of them together.
     const std::size_t most = scene_.rig.medium ? places.size() : rays_at_once;
     for (std::size_t first = 0; first < places.size(); first += most)
         trace_primary(grid, places.subspan(first, std::min(most, places.size() - first)), band);
@@ -76,7 +77,8 @@ void Integrator::trace_primary(const TileRays& grid, std::span<const GridPlace> 
     const VisibleFrom shafts = shadows.visible();
     const std::vector<FresnelTerm> incidences = this->incidences(rays, hits, 0);
     const PixelMirror no_mirror;
-    RayQueue mirrored, beside; // beside: rays that only tell how the images of neighbours are bent
+    RayQueue mirrored, beside; // beside: rays that only determine the bend of the neighbours'
+                               // images
     mirrored.reserve(rays.size()), beside.reserve(rays.size());
     ReflectionBatch mirroring(mirror_kernel_);
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -128,7 +130,7 @@ Integrator::RayQueue Integrator::shade_hits(const TileRays& grid, const Reflecti
         if (!goes_on) continue;
         PixelMirror mirror;
         stripes.find(place, hit ? hit->t : std::numeric_limits<double>::infinity(), mirror);
-        if (hit || scene_.rig.medium) ray = mirrors.grid.ray(place); // others ask for nothing of it
+        if (hit || scene_.rig.medium) ray = mirrors.grid.ray(place); // others need nothing of it
         const FresnelTerm incidence = hit ? this->incidence(ray, *hit, 1) : FresnelTerm();
         PathState path{place, weight};
         if (shade(path, {ray, hit, mirror, incidence}, 1, shafts, view)) further.push_back(path);
@@ -207,7 +209,7 @@ VolumetricShadows Integrator::volumetric_shadows(std::span<const Segment> legs, 
 }
 
 Integrator::FresnelTerm Integrator::incidence(const Ray& ray, const Hit& hit, int depth) const {
-    // No one requests it there, and the hit may have no normal.
+    // It is not needed there, and the hit may have no normal.
     if (depth > 0 && depth >= options_.max_depth) return {};
     const double cosine = std::abs(hit.normal.dot(ray.direction)) / ray.direction.length();
     FresnelTerm incidence{cosine, {}};
