@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct CompareArguments {
-    SceneArguments scene; ///< all but its inputs
+    SceneArguments scene; ///< without its inputs
     fs::path before, after, output, json, junit;
     CompareBodiesOptions options;
     CompareViewsOptions views;

@@ -39,7 +39,8 @@ std::size_t& count_of(Verdict verdict, FaceCounts& counts) {
                                            : counts.pass;
 }
 
-/// 1/mm. If one side bends the other way, the mismatch is 100 % whatever its amount.
+/// Change of the curvature, 1/mm. If one side bends the other way, the mismatch is 100 % for any
+/// change.
 double curvature_change(const MeasuredSeam& seam) {
     return seam.curvature ? std::abs(seam.curvature->curvature_a - seam.curvature->curvature_b) : 0;
 }

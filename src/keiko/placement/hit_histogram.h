@@ -32,9 +32,9 @@ public:
     /// Each cell the 1-2-1 tent mean of its neighbourhood: for pictures.
     HitHistogram smoothed() const;
 
-    /// For each share of the total (falling, 0 to 1) a small rectangle that holds it. It is found
-    /// by removing the border row or column of least weight per area as long as enough remains. A
-    /// share that the range does not hold gives the whole range.
+    /// A small rectangle for each share of the total (falling, 0 to 1), which holds that share. It
+    /// is found by removing the border row or column of least weight per area as long as enough
+    /// remains. A share that the range does not hold gives the whole range.
     std::vector<Box2> rectangles(std::span<const double> shares) const;
 
 private:

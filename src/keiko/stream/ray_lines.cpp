@@ -64,7 +64,7 @@ std::string_view direction_names(std::string_view header) {
 std::optional<Refusal> refusal_of(const Ray& ray, std::string_view header) {
     // Doubles beyond it are more than 0.1 mm apart.
     constexpr double farthest = 1e15;
-    // Squares of values outside are not finite or 0.
+    // Squares of values outside may overflow or underflow.
     constexpr double shortest = 1e-100, longest = 1e100;
     if (largest_component(ray.origin) > farthest)
         return Refusal{place_names(header), "lies beyond 1e15 mm"};

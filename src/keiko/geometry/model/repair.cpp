@@ -9,7 +9,7 @@ struct Words {
     std::string_view name, text;
 };
 
-/// In the order of RepairKind.
+/// Words of each kind, in the order of RepairKind.
 constexpr std::array words{
     Words{"p_curve_built", "p-curve built"},
     Words{"p_curve_approximated", "p-curve approximated"},

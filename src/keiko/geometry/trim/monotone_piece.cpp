@@ -238,7 +238,7 @@ std::vector<MonotonePiece> monotone_pieces(const BezierCurveView& curve, std::ui
     std::vector<Vec3> rest(curve.points.begin(), curve.points.end());
     double begin = 0;
     for (const double t : cuts) {
-        // Extrema of x and y that all but coincide (a cusp) are one cut.
+        // Extrema of x and y that nearly coincide (a cusp) are one cut.
         if (!(t - begin > 1e-12)) continue;
         auto [left, right] = cut(rest, (t - begin) / (1 - begin));
         pieces.emplace_back(std::move(left), index, begin, t);

@@ -22,7 +22,7 @@ struct CurveChain {
 
 /// Chains of curve pieces, which are given by both their ends and joined where ends are within
 /// `reach` mm, the nearest first along each chain. Every piece is in one chain. Chains begin with
-/// their first piece in the order given, unless that goes on at both ends.
+/// their first piece in the order given, unless both of its ends are joined.
 std::vector<CurveChain> chain_curves(std::span<const std::array<Vec3, 2>> ends, double reach);
 
 } // namespace keiko

@@ -50,8 +50,8 @@ public:
     const CPlaneFrame& plane() const { return plane_; }
     const LineEye& eye() const { return eye_; }
 
-    /// For numbers, intervals and jets alike. `shift` moves the origin of v: levels near 0 keep
-    /// intervals tight.
+    /// The quotient for numbers, intervals and jets alike. `shift` moves the origin of v: levels
+    /// near 0 keep intervals tight.
     template <class T>
     LineRatio<T> ratio(const Triple<T>& place, const Triple<T>& normal, double shift = 0) const {
         using std::sqrt;

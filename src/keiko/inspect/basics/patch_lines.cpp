@@ -94,7 +94,7 @@ bool same(const LinePoint& a, const LinePoint& b) {
     return (a.uv - b.uv).length() <= same_end;
 }
 
-/// Takes the arc that goes on from `end` out of `arcs`, turned to begin there.
+/// Removes the arc that continues at `end` from `arcs`, turned to begin there.
 std::optional<Arc> next_arc(std::vector<Arc>& arcs, const LinePoint& end) {
     check_stop();
     for (std::size_t i = 0; i < arcs.size(); ++i) {

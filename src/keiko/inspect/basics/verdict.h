@@ -16,8 +16,8 @@ constexpr Verdict judge(double value, double bound, double limit) {
 }
 
 /// The verdict on a maximum. Its largest value found is known to within `error`, and values that
-/// were not evaluated may be larger by `hidden`. A found value over its limit fails, whatever may
-/// be hidden.
+/// were not evaluated may be larger by `hidden`. A found value over its limit fails regardless of
+/// `hidden`.
 constexpr Verdict judge_maximum(double found, double hidden, double error, double limit) {
     if (found + hidden + error <= limit) return Verdict::pass;
     return found - error > limit ? Verdict::fail : Verdict::undecided;

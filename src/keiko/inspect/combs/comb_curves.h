@@ -46,7 +46,7 @@ struct CombOptions {
     /// Largest deviation of a curvature from the straight line between two samples, as a share of
     /// the curve's largest curvature, which counts as at least 1 / the body's size.
     double tolerance = 0.01;
-    double join = 0.5; ///< mm, over which sections go on from face to face
+    double join = 0.5; ///< mm, over which sections continue from face to face
 };
 
 /// A remark on a plane that misses the body, touches it or lies in one of its faces.

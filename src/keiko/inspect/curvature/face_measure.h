@@ -33,7 +33,7 @@ struct MeasuredFace {
     /// (singular_places) on faces that have a curvature. A fold is judged and fails.
     std::vector<SingularPlace> singular;
     /// Curves along which the face turns from convex or concave to a saddle, the longest first; not
-    /// judged. Empty for a face that stands in for another.
+    /// judged. Empty for a face that replaces another.
     std::vector<InflectionCurve> inflections;
     Verdict verdict = Verdict::pass; ///< the worst of all its verdicts
 };

@@ -54,7 +54,7 @@ LineCrossing crossing_at(const LineEndpoint& end, const LampLevels& lamps, doubl
     crossing.from = end.piece, crossing.plane = end.plane, crossing.lamp = end.lamp;
     crossing.border = end.border, crossing.place = end.place;
     crossing.gap = end.gap, crossing.angle = end.angle;
-    // Viewed from the piece that goes on, the other side is the one that it comes from.
+    // Viewed from the following piece, the other side is the one that it comes from.
     crossing.plane_jump = end.head ? -end.jump : end.jump;
     const double off = place_error + foot_error;
     const double error =

@@ -40,7 +40,7 @@ struct LineCrossing {
     LineValue bend; ///< 1/mm, of geodesic curvature
     /// True at a run-out of a crease, whose fading is judged with the crease and not here.
     bool run_out = false;
-    /// Verdict on the crossing. nullopt at a run-out, and if no piece goes on and the image's jump
+    /// Verdict on the crossing. nullopt at a run-out, and if no piece follows and the image's jump
     /// alone is within its limit.
     std::optional<Verdict> verdict;
     double severity = 0; ///< ratio of the worst judged value to its limit: 1 at the limit

@@ -13,7 +13,7 @@
 
 namespace keiko {
 
-/// Border between two patches: a chain of seams, or a line between the patches of one face.
+/// Shared border of two patches: a chain of seams, or a line between the patches of one face.
 struct LineBorder {
     std::uint32_t seam = no_index; ///< number of the chain; no_index: inside a face
     std::uint32_t instance = 0, face = 0;

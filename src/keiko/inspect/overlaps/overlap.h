@@ -36,7 +36,7 @@ struct OverlapLimits {
 /// an edge that comes within the join distance of the inside of another face, farther than that
 /// from its borders, and runs within `parallel_borders` of it. Parts of a run are at most four join
 /// distances apart. A run through the other face, from half the join distance on one side to as
-/// much on the other, is a crossing whatever its length.
+/// much on the other, is a crossing of any length.
 std::vector<Overlap> find_overlaps(const SurfaceModel& model, const BoundaryCurves& curves,
                                    const FreeEdges& edges, const OverlapLimits& limits,
                                    const Job& job = {});

@@ -6,8 +6,8 @@
 
 namespace keiko {
 
-/// The sides of a face's patches along which it breaks (breaks_at), whatever its trims, and those
-/// at which it is torn: open by more than 1e-4 mm.
+/// The sides of a face's patches along which it breaks (breaks_at), regardless of its trims, and
+/// those at which it is torn: open by more than 1e-4 mm.
 struct BrokenKnots {
     std::vector<KnotPiece> pieces, torn;
 };

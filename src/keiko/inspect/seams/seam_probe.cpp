@@ -15,7 +15,7 @@ namespace {
 
 /// A side's frame at a place of the border. `across` is a unit vector across the border, from the
 /// material out over the seam on side a and on into the material of side b. `normal` is to the left
-/// of it and of the seam's run. On a smooth surface both sides have equal frames, whatever their
+/// of it and of the seam's run. On a smooth surface both sides have equal frames, for any
 /// parametrisation.
 struct Side {
     Vec3 across{0}, normal{0}, run{0};

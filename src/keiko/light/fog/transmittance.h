@@ -31,7 +31,7 @@ Rgb ambient_inscatter(const Medium& medium, const Rgb& optical_depth);
 /// A lit part of a camera ray split into smooth pieces, as parameters of the ray.
 std::vector<double> smooth_pieces(const ParameterInterval& part, std::span<const double> breaks);
 
-/// The optical depth from the eye along a ray, precomputed up to the breaks of the medium's
+/// The optical depth from the camera along a ray, precomputed up to the breaks of the medium's
 /// density, so that one more point costs at most one piece.
 class AttenuatedRay {
 public:
@@ -41,7 +41,7 @@ public:
     const Medium& medium() const { return medium_; }
     const Segment& ray() const { return ray_; }
 
-    /// Optical depth from the eye to a parameter of the ray.
+    /// Optical depth from the camera to a parameter of the ray.
     Rgb depth_to(double t) const;
     const std::vector<double>& breaks() const { return breaks_; }
 

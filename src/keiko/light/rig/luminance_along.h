@@ -16,7 +16,7 @@ using VisibleFrom = std::function<IntervalSet(std::size_t source, const Segment&
 /// spotlight or luminaire, or behind the windows of a sun. Empty if it lights no medium.
 IntervalSet in_light(const LightSource& source, const Segment& camera_ray);
 
-/// Luminance in cd/m2 at the eye of a camera ray that ends on a surface with luminance `surface`
+/// Luminance in cd/m2 of a camera ray that ends on a surface with luminance `surface`
 /// (docs/theory/fog.md#the-sum-along-a-camera-ray). It is the sum of the surface through the
 /// medium, the medium's ambient light, and the light of each source scattered once in the lit parts
 /// of the ray, to a relative error of `tolerance`. Lamps on C-planes, and a sun without windows,

@@ -36,7 +36,7 @@ struct CPlane {
     double pitch = 0;           ///< mm from axis to axis; 0: |v| / lamps. The row is centred in v
     double diameter = 26;       ///< mm
     Rgb luminance{9000};        ///< cd/m2 of the tube's surface, colour included
-    bool luminous_caps = false; ///< whether the tubes' end discs shine like the rest
+    bool luminous_caps = false; ///< true if the tubes' end discs shine like the rest
     TubeModel diffuse = TubeModel::automatic; ///< model for the light on surfaces
     MirrorModel mirror = MirrorModel::tube;   ///< model for reflections
 
@@ -45,7 +45,7 @@ struct CPlane {
 
 /// A C-plane prepared for computing: unit axes, v orthogonal to u, and the row of lamp axes. Frame
 /// coordinates are (u, v, height over the plane) in mm from the corner. A plane without extent has
-/// NaN axes, which no ray hits and no point sees.
+/// NaN axes: no ray hits it, and it is not visible from any point.
 struct CPlaneFrame {
     Vec3 origin, u, v, normal;
     double length = 0; ///< of the lamps, mm

@@ -55,8 +55,8 @@ struct TubeView {
 };
 
 /// View of a lamp; nullopt if the lateral surface is not visible or the lamp has no extent. It is
-/// not visible from inside the glass, from the axis line, or so near to that line beyond an end
-/// that only the dark cap shows.
+/// not visible from inside the glass, from the axis line, or close to that line beyond an end,
+/// where only the dark cap shows.
 inline std::optional<TubeView> view_of(const TubeLamp& lamp, const Vec3& point,
                                        const Vec3& normal) {
     TubeView view;

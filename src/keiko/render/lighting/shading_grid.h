@@ -62,7 +62,7 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
     std::size_t size() const { return spots_.size(); }
-    /// Shading point of a place; null if the ray hits nothing at this depth.
+    /// Shading point of a place; null if the ray misses the scene at this depth.
     const ShadingPoint* at(int x, int y) const { return spots_[index(x, y)]; }
     /// True if a place and its right or lower neighbour show one smooth surface.
     bool goes_right(int x, int y) const { return joins_.right(index(x, y)); }

@@ -220,7 +220,7 @@ struct BendLanes {
     }
 
 private:
-    /// As in reflected_footprint.cpp.
+    /// Counterpart of bend_along() in reflected_footprint.cpp.
     static Real bend_along(const FrameLanes& frame, const PixelLanes& pixel,
                            const ImageLanes& image) {
         const auto told = linear_corners(image.u_dx, image.u_dy);

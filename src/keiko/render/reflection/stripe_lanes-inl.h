@@ -120,9 +120,8 @@ inline Real coverage_one_by_one(const StripeRow& row, const ImageLanes& image, T
     return hn::LoadU(d, found.data());
 }
 
-/// Images that lie between lamps or beside them, regardless of their ends. A ray sees wider strips
-/// the nearer it is to the plane's horizon than the centre's; none of theirs exceeds `width` by
-/// more than that.
+/// Images that lie between lamps or beside them, regardless of their ends. Strips widen for rays
+/// nearer to the plane's horizon than the centre's; none exceeds `width` by more than that.
 inline Truth is_in_gap(const CPlaneFrame& frame, const ImageLanes& image, Real width) {
     const Real pitch = real(frame.pitch), first = real(frame.first), v = image.at.y;
     const Real least = hn::Sub(real(1), half_sum(image.descent_x, image.descent_y));

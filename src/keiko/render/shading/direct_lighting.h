@@ -40,8 +40,8 @@ public:
                                                   std::span<const LightId> lights, TubeModel model,
                                                   bool axes = true) const;
 
-    /// False if it is proved that all of the hull of `places` sees all of a light or nothing of it;
-    /// see Occluders::may_occlude(). Windows are not tested.
+    /// False if all of the hull of `places` is proved to have one visibility of a light: all of it
+    /// or nothing; see Occluders::may_occlude(). Windows are not tested.
     bool may_occlude(std::span<const Vec3> places, const LightId& light,
                      const std::optional<Vec3>& facing, TubeModel model) const;
 

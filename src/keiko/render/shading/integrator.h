@@ -163,7 +163,7 @@ private:
     bool mirrors_alone_ = true; ///< no paint takes light
     std::vector<Paint> paints_;
     std::vector<std::uint32_t> paint_of_face_;
-    std::vector<std::optional<EpipolarShadows>> pencils_; ///< of rays from the eye
+    std::vector<std::optional<EpipolarShadows>> pencils_; ///< of camera rays
 };
 
 } // namespace keiko

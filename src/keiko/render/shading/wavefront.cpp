@@ -130,7 +130,7 @@ Integrator::RayQueue Integrator::shade_hits(const TileRays& grid, const Reflecti
         if (!goes_on) continue;
         PixelMirror mirror;
         stripes.find(place, hit ? hit->t : std::numeric_limits<double>::infinity(), mirror);
-        if (hit || scene_.rig.medium) ray = mirrors.grid.ray(place); // others need nothing of it
+        if (hit || scene_.rig.medium) ray = mirrors.grid.ray(place); // others do not need it
         const FresnelTerm incidence = hit ? this->incidence(ray, *hit, 1) : FresnelTerm();
         PathState path{place, weight};
         if (shade(path, {ray, hit, mirror, incidence}, 1, shafts, view)) further.push_back(path);
