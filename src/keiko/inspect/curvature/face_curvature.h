@@ -25,8 +25,8 @@ struct FaceCurvature {
     CurvatureExtreme largest_mean, smallest_mean;
     CurvatureExtreme largest_gaussian, smallest_gaussian;
     double size = 0; ///< mm, diagonal of the box around the face's control points
-    /// Radius in mm around places such as a pole within which curvatures are unknown, because the
-    /// parametrisation is singular there; 0 if the face has none.
+    /// Extent in mm of the surroundings of places such as a pole in which curvatures are unknown,
+    /// because the parametrisation is singular there; 0 if the face has none.
     double singular = 0;
 };
 

@@ -50,7 +50,7 @@ ParameterInterval between_crests(const HeightField& field, const Segment& segmen
     return {std::clamp(std::min(a, b), 0.0, 1.0), std::clamp(std::max(a, b), 0.0, 1.0)};
 }
 
-/// Length of the segment in shortest waves along it.
+/// Length of the segment in units of its shortest waves.
 double waves_along(const HeightField& field, const Segment& segment) {
     const Vec3 way = segment.b - segment.a;
     double most = 0;

@@ -48,7 +48,7 @@ public:
         CPlaneFrame frame;
         Rgb luminance;
         MirrorModel mirror;
-        std::size_t level; ///< number of the first plane of the rig in the same position: rays meet
+        std::size_t level; ///< number of the first C-plane of the rig in the same plane: rays meet
                            ///< both at the distance of that one
     };
 
