@@ -66,8 +66,9 @@ std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& or
                                              const Vec3& direction);
 
 /// A pixel's image on a C-plane, for rays that change linearly with the picture's x and y. A place
-/// (x, y) away from the pixel's centre, px, is mapped to the offset (x dx + y dy) / (1 + x
-/// descent.x + y descent.y) from the image's centre.
+/// (x, y) away from the pixel's centre, px, is mapped to the offset
+/// (x dx + y dy) / (1 + x descent.x + y descent.y)
+/// from the image's centre.
 struct Footprint {
     Vec2 dx{0}, dy{0}; ///< derivatives of (u, v) at the centre, mm per pixel; all 0: a point
     /// Rate of the component of the rays' direction across the plane, over itself, per pixel; 0:

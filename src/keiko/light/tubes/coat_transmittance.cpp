@@ -110,7 +110,7 @@ Entry adaptively(const ClearCoat& coat, const TubeSlices& slices, double refinem
 double entering_share(const ClearCoat& coat, const TubeSlices& slices, TubeModel model) {
     if (model == TubeModel::automatic || model == TubeModel::cylinder)
         return adaptively(coat, slices, 1e-8, 24).share();
-    // One half-plane omits the dip^2, two the dip^4, and the error of the rims' mean is of order
+    // The error of one half-plane is of order dip^2, that of two dip^4, and that of the rims' mean
     // (d/D)^2: a test holds them to 2.3e-3.
     const double dip = slices.dip(), ratio = slices.view().ratio();
     if (slices.whole() && dip < 0.07 && ratio < 0.1) return in_few(coat, slices, 1).share();
