@@ -74,8 +74,8 @@ double way_along(const NormalPatch& patch, const Vec2& a, const Vec2& b) {
     return way;
 }
 
-/// Whether the normal stays within 90 degrees of `unit` for `near` mm of material from a place on.
-/// `step`: direction, and the first length tried.
+/// True if the normal stays within 90 degrees of `unit` for `near` mm of material from a place on.
+/// `step`: direction, and the first length tested.
 bool goes_on(const NormalPatch& patch, const Vec2& from, Vec2 step, const Vec3& unit, double near,
              const IsMaterial& is_material) {
     constexpr int most_doublings = 40;
@@ -91,7 +91,7 @@ bool goes_on(const NormalPatch& patch, const Vec2& from, Vec2 step, const Vec3& 
     return false;
 }
 
-/// Whether it does so in the direction of `step`, or in one of the parameters.
+/// True if goes_on() holds in the direction of `step`, or along one of the parameters.
 bool goes_on_anywhere(const NormalPatch& patch, const Vec2& from, const Vec2& step,
                       const Vec3& unit, double near, const IsMaterial& is_material) {
     const double length = step.length();

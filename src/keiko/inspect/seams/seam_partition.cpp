@@ -102,7 +102,8 @@ private:
             if (!to.angle) parts_.back().unknown += step;
             parts_.back().end = to;
         } else {
-            // Angles that are not told apart are of the part before, up to the last such place.
+            // Angles that are not distinguished belong to the part before, up to the last such
+            // place.
             const SeamPoint last = parts_.back().end;
             const bool located = (to.place - last.place).length() <= class_change_bound;
             parts_.push_back({piece_, *known, located ? to : last, to, 0});
