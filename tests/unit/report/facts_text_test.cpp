@@ -30,9 +30,10 @@ TEST(FactsText, TellsTheBuildTimeOfATracer) {
     ModelFacts facts = report().inspection.facts;
     EXPECT_EQ(facts_text(facts).find("tracing"), std::string::npos);
     facts.tracing = timed_trace_facts({.sub_patches = 9, .bytes = 512, .build_seconds = 0.25});
-    EXPECT_NE(facts_text(facts).find("9 sub-patches, 0 cut by trims, 0 trimmed away, 512 bytes, built "
-                                     "in 250 ms"),
-              std::string::npos);
+    EXPECT_NE(
+        facts_text(facts).find("9 sub-patches, 0 cut by trims, 0 trimmed away, 512 bytes, built "
+                               "in 250 ms"),
+        std::string::npos);
 }
 
 } // namespace

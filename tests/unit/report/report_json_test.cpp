@@ -78,13 +78,14 @@ TEST(ReportJson, ServesInfoAndCheckWithTheSameKeys) {
 TEST(ReportJson, TellsOfTheTracerWhereThereWasOne) {
     Report traced = report();
     EXPECT_TRUE(nlohmann::json::parse(report_json(traced))["model"]["tracing"].is_null());
-    traced.inspection.facts.tracing =
-        trace_facts({.sub_patches = 9, .sub_patches_mixed = 2, .bytes = 1 << 20, .build_seconds = 3});
+    traced.inspection.facts.tracing = trace_facts(
+        {.sub_patches = 9, .sub_patches_mixed = 2, .bytes = 1 << 20, .build_seconds = 3});
     const auto tracing = nlohmann::json::parse(report_json(traced))["model"]["tracing"];
     EXPECT_EQ(tracing["sub_patches"], 9);
     EXPECT_EQ(tracing["mixed_sub_patches"], 2);
     EXPECT_FALSE(tracing.contains("build_milliseconds"));
-    EXPECT_NE(report_html(traced).find("9 sub-patches, 2 cut by trims, 1.00 MiB"), std::string::npos);
+    EXPECT_NE(report_html(traced).find("9 sub-patches, 2 cut by trims, 1.00 MiB"),
+              std::string::npos);
 }
 
 } // namespace
