@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-/// As look_at in leaf_view-inl.h.
+/// Existence test without proofs; otherwise as project_ray in ray_projection-inl.h.
 template <class D>
 void bare_look_at(D d, const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch,
                   ExistenceResult& result) {
@@ -27,7 +27,7 @@ void bare_look_at(D d, const RayPacket& rays, std::size_t lane, const PackedSubP
     result.undecided |= lane_bits(d, hn::Not(missed), lane);
 }
 
-/// As solve_lanes in newton-inl.h.
+/// Newton's iteration without proofs; otherwise as solve_lanes in newton-inl.h.
 template <class D>
 LaneMask bare_solve_lanes(D d, const RayPacket& rays, std::size_t lane, LaneMask wanted,
                           const SameSubPatch& sub_patch, SubPatchRoots& result) {

@@ -4,8 +4,8 @@
 
 namespace keiko::bench {
 
-/// What SubPatchKernels would do without proofs, on the same records and for the same rays, to tell
-/// what the proofs cost.
+/// Kernels that do what SubPatchKernels would do without proofs, on the same records and for the
+/// same rays. They show what the proofs cost.
 struct BareKernels {
     /// The strips alone: `undecided` for lanes that may meet the sub-patch, nothing about how
     /// often.

@@ -30,7 +30,7 @@ void add_trace(CLI::App& app, TraceOptions& options) {
         ->check(CLI::Range(1e-6, 1e3));
     trace->add_option("--most-triangles", options.most_triangles, "of the per-span grid")
         ->capture_default_str();
-    // Told now, not after ten minutes.
+    // Reported now, not after ten minutes.
     const auto in_folder = [](const std::string& file) {
         const auto folder = std::filesystem::absolute(file).parent_path();
         return std::filesystem::is_directory(folder) ? std::string()

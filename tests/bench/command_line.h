@@ -53,7 +53,7 @@ struct Command {
     int exit_code = 0; ///< of help and usage errors
 };
 
-/// Reads the command line; what it cannot use is told on stderr. Without a group: trace.
+/// Reads the command line; reports on stderr what it cannot use. Without a group: trace.
 Command parse_command_line(int argc, char** argv);
 
 } // namespace keiko::bench

@@ -16,7 +16,7 @@ inline const char* name_of(Mode mode) {
     return mode == Mode::single ? "single" : "packets";
 }
 
-/// What a contender says of a ray.
+/// Result of a contender for one ray.
 struct Answer {
     double t = 0;
     Vec3 normal{0}; ///< unit, of either side
@@ -31,18 +31,18 @@ public:
     virtual void reset() {}
     /// Traces every `stride()`-th ray; this is what is timed.
     virtual void run() = 0;
-    /// What the last run found, one a traced ray; empty for contenders that find nothing.
+    /// Results of the last run, one a traced ray; empty for contenders that find nothing.
     virtual Answers answers() const { return {}; }
     virtual std::size_t stride() const { return 1; }
 };
 
 enum class Kind { keiko, crossings, opencascade, mesh, grid, traversal, traversal_to_hit };
 
-/// What a contender is, and what it cost to make.
+/// Description of a contender, and what it cost to make.
 struct ContenderFacts {
     Kind kind = Kind::keiko;
     std::string name{};
-    double deflection = 0;    ///< mm, that was asked for
+    double deflection = 0;    ///< mm, as requested
     double deviation = 0;     ///< mm, that it is off the surface, p99.9
     std::size_t elements = 0; ///< sub-patches, faces, triangles, boxes
     std::size_t bytes = 0;    ///< of all that tracing needs, the box hierarchy included

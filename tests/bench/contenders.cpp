@@ -24,7 +24,7 @@ std::string number(double x) {
     return text;
 }
 
-/// The same body for OpenCASCADE; `model` is scaled already.
+/// Shape of the scene's body for OpenCASCADE; `model` is scaled already.
 TopoDS_Shape shape_of(const SceneFile& scene, const SurfaceModel& model) {
     if (scene.file.extension() == ".bpt") return test::shape_of_patches(model);
     const TopoDS_Shape shape = test::read_shape(scene.file);
@@ -51,7 +51,7 @@ void add_meshes(Contenders& contenders, const SceneFile& scene, const TopoDS_Sha
     }
 }
 
-/// Embree's hierarchy over Keiko's own boxes, of which Keiko holds one.
+/// Adds Embree's hierarchies over Keiko's own boxes; Keiko itself holds one of them.
 void add_traversal(Contenders& contenders, KeikoContender& keiko) {
     for (const bool end_at_hit : {false, true})
         contenders.push_back(

@@ -19,7 +19,8 @@ double thread_seconds(const Work& work) {
     return seconds_on(CLOCK_THREAD_CPUTIME_ID) - begin;
 }
 
-/// The same of all threads: a library told to use one thread may use another one than ours.
+/// Seconds of processor time that a piece of work takes of all threads. A library that is set to
+/// use one thread may use another one than ours.
 template <class Work>
 double process_seconds(const Work& work) {
     const double begin = seconds_on(CLOCK_PROCESS_CPUTIME_ID);

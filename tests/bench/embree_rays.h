@@ -10,8 +10,8 @@
 
 namespace keiko::bench {
 
-/// Where an Embree scene lies: its coordinates are relative to the centre, and rays begin where
-/// they enter the ball, so that single precision is spent on the body alone.
+/// Ball that holds an Embree scene. Its coordinates are relative to the centre, and rays begin
+/// where they enter the ball, so that single precision is spent on the body alone.
 struct Ball {
     Vec3 center{0};
     double radius = 0;

@@ -25,7 +25,7 @@ LightRig ceiling_of(const Scene& scene) {
     return rig;
 }
 
-/// Nothing but the coat: what it mirrors is all that is drawn.
+/// Materials with nothing but a coat: only what it mirrors is drawn.
 std::vector<Material> coats_alone(std::size_t faces) {
     Material coat;
     coat.diffuse = Rgb(0);
@@ -42,7 +42,8 @@ Seconds seconds_of(const PictureScene& scene, const Camera& camera, const Pictur
     return {seconds_on(CLOCK_MONOTONIC) - begin, processor};
 }
 
-/// Of a picture that takes less than a second the soonest of several.
+/// Adds a row with the time of a picture; of one that takes less than a second, the least of
+/// several.
 void add(Table& table, const std::string& what, const PictureScene& scene, const Camera& camera,
          const PictureOptions& options, std::optional<double> wanted) {
     constexpr int times = 5;

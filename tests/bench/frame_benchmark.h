@@ -11,8 +11,8 @@ struct FrameOptions {
     std::filesystem::path markdown{}; ///< page to put the table into; empty: none
 };
 
-/// What pictures of the concept car under twelve lamps cost after loading, on all cores: its
-/// stripes alone, and all light with penumbrae.
+/// Cost of pictures of the concept car under twelve lamps after loading, on all cores: its stripes
+/// alone, and all light with penumbrae.
 Table run_frame_benchmark(const FrameOptions& options);
 
 } // namespace keiko::bench

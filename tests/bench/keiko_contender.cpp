@@ -35,7 +35,7 @@ Answers answers_of(const Tracer& tracer, std::span<const Ray> rays, Mode mode) {
     return answers;
 }
 
-/// What is timed keeps one number of each hit; the answers are traced again when asked for.
+/// Timed pass that keeps one number of each hit; a request for the answers traces them again.
 class KeikoPass final : public Pass {
 public:
     KeikoPass(const Tracer& tracer, const RaySet& rays, Mode mode)

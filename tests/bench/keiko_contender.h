@@ -23,7 +23,7 @@ private:
     Tracer tracer_;
 };
 
-/// The same Tracer stopped before it evaluates hits (t and parameters only), which is what a
+/// Keiko's Tracer stopped before it evaluates hits (t and parameters only), which is what a
 /// triangle tracer's hit is.
 class CrossingContender : public Contender {
 public:

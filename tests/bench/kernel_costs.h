@@ -8,7 +8,7 @@
 
 namespace keiko::bench {
 
-/// What the tests of a ray against a sub-patch cost in one mode, in cycles of the processor's
+/// Costs of the tests of a ray against a sub-patch in one mode, in cycles of the processor's
 /// time-stamp counter: medians over the rounds.
 struct KernelCosts {
     double look = 0;  ///< cycles, the first look of one ray at one sub-patch

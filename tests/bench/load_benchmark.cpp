@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the collection those whose reading takes OpenCASCADE the longest.
+/// Files of the collection whose reading takes OpenCASCADE the longest.
 constexpr const char* large_files[] = {
     "signal-light-assembly-inch.igs", "nist-pmi-2.step",           "wheel-caster.step",
     "tail-section-assembly.step",     "toy-car-top-shell.step",    "nist-ctc-04-ap203.step",

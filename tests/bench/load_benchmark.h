@@ -12,7 +12,7 @@ struct LoadOptions {
     std::filesystem::path markdown{}; ///< page to put the table into; empty: none
 };
 
-/// What loading one file takes.
+/// Cost of loading one file.
 struct LoadCost {
     std::string file;
     std::size_t faces = 0;

@@ -14,7 +14,7 @@ std::string cpu_model() {
     return "unknown";
 }
 
-/// What the processor offers; a library may use less.
+/// Widest instruction set that the processor offers; a library may use less.
 std::string widest_simd() {
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx512f")) return "AVX-512";

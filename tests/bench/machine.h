@@ -4,7 +4,7 @@
 
 namespace keiko::bench {
 
-/// Where and with what a run was made.
+/// Machine that a run was made on, its compiler and the date.
 struct Machine {
     std::string cpu{}, simd{}, compiler{}, date{};
 };

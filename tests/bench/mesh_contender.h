@@ -14,7 +14,7 @@ public:
     /// `facts` needs kind, name and deflection; `bounds` are those that the mesh is centred in.
     MeshContender(TriangleMesh mesh, const Box3& bounds, ContenderFacts facts);
     std::unique_ptr<Pass> pass(const RaySet& rays, Mode mode) const override;
-    /// What became of the search for a grid that is exact enough.
+    /// Records the outcome of the search for a grid that is exact enough.
     void describe(std::string remark, bool exact_enough);
 
 private:

@@ -32,7 +32,7 @@ double us_a_point(const Shares& shares) {
     return 1e6 * shares.seconds / static_cast<double>(shares.values.size());
 }
 
-/// What a method costs at the error that it was found to have.
+/// Cost of a method at the error that it was found to have.
 struct Cost {
     double rays = 0; ///< a lamp
     double error = 0, us = 0;
@@ -57,7 +57,7 @@ struct PowerLaw {
     double where(double y) const { return std::exp((std::log(y) - first) / slope); }
 };
 
-/// What a method costs at an error that more rays than were traced may be needed for: by power laws
+/// Cost of a method at an error that may need more rays than were traced. It follows power laws
 /// through the larger half of the numbers of rays.
 Cost cost_at(const std::vector<Cost>& measured, double error) {
     const auto larger = std::span(measured).subspan(measured.size() / 2);

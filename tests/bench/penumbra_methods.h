@@ -4,7 +4,8 @@
 
 namespace keiko::bench {
 
-/// What of a tube is integrated over: its axis, the facing rectangle, or what pictures take of it.
+/// Part of a tube that is integrated over: its axis, the facing rectangle, or the emitter that
+/// pictures use.
 enum class Emitter { axis, rectangle, tube };
 
 /// How many strata a lamp is cut into; one shadow ray each.
@@ -30,14 +31,14 @@ Shares by_width(const PenumbraScene& scene, const CPlane& row, double tolerance,
 Shares by_samples(const PenumbraScene& scene, const CPlane& row, Emitter emitter,
                   const Strata& strata);
 
-/// What a row gives a receiver unhidden, on the mean.
+/// Illuminance that a row gives a receiver unhidden, on the mean.
 double mean_unhidden(const PenumbraScene& scene, const CPlane& row, Emitter emitter);
 
 /// RMS of the difference.
 double rms(const Shares& a, const Shares& b);
 
-/// Lamps of a row of which single rays say otherwise than the intervals at some place that is not
-/// within 1e-6 of an interval's end.
+/// Lamps of a row for which single rays contradict the intervals, at some place that is not within
+/// 1e-6 of an interval's end.
 struct WrongLamps {
     std::size_t lamps = 0, wrong = 0, uncertain = 0, probes = 0;
 };

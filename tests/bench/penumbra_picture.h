@@ -6,16 +6,17 @@
 
 namespace keiko::bench {
 
-/// What the standing eye of a scene sees as a picture of matte surfaces, in which neighbouring
-/// points share what they ask of the lamps, and some of its pixels by themselves.
+/// View of a scene from its standing eye as a picture of diffuse surfaces, and some of its pixels
+/// by themselves. In the picture neighbouring points share what they query of the lamps.
 class PenumbraPicture {
 public:
     /// `width` by 9/16 of it pixels. The centres of `count` random ones become the receivers of the
-    /// scene, which is looked at from then on.
+    /// scene, which is viewed from then on.
     PenumbraPicture(PenumbraScene& scene, int width, std::size_t count);
 
-    /// Those receivers as the picture has them, rendered by one thread with light taken linear to
-    /// within `light_error`; their share of the processor time, camera rays included. Axis or tube.
+    /// Shares of those receivers as the picture has them, rendered by one thread with light taken
+    /// linear to within `light_error`. The seconds are their share of the processor time, camera
+    /// rays included. Axis or tube.
     Shares render(Emitter emitter, double light_error) const;
 
 private:

@@ -43,7 +43,7 @@ Camera camera_before(const Box3& box) {
     return camera;
 }
 
-/// What rays from a standing eye into the box and its surroundings meet.
+/// Receivers where rays from a standing eye into the box and its surroundings meet surfaces.
 std::vector<Receiver> receivers_of(const Tracer& tracer, const Box3& box, std::size_t count) {
     constexpr double surroundings = 1.4;
     Random random(7);

@@ -11,11 +11,11 @@ namespace keiko::bench {
 
 /// A point of a surface that lamps light.
 struct Receiver {
-    Vec3 position{0}, normal{0}; ///< the normal unit, on the side that is looked at
+    Vec3 position{0}, normal{0}; ///< the normal unit, on the viewed side
     Root root{};
 };
 
-/// Where a ray meets a surface, on the side that the ray comes from.
+/// Receiver at a ray's hit, on the side that the ray comes from.
 Receiver receiver_at(const Hit& hit, const Ray& ray);
 
 /// A body on the ground under a row of lamps, and points of both that a standing eye sees.
@@ -33,7 +33,7 @@ struct PenumbraScene {
     PenumbraScene(std::string name, const SurfaceModel& body, double clearance, int lamps,
                   std::size_t points);
 
-    /// The same lamps' plane with another number of them.
+    /// The row's plane with another number of lamps.
     CPlane row_of(int lamps) const;
 
 private:
@@ -43,8 +43,8 @@ private:
                   std::size_t points);
 };
 
-/// A sheet with one wave along each side, 1 m wide, as a face of so many bicubic patches: nearly
-/// the same surface for any number of them.
+/// A sheet with one wave along each side, 1 m wide, as a face of `along_x` x `along_y` bicubic
+/// patches: nearly the same surface for any number of them.
 SurfaceModel wavy_sheet(int along_x, int along_y);
 
 } // namespace keiko::bench

@@ -17,7 +17,7 @@ Camera bench_camera(const SurfaceModel& model, const Tracer& tracer, std::size_t
 /// picture in 1920 x 1080, so that errors in pixels do not depend on the number of rays.
 RaySet primary_rays(const Camera& camera, const Tracer& tracer);
 
-/// What the body mirrors of those rays, in their order, each excluding the root it starts from.
+/// Reflected rays of those primary rays, in their order, each excluding the root it starts from.
 RaySet mirrored_rays(const RaySet& primary, const Tracer& tracer);
 
 /// Seeded chords between points of the body's box, from outside of it.

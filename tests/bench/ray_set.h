@@ -21,8 +21,8 @@ struct RaySet {
     std::vector<Ray> rays{};
     std::vector<std::optional<Hit>> truth{}; ///< Keiko's first hit, with second derivatives
     std::vector<KnownPoint> known{};         ///< one a ray where rays were built through points
-    /// Of rays that start on the surface: sine of the angle by which they leave it, one a ray. A
-    /// peer that knows no roots to exclude must start that much farther on.
+    /// Sine of the angle by which a ray leaves the surface it starts on, one a ray. A peer that
+    /// knows no roots to exclude must start that much farther on.
     std::vector<double> leaving_sine{};
 };
 

@@ -46,7 +46,7 @@ struct SceneResult {
     std::vector<ClassResult> classes{};
 };
 
-/// What ./dev bench trace found.
+/// Results of ./dev bench trace.
 struct TraceResults {
     Machine machine{};
     std::size_t rays = 0;

@@ -23,8 +23,8 @@ struct SceneFile {
 /// All scenes, whether their file is there or not.
 std::vector<SceneFile> known_scenes();
 
-/// Those of the given names (or paths of model files); all when there are none. Throws Error for
-/// a name that is neither.
+/// Scenes of the given names (or paths of model files); all when there are none. Throws Error for a
+/// name that is neither.
 std::vector<SceneFile> chosen_scenes(const std::vector<std::string>& names);
 
 } // namespace keiko::bench

@@ -24,7 +24,7 @@ struct MarchingCost {
     bool equi_angular = false, reached = false;
 };
 
-/// What light shafts of one scene cost, found and marched.
+/// Cost of the light shafts of one scene, found and marched.
 struct ShaftCost {
     std::string bodies{};
     std::size_t patches = 0;
@@ -39,9 +39,9 @@ struct ShaftCost {
 /// The error that both are held to.
 constexpr double shaft_error = 1e-3;
 
-/// The concept car under 1 to 16 lamps, then 4 to 512 spheres under four: shafts by the visible
-/// intervals of each ray beside marching with Keiko's own tracer, spaced and stepped as is cheapest
-/// for the same error. Processor time of one thread.
+/// Costs for the concept car under 1 to 16 lamps, then for 4 to 512 spheres under four. Shafts by
+/// the visible intervals of each ray stand beside marching with Keiko's own tracer, spaced and
+/// stepped as is cheapest for the same error. Processor time of one thread.
 std::vector<ShaftCost> run_shafts_benchmark(std::size_t marched_rays);
 
 Table shafts_table(const std::vector<ShaftCost>& costs);

@@ -10,7 +10,7 @@ namespace keiko::bench {
 /// the vertices; cells whose centre is trimmed away are left out.
 TriangleMesh span_grid(const SurfaceModel& model, int n, const Vec3& center);
 
-/// The largest n with at most so many triangles, trims not counted; 0 where there is none.
+/// The largest n with at most `most_triangles` triangles, trims not counted; 0 where there is none.
 int finest_span_grid(const SurfaceModel& model, std::size_t most_triangles);
 
 } // namespace keiko::bench

@@ -30,8 +30,8 @@ Drawn drawn(const Draw& draw) {
     return result;
 }
 
-/// Of supersampling, at an error: by a straight line over logarithms between the two numbers of
-/// rays around it, or beyond the last two.
+/// Seconds of supersampling at an error: by a straight line over logarithms between the two numbers
+/// of rays around it, or beyond the last two.
 double seconds_at(const std::vector<Drawn>& ladder, double error) {
     std::size_t k = 1;
     while (k + 1 < ladder.size() && ladder[k].all > error) ++k;

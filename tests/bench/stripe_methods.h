@@ -22,14 +22,15 @@ struct StripeScene {
     PictureScene picture() const { return {tracer, materials, rig, Rgb(36)}; }
 };
 
-/// As Keiko draws it: one ray a pixel with its footprint, `edge_samples`^2 where outlines cross.
+/// Film as Keiko draws it: one ray a pixel with its footprint, `edge_samples`^2 where outlines
+/// cross.
 Film with_footprints(const StripeScene& scene, int edge_samples);
 /// `n`^2 rays at the centres of each pixel's cells, their mean; without footprints, or each with
 /// its cell's.
 Film supersampled(const StripeScene& scene, int n, bool footprints);
 
-/// How far a picture is off in display space, 0 to 1, white being the same for both: RMS over the
-/// pixels of which `chosen` holds, one of `chosen` a pixel.
+/// Error of a picture in display space, 0 to 1, white being the same for both: RMS over the pixels
+/// for which `chosen` holds, one of `chosen` a pixel.
 double display_rms(const Film& picture, const Film& truth, const std::vector<bool>& chosen);
 /// Pixels that two pictures show alike.
 std::vector<bool> same_pixels(const Film& a, const Film& b);

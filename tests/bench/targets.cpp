@@ -117,7 +117,7 @@ private:
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// What of Keiko a row compares: whole hits, or t and uv only as a triangle's hit is.
+/// Keiko's hits that a row compares: whole hits, or t and uv only as a triangle's hit is.
 using Ratio = double (*)(const Measurement&);
 double whole_hits(const Measurement& m) {
     return m.ratio();

@@ -10,11 +10,11 @@ namespace keiko::bench {
 /// tubes, by paint.
 Table three_lights_table();
 
-/// What lines of the tubes do at the seam, where black paint just shows that something is wrong
-/// with it: the largest values of their crossings.
+/// Behaviour of lines of the tubes at the seam, where black paint just shows that something is
+/// wrong with it: the largest values of their crossings.
 Table seen_lines_table();
 
-/// The same dents under the three lights, side by side, as a PNG.
+/// Draws the same dents under the three lights, side by side, as a PNG.
 void draw_three_lights(const std::filesystem::path& output);
 
 } // namespace keiko::bench

@@ -5,7 +5,7 @@
 
 namespace keiko::bench {
 
-/// What each contender cost to make.
+/// Table of what each contender cost to make.
 Table cost_table(const SceneResult& scene);
 /// Rates and accuracy, class by class.
 Table rate_table(const SceneResult& scene);

@@ -9,7 +9,7 @@
 namespace keiko::bench {
 
 /// Embree over boxes with a callback that does nothing: what traversal alone costs. Rays run
-/// through the whole body, or end at the hit, as if each had been told beforehand.
+/// through the whole body, or end at the hit, as if each hit had been known beforehand.
 class TraversalContender : public Contender {
 public:
     /// `boxes` in world coordinates, as the Tracer hands them to Embree.

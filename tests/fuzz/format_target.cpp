@@ -1,4 +1,4 @@
-// the kind of a model file, told by its content
+// the kind of a model file, recognized by its content
 #include "keiko/files/model/model_format.h"
 
 #include "tests/fuzz/memory_file.h"

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-/// What a fuzzer, or replay.cpp, calls with one input after the other.
+/// Function that a fuzzer, or replay.cpp, calls with one input after the other.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace keiko::fuzz {
@@ -24,7 +24,7 @@ inline void require(bool holds, const char* promise) {
     std::abort();
 }
 
-/// Bad input is told in one line that a terminal can show.
+/// Bad input is reported in one line that a terminal can show.
 inline void require_clear(const Error& error) {
     constexpr std::size_t longest = 1000;
     const std::string_view line = error.what();

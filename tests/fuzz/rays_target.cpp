@@ -9,7 +9,7 @@ namespace {
 
 using namespace keiko;
 
-/// What a stream holds up to its first fault.
+/// Contents of a stream up to its first fault.
 struct Contents {
     std::vector<Ray> rays;
     std::optional<Error> fault;

@@ -6,7 +6,7 @@
 
 namespace keiko::fuzz {
 
-/// What every reader of models promises: code that gets one need not check it again, and it
+/// Checks what every reader of models promises: code that gets one need not check it again, and it
 /// travels between processes without loss.
 inline void require_sound(const SurfaceModel& model) {
     if (const auto fault = structural_fault(model)) require(false, fault->c_str());

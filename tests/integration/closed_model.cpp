@@ -150,7 +150,7 @@ void ClosedModel::count_parity(const Ray& ray, ClosureCounts& counts) const {
         report("out of order", ray), ++counts.out_of_order;
 }
 
-/// As the file turns the face.
+/// Inside and outside are as the file turns the face.
 bool ClosedModel::leaves(const Hit& hit, const Ray& ray) const {
     const Patch& patch = model_.patches[hit.patch];
     const double turned = patch.map_u.derivative(hit.uv.x) * patch.map_v.derivative(hit.uv.y);
@@ -237,10 +237,10 @@ void ClosedModel::count_aimed(const EdgePoint& point, Random& random, ClosureCou
     ray.origin = point.position - ray.direction * (2 * size_);
     const std::vector<Hit> hits = tracer_.all(ray);
     ++counts.aimed;
-    // The hit may be on the neighbour's side of the edge, or of another edge that ends here. A
-    // surface that passes the point within d mm is met by a ray through the point no farther
-    // off than d over the sine of the angle between them: the neighbour may be met at a lower angle
-    // than the face that was aimed at. What all() takes for one crossing is up to two widths apart.
+    // The hit may be on the neighbour's side of the edge, or of another edge that ends here. A ray
+    // through the point meets a surface that passes it within d mm no farther off than d over the
+    // sine of the angle between them. The neighbour may be met at a lower angle than the face that
+    // was aimed at. What all() takes for one crossing is up to two widths apart.
     if (std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) {
             const double sine = std::min(flattest, std::abs(hit.normal.dot(ray.direction)));
             return (hit.position - point.position).length() * sine <=

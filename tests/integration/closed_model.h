@@ -12,7 +12,7 @@
 
 namespace keiko::test {
 
-/// What came of rays against a closed model.
+/// Outcomes of rays against a closed model.
 struct ClosureCounts {
     std::size_t rays = 0, hits = 0;
     std::size_t tangential = 0; ///< a hit is flagged: one touch may count once or twice
@@ -43,7 +43,7 @@ public:
 
     /// A chord through the model's box, from well outside.
     Ray random_ray(Random& random) const;
-    /// Nothing where the surface has no normal.
+    /// nullopt where the surface has no normal.
     std::optional<EdgePoint> random_edge_point(Random& random) const;
 
     void count_parity(const Ray& ray, ClosureCounts& counts) const;
@@ -71,7 +71,7 @@ private:
     std::optional<EdgePoint> edge_point(const BorderCurve& border, double t) const;
     void add_strip(const BorderCurve& border, const SeamGap& gap);
 
-    /// What spans the opening between two borders, for a step of the way along them; world.
+    /// Piece that spans the opening between two borders, for a step of the way along them; world.
     struct Strip {
         std::array<std::array<Vec3, 3>, 2> triangles;
         std::optional<Vec3> normal; ///< of the face beside it

@@ -15,7 +15,7 @@ using namespace test;
 
 class ConstructedModelRays : public testing::TestWithParam<const char*> {};
 
-/// As ConstructedRays, through points of the models of surfaces/.
+/// Test as ConstructedRays, through points of the models of surfaces/.
 TEST_P(ConstructedModelRays, FindTheirPointAmongAllHits) {
     const RayScene scene(load_model(repository("surfaces") / GetParam()));
     const std::size_t count = ray_count(20'000, 2'000'000);

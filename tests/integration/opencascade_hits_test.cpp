@@ -41,7 +41,7 @@ bool has_hit_at(const Hits& hits, double t, double tolerance) {
                        [&](const auto& hit) { return std::abs(hit.t - t) <= tolerance; });
 }
 
-/// What two implementations said of the same rays.
+/// Agreement of two implementations on the same rays.
 struct Agreement {
     int common = 0;
     int lost_by_peer = 0; ///< Keiko's hit lies on OpenCASCADE's own face

@@ -34,7 +34,7 @@ constexpr double beside_an_end = 1e-6;
 /// mm: a border of a length below it is a point in space.
 constexpr double point_length = 1e-6;
 
-/// What a side of a seam has at one place.
+/// Geometry of one side of a seam at one place.
 struct PeerSide {
     gp_Pnt position;
     gp_Vec du, dv, duu, duv, dvv, normal, along, inward; ///< the last three unit
@@ -98,7 +98,7 @@ public:
         return best;
     }
 
-    /// Nothing where the surface is singular or the border stands still.
+    /// nullopt where the surface is singular or the border stands still.
     std::optional<PeerSide> side(double t) const {
         PeerSide s;
         const gp_Pnt2d uv = p_curve_->Value(t);

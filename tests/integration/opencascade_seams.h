@@ -34,11 +34,12 @@ public:
     std::size_t face_of(std::size_t border) const;
     std::size_t face_count() const;
 
-    /// How the borders of other faces within `reach` mm, and the other use of an edge that closes
-    /// its own face, face a border: the nearest point of each at `count` even steps of each of the
-    /// border's smooth pieces.
+    /// Nearest points of borders that face a border: those of other faces within `reach` mm, and
+    /// the other use of an edge that closes its own face. One of each, at `count` uniform steps of
+    /// each of the border's smooth pieces.
     std::vector<PeerSeamPlace> sample(std::size_t border, int count, double reach) const;
-    /// The same at the place of the border that is nearest to a point.
+    /// Nearest points as `sample` finds them, at the place of the border that is nearest to a
+    /// point.
     std::vector<PeerSeamPlace> at(std::size_t border, const Vec3& point, double reach) const;
     /// mm, of a point from a border; of one outside the border's box from that.
     double distance(std::size_t border, const Vec3& point) const;

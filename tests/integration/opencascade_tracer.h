@@ -12,7 +12,7 @@ class TopoDS_Shape;
 
 namespace keiko::test {
 
-/// Reads a STEP, IGES or BREP file, its kind told by its extension.
+/// Reads a STEP, IGES or BREP file; the extension names its kind.
 TopoDS_Shape read_shape(const std::filesystem::path& file);
 
 /// The patches of a model that has no trims, each as a face of its own.

@@ -67,7 +67,8 @@ std::vector<Ray> rays_to(const std::vector<TubePlace>& places, const Vec3& from)
     return rays;
 }
 
-/// What no body and no other lamp of the row hides.
+/// Illuminance of a receiver by rays to places of its lamps that no body and no other lamp of the
+/// row hides.
 double lux_by_rays(const Scene& scene, const Ray& receiver, test::Random& random) {
     double lux = 0;
     for (const LightSource& source : scene.rig->sources) {
@@ -99,8 +100,8 @@ std::vector<double> sums_of(const std::string& rows) {
 
 TEST(RoomLighting, OfTheWorkshopIsWhatRaysToItsLampsTell) {
     const Scene scene = workshop();
-    // In the open, beside the car among its penumbrae, on the bench beside the hood, on the shelf
-    // below, on the floor below its rim, and on a wall in the plane of the bench's lamps.
+    // In the open, and beside the car among its penumbrae. On the bench beside the hood, on the
+    // shelf below, on the floor below its rim, and on a wall in the plane of the bench's lamps.
     const std::string points =
         "4000,700,0,0,0,1\n3000,1250,0,0,0,1\n3000,5330,900,0,0,1\n"
         "4000,4850,270,0,0,1\n3500,4600,0,0,0,1\n8000,3000,1500,-1,0,0\n";

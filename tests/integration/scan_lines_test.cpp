@@ -63,7 +63,8 @@ protected:
         return prisms;
     }
 
-    /// Lines all through those prisms of which something is told, on the side that is faced.
+    /// Expects lines all through each classified prism to be as the prism is classified, on the
+    /// side that is faced.
     void expect_seen_as_told(const Viewpoint& viewpoint, const std::optional<Vec3>& facing) {
         const std::vector<Segment> row = random_row();
         const std::vector<Prism> prisms = prisms_of(row);

@@ -26,7 +26,7 @@ namespace {
 using namespace test;
 
 constexpr double join = 0.5; // mm
-/// Of each smooth piece of each border.
+/// Steps of each smooth piece of each border.
 constexpr int steps = 60;
 /// degrees: borders that turn by more against each other meet at a corner and are no seam.
 constexpr double corner = 30;
@@ -120,7 +120,7 @@ private:
         return on.curve < natural_side && model_.trim_curves[on.curve].edge == no_index;
     }
 
-    /// Those that run through the middle of an interval.
+    /// Borders that run through the middle of an interval.
     std::vector<std::size_t> borders_of(const BoundaryInterval& on) const {
         const Vec3 middle = curves_->curve(on).at((on.begin + on.end) / 2).position;
         std::vector<std::size_t> found;
@@ -146,8 +146,8 @@ private:
         return found;
     }
 
-    /// Of the borders of one face that a place faces, whichever is nearest; of those that meet at
-    /// a corner, in one point, whichever goes on straightest.
+    /// True if border x is faced more than border y of the same face: the nearer one is. Of those
+    /// that meet at a corner, in one point, it is the one that goes on straightest.
     static bool faces_more(const PeerSeamPlace& x, const PeerSeamPlace& y) {
         constexpr double one_point = 1e-9; // mm
         if (std::abs(x.gap - y.gap) > one_point) return x.gap < y.gap;

@@ -91,7 +91,8 @@ private:
         return same ? std::optional(side) : std::nullopt;
     }
 
-    /// What both may round: second differences of coordinates over the square of a patch's edge.
+    /// Error by rounding that both may have: second differences of coordinates over the square of a
+    /// patch's edge.
     static double rounding(const BoundaryFrame& frame, int degree) {
         const double edge = std::min(frame.surface.du().length(), frame.surface.dv().length());
         constexpr double roundings = 64 * std::numeric_limits<double>::epsilon();

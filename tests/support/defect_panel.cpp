@@ -28,7 +28,7 @@ double panel(double x, double y) {
     return -x * x / (2 * along) - y * y / (2 * across);
 }
 
-/// What is added to the panel; `beyond` the seam only for defects of the seam.
+/// Height that is added to the panel; `beyond` the seam only for defects of the seam.
 double added(Defect defect, double size, bool beyond, double x, double y) {
     const double fading = beyond ? bell(squared(x / fade)) : 0;
     switch (defect) {

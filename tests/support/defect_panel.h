@@ -6,7 +6,7 @@
 
 namespace keiko::test {
 
-/// What is planted into a panel, and by how much.
+/// Kind of defect that is planted into a panel, and the unit of its size.
 enum class Defect {
     dent, ///< mm, depth of nine hollows 80 mm wide
     wave, ///< mm, half the height of waves 100 mm long, over all of it
@@ -22,7 +22,7 @@ SurfaceModel defect_panel(Defect defect, double size);
 /// Whether it is one of the seam.
 bool is_at_seam(Defect defect);
 
-/// Where to look for it: nine places all over the panel, or along the seam.
+/// Nine places to search for a defect: all over the panel, or along the seam.
 std::array<Vec3, 9> places_of(Defect defect);
 
 } // namespace keiko::test

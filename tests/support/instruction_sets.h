@@ -15,7 +15,7 @@ inline std::vector<std::int64_t> instruction_sets() {
     return sets;
 }
 
-/// What is made while it lives uses the kernels of one instruction set.
+/// Scope in which everything that is made uses the kernels of one instruction set.
 class WithInstructionSet {
 public:
     explicit WithInstructionSet(std::int64_t set) {

@@ -30,8 +30,8 @@ public:
 
     Film picture(TrialLight light, Defect defect, double size) const;
 
-    /// At how many of its nine places a defect is seen: where it changes the brightness of a
-    /// display by 2 % on average over 5 x 5 pixels within 50 mm of the place, white being the
+    /// Number of a defect's nine places at which it is visible. There it changes the brightness of
+    /// a display by 2 % on average over 5 x 5 pixels within 50 mm of the place. White is the
     /// brightest percent of the clean panel.
     int seen(TrialLight light, Defect defect, double size) const;
 
@@ -43,7 +43,7 @@ public:
     Threshold threshold(TrialLight light, Defect defect, double least, double most,
                         double step) const;
 
-    /// Where lines of the tubes cross the seam of a panel with a defect.
+    /// Crossings of the seam by lines of the tubes, on a panel with a defect.
     std::vector<LineCrossing> crossings(Defect defect, double size) const;
 
 private:

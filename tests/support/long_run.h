@@ -17,7 +17,7 @@ inline std::size_t ray_count(std::size_t usual, std::size_t in_long_run) {
     return long_run() ? in_long_run : usual;
 }
 
-/// What a test's seeds count from: KEIKO_SEED, for rays that no run has seen yet; else 1.
+/// First seed of a test: KEIKO_SEED, for rays that no run has traced yet; else 1.
 inline std::uint64_t first_seed() {
     const char* value = std::getenv("KEIKO_SEED");
     return value != nullptr ? std::strtoull(value, nullptr, 10) : 1;

@@ -8,7 +8,7 @@
 
 namespace keiko::test {
 
-/// What a random face is like.
+/// Properties of a random face.
 struct SurfaceKind {
     int degree_u = 3, degree_v = 3;
     int spans_u = 1, spans_v = 1;

@@ -23,7 +23,7 @@ inline constexpr std::array ray_classes{
     RayClass::random,      RayClass::near_normal, RayClass::grazing,      RayClass::span_edge,
     RayClass::span_corner, RayClass::iso_line,    RayClass::axis_parallel};
 
-/// What a ray is aimed at.
+/// Place that a ray is aimed at.
 struct Mark {
     Vec3 position{0};
     Vec3 normal{0};                  ///< unit

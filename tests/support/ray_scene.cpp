@@ -11,7 +11,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Where on a patch a ray of this class is aimed.
+/// Parameters on a patch that a ray of this class is aimed at.
 Vec2 random_place(Random& random, RayClass kind) {
     Vec2 uv(uniform(random, 0, 1), uniform(random, 0, 1));
     const auto end = [&] { return random() % 2 == 0 ? 0.0 : 1.0; };
@@ -86,9 +86,9 @@ std::optional<AimedRay> RayScene::aimed(const Ray& ray, RayClass kind, std::size
     return result;
 }
 
-/// Where neighbours share a border and the ray crosses all of them in the same sense, it cannot
-/// slip through between them: whichever patch holds the exact root, it must be found. Otherwise
-/// (a crease seen edge-on) the root must be on the patch whose root it is.
+/// A ray that crosses all neighbours at a shared border in the same sense cannot slip through
+/// between them: whichever patch holds the exact root, it must be found. Otherwise (a crease viewed
+/// edge-on) the root must be on the patch whose root it is.
 bool RayScene::settle_at_rim(AimedRay& aimed, const Vec2& uv) const {
     const ExactRoot own = aimed.root;
     if (own.on_patch()) return true;
@@ -127,9 +127,9 @@ std::vector<std::size_t> RayScene::neighbours(std::size_t placed, const Vec2& uv
     return result;
 }
 
-/// The band beside a trim curve is the edge's own tolerance plus what a hit may be off: rounding
-/// of some units in the last place of the coordinates across the ray, which the angle stretches
-/// along the surface, as it does the tolerance.
+/// The band beside a trim curve is the edge's own tolerance plus the possible error of a hit. That
+/// error is rounding of some units in the last place of the coordinates across the ray. The angle
+/// stretches it along the surface, as it does the tolerance.
 TrimSide RayScene::side_of(const PlacedPatch& placed, const ExactRoot& root) const {
     const Patch& patch = model_.patches[placed.patch];
     const TrimRegion& region = regions_[patch.face];

@@ -19,12 +19,12 @@ struct AimedRay {
     RayClass kind = RayClass::random;
     std::size_t placed = 0; ///< index of the patch, of RayScene::patches
     ExactRoot root;
-    /// Of the material: inside: must be among all hits; outside: must not; mixed: within the
+    /// Side of the material: inside: must be among all hits; outside: must not; mixed: within the
     /// tolerance of a trim curve or at the surface's own end, where either is right.
     TrimSide side = TrimSide::inside;
 };
 
-/// What a tracer made of an AimedRay.
+/// Outcome of a tracer for an AimedRay.
 enum class Verdict {
     found,
     undecided, ///< not among the hits, but one of them is flagged as tangential
@@ -41,7 +41,7 @@ public:
     /// no ray of doubles through it meets the surface beyond doubt (`exact_root`).
     std::optional<AimedRay> aim(Random& random, RayClass kind) const;
     Verdict judge(const AimedRay& aimed) const;
-    /// What a report of a failure tells of the hits: how many, how far off the closest, its bound.
+    /// Report of a failure's hits: how many, how far off the closest, its bound.
     std::string describe(const AimedRay& aimed) const;
     /// Whether every root that brute force over all patches finds is among the hits.
     Verdict judge_by_brute_force(const Ray& ray) const;

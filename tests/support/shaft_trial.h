@@ -11,14 +11,14 @@
 
 namespace keiko::test {
 
-/// Where marching puts its steps.
+/// Placement of the steps of marching.
 enum class Marching {
     even,        ///< evenly along the ray
     equi_angular ///< evenly in the angle at the lamp [KullaFajardo2012]
 };
 
-/// Bodies under sharp spotlights in even fog, whose shafts can be had in two ways: as pictures have
-/// them, from the parts of a ray that a lamp sees, and by marching with a shadow ray each step.
+/// Bodies under sharp spotlights in uniform fog, whose shafts can be had in two ways. Pictures
+/// compute them from the parts of a ray that a lamp sees; marching traces a shadow ray each step.
 class ShaftTrial {
 public:
     /// Lamps in a ring above the model, each aimed at it.
@@ -29,16 +29,17 @@ public:
     const LightRig& rig() const { return rig_; }
     /// Rays of `side` x `side` neighbouring pixels of a picture of 960 x 540 that shows the model
     /// from before, a little above its middle: each to where it meets the model or far beyond.
-    /// `corner`: upper left, as shares of the picture; (0.5, 0.5) looks at the model's middle.
+    /// `corner`: upper left, as shares of the picture; at (0.5, 0.5) is the model's middle.
     std::vector<Segment> camera_rays(const Vec2& corner, int side) const;
 
-    /// Of the lamps, for the eye of those rays.
+    /// Epipolar shadows of the lamps, for the eye of those rays.
     std::vector<std::optional<EpipolarShadows>> pencils() const;
     /// Scattered light of each ray, cd/m2, as a picture's tile of all of them has it.
     /// With the pencils of the rays' eye, or at full precision.
     std::vector<Rgb> exact(std::span<const Segment> rays, double tolerance,
                            std::span<const std::optional<EpipolarShadows>> pencils = {}) const;
-    /// The same of one ray with so many steps in each part of it that lies in a beam.
+    /// Scattered light of one ray, cd/m2, by marching `steps` steps in each part of it that lies in
+    /// a beam.
     Rgb marched(const Segment& ray, int steps, Marching marching) const;
 
 private:

@@ -11,7 +11,7 @@ namespace keiko::test {
 constexpr std::uint32_t squares_edge = 0;
 
 /// Two squares that share an edge along x = 0, apart by `gap` (negative: they overlap) and the
-/// second folded up by `fold` rad about the edge, of which the file claims `tolerance`.
+/// second folded up by `fold` rad about the edge. The file claims `tolerance` for the edge.
 inline SurfaceModel squares(double gap, double tolerance, double fold) {
     ShapeBuilder builder;
     const std::uint32_t edge = builder.edge(tolerance), rim = builder.edge(0);

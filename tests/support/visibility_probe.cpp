@@ -7,8 +7,8 @@
 namespace keiko::test {
 namespace {
 
-/// Of a segment: this close to an end either answer is right, as rays take an edge's tolerance for
-/// material.
+/// Parameter of a segment: this close to an end either answer is right, as rays take an edge's
+/// tolerance for material.
 constexpr double next_to_end = 1e-6;
 
 bool next_to_an_end(const IntervalSet& set, double t) {

@@ -8,7 +8,7 @@
 
 namespace keiko::test {
 
-/// What dense probing by single rays says about intervals that were found exactly.
+/// Counts of dense probing by single rays of intervals that were found exactly.
 struct ProbeCounts {
     std::size_t segments = 0, partly_hidden = 0, uncertain = 0, probes = 0;
     std::size_t wrong_segments = 0; ///< with a probe that disagrees, not next to an interval's end

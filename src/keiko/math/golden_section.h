@@ -33,7 +33,7 @@ FunctionPlace golden_section_minimum(const F& f, double low, const FunctionPlace
     return best;
 }
 
-/// The same between two ends alone.
+/// Golden-section search between two ends, from the golden section of the interval.
 template <class F>
 FunctionPlace golden_section_minimum(const F& f, double low, double high, double enough) {
     const double first = low + golden_section * (high - low);

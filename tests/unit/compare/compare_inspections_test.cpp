@@ -10,7 +10,7 @@ namespace {
 
 using test::ModelBuilder;
 
-/// Sheets beside each other along y, each tilted by so many degrees against the one before.
+/// Sheets beside each other along y, each tilted by its number of `degrees` against the one before.
 Inspection strips(const std::vector<double>& degrees, double gap = 0) {
     ModelBuilder builder;
     Vec3 from(0);

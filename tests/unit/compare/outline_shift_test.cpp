@@ -166,7 +166,7 @@ TEST(OutlineShift, OtherPaintIsNotAlike) {
     EXPECT_FALSE(outlines.in_pixel(20, 50).alike);
 }
 
-/// What a picture shows at the middle of each pixel.
+/// Film of a picture that shows the body at the middle of each pixel.
 Film film(const OutlineBody& body, const Camera& camera) {
     Film film{Image(100, 100, 3), Image(100, 100, 1), {}};
     film.aovs[Aov::face] = Image(100, 100, 1, -1);

@@ -136,7 +136,7 @@ TEST_F(ImageFile, UnknownExtensionNamesTheKnownOnes) {
     EXPECT_NO_THROW(require_image_extension("picture.EXR"));
 }
 
-/// Of a header, what tells the last column and row.
+/// File with another last column and row in its header.
 std::string with_data_window(std::string bytes, std::int32_t last_column, std::int32_t last_row) {
     const std::string key("dataWindow\0box2i\0", 17);
     const std::size_t at = bytes.find(key) + key.size() + 3 * sizeof(std::int32_t);

@@ -79,7 +79,7 @@ TEST(PairSeams, FindsBothClosedEndsOfABowedBorder) {
 }
 
 TEST(PairSeams, PartsBordersWhereThePartnerBowsAwayBetweenLooks) {
-    // The bowed border comes first, so that it is the straight one that is looked at.
+    // The bowed border comes first, so that it is the straight one that is sampled.
     ModelBuilder builder;
     builder.patch(1, 2, bowed_sheet(1));
     builder.plane({0, 0, 0}, along_x, up_y);

@@ -37,7 +37,7 @@ gp_Ax3 frame(bool left_handed) {
 }
 
 /// Largest distance of the patches from the surface, relative to its size, and of the domain they
-/// cover from the one asked for.
+/// cover from the requested one.
 double deviation(const Surface& surface, const Box2& domain) {
     const SurfacePatches converted = surface_patches(surface, domain);
     double worst = 0, area = 0;

@@ -153,7 +153,7 @@ Samples mask_samples(const Cage& cage, int level) {
     return samples;
 }
 
-/// Those of the last level, once each, that lie on a face which is no hole.
+/// Vertices of the last level, once each, that lie on a face which is no hole.
 Samples smooth_vertices(const Cage& cage, int level) {
     const Limits limits(cage, level);
     const auto& last = limits.refiner->GetLevel(level);

@@ -21,7 +21,8 @@ struct Deviation {
 /// the vertex follows the smooth rule. Catmull-Clark only: by face parameters.
 Deviation from_limit_masks(const subdivision::Cage& cage, const SurfaceModel& model, int level);
 
-/// The same masks at smooth vertices, where rays along the limit normal meet the traced model.
+/// Deviation from the limit masks at smooth vertices, where rays along the limit normal meet the
+/// traced model.
 Deviation rays_from_limit_masks(const subdivision::Cage& cage, const SurfaceModel& model,
                                 int level);
 
@@ -29,7 +30,7 @@ Deviation rays_from_limit_masks(const subdivision::Cage& cage, const SurfaceMode
 /// parameter, by face parameters. Catmull-Clark only.
 Deviation from_bfr(const subdivision::Cage& cage, const SurfaceModel& model, int steps);
 
-/// The same by rays, for any scheme.
+/// Deviation from Bfr by rays, for any scheme.
 Deviation rays_from_bfr(const subdivision::Cage& cage, const SurfaceModel& model, int steps);
 
 } // namespace keiko::test

@@ -9,7 +9,7 @@
 namespace keiko::subdivision {
 namespace {
 
-/// What the acceptance asks for: share of the cage's size, radians.
+/// Tolerances of the acceptance: share of the cage's size, radians.
 constexpr double position_tolerance = 1e-6, normal_tolerance = 1e-5;
 
 void expect_close(const test::Deviation& deviation, const std::string& what) {

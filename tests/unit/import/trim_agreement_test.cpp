@@ -28,8 +28,9 @@ void print(const TrimDisagreement& d) {
         d.ours ? "material" : "hole", d.ours == d.curves_agree_with_us ? "material" : "hole");
 }
 
-/// Where Keiko and OpenCASCADE disagree the file's own curves must be on Keiko's side. On a face
-/// that OpenCASCADE's check calls invalid they may be open, and then bound nothing by themselves.
+/// Disagreements between Keiko and OpenCASCADE are allowed only where the file's own curves are on
+/// Keiko's side. On a face that OpenCASCADE's check calls invalid they may be open, and then bound
+/// nothing by themselves.
 TEST(TrimAgreement, WithOpenCascadesClassifierOnEveryModel) {
     KEIKO_NEEDS_SHARED_MODEL("MANIFEST.tsv");
     const std::size_t samples = test::ray_count(500, 100'000);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t no_limit = 0;
 
-/// What comes of an answer that arrives in one piece; "model" where it is one.
+/// Outcome of an answer that arrives in one piece; "model" where it is one.
 std::string outcome_of(const std::string& text, std::uint64_t most_bytes = no_limit) {
     const Job job;
     WorkerAnswer answer("part.step", most_bytes, job);

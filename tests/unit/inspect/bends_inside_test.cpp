@@ -46,7 +46,7 @@ Section coincident(int count, double apart = 0) {
     return spline(3, places);
 }
 
-/// One patch, all but the outer control points of which lie at x = 0.
+/// One patch whose control points, except for the outer ones, all lie at x = 0.
 Section one_patch(int degree) {
     std::vector<double> places(static_cast<std::size_t>(degree) + 1, 0);
     places.front() = -50, places.back() = 50;
@@ -226,7 +226,7 @@ TEST(BendsInside, AreNotSeenWhereAnEvenlyBentSheetStandsStill) {
 }
 
 TEST(BendsInside, AreNotSeenAtPoles) {
-    // A sheet of which one side is a point.
+    // A sheet with one side that is a point.
     std::vector<Vec3> bowl;
     for (const double x : {-30.0, -10.0, 10.0, 30.0})
         for (const double v : {0.0, 1.0, 2.0, 3.0}) bowl.emplace_back(x * v / 3, 10 * v, v * v);

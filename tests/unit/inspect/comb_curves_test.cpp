@@ -269,7 +269,7 @@ TEST(CombCurves, TellOfPlanesWithoutCurves) {
     EXPECT_EQ(remarks(builder.build(), "z=7").kind, Kind::within);
 }
 
-/// Where a plane touches along a curve that no parameter follows.
+/// Planes that touch along a curve that no parameter follows.
 TEST(CombCurves, FollowWherePlanesTouchAslant) {
     // z = (x - y)^2 / 100 over 100 x 100, which touches z = 0 along its diagonal.
     test::ModelBuilder builder;

@@ -100,7 +100,7 @@ TEST(DentsInPanels, OneOfSixtyMillimetresFailsByThePreset) {
     }
 }
 
-/// What the default preset does not judge it reports, and the verdict stays as it is.
+/// The default preset reports what it does not judge, and the verdict stays as it is.
 TEST(DentsInPanels, AreWorthALookByTheDefaultPreset) {
     const PanelHeight form = [](double x, double y) { return -x * x / 3000 - y * y / 5000; };
     const RoundDent dent{{13, -7}, 60, 0.05, RoundDent::Profile::cosine};

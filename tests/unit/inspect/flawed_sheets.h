@@ -65,7 +65,7 @@ inline Polynomial shifted(const Polynomial& a, double by) {
     return b;
 }
 
-/// What a profile is between two places.
+/// Part of a profile between two places.
 inline Profile part(const Profile& whole, double begin, double end) {
     Profile p{{begin}, {}};
     for (std::size_t i = 0; i < whole.pieces.size(); ++i) {

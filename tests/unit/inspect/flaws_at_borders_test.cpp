@@ -114,7 +114,8 @@ constexpr std::array lengths{20.0, 50.0, 100.0, 200.0}; ///< mm
 double depth_for(double deepest, double length) {
     return std::min(deepest, 0.9 * window_for(length) / 50);
 }
-/// Of a place of waves along x, by its distance from the crest or trough next to it.
+/// Expects a place of waves along x to be a crest or trough, by its distance from the one next to
+/// it.
 void expect_crest(const Vec3& place, double length) {
     const double off = std::abs(std::remainder(place.x, length / 2)) - length / 4;
     EXPECT_NEAR(off, 0, 0.02 * length);
@@ -136,7 +137,7 @@ TEST(FlawsAtBorders, WavesOverSeamsAreMeasuredOverThem) {
             }
 }
 
-/// Nothing, then half waves that begin softly and end at the border in a crest or between two.
+/// Flat profile, then half waves that begin softly and end at the border in a crest or between two.
 Profile train(double length, double halves, double half) {
     const double extent = length / 2;
     Profile p{{-half, half - (halves + 1) * extent}, {{}}};
@@ -167,7 +168,7 @@ TEST(FlawsAtBorders, WavesThatEndAtABorderAreMeasuredFromOneSide) {
             }
 }
 
-/// As a trimmed edge has them: highest at the border, gone a wave and a half further in.
+/// Waves as a trimmed edge has them: highest at the border, gone a wave and a half further in.
 TEST(FlawsAtBorders, WavesAlongABorderAreMeasuredAtIt) {
     for (const auto& [deepest, form] : planted)
         for (const double length : lengths) {

@@ -77,7 +77,7 @@ TEST(InflectionCurves, AreTheTopAndBottomRingsOfATorus) {
     expect_rings(torus(0.3));
 }
 
-/// As CAD systems write it: there the curvature is 0 along sides of patches.
+/// Torus as CAD systems write it: at the rings the curvature is 0 along sides of patches.
 TEST(InflectionCurves, AreFoundBetweenPatchesThatEndThere) {
     expect_rings(torus(0));
 }

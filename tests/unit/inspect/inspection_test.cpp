@@ -11,7 +11,8 @@ namespace {
 
 using test::ModelBuilder;
 
-/// Strips beside each other across y, each tilted by so many degrees against the one before.
+/// Strips beside each other across y, each tilted by its number of `degrees` against the one
+/// before.
 SurfaceModel strips(const std::vector<double>& degrees, double gap = 0) {
     ModelBuilder builder;
     Vec3 from(0);

@@ -21,7 +21,8 @@ using test::lamps_turned;
 using test::parallel_camera;
 using test::plane_height;
 
-/// Of a camera ray that a plane mirrors: where it meets the C-plane, less its start, in level.
+/// Image of a camera ray that a plane mirrors: the place where it meets the C-plane, less its
+/// start, in level.
 Vec3 image_of(const Vec3& direction, const Vec3& normal) {
     const Vec3 ray = reflect(direction, normal);
     return ray * (plane_height / ray.z);
@@ -111,7 +112,7 @@ const LineCrossing& worst_crossing(const JoinedLines& found) {
     return found.crossings.front();
 }
 
-/// The fold that turns the image by so many degrees where it does so most.
+/// Fold that turns the image by `turn` where it does so most.
 double fold_with_turn(double turn, const CPlane& plane, const Camera& camera) {
     double fold = turn;
     for (int i = 0; i < 4; ++i) {
@@ -161,8 +162,8 @@ TEST(JoinedLines, VerdictsOfPlantedFaults) {
     }
 }
 
-/// Where the eye's ray through a place, mirrored by the tracer, meets the lamps' plane; and the
-/// place that it mirrors at.
+/// Value where the camera ray through a place, mirrored by the tracer, meets the lamps' plane; and
+/// the place that it mirrors at.
 struct Traced {
     double value = 0;
     Vec3 place{0}, normal{0};
@@ -227,8 +228,8 @@ double angle_to_seam(const Side& side, const Vec3& normal) {
     return std::atan2(normal.cross(along).dot(side.tangent), along.dot(side.tangent));
 }
 
-/// z = -y^2 / 2 R + e y P(x), P odd about x0, is its own image turned by half a turn about (x0, 0),
-/// and so is the line of a lamp along y = 0, seen from above: there it turns over.
+/// The surface z = -y^2 / 2 R + e y P(x), P odd about x0, is its own image turned by half a turn
+/// about (x0, 0). So is the line of a lamp along y = 0, viewed from above: there it turns over.
 TEST(JoinedLines, TurnOverWhereSymmetryHasIt) {
     constexpr double x0 = 17, s = 40;
     const test::Profile across{{-150, 150}, {test::shifted({0, -s * s, 0, 1}, -x0)}};

@@ -335,7 +335,7 @@ private:
         return std::uniform_real_distribution<double>(low, high)(random_);
     }
 
-    /// Of 11 to 80 degrees at its tip.
+    /// Notch of 11 to 80 degrees at its tip.
     std::vector<Vec2> notch() {
         const double deep = std::exp(between(std::log(0.3), std::log(20)));
         const double half = deep * std::tan(degrees_to_radians(between(11, 80)) / 2);
@@ -362,7 +362,7 @@ private:
     std::mt19937 random_;
 };
 
-/// Of the corners of a hole: `upper` ones go up at `angle` degrees to the lower sheet.
+/// Box of the corners of a hole: `upper` ones go up at `angle` degrees to the lower sheet.
 Box3 box_of(const std::vector<Vec2>& lower, const std::vector<Vec2>& upper, double angle) {
     const double a = degrees_to_radians(angle);
     Box3 box;

@@ -23,7 +23,7 @@ public:
     double between(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random_);
     }
-    /// As many in each octave.
+    /// Random size, uniform in its logarithm: as many in each octave.
     double size_between(double low, double high) {
         return std::exp(between(std::log(low), std::log(high)));
     }

@@ -56,7 +56,7 @@ TEST(PatchBox, IsThePatchOverItsParameters) {
         }
 }
 
-/// What the search for lines rests on: no value and no slope of the field leaves its bounds.
+/// The search for lines rests on this: no value and no slope of the field leaves its bounds.
 TEST(PatchBox, BoundsOfEveryFieldHoldItsValuesAndSlopes) {
     test::Random random(8);
     CPlane lamps;

@@ -12,8 +12,8 @@
 namespace keiko {
 namespace {
 
-/// What the right one of two sheets does otherwise than the left one where they meet, at `worst`;
-/// it fades away along the seam by the square of the way from there.
+/// Difference of the right one of two sheets from the left one where they meet, at `worst`; it
+/// fades away along the seam by the square of the way from there.
 struct Defect {
     double gap = 0;       ///< mm
     double slope = 0;     ///< tangent of the angle
@@ -47,7 +47,7 @@ Inspection inspected(const Defect& defect, const CriteriaPreset& preset, double 
     return inspect(builder.build(), preset);
 }
 
-/// One fault of a kind, and what of it has to be measured.
+/// One fault of a kind, and the quantity and size that have to be measured.
 struct Planted {
     const char* quantity;
     double size; ///< in the unit of the check

@@ -43,7 +43,7 @@ TEST(PlantedFlaws, DentsAreFoundWhereTheyAreAndAsDeepAsTheyAre) {
                 }
 }
 
-/// Where coordinates are long beside the patches.
+/// Coordinates are long beside the patches here.
 TEST(PlantedFlaws, DentsAreFoundFarFromTheOrigin) {
     SurfaceModel model = sheet(bump(21, 10), bump(-33, 10), -0.1, forms[1]);
     model.instances[0].transform = Affine::translate({1e7, -7e6, 3e6});
@@ -90,7 +90,8 @@ TEST(PlantedFlaws, SteepWavesAreAsDeepAsTheyStandOnTheForm) {
             }
 }
 
-/// The limits of class-a-waviness: waves from 20 to 200 mm, each told once and as deep as it is.
+/// The limits of class-a-waviness: waves from 20 to 200 mm, each reported once and as deep as it
+/// is.
 TEST(PlantedFlaws, SeveralWindowsTellEachWaveOnce) {
     CriteriaPreset preset;
     preset.surface = preset_by_name("class-a-waviness").surface;

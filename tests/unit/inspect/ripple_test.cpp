@@ -8,7 +8,7 @@
 namespace keiko {
 namespace {
 
-/// The curvature of a line 200 mm long, looked at every 2 mm.
+/// The curvature of a line 200 mm long, sampled every 2 mm.
 template <class Bend>
 std::vector<BendPoint> line(const Bend& bend) {
     std::vector<BendPoint> points;
@@ -16,7 +16,7 @@ std::vector<BendPoint> line(const Bend& bend) {
     return points;
 }
 
-/// Of depth sin(2 pi s / length).
+/// Curvature of the line depth * sin(2 pi s / length).
 double sine_bend(double s, double depth, double length) {
     const double k = 2 * std::numbers::pi / length;
     return -depth * k * k * std::sin(k * s);

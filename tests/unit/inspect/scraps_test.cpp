@@ -61,8 +61,8 @@ TEST(ExcuseScraps, LeavesStretchesAsTheyAre) {
     EXPECT_EQ(seams[0].verdict, Verdict::fail);
 }
 
-/// Two faces of 2 x 2 mm, of which one's border overshoots by `spur` mm and folds back; and a face
-/// of a metre far away, or not.
+/// Verdict on two faces of 2 x 2 mm, one with a border that overshoots by `spur` mm and folds back;
+/// and a face of a metre far away, or not.
 Verdict verdict_of_tiny(double spur, bool beside_large) {
     test::ModelBuilder builder;
     builder.plane({0, 0, 0}, {2, 0, 0}, {0, 2, 0});

@@ -89,7 +89,7 @@ TEST(MeasureSeams, TellsSkinsOverEachOtherFromOtherFolds) {
         EXPECT_EQ(seam.verdict, Verdict::fail);
         EXPECT_EQ(seam.stacked, other.stacked) << other.shift.y << ", " << other.shift.z;
     }
-    // No fold, but two sheets of which one continues the other at another height.
+    // No fold, but two sheets; one continues the other at another height.
     ModelBuilder builder;
     flat_sheet(builder, {0, 50, 0});
     flat_sheet(builder, {0, -50, 0}, {0, 0, 0.3});
@@ -231,7 +231,7 @@ TEST(MeasureSeams, CutsAFadingCreaseWhereItsClassChanges) {
 
 TEST(MeasureSeams, JudgesHowACreaseFades) {
     // The angle fades as the square of the way at one end, and by a straight line to nothing at the
-    // other: its slope there is that of 0.8 x^2 (1 - x) at x = 1.
+    // other. Its slope there is that of 0.8 x^2 (1 - x) at x = 1.
     const auto seams = measured(humped_crease(40));
     const auto crease = std::find_if(seams.begin(), seams.end(),
                                      [](const MeasuredSeam& s) { return s.fading.has_value(); });

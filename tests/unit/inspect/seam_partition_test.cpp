@@ -93,7 +93,7 @@ TEST(PartitionSeam, FindsEveryPeakBetweenItsFirstSteps) {
             const auto parts = partition_seam(seam.probes().front(), 0, {});
             ASSERT_EQ(parts.size(), 3U) << lean << ", " << over;
             EXPECT_EQ(parts[1].kind, SeamClass::crease);
-            // Angles nearer to each other than 1e-8 degrees are not told apart.
+            // Angles nearer to each other than 1e-8 degrees are not distinguished.
             EXPECT_NEAR(peak.slope.angle(parts[1].begin.place.x), 5, 2e-8) << lean << ", " << over;
             EXPECT_NEAR(peak.slope.angle(parts[1].end.place.x), 5, 2e-8) << lean << ", " << over;
             EXPECT_EQ(partitioned(peak_of(lean, 5 - over).slope).size(), 1U) << lean;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int sheets = 12;
 
-/// A bicubic sheet of `size` mm, crowned, the control point (1, 1) of which lies at `moved`.
+/// A bicubic sheet of `size` mm, crowned, whose control point (1, 1) lies at `moved`.
 SurfaceModel sheet(double size, const Vec3& moved, double crown = 0) {
     test::ModelBuilder builder;
     std::vector<Vec3> points;
@@ -29,8 +29,8 @@ SurfaceModel sheet(double size, const Vec3& moved, double crown = 0) {
     return builder.build();
 }
 
-/// x = a (2 t)^3 / 2 + b (y - y0)^2 t, z = h (2 t)^2 with t = u - 1/2: at y0 the speed across is 0
-/// at a single place, where the section is a cusp.
+/// Sheet x = a (2 t)^3 / 2 + b (y - y0)^2 t, z = h (2 t)^2 with t = u - 1/2. At y0 the speed across
+/// is 0 at a single place, where the section is a cusp.
 SurfaceModel cusp(double a, double b, double share, double h) {
     test::ModelBuilder builder;
     const double cube[] = {-a / 2, a / 2, -a / 2, a / 2}, line[] = {-0.5, -1.0 / 6, 1.0 / 6, 0.5};
@@ -108,7 +108,7 @@ TEST(SingularPlaces, RegularSheetsHaveNone) {
 }
 
 TEST(SingularPlaces, PolesAndTipsHaveNone) {
-    // An eighth of a sphere, and a cone: quarter circles about z, one side of which is a point.
+    // An eighth of a sphere, and a cone: quarter circles about z, with one side that is a point.
     const double w = std::sqrt(0.5);
     const Vec2 circle[] = {{1, 0}, {1, 1}, {0, 1}};
     const double weights[] = {1, w, 1};

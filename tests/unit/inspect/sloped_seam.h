@@ -16,7 +16,7 @@ namespace keiko::test {
 struct SeamSlope {
     struct Span {
         double to = 0;                 ///< mm
-        std::array<double, 4> control; ///< of the cubic: degrees of which the tangents are taken
+        std::array<double, 4> control; ///< of the cubic: degrees whose tangents are taken
     };
     std::vector<Span> spans;
 
@@ -33,7 +33,7 @@ struct SeamSlope {
         for (std::size_t k = 0; k < 4; ++k) slope += weights[k] * tangent(spans[i].control[k]);
         return radians_to_degrees(std::atan(slope));
     }
-    /// Where the angle passes a value between two places, to 1e-12 mm.
+    /// Place where the angle passes a value between two places, to 1e-12 mm.
     double place_of(double degrees, double begin, double end) const {
         const bool above = angle(begin) > degrees;
         for (int i = 0; i < 60; ++i) {

@@ -131,8 +131,8 @@ TEST(SurfaceLines, StopWhereAnotherSurfaceHidesThePlaceOrItsLamp) {
     lamps.origin = {-5000, -5000, 2000}, lamps.u = {0, 10000, 0}, lamps.v = {10000, 0, 0};
     lamps.lamps = 400;
     const auto lines = surface_lines(model, tracer, std::array{lamps}, camera);
-    // Similar triangles: the ray to the eye from (x, y, 0) is at 0.95 y - 100 where it passes the
-    // upper sheet, the mirrored one at 1.05 y + 100; the sheet ends at -50 and at 50.
+    // By similar triangles the ray to the eye from (x, y, 0) is at 0.95 y - 100 where it passes the
+    // upper sheet. The mirrored one is at 1.05 y + 100; the sheet ends at -50 and at 50.
     double front = 100, rear = -100;
     for (const SurfaceLine& line : lines)
         for (const LinePoint& p : line.line.points) {

@@ -23,7 +23,7 @@ struct Case {
     SurfaceKind kind;
     double share; ///< of the default run's and the long run's rays
     bool clipping_only = false;
-    /// Those that a run of 1e8 rays once lost: by the face's seed and their number there.
+    /// Rays that a run of 1e8 rays once lost: by the face's seed and their number there.
     std::vector<std::pair<std::uint64_t, std::size_t>> once_lost{};
 };
 
@@ -49,7 +49,7 @@ protected:
 
 /// Rays through known points of random faces: the point must be among all hits. The rays' doubles
 /// are taken as exact and the point is moved to where such a ray really meets the surface, in long
-/// double; so nothing is allowed for but each hit's own position bound and the reference's error
+/// double. So the only errors allowed are each hit's own position bound and the reference's error
 /// (1e-19 of the size, over the sine of the angle).
 TEST_P(ConstructedRays, FindTheirPointAmongAllHits) {
     const Case& tested = GetParam();

@@ -104,7 +104,7 @@ TEST(SharedBorders, AreTight) {
         ray.direction = target - ray.origin;
         for (const Tracer* each : {&tracer, &clipping}) {
             const std::vector<Hit> hits = each->all(ray);
-            // Rays low over the surface are off by more, and say so.
+            // Rays low over the surface have larger errors, and say so.
             const auto at_target = [&](const Hit& hit) {
                 return (hit.position - target).length() <= std::max(1e-8, hit.position_bound);
             };

@@ -115,7 +115,7 @@ struct Claims {
         in_one_box = 0;
 };
 
-/// What one box a ray finds there, where it finds out.
+/// Checks the roots found with one box a ray, where that reaches a result.
 void check_one_box(const TracedModel& model, const SubPatchKernels& kernels,
                    std::uint32_t sub_patch, const RayPacket& block, const std::vector<Vec2>& roots,
                    Claims& claims) {
@@ -130,7 +130,8 @@ void check_one_box(const TracedModel& model, const SubPatchKernels& kernels,
     EXPECT_LE(std::max(std::abs(off.x), std::abs(off.y)), found.error[0] * 0.5 + 1e-12);
 }
 
-/// What boxes find on a sub-patch that the first look says nothing of is what clipping finds there.
+/// Checks that boxes find what clipping finds on a sub-patch that the existence test leaves
+/// undecided.
 void check_narrowed(const TracedModel& model, const SubPatchKernels& kernels,
                     std::uint32_t sub_patch, const RayPacket& block, const std::vector<Vec2>& roots,
                     Claims& claims) {
@@ -147,7 +148,8 @@ void check_narrowed(const TracedModel& model, const SubPatchKernels& kernels,
         }));
 }
 
-/// What the first look proves of one ray is true by clipping, and Newton finds the same place.
+/// Checks that what the existence test proves of one ray is true by clipping, and that Newton finds
+/// the same place.
 void check_claims(const TracedModel& model, const SubPatchKernels& kernels, const SceneBall& ball,
                   const Ray& ray, Claims& claims) {
     RayPacket block;

@@ -62,8 +62,8 @@ TEST(Denormals, InARayAreAsGoodAsZero) {
     }
 }
 
-/// A direction that is denormal as a whole has no length that could be told: it may hit or miss,
-/// but what it hits is right.
+/// A direction that is denormal as a whole has no length that could be computed: it may hit or
+/// miss, but what it hits is right.
 TEST(Denormals, AsAWholeDirectionDoNoHarm) {
     const Tracer tracer(ShapeBuilder().face({rectangle(0, 10, 0, 20, 5)}).model());
     for (const double scale : {denormal, 1e-320, tiny, 1e-200, 1e-100, 1e100, 1e150, 1e200}) {

@@ -28,7 +28,7 @@ void PrintTo(const Case& tested, std::ostream* out) {
 
 class PositionBound : public testing::TestWithParam<Case> {};
 
-/// What the hits of some rays said of themselves, against long double.
+/// Position bounds that the hits of some rays report, against long double.
 struct Comparison {
     std::size_t compared = 0, too_small = 0;
     std::size_t undecidable = 0; ///< nearer to tangency, or to the rim, than long double can tell
@@ -36,7 +36,7 @@ struct Comparison {
     std::vector<double> bounds;
 };
 
-/// A tangential hit may stand for two roots, or for none where the ray just misses: the root that
+/// A tangential hit may stand for two roots, or for none where the ray just misses. The root that
 /// Newton finds from there must be within the bound of some hit, and the hit near the ray.
 double error_of(const Ray& ray, const Hit& hit, const std::vector<Hit>& hits,
                 const ExactRoot& root) {

@@ -25,7 +25,7 @@ bool same_bits(const Hit& a, const Hit& b) {
            a.flags == b.flags && a.seam == b.seam && a.root.uv == b.root.uv;
 }
 
-/// Of HitDetail::face.
+/// The part of a hit that HitDetail::face has.
 Hit face_of(const Hit& hit) {
     Hit face;
     face.t = hit.t, face.flags = hit.flags, face.seam = hit.seam;

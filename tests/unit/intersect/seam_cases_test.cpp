@@ -38,7 +38,7 @@ TEST(Gaps, WithinToleranceLetNoRayThrough) {
         }
 }
 
-/// Where the sheets overlap within the tolerance a ray meets both: it is one hit.
+/// Sheets that overlap within the tolerance: a ray there meets both, and it is one hit.
 TEST(Overlaps, WithinToleranceCountOnce) {
     for (const double overlap : {1e-3, 1e-6}) {
         const SurfaceModel model = squares(-overlap, 2e-3, 0);

@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-/// Of the squares' edge, by side.
+/// Gaps of the squares' edge, by side.
 std::vector<SeamGap> gaps_of(const SurfaceModel& model, double join = 0.5) {
     std::vector<SeamGap> result;
     const std::vector<SeamGap> all = seam_gaps(model, join, {});
@@ -59,8 +59,8 @@ TEST(SeamGap, OfBordersThatMeetIsOnlyRounding) {
     }
 }
 
-/// The right face's border x(t) = 0.0282 t (t - 1/4) (t - 1/2) (t - 3/4) (t - 1) mm, as
-/// interpolation at equal steps leaves it: it meets the left face's straight one at t = 0, 1/4,
+/// The right face's border is x(t) = 0.0282 t (t - 1/4) (t - 1/2) (t - 3/4) (t - 1) mm, as
+/// interpolation at equal steps leaves it. It meets the left face's straight one at t = 0, 1/4,
 /// 1/2, 3/4, 1.
 SurfaceModel squares_that_meet_at_five_places() {
     ShapeBuilder builder;
@@ -148,7 +148,7 @@ TEST(Gaps, AreTightAndCountedOnceAtAnyScale) {
         }
 }
 
-/// A roof whose ridge is closed, of which the file claims 0.1 mm: what passes above passes.
+/// A roof with a closed ridge, for which the file claims 0.1 mm: what passes above passes.
 TEST(Folds, ThatAreClosedStopNothingBeyondThem) {
     const SurfaceModel model = squares(0, 0.1, -1);
     const Tracer tracer(model), clipping(model, {.clipping_only = true});

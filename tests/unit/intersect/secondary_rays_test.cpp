@@ -92,7 +92,7 @@ TEST(ShadowRays, DoNotMeetTheirOwnEnd) {
     }
 }
 
-/// Of the squares, the second raised by the gap: what is open between the sheets is closed.
+/// The squares, the second raised by the gap: what is open between the sheets is closed.
 SurfaceModel step(double gap) {
     SurfaceModel model = squares(gap, 2 * gap, 0);
     const Patch& second = model.patches[1];
@@ -122,7 +122,7 @@ TEST(MirrorRays, DoNotGetBehindTheNeighbourThroughTheirSeam) {
 
 constexpr double right_angle = 1.5707963267948966;
 
-/// What the first of two squares in an inner corner mirrors beside their edge, from x within a
+/// Rays that the first of two squares in an inner corner mirrors beside their edge, from x within a
 /// range.
 std::vector<Ray> mirrored_beside_edge(const Tracer& tracer, int seed, double low, double high) {
     Random random(static_cast<std::uint64_t>(seed));

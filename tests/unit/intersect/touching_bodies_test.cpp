@@ -60,7 +60,7 @@ TEST(TouchingBodies, StopRaysFromNextToNothingBelowThem) {
     }
 }
 
-// A small ball on a floor of 100 m: roots are only told as exactly as the whole scene is wide.
+// A small ball on a floor of 100 m: roots are only as exact as the whole scene is wide.
 TEST(TouchingBodies, RaysFromSeamsOfSmallBodiesInWideScenesAreFree) {
     Random random(5);
     for (const double radius : {0.1, 1.0, 10.0}) {

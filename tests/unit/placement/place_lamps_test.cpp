@@ -50,7 +50,7 @@ const CPlane& plane(const Placement& placement, std::size_t i = 0) {
     return std::get<CPlane>(placement.rig.sources.at(i));
 }
 
-/// What the pixels of a picture mirror, found anew from the rig alone.
+/// Lamps that the pixels of a picture mirror, found anew from the rig alone.
 struct Mirrored {
     int seen = 0;                                ///< pixels that see the body
     int covered = 0;                             ///< of these, mirror some lamp rectangle
@@ -181,7 +181,7 @@ TEST(PlaceLamps, LampsKeepClearOfTheBodyOfEachOtherAndOfTheEye) {
             EXPECT_FALSE(overlap(oriented(plane(placed, i)), oriented(scene.tracer.bounds())));
             for (std::size_t j = 0; j < i; ++j)
                 EXPECT_FALSE(overlap(oriented(plane(placed, i)), oriented(plane(placed, j))));
-            // The middle of what is seen is not looked at through the lamps.
+            // The middle of the view is not viewed through the lamps.
             const CPlane& p = plane(placed, i);
             const Vec3 n = p.u.cross(p.v), view_ray = scene.camera.target - scene.camera.eye;
             const double t = n.dot(p.origin - scene.camera.eye) / n.dot(view_ray);

@@ -47,8 +47,9 @@ TEST(RatedRig, TellsOfAPlacedRigWhatPlacingTold) {
 }
 
 TEST(RatedRig, LampsBehindTheEyeOfAMirrorStandAsFarApartAsTheirImages) {
-    // A level mirror seen from straight above: lamps at height h over it have images as deep below,
-    // so that the spacing in the picture is the pitch over (eye + h), by the picture's scale.
+    // A level mirror viewed from straight above. Lamps at height h over it have images as deep
+    // below, so that the spacing in the picture is the pitch over (eye + h), by the picture's
+    // scale.
     Seen seen(level_mirror(), "top");
     seen.camera = Camera{.projection = Projection::perspective,
                          .eye = {500, 0, 1000},

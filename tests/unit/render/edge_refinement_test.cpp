@@ -82,7 +82,7 @@ SurfaceModel grooved_plate() {
     return builder.build();
 }
 
-/// What pixels show in the mean over their 16 x 16 cells, each by a ray with its footprint.
+/// Mean luminances of pixels over their 16 x 16 cells, each by a ray with its footprint.
 std::vector<double> mean_luminances(const Stage& stage) {
     constexpr int n = 16;
     const PictureScene scene{stage.tracer, stage.materials, stage.rig, Rgb(7)};

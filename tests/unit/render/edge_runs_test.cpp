@@ -27,7 +27,8 @@ std::vector<OutlineSpot> of(const std::vector<Pixel>& pixels,
     return outline;
 }
 
-/// What a row is: along one line of the picture without gaps, and in order along the surface.
+/// Expects the properties of a row: along one line of the picture without gaps, and in order along
+/// the surface.
 void expect_row(const EdgeRun& row, const std::map<const ShadingPoint*, Pixel>& pixel_of) {
     ASSERT_EQ(row.points.size(), row.along.size());
     EXPECT_TRUE(std::is_sorted(row.along.begin(), row.along.end()));
@@ -137,7 +138,7 @@ TEST(ShadingGrid, OddPlacesOfARowLieFarthestOff) {
     EXPECT_EQ(grid.share({0, 0, 7, 0}, {3, 0}), Vec2(3.0 / 7, 0));
 }
 
-// A shadow of five places meets one that is looked at, wherever it falls.
+// A shadow of five places meets one that is sampled, wherever it falls.
 TEST(ShadingGrid, LeavesNoMoreThanFourPlacesOfAStraightRowUnseen) {
     std::vector<ShadingPoint> points;
     for (int x = 0; x < 17; ++x) points.push_back(shading_point_at({x + 0.5, 0.5}, 0));

@@ -77,7 +77,7 @@ Rgb left_after(const Vec3& a, const Vec3& b) {
     return exp_of(extinction * (-(b - a).length() / 1000));
 }
 
-/// Where a ray enters the ball, in lengths of its direction, or nothing.
+/// Distance at which a ray enters the ball, in lengths of its direction, or nullopt.
 std::optional<double> meets_ball(const Vec3& from, const Vec3& way) {
     const Vec3 off = from - ball_center;
     const double a = way.length2(), b = off.dot(way), c = off.length2() - ball_radius * ball_radius;
@@ -86,7 +86,7 @@ std::optional<double> meets_ball(const Vec3& from, const Vec3& way) {
     return (-b - std::sqrt(root)) / a;
 }
 
-/// What the fog adds between two places: its own light, and the lantern's scattered once.
+/// Light that the fog adds between two places: its own light, and the lantern's scattered once.
 Rgb of_fog(const LanternFile& file, const Vec3& a, const Vec3& b) {
     constexpr int steps = 20000;
     const Vec3 way = b - a, direction = way.normalized();

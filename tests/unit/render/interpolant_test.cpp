@@ -94,7 +94,7 @@ TEST(Interpolant, OfNarrowRectanglesIsConstantAcross) {
     EXPECT_EQ(most_off(row.at({7, 5}), row.at({7, 30})), 0);
 }
 
-// In a row whose middle place lies next to its end, a parabola would be told by rounding.
+// In a row whose middle place lies next to its end, rounding would determine a parabola.
 TEST(Interpolant, TakesNoMiddleNextToAnEnd) {
     test::Random random(33);
     const std::vector<ShadingPoint> points = spots_of(5, 1);

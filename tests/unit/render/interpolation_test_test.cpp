@@ -47,7 +47,7 @@ PlateSpots under_bar(double first_column, double width) {
     return PlateSpots(Sun(), PlateSpots::Screen{{first_column, -100, 50}, width, 200});
 }
 
-/// Under the lamp, of which a screen hides an end from where y is more than `kink` on.
+/// Plate under the lamp; a screen hides an end of the lamp from where y is more than `kink` on.
 PlateSpots under_edge(double kink) {
     constexpr double height = 500, lamp = 1000, end = 500, share = height / lamp;
     const double edge = kink + (end - kink) * share;

@@ -1,4 +1,4 @@
-// What the kernels tell of pixels at the ends of lamps, held against their rays one by one.
+// Results of the kernels for pixels at the ends of lamps, held against their rays one by one.
 #include "keiko/light/tubes/tube_hit.h"
 #include "keiko/render/reflection/lamp_kernels.h"
 
@@ -46,7 +46,7 @@ struct EndStrip {
             numbers.set(i, ray);
         }
     }
-    /// Of a ray of a pixel.
+    /// Origin of a ray of a pixel.
     Vec3 origin(std::size_t place, double x, double y) const {
         return middle_ + dx * (static_cast<double>(place % width) - 4.5 + x) +
                dy * (static_cast<double>(place / width) - 1.0 + y);
@@ -89,8 +89,9 @@ void expect_truth(const EndStrip& strip) {
 
 } // namespace
 
-// Along and across the lamps at once, so that the sides of a tube end in different places; lamps
-// far from each other, and side by side so that they look closed, long or shorter than their rims.
+// Along and across the lamps at once, so that the sides of a tube end in different places. Lamps
+// are far from each other, and side by side so that they look closed, long or shorter than their
+// rims.
 TEST(LampEndLanes, EndLampsWhereRaysSeeTheirRims) {
     for (const Vec3& direction : {Vec3(1.5, 1, 1), Vec3(-2, 1.2, 1), Vec3(1, -4, 1)})
         for (const auto& [length, pitch] : {std::pair(1200.0, 200.0), {1200.0, 65.0}, {30.0, 65.0}})

@@ -46,7 +46,7 @@ public:
     std::vector<std::optional<Ray>> rays;
 };
 
-/// A row on the right that is seen past the end of the stage's own, and in places before it.
+/// A row on the right that is visible beyond the end of the stage's own, and in places before it.
 CPlane wall() {
     CPlane plane;
     plane.origin = {900, -2000, 300};
@@ -58,7 +58,7 @@ CPlane wall() {
     return plane;
 }
 
-/// Beside the wall, in the same plane but for rounding.
+/// Beside the wall, in the same plane except for rounding.
 CPlane along_the_wall() {
     CPlane plane = wall();
     plane.origin += plane.v * (1.0 / 3) + plane.u * 0.7;
@@ -84,7 +84,7 @@ std::vector<Stage> stages() {
     return all;
 }
 
-/// What kinds of pixels were compared.
+/// Kinds of pixels that were compared.
 struct Kinds {
     int dark = 0, lit = 0, partly = 0, discontinuous = 0, alone = 0;
 
@@ -129,8 +129,8 @@ void compare(const RigPlanes& planes, const PictureGrid& picture, bool tells_tor
 
 } // namespace
 
-// Rows of one and two kinds, with pixels from tiny to so large that their images are bent and
-// reach horizons, on every instruction set: what pixels side by side see is what each sees alone.
+// Rows of one and two kinds, on every instruction set. Pixels are from tiny to so large that their
+// images are bent and reach horizons. What pixels side by side see is what each sees alone.
 TEST(LampReflections, AreThoseOfEachPixelByItself) {
     Kinds kinds;
     for (const std::int64_t set : test::instruction_sets()) {

@@ -77,8 +77,8 @@ void expect_hardly_off(const Shaded& shaded, TubeModel tubes, double most_rms, d
 
 } // namespace
 
-// Under a row of thin lamps the shadow of the screen is stairs, each of which is a kink: beside few
-// of them light is off by more than was asked for.
+// Under a row of thin lamps the shadow of the screen is stairs, each with a kink: beside few of
+// them the error of light is larger than requested.
 TEST(InterpolatedLight, OfAxesIsHardlyOffByMoreThanAllowed) {
     expect_hardly_off(Shaded(), TubeModel::preview, 0.2, 0.01);
 }
@@ -166,7 +166,7 @@ TEST(InterpolatedLight, FindsNarrowShadowsOnFlatSurfaces) {
         constexpr double error = 2e-3;
         const Deviation found = deviation(render(error), render(0), error);
         EXPECT_EQ(found.twice, 0) << source.index();
-        // That of the sun is even, so that what is told is exact.
+        // That of the sun is uniform, so that the interpolated light is exact.
         const bool even = std::holds_alternative<Sun>(source);
         EXPECT_TRUE(even || found.interpolated > 0.05) << source.index();
     }
@@ -224,7 +224,7 @@ TEST(SharedLight, LightsEachSurfaceOfAPixelOnce) {
 }
 
 // The rims of the screen over its own shadow, and of the plate: rows of outlined pixels, in which
-// few places are asked for.
+// few places are computed.
 TEST(SharedLight, AlongOutlinesIsHardlyOffByMoreThanAllowed) {
     const Shaded shaded(100);
     PictureOptions options{.aovs = {}, .edge_samples = 1, .light_error = 0};

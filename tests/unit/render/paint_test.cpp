@@ -18,7 +18,7 @@ Vec3 eye_at(double cosine) {
     return {std::sqrt(1 - cosine * cosine), 0, cosine};
 }
 
-/// What a kernel throws back of even light, by the midpoints of a grid in (sine^2, phi).
+/// Reflectance of a kernel under uniform light, by the midpoints of a grid in (sine^2, phi).
 template <class Kernel>
 Rgb thrown_back(const Kernel& kernel) {
     constexpr int rings = 700, spokes = 300;
@@ -33,7 +33,7 @@ Rgb thrown_back(const Kernel& kernel) {
     return sum * (std::numbers::pi / (static_cast<double>(rings) * spokes));
 }
 
-/// What a surface shows in a furnace whose walls have the luminance 1.
+/// Luminance of a surface in a furnace whose walls have the luminance 1.
 Rgb shown_in_furnace(const Paint& paint, double cosine) {
     return paint.mirrored(cosine) + paint.gloss_albedo(cosine) +
            paint.base().base_reflectance_diffuse(cosine);

@@ -8,7 +8,7 @@ using namespace keiko;
 
 namespace {
 
-/// All places that tell of a rectangle.
+/// All places that are tested for a rectangle.
 std::vector<Pixel> places_of(const Rectangle& r) {
     std::vector<Pixel> places = r.odd_places();
     for (const Pixel& p : r.corners()) places.push_back(p);

@@ -16,7 +16,7 @@ using test::Stage;
 
 namespace {
 
-/// What the eye sees mirrored at a place of the picture; `size`: of the pixel.
+/// Reflected ray at a place of the picture; `size`: of the pixel.
 Ray mirrored(const Stage& stage, double x, double y, double size) {
     Ray eye = stage.camera.ray(x, y);
     eye.differentials = eye.differentials->scaled(size);

@@ -101,8 +101,8 @@ TEST(Render, SameBytesForAnyThreadCount) {
     EXPECT_EQ(one.aovs.at(Aov::c_plane_uv).values, two.aovs.at(Aov::c_plane_uv).values);
 }
 
-// Pictures of nothing but mirrors are made in bands, of which each grid takes over rows of the one
-// above; where illuminance is asked for, in tiles. The body: a dome, and an awning beyond a gap
+// Pictures of nothing but mirrors are made in bands, whose grids each take over rows of the one
+// above; where illuminance is requested, in tiles. The body: a dome, and an awning beyond a gap
 // that no grid of a band has a ray in.
 TEST(Render, MirrorsAloneShowTheSameInBandsAndInTiles) {
     test::ModelBuilder builder;

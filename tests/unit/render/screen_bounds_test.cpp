@@ -86,7 +86,7 @@ TEST(ScreenBounds, IsEmptyWithoutAModel) {
     EXPECT_FALSE(cover.may_show(camera.width, camera.height));
 }
 
-// So many boxes that some are taken together.
+// Enough boxes that some are taken together.
 TEST(ScreenBounds, HoldsEachOfVeryManyBoxes) {
     Camera camera;
     camera.eye = {0, 0, 1000}, camera.target = Vec3(0), camera.up = {0, 1, 0};

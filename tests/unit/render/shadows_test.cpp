@@ -69,7 +69,7 @@ TEST(Shadows, MeetTheOracleOfPenumbraeAcrossTheWidth) {
     }
 }
 
-/// A plate under one lamp, half of which a board hides from the plate's middle.
+/// A plate under one lamp; a board hides half of the lamp from the plate's middle.
 TEST(Shadows, TakeHalfOfALampThatABoardHalfHides) {
     ModelBuilder builder;
     builder.plane({-100, -100, 0}, {200, 0, 0}, {0, 200, 0});

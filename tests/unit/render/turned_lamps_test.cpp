@@ -56,7 +56,7 @@ struct TurnedScene {
     }
 };
 
-/// Of the light of the near side, in strips, what reaches a point past `hidden`(way).
+/// Share of the light of the near side, in strips, that reaches a point past `hidden`(way).
 template <class Hidden>
 double share_by_strips(const Vec3& point, const Hidden& hidden) {
     constexpr int around = 1000, along = 200;
@@ -98,7 +98,7 @@ TEST(TurnedLamps, LoseWhatAnEdgeAlongThemHides) {
         }
 }
 
-/// Narrower ones than a tenth of the width may fall between the lines that are asked for.
+/// Bars narrower than a tenth of the width may fall between the lines that are computed.
 TEST(TurnedLamps, LoseWhatABarAlongThemHides) {
     for (const Turn& turn : turns)
         for (const double width : {5.0, 15.0})

@@ -47,7 +47,7 @@ TEST(UnresolvedLights, AreNotSeenLinearlyBetweenCornersThatSeeOtherNumbersOfPart
     }
 }
 
-// What is told to be seen of the lamp is not asked for, though all of it is.
+// A lamp whose visible part is given linearly is not queried, though all of it is visible.
 TEST(UnresolvedLights, BringWhatIsSeenLinearlyOfThem) {
     const PlateSpots plate{test::one_lamp()};
     LightSamples lights(plate.integrator(), plate.grid());

@@ -44,7 +44,7 @@ LightRig rig_of(const OracleRow& row) {
 
 } // namespace
 
-/// Nothing of the table but the scene goes in: the lit parts are Keiko's own.
+/// Only the scene is taken from the table: the lit parts are Keiko's own.
 TEST(VolumetricShadows, MeetTheOracleOfShaftsPastSpheres) {
     WorstError lit("lit"), light("L_scatter");
     for (const OracleRow& row : OracleTable("light_shaft")) {

@@ -69,7 +69,7 @@ std::vector<Bar> bars(int count, double pitch, double slant, double height,
     return all;
 }
 
-/// What points of the ground see of the row past some model.
+/// Visibility of the row from points of the ground, past some model.
 struct Under {
     SurfaceModel model;
     CPlane plane = row;
@@ -101,7 +101,8 @@ struct Under {
         }
         return lit / all;
     }
-    /// Tells of how many lamps some is seen.
+    /// Compares with the shares by lines; returns how many lamps are partly visible, summed over
+    /// the points.
     int expect_as_by_lines(const std::vector<Vec3>& points, int lines) const {
         int partly = 0;
         for (const Vec3& point : points) {
@@ -120,7 +121,8 @@ struct Under {
 
 constexpr int many_lines = 40000; // each edge along a lamp is within 1.3e-5 of its place
 
-/// Of a twentieth of a lamp's width, so that lines a ninth of it apart pass on both sides of one.
+/// Expects bars of a twentieth of a lamp's width to be found; lines a ninth of it apart pass on
+/// both sides of one.
 void expect_thin_bars_found(void (Bar::*add)(ModelBuilder&) const) {
     ModelBuilder builder;
     for (const Bar& bar : bars(9, 213, 0, 1400, {4.5, 4.5})) (bar.*add)(builder);
@@ -149,7 +151,7 @@ TEST(WidthPenumbra, FindsSlitsBetweenBoards) {
     }
 }
 
-// Across a short lamp, of which lines that pass on both sides of the bulge know nothing.
+// Across a short lamp; lines that pass on both sides of the bulge know nothing of it.
 TEST(WidthPenumbra, FindsABulgeOfABorder) {
     CPlane above = row;
     above.origin = {-100, -500, 800}, above.u = {200, 0, 0};

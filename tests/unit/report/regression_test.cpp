@@ -98,7 +98,7 @@ TEST(Regression, JsonThatIsNoneIsRefusedWithTheFile) {
         }
 }
 
-/// What replaces `from` in the text of a sound regression.
+/// Text of a sound regression with `to` in place of `from`.
 std::string changed_json(const std::string& from, const std::string& to) {
     std::string json = regression_json(small_regression());
     const std::size_t at = json.find(from);

@@ -20,7 +20,7 @@ std::vector<Vec3> corners(const Box3& box) {
     return points;
 }
 
-/// Where the box lies in the picture, as shares of width and height.
+/// Bounds of the box in the picture, as shares of width and height.
 Box2 framed(const Camera& camera, const Box3& box) {
     Box2 seen;
     for (const Vec3& corner : corners(box))

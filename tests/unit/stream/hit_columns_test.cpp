@@ -7,7 +7,7 @@
 namespace keiko {
 namespace {
 
-/// Of a cylinder of radius 100 mm about the x axis, at its top, the normal outwards.
+/// Hit on a cylinder of radius 100 mm about the x axis, at its top, the normal outwards.
 Hit cylinder_hit() {
     Hit hit;
     hit.t = 0.1, hit.face = 4, hit.patch = 7;

@@ -9,8 +9,9 @@
 namespace keiko {
 namespace {
 
-/// The square [0, 10]^2 at z = 0 and, from its side x = 10 on, another face of the same size that
-/// rises by `rise`, begins `gap` farther off and is `width` wide along y.
+/// Boundary pieces of two faces: the square [0, 10]^2 at z = 0 and, from its side x = 10 on,
+/// another face of the same size. That one rises by `rise`, begins `gap` farther off and is `width`
+/// wide along y.
 std::vector<BoundaryPiece> pieces_of_two(double rise, double gap, double width,
                                          int neighbours = 1) {
     test::ModelBuilder builder;

@@ -10,8 +10,8 @@
 #include <vector>
 
 /// Scenes on a grid of round numbers: viewpoint, segment and edge in one plane, viewpoints in the
-/// planes of faces, edges end to end. What is exactly on a boundary may be told either way, but
-/// only as a segment moved by next to nothing would be.
+/// planes of faces, edges end to end. The result for what is exactly on a boundary may be either,
+/// but only as that for a segment moved by next to nothing would be.
 using namespace keiko;
 using namespace keiko::test;
 
@@ -27,7 +27,7 @@ std::vector<Segment> with_neighbours(const Segment& ends) {
     return row;
 }
 
-/// Of a box around a segment along y.
+/// Corners of a box around a segment along y.
 std::vector<Vec3> corners(const Segment& ends) {
     std::vector<Vec3> all;
     for (const Vec3& end : {ends.a, ends.b})
@@ -50,7 +50,8 @@ bool ends_near(const IntervalSet& seen, double t) {
     return false;
 }
 
-/// Places where all segments beside one are told the same, and it itself differently.
+/// Number of places where the results for all segments beside one agree, and that for itself
+/// differs.
 int told_alone(const std::vector<IntervalSet>& seen) {
     int alone = 0;
     constexpr int places = 101;

@@ -24,7 +24,7 @@ BoundaryPiece winding_border(Random& random) {
     return piece;
 }
 
-/// Where f, of different signs at a and b, changes its sign.
+/// Place between a and b, where f has different signs, at which it changes its sign.
 template <class F>
 double zero_between(const F& f, double a, double b) {
     const bool below = f(a) < 0;
@@ -42,7 +42,7 @@ bool sinks_within(const F& f, double a, double b) {
     return f(a + little) < f(a) && f(b - little) < f(b);
 }
 
-/// Where f is least between a and b, if it has one minimum there.
+/// Place between a and b at which f is least, if it has one minimum there.
 template <class F>
 double least_between(const F& f, double a, double b) {
     while (b - a > 1e-9) {
@@ -56,7 +56,7 @@ double least_between(const F& f, double a, double b) {
 }
 
 /// Parameters of the curve at which the distance to the plane changes its sign, found by small
-/// steps; where it is least amid a step of one sign, a pair of zeros may lie between.
+/// steps. Where it is least within a step of one sign, a pair of zeros may lie between.
 std::vector<double> crossings(const BoundaryPiece& piece, const SegmentPlane& plane) {
     const Vec4 w = plane.weights(piece.center);
     const auto distance = [&](double t) {

@@ -60,7 +60,8 @@ SurfaceModel ball(const Vec3& center, double radius, const Vec3& axis) {
 
 } // namespace
 
-/// What an edge along the prism hides jumps there by as much of the prism as it is long.
+/// The part that an edge along the prism hides jumps there by as much of the prism as the edge is
+/// long.
 TEST(ContourExtrema, AreWhereAnEdgeRunsAlong) {
     const std::vector<Found> found =
         turns_of(parallelogram({-60, 40, 400}, {120, 0, 0}, {0, 70, 0}));

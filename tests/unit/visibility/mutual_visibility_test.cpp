@@ -41,7 +41,7 @@ Vec3 mixture(const std::vector<Vec3>& points, Random& random) {
     return sum / all;
 }
 
-/// Of rays between the two, how many are stopped.
+/// Number of rays between the two that are stopped.
 std::size_t stopped(const Tracer& tracer, const Question& question, std::size_t rays,
                     Random& random) {
     std::size_t count = 0;

@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-/// Two sheets 10 wide in x and 20 in y that share the edge x = 0, z = 0 but for a gap in x, and
+/// Two sheets 10 wide in x and 20 in y that share the edge x = 0, z = 0 except for a gap in x, and
 /// fall by `slope` to either side.
 SurfaceModel roof(double slope, double gap) {
     ShapeBuilder builder;

@@ -54,7 +54,7 @@ TEST(SymmetricPlacement, OfTheConceptCarIsSymmetricToIt) {
     expect_symmetric(placed("concept-car.step", "front", automatic).placement);
 }
 
-/// What is asked for is used where it holds, and there alone.
+/// A requested symmetry plane is used where it holds, and there alone.
 TEST(SymmetricPlacement, OfAPlaneThatTheBodyDoesNotHaveIsNone) {
     const SymmetryChoice aside{SymmetryChoice::Kind::plane, {1, 5}};
     EXPECT_FALSE(placed("hood.step", "high-front", aside).placement.mirror);

@@ -87,7 +87,7 @@ bool tube_hides(const TubeLamp& lamp, const Vec3& from, const Vec3& to) {
     return t > 0 && t < 1 && along > 0 && along < (lamp.b - lamp.a).length();
 }
 
-/// Brute force: the tubes' near sides in small facets, each seen past the sphere and the other
+/// Brute force: the tubes' near sides in small facets, each tested against the sphere and the other
 /// tubes, through the medium.
 double facets(const CPlane& plane, const Medium& medium, const Vec3& point, const Vec3& normal,
               const Sphere& sphere) {
@@ -155,7 +155,7 @@ TEST(DirectIlluminance, DoesNotAskForWhatCannotReachThePoint) {
     EXPECT_EQ(direct_illuminance(rig, Vec3(0), -up, visible), Rgb());
     EXPECT_EQ(visible.asked, 0);
     direct_illuminance(rig, Vec3(2500, 0, 0), up, visible); // outside the beam
-    // Of the width, its halves and quarters, of which the ends are known.
+    // Sub-axes of the width, its halves and quarters, whose ends are known.
     constexpr int lamps = 4, sub_axes = 3 + 2 * 1 + 4 * 7;
     EXPECT_EQ(visible.asked, lamps * sub_axes);
 }

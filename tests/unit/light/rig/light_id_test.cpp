@@ -75,7 +75,7 @@ TEST(LightId, EachLampLightsAsIfAlone) {
 }
 
 /// Beside the row, where lamps hide each other: what a lamp leaves of its neighbour depends on the
-/// row, not on what is asked for.
+/// row, not on the lamps that are queried.
 TEST(LightId, LampsAddUpToTheirRow) {
     const Vec3 point(0, -1500, 390), normal = Vec3(0, 1, 0.2).normalized();
     const auto by_lamp = [&](std::span<const int> lamps) {
@@ -104,8 +104,8 @@ TEST(LightVisibility, IsLinearBetweenPointsThatSeeTheSameNumberOfParts) {
     EXPECT_FALSE(between(a, {IntervalSet::whole(), 1}, 0.5));
 }
 
-/// What lights nothing of the point is not asked for: neither lamps below its horizon nor beams
-/// that miss it.
+/// Sources that light nothing of the point are not queried: neither lamps below its horizon nor
+/// beams that miss it.
 TEST(LightVisibility, IsNothingOfWhatCannotReachThePoint) {
     const std::array one{0};
     const auto seen = [&](const LightSource& source, const Vec3& normal) {

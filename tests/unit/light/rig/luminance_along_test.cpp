@@ -59,7 +59,7 @@ IntervalSet lit_in(const test::OracleRow& row) {
     return IntervalSet(std::move(lit));
 }
 
-/// The same, seen along a part of the ray.
+/// The lit intervals that the oracle lists, along a part of the ray.
 IntervalSet lit_of_part(const test::OracleRow& row, const Segment& part) {
     const Segment ray = ray_in(row);
     const double length = (ray.b - ray.a).length();

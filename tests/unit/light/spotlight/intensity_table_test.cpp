@@ -8,7 +8,8 @@ using namespace keiko;
 
 namespace {
 
-/// Of one vertical angle, so that only the planes matter; plane i holds i + 1.
+/// Intensity from a table of one vertical angle, so that only the planes matter; plane i holds i +
+/// 1.
 double of_planes(std::vector<double> planes, PlaneSymmetry symmetry, double h) {
     std::vector<double> values;
     for (std::size_t i = 0; i < planes.size(); ++i) values.push_back(static_cast<double>(i + 1));

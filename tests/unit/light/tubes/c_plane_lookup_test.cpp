@@ -118,7 +118,7 @@ TEST(CPlaneLookup, FilteredStripesAreTheMeanOfManyRays) {
 }
 
 TEST(CPlaneLookup, EndsOfTubesAreSeenWhereTheirRimsAre) {
-    // Obliquely along the lamp, over its end; the flat strip is off by the height of the rim.
+    // Obliquely along the lamp, over its end; the error of the flat strip is the height of the rim.
     const Vec3 direction(1, 0.1, 1);
     const RayDifferentials spread = pixel_of(60, 0);
     const Vec3 origin = Vec3(505, 50, 2000) - direction * 2000;

@@ -43,7 +43,7 @@ struct Case {
         point = end + out * uniform(random, 30, 400) + random_direction(random) * 20;
         normal = ((end - point).normalized() + random_direction(random) * 1.2).normalized();
     }
-    /// Of small squares of the disc.
+    /// Visible share of the cap's light by small squares of the disc.
     double share_by_brute_force(const HalfHidden& visible) const {
         const Vec3 along = (lamp.b - lamp.a).normalized();
         const Vec3 centre = along.dot(point - lamp.a) < 0 ? lamp.a : lamp.b;

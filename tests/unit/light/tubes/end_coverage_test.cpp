@@ -41,7 +41,7 @@ struct Rays {
     }
 };
 
-/// Of the pixel, by a grid of its rays.
+/// Coverage of the pixel, by a grid of its rays.
 double sampled(const CPlaneFrame& frame, const Rays& rays, int side) {
     int lit = 0;
     for (int j = 0; j < side; ++j)

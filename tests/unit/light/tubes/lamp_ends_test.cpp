@@ -54,7 +54,7 @@ Vec3 across_the_plane(test::Random& random, double size) {
     return Vec3(test::uniform(random, -1, 1), test::uniform(random, -1, 1), 0) * size;
 }
 
-/// Of parallel rays, around the end of a lamp; `size` of it in diameters.
+/// Random pixel of parallel rays, around the end of a lamp; `size` of it in diameters.
 Pixel any_pixel(test::Random& random, const CPlaneFrame& frame, const Vec3& direction,
                 double size) {
     const double mm = size * frame.diameter;
@@ -80,7 +80,7 @@ struct Errors {
     }
 };
 
-/// Of rows whose lamps look apart, or as if they overlapped.
+/// Errors for rows whose lamps look apart, or as if they overlapped.
 Errors errors(double diameter, double size, bool luminous_caps, bool overlap) {
     test::Random random(17);
     Errors errors;
@@ -111,8 +111,8 @@ TEST(LampEnds, AreSeenAsRaysMeetThemFromAnySlant) {
                 }
 }
 
-// Lamps side by side, of which one may look to begin where its neighbour has ended, or to lie
-// behind the next one but for a part of a rim.
+// Lamps side by side. One may look to begin where its neighbour has ended, or to lie behind the
+// next one except for a part of a rim.
 TEST(LampEnds, OfClosedRowsAreSeenPastTheLampsBefore) {
     for (const double diameter : {16, 60, 200})
         for (const double length : {20, 30, 60, 200})

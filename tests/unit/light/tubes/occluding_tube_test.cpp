@@ -11,8 +11,9 @@ using namespace keiko;
 
 namespace {
 
-/// Whether a ray from (0, 0) in a plane parallel to the axis of a capped tube meets it: the slab of
-/// distances within which the plane is inside of the endless tube, against that between its ends.
+/// True if a ray from (0, 0) in a plane parallel to the axis of a capped tube meets it. The slab of
+/// distances within which the plane is inside of the endless tube is held against that between its
+/// ends.
 bool meets(double radius, double begin, double end, double across, double middle, double eta) {
     const double half = std::sqrt(radius * radius - across * across);
     // Marched in fine steps of the distance along the half-plane.

@@ -13,7 +13,7 @@ const TubeView view = *view_of({{-700, 40, 900}, {650, -20, 950}, 80, Rgb(1)}, V
 const LampWidth width(view, Vec3(0), TubeShape::cylinder, {});
 constexpr double gap = 0.5;
 
-/// Where some of the lamp's length begins to be hidden, or ceases to be.
+/// Slice where some of the lamp's length begins to be hidden, or ceases to be.
 CriticalSlice turn_at(double place, double jump, int dark, bool at_once = true) {
     const SubAxis axis = width.sub_axis(place);
     return {view.sideways * axis.sine - view.towards * axis.cosine, jump * gap / 2, dark, at_once};
@@ -77,7 +77,7 @@ TEST(PenumbraBreakpoints, AreOneCutWhereLittleIsBetween) {
     EXPECT_FALSE(cuts[1].jump);
 }
 
-/// Of narrow parts between cuts no more is left out than is allowed.
+/// Narrow parts between cuts: no more of them is left out than is allowed.
 TEST(PenumbraBreakpoints, LeaveOutLittleOfManyNarrowParts) {
     constexpr double allowed = 1e-3;
     std::vector<CriticalSlice> turns;

@@ -119,7 +119,7 @@ double off(const Case& made, const Kernel& kernel, GlossQuadrature quadrature, d
     return std::abs(seen_of(made, kernel, quadrature) / truth - 1);
 }
 
-/// Of a lamp's luminance: less is not looked at.
+/// Share of a lamp's luminance; less is not tested.
 constexpr double faint = 1e-4;
 
 /// Numbers and pictures of `tries` random lamps, more than `least` of them lit, in lobes that

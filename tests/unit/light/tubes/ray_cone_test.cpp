@@ -22,8 +22,8 @@ CPlaneFrame ceiling(bool luminous_caps) {
 
 class RandomBundles {
 public:
-    /// Below the plane, some beyond it, mostly towards it; of very different widths, of which some
-    /// are nothing.
+    /// Below the plane, some beyond it, mostly towards it; of very different widths, some of them
+    /// nothing.
     RayCone bundle() {
         RayCone rays;
         rays.origin = Vec3(500, 600, -1000) + in_ball(2500);
@@ -60,7 +60,7 @@ private:
     std::mt19937_64 engine_{20261122};
 };
 
-/// Of a ray of the bundle and its footprint.
+/// Coverage of a ray of the bundle and its footprint.
 double coverage(const CPlaneFrame& frame, const RayCone& rays, MirrorModel look,
                 RandomBundles& random) {
     const RayDifferentials& s = rays.spread;

@@ -93,7 +93,8 @@ TEST(TubePenumbra, FindsEdgesAslantToTheTolerance) {
         }
 }
 
-/// The middle line tells of the axis too, also where the point is beside the lamp's ends.
+/// The middle line also gives the visible part of the axis, even where the point is beside the
+/// lamp's ends.
 TEST(TubePenumbra, TellsWhatIsSeenOfTheAxis) {
     for (const TubeShape shape : {TubeShape::cylinder, TubeShape::rectangle})
         for (const double shift : {-2000.0, -300.0, 0.0, 300.0, 2000.0})
