@@ -35,6 +35,11 @@ inline Vec3 reflect(const Vec3& d, const Vec3& n) {
     return d - n * (2 * d.dot(n));
 }
 
+/// The point of homogeneous coordinates; w must not be 0.
+inline Vec3 euclidean(const Vec4& p) {
+    return Vec3(p.x, p.y, p.z) / p.w;
+}
+
 /// The mean of points; requires at least one.
 inline Vec3 middle_of(std::span<const Vec3> points) {
     Vec3 middle(0);

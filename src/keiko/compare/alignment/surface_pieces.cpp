@@ -97,7 +97,7 @@ bool Convexity::holds(const BezierPatchView& piece, const Vec3& p) const {
     if (!(first_ > 0)) return false;
     std::array<double, 3> reach{};
     for (const Vec4& point : piece.points) {
-        const Vec3 off = Vec3(point.x, point.y, point.z) / point.w - p;
+        const Vec3 off = euclidean(point) - p;
         for (std::size_t k = 0; k < 3; ++k)
             reach[k] = std::max(reach[k], std::abs(off.dot(axes_[k])));
     }
@@ -109,10 +109,6 @@ namespace {
 /// Bound of SubPatchFrame::contraction. Kept apart from TracerOptions: where an alignment from afar
 /// begins changes with the pieces.
 constexpr double piece_contraction = 0.65;
-
-Vec3 euclidean(const Vec4& p) {
-    return Vec3(p.x, p.y, p.z) / p.w;
-}
 
 /// Boxes of the leaf's parameters, the lower half first.
 std::array<Box2, 2> halves(const BezierPatchView& piece, const Box2& box) {

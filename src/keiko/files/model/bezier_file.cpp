@@ -109,17 +109,16 @@ private:
 /// Whether a patch has no area since its points lie on one line or in one place, within their
 /// rounding.
 bool has_no_extent(const std::vector<Vec4>& points) {
-    const auto place = [](const Vec4& p) { return Vec3(p.x, p.y, p.z) / p.w; };
-    const Vec3 first = place(points.front());
+    const Vec3 first = euclidean(points.front());
     Vec3 along(0);
     double farthest = 0;
     for (const Vec4& p : points) {
-        farthest = std::max(farthest, place(p).length());
-        if (const Vec3 way = place(p) - first; way.length() > along.length()) along = way;
+        farthest = std::max(farthest, euclidean(p).length());
+        if (const Vec3 way = euclidean(p) - first; way.length() > along.length()) along = way;
     }
     const double rounding = 8 * std::numeric_limits<double>::epsilon() * farthest;
     return std::all_of(points.begin(), points.end(), [&](const Vec4& p) {
-        return (place(p) - first).cross(along).length() <= rounding * along.length();
+        return (euclidean(p) - first).cross(along).length() <= rounding * along.length();
     });
 }
 

@@ -104,7 +104,7 @@ SurfaceDerivatives evaluate(const BezierPatchView& patch, const Vec2& uv, int or
 
 Box3 hull_bounds(const BezierPatchView& patch) {
     Box3 box;
-    for (const Vec4& p : patch.points) box.extend(Vec3(p.x, p.y, p.z) / p.w);
+    for (const Vec4& p : patch.points) box.extend(euclidean(p));
     return box;
 }
 

@@ -44,7 +44,7 @@ Box3 hull_bounds(const SurfaceModel& model) {
             for (const Patch& p : model.patches_of(model.faces[f])) {
                 const auto index = static_cast<std::uint32_t>(&p - model.patches.data());
                 for (const Vec4& point : model.patch(index).points)
-                    box.extend(instance.transform.point(Vec3(point.x, point.y, point.z) / point.w));
+                    box.extend(instance.transform.point(euclidean(point)));
             }
     }
     return box;

@@ -55,8 +55,7 @@ struct Candidate {
 
 double highest_control_point(const BezierPatchView& patch, const Height& height) {
     double highest = -Box3::infinity;
-    for (const Vec4& p : patch.points)
-        highest = std::max(highest, height.of(Vec3(p.x, p.y, p.z) / p.w));
+    for (const Vec4& p : patch.points) highest = std::max(highest, height.of(euclidean(p)));
     return highest;
 }
 

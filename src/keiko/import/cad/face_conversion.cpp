@@ -86,7 +86,7 @@ Vec3 point(const BezierPatchView& patch, const BernsteinRow& in_u, const Bernste
         for (int j = 0; j <= patch.degree_v; ++j)
             sum += patch.point(i, j) *
                    (in_u[static_cast<std::size_t>(i)] * in_v[static_cast<std::size_t>(j)]);
-    return Vec3(sum.x, sum.y, sum.z) / sum.w;
+    return euclidean(sum);
 }
 
 /// A NaN is larger than any number, so that none is passed over.

@@ -5,10 +5,7 @@
 namespace keiko {
 
 std::array<double, 2> net_extents(const BezierPatchView& patch) {
-    const auto at = [&](int i, int j) {
-        const Vec4& p = patch.point(i, j);
-        return Vec3(p.x, p.y, p.z) / p.w;
-    };
+    const auto at = [&](int i, int j) { return euclidean(patch.point(i, j)); };
     std::array<double, 2> most{};
     for (int i = 0; i <= patch.degree_u; ++i)
         for (int j = 0; j <= patch.degree_v; ++j) {

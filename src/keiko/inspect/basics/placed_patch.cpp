@@ -11,7 +11,7 @@ PlacedPatch::PlacedPatch(const SurfaceModel& model, std::uint32_t patch, const A
     for (const Vec4& p : model.patch(patch).points) {
         points.push_back(placed.homogeneous(p));
         const Vec4& q = points.back();
-        box.extend(Vec3(q.x, q.y, q.z) / q.w);
+        box.extend(euclidean(q));
         weight = std::max(weight, q.w);
     }
     middle = box.center();

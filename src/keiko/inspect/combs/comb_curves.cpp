@@ -16,17 +16,6 @@
 namespace keiko {
 namespace {
 
-std::vector<CombFace> placed_faces(const SurfaceModel& model) {
-    std::vector<CombFace> placed;
-    for (std::uint32_t i = 0; i < model.instances.size(); ++i) {
-        const Part& part = model.parts[model.instances[i].part];
-        for (std::uint32_t f = 0; f < part.face_count; ++f)
-            if (model.faces[part.first_face + f].patch_count > 0)
-                placed.push_back({i, part.first_face + f});
-    }
-    return placed;
-}
-
 void turn(CombPiece& piece) {
     std::reverse(piece.samples.begin(), piece.samples.end());
     if (piece.touching)
@@ -93,7 +82,7 @@ std::vector<CombCurve> iso_curves(const FaceCombs& face, const std::string& name
     return all;
 }
 
-std::vector<FoundOnFace> search(const SurfaceModel& model, const std::vector<CombFace>& placed,
+std::vector<FoundOnFace> search(const SurfaceModel& model, const std::vector<PlacedFace>& placed,
                                 const CombOptions& options, const Job& job) {
     const double size = material_bounds(model, job).size();
     std::vector<FoundOnFace> found(placed.size());
@@ -120,7 +109,7 @@ std::vector<CombCurve> section_curves(std::vector<FoundOnFace>& found, std::uint
 }
 
 std::vector<SectionRemark> remarks_on(const std::vector<FoundOnFace>& found,
-                                      const std::vector<CombFace>& placed, std::uint32_t plane) {
+                                      const std::vector<PlacedFace>& placed, std::uint32_t plane) {
     std::vector<SectionRemark> remarks;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const FaceSection& section = found[i].sections[plane];
@@ -146,7 +135,8 @@ SectionRemark missed(const SurfaceModel& model, const SectionPlane& plane, std::
 } // namespace
 
 FoundCombs comb_curves(const SurfaceModel& model, const CombOptions& options, const Job& job) {
-    const std::vector<CombFace> placed = placed_faces(model);
+    std::vector<PlacedFace> placed = placed_faces(model);
+    std::erase_if(placed, [&](const PlacedFace& f) { return !model.faces[f.face].patch_count; });
     std::vector<FoundOnFace> found = search(model, placed, options, job);
     FoundCombs combs;
     for (std::uint32_t plane = 0; plane < options.planes.size(); ++plane) {

@@ -103,8 +103,8 @@ struct FaceCombs::PatchUse {
     }
 };
 
-FaceCombs::FaceCombs(const SurfaceModel& model, const CombFace& placed, const CombOptions& options,
-                     double size)
+FaceCombs::FaceCombs(const SurfaceModel& model, const PlacedFace& placed,
+                     const CombOptions& options, double size)
     : model_(model),
       placed_(placed),
       face_(model.faces[placed.face]),

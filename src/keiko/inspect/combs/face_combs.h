@@ -2,6 +2,7 @@
 
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/basics/field_zeros.h"
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/combs/comb_curves.h"
 #include "keiko/inspect/combs/comb_sampling.h"
 #include "keiko/inspect/combs/plane_meeting.h"
@@ -9,11 +10,6 @@
 #include <optional>
 
 namespace keiko {
-
-/// A placed face.
-struct CombFace {
-    std::uint32_t instance = 0, face = 0;
-};
 
 /// Section of a face with a plane.
 struct FaceSection {
@@ -26,7 +22,7 @@ struct FaceSection {
 class FaceCombs {
 public:
     /// `size`: of the body, mm.
-    FaceCombs(const SurfaceModel& model, const CombFace& placed, const CombOptions& options,
+    FaceCombs(const SurfaceModel& model, const PlacedFace& placed, const CombOptions& options,
               double size);
 
     FaceSection section(const SectionPlane& plane) const;
@@ -53,7 +49,7 @@ private:
     double local_share(std::uint32_t patch, bool by_u, double at) const;
 
     const SurfaceModel& model_;
-    CombFace placed_;
+    PlacedFace placed_;
     const Face& face_;
     TrimRegion trims_;
     const CombOptions& options_;

@@ -55,7 +55,7 @@ SectionPlane section_plane(const std::string& text) {
 std::array<double, 2> heights(const SurfaceModel& model, const Vec3& along) {
     std::array<double, 2> reach{Box3::infinity, -Box3::infinity};
     const auto extend = [&](const Affine& placed, const Vec4& point) {
-        const double height = along.dot(placed.point(Vec3(point.x, point.y, point.z) / point.w));
+        const double height = along.dot(placed.point(euclidean(point)));
         reach = {std::min(reach[0], height), std::max(reach[1], height)};
     };
     for (const Instance& instance : model.instances) {

@@ -56,8 +56,7 @@ bool bounded(const Cell& cell) {
 
 void centre(std::vector<Vec4>& points) {
     const Vec4 first = points.front(), last = points.back();
-    const Vec3 middle =
-        (Vec3(first.x, first.y, first.z) / first.w + Vec3(last.x, last.y, last.z) / last.w) / 2;
+    const Vec3 middle = (euclidean(first) + euclidean(last)) / 2;
     for (Vec4& p : points) p -= Vec4(middle.x * p.w, middle.y * p.w, middle.z * p.w, 0);
 }
 

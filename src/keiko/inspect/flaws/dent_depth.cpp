@@ -23,9 +23,9 @@ std::optional<TangentFrame> outlook(const FaceAdjacency& faces, const SheetPoint
 
 /// The surface around a place by samples in all directions that represent equal areas. Each
 /// straight trace ends where the material does.
-std::vector<Height> heights_around(const FaceAdjacency& faces, const SheetPoint& at,
-                                   const TangentFrame& from, double reach) {
-    std::vector<Height> heights;
+std::vector<FormHeight> heights_around(const FaceAdjacency& faces, const SheetPoint& at,
+                                       const TangentFrame& from, double reach) {
+    std::vector<FormHeight> heights;
     for (int d = 0; d < directions; ++d) {
         const double angle = 2 * std::numbers::pi * (d + 0.5) / directions;
         SheetPoint last = at;
@@ -42,24 +42,24 @@ std::vector<Height> heights_around(const FaceAdjacency& faces, const SheetPoint&
 }
 
 /// The part of heights within half a window.
-std::vector<Height> within(std::span<const Height> heights, double reach) {
-    std::vector<Height> near;
-    for (const Height& h : heights)
+std::vector<FormHeight> within(std::span<const FormHeight> heights, double reach) {
+    std::vector<FormHeight> near;
+    for (const FormHeight& h : heights)
         if (std::hypot(h.x, h.y) < reach) near.push_back(h);
     return near;
 }
 
 /// True if less than a twentieth of the samples lie in some quarter.
-bool is_one_sided(std::span<const Height> heights) {
+bool is_one_sided(std::span<const FormHeight> heights) {
     std::array<std::size_t, 4> quarters{};
-    for (const Height& h : heights) ++quarters[(h.x > 0 ? 1u : 0u) + (h.y > 0 ? 2u : 0u)];
+    for (const FormHeight& h : heights) ++quarters[(h.x > 0 ? 1u : 0u) + (h.y > 0 ? 2u : 0u)];
     return std::any_of(quarters.begin(), quarters.end(),
                        [&](std::size_t count) { return count * 20 < heights.size(); });
 }
 
 /// True if less than a quarter of the samples deviate from the form by more than `far`.
-bool is_alone(std::span<const Height> heights, const ReferenceForm& under, double far) {
-    const auto off = std::count_if(heights.begin(), heights.end(), [&](const Height& h) {
+bool is_alone(std::span<const FormHeight> heights, const ReferenceForm& under, double far) {
+    const auto off = std::count_if(heights.begin(), heights.end(), [&](const FormHeight& h) {
         return std::abs(under.offset(h)) > far;
     });
     return static_cast<std::size_t>(off) * 4 < heights.size();
@@ -100,8 +100,8 @@ std::optional<DentDepth> dent_depth(const FaceAdjacency& faces, const SheetPoint
     for (int i = 0;; ++i) {
         const auto from = outlook(faces, at);
         if (!from) return std::nullopt;
-        const std::vector<Height> heights = heights_around(faces, at, *from, reach);
-        const std::vector<Height> near = within(heights, reach);
+        const std::vector<FormHeight> heights = heights_around(faces, at, *from, reach);
+        const std::vector<FormHeight> near = within(heights, reach);
         if (near.size() < fewest) return std::nullopt;
         const auto form = dent_form(heights, reach);
         if (!form) return std::nullopt;

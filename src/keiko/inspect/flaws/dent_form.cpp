@@ -7,7 +7,7 @@
 namespace keiko {
 namespace {
 
-std::vector<ReferenceForm> fits(std::span<const Height> heights, double half_window,
+std::vector<ReferenceForm> fits(std::span<const FormHeight> heights, double half_window,
                                 BaseKind kind) {
     std::vector<ReferenceForm> found;
     for (const double share : dent_reaches)
@@ -33,7 +33,7 @@ double bound_of(std::span<const ReferenceForm> kind, std::size_t index,
 
 } // namespace
 
-std::optional<DentForm> dent_form(std::span<const Height> heights, double half_window) {
+std::optional<DentForm> dent_form(std::span<const FormHeight> heights, double half_window) {
     const std::vector<ReferenceForm> flat = fits(heights, half_window, BaseKind::flat);
     const std::vector<ReferenceForm> bent = fits(heights, half_window, BaseKind::bent);
     std::optional<DentForm> best;

@@ -24,6 +24,6 @@ constexpr std::array<double, 4> dent_reaches{0.8165, 1, 1.2583, 1.6073};
 /// bound is the change of the height at the origin from the next narrower fit, or its distance from
 /// the bounds of a wider one, with the effect of the scatter about the fit. It is nullopt if no two
 /// of a kind can be fitted.
-std::optional<DentForm> dent_form(std::span<const Height> heights, double half_window);
+std::optional<DentForm> dent_form(std::span<const FormHeight> heights, double half_window);
 
 } // namespace keiko

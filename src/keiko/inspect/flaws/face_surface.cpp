@@ -27,7 +27,7 @@ Vec2 extents(const PlacedPatch& patch, const BezierPatchView& view) {
     const auto at = [&](int i, int j) {
         const int index = i * (view.degree_v + 1) + j;
         const Vec4& p = patch.points[static_cast<std::size_t>(index)];
-        return Vec3(p.x, p.y, p.z) / p.w;
+        return euclidean(p);
     };
     Vec2 longest(0);
     for (int j = 0; j <= view.degree_v; ++j) {

@@ -185,10 +185,10 @@ private:
 
 } // namespace
 
-std::optional<ReferenceForm> ReferenceForm::fit(std::span<const Height> heights, double reach,
+std::optional<ReferenceForm> ReferenceForm::fit(std::span<const FormHeight> heights, double reach,
                                                 BaseKind kind) {
     std::vector<Place> places;
-    for (const Height& h : heights)
+    for (const FormHeight& h : heights)
         if (std::hypot(h.x, h.y) < reach)
             places.push_back({powers(h.x / reach, h.y / reach), h.z, h.weight});
     if (places.size() < 2 * n) return std::nullopt;
@@ -211,7 +211,7 @@ std::optional<ReferenceForm> ReferenceForm::fit(std::span<const Height> heights,
     return base;
 }
 
-double ReferenceForm::offset(const Height& h) const {
+double ReferenceForm::offset(const FormHeight& h) const {
     return levelled(h.z) - dot(terms_, powers(h.x / reach_, h.y / reach_));
 }
 

@@ -7,7 +7,7 @@
 namespace keiko {
 
 /// A place of a surface beside a tangent plane, mm, and its weight.
-struct Height {
+struct FormHeight {
     double x = 0, y = 0, z = 0;
     double weight = 1;
 };
@@ -26,11 +26,11 @@ public:
 
     /// The form of the heights within `reach` of the origin, mm; nullopt if they are too few or too
     /// close to a line.
-    static std::optional<ReferenceForm> fit(std::span<const Height> heights, double reach,
+    static std::optional<ReferenceForm> fit(std::span<const FormHeight> heights, double reach,
                                             BaseKind kind = BaseKind::flat);
 
     /// mm: deviation of a height from the form, along the normal of the plane near the origin.
-    double offset(const Height& height) const;
+    double offset(const FormHeight& height) const;
     /// mm: height of the form above the plane at the origin.
     double at_origin() const { return terms_[0]; }
     double reach() const { return reach_; } ///< mm

@@ -191,8 +191,8 @@ private:
         const Vec3 place = curves.curve(on).at(at_end ? on.end : on.begin).position;
         std::optional<std::uint32_t> best;
         for (const std::uint32_t i : ends_about(place, near)) {
-            const BoundaryInterval& piece = edges_.all[i / 2].pieces.front();
-            if (edges_.next[i] || piece.face != on.face || piece.instance != on.instance) continue;
+            const PlacedFace face{on.instance, on.face};
+            if (edges_.next[i] || edges_.all[i / 2].face() != face) continue;
             const double d = (position(i) - place).length();
             if (d > near) continue;
             if (!best || d < (position(*best) - place).length()) best = i;

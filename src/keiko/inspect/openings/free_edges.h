@@ -3,6 +3,7 @@
 #include "keiko/base/job.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/geometry/seam/seam.h"
+#include "keiko/inspect/basics/placed_face.h"
 
 #include <optional>
 #include <span>
@@ -26,6 +27,8 @@ struct FreeEdge {
     double deviation = 0;          ///< mm, distance of the polyline from the borders
     bool closed = false;           ///< a whole loop: it ends at its beginning
 
+    /// The face whose border it is.
+    PlacedFace face() const { return {pieces.front().instance, pieces.front().face}; }
     double length() const { return ways.back(); }
     /// The place at a length along it, on a chord between two places.
     FreePlace at(double way) const;

@@ -22,8 +22,8 @@ public:
         std::optional<FreePlace> best;
         tree_.visit_near(from.position, radius, [&](std::uint32_t i) {
             const Chord& chord = chords_[i];
-            if (same_face(chord.edge, from.edge)) return radius;
             const FreeEdge& edge = edges_.all[chord.edge];
+            if (edge.face() == edges_.all[from.edge].face()) return radius;
             const FreePlace place = edge.at(way_of_nearest(edge, chord.place, from.position));
             const double distance = (place.position - from.position).length();
             if (distance <= radius) best = place, radius = distance;
@@ -53,11 +53,6 @@ private:
         const double share =
             nearest_on_segment(edge.places[i].position, edge.places[i + 1].position, p);
         return edge.ways[i] + share * (edge.ways[i + 1] - edge.ways[i]);
-    }
-
-    bool same_face(std::uint32_t a, std::uint32_t b) const {
-        const BoundaryInterval &x = edges_.all[a].pieces.front(), &y = edges_.all[b].pieces.front();
-        return x.face == y.face && x.instance == y.instance;
     }
 
     const FreeEdges& edges_;

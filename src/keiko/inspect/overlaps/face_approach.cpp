@@ -45,9 +45,7 @@ private:
         patch_ = patch, view_ = {original.degree_u, original.degree_v, points_};
         Chords chords = samples_.chords_in(hull_bounds(view_).padded(join_));
         const auto is_own = [&](std::uint32_t chord) {
-            const FreeEdge& edge = samples_.edges().all[samples_.chord(chord).edge];
-            const BoundaryInterval& border = edge.pieces.front();
-            return PlacedFace{border.instance, border.face} == own_;
+            return samples_.edges().all[samples_.chord(chord).edge].face() == own_;
         };
         chords.erase(std::remove_if(chords.begin(), chords.end(), is_own), chords.end());
         if (!chords.empty()) search(unit_square, chords, 0);

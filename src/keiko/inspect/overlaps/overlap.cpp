@@ -97,10 +97,10 @@ private:
         const FaceApproach& deepest =
             crossing ? nearest_of(run) : deepest_of(run, borders, found.depth);
         const FreePlace place = samples_.place(deepest.sample);
-        const BoundaryInterval& border = samples_.edges().all[place.edge].pieces[place.piece];
-        found.sides = {PlacedFace{border.instance, border.face}, on};
+        const FreeEdge& edge = samples_.edges().all[place.edge];
+        found.sides = {edge.face(), on};
         found.place = place.position;
-        if (const auto frame = curves_.curve(border).frame(place.t)) {
+        if (const auto frame = curves_.curve(edge.pieces[place.piece]).frame(place.t)) {
             const double cosine = std::abs(frame->normal.dot(deepest.normal));
             const double sine = frame->normal.cross(deepest.normal).length();
             found.angle = radians_to_degrees(std::atan2(sine, cosine));
@@ -143,16 +143,6 @@ private:
     const OverlapLimits& limits_;
     FaceBorders borders_;
 };
-
-std::vector<PlacedFace> placed_faces(const SurfaceModel& model) {
-    std::vector<PlacedFace> faces;
-    for (std::uint32_t i = 0; i < model.instances.size(); ++i) {
-        const Part& part = model.parts[model.instances[i].part];
-        for (std::uint32_t f = 0; f < part.face_count; ++f)
-            faces.push_back({i, part.first_face + f});
-    }
-    return faces;
-}
 
 } // namespace
 

@@ -5,10 +5,6 @@
 namespace keiko {
 namespace {
 
-Vec3 euclidean(const Vec4& p) {
-    return Vec3(p.x, p.y, p.z) / p.w;
-}
-
 /// Restricts an interval of s to low <= from + s * slope <= high.
 void cut(ParameterInterval& part, double from, double slope, double low, double high) {
     if (slope == 0) {

@@ -11,7 +11,7 @@ namespace {
 constexpr double fold = 175; ///< degrees
 
 double degrees_between(const Vec3& a, const Vec3& b) {
-    return radians_to_degrees(std::atan2(a.cross(b).length(), a.dot(b)));
+    return radians_to_degrees(angle_between(a, b));
 }
 
 Vec2 clamped(const Vec2& uv) {

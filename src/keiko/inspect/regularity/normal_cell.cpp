@@ -62,7 +62,7 @@ double NormalCell::turn(bool by_u) const {
     for (int k = 0; k <= last(!by_u); ++k) {
         const Vec3 a = by_u ? coefficient(0, k) : coefficient(k, 0);
         const Vec3 b = by_u ? coefficient(last(true), k) : coefficient(k, last(false));
-        most = std::max(most, std::atan2(a.cross(b).length(), a.dot(b)));
+        most = std::max(most, angle_between(a, b));
     }
     return most;
 }

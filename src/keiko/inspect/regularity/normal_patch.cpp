@@ -9,8 +9,7 @@ Box3 side_box(const BezierPatchView& patch, bool by_u, bool upper) {
     const int last = by_u ? patch.degree_v : patch.degree_u;
     const int fixed = !upper ? 0 : by_u ? patch.degree_u : patch.degree_v;
     for (int k = 0; k <= last; ++k) {
-        const Vec4& p = by_u ? patch.point(fixed, k) : patch.point(k, fixed);
-        box.extend(Vec3(p.x, p.y, p.z) / p.w);
+        box.extend(euclidean(by_u ? patch.point(fixed, k) : patch.point(k, fixed)));
     }
     return box;
 }

@@ -45,7 +45,7 @@ double reach_in_box(const BezierPatchView& sub_patch, const Vec2& middle, const 
     double reach = 0;
     for (const Vec4& p : subpatch(sub_patch, box)) {
         if (!(p.w > 0)) return std::numeric_limits<double>::infinity();
-        const Vec3 away = to_world.vector(Vec3(p.x, p.y, p.z) / p.w - place);
+        const Vec3 away = to_world.vector(euclidean(p) - place);
         reach = std::max(reach, away.length());
     }
     return reach;

@@ -10,10 +10,6 @@ namespace keiko {
 
 namespace {
 
-Vec3 euclidean(const Vec4& p) {
-    return Vec3(p.x, p.y, p.z) / p.w;
-}
-
 /// Component net of `sub-patch` in a frame: 0, 1, 2 for w X, w Y, w Z and 3 for w.
 BernsteinNet component(const BezierPatchView& sub_patch, const SubPatchFrame& frame,
                        std::size_t which) {

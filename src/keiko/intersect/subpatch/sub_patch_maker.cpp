@@ -88,17 +88,16 @@ SubPatchMaker::SubPatchMaker(const BezierPatchView& patch, std::uint32_t index, 
 }
 
 bool SubPatchMaker::has_area() const {
-    const auto place = [](const Vec4& p) { return Vec3(p.x, p.y, p.z) / p.w; };
     const auto farthest_from = [&](const Vec3& from) {
-        return place(
+        return euclidean(
             *std::max_element(points_.begin(), points_.end(), [&](const Vec4& a, const Vec4& b) {
-                return (place(a) - from).length() < (place(b) - from).length();
+                return (euclidean(a) - from).length() < (euclidean(b) - from).length();
             }));
     };
-    const Vec3 first = farthest_from(place(points_.front()));
+    const Vec3 first = farthest_from(euclidean(points_.front()));
     const Vec3 way = (farthest_from(first) - first).normalized();
     return std::any_of(points_.begin(), points_.end(), [&](const Vec4& p) {
-        return way.cross(place(p) - first).length() > rounding_error(1);
+        return way.cross(euclidean(p) - first).length() > rounding_error(1);
     });
 }
 

@@ -170,7 +170,7 @@ Box3 TracedModel::bounds(const PlacedSubPatch& at) const {
     // A bent sub-patch's quarters have far smaller hulls than its whole.
     for (const Vec2& corner : {Vec2(0, 0), Vec2(0.5, 0), Vec2(0, 0.5), Vec2(0.5, 0.5)})
         for (const Vec4& p : subpatch(sub_patches.view(sub_patch), {corner, corner + Vec2(0.5)})) {
-            const Vec3 point = sub_patch.center + Vec3(p.x, p.y, p.z) / p.w;
+            const Vec3 point = sub_patch.center + euclidean(p);
             box.extend(placement.identity ? point : placement.to_world.point(point));
         }
     // What the sub-patch is off, and the rounding of placing it.
