@@ -14,9 +14,9 @@ double form(double x, double y) {
 }
 
 /// Places within 50 mm, one of four of them in a dent 1 mm deep.
-std::vector<Height> dented() {
+std::vector<FormHeight> dented() {
     test::Random random(4);
-    std::vector<Height> heights;
+    std::vector<FormHeight> heights;
     for (int i = 0; i < 600; ++i) {
         const double x = test::uniform(random, -50, 50), y = test::uniform(random, -50, 50);
         const double r = std::hypot(x - 5, y) / 25;
@@ -36,7 +36,7 @@ TEST(ReferenceForm, IsTheFormUnderADent) {
 /// A ball of 100 mm, which no polynomial of degree 4 follows so far, with a dent of 0.05 mm.
 TEST(ReferenceForm, FollowsABallWhereItMayBeBent) {
     test::Random random(5);
-    std::vector<Height> heights;
+    std::vector<FormHeight> heights;
     for (int i = 0; i < 600; ++i) {
         const double x = test::uniform(random, -60, 60), y = test::uniform(random, -60, 60);
         const double r = std::hypot(x, y) / 25;
@@ -52,11 +52,11 @@ TEST(ReferenceForm, FollowsABallWhereItMayBeBent) {
 }
 
 TEST(ReferenceForm, IsNoneOfTooFewPlacesOrOfALine) {
-    std::vector<Height> heights = dented();
+    std::vector<FormHeight> heights = dented();
     heights.resize(25);
     EXPECT_FALSE(ReferenceForm::fit(heights, 50));
-    std::vector<Height> line = dented();
-    for (Height& h : line) h.y = 0;
+    std::vector<FormHeight> line = dented();
+    for (FormHeight& h : line) h.y = 0;
     EXPECT_FALSE(ReferenceForm::fit(line, 50));
 }
 
