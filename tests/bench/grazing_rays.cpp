@@ -1,6 +1,6 @@
 #include "tests/bench/grazing_rays.h"
 
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/trim/trim_region.h"
 
 #include <cmath>

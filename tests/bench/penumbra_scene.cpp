@@ -1,6 +1,6 @@
 #include "tests/bench/penumbra_scene.h"
 
-#include "keiko/geometry/model/ground_plane.h"
+#include "keiko/geometry/model/surface_model.h"
 
 #include "tests/support/model_builder.h"
 #include "tests/support/random.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/geometry/bezier/bezier_patch.h"
-#include "keiko/geometry/bezier/ray.h"
+#include "keiko/geometry/bezier/bezier.h"
+#include "keiko/geometry/visibility/ray.h"
 
 #include <vector>
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/job.h"
+#include "keiko/geometry/seam/seam.h"
 #include "keiko/inspect/seams/model_borders.h"
 #include "keiko/inspect/trace_facts.h"
 #include "keiko/math/bounds.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/bezier/ray.h"
+#include "keiko/geometry/visibility/ray.h"
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/math/bounds.h"
 #include "keiko/scene/camera.h"

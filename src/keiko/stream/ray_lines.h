@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/error.h"
-#include "keiko/geometry/bezier/ray.h"
+#include "keiko/geometry/visibility/ray.h"
 #include "keiko/math/bounds.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "keiko/workflow/open_scene.h"
 
-#include "keiko/geometry/model/ground_plane.h"
+#include "keiko/geometry/model/surface_model.h"
 #include "keiko/workflow/painted_body.h"
 
 #include <array>

@@ -1,5 +1,4 @@
-#include "keiko/geometry/bezier/bezier_curve.h"
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 
 #include <gtest/gtest.h>
 

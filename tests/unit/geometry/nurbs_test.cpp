@@ -1,7 +1,6 @@
 #include "keiko/geometry/bezier/nurbs.h"
 
-#include "keiko/geometry/bezier/bezier_curve.h"
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 #include "keiko/geometry/bezier/parameter_map.h"
 
-#include "keiko/geometry/bezier/bezier_curve.h"
-#include "keiko/geometry/bezier/parameter_ranges.h"
+#include "keiko/geometry/bezier/bezier.h"
 
 #include <gtest/gtest.h>
 

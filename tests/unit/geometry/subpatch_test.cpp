@@ -1,6 +1,6 @@
 #include "keiko/geometry/bezier/subpatch.h"
 
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 
 #include "tests/support/random_patches.h"
 #include <gtest/gtest.h>

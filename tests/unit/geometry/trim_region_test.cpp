@@ -1,6 +1,6 @@
 #include "keiko/geometry/trim/trim_region.h"
 
-#include "keiko/geometry/bernstein/bernstein_roots.h"
+#include "keiko/geometry/bernstein/bernstein.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>

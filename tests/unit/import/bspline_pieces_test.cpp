@@ -1,6 +1,6 @@
 #include "keiko/import/subdivision/bspline_pieces.h"
 
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 
 #include <gtest/gtest.h>
 

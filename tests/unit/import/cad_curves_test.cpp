@@ -1,4 +1,4 @@
-#include "keiko/geometry/bezier/bezier_curve.h"
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/import/cad/curve_spans.h"
 
 #include <Geom2d_BSplineCurve.hxx>

@@ -1,5 +1,5 @@
 #include "keiko/base/error.h"
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/import/cad/surface_patches.h"
 #include "keiko/math/interval_set.h"
 

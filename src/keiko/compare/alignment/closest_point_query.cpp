@@ -1,7 +1,6 @@
 #include "keiko/compare/alignment/closest_point_query.h"
 
 #include "keiko/compare/alignment/surface_pieces.h"
-#include "keiko/geometry/bezier/piece_projection.h"
 #include "keiko/geometry/bezier/subpatch.h"
 
 #include <algorithm>

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "keiko/compare/alignment/closest_point_query.h"
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/bvh/box_tree.h"
 #include "keiko/geometry/model/closest_point.h"
-#include "keiko/geometry/model/curve_polyline.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/intersect/subpatch/sub_patch.h"
 

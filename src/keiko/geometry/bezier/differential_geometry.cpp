@@ -26,6 +26,24 @@ FirstForm first_form(const SurfaceDerivatives& s) {
     return {s.du().dot(s.du()), s.du().dot(s.dv()), s.dv().dot(s.dv())};
 }
 
+/// A tangent vector by du and dv.
+struct Components {
+    double u, v;
+
+    Components(const SurfaceDerivatives& s, const Vec3& tangent) {
+        const FirstForm one = first_form(s);
+        const double along_u = tangent.dot(s.du()), along_v = tangent.dot(s.dv());
+        u = (one.g * along_u - one.f * along_v) / one.determinant();
+        v = (one.e * along_v - one.f * along_u) / one.determinant();
+    }
+};
+
+double second_form(const SurfaceDerivatives& s, const Vec3& n, const Components& a,
+                   const Components& b) {
+    return a.u * b.u * s.duu().dot(n) + (a.u * b.v + a.v * b.u) * s.duv().dot(n) +
+           a.v * b.v * s.dvv().dot(n);
+}
+
 } // namespace
 
 std::optional<Vec3> unit_normal(const SurfaceDerivatives& s, const Vec2& uv) {
@@ -69,14 +87,29 @@ std::optional<PrincipalCurvatures> reliable_curvatures(const SurfaceDerivatives&
 }
 
 double normal_curvature(const SurfaceDerivatives& s, const Vec3& normal, const Vec3& direction) {
-    const FirstForm one = first_form(s);
-    const double du = direction.dot(s.du()), dv = direction.dot(s.dv());
-    const double a = (one.g * du - one.f * dv) / one.determinant();
-    const double b = (one.e * dv - one.f * du) / one.determinant();
-    const double second =
-        a * a * s.duu().dot(normal) + 2 * a * b * s.duv().dot(normal) + b * b * s.dvv().dot(normal);
-    const Vec3 tangent = s.du() * a + s.dv() * b;
-    return second / tangent.dot(tangent);
+    const Components along(s, direction);
+    const Vec3 tangent = s.du() * along.u + s.dv() * along.v;
+    return second_form(s, normal, along, along) / tangent.dot(tangent);
+}
+
+double normal_curvature_slope(const SurfaceDerivatives& s, const Vec3& normal,
+                              const Vec3& direction) {
+    const Components a(s, direction.normalized());
+    // The straight line in parameters is curved in space. Its curvature within the tangent plane
+    // turns the section along, and is subtracted again.
+    const Vec3 second = s.duu() * (a.u * a.u) + s.duv() * (2 * a.u * a.v) + s.dvv() * (a.v * a.v);
+    const Vec3 third = s.d[3][0] * (a.u * a.u * a.u) + s.d[2][1] * (3 * a.u * a.u * a.v) +
+                       s.d[1][2] * (3 * a.u * a.v * a.v) + s.d[0][3] * (a.v * a.v * a.v);
+    const Vec3 sideways = second - normal * second.dot(normal);
+    return third.dot(normal) - 3 * second_form(s, normal, a, Components(s, sideways));
+}
+
+std::optional<Vec3> robust_normal(SurfaceDerivatives s, const Vec2& uv) {
+    constexpr double gone = 1e-8;
+    const double mixed = s.duv().length();
+    if (s.du().length() < gone * mixed) s.d[1][0] = s.d[2][0] = Vec3(0);
+    if (s.dv().length() < gone * mixed) s.d[0][1] = s.d[0][2] = Vec3(0);
+    return unit_normal(s, uv);
 }
 
 } // namespace keiko

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 
 #include <optional>
 
@@ -32,5 +32,16 @@ std::optional<PrincipalCurvatures> reliable_curvatures(const SurfaceDerivatives&
 /// Curvature in 1/mm of the normal section along a tangent `direction` (need not be unit).
 double normal_curvature(const SurfaceDerivatives& derivatives, const Vec3& normal,
                         const Vec3& direction);
+
+/// Derivative of the curvature of the normal section along a tangent `direction` by arc length
+/// along it, 1/mm2, with respect to the given unit normal. It is the covariant derivative of the
+/// second fundamental form (do Carmo, Differential Geometry, 3-3). Needs derivatives of order 3 and
+/// a regular point; `direction` need not be unit.
+double normal_curvature_slope(const SurfaceDerivatives& derivatives, const Vec3& normal,
+                              const Vec3& direction);
+
+/// unit_normal that treats a nearly vanishing tangent (within 1e-8 of the distance to a pole) as 0.
+/// The rest of such a tangent is rounding, and the pole's own normal is closer.
+std::optional<Vec3> robust_normal(SurfaceDerivatives s, const Vec2& uv);
 
 } // namespace keiko

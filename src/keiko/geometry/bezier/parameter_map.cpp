@@ -1,15 +1,12 @@
 #include "keiko/geometry/bezier/parameter_map.h"
 
-#include "keiko/geometry/bezier/parameter_ranges.h"
-
 #include <cmath>
 
 namespace keiko {
+namespace {
 
 // A standard-form rational quadratic arc of half angle h satisfies tan(phi / 2) = (2t - 1) T. Here
 // T = tan(h / 2) and phi is the angle from its middle (tanh and atanh for a hyperbola).
-
-namespace {
 
 double middle(const ParameterMap& m) {
     return (m.begin + m.end) / 2;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "keiko/math/interval.h"
+
 #include <cstdint>
 
 namespace keiko {
@@ -27,5 +29,11 @@ struct ParameterMap {
 
     bool operator==(const ParameterMap&) const = default;
 };
+
+/// Ranges of a map's first and second derivatives over a range of its patch's parameter.
+struct ParameterRanges {
+    Interval first, second;
+};
+ParameterRanges parameter_ranges(const ParameterMap& map, const Interval& t);
 
 } // namespace keiko

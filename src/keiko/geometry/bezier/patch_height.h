@@ -1,10 +1,26 @@
 #pragma once
 
 #include "keiko/geometry/bernstein/bernstein_field.h"
-#include "keiko/geometry/bezier/bezier_patch.h"
-#include "keiko/geometry/bezier/height.h"
+#include "keiko/geometry/bezier/bezier.h"
+#include "keiko/math/bounds.h"
 
 namespace keiko {
+
+/// Height of places along a direction, mm: a linear function of them.
+struct Height {
+    Vec3 slope{0};
+    double offset = 0;
+
+    double of(const Vec3& place) const { return slope.dot(place) + offset; }
+    /// The largest height in the box; -infinity for an empty one.
+    double most(const Box3& box) const {
+        if (box.empty()) return -Box3::infinity;
+        double sum = offset;
+        for (unsigned k = 0; k < 3; ++k)
+            sum += std::max(slope[k] * box.lower[k], slope[k] * box.upper[k]);
+        return sum;
+    }
+};
 
 /// The height of a patch over a box of its parameters, which may be a line or a point: a rational
 /// function whose Bernstein coefficients bound it. Local parameters x, y in [0, 1] run over the

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "keiko/math/bounds.h"
+#include "keiko/math/vec.h"
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace keiko {
@@ -30,6 +32,36 @@ private:
     std::uint32_t build(std::uint32_t first, std::uint32_t count);
 
     std::vector<Box3> boxes_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Node> nodes_;
+};
+
+/// Boxes in a tree that finds those which a plane cuts.
+class PlaneTree {
+public:
+    explicit PlaneTree(std::vector<Box3> boxes);
+
+    /// The numbers of the boxes that the plane normal.x = offset cuts, rising.
+    std::vector<std::uint32_t> cut_by(const Vec3& normal, double offset) const;
+
+private:
+    /// A box by its middle and half its edges.
+    struct Block {
+        Vec3 middle{0}, half{0};
+
+        bool cut_by(const Vec3& normal, double offset) const;
+    };
+    /// Node in the order of traversal: the first child comes next, `skip` is the node after this
+    /// node's children.
+    struct Node {
+        Block block;
+        std::uint32_t first = 0, count = 0; ///< into order_, of a leaf
+        std::uint32_t skip = 0;
+    };
+
+    void build(std::span<std::uint32_t> part, std::span<const Box3> boxes);
+
+    std::vector<Block> blocks_; ///< of the boxes, in `order_`
     std::vector<std::uint32_t> order_;
     std::vector<Node> nodes_;
 };

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "keiko/base/error.h"
-#include "keiko/geometry/bezier/bezier_curve.h"
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/bezier/parameter_map.h"
 #include "keiko/geometry/model/repair.h"
 #include "keiko/math/affine.h"
@@ -133,5 +132,18 @@ std::vector<std::string> files_of(const SurfaceModel& model);
 
 /// Merged model of several models; faces keep their order, ids are made unique by renumbering.
 SurfaceModel merge(std::span<const SurfaceModel> models);
+
+/// Trim curves that follow each other along one side of an edge.
+struct EdgeUse {
+    std::uint32_t face = 0, first_curve = 0, curve_count = 0;
+};
+
+/// The uses of each edge of a model, in file order.
+std::vector<std::vector<EdgeUse>> edge_uses(const SurfaceModel& model);
+
+/// A level square at height `z` below, above or beside a body, its normal up. It is one bilinear
+/// patch that extends a hundred times the body's size from the middle of its box, and at least 100
+/// m. Lengths in mm.
+SurfaceModel ground_plane(double z, const Box3& body);
 
 } // namespace keiko

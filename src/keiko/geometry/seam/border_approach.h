@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/units.h"
-#include "keiko/geometry/model/curve_polyline.h"
+#include "keiko/geometry/model/closest_point.h"
 #include "keiko/math/interval_set.h"
 
 #include <vector>

@@ -1,11 +1,23 @@
 #pragma once
 
 #include "keiko/geometry/model/surface_curve.h"
-#include "keiko/geometry/seam/seam.h"
 
 #include <vector>
 
 namespace keiko {
+
+/// BoundaryInterval::curve of a face without loops is natural_side + 0..3: the four sides of its
+/// parameter domain, anticlockwise from v lowest.
+constexpr std::uint32_t natural_side = 0xfffffff0;
+
+/// A stretch of one border curve of a placed face.
+struct BoundaryInterval {
+    std::uint32_t instance = 0, face = 0;
+    std::uint32_t curve = 0;   ///< into SurfaceModel::trim_curves, or natural_side + 0..3
+    double begin = 0, end = 1; ///< parameters of that curve; begin > end: run backwards
+
+    bool operator==(const BoundaryInterval&) const = default;
+};
 
 /// Every border curve of every placed face of a model, as curves in space: the trim curves, and the
 /// four natural sides of faces without loops. Keeps a reference to the model.

@@ -3,9 +3,7 @@
 #include "keiko/base/job.h"
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/bvh/box_tree.h"
-#include "keiko/geometry/seam/boundary_curves.h"
-#include "keiko/geometry/seam/seam_offer.h"
-#include "keiko/geometry/seam/seam_pieces.h"
+#include "keiko/geometry/seam/seam_candidate.h"
 #include "keiko/math/interval_set.h"
 
 #include <algorithm>

@@ -1,25 +1,12 @@
 #pragma once
 
 #include "keiko/base/job.h"
-#include "keiko/geometry/model/surface_model.h"
+#include "keiko/geometry/seam/boundary_curves.h"
 
 #include <optional>
 #include <vector>
 
 namespace keiko {
-
-/// BoundaryInterval::curve of a face without loops is natural_side + 0..3: the four sides of its
-/// parameter domain, anticlockwise from v lowest.
-constexpr std::uint32_t natural_side = 0xfffffff0;
-
-/// A stretch of one border curve of a placed face.
-struct BoundaryInterval {
-    std::uint32_t instance = 0, face = 0;
-    std::uint32_t curve = 0;   ///< into SurfaceModel::trim_curves, or natural_side + 0..3
-    double begin = 0, end = 1; ///< parameters of that curve; begin > end: run backwards
-
-    bool operator==(const BoundaryInterval&) const = default;
-};
 
 /// Two boundary intervals that stay within the join distance of each other: a place where two faces
 /// meet, whether or not the file states it. Both may lie on one face if a closed surface meets

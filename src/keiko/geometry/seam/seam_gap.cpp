@@ -2,8 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/model/closest_point.h"
-#include "keiko/geometry/model/curve_polyline.h"
-#include "keiko/geometry/model/edge_uses.h"
+#include "keiko/geometry/model/surface_model.h"
 #include "keiko/math/quadrature.h"
 
 #include <algorithm>

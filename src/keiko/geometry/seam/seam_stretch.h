@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/model/curve_polyline.h"
+#include "keiko/geometry/model/closest_point.h"
 
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "keiko/geometry/trim/monotone_piece.h"
 
 #include "keiko/geometry/bernstein/bernstein.h"
-#include "keiko/geometry/bernstein/bernstein_roots.h"
 
 #include <algorithm>
 #include <cmath>

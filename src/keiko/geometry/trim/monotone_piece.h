@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/bezier/bezier_curve.h"
+#include "keiko/geometry/bezier/bezier.h"
 
 #include <cstdint>
 #include <vector>

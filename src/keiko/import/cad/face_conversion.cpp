@@ -3,7 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/bernstein/bernstein.h"
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/import/cad/face_faults.h"
 #include "keiko/import/cad/shape_places.h"
 #include "keiko/import/cad/surface_patches.h"

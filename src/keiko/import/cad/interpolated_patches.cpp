@@ -1,6 +1,6 @@
 #include "keiko/base/error.h"
 #include "keiko/geometry/bernstein/bernstein.h"
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/import/cad/surface_kinds.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/parallel.h"
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/import/subdivision/limit_patches.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/bernstein/bernstein_field.h"
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 
 #include <array>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/geometry/seam/seam.h"
 #include "keiko/inspect/lines/line_crossing.h"
 #include "keiko/inspect/lines/line_end.h"
 #include "keiko/inspect/lines/line_inflections.h"

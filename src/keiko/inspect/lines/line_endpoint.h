@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/seam/boundary_curves.h"
+#include "keiko/geometry/seam/seam.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/lines/lamp_levels.h"
 #include "keiko/inspect/lines/line_geometry.h"

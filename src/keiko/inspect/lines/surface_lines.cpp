@@ -1,7 +1,7 @@
 #include "keiko/inspect/lines/surface_lines.h"
 
 #include "keiko/base/parallel.h"
-#include "keiko/geometry/bezier/robust_normal.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/basics/level_function.h"

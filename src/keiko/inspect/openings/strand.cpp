@@ -1,6 +1,6 @@
 #include "keiko/inspect/openings/strand.h"
 
-#include "keiko/geometry/model/curve_polyline.h"
+#include "keiko/geometry/model/closest_point.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,6 @@
 #include "keiko/inspect/overlaps/face_approach.h"
 
 #include "keiko/geometry/bezier/differential_geometry.h"
-#include "keiko/geometry/bezier/piece_projection.h"
 #include "keiko/geometry/bezier/subpatch.h"
 #include "keiko/geometry/seam/border_approach.h"
 #include "keiko/inspect/overlaps/face_inside.h"

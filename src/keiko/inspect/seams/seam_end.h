@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/seam/seam_corner.h"
+#include "keiko/geometry/seam/seam_candidate.h"
 #include "keiko/inspect/seams/seam_partition.h"
 
 namespace keiko {

@@ -1,7 +1,6 @@
 #include "keiko/inspect/seams/seam_probe.h"
 
 #include "keiko/base/units.h"
-#include "keiko/geometry/bezier/curvature_slope.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/model/closest_point.h"
 #include "keiko/geometry/seam/border_approach.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 
 #include <span>
 #include <vector>

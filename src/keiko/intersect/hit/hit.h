@@ -1,9 +1,9 @@
 #pragma once
 
 #include "keiko/base/memory.h"
-#include "keiko/geometry/bezier/bezier_patch.h"
-#include "keiko/geometry/bezier/ray.h"
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/model/surface_model.h"
+#include "keiko/geometry/visibility/ray.h"
 
 #include <cstdint>
 #include <limits>

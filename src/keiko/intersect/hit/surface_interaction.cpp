@@ -1,6 +1,6 @@
 #include "keiko/intersect/hit/surface_interaction.h"
 
-#include "keiko/geometry/bezier/robust_normal.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/bezier/subpatch.h"
 #include "keiko/intersect/hit/surface_jet.h"
 #include "keiko/intersect/kernels/prefetch.h"

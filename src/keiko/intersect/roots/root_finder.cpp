@@ -1,6 +1,6 @@
 #include "keiko/intersect/roots/root_finder.h"
 
-#include "keiko/geometry/bernstein/bernstein_roots.h"
+#include "keiko/geometry/bernstein/bernstein.h"
 #include "keiko/intersect/roots/planar_net.h"
 #include "keiko/intersect/roots/preconditioner.h"
 

@@ -1,6 +1,6 @@
 #include "keiko/intersect/subpatch/sub_patch_frame.h"
 
-#include "keiko/geometry/bernstein/net_bounds.h"
+#include "keiko/geometry/bernstein/bernstein_field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "keiko/intersect/traversal/bezier_clipping.h"
 
-#include "keiko/geometry/bezier/robust_normal.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/intersect/roots/root_finder.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/memory.h"
-#include "keiko/geometry/bezier/ray.h"
+#include "keiko/geometry/visibility/ray.h"
 #include "keiko/intersect/hit/hit.h"
 #include "keiko/intersect/kernels/prefetch.h"
 #include "keiko/math/rgb.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/bvh/box_tree.h"
-#include "keiko/geometry/model/edge_uses.h"
+#include "keiko/geometry/model/surface_model.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/intersect/traversal/tracer.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "keiko/geometry/bernstein/bernstein_roots.h"
+#include "keiko/geometry/bernstein/bernstein.h"
 #include "keiko/geometry/trim/trim_region.h"
-#include "keiko/geometry/visibility/viewpoint.h"
+#include "keiko/geometry/visibility/ray.h"
 #include "keiko/visibility/boundaries/boundary_piece.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "keiko/visibility/query/contour_curve.h"
 
-#include "keiko/geometry/bernstein/bernstein_roots.h"
+#include "keiko/geometry/bernstein/bernstein.h"
 #include "keiko/intersect/hit/surface_jet.h"
 #include "keiko/visibility/boundaries/curve_cover.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/job.h"
-#include "keiko/geometry/visibility/viewpoint.h"
+#include "keiko/geometry/visibility/ray.h"
 #include "keiko/geometry/visibility/visibility.h"
 #include "keiko/intersect/traversal/tracer.h"
 #include "keiko/math/interval_set.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/geometry/bvh/plane_tree.h"
-#include "keiko/geometry/visibility/viewpoint.h"
+#include "keiko/geometry/bvh/box_tree.h"
+#include "keiko/geometry/visibility/ray.h"
 #include "keiko/visibility/boundaries/boundary_piece.h"
 #include "keiko/visibility/query/contour_extrema.h"
 #include "keiko/visibility/query/event_intervals.h"

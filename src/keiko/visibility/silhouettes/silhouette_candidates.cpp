@@ -1,6 +1,6 @@
 #include "keiko/visibility/silhouettes/silhouette_candidates.h"
 
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/bezier/subpatch.h"
 #include "keiko/math/axes.h"

@@ -1,6 +1,6 @@
-#include "keiko/geometry/bezier/bezier_patch.h"
+#include "keiko/geometry/bezier/bezier.h"
 
-#include "keiko/geometry/bernstein/bernstein_rows.h"
+#include "keiko/geometry/bernstein/bernstein.h"
 
 #include <algorithm>
 #include <cassert>
@@ -81,6 +81,30 @@ SurfaceDerivatives derivatives(const BezierPatchView& patch, const Vec2& uv) {
 }
 
 } // namespace
+
+std::array<Vec2, 4> evaluate(const BezierCurveView& curve, double t, int order) {
+    assert(order >= 0 && order <= 3);
+    const auto basis = bernstein_derivatives(curve.degree(), t, std::min(order, curve.degree()));
+    std::array<Vec3, 4> h{};
+    h.fill(Vec3(0));
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k)
+        for (std::size_t i = 0; i < curve.points.size(); ++i) h[k] += curve.points[i] * basis[k][i];
+
+    std::array<Vec2, 4> result{};
+    result.fill(Vec2(0));
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k) {
+        Vec2 value(h[k].x, h[k].y);
+        for (std::size_t i = 1; i <= k; ++i) value -= result[k - i] * (binomial[k][i] * h[i].z);
+        result[k] = value / h[0].z;
+    }
+    return result;
+}
+
+Box2 hull_bounds(const BezierCurveView& curve) {
+    Box2 box;
+    for (const Vec3& p : curve.points) box.extend(Vec2(p.x, p.y) / p.z);
+    return box;
+}
 
 bool BezierPatchView::rational() const {
     for (const Vec4& p : points)

@@ -1,13 +1,49 @@
 #pragma once
 
+#include "keiko/base/units.h"
+#include "keiko/geometry/seam/seam_stretch.h"
 #include "keiko/math/vec.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace keiko {
+
+/// Radians: a seam that turns by more than this has a corner, where another seam begins.
+constexpr double seam_corner = degrees_to_radians(30);
+
+/// True if a line that changes from one direction to another turns a corner; false if one of them
+/// is 0.
+inline bool is_corner(const Vec3& before, const Vec3& after) {
+    static const double cosine = std::cos(seam_corner);
+    return before.dot(after) < cosine * before.length() * after.length();
+}
+
+/// A stretch and the two borders that it joins; border a is the earlier.
+struct SeamCandidate {
+    std::uint32_t a = 0, b = 0;
+    Stretch stretch;
+};
+
+/// The facing points that another candidate provides along a stretch of one border.
+struct SeamOffer {
+    const SeamCandidate* candidate;
+    bool as_a;
+
+    double parameter(const FacingPoints& p) const { return as_a ? p.t : p.s; }
+};
+
+/// Distance of two points by which candidates compete: a far side of a sliver faces the neighbour
+/// across the sliver's own material, which counts more.
+double cost(const FacingPoints& p);
+/// Cost of an offer at a parameter of its border, or infinity beyond its ends.
+double cost_at(const SeamOffer& offer, double x);
+/// Distance in mm of an offer at a parameter of its border, only where material lies between;
+/// otherwise infinity.
+double width_at(const SeamOffer& offer, double x);
 
 /// A stretch of two borders that may be a seam, or a part of one: files may cut borders into any
 /// number of curves, and a partner's border may end in the middle of others.
