@@ -2,7 +2,7 @@
 
 #include "keiko/compare/alignment/placed_model.h"
 #include "keiko/geometry/seam/boundary_curves.h"
-#include "keiko/inspect/basics/face_names.h"
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/math/quadrature.h"
 
 #include <map>

@@ -1,7 +1,7 @@
 #include "keiko/inspect/inspection.h"
 
 #include "keiko/base/parallel.h"
-#include "keiko/inspect/basics/face_names.h"
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/flaws/flaw_search.h"
 #include "keiko/inspect/openings/opening.h"
 #include "keiko/inspect/overlaps/overlap.h"

@@ -2,7 +2,7 @@
 
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/geometry/trim/material_bounds.h"
-#include "keiko/inspect/basics/face_names.h"
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/workflow/compare_views.h"
 #include "keiko/workflow/version.h"
 

@@ -1,7 +1,7 @@
 #include "keiko/inspect/curvature/inflection_curves.h"
 
 #include "keiko/geometry/bezier/differential_geometry.h"
-#include "keiko/inspect/basics/field_cells.h"
+#include "keiko/inspect/basics/line_cells.h"
 #include "keiko/inspect/curvature/parabolic_field.h"
 #include "keiko/inspect/curvature/parabolic_rate.h"
 

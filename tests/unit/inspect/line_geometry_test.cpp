@@ -1,6 +1,6 @@
 #include "keiko/inspect/lines/line_geometry.h"
 
-#include "keiko/inspect/basics/level_function.h"
+#include "keiko/inspect/basics/patch_lines.h"
 
 #include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>

@@ -44,4 +44,8 @@ private:
     std::vector<Vec4> points_; ///< homogeneous, u outer
 };
 
+/// Lengths of the sides of a patch's control polygons along u and along v, times the degree, mm.
+/// Each is at least the patch's length in that direction, if the patch is not rational.
+std::array<double, 2> net_extents(const BezierPatchView& patch);
+
 } // namespace keiko

@@ -1,15 +1,53 @@
 #pragma once
 
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/inspect/basics/line_cells.h"
+#include "keiko/inspect/basics/line_field.h"
+
+#include <optional>
 
 namespace keiko {
-
-class ZeroFunction;
 
 /// A place on a line.
 struct LinePoint {
     Vec2 uv{0};    ///< patch parameters
     Vec3 place{0}; ///< mm, on the exact surface
+};
+
+/// A smooth function of a patch's parameters whose zeros are curves on the patch.
+class ZeroFunction {
+public:
+    virtual ~ZeroFunction() = default;
+
+    virtual double operator()(const Vec2& uv) const = 0;
+    virtual LinePoint point(const Vec2& uv) const = 0;
+
+    /// The root between two places of opposite sign, by the Illinois form of the secant rule
+    /// [DowellJarratt1971]. That keeps the root between its ends; halving replaces it where it is
+    /// slow.
+    Vec2 root(Vec2 a, double at_a, Vec2 b, double at_b) const;
+
+    /// A point of the line between two others near each other on it, beside the given share of
+    /// their chord; nullopt if no change of sign locates it.
+    std::optional<LinePoint> between(const LinePoint& a, const LinePoint& b, double share) const;
+};
+
+/// The field's residual on one level as a function of the patch parameters: 0 on the line. Keeps
+/// references; the patch and the field must outlive it.
+class LevelFunction : public ZeroFunction {
+public:
+    LevelFunction(const BezierPatchView& patch, const LineField& field, double level)
+        : patch_(patch), field_(field), level_(level) {}
+
+    double operator()(const Vec2& uv) const override;
+    LinePoint point(const Vec2& uv) const override {
+        return {uv, evaluate(patch_, uv, 0).position()};
+    }
+
+private:
+    const BezierPatchView& patch_;
+    const LineField& field_;
+    double level_;
 };
 
 /// A connected piece of one level's line on a patch.

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "keiko/geometry/model/surface_model.h"
+#include "keiko/math/affine.h"
+#include "keiko/math/bounds.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace keiko {
@@ -24,5 +27,24 @@ inline std::vector<PlacedFace> placed_faces(const SurfaceModel& model) {
     }
     return placed;
 }
+
+/// Name of a placed face: "face 12 (fender-outer)". If the model has several instances, it is "face
+/// 12 of nut", or "face 12 of nut, instance 3" if several instances have that name.
+std::string placed_face_name(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face);
+
+/// Derivatives to order 3 by the patch parameters of a patch placed by an instance; world, mm.
+SurfaceDerivatives placed_derivatives(const SurfaceModel& model, std::uint32_t instance,
+                                      std::uint32_t patch, const Vec2& uv);
+
+/// A patch placed by an instance, with its middle moved to the origin, where numbers are small.
+struct PlacedPatch {
+    std::uint32_t index = 0;  ///< into SurfaceModel::patches
+    std::vector<Vec4> points; ///< homogeneous, about `middle`
+    Vec3 middle{0};           ///< world, mm
+    double rounding = 0;      ///< mm: error of a homogeneous coordinate
+    Box3 box;                 ///< world, of the control points
+
+    PlacedPatch(const SurfaceModel& model, std::uint32_t patch, const Affine& placed);
+};
 
 } // namespace keiko

@@ -3,7 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/inspect/basics/curve_chains.h"
-#include "keiko/inspect/basics/face_names.h"
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/combs/duplicate_segments.h"
 #include "keiko/inspect/combs/face_combs.h"
 

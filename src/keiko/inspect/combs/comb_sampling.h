@@ -1,7 +1,6 @@
 #pragma once
 
 #include "keiko/inspect/basics/patch_lines.h"
-#include "keiko/inspect/basics/zero_function.h"
 #include "keiko/inspect/combs/comb_curves.h"
 
 #include <functional>

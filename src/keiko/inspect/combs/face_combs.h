@@ -1,8 +1,8 @@
 #pragma once
 
 #include "keiko/geometry/trim/trim_region.h"
-#include "keiko/inspect/basics/field_zeros.h"
 #include "keiko/inspect/basics/placed_face.h"
+#include "keiko/inspect/basics/visible_pieces.h"
 #include "keiko/inspect/combs/comb_curves.h"
 #include "keiko/inspect/combs/comb_sampling.h"
 #include "keiko/inspect/combs/plane_meeting.h"

@@ -1,8 +1,8 @@
 #include "keiko/inspect/combs/plane_meeting.h"
 
-#include "keiko/inspect/basics/boundary_factors.h"
-#include "keiko/inspect/basics/field_cells.h"
-#include "keiko/inspect/basics/field_zeros.h"
+#include "keiko/inspect/basics/line_cells.h"
+#include "keiko/inspect/basics/patch_fields.h"
+#include "keiko/inspect/basics/visible_pieces.h"
 
 #include <algorithm>
 #include <cmath>

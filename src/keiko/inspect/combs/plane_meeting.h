@@ -2,7 +2,7 @@
 
 #include "keiko/geometry/bernstein/bernstein_field.h"
 #include "keiko/inspect/basics/line_cells.h"
-#include "keiko/inspect/basics/placed_patch.h"
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/combs/section_plane.h"
 
 #include <vector>

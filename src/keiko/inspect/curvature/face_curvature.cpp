@@ -3,9 +3,8 @@
 #include "keiko/base/job.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/trim/trim_region.h"
-#include "keiko/inspect/basics/net_extents.h"
 #include "keiko/inspect/basics/patch_box.h"
-#include "keiko/inspect/basics/placed_patch.h"
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/curvature/curvature_range.h"
 
 #include <algorithm>

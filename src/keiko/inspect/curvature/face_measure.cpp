@@ -1,7 +1,7 @@
 #include "keiko/inspect/curvature/face_measure.h"
 
 #include "keiko/base/parallel.h"
-#include "keiko/inspect/basics/face_names.h"
+#include "keiko/inspect/basics/placed_face.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/job.h"
-#include "keiko/inspect/basics/measured_value.h"
+#include "keiko/inspect/basics/verdict.h"
 #include "keiko/inspect/curvature/face_curvature.h"
 #include "keiko/inspect/curvature/inflection_curves.h"
 #include "keiko/inspect/flaws/flaw.h"

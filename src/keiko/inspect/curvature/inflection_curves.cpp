@@ -3,8 +3,8 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/basics/curve_chains.h"
-#include "keiko/inspect/basics/field_cells.h"
-#include "keiko/inspect/basics/field_zeros.h"
+#include "keiko/inspect/basics/line_cells.h"
+#include "keiko/inspect/basics/visible_pieces.h"
 #include "keiko/inspect/curvature/parabolic_field.h"
 #include "keiko/inspect/curvature/parabolic_rate.h"
 

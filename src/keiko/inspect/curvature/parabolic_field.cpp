@@ -1,7 +1,6 @@
 #include "keiko/inspect/curvature/parabolic_field.h"
 
-#include "keiko/inspect/basics/boundary_factors.h"
-#include "keiko/inspect/basics/normal_field.h"
+#include "keiko/inspect/basics/patch_fields.h"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/trim/trim_region.h"
-#include "keiko/inspect/basics/placed_patch.h"
+#include "keiko/inspect/basics/placed_face.h"
 
 #include <optional>
 #include <vector>

@@ -2,8 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/trim/material_bounds.h"
-#include "keiko/inspect/basics/face_names.h"
-#include "keiko/inspect/basics/placed_derivatives.h"
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/seams/face_sizes.h"
 #include "keiko/inspect/seams/run_out_places.h"
 #include "keiko/inspect/seams/seam_chain.h"

@@ -2,7 +2,7 @@
 
 #include "keiko/base/units.h"
 #include "keiko/geometry/model/closest_point.h"
-#include "keiko/inspect/basics/placed_derivatives.h"
+#include "keiko/inspect/basics/placed_face.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "keiko/inspect/lines/line_inflections.h"
 
-#include "keiko/inspect/basics/placed_derivatives.h"
+#include "keiko/inspect/basics/placed_face.h"
 
 #include <cmath>
 

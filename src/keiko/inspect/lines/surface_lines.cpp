@@ -4,7 +4,7 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/geometry/trim/trim_region.h"
-#include "keiko/inspect/basics/level_function.h"
+#include "keiko/inspect/basics/patch_lines.h"
 #include "keiko/inspect/basics/visible_pieces.h"
 #include "keiko/inspect/lines/lamp_levels.h"
 #include "keiko/inspect/lines/line_visibility.h"
@@ -22,12 +22,12 @@ constexpr double own_root = 1e-7;
 /// never terminate.
 constexpr double least_chord_error = 1e-10;
 
-struct PlacedPatch {
+struct PatchInstance {
     std::uint32_t instance = 0, face = 0, patch = 0;
 };
 
-std::vector<PlacedPatch> placed_patches(const SurfaceModel& model) {
-    std::vector<PlacedPatch> placed;
+std::vector<PatchInstance> patch_instances(const SurfaceModel& model) {
+    std::vector<PatchInstance> placed;
     for (std::uint32_t i = 0; i < model.instances.size(); ++i) {
         const Part& part = model.parts[model.instances[i].part];
         for (std::uint32_t f = 0; f < part.face_count; ++f) {
@@ -52,7 +52,7 @@ public:
         for (const Face& face : model.faces) trims_.emplace_back(model, face);
     }
 
-    std::vector<SurfaceLine> on(const PlacedPatch& placed) const {
+    std::vector<SurfaceLine> on(const PatchInstance& placed) const {
         const BezierPatchView own = model_.patch(placed.patch);
         std::vector<Vec4> points;
         for (const Vec4& p : own.points)
@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    void add(const PlacedPatch& placed, const BezierPatchView& patch, std::uint32_t plane,
+    void add(const PatchInstance& placed, const BezierPatchView& patch, std::uint32_t plane,
              std::vector<SurfaceLine>& found) const {
         const LampLevels& lamps = fields_[plane];
         for (const PatchLine& line : patch_lines(patch, lamps.field, lamps.levels, lines_)) {
@@ -80,7 +80,7 @@ private:
         }
     }
 
-    bool sees(const LineVisibility& sight, const PlacedPatch& placed, const BezierPatchView& patch,
+    bool sees(const LineVisibility& sight, const PatchInstance& placed, const BezierPatchView& patch,
               const Vec2& uv) const {
         const TrimRegion& trim = trims_[placed.face];
         if (!trim.untrimmed() && !trim.contains(model_.face_parameters(placed.patch, uv)))
@@ -104,7 +104,7 @@ private:
 std::vector<SurfaceLine> surface_lines(const SurfaceModel& model, const Tracer& seen,
                                        std::span<const CPlane> planes, const Camera& camera,
                                        const SurfaceLineOptions& options, const Job& job) {
-    const std::vector<PlacedPatch> placed = placed_patches(model);
+    const std::vector<PatchInstance> placed = patch_instances(model);
     const LineFinder finder(model, seen, planes, camera, options, job);
     std::vector<std::vector<SurfaceLine>> found(placed.size());
     parallel_for(placed.size(), job, "lines",

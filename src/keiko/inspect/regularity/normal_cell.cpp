@@ -1,6 +1,6 @@
 #include "keiko/inspect/regularity/normal_cell.h"
 
-#include "keiko/inspect/basics/net_extents.h"
+#include "keiko/inspect/basics/patch_box.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/inspect/basics/normal_field.h"
-#include "keiko/inspect/basics/placed_patch.h"
+#include "keiko/inspect/basics/patch_fields.h"
+#include "keiko/inspect/basics/placed_face.h"
 
 #include <optional>
 #include <vector>

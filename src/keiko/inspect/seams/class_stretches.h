@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/inspect/basics/measured_value.h"
+#include "keiko/inspect/basics/verdict.h"
 #include "keiko/inspect/seams/seam_partition.h"
 
 #include <span>

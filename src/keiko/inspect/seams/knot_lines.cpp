@@ -1,7 +1,7 @@
 #include "keiko/inspect/seams/knot_lines.h"
 
 #include "keiko/base/parallel.h"
-#include "keiko/inspect/basics/face_names.h"
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/seams/bend_pieces.h"
 #include "keiko/inspect/seams/broken_knots.h"
 #include "keiko/inspect/seams/knot_chains.h"

@@ -2,7 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/seam/seam.h"
-#include "keiko/inspect/basics/measured_value.h"
+#include "keiko/inspect/basics/verdict.h"
 #include "keiko/inspect/seams/model_borders.h"
 #include "keiko/inspect/seams/seam_class.h"
 #include "keiko/scene/criteria_preset.h"

@@ -1,4 +1,4 @@
-#include "keiko/inspect/basics/normal_field.h"
+#include "keiko/inspect/basics/patch_fields.h"
 
 #include <algorithm>
 
@@ -18,6 +18,22 @@ double magnitude(const FieldTriple& field) {
 }
 
 } // namespace
+
+std::vector<BoundaryFactor> divide_sides(BernsteinField& field, double tolerance) {
+    std::vector<BoundaryFactor> sides;
+    for (const bool by_u : {true, false})
+        for (const bool upper : {false, true}) {
+            int times = 0;
+            while ((by_u ? field.degree_u() : field.degree_v()) > 0 &&
+                   field.side_range(by_u, upper).magnitude() <=
+                       std::max(tolerance, 2 * field.rounding())) {
+                field = field.without_side(by_u, upper);
+                ++times;
+            }
+            if (times > 0) sides.push_back({by_u, upper, times});
+        }
+    return sides;
+}
 
 FieldTriple cross(const FieldTriple& a, const FieldTriple& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

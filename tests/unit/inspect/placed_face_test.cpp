@@ -1,4 +1,4 @@
-#include "keiko/inspect/basics/face_names.h"
+#include "keiko/inspect/basics/placed_face.h"
 
 #include <gtest/gtest.h>
 
