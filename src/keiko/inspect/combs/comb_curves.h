@@ -3,30 +3,12 @@
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/inspect/combs/comb_sample.h"
-#include "keiko/inspect/combs/section_plane.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
 namespace keiko {
-
-struct CombSample {
-    Vec3 place{0};    ///< world, mm, on the exact surface
-    double along = 0; ///< mm from the beginning of the curve, over its chords
-    CurveBend bend;   ///< with respect to the face's outward normal
-};
-
-/// The part of a curve on one patch; curvatures may jump from one piece to the next.
-struct CombPiece {
-    std::uint32_t instance = 0, face = 0, patch = 0; ///< into the model's arrays
-    bool on_border = false; ///< of the patch or the face: its neighbour there has the curve as well
-    /// True if the plane is tangent to the surface all along. The curvature is then the curve's
-    /// own, positive to the left of the direction of the samples, viewed from the side that the
-    /// plane's normal points to.
-    bool touching = false;
-    std::vector<CombSample> samples{};
-};
 
 /// A curve on the surface with its curvature all along.
 struct CombCurve {
@@ -37,16 +19,6 @@ struct CombCurve {
     bool closed = false;
     double length = 0; ///< mm
     std::vector<CombPiece> pieces;
-};
-
-struct CombOptions {
-    std::vector<SectionPlane> planes;
-    int iso_curves = 0;        ///< of each face in either direction, uniform over its parameters
-    double chord_error = 0.01; ///< mm
-    /// Largest deviation of a curvature from the straight line between two samples, as a share of
-    /// the curve's largest curvature, which counts as at least 1 / the body's size.
-    double tolerance = 0.01;
-    double join = 0.5; ///< mm, over which sections continue from face to face
 };
 
 /// A remark on a plane that misses the body, touches it or lies in one of its faces.

@@ -3,9 +3,8 @@
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/basics/visible_pieces.h"
-#include "keiko/inspect/combs/comb_curves.h"
-#include "keiko/inspect/combs/comb_sampling.h"
-#include "keiko/inspect/combs/plane_meeting.h"
+#include "keiko/inspect/combs/comb_sample.h"
+#include "keiko/inspect/combs/section_plane.h"
 
 #include <optional>
 

@@ -1,6 +1,9 @@
 #include "keiko/inspect/combs/section_plane.h"
 
 #include "keiko/base/error.h"
+#include "keiko/inspect/basics/line_cells.h"
+#include "keiko/inspect/basics/patch_fields.h"
+#include "keiko/inspect/basics/visible_pieces.h"
 
 #include <algorithm>
 #include <charconv>
@@ -39,6 +42,51 @@ std::optional<Vec3> normal(std::string_view text) {
     return n.normalized();
 }
 
+/// Number of boxes of a patch that are tested. A curve that crosses the plane takes some tens.
+constexpr std::size_t most_boxes = 2000;
+
+FieldCells cells_of(const BernsteinField& field) {
+    LineCellOptions options;
+    options.most_boxes = most_boxes;
+    return field_cells(field, options);
+}
+
+/// The height over the plane times the weight, which has the same zeros.
+BernsteinField height_field(const PlacedPatch& patch, const BezierPatchView& view,
+                            const SectionPlane& plane, double tolerance) {
+    const double height = plane.height - plane.normal.dot(patch.middle);
+    std::vector<double> values;
+    for (const Vec4& p : view.points)
+        values.push_back(plane.normal.dot(Vec3(p.x, p.y, p.z)) - height * p.w);
+    return {view.degree_u, view.degree_v, std::move(values), tolerance};
+}
+
+double largest_weight(const BezierPatchView& view) {
+    double most = 0;
+    for (const Vec4& p : view.points) most = std::max(most, p.w);
+    return most;
+}
+
+std::vector<Vec2> doubtful_places(const FieldCells& found) {
+    std::vector<Vec2> places;
+    for (const Box2& box : found.blank) places.push_back(box.center());
+    for (const LineCell& cell : found.cells)
+        if (!cell.proved) places.push_back(cell.uv.center());
+    return places;
+}
+
+/// Adds the fields of the curves along which a plane touches. The height has a double zero there,
+/// and its derivative across the curve a simple one. That is the derivative by u if the height has
+/// the larger second derivative along u, else by v.
+void add_slopes(const BernsteinField& height, PlaneMeeting& meeting) {
+    for (const bool by_u : {true, false}) {
+        BernsteinField slope = height.derivative(by_u);
+        (by_u ? meeting.bend_u : meeting.bend_v) = slope.derivative(by_u);
+        std::vector<LineCell> cells = cells_of(slope).cells;
+        meeting.fields.push_back({std::move(slope), std::move(cells), true, false, by_u});
+    }
+}
+
 } // namespace
 
 SectionPlane section_plane(const std::string& text) {
@@ -66,6 +114,33 @@ std::array<double, 2> heights(const SurfaceModel& model, const Vec3& along) {
                     extend(instance.transform, point);
     }
     return reach;
+}
+
+bool PlaneMeeting::steep_by_u(const Vec2& at) const {
+    // Greater than 1, as a curve with equal slopes may run all along.
+    constexpr double favour = 1.1;
+    return favour * std::abs(bend_u(at)) >= std::abs(bend_v(at));
+}
+
+PlaneMeeting plane_meeting(const PlacedPatch& patch, const BezierPatchView& view,
+                           const SectionPlane& plane, double tolerance) {
+    PlaneMeeting meeting;
+    meeting.tolerance = std::max(patch.rounding, tolerance * largest_weight(view));
+    meeting.height = height_field(patch, view, plane, meeting.tolerance);
+    if (!meeting.height.range().holds_zero()) return meeting;
+    meeting.within = meeting.height.magnitude() <= meeting.tolerance;
+    if (meeting.within) return meeting;
+    BernsteinField inner = meeting.height;
+    for (const BoundaryFactor& side : divide_sides(inner, 2 * meeting.tolerance))
+        meeting.fields.push_back({iso_field(side.by_u, side.upper ? 1 : 0),
+                                  {{unit_square, 0, true, side.by_u}},
+                                  side.times > 1,
+                                  true});
+    FieldCells found = cells_of(inner);
+    meeting.doubtful = doubtful_places(found);
+    if (!meeting.doubtful.empty()) add_slopes(inner, meeting);
+    meeting.fields.push_back({std::move(inner), std::move(found.cells), false, false});
+    return meeting;
 }
 
 } // namespace keiko
