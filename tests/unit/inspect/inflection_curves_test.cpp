@@ -3,7 +3,6 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/inspect/basics/line_cells.h"
 #include "keiko/inspect/curvature/parabolic_field.h"
-#include "keiko/inspect/curvature/parabolic_rate.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/unit/inspect/bernstein.h"

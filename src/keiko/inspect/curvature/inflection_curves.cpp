@@ -6,7 +6,6 @@
 #include "keiko/inspect/basics/line_cells.h"
 #include "keiko/inspect/basics/visible_pieces.h"
 #include "keiko/inspect/curvature/parabolic_field.h"
-#include "keiko/inspect/curvature/parabolic_rate.h"
 
 #include <algorithm>
 #include <cmath>

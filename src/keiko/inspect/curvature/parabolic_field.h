@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/bernstein/bernstein_field.h"
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/inspect/basics/placed_face.h"
 
 #include <optional>
@@ -26,5 +27,9 @@ struct ParabolicField {
 /// rounding (docs/theory/inspection.md). It is nullopt if the curvature is 0 to within rounding, as
 /// on developable patches, or cannot change its sign, as on ruled ones.
 std::optional<ParabolicField> parabolic_field(const BezierPatchView& patch, double rounding);
+
+/// Rate, in 1/mm a mm, at which the principal curvature that is 0 changes across a parabolic curve
+/// at a place of it; 0 if the place is singular or planar. Needs derivatives to order 3.
+double parabolic_rate(const SurfaceDerivatives& s);
 
 } // namespace keiko

@@ -1,5 +1,11 @@
 #include "keiko/inspect/regularity/normal_patch.h"
 
+#include "keiko/inspect/basics/patch_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace keiko {
 namespace {
 
@@ -12,6 +18,11 @@ Box3 side_box(const BezierPatchView& patch, bool by_u, bool upper) {
         box.extend(euclidean(by_u ? patch.point(fixed, k) : patch.point(k, fixed)));
     }
     return box;
+}
+
+/// The largest absolute coordinate.
+double magnitude(const Vec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
 } // namespace
@@ -39,6 +50,74 @@ std::optional<Vec3> NormalPatch::normal(const Vec2& uv) const {
     const double rounding = field_[0].rounding() + field_[1].rounding() + field_[2].rounding();
     if (!(n.length() > clearly * rounding)) return std::nullopt;
     return n.normalized();
+}
+
+double NormalCell::size() const {
+    return hull_bounds(box_.view()).size();
+}
+
+bool NormalCell::is_regular() const {
+    Vec3 sum(0);
+    double most = 0;
+    for (int i = 0; i <= last(true); ++i)
+        for (int j = 0; j <= last(false); ++j) {
+            sum += coefficient(i, j);
+            most = std::max(most, magnitude(coefficient(i, j)));
+        }
+    if (!(sum.length() > 0)) return false;
+    const Vec3 mean = sum.normalized();
+    constexpr double of_product = 4 * std::numeric_limits<double>::epsilon();
+    const double rounding =
+        field_[0].rounding() + field_[1].rounding() + field_[2].rounding() + of_product * most;
+    for (int i = 0; i <= last(true); ++i)
+        for (int j = 0; j <= last(false); ++j)
+            if (!(coefficient(i, j).dot(mean) > rounding)) return false;
+    return true;
+}
+
+std::optional<std::array<Vec2, 2>> NormalCell::turned_corners() const {
+    struct Corner {
+        Vec2 uv;
+        Vec3 normal;
+    };
+    std::vector<Corner> corners;
+    for (const bool right : {false, true})
+        for (const bool upper : {false, true})
+            corners.push_back(
+                {{right ? uv().upper.x : uv().lower.x, upper ? uv().upper.y : uv().lower.y},
+                 coefficient(right ? last(true) : 0, upper ? last(false) : 0)});
+    for (const Corner& a : corners)
+        for (const Corner& b : corners)
+            if (a.normal.dot(b.normal) < 0) return std::array{a.uv, b.uv};
+    return std::nullopt;
+}
+
+/// Turn of the normals from side to side, radians.
+double NormalCell::turn(bool by_u) const {
+    double most = 0;
+    for (int k = 0; k <= last(!by_u); ++k) {
+        const Vec3 a = by_u ? coefficient(0, k) : coefficient(k, 0);
+        const Vec3 b = by_u ? coefficient(last(true), k) : coefficient(k, last(false));
+        most = std::max(most, angle_between(a, b));
+    }
+    return most;
+}
+
+std::array<NormalCell, 2> NormalCell::halves(bool turned, double negligible) const {
+    constexpr double much = 0.5;
+    const std::array<double, 2> sides = net_extents(box_.view());
+    bool by_u = sides[0] >= sides[1];
+    const double along_u = turn(true), along_v = turn(false);
+    const bool by_turn = along_u >= along_v;
+    if (!turned && std::max(along_u, along_v) > much && sides[by_turn ? 0 : 1] > negligible)
+        by_u = by_turn;
+    const std::array<PatchBox, 2> boxes = box_.halves(by_u);
+    std::array<FieldTriple, 2> fields;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::array<BernsteinField, 2> parts = field_[axis].parts(by_u, 0.5);
+        fields[0][axis] = std::move(parts[0]), fields[1][axis] = std::move(parts[1]);
+    }
+    return {NormalCell(boxes[0], std::move(fields[0])), NormalCell(boxes[1], std::move(fields[1]))};
 }
 
 } // namespace keiko

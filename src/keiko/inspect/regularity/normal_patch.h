@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/inspect/basics/patch_box.h"
 #include "keiko/inspect/basics/patch_fields.h"
 #include "keiko/inspect/basics/placed_face.h"
 
@@ -33,6 +34,36 @@ private:
     int degree_u_, degree_v_;
     FieldTriple field_;
     std::vector<Vec3> tips_;
+};
+
+/// A part of a patch over a box of its parameters, with bounds of its normals.
+class NormalCell {
+public:
+    explicit NormalCell(const NormalPatch& patch) : box_(patch.view()), field_(patch.field()) {}
+
+    const Box2& uv() const { return box_.uv(); }
+    /// mm, not less than the part's diameter.
+    double size() const;
+    /// True if all of its normals are proved to be within 90 degrees of one direction: it is
+    /// regular and does not turn over.
+    bool is_regular() const;
+    /// Two corners whose normals differ by more than 90 degrees, in the patch's parameters.
+    std::optional<std::array<Vec2, 2>> turned_corners() const;
+    /// Halves across u or v. The cell is cut where its normals turn more, until that side is at
+    /// most `negligible` mm long; a `turned` cell at its longer side.
+    std::array<NormalCell, 2> halves(bool turned, double negligible) const;
+
+private:
+    NormalCell(PatchBox box, FieldTriple field) : box_(std::move(box)), field_(std::move(field)) {}
+
+    Vec3 coefficient(int i, int j) const {
+        return {field_[0].at(i, j), field_[1].at(i, j), field_[2].at(i, j)};
+    }
+    int last(bool by_u) const { return by_u ? field_[0].degree_u() : field_[0].degree_v(); }
+    double turn(bool by_u) const;
+
+    PatchBox box_;
+    FieldTriple field_;
 };
 
 } // namespace keiko

@@ -3,7 +3,7 @@
 #include "keiko/base/job.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/regularity/normal_break.h"
-#include "keiko/inspect/regularity/normal_cell.h"
+#include "keiko/inspect/regularity/normal_patch.h"
 
 #include <algorithm>
 #include <deque>
