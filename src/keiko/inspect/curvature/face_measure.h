@@ -4,7 +4,7 @@
 #include "keiko/inspect/basics/verdict.h"
 #include "keiko/inspect/curvature/face_curvature.h"
 #include "keiko/inspect/curvature/inflection_curves.h"
-#include "keiko/inspect/flaws/flaw.h"
+#include "keiko/inspect/flaws/flaw_search.h"
 #include "keiko/inspect/regularity/singular_places.h"
 #include "keiko/scene/criteria_preset.h"
 

@@ -1,16 +1,72 @@
 #include "keiko/inspect/flaws/dent_depth.h"
 
-#include "keiko/inspect/flaws/dent_form.h"
+#include "keiko/inspect/flaws/reference_form.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace keiko {
 namespace {
+
+/// The form under a dent, and the accuracy to which its surroundings determine it.
+struct DentForm {
+    ReferenceForm base;
+    double bound = 0; ///< mm: estimated error of its height at the origin
+};
+
+/// Radii around a dent within which its form is fitted, as shares of half a window's width: the
+/// roots of 8, 12, 19 and 31 rings of samples out of 12.
+constexpr std::array<double, 4> dent_reaches{0.8165, 1, 1.2583, 1.6073};
+
+std::vector<ReferenceForm> fits(std::span<const FormHeight> heights, double half_window,
+                                BaseKind kind) {
+    std::vector<ReferenceForm> found;
+    for (const double share : dent_reaches)
+        if (const auto base = ReferenceForm::fit(heights, share * half_window, kind))
+            found.push_back(*base);
+    return found;
+}
+
+/// Error bound of a fit among those of its kind by ascending reach, from its narrower neighbour and
+/// the fits of the other kind.
+double bound_of(std::span<const ReferenceForm> kind, std::size_t index,
+                std::span<const ReferenceForm> other_kind) {
+    const double here = kind[index].at_origin();
+    double change = std::abs(here - kind[index - 1].at_origin());
+    const auto consider = [&](const ReferenceForm& base) {
+        change = std::max(change, std::abs(here - base.at_origin()) - base.origin_bound());
+    };
+    for (const ReferenceForm& wider : kind.subspan(index + 1)) consider(wider);
+    for (const ReferenceForm& other : other_kind)
+        if (other.reach() >= kind[index].reach()) consider(other);
+    return change + kind[index].origin_bound();
+}
+
+/// Fits the form of either kind to heights within each of the reaches (`half_window` mm times the
+/// shares above), and takes the fit with the least bound. A dent that fills most of the narrow
+/// reaches does not fill the wide ones; other features around it lie in the wide ones alone. The
+/// bound is the change of the height at the origin from the next narrower fit, or its distance from
+/// the bounds of a wider one, with the effect of the scatter about the fit. It is nullopt if no two
+/// of a kind can be fitted.
+std::optional<DentForm> dent_form(std::span<const FormHeight> heights, double half_window) {
+    const std::vector<ReferenceForm> flat = fits(heights, half_window, BaseKind::flat);
+    const std::vector<ReferenceForm> bent = fits(heights, half_window, BaseKind::bent);
+    std::optional<DentForm> best;
+    const auto consider = [&](const std::vector<ReferenceForm>& kind,
+                              const std::vector<ReferenceForm>& other) {
+        for (std::size_t i = 1; i < kind.size(); ++i) {
+            const double bound = bound_of(kind, i, other);
+            if (!best || bound < best->bound) best = DentForm{kind[i], bound};
+        }
+    };
+    consider(flat, bent), consider(bent, flat);
+    return best;
+}
 
 constexpr int directions = 32;
 constexpr int rings = 12;     ///< within half a window

@@ -9,7 +9,7 @@ namespace keiko {
 /// Deviation of a surface from the form around a place.
 struct DentDepth {
     double offset = 0; ///< mm, positive outwards: of a bump
-    double bound = 0;  ///< mm, an estimate, as DentForm's
+    double bound = 0;  ///< mm, an estimate
     SheetPoint at;
     Vec3 position{0};       ///< world, mm
     bool one_sided = false; ///< a border is so near that some quarter around has no form
@@ -17,8 +17,8 @@ struct DentDepth {
                         ///< waves
 };
 
-/// Climbs from a place to the largest deviation of the surface from the form around it, which
-/// dent_form fits in windows about `reach` mm to either side (docs/theory/inspection.md). The climb
+/// Climbs from a place to the largest deviation of the surface from the form around it, which is
+/// fitted in windows about `reach` mm to either side (docs/theory/inspection.md). The climb
 /// crosses smooth seams and stays on one side of a border. nullopt if the surroundings are too
 /// small.
 std::optional<DentDepth> dent_depth(const FaceAdjacency& faces, const SheetPoint& begin,

@@ -1,13 +1,87 @@
 #include "keiko/inspect/flaws/face_ripples.h"
 
-#include "keiko/inspect/flaws/face_grid.h"
+#include "keiko/base/job.h"
+#include "keiko/inspect/flaws/face_surface.h"
 #include "keiko/inspect/flaws/geodesic_trace.h"
 #include "keiko/inspect/flaws/ripple.h"
+#include "keiko/math/disjoint_sets.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
 
 namespace keiko {
 namespace {
+
+/// A sample of a placed face.
+struct FaceSample {
+    Vec3 position{0}; ///< world, mm
+    /// 1/mm, normal curvature along the lines of constant v and of constant u; positive where the
+    /// surface bends towards its outward normal.
+    double bend_u = 0, bend_v = 0;
+    bool material = false;
+};
+
+/// A placed face over all its knot spans, sampled uniformly.
+class FaceGrid {
+public:
+    /// `spacing`: approximate distance between samples, mm.
+    FaceGrid(const FaceSurface& face, double spacing);
+
+    std::size_t columns() const { return u_.size(); } ///< along u
+    std::size_t rows() const { return v_.size(); }    ///< along v
+    const FaceSample& sample(std::size_t column, std::size_t row) const {
+        return samples_[row * u_.size() + column];
+    }
+    /// Place of a sample on the face.
+    Vec2 place(std::size_t column, std::size_t row) const { return {u_[column], v_[row]}; }
+
+private:
+    std::vector<double> u_, v_;       ///< of the samples
+    std::vector<FaceSample> samples_; ///< v outer
+};
+
+/// Places in the middles of equal parts of each span, at most `spacing` apart.
+std::vector<double> spread(const std::vector<double>& lengths, double spacing) {
+    constexpr double most = 1000; // of one span
+    std::vector<double> places;
+    for (std::size_t span = 0; span < lengths.size(); ++span) {
+        const auto parts =
+            static_cast<std::size_t>(std::clamp(std::ceil(lengths[span] / spacing), 1.0, most));
+        for (std::size_t k = 0; k < parts; ++k)
+            places.push_back(static_cast<double>(span) +
+                             (static_cast<double>(k) + 0.5) / static_cast<double>(parts));
+    }
+    return places;
+}
+
+FaceSample sampled(const FaceSurface& face, const Vec2& place) {
+    FaceSample sample;
+    const auto s = face.evaluate(place, 2);
+    if (!s) return sample;
+    const Vec3 cross = s->du().cross(s->dv());
+    const double area = cross.length(), u2 = s->du().length2(), v2 = s->dv().length2();
+    constexpr double beside_a_pole = 1e-3;
+    if (!(area > beside_a_pole * std::max(u2, v2))) return sample;
+    const Vec3 normal = cross * (face.sign() / area);
+    sample.position = s->position();
+    sample.bend_u = s->duu().dot(normal) / u2;
+    sample.bend_v = s->dvv().dot(normal) / v2;
+    sample.material = true;
+    return sample;
+}
+
+FaceGrid::FaceGrid(const FaceSurface& face, double spacing)
+    : u_(spread(face.span_lengths_u(), spacing)), v_(spread(face.span_lengths_v(), spacing)) {
+    samples_.reserve(u_.size() * v_.size());
+    for (std::size_t row = 0; row < v_.size(); ++row) {
+        check_stop();
+        for (std::size_t column = 0; column < u_.size(); ++column)
+            samples_.push_back(sampled(face, place(column, row)));
+    }
+}
 
 /// Distance between samples as a share of the window's width.
 constexpr double sample_share = 1.0 / 20;
@@ -111,6 +185,36 @@ std::vector<FaceRipple> find_face_ripples(const FaceAdjacency& faces, std::size_
     };
     search(true), search(false);
     return found;
+}
+
+std::vector<std::vector<FaceRipple>> ripple_groups(const FaceAdjacency& faces,
+                                                   std::vector<FaceRipple> ripples, double cell) {
+    using Cell = std::array<long, 4>; // of a sheet, in space
+    const auto number = [cell](double x) { return static_cast<long>(std::floor(x / cell)); };
+    std::stable_sort(ripples.begin(), ripples.end(), [](const FaceRipple& a, const FaceRipple& b) {
+        return std::abs(a.depth) > std::abs(b.depth);
+    });
+    DisjointSets sets(ripples.size());
+    std::map<Cell, std::size_t> cells;
+    for (std::size_t i = 0; i < ripples.size(); ++i) {
+        const Vec3& p = ripples[i].position;
+        const Cell at{static_cast<long>(faces.sheet(ripples[i].at.face)), number(p.x), number(p.y),
+                      number(p.z)};
+        cells.try_emplace(at, i);
+        for (int k = 0; k < 27; ++k) {
+            const auto near =
+                cells.find({at[0], at[1] + k % 3 - 1, at[2] + k / 3 % 3 - 1, at[3] + k / 9 - 1});
+            if (near != cells.end()) sets.join(i, near->second);
+        }
+    }
+    std::map<std::size_t, std::size_t> group_of;
+    std::vector<std::vector<FaceRipple>> groups;
+    for (std::size_t i = 0; i < ripples.size(); ++i) {
+        const auto [at, fresh] = group_of.try_emplace(sets.root(i), groups.size());
+        if (fresh) groups.emplace_back();
+        groups[at->second].push_back(ripples[i]);
+    }
+    return groups;
 }
 
 } // namespace keiko

@@ -26,4 +26,9 @@ struct FaceRipple {
 std::vector<FaceRipple> find_face_ripples(const FaceAdjacency& faces, std::size_t face,
                                           const WavinessLimit& limit);
 
+/// Ripples grouped by flaw: those in the same or in neighbouring cells of space, `cell` mm wide, on
+/// smoothly connected faces. In each group the deepest comes first.
+std::vector<std::vector<FaceRipple>> ripple_groups(const FaceAdjacency& faces,
+                                                   std::vector<FaceRipple> ripples, double cell);
+
 } // namespace keiko

@@ -3,7 +3,6 @@
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/flaws/dent_depth.h"
 #include "keiko/inspect/flaws/face_ripples.h"
-#include "keiko/inspect/flaws/ripple_groups.h"
 #include "keiko/inspect/flaws/wave_section.h"
 
 #include <algorithm>

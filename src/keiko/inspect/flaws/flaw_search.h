@@ -2,7 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/surface_model.h"
-#include "keiko/inspect/flaws/flaw.h"
+#include "keiko/inspect/basics/verdict.h"
 #include "keiko/inspect/seams/seam_measure.h"
 #include "keiko/scene/criteria_preset.h"
 
@@ -10,6 +10,15 @@
 #include <vector>
 
 namespace keiko {
+
+/// A dent, a bump or waves of a surface.
+struct Flaw {
+    enum class Kind { dent, bump, waves };
+    Kind kind = Kind::dent;
+    MeasuredValue depth; ///< mm, deviation of the surface from the form around it
+    double width = 0;    ///< mm: between the largest opposite curvatures; of waves their length
+    double window = 0;   ///< mm, of the limit that it is judged by
+};
 
 /// The flaws of a model that are at least half as deep as the limit, by the placed face on which
 /// they are deepest, the deepest of each face first. Faces are in the order of instances, those

@@ -1,6 +1,6 @@
 #include "keiko/inspect/flaws/wave_section.h"
 
-#include "keiko/inspect/flaws/roughness_profile.h"
+#include "keiko/inspect/flaws/geodesic_trace.h"
 
 #include <array>
 #include <cmath>
