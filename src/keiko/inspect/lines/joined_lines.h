@@ -2,8 +2,7 @@
 
 #include "keiko/geometry/seam/seam.h"
 #include "keiko/inspect/lines/line_crossing.h"
-#include "keiko/inspect/lines/line_end.h"
-#include "keiko/inspect/lines/line_inflections.h"
+#include "keiko/inspect/lines/line_endpoint.h"
 #include "keiko/inspect/lines/line_statistics.h"
 #include "keiko/inspect/lines/surface_lines.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "keiko/inspect/basics/patch_lines.h"
-#include "keiko/inspect/lines/lamp_levels.h"
 #include "keiko/inspect/lines/line_geometry.h"
+#include "keiko/inspect/lines/surface_lines.h"
 
 #include <span>
 #include <vector>
@@ -35,5 +35,17 @@ struct CourseAt {
 
 /// Statistics of a line; `step` as returned by LampLevels::step.
 LineStatistics line_shape(std::span<const CourseAt> courses, double step);
+
+/// A change of sign of a line's curvature.
+struct LineInflection {
+    double along = 0; ///< mm, of chords, from where the line begins
+    Vec3 place{0};    ///< world, mm, on the exact surface
+};
+
+/// Zero of the curvature of the lamp's line between two of its points on a patch, at which it has
+/// opposite signs; by halving on the exact surface. `along`: mm from the former.
+LineInflection inflection_between(const SurfaceModel& model, const SurfaceLine& piece,
+                                  const LampLevels& lamps, const LinePoint& before,
+                                  const LinePoint& behind);
 
 } // namespace keiko

@@ -4,16 +4,89 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/basics/line_field.h"
 #include "keiko/inspect/basics/patch_lines.h"
 #include "keiko/inspect/basics/visible_pieces.h"
-#include "keiko/inspect/lines/lamp_levels.h"
-#include "keiko/inspect/lines/line_visibility.h"
+#include "keiko/intersect/traversal/tracer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <tuple>
 
 namespace keiko {
 namespace {
+
+/// Visibility of one level's line from the viewpoint of a field.
+class LineVisibility {
+public:
+    /// `seen`: all possible occluders. Keeps references.
+    LineVisibility(const Tracer& seen, const LineField& field, double level);
+
+    /// True if the place is visible from the viewpoint and the lamp of the line is visible in it.
+    /// The ray to the viewpoint must be free and, for reflections, the mirrored one up to the
+    /// C-plane too. Reflection and highlight lines end with the lamp. An occluder less than 0.2 mm
+    /// from the place (2e-4 of the size of the visible geometry) is the other side of a seam and
+    /// hides no line. Isophotes are kept where the normal towards the viewpoint faces the lamps.
+    /// `normal` is unit, `root` the place's own.
+    bool sees(const Vec3& place, const Vec3& normal, const Root& root) const;
+
+private:
+    bool on_lamp(const LineField::Image& image) const;
+    Ray to_eye(const Vec3& place) const;
+
+    const Tracer& seen_;
+    const LineField& field_;
+    double level_;
+    double begin_; ///< mm
+};
+
+/// mm, and share of the size of the visible geometry: an occluder nearer than this is the other
+/// side of a seam, which is a little higher. A line does not end there.
+constexpr double nearest_occluder = 0.2, nearest_in_sizes = 2e-4;
+
+LineVisibility::LineVisibility(const Tracer& seen, const LineField& field, double level)
+    : seen_(seen),
+      field_(field),
+      level_(level),
+      begin_(std::min(nearest_occluder, nearest_in_sizes * seen.bounds().size())) {}
+
+bool LineVisibility::on_lamp(const LineField::Image& image) const {
+    // At a collapsed edge the field is 0 on every level, and does not identify the lamp.
+    constexpr double rounding = 1e-4; // degrees
+    const bool isophote = field_.look() == LineLook::isophote;
+    // An isophote has levels of both signs, as the patch's own normal may point away from the
+    // viewpoint.
+    const double level = isophote ? std::abs(level_) : level_;
+    if (!image.faces || !(field_.normal_turn(image, level - image.value) < rounding)) return false;
+    return isophote || (image.along >= 0 && image.along <= field_.plane().length);
+}
+
+Ray LineVisibility::to_eye(const Vec3& place) const {
+    Ray ray;
+    ray.origin = place;
+    ray.direction = -field_.eye().towards(place);
+    if (!field_.eye().parallel) ray.t_max = 1;
+    ray.t_min = begin_ / ray.direction.length();
+    return ray;
+}
+
+bool LineVisibility::sees(const Vec3& place, const Vec3& normal, const Root& root) const {
+    const LineField::Image image = field_.image(place, normal);
+    if (!on_lamp(image)) return false;
+    Ray ray = to_eye(place);
+    ray.excluded = root;
+    if (seen_.any(ray)) return false;
+    if (field_.look() != LineLook::reflection) return true;
+    const Vec3 towards = -ray.direction.normalized();
+    Ray mirrored;
+    mirrored.origin = place;
+    mirrored.direction = reflect(towards, normal);
+    mirrored.t_min = begin_;
+    mirrored.t_max = image.reach;
+    mirrored.excluded = root;
+    return !seen_.any(mirrored);
+}
 
 /// Share of the patch: larger than the distance by which rounding parts a root of the line from the
 /// tracer's.
@@ -80,8 +153,8 @@ private:
         }
     }
 
-    bool sees(const LineVisibility& sight, const PatchInstance& placed, const BezierPatchView& patch,
-              const Vec2& uv) const {
+    bool sees(const LineVisibility& sight, const PatchInstance& placed,
+              const BezierPatchView& patch, const Vec2& uv) const {
         const TrimRegion& trim = trims_[placed.face];
         if (!trim.untrimmed() && !trim.contains(model_.face_parameters(placed.patch, uv)))
             return false;
@@ -100,6 +173,25 @@ private:
 };
 
 } // namespace
+
+double LampLevels::step(std::uint32_t lamp) const {
+    if (lamps < 2) return 0;
+    const std::uint32_t from = lamp + 1 < lamps ? lamp : lamp - 1;
+    return std::abs(levels[from + 1] - levels[from]);
+}
+
+LampLevels lamp_levels(LineLook look, const LineEye& eye, const CPlane& plane, const Vec3& body) {
+    LampLevels lamps{LineField(look, eye, plane, body), {}, 0};
+    const CPlaneFrame& frame = lamps.field.plane();
+    lamps.lamps = static_cast<std::uint32_t>(frame.lamps);
+    for (int i = 0; i < frame.lamps; ++i)
+        lamps.levels.push_back(look == LineLook::isophote
+                                   ? std::cos(std::numbers::pi / 2 * (i + 0.5) / frame.lamps)
+                                   : frame.axis(i));
+    if (look == LineLook::isophote)
+        for (std::uint32_t i = 0; i < lamps.lamps; ++i) lamps.levels.push_back(-lamps.levels[i]);
+    return lamps;
+}
 
 std::vector<SurfaceLine> surface_lines(const SurfaceModel& model, const Tracer& seen,
                                        std::span<const CPlane> planes, const Camera& camera,

@@ -1,9 +1,31 @@
 #pragma once
 
+#include "keiko/inspect/basics/line_field.h"
 #include "keiko/inspect/basics/patch_lines.h"
 #include "keiko/intersect/traversal/tracer.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace keiko {
+
+/// The field of one C-plane and its levels, one a lamp. Isophotes have a level of either sign, lamp
+/// by lamp, as the normal of a patch may point away from the viewpoint.
+struct LampLevels {
+    LineField field;
+    std::vector<double> levels;
+    std::uint32_t lamps = 0;
+
+    /// Value of the field on the line of a lamp, with the normal towards the viewpoint.
+    double level(std::uint32_t lamp) const { return levels[lamp]; }
+    /// Distance between the levels of neighbouring lamps: the pitch, or for isophotes the step of
+    /// the cosine; 0 for a single lamp.
+    double step(std::uint32_t lamp) const;
+};
+
+/// Levels of all lamps. For reflection and highlight lines they are the lamps' axes, mm; for the
+/// isophotes of n lamps the cosines of 90 (i + 1/2) / n degrees.
+LampLevels lamp_levels(LineLook look, const LineEye& eye, const CPlane& plane, const Vec3& body);
 
 /// A piece of a lamp's line on one patch that is visible from the viewpoint. Lines end at the
 /// borders of patches.
