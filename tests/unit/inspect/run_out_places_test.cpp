@@ -1,4 +1,4 @@
-#include "keiko/inspect/seams/run_out_places.h"
+#include "keiko/inspect/seams/class_stretches.h"
 
 #include "tests/unit/inspect/sloped_seam.h"
 #include <gtest/gtest.h>

@@ -52,4 +52,10 @@ inline double share_of_limit(const MeasuredValue& worst) {
     return worst.at_least ? worst.limit / worst.value : worst.value / worst.limit;
 }
 
+/// The worse of two values: by verdict, then by the largest possible value.
+inline const MeasuredValue& worse_of(const MeasuredValue& a, const MeasuredValue& b) {
+    if (a.verdict != b.verdict) return a.verdict > b.verdict ? a : b;
+    return a.value + a.bound >= b.value + b.bound ? a : b;
+}
+
 } // namespace keiko

@@ -3,8 +3,8 @@
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/inspect/basics/placed_face.h"
-#include "keiko/inspect/seams/face_sizes.h"
-#include "keiko/inspect/seams/run_out_places.h"
+#include "keiko/inspect/seams/class_stretches.h"
+#include "keiko/inspect/seams/model_borders.h"
 #include "keiko/inspect/seams/seam_chain.h"
 #include "keiko/inspect/seams/seam_line.h"
 

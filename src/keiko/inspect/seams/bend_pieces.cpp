@@ -1,7 +1,7 @@
 #include "keiko/inspect/seams/bend_pieces.h"
 
 #include "keiko/base/units.h"
-#include "keiko/inspect/seams/isoline_places.h"
+#include "keiko/inspect/seams/knot_piece.h"
 #include "keiko/inspect/seams/slow_lines.h"
 
 #include <algorithm>

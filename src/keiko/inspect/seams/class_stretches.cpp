@@ -1,11 +1,13 @@
 #include "keiko/inspect/seams/class_stretches.h"
 
+#include "keiko/geometry/model/closest_point.h"
 #include "keiko/inspect/seams/run_out.h"
-#include "keiko/inspect/seams/seam_end.h"
+#include "keiko/inspect/seams/seam_chain.h"
 #include "keiko/math/disjoint_sets.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace keiko {
@@ -128,16 +130,38 @@ SeamStretch StretchMaker::stretch_of(const std::vector<std::size_t>& group) cons
     return stretch;
 }
 
-} // namespace
-
-const MeasuredValue& worse_of(const MeasuredValue& a, const MeasuredValue& b) {
-    if (a.verdict != b.verdict) return a.verdict > b.verdict ? a : b;
-    return a.value + a.bound >= b.value + b.bound ? a : b;
+/// mm from a place to side a of a seam, by 64 chords.
+double distance_to(const SeamProbe& probe, const Vec3& place) {
+    constexpr int steps = 64;
+    double least = HUGE_VAL;
+    Vec3 before = probe.place(probe.begin());
+    for (int i = 1; i <= steps; ++i) {
+        const double t = probe.begin() + (probe.end() - probe.begin()) * i / steps;
+        const Vec3 after = probe.place(t);
+        least = std::min(least, segment_distance(before, after, place));
+        before = after;
+    }
+    return least;
 }
+
+} // namespace
 
 std::vector<SeamStretch> seam_stretches(std::span<const SeamProbe> probes,
                                         const StretchLimits& limits) {
     return StretchMaker(probes, limits).run();
+}
+
+RunOutPlaces::RunOutPlaces(std::span<const SeamProbe> pieces, const StretchLimits& limits) {
+    for (const SeamStretch& stretch : seam_stretches(pieces, limits)) {
+        if (stretch.kind != SeamClass::run_out) continue;
+        for (const SeamPart& part : stretch.parts)
+            run_outs_.push_back(pieces[part.piece].part(part.begin, part.end));
+    }
+}
+
+bool RunOutPlaces::hold(const Vec3& place, double reach) const {
+    return std::any_of(run_outs_.begin(), run_outs_.end(),
+                       [&](const SeamProbe& probe) { return distance_to(probe, place) <= reach; });
 }
 
 } // namespace keiko

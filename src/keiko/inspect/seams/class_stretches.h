@@ -20,12 +20,24 @@ struct SeamStretch {
     std::optional<MeasuredValue> fading;
 };
 
-/// The worse of two values: by verdict, then by the largest possible value.
-const MeasuredValue& worse_of(const MeasuredValue& a, const MeasuredValue& b);
-
 /// Cuts the pieces of a seam into stretches, by their first parts. The smooth part beside a crease
 /// becomes a run-out as far as its angle fades to the limit, if it is no longer than the crease.
 std::vector<SeamStretch> seam_stretches(std::span<const SeamProbe> probes,
                                         const StretchLimits& limits);
+
+/// The run-outs of the creases of one seam.
+class RunOutPlaces {
+public:
+    /// No run-outs.
+    RunOutPlaces() = default;
+    /// Run-outs of the seam's pieces, whose curves are kept.
+    RunOutPlaces(std::span<const SeamProbe> pieces, const StretchLimits& limits);
+
+    /// True if a place, world, mm, lies within `reach` mm of a run-out.
+    bool hold(const Vec3& place, double reach) const;
+
+private:
+    std::vector<SeamProbe> run_outs_;
+};
 
 } // namespace keiko

@@ -3,8 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/seams/bend_pieces.h"
-#include "keiko/inspect/seams/broken_knots.h"
-#include "keiko/inspect/seams/knot_chains.h"
+#include "keiko/inspect/seams/knot_piece.h"
 #include "keiko/inspect/seams/seam_line.h"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <tuple>
+#include <vector>
 
 namespace keiko {
 
@@ -60,5 +61,27 @@ private:
 /// True if the sides of a line break by more than a file's digits explain: above 1e-4 mm, 1e-4
 /// degrees or, for their curvatures, 0.1 % and 2e-7 /mm.
 bool breaks_at(const SeamPoint& point);
+
+/// Places of a stretch, in (0, 1), rising, at which a quantity is sampled that varies along it like
+/// a polynomial of a degree below `count`: the Chebyshev nodes. Such a polynomial that is near 0 at
+/// all of them is near 0 all along.
+std::vector<double> isoline_places(int count);
+
+/// The sides of a face's patches along which it breaks (breaks_at), regardless of its trims, and
+/// those at which it is torn: open by more than 1e-4 mm.
+struct BrokenKnots {
+    std::vector<KnotPiece> pieces, torn;
+};
+
+/// Broken sides of a face. Each side is tested at 4 n places, n the degree along it. The tangents
+/// on either side and the one along it span a volume of degree 4 n - 1: no kink is 0 at all of the
+/// places and not in between. A break of the curvatures alone may be missed.
+BrokenKnots broken_knots(const KnottedFace& face);
+
+/// The lines that remain of pieces within the trims of a face: every stretch in the material,
+/// however short, cut where the trim curves cross the piece. Both sides of a bend are in the
+/// material. Stretches that touch on one line follow each other in a chain.
+std::vector<std::vector<KnotPiece>> knot_chains(const SurfaceModel& model, const Face& face,
+                                                const std::vector<KnotPiece>& pieces);
 
 } // namespace keiko

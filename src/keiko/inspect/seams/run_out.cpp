@@ -1,7 +1,7 @@
 #include "keiko/inspect/seams/run_out.h"
 
 #include "keiko/base/job.h"
-#include "keiko/inspect/seams/seam_end.h"
+#include "keiko/inspect/seams/seam_chain.h"
 
 #include <algorithm>
 #include <cmath>

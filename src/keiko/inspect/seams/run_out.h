@@ -1,6 +1,7 @@
 #pragma once
 
-#include "keiko/inspect/seams/class_stretches.h"
+#include "keiko/inspect/basics/verdict.h"
+#include "keiko/inspect/seams/seam_partition.h"
 
 #include <optional>
 #include <span>

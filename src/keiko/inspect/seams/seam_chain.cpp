@@ -1,6 +1,5 @@
 #include "keiko/inspect/seams/seam_chain.h"
 
-#include "keiko/inspect/seams/seam_end.h"
 #include "keiko/math/disjoint_sets.h"
 
 #include <map>
@@ -27,6 +26,19 @@ struct Ends {
 };
 
 } // namespace
+
+SeamEnd end_of(const SeamProbe& probe, const SeamPart& part, bool last) {
+    const SeamPoint& point = last ? part.end : part.begin;
+    const Vec3 run = probe.run(point.t);
+    return {point.place, last ? run : -run};
+}
+
+bool goes_on(const SeamEnd& from, const SeamEnd& into, double reach) {
+    if (is_corner(from.out, -into.out)) return false;
+    const Vec3 way = into.place - from.place;
+    if (way.length() <= same_vertex) return true;
+    return way.length() <= reach && !is_corner(from.out, way) && !is_corner(way, -into.out);
+}
 
 std::vector<std::vector<std::uint32_t>> seam_chains(const BoundaryCurves& curves,
                                                     std::span<const Seam> seams, double join) {

@@ -2,7 +2,6 @@
 
 #include "keiko/inspect/seams/curvature_match.h"
 #include "keiko/inspect/seams/seam_extremes.h"
-#include "keiko/inspect/seams/slope_match.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "keiko/geometry/seam/seam.h"
 #include "keiko/inspect/basics/verdict.h"
 #include "keiko/inspect/seams/model_borders.h"
-#include "keiko/inspect/seams/seam_class.h"
+#include "keiko/inspect/seams/seam_partition.h"
 #include "keiko/scene/criteria_preset.h"
 
 #include <optional>

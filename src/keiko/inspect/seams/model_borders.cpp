@@ -1,4 +1,4 @@
-#include "keiko/inspect/seams/face_sizes.h"
+#include "keiko/inspect/seams/model_borders.h"
 
 namespace keiko {
 
