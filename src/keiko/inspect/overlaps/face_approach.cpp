@@ -1,16 +1,138 @@
 #include "keiko/inspect/overlaps/face_approach.h"
 
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/bezier/subpatch.h"
 #include "keiko/geometry/seam/border_approach.h"
-#include "keiko/inspect/overlaps/face_inside.h"
-#include "keiko/inspect/overlaps/piece_slab.h"
+#include "keiko/geometry/trim/trim_region.h"
+#include "keiko/math/interval_set.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace keiko {
 namespace {
+
+/// The material of a face that lies farther from all of its borders than a margin. Keeps references
+/// to the model and the face.
+class FaceInside {
+public:
+    /// `margin` in mm.
+    FaceInside(const SurfaceModel& model, const Face& face, double margin);
+
+    /// Position of a box of a patch's parameters relative to the trims; inside for a face without
+    /// loops.
+    TrimSide side(std::uint32_t patch, const Box2& uv);
+    /// `s`: the placed derivatives there by the patch's parameters, mm, of first order or more.
+    bool is_inside(std::uint32_t patch, const Vec2& uv, const SurfaceDerivatives& s);
+
+private:
+    const TrimRegion& trims();
+    bool is_near_side(const Vec2& place, const ParameterMetric& metric) const;
+
+    const SurfaceModel& model_;
+    const Face& face_;
+    double margin_;
+    std::optional<TrimRegion> trims_; ///< made on first use
+    Box2 domain_;                     ///< face parameters of all patches
+};
+
+FaceInside::FaceInside(const SurfaceModel& model, const Face& face, double margin)
+    : model_(model), face_(face), margin_(margin) {
+    for (std::uint32_t i = 0; i < face.patch_count; ++i)
+        for (const double corner : {0.0, 1.0})
+            domain_.extend(model.face_parameters(face.first_patch + i, Vec2(corner)));
+}
+
+const TrimRegion& FaceInside::trims() {
+    if (!trims_) trims_.emplace(model_, face_);
+    return *trims_;
+}
+
+TrimSide FaceInside::side(std::uint32_t patch, const Box2& uv) {
+    if (face_.loop_count == 0) return TrimSide::inside;
+    return trims().classify(
+        {model_.face_parameters(patch, uv.lower), model_.face_parameters(patch, uv.upper)});
+}
+
+bool FaceInside::is_inside(std::uint32_t index, const Vec2& uv, const SurfaceDerivatives& s) {
+    const Patch& patch = model_.patches[index];
+    const ParameterMetric metric(s.du() / patch.map_u.derivative(uv.x),
+                                 s.dv() / patch.map_v.derivative(uv.y));
+    const Vec2 place = model_.face_parameters(index, uv);
+    if (face_.loop_count == 0) return !is_near_side(place, metric);
+    return trims().contains(place) && !trims().nearest_curve(place, metric, margin_);
+}
+
+bool FaceInside::is_near_side(const Vec2& place, const ParameterMetric& metric) const {
+    const Vec2 low = place - domain_.lower, high = domain_.upper - place;
+    return std::min(low.x, high.x) * metric.least().x <= margin_ ||
+           std::min(low.y, high.y) * metric.least().y <= margin_;
+}
+
+/// Bounds of the points within a distance of a piece of surface: its box, and, if it has a mean
+/// normal, two planes square to that.
+class PieceSlab {
+public:
+    /// `reach` in mm.
+    PieceSlab(const BezierPatchView& piece, double reach);
+
+    /// mm: the diagonal of the piece's box.
+    double size() const { return size_; }
+    /// mm between the planes that hold the piece; its size if it has no mean normal.
+    double thickness() const { return thickness_; }
+    /// The axis along which the piece is longer, 0 or 1.
+    unsigned longer_side() const { return longer_side_; }
+    /// The part of a segment, from 0 to 1, that is within the slab; nullopt if there is none.
+    std::optional<ParameterInterval> clip(const Vec3& from, const Vec3& to) const;
+
+private:
+    Box3 box_;
+    Vec3 normal_{0};
+    double low_ = 0, high_ = 0; ///< along the normal
+    double size_ = 0, thickness_ = 0;
+    unsigned longer_side_ = 0;
+};
+
+/// Restricts an interval of s to low <= from + s * slope <= high.
+void cut(ParameterInterval& part, double from, double slope, double low, double high) {
+    if (slope == 0) {
+        if (!(low <= from && from <= high)) part = {1, 0};
+        return;
+    }
+    const auto [begin, end] = std::minmax({(low - from) / slope, (high - from) / slope});
+    part.begin = std::max(part.begin, begin), part.end = std::min(part.end, end);
+}
+
+PieceSlab::PieceSlab(const BezierPatchView& piece, double reach) {
+    const Vec3 a = euclidean(piece.point(0, 0)), b = euclidean(piece.point(piece.degree_u, 0));
+    const Vec3 c = euclidean(piece.point(0, piece.degree_v));
+    const Vec3 d = euclidean(piece.point(piece.degree_u, piece.degree_v));
+    longer_side_ =
+        (b - a).length() + (d - c).length() >= (c - a).length() + (d - b).length() ? 0 : 1;
+    const Box3 hull = hull_bounds(piece);
+    size_ = thickness_ = hull.size();
+    box_ = hull.padded(reach);
+    const Vec3 across = (d - a).cross(c - b);
+    if (!(across.length() > 0)) return;
+    normal_ = across / across.length();
+    low_ = high_ = normal_.dot(a);
+    for (const Vec4& point : piece.points) {
+        const double height = normal_.dot(euclidean(point));
+        low_ = std::min(low_, height), high_ = std::max(high_, height);
+    }
+    thickness_ = high_ - low_;
+    low_ -= reach, high_ += reach;
+}
+
+std::optional<ParameterInterval> PieceSlab::clip(const Vec3& from, const Vec3& to) const {
+    const Vec3 way = to - from;
+    ParameterInterval part{0, 1};
+    for (unsigned k = 0; k < 3; ++k) cut(part, from[k], way[k], box_.lower[k], box_.upper[k]);
+    if (normal_ != Vec3(0)) cut(part, normal_.dot(from), normal_.dot(way), low_, high_);
+    return part.begin <= part.end ? std::optional(part) : std::nullopt;
+}
 
 class FaceSearch {
 public:

@@ -2,16 +2,58 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/base/units.h"
+#include "keiko/geometry/model/closest_point.h"
+#include "keiko/geometry/seam/boundary_curves.h"
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/overlaps/edge_samples.h"
 #include "keiko/inspect/overlaps/face_approach.h"
-#include "keiko/inspect/overlaps/face_borders.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace keiko {
 namespace {
+
+/// The border curves of a model by their placed faces. Keeps a reference to `curves`.
+class FaceBorders {
+public:
+    explicit FaceBorders(const BoundaryCurves& curves);
+
+    /// The borders of a placed face, to `border_error`; empty if it has none.
+    std::vector<CurvePolyline> polylines(const PlacedFace& face) const;
+
+    static constexpr double border_error = 0.01; ///< mm
+
+private:
+    const BoundaryCurves& curves_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<BoundaryInterval>> borders_;
+};
+
+FaceBorders::FaceBorders(const BoundaryCurves& curves) : curves_(curves) {
+    for (const BoundaryInterval& border : curves.all())
+        borders_[{border.instance, border.face}].push_back(border);
+}
+
+std::vector<CurvePolyline> FaceBorders::polylines(const PlacedFace& face) const {
+    std::vector<CurvePolyline> lines;
+    const auto found = borders_.find({face.instance, face.face});
+    if (found == borders_.end()) return lines;
+    for (const BoundaryInterval& border : found->second)
+        lines.push_back(make_polyline(curves_.curve(border), border_error));
+    return lines;
+}
+
+/// mm from a place to the nearest of some lines; infinity if there are none.
+double distance_to(const std::vector<CurvePolyline>& lines, const Vec3& place) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const CurvePolyline& line : lines) least = std::min(least, line.distance(place));
+    return least;
+}
 
 /// Least angle, degrees, between a face and one that it stands on.
 constexpr double tee_angle = 30;
