@@ -3,7 +3,6 @@
 #include "keiko/base/units.h"
 #include "keiko/inspect/openings/hole_form.h"
 #include "keiko/inspect/openings/near_edges.h"
-#include "keiko/inspect/openings/strand.h"
 
 #include <algorithm>
 #include <cmath>
