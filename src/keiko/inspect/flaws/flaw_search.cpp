@@ -3,7 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/flaws/dent_depth.h"
 #include "keiko/inspect/flaws/face_ripples.h"
-#include "keiko/inspect/flaws/wave_section.h"
+#include "keiko/inspect/flaws/geodesic_trace.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "keiko/geometry/seam/seam.h"
 #include "keiko/inspect/lines/line_crossing.h"
 #include "keiko/inspect/lines/line_endpoint.h"
-#include "keiko/inspect/lines/line_statistics.h"
+#include "keiko/inspect/lines/line_geometry.h"
 #include "keiko/inspect/lines/surface_lines.h"
 
 #include <vector>
