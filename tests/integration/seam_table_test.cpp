@@ -2,8 +2,8 @@
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/import/worker/load_model.h"
 #include "keiko/inspect/seams/curvature_match.h"
+#include "keiko/inspect/seams/seam_chain.h"
 #include "keiko/inspect/seams/seam_measure.h"
-#include "keiko/inspect/seams/seam_widening.h"
 
 #include "tests/integration/opencascade_seams.h"
 #include "tests/integration/opencascade_tracer.h"

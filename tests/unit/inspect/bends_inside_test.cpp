@@ -1,5 +1,5 @@
 #include "keiko/base/units.h"
-#include "keiko/inspect/seams/knot_lines.h"
+#include "keiko/inspect/seams/seam_measure.h"
 
 #include "tests/support/long_run.h"
 #include "tests/support/model_builder.h"

@@ -1,5 +1,3 @@
-#include "keiko/inspect/seams/knot_lines.h"
-
 #include "keiko/base/units.h"
 #include "keiko/files/scene/preset_file.h"
 #include "keiko/inspect/seams/seam_measure.h"

@@ -1,4 +1,4 @@
-#include "keiko/inspect/seams/seam_widening.h"
+#include "keiko/inspect/seams/seam_chain.h"
 
 #include "tests/unit/inspect/sloped_seam.h"
 #include <gtest/gtest.h>

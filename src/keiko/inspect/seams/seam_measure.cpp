@@ -2,10 +2,15 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/basics/placed_face.h"
-#include "keiko/inspect/seams/knot_lines.h"
+#include "keiko/inspect/seams/bend_pieces.h"
+#include "keiko/inspect/seams/knot_piece.h"
 #include "keiko/inspect/seams/seam_chain.h"
 #include "keiko/inspect/seams/seam_line.h"
-#include "keiko/inspect/seams/seam_widening.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 
 namespace keiko {
 namespace {
@@ -56,6 +61,106 @@ MeasuredSeams with_judged_scraps(const ModelBorders& borders, std::span<const Se
     return result;
 }
 
+bool has_irregular_patch(const SurfaceModel& model, std::uint32_t face) {
+    const auto by_face = [](const IrregularPatch& patch, std::uint32_t f) {
+        return patch.face < f;
+    };
+    const auto found = std::lower_bound(model.irregular_patches.begin(),
+                                        model.irregular_patches.end(), face, by_face);
+    return found != model.irregular_patches.end() && found->face == face;
+}
+
+using KnotLine = std::vector<KnotPiece>;
+
+class FaceKnots {
+public:
+    FaceKnots(const SurfaceModel& model, std::uint32_t face)
+        : model_(model), index_(face), face_(model, face), knots_(broken_knots(face_)) {}
+
+    std::vector<std::vector<MeasuredSeam>> measured(const CriteriaPreset& preset,
+                                                    const FaceSizes& sizes) {
+        std::vector<std::vector<MeasuredSeam>> seams;
+        const std::vector<KnotLine> breaks = knot_chains(model_, face_.face(), knots_.pieces);
+        for (std::uint32_t i = 0; i < model_.instances.size(); ++i) {
+            const Part& part = model_.parts[model_.instances[i].part];
+            if (index_ - part.first_face >= part.face_count) continue;
+            const double size = sizes.of(i, index_);
+            const StretchLimits limits = stretch_limits(size, size, preset, 0);
+            const double scale = std::cbrt(std::abs(model_.instances[i].transform.determinant()));
+            for (const KnotLine& line : breaks) seams.push_back(measure(i, line, preset, limits));
+            for (const KnotLine& line : bends_within(limits.negligible / scale))
+                seams.push_back(measure(i, line, preset, limits));
+        }
+        return seams;
+    }
+
+private:
+    const std::vector<KnotLine>& bends_within(double window);
+    std::vector<KnotPiece> untorn_bends(double window) const;
+    std::vector<MeasuredSeam> measure(std::uint32_t instance, const KnotLine& line,
+                                      const CriteriaPreset& preset,
+                                      const StretchLimits& limits) const;
+
+    /// The bends that are narrower than a window, mm of the unplaced face.
+    struct WindowBends {
+        double window = 0;
+        std::vector<KnotLine> lines;
+    };
+
+    const SurfaceModel& model_;
+    std::uint32_t index_;
+    KnottedFace face_;
+    BrokenKnots knots_;
+    std::vector<WindowBends> searched_;
+};
+
+/// The bends within a window. Each window is searched once, for all instances that have it.
+const std::vector<KnotLine>& FaceKnots::bends_within(double window) {
+    constexpr double rounding = 1e-9; // share, of the scales of turned instances
+    const auto is_same = [&](const WindowBends& bends) {
+        return std::abs(bends.window - window) <= rounding * window;
+    };
+    const auto known = std::find_if(searched_.begin(), searched_.end(), is_same);
+    if (known != searched_.end()) return known->lines;
+    searched_.push_back({window, knot_chains(model_, face_.face(), untorn_bends(window))});
+    return searched_.back().lines;
+}
+
+/// The bends of the face, except those at which it is torn.
+std::vector<KnotPiece> FaceKnots::untorn_bends(double window) const {
+    std::vector<KnotPiece> bends = bend_pieces(face_, window);
+    for (const KnotPiece& knot : knots_.torn)
+        std::erase_if(bends, [&](const KnotPiece& bend) { return bend.meets(knot); });
+    return bends;
+}
+
+std::vector<MeasuredSeam> FaceKnots::measure(std::uint32_t instance, const KnotLine& line,
+                                             const CriteriaPreset& preset,
+                                             const StretchLimits& limits) const {
+    std::vector<std::array<Vec3, 2>> points;
+    points.reserve(2 * line.size());
+    SeamLine seam{instance, index_, instance, index_, {}};
+    const Affine& placed = model_.instances[instance].transform;
+    for (const KnotPiece& piece : line) {
+        const auto& left = points.emplace_back(piece.side(true));
+        const auto& right = points.emplace_back(piece.side(false));
+        seam.probes.push_back(face_.probe(piece, placed, left, right));
+    }
+    char knot[48];
+    std::snprintf(knot, sizeof knot, "%c = %.6g", line.front().constant_u ? 'u' : 'v',
+                  line.front().at);
+    CriteriaPreset judged = preset;
+    if (!std::all_of(line.begin(), line.end(), [](const KnotPiece& p) { return p.has_limits; }))
+        judged.curvature.reset(), judged.curvature_slope.reset();
+    std::vector<MeasuredSeam> measured;
+    for (MeasuredStretch& stretch : measure_line(model_, seam, judged, limits)) {
+        stretch.seam.faces = placed_face_name(model_, instance, index_) + ", inside at " + knot;
+        stretch.seam.internal = true;
+        measured.push_back(std::move(stretch.seam));
+    }
+    return measured;
+}
+
 } // namespace
 
 MeasuredSeams measure_seams(const ModelBorders& borders, std::span<const Seam> seams,
@@ -79,6 +184,27 @@ MeasuredSeams measure_all_seams(const ModelBorders& borders, std::span<const Sea
 
 std::size_t line_count(std::span<const MeasuredSeam> seams) {
     return seams.empty() ? 0 : seams.back().line + 1;
+}
+
+std::vector<MeasuredSeam> measure_knot_lines(const ModelBorders& borders,
+                                             const CriteriaPreset& preset, const Job& job) {
+    const SurfaceModel& model = borders.model;
+    std::vector<std::vector<std::vector<MeasuredSeam>>> by_face(model.faces.size());
+    parallel_for(model.faces.size(), job, "knots", [&](std::size_t f) {
+        const Face& face = model.faces[f];
+        const auto index = static_cast<std::uint32_t>(f);
+        if (face.approximated > 0 || has_irregular_patch(model, index)) return;
+        by_face[f] = FaceKnots(model, index).measured(preset, borders.sizes);
+    });
+    std::vector<MeasuredSeam> all;
+    std::uint32_t number = 0;
+    for (auto& lines : by_face)
+        for (auto& line : lines) {
+            for (MeasuredSeam& seam : line) seam.line = number;
+            ++number;
+            std::move(line.begin(), line.end(), std::back_inserter(all));
+        }
+    return all;
 }
 
 } // namespace keiko
