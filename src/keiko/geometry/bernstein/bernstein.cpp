@@ -1,7 +1,6 @@
 #include "keiko/geometry/bernstein/bernstein.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace keiko {

@@ -1,7 +1,5 @@
 #include "keiko/geometry/bezier/bezier.h"
 
-#include "keiko/geometry/bernstein/bernstein.h"
-
 #include <algorithm>
 #include <cassert>
 

@@ -1,6 +1,5 @@
 #include "keiko/geometry/seam/seam.h"
 
-#include "keiko/base/job.h"
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/bvh/box_tree.h"
 #include "keiko/geometry/seam/seam_candidate.h"

@@ -2,7 +2,6 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/model/closest_point.h"
-#include "keiko/geometry/model/surface_model.h"
 #include "keiko/math/quadrature.h"
 
 #include <algorithm>

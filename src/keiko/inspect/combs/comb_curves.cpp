@@ -8,11 +8,9 @@
 #include "keiko/math/bounds.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
-#include <vector>
 
 namespace keiko {
 namespace {

@@ -1,7 +1,6 @@
 #include "keiko/inspect/combs/section_plane.h"
 
 #include "keiko/base/error.h"
-#include "keiko/inspect/basics/line_cells.h"
 #include "keiko/inspect/basics/patch_fields.h"
 #include "keiko/inspect/basics/visible_pieces.h"
 

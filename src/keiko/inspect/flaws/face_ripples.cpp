@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <vector>
 
 namespace keiko {
 namespace {

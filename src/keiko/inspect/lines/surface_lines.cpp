@@ -4,10 +4,7 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/geometry/trim/trim_region.h"
-#include "keiko/inspect/basics/line_field.h"
-#include "keiko/inspect/basics/patch_lines.h"
 #include "keiko/inspect/basics/visible_pieces.h"
-#include "keiko/intersect/traversal/tracer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,6 @@
 #include "keiko/base/units.h"
 #include "keiko/geometry/model/closest_point.h"
 #include "keiko/geometry/seam/boundary_curves.h"
-#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/overlaps/edge_samples.h"
 #include "keiko/inspect/overlaps/face_approach.h"
 
@@ -14,7 +13,6 @@
 #include <map>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace keiko {
 namespace {

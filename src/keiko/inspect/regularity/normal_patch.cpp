@@ -1,7 +1,5 @@
 #include "keiko/inspect/regularity/normal_patch.h"
 
-#include "keiko/inspect/basics/patch_box.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
