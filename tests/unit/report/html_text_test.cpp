@@ -1,7 +1,5 @@
 #include "keiko/report/markup/html_text.h"
 
-#include "keiko/report/markup/base64.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>

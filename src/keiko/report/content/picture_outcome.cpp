@@ -1,8 +1,8 @@
 #include "keiko/report/content/picture_outcome.h"
 
 #include "keiko/base/text.h"
+#include "keiko/report/markup/html_table.h"
 #include "keiko/report/markup/html_text.h"
-#include "keiko/report/markup/plain_table.h"
 
 #include <algorithm>
 #include <cmath>

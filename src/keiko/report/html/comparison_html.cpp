@@ -1,6 +1,5 @@
 #include "keiko/report/content/comparison_words.h"
 #include "keiko/report/html/comparison_tables.h"
-#include "keiko/report/markup/base64.h"
 #include "keiko/report/markup/html_page.h"
 #include "keiko/report/markup/html_text.h"
 #include "keiko/report/markup/picture_slider.h"

@@ -1,8 +1,8 @@
 #include "keiko/report/html/comparison_tables.h"
 
 #include "keiko/report/content/comparison_words.h"
+#include "keiko/report/markup/html_table.h"
 #include "keiko/report/markup/html_text.h"
-#include "keiko/report/markup/plain_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,4 @@
 #include "keiko/report/html/html_sections.h"
-#include "keiko/report/markup/base64.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include "keiko/base/text.h"
 #include "keiko/report/content/unmet_borders.h"
 #include "keiko/report/html/html_sections.h"
-#include "keiko/report/markup/base64.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <algorithm>

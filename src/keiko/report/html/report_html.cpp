@@ -3,7 +3,6 @@
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_page.h"
 #include "keiko/report/markup/html_text.h"
-#include "keiko/report/markup/report_style.h"
 
 namespace keiko {
 namespace {

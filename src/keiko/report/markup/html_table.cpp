@@ -22,4 +22,18 @@ std::string html_number_cell(double value, const std::string& text, bool over) {
     return html_cell(short_number(value, 9), text, over ? "tone" : "");
 }
 
+std::string html_plain_table(const std::vector<std::string>& headings, const std::string& rows) {
+    std::string html = "<div class=\"card scroll\"><table><thead><tr>";
+    for (const std::string& heading : headings) {
+        const bool left = heading.starts_with("<");
+        html += std::string("<th") + (left ? " class=\"left\"" : "") + ">" +
+                html_escaped(left ? heading.substr(1) : heading) + "</th>";
+    }
+    return html + "</tr></thead><tbody>" + rows + "</tbody></table></div>\n";
+}
+
+std::string html_text_cell(const std::string& text, bool left) {
+    return std::string(left ? "<td class=\"left\">" : "<td>") + html_escaped(text) + "</td>";
+}
+
 } // namespace keiko

@@ -2,7 +2,9 @@
 
 #include "keiko/base/text.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 namespace keiko {
@@ -73,6 +75,22 @@ std::string place_text(const Vec3& place) {
         return formatted("%.*f", 1, std::round(x * 10) / 10 + 0.0);
     };
     return rounded(place.x) + ", " + rounded(place.y) + ", " + rounded(place.z);
+}
+
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            text += k <= count ? digits[group >> (18 - 6 * k) & 63] : '=';
+    }
+    return text;
 }
 
 } // namespace keiko

@@ -1,12 +1,20 @@
 #include "keiko/report/markup/junit_suites.h"
 
 #include "keiko/report/markup/html_text.h"
-#include "keiko/report/markup/xml_attribute.h"
 
 namespace keiko {
 namespace {
 
 using Outcome = JunitCase::Outcome;
+
+/// ` name="value"`, escaped; XML needs no more escapes than HTML.
+std::string xml_attribute(const char* name, std::string_view value) {
+    return std::string(" ") + name + "=\"" + html_escaped(value) + "\"";
+}
+
+std::string xml_attribute(const char* name, std::size_t value) {
+    return xml_attribute(name, std::to_string(value));
+}
 
 struct Counts {
     std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;

@@ -1,6 +1,5 @@
 #include "keiko/report/markup/picture_slider.h"
 
-#include "keiko/report/markup/base64.h"
 #include "keiko/report/markup/html_text.h"
 
 namespace keiko {
