@@ -1,5 +1,5 @@
 // registered hits, read and written
-#include "keiko/report/json/hits_json.h"
+#include "keiko/report/json/placement_json.h"
 
 #include "tests/fuzz/fuzz_target.h"
 

@@ -1,5 +1,5 @@
 /// The whole inspection of a body.
 #pragma once
 
-#include "keiko/report/json/report_json.h"
+#include "keiko/report/content/report.h"
 #include "keiko/workflow/inspect_scene.h"

@@ -3,6 +3,6 @@
 
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/image_file.h"
-#include "keiko/report/json/lines_json.h"
+#include "keiko/report/content/line_list.h"
 #include "keiko/workflow/find_lines.h"
 #include "keiko/workflow/lines_picture.h"

@@ -3,9 +3,7 @@
 
 #include "keiko/files/photometric/luminaire_file.h"
 #include "keiko/light/rig/luminaire_remarks.h"
+#include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/luminaire_facts.h"
-#include "keiko/report/json/report_json.h"
-#include "keiko/report/svg/polar_curve.h"
-#include "keiko/report/text/facts_text.h"
 #include "keiko/workflow/model_info.h"
 #include "keiko/workflow/version.h"

@@ -3,7 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/sha256.h"
 #include "keiko/film/image_file.h"
-#include "keiko/report/json/camera_json.h"
+#include "keiko/report/json/json_parts.h"
 
 namespace keiko {
 namespace {

@@ -3,7 +3,7 @@
 #include "keiko/compare/shape/symmetry.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/image_file.h"
-#include "keiko/report/report_files.h"
+#include "keiko/report/content/report.h"
 #include "keiko/workflow/analysis_picture.h"
 #include "keiko/workflow/choose_lights.h"
 #include "keiko/workflow/curvature_pictures.h"

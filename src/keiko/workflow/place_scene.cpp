@@ -3,7 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/placement/place_lamps.h"
-#include "keiko/report/json/hits_json.h"
+#include "keiko/report/json/placement_json.h"
 #include "keiko/workflow/placement_mirror.h"
 #include "keiko/workflow/version.h"
 

@@ -1,4 +1,4 @@
-#include "keiko/report/text/facts_text.h"
+#include "keiko/report/content/inspection_texts.h"
 
 #include "tests/unit/report/sample_report.h"
 #include <gtest/gtest.h>

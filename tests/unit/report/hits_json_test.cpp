@@ -1,6 +1,5 @@
-#include "keiko/report/json/hits_json.h"
-
 #include "keiko/base/error.h"
+#include "keiko/report/json/placement_json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,5 @@
 #include "keiko/base/text.h"
-#include "keiko/report/csv/checks_csv.h"
-#include "keiko/report/junit/junit.h"
-#include "keiko/report/sarif/sarif.h"
-#include "keiko/report/text/inspection_text.h"
+#include "keiko/report/content/inspection_texts.h"
 
 #include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>

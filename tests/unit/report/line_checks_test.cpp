@@ -1,7 +1,5 @@
-#include "keiko/report/content/line_checks.h"
-
-#include "keiko/report/junit/junit.h"
-#include "keiko/report/sarif/sarif.h"
+#include "keiko/report/content/inspection_texts.h"
+#include "keiko/report/content/line_list.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "keiko/report/json/lines_json.h"
+#include "keiko/report/content/line_list.h"
 
 #include "tests/unit/report/sample_report.h"
 #include <gtest/gtest.h>

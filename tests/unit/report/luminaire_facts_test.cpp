@@ -1,8 +1,5 @@
 #include "keiko/report/content/luminaire_facts.h"
 
-#include "keiko/report/content/spread_text.h"
-#include "keiko/report/svg/polar_curve.h"
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,5 @@
-#include "keiko/report/html/report_html.h"
-
 #include "keiko/base/units.h"
-#include "keiko/report/json/report_json.h"
-#include "keiko/report/report_files.h"
+#include "keiko/report/content/report.h"
 
 #include "tests/support/model_builder.h"
 #include "tests/unit/report/sample_report.h"

@@ -1,7 +1,5 @@
-#include "keiko/report/json/report_json.h"
-
-#include "keiko/report/html/report_html.h"
-#include "keiko/report/text/facts_text.h"
+#include "keiko/report/content/inspection_texts.h"
+#include "keiko/report/content/report.h"
 
 #include "tests/unit/report/sample_report.h"
 #include <gtest/gtest.h>

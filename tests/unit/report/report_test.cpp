@@ -1,6 +1,4 @@
-#include "keiko/report/html/report_html.h"
-#include "keiko/report/json/report_json.h"
-#include "keiko/report/report_files.h"
+#include "keiko/report/content/report.h"
 
 #include "tests/unit/report/sample_report.h"
 #include <gtest/gtest.h>

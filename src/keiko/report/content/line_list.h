@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/inspect/inspection.h"
 #include "keiko/inspect/lines/joined_lines.h"
 
 #include <string>
@@ -46,5 +47,32 @@ struct CrossingPlace {
 /// All crossings that have a verdict, worst first: tables and pictures number them in this order
 /// from 1.
 std::vector<CrossingPlace> ranked_crossings(const LineList& list);
+
+/// Checks of the lines that cross each seam, in the order of views and faces: the worst crossing
+/// for each limit of a view.
+std::vector<Check> line_checks(const LineList& list);
+
+/// The inspection with the checks and findings of the lines among its own, for other programs.
+Inspection with_lines(Inspection inspection, const LineList& list);
+
+/// "keiko-lines/2", on one line of text; see docs/file-formats.md. Faces have the numbers of
+/// `model`. It holds no time, so that every run gives the same bytes.
+std::string lines_json(const LineList& list, const SurfaceModel& model);
+
+/// CSV with a header and one row a point: view,line,piece,plane,lamp,face,x,y,z. `line` counts from
+/// 0 through all views, as in lines_json, `piece` within the line. A closed line repeats its first
+/// point at its end.
+std::string lines_csv(const LineList& list, const SurfaceModel& model);
+
+/// CSV with a header and one row an inflection of a line: view,line,plane,lamp,along,x,y,z. `along`
+/// is in mm from where the line begins.
+std::string line_inflections_csv(const LineList& list);
+
+/// CSV with a header and one row a crossing, in the order of lines_json.
+std::string crossings_csv(const LineList& list);
+
+/// A table of the `most` worst crossings for people, numbered as in ranked_crossings, with a line
+/// that explains its columns.
+std::string crossings_table(const LineList& list, std::size_t most);
 
 } // namespace keiko

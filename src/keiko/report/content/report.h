@@ -1,9 +1,11 @@
 #pragma once
 
+#include "keiko/base/output_folder.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/report/content/combs_text.h"
 #include "keiko/report/content/line_list.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,9 +60,28 @@ struct Report {
 };
 
 /// The worst of the verdicts of the inspection and the lines.
-Verdict verdict_of(const Report& report);
+inline Verdict verdict_of(const Report& report) {
+    const Verdict seams = report.inspection.verdict;
+    return report.lines ? std::max(seams, verdict_of(*report.lines)) : seams;
+}
 
 /// Number of worst seams, which pictures number and the first screen shows.
 constexpr std::size_t worst_seam_count = 5;
+
+/// The whole report as "keiko-report/1", in the manner of inspection_json. Inspection: tool {name,
+/// version} and the keys of inspection_json, with the verdict of lines and seams together. Lines:
+/// lines {rig, look, preset, verdict, counts, crossings} with the keys of lines_json, or null.
+/// Coverage: coverage {rig, covered, unreached}. Pictures: pictures, line_pictures,
+/// curvature_pictures and close_ups
+/// [{title, file, width, height, markers [{number, x, y}]}]. Close-ups have the number of their
+/// seam or face, or the rank of their crossing, from 1. The report holds no time, so that every run
+/// gives the same bytes.
+std::string report_json(const Report& report);
+
+/// The report for people: one HTML page that needs no other file, pictures included.
+std::string report_html(const Report& report);
+
+/// report.html (self-contained), report.json and the pictures.
+FolderContent report_files(const Report& report);
 
 } // namespace keiko

@@ -1,4 +1,4 @@
-#include "keiko/report/content/comparison_words.h"
+#include "keiko/report/content/comparison.h"
 #include "keiko/report/html/comparison_tables.h"
 #include "keiko/report/markup/html_page.h"
 #include "keiko/report/markup/html_text.h"

@@ -1,4 +1,4 @@
-#include "keiko/report/content/folded_remarks.h"
+#include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
 

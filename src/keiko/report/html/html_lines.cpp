@@ -1,5 +1,4 @@
 #include "keiko/base/text.h"
-#include "keiko/report/html/html_inflections.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_table.h"
 #include "keiko/report/markup/html_text.h"
@@ -11,7 +10,7 @@ namespace keiko {
 namespace {
 
 /// Number of rows beyond which passing crossings are left to report.json.
-constexpr std::size_t most_rows = 400;
+constexpr std::size_t most_crossings = 400;
 
 std::string summary(const LineList& list) {
     const CrossingCounts counts = count_crossings(list);
@@ -78,7 +77,7 @@ std::string table(const Report& report) {
         ranked.begin(), ranked.end(),
         [&](const CrossingPlace& place) { return *place.in(list).verdict == Verdict::pass; });
     const std::size_t bad = static_cast<std::size_t>(passing - ranked.begin());
-    const std::size_t shown = std::min(ranked.size(), std::max(bad, most_rows));
+    const std::size_t shown = std::min(ranked.size(), std::max(bad, most_crossings));
     std::string html = html_table_head(headings(list.preset.lines), "faces");
     for (std::size_t i = 0; i < shown; ++i) html += row(report, i + 1, ranked[i]);
     html += html_table_end;
@@ -88,6 +87,45 @@ std::string table(const Report& report) {
     return html;
 }
 
+/// Number of rows beyond which places are left to keiko lines.
+constexpr std::size_t most_inflections = 1000;
+
+std::string inflection_row(std::size_t rank, const std::string& view, const JoinedLine& line,
+                           const LineInflection& turn) {
+    const std::string number = std::to_string(rank), of_view = html_escaped(view);
+    const std::string lamp = std::to_string(line.plane) + "." + std::to_string(line.lamp);
+    return "<tr>" + html_cell(number, number) + html_cell(of_view, of_view, "left") +
+           html_cell(lamp, lamp) +
+           html_number_cell(line.length, fixed_number(line.length, 1), false) +
+           html_number_cell(turn.along, fixed_number(turn.along, 1), false) +
+           html_cell(short_number(turn.place.x, 9), place_text(turn.place)) + "</tr>\n";
+}
+
+/// Inflections of the lines, in a table under a line that opens it; empty if there are none.
+std::string inflections(const LineList& list) {
+    std::string rows;
+    std::size_t count = 0, lines = 0;
+    for (const ViewLines& view : list.views)
+        for (const JoinedLine& line : view.found.lines) {
+            if (!line.inflections.empty()) ++lines;
+            for (const LineInflection& turn : line.inflections)
+                if (++count <= most_inflections)
+                    rows += inflection_row(count, view.view, line, turn);
+        }
+    if (count == 0) return "";
+    std::string html =
+        "<details><summary>" + counted(lines, "line") +
+        (lines == 1 ? " turns over at " : " turn over at ") + counted(count, "place") +
+        "</summary>" +
+        html_table_head({"#", "view", "lamp", "line mm long", "along it mm", "place x, y, z"},
+                        "view") +
+        rows + std::string(html_table_end);
+    if (count > most_inflections)
+        html += "<p class=\"soft\">and " + std::to_string(count - most_inflections) +
+                " more; the table of inflections of keiko lines has them all.</p>";
+    return html + "</details>\n";
+}
+
 } // namespace
 
 std::string html_lines(const Report& report) {
@@ -95,7 +133,7 @@ std::string html_lines(const Report& report) {
     std::string html = "<section><h2>Reflection lines</h2>" + summary(*report.lines) +
                        "<div class=\"pictures\">\n";
     for (const ReportPicture& picture : report.line_pictures) html += html_figure(picture);
-    return html + "</div>\n" + table(report) + html_inflections(*report.lines) + "</section>\n";
+    return html + "</div>\n" + table(report) + inflections(*report.lines) + "</section>\n";
 }
 
 } // namespace keiko

@@ -1,6 +1,7 @@
 #include "keiko/base/text.h"
-#include "keiko/report/content/unmet_borders.h"
+#include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/html/html_sections.h"
+#include "keiko/report/markup/html_table.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <algorithm>
@@ -27,12 +28,6 @@ std::string percent(double share, int decimals = 1) {
     return fixed_number(share * 100, decimals) + " %";
 }
 
-std::string marker(const PictureMarker& m, const ReportPicture& picture) {
-    return "<span class=\"marker\" style=\"left:" + fixed_number(100 * m.x / picture.width, 2) +
-           "%;top:" + fixed_number(100 * m.y / picture.height, 2) + "%\">" +
-           std::to_string(m.number) + "</span>";
-}
-
 /// "class-a-outer: gap 0.01 mm, angle 0.1°, curvature 10 %, its slope 0.1°"
 std::string criteria_line(const Inspection& inspection) {
     const CriteriaPreset& preset = inspection.preset;
@@ -53,19 +48,19 @@ std::string body_line(const Inspection& inspection) {
            (unmet.empty() ? "" : " · " + html_escaped(unmet)) + " · " + criteria_line(inspection);
 }
 
-} // namespace
-
-std::string html_figure(const ReportPicture& picture) {
-    std::string html = "<figure class=\"card\"><div class=\"picture\"><img alt=\"" +
-                       html_escaped(picture.title) + "\" width=\"" + std::to_string(picture.width) +
-                       "\" height=\"" + std::to_string(picture.height) +
-                       "\" src=\"data:image/png;base64," + base64(picture.png) + "\">";
-    for (const PictureMarker& m : picture.markers) html += marker(m, picture);
-    html += "</div><figcaption><b>" + html_escaped(picture.title) + "</b>";
-    if (!picture.caption.empty())
-        html += "<br><span class=\"soft small\">" + html_escaped(picture.caption) + "</span>";
-    return html + "</figcaption></figure>\n";
+std::string look_row(const Report& report, const Check& look) {
+    const std::string opens =
+        look.face == no_index ? "" : html_opens_close_up(report, CloseUp::Of::face, look.face);
+    const MeasuredValue& worst = look.worst;
+    return "<tr class=\"undecided\"" + opens + ">" +
+           html_cell(html_escaped(look.faces), html_escaped(look.faces), "left") +
+           html_cell(look.code, look.code, "left") +
+           html_number_cell(worst.value, short_number(worst.value, 3) + " " + look.unit, true) +
+           html_cell(look.message, html_escaped(look.message), "left") +
+           html_cell(short_number(worst.place.x, 9), place_text(worst.place)) + "</tr>\n";
 }
+
+} // namespace
 
 std::string html_verdict(const Report& report) {
     const Inspection& inspection = report.inspection;
@@ -98,11 +93,15 @@ std::string html_verdict(const Report& report) {
     return html + "</div>\n";
 }
 
-std::string html_pictures(const Report& report) {
-    if (report.pictures.empty()) return "";
-    std::string html = "<section><h2>Reflections</h2><div class=\"pictures\">\n";
-    for (const ReportPicture& picture : report.pictures) html += html_figure(picture);
-    return html + "</div></section>\n";
+std::string html_looks(const Report& report) {
+    const std::vector<Check>& looks = report.inspection.looks;
+    if (looks.empty()) return "";
+    std::string html =
+        "<section><h2>Worth a look</h2><p class=\"soft\">Reported, not judged: "
+        "nothing here has a part in the verdict.</p>" +
+        html_table_head({"face", "code", "value", "what", "place x, y, z"}, "face");
+    for (const Check& look : looks) html += look_row(report, look);
+    return html + std::string(html_table_end) + "</section>\n";
 }
 
 std::string html_coverage(const Report& report) {

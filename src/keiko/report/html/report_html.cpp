@@ -1,8 +1,9 @@
-#include "keiko/report/html/report_html.h"
-
+#include "keiko/report/content/report.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_page.h"
 #include "keiko/report/markup/html_text.h"
+
+#include <algorithm>
 
 namespace keiko {
 namespace {
@@ -39,6 +40,19 @@ std::string report_html(const Report& report) {
         html += section(report);
     html += footer(report) + "\n";
     return html_page(html_escaped(report.inspection.facts.source), "", html, report_script);
+}
+
+FolderContent report_files(const Report& report) {
+    FolderContent files;
+    for (const auto* pictures :
+         {&report.pictures, &report.line_pictures, &report.curvature_pictures})
+        for (const ReportPicture& picture : *pictures) files[picture.file_name] = picture.png;
+    for (const CloseUp& close_up : report.close_ups)
+        files[close_up.picture.file_name] = close_up.picture.png;
+    for (const CombPicture& picture : report.combs) files[picture.file_name()] = picture.svg;
+    files["report.json"] = report_json(report);
+    files["report.html"] = report_html(report);
+    return files;
 }
 
 } // namespace keiko

@@ -1,5 +1,5 @@
 #include "keiko/report/content/comparison.h"
-#include "keiko/report/json/picture_outcome_json.h"
+#include "keiko/report/json/json_parts.h"
 
 namespace keiko {
 namespace {

@@ -1,5 +1,4 @@
-#include "keiko/report/content/folded_remarks.h"
-#include "keiko/report/json/report_json.h"
+#include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/markup/json_text.h"
 
 namespace keiko {

@@ -1,7 +1,6 @@
-#include "keiko/report/json/hits_json.h"
-
 #include "keiko/base/error.h"
-#include "keiko/report/json/camera_json.h"
+#include "keiko/report/json/json_parts.h"
+#include "keiko/report/json/placement_json.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,5 @@
-#include "keiko/report/json/lines_json.h"
-
-#include "keiko/report/json/line_verdicts_json.h"
+#include "keiko/report/content/line_list.h"
+#include "keiko/report/json/json_parts.h"
 
 namespace keiko {
 namespace {
@@ -9,7 +8,7 @@ Json optional(const std::optional<double>& value) {
     return value ? Json(*value) : Json();
 }
 
-Json camera_json(const Camera& camera) {
+Json viewpoint_json(const Camera& camera) {
     const bool perspective = camera.projection == Projection::perspective;
     return {{"projection", perspective ? "perspective" : "orthographic"},
             {"eye", point(camera.eye)},
@@ -136,7 +135,7 @@ std::string lines_json(const LineList& list, const SurfaceModel& model) {
                  {"lines", Json::array()}};
     for (const ViewLines& view : list.views) {
         Json camera = {{"name", view.view}};
-        camera.update(camera_json(view.camera));
+        camera.update(viewpoint_json(view.camera));
         json["views"].push_back(std::move(camera));
         for (const JoinedLine& line : view.found.lines)
             json["lines"].push_back(line_json(line, view, model));

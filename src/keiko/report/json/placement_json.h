@@ -2,6 +2,7 @@
 
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/placement/placement.h"
+#include "keiko/placement/registered_hits.h"
 
 #include <span>
 #include <string>
@@ -17,5 +18,11 @@ namespace keiko {
 /// pixels, shares of 1.
 std::string placement_json(const Placement& placement, const SurfaceModel& model,
                            std::span<const std::string> views, const std::string& tool_version);
+
+/// The format keiko-hits/1 of docs/file-formats.md.
+std::string hits_json(const RegisteredHits& hits, const std::string& tool_version);
+
+/// Inverse of hits_json, bit for bit. `file` is for messages. Throws Error for any other text.
+RegisteredHits hits_from_json(const std::string& text, const std::string& file);
 
 } // namespace keiko

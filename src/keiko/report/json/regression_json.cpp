@@ -1,6 +1,6 @@
 #include "keiko/base/error.h"
 #include "keiko/report/content/regression.h"
-#include "keiko/report/json/picture_outcome_json.h"
+#include "keiko/report/json/json_parts.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include "keiko/report/json/report_json.h"
-
 #include "keiko/inspect/seams/curvature_match.h"
-#include "keiko/report/json/line_verdicts_json.h"
+#include "keiko/report/content/inspection_texts.h"
+#include "keiko/report/content/report.h"
+#include "keiko/report/json/json_parts.h"
 
 namespace keiko {
 namespace {

@@ -1,7 +1,5 @@
-#include "keiko/report/sarif/sarif.h"
-
 #include "keiko/base/sha256.h"
-#include "keiko/report/content/check_place.h"
+#include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/sarif/sarif_location.h"
 
 #include <algorithm>

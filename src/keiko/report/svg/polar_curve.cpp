@@ -1,6 +1,5 @@
-#include "keiko/report/svg/polar_curve.h"
-
 #include "keiko/base/units.h"
+#include "keiko/report/content/luminaire_facts.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <cmath>

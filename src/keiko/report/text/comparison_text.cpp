@@ -1,6 +1,5 @@
 #include "keiko/base/text.h"
 #include "keiko/report/content/comparison.h"
-#include "keiko/report/content/comparison_words.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <cmath>

@@ -1,7 +1,5 @@
-#include "keiko/report/text/facts_text.h"
-
 #include "keiko/base/text.h"
-#include "keiko/report/content/folded_remarks.h"
+#include "keiko/report/content/inspection_texts.h"
 
 #include <string_view>
 

@@ -1,8 +1,54 @@
-#include "keiko/report/json/lines_json.h"
-#include "keiko/report/markup/csv_text.h"
+#include "keiko/base/text.h"
+#include "keiko/report/content/combs_text.h"
+#include "keiko/report/content/inspection_texts.h"
+#include "keiko/report/content/line_list.h"
+
+#include <array>
+#include <charconv>
+#include <initializer_list>
 
 namespace keiko {
 namespace {
+
+/// The shortest text that reads back as the same number.
+std::string csv_number(double value) {
+    std::array<char, 32> digits{};
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+/// A field in quotes, those in it doubled [RFC4180].
+std::string csv_quoted(std::string_view text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+std::string field(std::string_view any_text) {
+    const std::string text = as_utf8(any_text);
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    return csv_quoted(text);
+}
+
+std::string row(std::initializer_list<std::string> fields) {
+    std::string text;
+    for (const std::string& f : fields) text += f + ",";
+    text.back() = '\r';
+    return text + "\n";
+}
+
+std::string row(const Check& check) {
+    const MeasuredValue& w = check.worst;
+    const auto if_judged = [&](double value) { return check.judged ? csv_number(value) : ""; };
+    return row({check.seam == no_index ? "" : std::to_string(check.seam + 1), field(check.view),
+                field(check.faces), field(check.code), field(check.quantity),
+                check.judged ? std::string(outcome_of(check)) : "not judged", if_judged(w.value),
+                if_judged(w.bound), if_judged(w.limit), field(check.unit), field(check.formula),
+                if_judged(w.place.x), if_judged(w.place.y), if_judged(w.place.z),
+                field(check.message)});
+}
 
 void append(std::string& text, double value) {
     (text += ',') += csv_number(value);
@@ -26,6 +72,35 @@ void append_points(std::string& text, const std::string& begin, const SurfaceLin
 }
 
 } // namespace
+
+std::string checks_csv(const Inspection& inspection) {
+    std::string text = row({"seam", "view", "faces", "code", "quantity", "verdict", "value",
+                            "bound", "limit", "unit", "formula", "x", "y", "z", "message"});
+    for (const Check& check : inspection.checks) text += row(check);
+    return text;
+}
+
+std::string combs_csv(std::span<const CombCurve> curves, const SurfaceModel& model) {
+    std::string text =
+        "curve,name,piece,face,instance,along,x,y,z,curvature,normal_curvature,tx,ty,tz\n";
+    for (std::size_t c = 0; c < curves.size(); ++c)
+        for (std::size_t p = 0; p < curves[c].pieces.size(); ++p) {
+            const CombPiece& piece = curves[c].pieces[p];
+            const std::string begin = std::to_string(c) + "," + csv_quoted(curves[c].name) + "," +
+                                      std::to_string(p) + "," +
+                                      std::to_string(model.faces[piece.face].id) + "," +
+                                      std::to_string(piece.instance);
+            for (const CombSample& s : piece.samples) {
+                text += begin;
+                for (const double value : {s.along, s.place.x, s.place.y, s.place.z,
+                                           s.bend.curvature, s.bend.normal_curvature,
+                                           s.bend.towards.x, s.bend.towards.y, s.bend.towards.z})
+                    append(text, value);
+                text += '\n';
+            }
+        }
+    return text;
+}
 
 std::string lines_csv(const LineList& list, const SurfaceModel& model) {
     std::string text = "view,line,piece,plane,lamp,face,x,y,z\n";

@@ -1,14 +1,24 @@
 #pragma once
 
+#include "keiko/report/content/line_list.h"
 #include "keiko/report/content/picture_outcome.h"
 #include "keiko/report/markup/json_text.h"
+#include "keiko/scene/camera.h"
 
 namespace keiko {
+
+Json camera_json(const Camera& camera);
+/// Inverse of camera_json. Throws Json::exception.
+Camera camera_from(const Json& json);
 
 /// view, problem, pixels, coverage_flips, face_flips, flips_within, layers [{layer, beyond,
 /// largest, excess, root_mean_square, x, y, within}], width, height, before, after, difference.
 Json picture_outcome_json(const PictureOutcome& picture);
 /// Inverse of picture_outcome_json. Throws Json::exception.
 PictureOutcome picture_outcome_from(const Json& json);
+
+/// Lines in a report: rig, look, preset, verdict, counts and crossings, with the keys of lines_json
+/// but without the curves.
+Json line_verdicts_json(const LineList& list);
 
 } // namespace keiko

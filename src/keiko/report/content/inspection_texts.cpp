@@ -1,0 +1,68 @@
+#include "keiko/report/content/inspection_texts.h"
+
+#include "keiko/report/markup/html_text.h"
+
+#include <map>
+#include <tuple>
+
+namespace keiko {
+namespace {
+
+/// mm; shorter gaps between seams that follow each other along a border are rounding.
+constexpr double least_length = 0.05;
+
+} // namespace
+
+std::string subject_of(const Check& check) {
+    if (!check.view.empty()) return "lines over " + check.faces + " in view " + check.view;
+    if (check.seam == no_index) return check.faces;
+    return "seam " + std::to_string(check.seam + 1) + " (" + check.faces + ")";
+}
+
+std::string placed_message(const Check& check) {
+    return check.faces + ": " + check.message + ", at " + place_text(check.worst.place);
+}
+
+std::string unmet_borders(const ModelFacts& facts) {
+    if (facts.free_length < least_length) return "";
+    return fixed_number(facts.free_length, 1) + " of " + fixed_number(facts.border_length, 1) +
+           " mm of borders meet no other";
+}
+
+std::string nothing_judged(const Inspection& inspection) {
+    const std::size_t faces = inspection.facts.placed_faces;
+    if (faces < 2 || !inspection.seams.empty()) return "";
+    return "no seam was judged: of " + std::to_string(faces) +
+           " faces no two have borders that run along each other within the join distance, " +
+           short_number(inspection.join) + " mm";
+}
+
+std::vector<FoldedRemark> folded_remarks(const Diagnostics& remarks) {
+    const auto key = [](const Diagnostic& r) { return std::tie(r.severity, r.entity, r.message); };
+    std::map<std::tuple<Severity, std::string, std::string>, std::size_t> times;
+    for (const Diagnostic& remark : remarks) ++times[key(remark)];
+    std::vector<FoldedRemark> folded;
+    for (const Diagnostic& remark : remarks) {
+        const auto found = times.find(key(remark));
+        if (found == times.end()) continue;
+        std::string text = remark.entity + (remark.entity.empty() ? "" : ": ") + remark.message;
+        if (found->second > 1) text += " (" + std::to_string(found->second) + " times)";
+        folded.push_back({remark.severity, std::move(text)});
+        times.erase(found);
+    }
+    return folded;
+}
+
+std::string_view name_of(Severity severity) {
+    switch (severity) {
+        case Severity::note:
+            return "note";
+        case Severity::warning:
+            return "warning";
+        case Severity::error:
+            return "error";
+    }
+    return "";
+}
+
+} // namespace keiko
