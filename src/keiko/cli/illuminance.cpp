@@ -1,7 +1,7 @@
 #include "keiko/api/light.h"
 #include "keiko/base/log.h"
-#include "keiko/cli/commands.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/cli/session.h"
 #include "keiko/cli/standard_streams.h"
 
 #include <memory>

@@ -2,10 +2,9 @@
 #include "keiko/api/results.h"
 #include "keiko/base/error.h"
 #include "keiko/base/output_file.h"
-#include "keiko/cli/commands.h"
-#include "keiko/cli/output_place.h"
-#include "keiko/cli/print.h"
+#include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/cli/session.h"
 
 #include <memory>
 

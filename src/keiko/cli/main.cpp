@@ -1,7 +1,7 @@
 #include "keiko/api/model.h"
 #include "keiko/base/memory.h"
 #include "keiko/base/text.h"
-#include "keiko/cli/commands.h"
+#include "keiko/cli/session.h"
 
 #include <cstdio>
 #include <exception>

@@ -3,11 +3,9 @@
 #include "keiko/api/results.h"
 #include "keiko/base/error.h"
 #include "keiko/base/text.h"
-#include "keiko/cli/commands.h"
-#include "keiko/cli/number_check.h"
-#include "keiko/cli/output_place.h"
-#include "keiko/cli/print.h"
+#include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/cli/session.h"
 #include "keiko/cli/symmetry_option.h"
 
 #include <array>

@@ -3,11 +3,12 @@
 #include "keiko/api/results.h"
 #include "keiko/base/log.h"
 #include "keiko/base/output_file.h"
-#include "keiko/cli/commands.h"
-#include "keiko/cli/frame_log.h"
 #include "keiko/cli/render_options.h"
+#include "keiko/cli/session.h"
 
+#include <fstream>
 #include <iomanip>
+#include <map>
 #include <memory>
 #include <sstream>
 
@@ -87,6 +88,46 @@ void render_picture(const RenderArguments& arguments, const Job& job) {
     if (!arguments.hits.empty())
         write_text_file(arguments.hits,
                         hits_text(register_hits(scene.tracer, scene.model, {view}, job)));
+}
+
+/// Log of the frames of an animation that are complete, and of their inputs. It is a text file
+/// beside their pictures, image-frames.txt for image-0000.png and on, with a line `frame key` for
+/// each.
+class FrameLog {
+public:
+    /// Reads the existing log. `picture` is the name of the pictures without their number.
+    explicit FrameLog(const std::filesystem::path& picture);
+
+    /// True if the frame is complete, with inputs of this key.
+    bool holds(int frame, const std::string& key) const;
+    /// Records that the frame is complete; its picture must be there. Throws Error if the file
+    /// cannot be written.
+    void note(int frame, const std::string& key);
+
+private:
+    std::filesystem::path file_;
+    std::map<int, std::string> keys_;
+};
+
+FrameLog::FrameLog(const std::filesystem::path& picture)
+    : file_(picture.parent_path() / (picture.stem().string() + "-frames.txt")) {
+    std::ifstream lines(file_);
+    int frame = 0;
+    std::string key;
+    while (lines >> frame >> key) keys_[frame] = key;
+}
+
+bool FrameLog::holds(int frame, const std::string& key) const {
+    const auto found = keys_.find(frame);
+    return found != keys_.end() && found->second == key;
+}
+
+void FrameLog::note(int frame, const std::string& key) {
+    keys_[frame] = key;
+    std::string text;
+    for (const auto& [number, made_of] : keys_)
+        text += std::to_string(number) + " " + made_of + "\n";
+    write_text_file(file_, text);
 }
 
 void render_frames(const RenderArguments& arguments, const Frames& frames, const Job& job) {

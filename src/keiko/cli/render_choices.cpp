@@ -3,7 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/output_file.h"
 #include "keiko/base/text.h"
-#include "keiko/cli/output_place.h"
+#include "keiko/cli/outputs.h"
 #include "keiko/cli/render_options.h"
 
 #include <algorithm>

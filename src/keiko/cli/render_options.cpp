@@ -1,6 +1,6 @@
 #include "keiko/cli/render_options.h"
 
-#include "keiko/cli/number_check.h"
+#include "keiko/cli/session.h"
 
 namespace keiko::cli {
 namespace {

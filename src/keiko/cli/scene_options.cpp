@@ -3,7 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/log.h"
 #include "keiko/base/text.h"
-#include "keiko/cli/number_check.h"
+#include "keiko/cli/session.h"
 
 #include <algorithm>
 #include <cstdio>

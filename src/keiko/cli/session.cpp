@@ -6,16 +6,23 @@
 #include "keiko/base/job.h"
 #include "keiko/base/log.h"
 #include "keiko/base/text.h"
-#include "keiko/cli/number_check.h"
-#include "keiko/cli/option_names.h"
+#include "keiko/cli/progress_bar.h"
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
+#include <string_view>
 
 namespace keiko::cli {
 namespace {
@@ -39,7 +46,73 @@ bool tell_unknown_command(const CLI::App& app, int argc, char** argv) {
     return true;
 }
 
+sigset_t handled_signals() {
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGINT);
+    sigaddset(&set, SIGTERM);
+    return set;
+}
+
+/// Waits for signals so that no code runs in a signal handler.
+void wait_for_signals(const std::stop_token& end, std::stop_source& work) {
+    const sigset_t set = handled_signals();
+    constexpr timespec poll{0, 20'000'000};
+    while (!end.stop_requested()) {
+        if (sigtimedwait(&set, nullptr, &poll) < 0) continue;
+        if (work.stop_requested()) _exit(exit_interrupted);
+        work.request_stop();
+    }
+}
+
+struct OptionName {
+    std::string_view field, option;
+};
+
+/// Fields whose option has another name.
+constexpr OptionName renamed[] = {
+    {"columns", "--out"},
+    {"hits", "--from"},
+    {"views", "--view"},
+};
+
+std::string option_of(std::string_view field) {
+    for (const OptionName& name : renamed)
+        if (name.field == field) return std::string(name.option);
+    return "--" + std::string(field);
+}
+
+/// One line that describes the error to a user of `command`. The option that sets the field
+/// replaces the field's name ("--out: ..."), if the command has such an option.
+std::string option_error_line(const FieldError& error, const CLI::App& command) {
+    const std::string option = option_of(error.field());
+    if (!command.get_option_no_throw(option)) return error.what();
+    return Error("", option, error.reason()).what();
+}
+
 } // namespace
+
+CLI::Validator number_between(double low, double high) {
+    std::array<char, 64> range{};
+    std::snprintf(range.data(), range.size(), "%g to %g", low, high);
+    const std::string allowed = range.data();
+    const auto reason = [low, high, allowed](const std::string& text) -> std::string {
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        const bool whole = !text.empty() && end == text.c_str() + text.size();
+        // CLI::Range lets NaN pass.
+        if (whole && value >= low && value <= high) return {};
+        return "'" + text + "' is not a number from " + allowed;
+    };
+    return CLI::Validator(reason, allowed);
+}
+
+Interrupt::Interrupt() {
+    const sigset_t set = handled_signals();
+    pthread_sigmask(SIG_BLOCK, &set, nullptr);
+    waiter_ = std::jthread(
+        [work = source_](const std::stop_token& end) mutable { wait_for_signals(end, work); });
+}
 
 void Session::add_command(CLI::App& command, std::function<int(const Job&)> action) {
     command.add_option("--threads", threads_, "threads to use; 0: one a core")

@@ -1,16 +1,36 @@
 #pragma once
 
 #include "keiko/base/job.h"
-#include "keiko/cli/exit_code.h"
-#include "keiko/cli/interrupt.h"
-#include "keiko/cli/progress_bar.h"
 
 #include <CLI/App.hpp>
 
 #include <functional>
-#include <memory>
+#include <stop_token>
+#include <thread>
 
 namespace keiko::cli {
+
+// The exit codes of every command.
+constexpr int exit_pass = 0;
+constexpr int exit_findings = 1;
+constexpr int exit_error = 2;
+constexpr int exit_interrupted = 130;
+
+/// Accepts an option's number from `low` to `high`; NaN and infinity are rejected.
+CLI::Validator number_between(double low, double high);
+
+/// Turns Ctrl-C (SIGINT) and SIGTERM into a stop request; a second one ends the process at once.
+/// Construct it before any other thread exists: the signals are blocked for all of them.
+class Interrupt {
+public:
+    Interrupt();
+
+    std::stop_token token() const { return source_.get_token(); }
+
+private:
+    std::stop_source source_;
+    std::jthread waiter_;
+};
 
 /// One run of the program: the options every command has, and the job they make.
 class Session {
@@ -33,5 +53,18 @@ private:
     bool quiet_ = false, verbose_ = false;
     std::function<int(const Job&)> action_;
 };
+
+/// Each function adds one command of `keiko` to the app.
+void add_check(CLI::App& app, Session& session);
+void add_compare(CLI::App& app, Session& session);
+void add_illuminance(CLI::App& app, Session& session);
+void add_info(CLI::App& app, Session& session);
+void add_inspect(CLI::App& app, Session& session);
+void add_lines(CLI::App& app, Session& session);
+void add_merge(CLI::App& app, Session& session);
+void add_place(CLI::App& app, Session& session);
+void add_regress(CLI::App& app, Session& session);
+void add_render(CLI::App& app, Session& session);
+void add_trace(CLI::App& app, Session& session);
 
 } // namespace keiko::cli

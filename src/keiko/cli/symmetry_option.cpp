@@ -1,7 +1,7 @@
 #include "keiko/cli/symmetry_option.h"
 
 #include "keiko/base/error.h"
-#include "keiko/cli/number_check.h"
+#include "keiko/cli/session.h"
 
 namespace keiko::cli {
 

@@ -1,8 +1,8 @@
 #include "keiko/api/trace.h"
 
 #include "keiko/base/log.h"
-#include "keiko/cli/commands.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/cli/session.h"
 #include "keiko/cli/standard_streams.h"
 
 #include <memory>

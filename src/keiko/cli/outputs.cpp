@@ -1,10 +1,12 @@
-#include "keiko/cli/output_place.h"
+#include "keiko/cli/outputs.h"
 
 #include "keiko/base/error.h"
 #include "keiko/base/output_target.h"
+#include "keiko/base/text.h"
 
 #include <unistd.h>
 
+#include <iostream>
 #include <map>
 
 namespace keiko::cli {
@@ -48,6 +50,10 @@ void require_distinct(std::span<const fs::path> outputs, std::span<const fs::pat
         const auto [found, is_new] = known.emplace(real_path(output), "is named for two outputs");
         if (!is_new) throw Error(output.string(), "", found->second);
     }
+}
+
+void print(std::string_view lines) {
+    std::cout << terminal_text(lines);
 }
 
 } // namespace keiko::cli
