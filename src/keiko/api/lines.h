@@ -5,4 +5,3 @@
 #include "keiko/film/image_file.h"
 #include "keiko/report/content/line_list.h"
 #include "keiko/workflow/find_lines.h"
-#include "keiko/workflow/lines_picture.h"

@@ -6,4 +6,4 @@
 #include "keiko/film/image_file.h"
 #include "keiko/render/shading/picture.h"
 #include "keiko/workflow/analysis_picture.h"
-#include "keiko/workflow/scattering_depth.h"
+#include "keiko/workflow/open_scene.h"

@@ -2,4 +2,4 @@
 #pragma once
 
 #include "keiko/workflow/earlier_results.h"
-#include "keiko/workflow/input_key.h"
+#include "keiko/workflow/version.h"

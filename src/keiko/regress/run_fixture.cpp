@@ -7,8 +7,8 @@
 #include "keiko/film/image_file.h"
 #include "keiko/placement/place_lamps.h"
 #include "keiko/report/record_files.h"
-#include "keiko/workflow/choose_lights.h"
-#include "keiko/workflow/input_key.h"
+#include "keiko/workflow/place_scene.h"
+#include "keiko/workflow/version.h"
 
 #include <iterator>
 

@@ -1,16 +1,33 @@
 #pragma once
 
+#include "keiko/base/job.h"
 #include "keiko/files/scene/preset_file.h"
 #include "keiko/import/worker/load_model.h"
+#include "keiko/inspect/combs/comb_curves.h"
 #include "keiko/inspect/inspection.h"
+#include "keiko/report/content/combs_text.h"
 #include "keiko/scene/criteria_preset.h"
-#include "keiko/workflow/body_combs.h"
 
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace keiko {
+
+/// Curves with their curvature all along, prepared for files.
+struct Combs {
+    std::vector<CombCurve> curves;
+    std::vector<std::string> remarks; ///< on planes that miss the body, touch it or contain faces
+    std::string json, csv;
+    std::vector<CombPicture> pictures;
+};
+
+/// True if the options request any curve.
+bool has_curves(const CombOptions& options);
+/// The sections and iso-curves of a body.
+Combs combs_of(const SurfaceModel& model, const CombOptions& options, const Job& job = {});
 
 struct CheckOptions {
     LoadOptions load;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/files/scene/preset_file.h"
+#include "keiko/film/film.h"
 #include "keiko/inspect/lines/surface_lines.h"
 #include "keiko/report/content/line_list.h"
 #include "keiko/scene/criteria_preset.h"
@@ -36,5 +37,14 @@ bool has_lines(const LightRig& rig);
 /// Lines as in find_lines, for a rig that has lines and for chosen views.
 LineList lines_under(const Scene& scene, const LightRig& rig, std::span<const NamedView> views,
                      const LinesOptions& options, const Job& job);
+
+/// The picture of one view of a list with its lines drawn over it and their crossings marked by
+/// verdict, the worst of the list numbered by their rank.
+Image with_lines(const Film& film, const LineList& list, std::size_t view);
+
+/// The stripes of the lamps in one view of a list, with its lines drawn over them and their
+/// crossings marked by verdict. The worst of the list are numbered as in the table.
+Image lines_picture(const Scene& scene, const LinesOptions& options, const LineList& list,
+                    std::size_t view, const Job& job = {});
 
 } // namespace keiko

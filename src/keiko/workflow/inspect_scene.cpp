@@ -5,12 +5,9 @@
 #include "keiko/film/image_file.h"
 #include "keiko/report/content/report.h"
 #include "keiko/workflow/analysis_picture.h"
-#include "keiko/workflow/choose_lights.h"
-#include "keiko/workflow/curvature_pictures.h"
 #include "keiko/workflow/find_lines.h"
-#include "keiko/workflow/lines_picture.h"
-#include "keiko/workflow/marked_pictures.h"
-#include "keiko/workflow/placement_mirror.h"
+#include "keiko/workflow/place_scene.h"
+#include "keiko/workflow/report_pictures.h"
 #include "keiko/workflow/version.h"
 
 #include <algorithm>

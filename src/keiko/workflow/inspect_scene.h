@@ -3,7 +3,7 @@
 #include "keiko/base/output_folder.h"
 #include "keiko/files/scene/preset_file.h"
 #include "keiko/report/content/report.h"
-#include "keiko/workflow/body_combs.h"
+#include "keiko/workflow/check_models.h"
 #include "keiko/workflow/place_scene.h"
 
 #include <filesystem>

@@ -1,6 +1,7 @@
 #include "keiko/workflow/open_scene.h"
 
 #include "keiko/geometry/model/surface_model.h"
+#include "keiko/light/rig/luminance_along.h"
 #include "keiko/workflow/painted_body.h"
 
 #include <array>
@@ -90,6 +91,10 @@ Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
             if (value >= 0)
                 value = static_cast<float>(scene.face_id(static_cast<std::size_t>(value)));
     return film;
+}
+
+double scatterings_past_body(const Scene& scene, const LightRig& rig, const Vec3& eye) {
+    return scatterings_by_way_of(rig, scene.tracer.bounds().center(), eye);
 }
 
 } // namespace keiko

@@ -85,4 +85,9 @@ Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
                  const PictureOptions& options = {}, const Job& job = {});
 
+/// Mean number of scatterings of light on its way from a lamp of the rig past the middle of the
+/// scene's body to the camera. Pictures hold singly scattered light only, and are wrong unless this
+/// is well below 1.
+double scatterings_past_body(const Scene& scene, const LightRig& rig, const Vec3& eye);
+
 } // namespace keiko

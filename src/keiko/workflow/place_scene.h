@@ -1,7 +1,9 @@
 #pragma once
 
+#include "keiko/geometry/model/surface_model.h"
 #include "keiko/placement/place_lamps.h"
 #include "keiko/placement/registered_hits.h"
+#include "keiko/scene/camera.h"
 #include "keiko/scene/symmetry.h"
 #include "keiko/workflow/choose_views.h"
 
@@ -34,5 +36,26 @@ struct PlaceResult {
 /// Places lamps where the body reflects them to the cameras of all views. Throws Error for a
 /// pattern that no face matches, and for hits of another body.
 PlaceResult place_scene(const Scene& scene, const PlaceOptions& options = {}, const Job& job = {});
+
+/// The symmetry plane of the lamps, if there is one: all cameras' eyes and axes lie on it, and the
+/// faces that count lie within the choice's distance of their images. It is the chosen one or, if
+/// it is to be found, the first of those across y, x and z through the first eye. nullopt if
+/// `where` contains planes that are not symmetric. Throws Cancelled.
+std::optional<MirrorPlane> placement_mirror(const SurfaceModel& model,
+                                            std::span<const Camera> cameras,
+                                            const PlacementOptions& options,
+                                            const SymmetryChoice& choice, const Job& job);
+
+/// The lamps of the pictures of a scene's views.
+struct ChosenLights {
+    LightRig rig;
+    std::optional<Placement> placement{}; ///< of lamps that were placed for these views
+};
+
+/// The lamps of a rig file, or else the scene's own, or else lamps placed where the body reflects
+/// them to the cameras of the views. Throws Error for a file that cannot be read.
+ChosenLights choose_lights(const Scene& scene, const std::optional<std::filesystem::path>& rig,
+                           std::span<const NamedView> views, const PlacementOptions& options,
+                           const Job& job);
 
 } // namespace keiko

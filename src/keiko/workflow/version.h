@@ -1,10 +1,22 @@
 #pragma once
 
+#include "keiko/import/worker/load_model.h"
+
+#include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace keiko {
 
 /// "0.1.0"
 std::string version();
+
+/// SHA-256 of everything that a run depends on: the build of Keiko, the processor's instruction
+/// set, the program that imports models, `settings`, and the input files. Files named by TOML files
+/// are among them. Each counts under its path from `folder`.
+std::string input_key(std::span<const std::filesystem::path> inputs,
+                      const std::filesystem::path& folder, const LoadOptions& load,
+                      const std::string& settings = "");
 
 } // namespace keiko
