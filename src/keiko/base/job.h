@@ -1,10 +1,12 @@
 #pragma once
 
+#include "keiko/base/export.h"
+
 #include <functional>
 #include <stop_token>
 #include <string_view>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Progress of a long function.
 struct Progress {
@@ -16,9 +18,10 @@ struct Progress {
 /// threads to use. A default Job is silent, never stops and uses every core.
 struct Job {
     std::function<void(const Progress&)> progress{}; ///< may be empty; calls never overlap
-    std::stop_token stop{};
-    int threads = 0; ///< 0: as many as there are cores
+    std::stop_token stop{};                          ///< requested to end the work early
+    int threads = 0;                                 ///< 0: as many as there are cores
 
+    /// Reports a stage, `fraction` of which is done.
     void report(std::string_view stage, double fraction) const {
         if (progress) progress({stage, fraction});
     }
@@ -34,7 +37,9 @@ using StopQuery = std::function<bool()>;
 /// parallel_stream carry the scopes of their caller, and one of their Job, to every thread.
 class StopScope {
 public:
+    /// Ends early once the query returns true.
     explicit StopScope(StopQuery requested);
+    /// Ends early once the job is to stop.
     explicit StopScope(const Job& job);
     ~StopScope();
     StopScope(const StopScope&) = delete;
@@ -49,6 +54,7 @@ public:
     /// A scope of another thread, taken over by this one for as long as this lives.
     class Shared {
     public:
+        /// Takes over a scope, or none if null.
         explicit Shared(const StopScope* scope);
         ~Shared();
         Shared(const Shared&) = delete;

@@ -1,5 +1,7 @@
 #include "keiko/base/memory.h"
 
+#include <sys/mman.h>
+
 #include <cstdlib>
 
 #ifdef __GLIBC__
@@ -7,6 +9,11 @@
 #endif
 
 namespace keiko {
+
+void request_large_pages(void* memory, std::size_t bytes) {
+    constexpr std::size_t page = std::size_t{2} << 20;
+    if (std::align(page, page, memory, bytes)) madvise(memory, bytes / page * page, MADV_HUGEPAGE);
+}
 
 void keep_freed_memory() {
 #ifdef __GLIBC__

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
+
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The only writer of a folder for as long as it lives. What writers that were killed have left
 /// behind there is gone when it is made.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "keiko/base/export.h"
+
 #include <cctype>
 #include <cstddef>
 #include <span>
@@ -7,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Length in bytes of the UTF-8 sequence at the front of a text that is not empty. 0 where there is
 /// none ([RFC3629]: no overlong ones, no surrogates) or XML does not allow its character.

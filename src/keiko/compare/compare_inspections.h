@@ -1,12 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/compare/seam_matching.h"
 #include "keiko/inspect/inspection.h"
 
 #include <string_view>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Knobs of compare_inspections.
 struct CompareOptions {
@@ -23,24 +24,31 @@ struct SeamState {
     double gap = 0;                  ///< mm
     std::optional<double> angle;     ///< degrees
     std::optional<double> curvature; ///< mismatch by the preset's formula; none where nearly flat
-    Verdict verdict = Verdict::pass;
-    double severity = 0; ///< as MeasuredSeam
-    Vec3 place{0};       ///< where it is worst
+    Verdict verdict = Verdict::pass; ///< the worst of the group
+    double severity = 0;             ///< as MeasuredSeam
+    Vec3 place{0};                   ///< where it is worst
 };
 
 /// Trend of a seam from one revision to the next.
-enum class SeamTrend { better, worse, other };
+enum class SeamTrend {
+    better, ///< by verdict, else by severity
+    worse,  ///< by verdict, else by severity
+    other   ///< neither
+};
+/// "better", "worse", "other"
 std::string_view name_of(SeamTrend trend);
 
 /// One seam in two revisions of a part.
 struct SeamChange {
-    SeamGroup seams; ///< into the seams of the two inspections
-    SeamState before, after;
+    SeamGroup seams;                    ///< into the seams of the two inspections
+    SeamState before, after;            ///< in the two revisions
     SeamTrend trend = SeamTrend::other; ///< by verdict, else by severity
 
     /// After - before; 0 where either has none.
     double gap() const { return after.gap - before.gap; }
+    /// Degrees, after - before; 0 where either has none.
     double angle() const;
+    /// Share of 1, after - before; 0 where either has none.
     double curvature() const;
 };
 
@@ -55,6 +63,7 @@ struct InspectionDifference {
     std::vector<Check> same_findings;   ///< of the latter, that the former had as well
     std::size_t matched = 0;            ///< seams of the former found in the latter
 
+    /// True if nothing has changed.
     bool empty() const {
         return changed.empty() && removed.empty() && added.empty() && new_findings.empty() &&
                solved_findings.empty();

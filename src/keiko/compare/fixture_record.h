@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/compare/outlines/film_difference.h"
 #include "keiko/scene/camera.h"
 #include "keiko/scene/fixture_spec.h"
@@ -9,12 +10,12 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A metric that is not what it was.
 struct MetricDifference {
-    std::string check, name;
-    Quantity quantity = Quantity::count;
+    std::string check, name;             ///< of the metric, as Metric
+    Quantity quantity = Quantity::count; ///< that the metric states
     /// Values of the metric; nullopt: there is no such metric any more, or was none before.
     std::optional<std::variant<double, std::string>> before, after;
     double allowed = 0; ///< how far apart two numbers may be
@@ -33,15 +34,15 @@ std::string text_of(const MetricDifference& difference);
 
 /// A view of a fixture.
 struct FixturePicture {
-    std::string view;
-    Film film;
+    std::string view; ///< name of the view
+    Film film;        ///< its picture
 };
 
 /// The eye of a view that is framed by what is seen.
 struct FixtureEye {
     std::string asked; ///< name in the fixture or its scene, as "front" or "auto"
     std::string view;  ///< name of the view
-    Camera camera;
+    Camera camera;     ///< of the view
 
     bool operator==(const FixtureEye&) const = default;
 };
@@ -49,8 +50,8 @@ struct FixtureEye {
 /// Views and lamps derived from the body, which must not follow it when it changes. A baseline
 /// keeps them, so that whatever comes after is viewed from the same place, under the same lamps.
 struct FixtureSetup {
-    std::vector<FixtureEye> eyes;
-    std::string placed_rig; ///< text of keiko-rig/1: lamps that were placed; else empty
+    std::vector<FixtureEye> eyes; ///< of the views that are framed by the body
+    std::string placed_rig;       ///< text of keiko-rig/1: lamps that were placed; else empty
 
     /// nullptr where that view was never rendered in this size.
     const FixtureEye* eye(const std::string& asked, int width, int height) const;
@@ -59,9 +60,9 @@ struct FixtureSetup {
 
 /// Record of a fixture: as its baseline keeps it, or as it is now.
 struct FixtureRecord {
-    std::vector<Metric> metrics;
-    std::vector<FixturePicture> pictures;
-    FixtureSetup setup{};
+    std::vector<Metric> metrics;          ///< all of them, in order
+    std::vector<FixturePicture> pictures; ///< one a view
+    FixtureSetup setup{};                 ///< views and lamps that were derived from the body
 
     /// nullptr where it has no such view.
     const FixturePicture* picture(const std::string& view) const;
@@ -69,10 +70,11 @@ struct FixtureRecord {
 
 /// One view of two records.
 struct PictureDifference {
-    std::string view;
-    std::string problem; ///< why the pictures could not be compared, or empty
-    std::optional<FilmDifference> film;
+    std::string view;                   ///< name of the view
+    std::string problem;                ///< why the pictures could not be compared, or empty
+    std::optional<FilmDifference> film; ///< nullopt if they could not be compared
 
+    /// True if the pictures were compared and are within the tolerances.
     bool within() const { return film && film->within(); }
 };
 
@@ -82,6 +84,7 @@ struct FixtureDifference {
     std::vector<MetricDifference> metrics;   ///< those beyond their tolerance
     std::vector<PictureDifference> pictures; ///< every view of either
 
+    /// True if all metrics and pictures are within their tolerances.
     bool within() const;
 };
 

@@ -1,13 +1,15 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/inspect/lines/joined_lines.h"
 
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// How a lamp's line lies in one revision of a part to the lines of the same lamp in the other.
 struct LineShift {
+    /// Of the line: indices of its C-plane and of the lamp on it.
     std::uint32_t plane = 0, lamp = 0;
     double length = 0;            ///< mm, of the line
     double alone = 0;             ///< mm of it that have no line of the lamp beside them
@@ -15,6 +17,7 @@ struct LineShift {
     Vec3 place{0};                ///< on the line, where that is largest; world, mm
 };
 
+/// Options of line_shifts.
 struct LineShiftOptions {
     double reach = 50;   ///< mm: lines farther apart are not the same line
     double noise = 0.02; ///< mm: about twice the error of the chords

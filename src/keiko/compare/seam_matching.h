@@ -1,12 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/inspect/seams/seam_measure.h"
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Seams of two revisions that run along each other: mostly one of each; several where one of them
 /// divides what the other has in one.
@@ -14,6 +15,7 @@ struct SeamGroup {
     std::vector<std::uint32_t> before, after; ///< ascending, never empty
 };
 
+/// Which seams of two revisions belong together.
 struct SeamMatching {
     std::vector<SeamGroup> groups;             ///< by the first of `before`
     std::vector<std::uint32_t> removed, added; ///< ascending: without a partner

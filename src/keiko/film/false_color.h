@@ -1,11 +1,12 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/film/film.h"
 
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A logarithmic scale of luminance in cd/m2 or illuminance in lx.
 struct FalseColorScale {
@@ -27,7 +28,10 @@ Image false_color(const Image& values, const FalseColorScale& scale, int channel
 Image false_color(const Film& film, const FalseColorScale& scale);
 
 /// Quantity that false colours stand for.
-enum class ShownQuantity { luminance, illuminance };
+enum class ShownQuantity {
+    luminance,  ///< cd/m2
+    illuminance ///< lx
+};
 
 /// "cd/m2" or "lx".
 std::string_view unit_of(ShownQuantity quantity);

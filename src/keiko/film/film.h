@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/memory.h"
 #include "keiko/math/rgb.h"
 
@@ -9,11 +10,12 @@
 #include <string_view>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Pixels in rows from the top, channels interleaved.
 struct Image {
-    int width = 0, height = 0, channels = 0;
+    int width = 0, height = 0, channels = 0; ///< pixels, and numbers a pixel
+    /// Row by row from the top, channel by channel in a pixel.
     std::vector<float, ZeroedAllocator<float>> values;
 
     Image() = default;
@@ -24,11 +26,14 @@ struct Image {
           channels(c),
           values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) *
                  static_cast<std::size_t>(c)) {}
+    /// Image of w x h pixels of c channels, all of one value.
     Image(int w, int h, int c, float fill) : Image(w, h, c) {
         std::fill(values.begin(), values.end(), fill);
     }
 
+    /// The channels of a pixel, from the upper left.
     float* pixel(int x, int y) { return values.data() + offset(x, y); }
+    /// The channels of a pixel, from the upper left.
     const float* pixel(int x, int y) const { return values.data() + offset(x, y); }
 
 private:
@@ -44,22 +49,33 @@ private:
 /// in lx, in the mean over the pixel like luminance. Curvatures, 1/mm and 1/mm2, are positive where
 /// the surface bends towards the normal that the layer `normal` has; no number where rounding
 /// leaves none, as beside poles.
-enum class Aov { luminance, normal, uv, face, patch, depth, c_plane_uv, illuminance, curvature };
+enum class Aov {
+    luminance,   ///< cd/m2, the colour in one channel
+    normal,      ///< unit, as Hit::normal
+    uv,          ///< patch parameters, 0 to 1
+    face,        ///< index of the face in the model
+    patch,       ///< index of the patch in the model
+    depth,       ///< mm along the camera ray
+    c_plane_uv,  ///< mm on the C-plane that the reflected ray meets
+    illuminance, ///< lx, direct
+    curvature    ///< 1/mm and 1/mm2
+};
 
 /// All of them, in the order of their declaration.
 const std::vector<Aov>& every_aov();
 
 /// Name as used on the command line ("c_plane_uv") and its channel names ("u", "v").
 std::string_view name_of(Aov aov);
+/// Names of an AOV's channels in files: "X", "Y", "Z" of a normal.
 std::vector<std::string> channel_names(Aov aov);
 /// Throws Error for a name that is no AOV, listing those there are.
 Aov aov_by_name(std::string_view name);
 
 /// A rendered picture: linear colour in cd/m2, its coverage, and AOVs.
 struct Film {
-    Image color; ///< 3 channels
-    Image alpha; ///< 1 channel, share of the pixel that shows the model
-    std::map<Aov, Image> aovs;
+    Image color;               ///< 3 channels
+    Image alpha;               ///< 1 channel, share of the pixel that shows the model
+    std::map<Aov, Image> aovs; ///< those that were requested
 };
 
 } // namespace keiko

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/film/tone_mapping.h"
 
 #include <filesystem>
@@ -7,12 +8,12 @@
 #include <string>
 #include <string_view>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// An image whose channels have names, as in a file: "R", "normal.X", "face.id".
 struct NamedImage {
-    Image image;
-    std::vector<std::string> channel_names;
+    Image image;                            ///< its pixels
+    std::vector<std::string> channel_names; ///< one a channel
 };
 
 /// Throws Error, listing .exr and .png, for a path with another extension: to be called before the

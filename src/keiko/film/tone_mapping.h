@@ -1,18 +1,24 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/film/film.h"
 
 #include <optional>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Exposure and curve by which luminance becomes a picture (docs/theory/tone-mapping.md). Linear by
 /// default: a local or curved mapping would hide what stripes are judged by.
 struct ToneMapping {
-    enum class Curve { linear, logarithmic, reinhard };
-    Curve curve = Curve::linear;
-    std::optional<double> ev; ///< exposure value EV100; none: white is the picture's own
-    double white = 4;         ///< Reinhard: multiple of the exposure that becomes white
+    /// Curve from luminance to display values.
+    enum class Curve {
+        linear,      ///< proportional to luminance
+        logarithmic, ///< proportional to its logarithm
+        reinhard     ///< compresses what is bright [Reinhard2002]
+    };
+    Curve curve = Curve::linear; ///< that is used
+    std::optional<double> ev;    ///< exposure value EV100; none: white is the picture's own
+    double white = 4;            ///< Reinhard: multiple of the exposure that becomes white
 };
 
 /// sRGB transfer function [IEC61966-2-1] of a linear value, clamped to [0, 1].

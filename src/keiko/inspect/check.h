@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/inspect/curvature/face_measure.h"
 #include "keiko/inspect/seams/seam_measure.h"
 
@@ -8,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 struct Opening;
 struct Overlap;
@@ -28,7 +29,10 @@ const Criterion& criterion_of(std::string_view code);
 /// check that does not pass is a finding, unless its severity is `look`.
 struct Check {
     /// `judged` counts in the verdict; `look` does not.
-    enum class Severity { judged, look };
+    enum class Severity {
+        judged, ///< a part of the verdict
+        look    ///< worth a look, no part of it
+    };
 
     std::string code;     ///< as Criterion
     std::string rule;     ///< as Criterion
@@ -37,14 +41,16 @@ struct Check {
     std::string formula;  ///< of a curvature mismatch, or empty
     MeasuredValue worst;  ///< value, bound, limit, place, verdict; empty if not judged
     bool judged = true;   ///< if false, `message` gives the reason
-    Severity severity = Severity::judged;
-    std::uint32_t seam = no_index; ///< into Inspection::seams; no_index: of a face
-    std::uint32_t face = no_index; ///< into Inspection::faces; no_index: of a seam
-    std::string view;              ///< of lines: the view that shows them; else empty
-    std::string faces;             ///< "face 12 (fender-outer) | face 13"
-    std::string message;           ///< one sentence
+    Severity severity = Severity::judged; ///< whether it has a part in the verdict
+    std::uint32_t seam = no_index;        ///< into Inspection::seams; no_index: of a face
+    std::uint32_t face = no_index;        ///< into Inspection::faces; no_index: of a seam
+    std::string view;                     ///< of lines: the view that shows them; else empty
+    std::string faces;                    ///< "face 12 (fender-outer) | face 13"
+    std::string message;                  ///< one sentence
 
+    /// True if it is judged and does not pass.
     bool is_finding() const { return severity == Severity::judged && is_beyond_limit(); }
+    /// True if it is not judged, and beyond its limit.
     bool is_worth_a_look() const { return severity == Severity::look && is_beyond_limit(); }
 
 private:

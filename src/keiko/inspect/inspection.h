@@ -1,16 +1,18 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/inspect/check.h"
 #include "keiko/inspect/model_facts.h"
 #include "keiko/inspect/seams/seam_measure.h"
 
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Stretches of seams by verdict. A passing crease counts as a crease only, a passing run-out as a
 /// run-out, and a scrap as a scrap.
 struct SeamCounts {
+    /// Number of each.
     std::size_t fail = 0, undecided = 0, pass = 0, creases = 0, run_outs = 0, scraps = 0;
 
     bool operator==(const SeamCounts&) const = default;
@@ -18,24 +20,24 @@ struct SeamCounts {
 
 /// Faces by their own verdict.
 struct FaceCounts {
-    std::size_t fail = 0, undecided = 0, pass = 0;
+    std::size_t fail = 0, undecided = 0, pass = 0; ///< number of each
 
     bool operator==(const FaceCounts&) const = default;
 };
 
 /// The geometry of a model judged by criteria.
 struct Inspection {
-    CriteriaPreset preset;
-    double join = 0.5; ///< mm
-    ModelFacts facts;
-    std::vector<Seam> pieces; ///< as MeasuredSeams::pieces; MeasuredSeam::pieces points here
-    std::vector<MeasuredSeam> seams;
+    CriteriaPreset preset;           ///< that it was judged by
+    double join = 0.5;               ///< mm
+    ModelFacts facts;                ///< summary of the model
+    std::vector<Seam> pieces;        ///< as MeasuredSeams::pieces; MeasuredSeam::pieces points here
+    std::vector<MeasuredSeam> seams; ///< stretch by stretch
     std::vector<MeasuredFace> faces; ///< each as placed
     std::vector<Check> checks;       ///< seam by seam, then face by face: all checks of the preset
     std::vector<Check> findings; ///< those that do not pass: failures before undecided, worst first
     std::vector<Check> looks;    ///< checks that deserve a look, in the same order
-    SeamCounts counts;
-    FaceCounts face_counts;
+    SeamCounts counts;           ///< of `seams`
+    FaceCounts face_counts;      ///< of `faces`
     /// The worst verdict of all seams and faces; never pass if faces were lost, since their seams
     /// are not judged.
     Verdict verdict = Verdict::pass;

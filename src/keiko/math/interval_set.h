@@ -1,15 +1,18 @@
 #pragma once
 
+#include "keiko/base/export.h"
+
 #include <array>
 #include <cstddef>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Closed interval of a parameter.
 struct ParameterInterval {
-    double begin = 0, end = 0;
+    double begin = 0, end = 0; ///< ends; begin <= end
 
+    /// Length of the interval.
     double length() const { return end - begin; }
     bool operator==(const ParameterInterval&) const = default;
 };
@@ -29,16 +32,24 @@ public:
     /// From `a` at 0 to `b` at 1, sets of one size, interval by interval.
     static IntervalSet between(const IntervalSet& a, const IntervalSet& b, double at);
 
+    /// True if it holds no interval.
     bool empty() const { return size() == 0; }
+    /// The first interval; the others follow it.
     const ParameterInterval* begin() const { return many_.empty() ? few_.data() : many_.data(); }
+    /// One past the last interval.
     const ParameterInterval* end() const { return begin() + size(); }
+    /// Number of intervals.
     std::size_t size() const { return many_.empty() ? few_size_ : many_.size(); }
+    /// Interval i, below size(), by rising parameter.
     const ParameterInterval& operator[](std::size_t i) const { return begin()[i]; }
 
     /// Sum of the lengths.
     double measure() const;
+    /// True if a parameter lies in one of them.
     bool contains(double t) const;
+    /// What lies in both sets.
     IntervalSet intersect(const IntervalSet& other) const;
+    /// What lies in either set.
     IntervalSet unite(const IntervalSet& other) const;
     /// The parts of [begin, end] that are not in this set.
     IntervalSet complement(double begin = 0, double end = 1) const;

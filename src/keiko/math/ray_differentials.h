@@ -1,14 +1,15 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/vec.h"
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Change of a ray with the picture's x and y, per pixel: derivatives of its origin (mm) and of its
 /// direction [Igehy1999].
 struct RayDifferentials {
-    Vec3 origin_dx{0}, origin_dy{0};
-    Vec3 direction_dx{0}, direction_dy{0};
+    Vec3 origin_dx{0}, origin_dy{0};       ///< change of the origin, mm a pixel
+    Vec3 direction_dx{0}, direction_dy{0}; ///< change of the direction, a pixel
 
     /// Differentials for a pixel of `factor` times the width and height.
     RayDifferentials scaled(double factor) const {

@@ -1,15 +1,17 @@
 #pragma once
 
+#include "keiko/base/export.h"
+
 #include <Imath/ImathVec.h>
 
 #include <cmath>
 #include <span>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 // Imath leaves default-constructed vectors undefined: write Vec3(0), and fill arrays of them.
-using Vec2 = Imath::V2d;
-using Vec3 = Imath::V3d;
+using Vec2 = Imath::V2d; ///< Vector in a plane.
+using Vec3 = Imath::V3d; ///< Vector in space.
 /// Homogeneous point: (w x, w y, w z, w).
 using Vec4 = Imath::V4d;
 
@@ -22,10 +24,12 @@ inline double angle_between(const Vec3& a, const Vec3& b) {
 inline Vec3 magnitudes(const Vec3& v) {
     return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
 }
+/// Absolute values of the components.
 inline Vec4 magnitudes(const Vec4& v) {
     return {std::abs(v.x), std::abs(v.y), std::abs(v.z), std::abs(v.w)};
 }
 
+/// True if no component is infinite or NaN.
 inline bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/intersect/traversal/tracer.h"
 #include "keiko/scene/view.h"
@@ -8,12 +9,12 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A named view: its camera.
 struct NamedView {
-    std::string name;
-    Camera camera;
+    std::string name; ///< as in view_names(), or of a file
+    Camera camera;    ///< the view itself
     double score = 0; ///< share of the picture that shows the part well, about 0 to 1
 };
 

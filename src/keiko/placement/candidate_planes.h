@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/math/bounds.h"
 #include "keiko/placement/lamp_field.h"
@@ -9,15 +10,17 @@
 #include <array>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A box along three unit axes of its own; may be flat.
 struct OrientedBox {
-    Vec3 center{0};
+    Vec3 center{0}; ///< mm
+    /// Unit, at right angles.
     std::array<Vec3, 3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
     Vec3 half{0}; ///< half the edge lengths
 };
 
+/// The box as one along its own axes.
 OrientedBox oriented(const Box3& box);
 /// The volume of the lamps of a C-plane.
 OrientedBox oriented(const CPlane& plane);

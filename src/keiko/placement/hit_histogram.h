@@ -1,16 +1,17 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/bounds.h"
 
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A place on a plane and its weight.
 struct WeightedPlace {
-    Vec2 place{0};
-    double weight = 0;
+    Vec2 place{0};     ///< mm, in the plane's coordinates
+    double weight = 0; ///< share of the picture
 };
 
 /// Distribution of the picture's reflections over a plane: weights on a grid of cells.
@@ -20,10 +21,14 @@ public:
     /// `cells` x `cells` over the weighted quantiles of the places (0.5 to 99.5 % of each
     /// coordinate, a tenth wider), or over `range`.
     HitHistogram(std::span<const WeightedPlace> places, int cells);
+    /// Histogram of `cells` x `cells` over a given range.
     HitHistogram(std::span<const WeightedPlace> places, int cells, const Box2& range);
 
+    /// The part of the plane that the grid covers, mm.
     const Box2& range() const { return range_; }
+    /// Number of columns.
     int width() const { return cells_; }
+    /// Number of rows.
     int height() const { return cells_; }
     /// Weight in the cell of column `u` and row `v`.
     double at(int u, int v) const { return weights_[index(u, v)]; }

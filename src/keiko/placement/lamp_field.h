@@ -1,26 +1,31 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/placement/view_samples.h"
 
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The samples of a picture and the effect of the lamps placed so far on each of them.
 class LampField {
 public:
+    /// Field of samples without lamps.
     explicit LampField(std::vector<ViewSample> samples);
 
+    /// The samples, in order.
     std::span<const ViewSample> samples() const { return samples_; }
     /// Total weight of all samples, reached or not.
     double total_weight() const { return total_weight_; }
     /// Weighted mean of the places on the surface, and the diagonal of their box, mm.
     const Vec3& centroid() const { return centroid_; }
+    /// Diagonal of the box of the places, mm.
     double size() const { return size_; }
     /// Number of different (instance, face) pairs, and the one of a sample.
     std::size_t region_count() const { return region_count_; }
+    /// Number of a sample's (instance, face) pair.
     std::uint32_t region(std::size_t sample) const { return regions_[sample]; }
 
     /// True if the sample is still uncovered: not blocked by the body, not hidden from the camera

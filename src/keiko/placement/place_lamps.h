@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/placement/candidate_planes.h"
 #include "keiko/placement/placement.h"
@@ -10,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Rating of the lamps of a given rig for samples `seen` in pictures of `picture_height` pixels of
 /// the model: the same figures as for a placed one. Spotlights and suns are skipped. Throws Error
@@ -18,20 +19,21 @@ namespace keiko {
 Placement rated_rig(std::vector<ViewSample> seen, const SurfaceModel& model, int picture_height,
                     const LightRig& rig, const StripeSpacing& spacing = {});
 
+/// Options of place_lamps.
 struct PlacementOptions {
     int lamps = 12;           ///< on each plane; 0: as many as give the wanted spacing
     int planes = 3;           ///< at most; one more is added only if it serves enough
     double least_gain = 0.05; ///< share of the picture that another plane must add
     double enough = 0.9;      ///< coverage at which no further plane is searched
-    LampDirection direction = LampDirection::best;
-    PlaneChoice where;
-    StripeSpacing spacing; ///< px of a picture 540 high
+    LampDirection direction = LampDirection::best; ///< of the lamps in their plane
+    PlaneChoice where;                             ///< planes that are searched
+    StripeSpacing spacing;                         ///< px of a picture 540 high
     /// Plane of symmetry of the lamps: each row is its own image, or two rows are images of each
     /// other. It is for views and a body that are symmetric too, and without planes given as
     /// frames.
     std::optional<MirrorPlane> mirror{};
-    Rgb luminance{9000}; ///< cd/m2 of the lamps
-    SamplingOptions sampling;
+    Rgb luminance{9000};      ///< cd/m2 of the lamps
+    SamplingOptions sampling; ///< of the pictures
 };
 
 /// Places parallel lamps so that their reflections cover the visible part of the body. The
@@ -43,6 +45,7 @@ struct PlacementOptions {
 Placement place_lamps(const Tracer& tracer, const SurfaceModel& model,
                       std::span<const Camera> cameras, const PlacementOptions& options = {},
                       const Job& job = {});
+/// The same for a single camera.
 Placement place_lamps(const Tracer& tracer, const SurfaceModel& model, const Camera& camera,
                       const PlacementOptions& options = {}, const Job& job = {});
 /// Placement from samples `seen` in pictures of `picture_height` pixels of the model, whose faces

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/error.h"
+#include "keiko/base/export.h"
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/placement/hit_histogram.h"
 #include "keiko/placement/lamp_field.h"
@@ -12,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Statistics of the stripes of lamps in the pictures, over all places that reflect them. Spacings
 /// are from stripe to stripe, px.
@@ -40,9 +41,9 @@ std::string_view name_of(UnreachedBecause reason);
 
 /// A connected part of a picture that reflects no lamp.
 struct UnreachedRegion {
-    std::uint32_t view = 0; ///< which of the cameras
-    UnreachedBecause because = UnreachedBecause::beyond_lamps;
-    double share = 0;                 ///< of the weight of all pictures
+    std::uint32_t view = 0;                                    ///< which of the cameras
+    UnreachedBecause because = UnreachedBecause::beyond_lamps; ///< why it reflects none
+    double share = 0;                                          ///< of the weight of all pictures
     Vec3 place{0};                    ///< mm: the place on the surface nearest to its middle
     Box3 box;                         ///< mm, of its places on the surface
     std::vector<std::uint32_t> faces; ///< of the model, rising
@@ -54,8 +55,8 @@ std::vector<UnreachedRegion> unreached_regions(const LampField& field, double le
 
 /// Lamps on one plane, and their benefit for the picture.
 struct PlacedPlane {
-    CPlane lamps;
-    PlacementScore score;
+    CPlane lamps;         ///< in world coordinates
+    PlacementScore score; ///< factors of the objective
     /// Histogram of the hits in the coordinates of the plane: mm from its origin along u and v. A
     /// little wider than the lamps.
     HitHistogram histogram;
@@ -63,26 +64,26 @@ struct PlacedPlane {
 
 /// Share of a face that the lamps reach.
 struct FaceCoverage {
-    std::uint32_t instance = 0, face = 0;
-    double share = 0;   ///< of the picture's weight that is this face
-    double reached = 0; ///< share of that which reflects lamps, 0 to 1
+    std::uint32_t instance = 0, face = 0; ///< into the model's arrays
+    double share = 0;                     ///< of the picture's weight that is this face
+    double reached = 0;                   ///< share of that which reflects lamps, 0 to 1
 };
 
 /// A plane that was tested.
 struct PlaneCandidate {
-    Vec3 towards{0};     ///< unit, from the middle of the visible part to the plane
-    double distance = 0; ///< mm
-    PlacementScore score;
+    Vec3 towards{0};      ///< unit, from the middle of the visible part to the plane
+    double distance = 0;  ///< mm
+    PlacementScore score; ///< factors of the objective
 };
 
 /// A rig for a picture, and its quality.
 struct Placement {
-    LightRig rig;
+    LightRig rig;                        ///< the lamps that were placed
     std::optional<MirrorPlane> mirror{}; ///< that the rig has been made symmetric about
     double coverage = 0;                 ///< share of the picture's weight that reflects lamps
     std::vector<PlacedPlane> planes;     ///< best first; the rig's C-planes in the same order
-    StripeStatistics stripes;
-    std::vector<FaceCoverage> faces; ///< every visible face, the largest unreached part first
+    StripeStatistics stripes;            ///< over all pictures
+    std::vector<FaceCoverage> faces;     ///< every visible face, the largest unreached part first
     std::vector<UnreachedRegion> unreached; ///< the largest first
     std::vector<PlaneCandidate> candidates; ///< for the first plane, in the order of the search
     double blocked = 0;                     ///< share of the weight that reflects the body itself

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/visibility/ray.h"
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/math/bounds.h"
@@ -9,19 +10,22 @@
 #include <optional>
 #include <span>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Orthonormal coordinates of a plane for lamps: u along them, v across, mm.
 struct PlaneFrame {
-    Vec3 origin{0};
-    Vec3 u{1, 0, 0}, v{0, 1, 0};
+    Vec3 origin{0};              ///< world, mm
+    Vec3 u{1, 0, 0}, v{0, 1, 0}; ///< unit, at right angles
 
+    /// Unit normal, towards the side of positive heights.
     Vec3 normal() const { return u.cross(v); }
+    /// Point of the world at a place of the plane, mm.
     Vec3 at(const Vec2& place) const { return origin + u * place.x + v * place.y; }
     /// Place of the foot of a point, and its height above the plane.
     Vec2 place(const Vec3& point) const {
         return {(point - origin).dot(u), (point - origin).dot(v)};
     }
+    /// Height of a point above the plane, mm.
     double height(const Vec3& point) const { return (point - origin).dot(normal()); }
     /// The frame turned about its origin from u towards v.
     PlaneFrame turned(double radians) const;
@@ -32,14 +36,14 @@ PlaneFrame frame_of(const CPlane& plane);
 
 /// Intersection of a ray with a plane.
 struct PlaneHit {
-    Vec2 place{0};
-    double t = 0;
+    Vec2 place{0};     ///< mm, in the plane's coordinates
+    double t = 0;      ///< parameter of the ray
     double cosine = 0; ///< of the angle of incidence, above 0
     /// Change of u and v with the picture's x and y, per pixel, if the ray has differentials.
     struct Gradients {
-        Vec2 u{0}, v{0};
+        Vec2 u{0}, v{0}; ///< by the picture's x and y, mm a pixel
     };
-    std::optional<Gradients> gradients;
+    std::optional<Gradients> gradients; ///< nullopt without differentials
 };
 
 /// Intersection of a ray with the plane; nullopt for rays that point away from the plane or along

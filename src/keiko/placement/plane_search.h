@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/placement/lamp_field.h"
 #include "keiko/placement/plane_frame.h"
 #include "keiko/scene/symmetry.h"
@@ -7,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Quality of lamps on one plane for a picture: the factors of the objective, each 0 to 1.
 struct PlacementScore {
@@ -27,8 +28,9 @@ struct PlacementScore {
 
 /// Spacings of stripes in a picture, in pixels of a picture 540 high; scaled to others.
 struct StripeSpacing {
-    double least = 12, wanted = 24, most = 60;
+    double least = 12, wanted = 24, most = 60; ///< px from stripe to stripe
 
+    /// The spacings scaled to a picture of this height, px.
     StripeSpacing for_height(int height) const {
         const double scale = height / 540.0;
         return {least * scale, wanted * scale, most * scale};
@@ -44,26 +46,29 @@ enum class LampDirection {
 
 /// Requirements on the lamps of a plane.
 struct LampDemand {
-    int lamps = 12;        ///< 0: as many as give the wanted spacing
-    StripeSpacing spacing; ///< px of the picture in question
-    LampDirection direction = LampDirection::best;
+    int lamps = 12;                                ///< 0: as many as give the wanted spacing
+    StripeSpacing spacing;                         ///< px of the picture in question
+    LampDirection direction = LampDirection::best; ///< of the lamps in their plane
     std::optional<MirrorPlane> mirror{}; ///< on planes that are their own image the lamps are, too
 };
 
 /// A rectangle of lamps on a plane.
 struct LampRectangle {
-    PlaneFrame frame; ///< u along the lamps
-    Box2 extent;      ///< mm in that frame
-    int lamps = 0;
-    PlacementScore score;
+    PlaneFrame frame;     ///< u along the lamps
+    Box2 extent;          ///< mm in that frame
+    int lamps = 0;        ///< number of lamps
+    PlacementScore score; ///< factors of the objective
 
+    /// Distance between neighbouring lamps, mm.
     double pitch() const { return extent.extent().y / lamps; }
+    /// C-plane of the rectangle; diameter in mm, luminance in cd/m2.
     CPlane c_plane(double diameter, const Rgb& luminance) const;
 };
 
 /// Tests rectangles and directions of lamps on one plane against the uncovered samples.
 class PlaneSearch {
 public:
+    /// Search on one plane; keeps a reference to the field.
     PlaneSearch(const LampField& field, const PlaneFrame& frame, const LampDemand& demand);
 
     /// Best rectangle with the lamps `angle` radians from the frame's u. Its score is zero if the

@@ -1,20 +1,21 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/placement/best_view.h"
 #include "keiko/placement/view_samples.h"
 
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Mirror samples of pictures of a body, registered during rendering. Lamps can be placed by them
 /// without tracing the body again.
 struct RegisteredHits {
-    std::vector<NamedView> views;
-    std::vector<ViewSample> samples; ///< of all faces, each with its solid angle as weight
-    std::size_t faces = 0, instances = 0;
-    Box3 body;
+    std::vector<NamedView> views;         ///< of the pictures, in order
+    std::vector<ViewSample> samples;      ///< of all faces, each with its solid angle as weight
+    std::size_t faces = 0, instances = 0; ///< of the model, to recognise it by
+    Box3 body;                            ///< box of the model, mm
 
     /// The samples of the faces that count, weighted by the options. Throws Error for hits of a
     /// body with other faces.

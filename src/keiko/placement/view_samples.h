@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/model/surface_model.h"
@@ -11,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// reflect_ray for hits of any tracer: second derivatives that the hit lacks are taken from the
 /// model.
@@ -41,23 +42,25 @@ enum class SampleWeight {
 
 /// A place of the surface in a picture, and its reflected ray.
 struct ViewSample {
-    std::uint32_t view = 0; ///< which of the cameras
-    std::uint32_t instance = 0, face = 0;
-    Vec2 pixel{0};
-    int edge = 1; ///< pixels, of the square that it represents
-    double weight = 0;
-    Vec3 eye{0};          ///< origin of the camera ray
-    Vec3 normal{0};       ///< unit, on the side of the camera
-    Ray mirror;           ///< from the surface along the mirror direction
-    bool blocked = false; ///< the reflected ray hits the body again
-    FeatureDirection feature;
+    std::uint32_t view = 0;               ///< which of the cameras
+    std::uint32_t instance = 0, face = 0; ///< of the hit, into the model's arrays
+    Vec2 pixel{0};                        ///< place in the picture
+    int edge = 1;                         ///< pixels, of the square that it represents
+    double weight = 0;                    ///< share of the picture, by SampleWeight
+    Vec3 eye{0};                          ///< origin of the camera ray
+    Vec3 normal{0};                       ///< unit, on the side of the camera
+    Ray mirror;                           ///< from the surface along the mirror direction
+    bool blocked = false;                 ///< the reflected ray hits the body again
+    FeatureDirection feature;             ///< of the surface there
 
+    /// The place on the surface, mm.
     const Vec3& position() const { return mirror.origin; }
 };
 
+/// Options of sample_views.
 struct SamplingOptions {
     int samples = 40000; ///< approximate number of pixels sampled in each picture
-    SampleWeight weight = SampleWeight::solid_angle;
+    SampleWeight weight = SampleWeight::solid_angle; ///< by which places count
     std::vector<std::uint32_t> faces; ///< faces of the model that count; empty: all of them
 };
 

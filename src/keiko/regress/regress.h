@@ -1,16 +1,17 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/import/worker/load_model.h"
 #include "keiko/report/content/regression.h"
 #include "keiko/report/record_files.h"
 
 #include <optional>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A share of a suite: fixture i, by name, is of shard i % count + 1.
 struct Shard {
-    int number = 1, count = 1;
+    int number = 1, count = 1; ///< from 1 to count
 };
 
 /// Options of a run of a suite.
@@ -19,9 +20,9 @@ struct RegressOptions {
     std::filesystem::path baselines;                ///< empty: suite / "baselines"
     std::filesystem::path output = "keiko-regress"; ///< folder of candidates and reports
     std::vector<std::string> only;                  ///< fixtures by name; empty: all
-    Shard shard;
-    bool fresh = false; ///< run fixtures again whose candidate is there
-    LoadOptions load;
+    Shard shard;                                    ///< the share that is run
+    bool fresh = false;                             ///< run fixtures again whose candidate is there
+    LoadOptions load;                               ///< of the models
 };
 
 /// Runs the fixtures of a suite and holds each against its baseline. Writes into the output folder
@@ -34,7 +35,7 @@ Regression run_regression(const RegressOptions& options, const Job& job = {});
 
 /// Baseline that was accepted, and what it changes.
 struct AcceptedBaseline {
-    std::string name;
+    std::string name;      ///< of the fixture
     BaselineChange change; ///< its `changed` empty: the baseline is what it was
 };
 

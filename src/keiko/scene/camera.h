@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/visibility/ray.h"
 #include "keiko/math/bounds.h"
 
@@ -7,24 +8,28 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
-enum class Projection { perspective, orthographic };
+/// Projection of a camera.
+enum class Projection {
+    perspective, ///< from a point
+    orthographic ///< along one direction
+};
 
 /// Unit axes of a picture in space; right x up = -forward.
 struct CameraAxes {
-    Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
+    Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1}; ///< in the world
 };
 
 /// The eye of a picture. Lengths in mm, angles in degrees, pixel (0, 0) at the upper left.
 struct Camera {
-    Projection projection = Projection::perspective;
-    Vec3 eye{3000, -2500, 1400};
-    Vec3 target{0, 0, 600};
-    Vec3 up{0, 0, 1};
+    Projection projection = Projection::perspective; ///< perspective unless stated
+    Vec3 eye{3000, -2500, 1400};    ///< mm; of an orthographic camera, a point on the middle ray
+    Vec3 target{0, 0, 600};         ///< mm; a point on the middle ray
+    Vec3 up{0, 0, 1};               ///< direction that is upwards in the picture
     double vertical_fov = 28;       ///< degrees; perspective only
     double orthographic_height = 0; ///< mm across the picture's height; orthographic only
-    int width = 960, height = 540;
+    int width = 960, height = 540;  ///< pixels
 
     /// Ray with unit direction through the picture point (x, y) in pixels, (0.5, 0.5) being the
     /// centre of the upper left pixel; with differentials per pixel. For many rays: PreparedCamera.
@@ -48,6 +53,7 @@ std::optional<Vec2> project(const Camera& camera, const Vec3& point);
 /// A camera made ready for many rays and points: what they have in common is found once.
 class PreparedCamera {
 public:
+    /// Prepares a camera; keeps no reference.
     explicit PreparedCamera(const Camera& camera);
 
     /// Camera::ray.

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/scene/symmetry.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Formula by which two normal curvatures across a seam are compared; both are printed beside their
 /// value.
@@ -15,9 +16,10 @@ enum class CurvatureFormula {
     catia  ///< |C1 - C2| / max(|C1|, |C2|), up to 200 % where they bend opposite ways
 };
 
+/// Limit of the curvature's step across a seam, and its formula.
 struct CurvatureLimit {
-    CurvatureFormula formula = CurvatureFormula::alias;
-    double limit = 0.1; ///< share of 1
+    CurvatureFormula formula = CurvatureFormula::alias; ///< by which the step is measured
+    double limit = 0.1;                                 ///< share of 1
 
     bool operator==(const CurvatureLimit&) const = default;
 };
@@ -67,7 +69,8 @@ struct LookLimits {
 /// Users name or write a preset file (keiko-preset/1, read_preset); the values here are those of
 /// the class-a-outer that comes with Keiko, which searches for dents and waves too.
 struct CriteriaPreset {
-    std::string name = "class-a-outer";
+    std::string name = "class-a-outer"; ///< by which users choose it
+    /// Whose practice the limits are.
     std::string source = "class A as quoted in trade forums; practice, not a standard";
     double gap = 0.01;                                          ///< mm, G0
     double angle = 0.1;                                         ///< degrees, G1
@@ -80,10 +83,10 @@ struct CriteriaPreset {
     double flat_radius =
         100000;         ///< mm; larger radii of curvature are compared as if they were this
     std::string caveat; ///< what the limits are not, or empty
-    std::optional<double> curvature_slope; ///< degrees, G3; nothing: not judged
-    LineLimits lines{std::nullopt, 0.1, 5.7, std::nullopt};
-    SurfaceLimits surface{};
-    LookLimits look{};
+    std::optional<double> curvature_slope;                  ///< degrees, G3; nothing: not judged
+    LineLimits lines{std::nullopt, 0.1, 5.7, std::nullopt}; ///< of reflection lines at seams
+    SurfaceLimits surface{};                                ///< of each face by itself
+    LookLimits look{};                                      ///< of what is worth inspecting
 
     /// The limits by which dents and waves are searched for: those that are judged, else the
     /// others.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/scene/criteria_preset.h"
 
 #include <array>
@@ -11,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Tolerance of one layer of two pictures.
 struct LayerTolerance {
@@ -51,7 +52,7 @@ enum class Quantity {
     share      ///< of 1
 };
 
-constexpr std::size_t quantity_count = 12;
+constexpr std::size_t quantity_count = 12; ///< number of values of Quantity
 
 /// "gap"
 std::string_view name_of(Quantity quantity);
@@ -64,6 +65,7 @@ Quantity quantity_by_name(std::string_view name);
 struct Metric {
     std::string check; ///< "shape", "seams" or "lines"
     std::string name;  ///< unique within the check, e.g. "face 3 (roof): area"
+    /// What the number states, and by that its unit and tolerance.
     Quantity quantity = Quantity::count;
     std::variant<double, std::string> value; ///< a word for verdicts only
 
@@ -72,7 +74,7 @@ struct Metric {
 
 /// Tolerance of two numbers: `absolute` + `relative` times the larger of their sizes.
 struct MetricTolerance {
-    double absolute = 0, relative = 0;
+    double absolute = 0, relative = 0; ///< in the quantity's unit, and as a share of 1
 
     bool operator==(const MetricTolerance&) const = default;
 };
@@ -80,6 +82,7 @@ struct MetricTolerance {
 /// Tolerance of each quantity. The defaults leave room for another compiler or processor, not for
 /// another shape: an inner control point moved by 10 um shows (docs/regression.md).
 struct MetricTolerances {
+    /// By Quantity.
     std::array<MetricTolerance, quantity_count> each{{{0, 0},
                                                       {0, 0},
                                                       {1e-6, 1e-12},
@@ -93,9 +96,11 @@ struct MetricTolerances {
                                                       {0.1, 1e-3},
                                                       {1e-6, 0}}};
 
+    /// Tolerance of a quantity.
     const MetricTolerance& operator[](Quantity quantity) const {
         return each[static_cast<std::size_t>(quantity)];
     }
+    /// Tolerance of a quantity, to be changed.
     MetricTolerance& operator[](Quantity quantity) {
         return each[static_cast<std::size_t>(quantity)];
     }
@@ -115,20 +120,20 @@ struct FixtureChecks {
 
 /// A fixture file's content (keiko-fixture/1), every path resolved: a body and what is guarded.
 struct FixtureSpec {
-    std::string name; ///< of the file, without its extension
-    std::filesystem::path file;
+    std::string name;                          ///< of the file, without its extension
+    std::filesystem::path file;                ///< path of the fixture file
     std::vector<std::filesystem::path> models; ///< files of one body, or one scene file
     std::optional<std::string> material;       ///< of models that no scene paints
     std::vector<std::string> views;            ///< names; empty: the scene's own
     std::optional<std::filesystem::path> rig;  ///< none: the scene's own, or else placed
-    CriteriaPreset preset;
-    double join = 0.5;               ///< mm
-    int width = 96, height = 54;     ///< pixels
-    std::vector<std::string> layers; ///< of the pictures, besides the colour
-    bool shadows = false;
-    FixtureChecks checks;
-    MetricTolerances metric_tolerance;
-    FilmTolerance film_tolerance;
+    CriteriaPreset preset;                     ///< that seams are judged by
+    double join = 0.5;                         ///< mm
+    int width = 96, height = 54;               ///< pixels
+    std::vector<std::string> layers;           ///< of the pictures, besides the colour
+    bool shadows = false;                      ///< bodies cast shadows in the pictures
+    FixtureChecks checks;                      ///< parts that are held against the baseline
+    MetricTolerances metric_tolerance;         ///< of the numbers
+    FilmTolerance film_tolerance;              ///< of the pictures
 };
 
 /// The layers that a fixture may request: the AOVs that pictures are compared by.

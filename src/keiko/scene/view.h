@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/error.h"
+#include "keiko/base/export.h"
 #include "keiko/math/bounds.h"
 #include "keiko/scene/camera.h"
 
@@ -9,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Names of the views in the vehicle frame: x rearwards, y to the right, z up.
 ///

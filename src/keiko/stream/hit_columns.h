@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/intersect/hit/hit.h"
 #include "keiko/math/rgb.h"
 
@@ -9,30 +10,30 @@
 #include <string_view>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Columns of a row of hits, in the order of `keiko trace --help`.
 enum class HitColumn {
-    t,        ///< in lengths of the ray's direction
-    instance, ///< index of the placed part, from 0
-    face,     ///< number of the face, as in reports
-    patch,    ///< index of the patch in the model, from 0
-    u,
-    v, ///< patch parameters, 0 to 1
-    x,
-    y,
-    z, ///< mm
-    nx,
-    ny,
-    nz,
-    k1,
-    k2,    ///< 1/mm, principal curvatures, k1 >= k2; > 0 bends towards the normal
-    bound, ///< mm, certified distance to the exact intersection
-    flags,
+    t,         ///< in lengths of the ray's direction
+    instance,  ///< index of the placed part, from 0
+    face,      ///< number of the face, as in reports
+    patch,     ///< index of the patch in the model, from 0
+    u,         ///< patch parameter, 0 to 1
+    v,         ///< patch parameter, 0 to 1
+    x,         ///< mm, position
+    y,         ///< mm, position
+    z,         ///< mm, position
+    nx,        ///< of the unit normal
+    ny,        ///< of the unit normal
+    nz,        ///< of the unit normal
+    k1,        ///< 1/mm, the larger principal curvature; > 0 bends towards the normal
+    k2,        ///< 1/mm, the smaller one
+    bound,     ///< mm, certified distance to the exact intersection
+    flags,     ///< flag_words()
     luminance, ///< cd/m2, along the ray
-    r,
-    g,
-    b ///< cd/m2
+    r,         ///< cd/m2, along the ray
+    g,         ///< cd/m2, along the ray
+    b          ///< cd/m2, along the ray
 };
 
 /// Columns of a list "t,face,u": each once. Throws Error that names the fault.
@@ -58,6 +59,7 @@ void append_empty_row(std::string& text, const std::vector<HitColumn>& columns);
 
 /// Appends the digits of a number, the fewest that read back as the same.
 void append_number(std::string& text, std::uint64_t number);
+/// Appends the digits of a number, the fewest that read back as the same.
 void append_number(std::string& text, double number);
 
 } // namespace keiko

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/stream/ray_lines.h"
 #include "keiko/stream/trace_rays.h"
 #include "keiko/workflow/open_scene.h"
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Reads lines of points with normals (see rays_of, `point_header`) and writes the direct
 /// illuminance in lx as CSV. After a header line each point, in order, has a row with the

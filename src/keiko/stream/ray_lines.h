@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/error.h"
+#include "keiko/base/export.h"
 #include "keiko/geometry/visibility/ray.h"
 #include "keiko/math/bounds.h"
 
@@ -12,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Source of a stream of bytes: fills the front of the span with the available bytes, at least one,
 /// and returns their number; 0: the end.
@@ -27,7 +28,7 @@ constexpr std::size_t longest_ray_line = 1024;
 
 /// Whole lines of a file of rays.
 struct RayLines {
-    std::string text;
+    std::string text;             ///< the lines, with their breaks
     std::uint64_t first_line = 1; ///< number of its first line in the file
     std::uint64_t first_ray = 0;  ///< number of its first ray
 };
@@ -38,6 +39,7 @@ struct RayLines {
 /// to refuse.
 class RayLineReader {
 public:
+    /// Reader of a source whose first line may be the header.
     explicit RayLineReader(ByteSource source, std::string_view header = ray_header)
         : source_(std::move(source)), header_(header) {}
 
@@ -61,7 +63,7 @@ private:
 
 /// The rays of some lines, up to the first line that is no ray.
 struct ParsedRays {
-    std::vector<Ray> rays;
+    std::vector<Ray> rays;      ///< in the order of the lines
     std::optional<Error> fault; ///< names the line and the field
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/error.h"
+#include "keiko/base/export.h"
 #include "keiko/base/parallel.h"
 #include "keiko/intersect/hit/hit.h"
 #include "keiko/stream/ray_lines.h"
@@ -10,11 +11,12 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Sink of a stream of bytes; returns false if no reader is left.
 using ByteSink = std::function<bool(std::string_view)>;
 
+/// Options of trace_rays.
 struct TraceOptions {
     std::string columns = "t,face,u,v,x,y,z,nx,ny,nz"; ///< names of HitColumn
     bool all = false; ///< every hit by rising t, after a column `ray`, rather than the first
@@ -22,8 +24,8 @@ struct TraceOptions {
 
 /// Counts of the rays that trace_rays has processed.
 struct TraceCounts {
-    std::uint64_t rays = 0;
-    HitStatistics hits;
+    std::uint64_t rays = 0; ///< number of rays
+    HitStatistics hits;     ///< how their hits were found
 };
 
 /// Throws Error, before the long work, for columns that trace_rays would refuse for any scene.
@@ -40,8 +42,8 @@ TraceCounts trace_rays(const Scene& scene, const ByteSource& rays, const ByteSin
 
 /// A piece of a stream of rays between lines and rows.
 struct RowPiece {
-    RayLines lines;
-    std::string rows;
+    RayLines lines;             ///< that were read
+    std::string rows;           ///< that are to be written
     std::optional<Error> fault; ///< of the first malformed line, behind the rows before it
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/film/film.h"
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/scene/camera.h"
@@ -9,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Modes of pictures of a surface other than under its lamps.
 enum class AnalysisMode {
@@ -25,7 +26,9 @@ enum class AnalysisMode {
 /// "zebra", "isophote", "highlight", "curvature:gauss", "curvature:mean", "curvature:k1",
 /// "curvature:k2"
 std::string_view name_of(AnalysisMode look);
+/// All modes, in the order of their declaration.
 const std::vector<AnalysisMode>& every_look();
+/// True for the modes that show a curvature by colour.
 bool is_curvature(AnalysisMode look);
 
 /// The layers of a film that analysis pictures need.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/files/scene/preset_file.h"
 #include "keiko/import/worker/load_model.h"
@@ -14,14 +15,14 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Curves with their curvature all along, prepared for files.
 struct Combs {
-    std::vector<CombCurve> curves;
-    std::vector<std::string> remarks; ///< on planes that miss the body, touch it or contain faces
-    std::string json, csv;
-    std::vector<CombPicture> pictures;
+    std::vector<CombCurve> curves;     ///< sections by plane, then iso-curves by face
+    std::vector<std::string> remarks;  ///< on planes that miss the body, touch it or contain faces
+    std::string json, csv;             ///< text of the two files
+    std::vector<CombPicture> pictures; ///< one a plane, then one of the iso-curves
 };
 
 /// True if the options request any curve.
@@ -29,16 +30,17 @@ bool has_curves(const CombOptions& options);
 /// The sections and iso-curves of a body.
 Combs combs_of(const SurfaceModel& model, const CombOptions& options, const Job& job = {});
 
+/// Options of check_models.
 struct CheckOptions {
-    LoadOptions load;
-    CriteriaPreset preset = standard_presets().front();
-    double join = 0.5; ///< mm
-    CombOptions combs{};
+    LoadOptions load;                                   ///< of the model files
+    CriteriaPreset preset = standard_presets().front(); ///< limits of the criteria
+    double join = 0.5;                                  ///< mm
+    CombOptions combs{}; ///< sections and iso-curves; none unless requested
 };
 
 /// Result of a check.
 struct CheckResult {
-    Inspection inspection;
+    Inspection inspection;        ///< seams, faces and their verdicts
     std::optional<Combs> combs{}; ///< if any were requested
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/placement/best_view.h"
 #include "keiko/workflow/open_scene.h"
 
@@ -7,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Views of the pictures of a scene. Names are those of standard views, "auto" for the view that
 /// shows the body best, "scene" for the scene file's own and NAME.toml for a view file. Without

@@ -1,16 +1,17 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/output_folder.h"
 
 #include <filesystem>
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Places to which a run is about to write results. Empty paths are ignored.
 struct ResultPlaces {
-    std::vector<std::filesystem::path> files;
+    std::vector<std::filesystem::path> files;   ///< to be written
     std::vector<std::filesystem::path> folders; ///< their content with_manifest
 };
 

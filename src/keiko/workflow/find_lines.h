@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/files/scene/preset_file.h"
 #include "keiko/film/film.h"
 #include "keiko/inspect/lines/surface_lines.h"
@@ -13,14 +14,15 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
+/// Options of find_lines.
 struct LinesOptions {
-    std::vector<std::string> views;           ///< names; empty: one, as in choose_views
-    std::optional<std::filesystem::path> rig; ///< none: the scene's own
-    SurfaceLineOptions lines;
-    CriteriaPreset preset = standard_presets().front();
-    double join = 0.5; ///< mm
+    std::vector<std::string> views;                     ///< names; empty: one, as in choose_views
+    std::optional<std::filesystem::path> rig;           ///< none: the scene's own
+    SurfaceLineOptions lines;                           ///< of the search on the surfaces
+    CriteriaPreset preset = standard_presets().front(); ///< limits of the crossings
+    double join = 0.5;                                  ///< mm
 };
 
 /// The reflection lines, highlight lines or isophotes of a rig's lamps on the body in views of a

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/output_folder.h"
 #include "keiko/files/scene/preset_file.h"
 #include "keiko/report/content/report.h"
@@ -12,26 +13,27 @@
 #include <utility>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
+/// Options of inspect_scene.
 struct InspectOptions {
-    std::vector<std::string> views;           ///< names; empty: three automatic ones
-    std::optional<std::filesystem::path> rig; ///< none: the scene's own, or else placed
-    CriteriaPreset preset = standard_presets().front();
-    double join = 0.5;          ///< mm
-    PlacementOptions placement; ///< except its `mirror`
+    std::vector<std::string> views;                     ///< names; empty: three automatic ones
+    std::optional<std::filesystem::path> rig;           ///< none: the scene's own, or else placed
+    CriteriaPreset preset = standard_presets().front(); ///< limits of the criteria
+    double join = 0.5;                                  ///< mm
+    PlacementOptions placement;                         ///< except its `mirror`
     /// Symmetry of placed lamps, used if views and body are symmetric.
     SymmetryChoice symmetry{SymmetryChoice::Kind::automatic};
-    PictureOptions picture;
+    PictureOptions picture;     ///< of the pictures
     bool register_hits = false; ///< of the views, for InspectResult::hits
-    CombOptions combs{};
+    CombOptions combs{};        ///< sections and iso-curves; none unless requested
 };
 
 /// Results of an inspection, for writing or display.
 struct InspectResult {
-    Report report;
-    LightRig rig;
-    std::optional<RegisteredHits> hits{};
+    Report report;                                   ///< verdict, findings and pictures
+    LightRig rig;                                    ///< the lamps of the pictures
+    std::optional<RegisteredHits> hits{};            ///< if they were requested
     std::optional<Combs> combs{};                    ///< if any were requested
     std::vector<std::pair<std::string, Film>> films; ///< by view name
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/film/film.h"
 #include "keiko/geometry/model/surface_model.h"
@@ -18,10 +19,11 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
+/// Options of open_scene.
 struct SceneOptions {
-    LoadOptions load;
+    LoadOptions load;                        ///< of the model files
     std::string material = "black-show-car"; ///< of models that no scene file paints
     bool clipping_only = false;              ///< trace by Bezier clipping alone, see TracerOptions
     bool shadows = false;                    ///< bodies cast shadows, in pictures and numbers
@@ -30,28 +32,29 @@ struct SceneOptions {
 
 /// The body on its ground in pictures: the faces of the body, then that of the ground.
 struct Surroundings {
-    double ground = 0; ///< mm, its z
-    std::vector<Material> materials;
-    Tracer tracer;
+    double ground = 0;               ///< mm, its z
+    std::vector<Material> materials; ///< one a face of its tracer
+    Tracer tracer;                   ///< of the body and the ground
 };
 
 /// A body prepared for rendering.
 struct Scene {
-    SurfaceModel model;
-    std::vector<Material> materials; ///< one a face of the model
-    Tracer tracer;
-    std::optional<Occluders> occluders; ///< of the visible geometry, if it casts shadows
-    std::optional<Camera> camera;       ///< of the scene file
-    std::optional<std::string> view;    ///< a named view of the scene file
-    std::optional<LightRig> rig;
-    Rgb background{0};
-    int width = 960, height = 540;
+    SurfaceModel model;                         ///< the body, all models as one
+    std::vector<Material> materials;            ///< one a face of the model
+    Tracer tracer;                              ///< of the body alone
+    std::optional<Occluders> occluders;         ///< of the visible geometry, if it casts shadows
+    std::optional<Camera> camera;               ///< of the scene file
+    std::optional<std::string> view;            ///< a named view of the scene file
+    std::optional<LightRig> rig;                ///< of the scene file, if it has lamps
+    Rgb background{0};                          ///< cd/m2 behind the body
+    int width = 960, height = 540;              ///< pixels of its pictures
     std::optional<Surroundings> surroundings{}; ///< of a scene file with [ground]
     std::optional<int> max_depth{};             ///< of the scene file, else of
     std::optional<double> min_weight{};         ///< PictureOptions
 
     /// Tracer of pictures and rays: the body, and the ground if there is one.
     const Tracer& seen() const { return surroundings ? surroundings->tracer : tracer; }
+    /// Materials by face of seen().
     const std::vector<Material>& seen_materials() const {
         return surroundings ? surroundings->materials : materials;
     }

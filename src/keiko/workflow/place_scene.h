@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/placement/place_lamps.h"
 #include "keiko/placement/registered_hits.h"
@@ -12,12 +13,14 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// File text of registered hits, and its inverse. Throws Error for any other file.
 std::string hits_text(const RegisteredHits& hits);
+/// Registered hits of a file that hits_text wrote. Throws Error for any other file.
 RegisteredHits read_hits(const std::filesystem::path& file);
 
+/// Options of place_scene.
 struct PlaceOptions {
     std::vector<std::string> views;       ///< names; empty: the best one
     std::vector<std::string> faces;       ///< numbers or patterns of names; empty: all count
@@ -28,9 +31,10 @@ struct PlaceOptions {
     SymmetryChoice symmetry{SymmetryChoice::Kind::automatic};
 };
 
+/// Views that were served, and the lamps placed for them.
 struct PlaceResult {
-    std::vector<NamedView> views;
-    Placement placement;
+    std::vector<NamedView> views; ///< of the pictures, in order
+    Placement placement;          ///< rig, coverage and unreached regions
 };
 
 /// Places lamps where the body reflects them to the cameras of all views. Throws Error for a

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/workflow/place_scene.h"
 
 #include <filesystem>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Writes placement.json, histogram-N.png for each plane and plan.png (body, lamps and cameras from
 /// above) into a folder.

@@ -10,7 +10,7 @@ namespace {
 
 /// build_id() as a shared library has it that this program loads.
 std::string id_of_library() {
-    void* const library = dlopen(KEIKO_BUILD_ID_PROBE, RTLD_NOW | RTLD_LOCAL);
+    void* const library = dlopen(KEIKO_LIBRARY_PROBE, RTLD_NOW | RTLD_LOCAL);
     if (!library) return dlerror();
     const auto digit =
         reinterpret_cast<char (*)(std::size_t)>(dlsym(library, "keiko_build_id_digit"));

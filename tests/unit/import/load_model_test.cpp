@@ -1,5 +1,6 @@
 #include "keiko/import/worker/load_model.h"
 
+#include "keiko/base/binary_path.h"
 #include "keiko/base/error.h"
 #include "keiko/files/model/model_serialization.h"
 
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <thread>
 
 namespace keiko {
@@ -105,6 +107,16 @@ TEST_F(LoadModel, AMissingWorkerIsTold) {
     options.worker = folder.path() / "none";
     EXPECT_EQ(reason_for(folder.file("a.step", step_text), options),
               "cannot be read: no reader at " + options.worker.string());
+}
+
+TEST_F(LoadModel, TheWorkerOfTheOptionsComesBeforeThatOfTheEnvironment) {
+    LoadOptions options;
+    options.worker = folder.path() / "mine";
+    setenv("KEIKO_IMPORT", "/theirs", 1);
+    EXPECT_EQ(worker_path(options), options.worker);
+    EXPECT_EQ(worker_path({}), "/theirs");
+    unsetenv("KEIKO_IMPORT");
+    EXPECT_EQ(worker_path({}), binary_path().parent_path() / "keiko-import");
 }
 
 TEST_F(LoadModel, TheWorkerAnswersAProgramWhoseStandardStreamsAreClosed) {

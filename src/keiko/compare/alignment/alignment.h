@@ -1,8 +1,9 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/compare/alignment/closest_point_query.h"
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The rigid motion that brings a body onto another.
 struct Alignment {
@@ -11,14 +12,15 @@ struct Alignment {
     double angle = 0; ///< degrees about it
     Vec3 shift{0};    ///< mm, of the body's centre of area
     double residual =
-        0; ///< mm, root mean square distance that is left of the places it was found by
-    int steps = 0;
+        0;         ///< mm, root mean square distance that is left of the places it was found by
+    int steps = 0; ///< of the iteration
     bool converged = false; ///< the last step was smaller than rounding
 };
 
+/// Options of align_bodies.
 struct AlignmentOptions {
     std::size_t samples = 3000; ///< about as many places of the body
-    int most_steps = 200;
+    int most_steps = 200;       ///< of the iteration, at most
 };
 
 /// Least squares over places spread evenly on the body: Gauss and Newton's iteration on their exact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/compare/alignment/placed_model.h"
 
@@ -8,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The point of a body's material that is nearest to a given point.
 struct ClosestSurfacePoint {
@@ -54,6 +55,7 @@ public:
     /// Keeps its own copy of the body. Throws Error for a body without faces, Cancelled.
     explicit ClosestPointQuery(PlacedModel body, const Job& job = {});
     ~ClosestPointQuery();
+    /// Takes over the trees of another.
     ClosestPointQuery(ClosestPointQuery&&) noexcept;
 
     /// Nearest point of the faces that count; nullopt where they are `reach` mm away or farther.
@@ -70,6 +72,7 @@ public:
                                     const FaceFilter& counts = {}) const;
     /// Points of all borders: where they turn, and three between each two of those.
     std::vector<BorderPoint> border_points() const;
+    /// The body that is queried.
     const PlacedModel& body() const;
 
     /// The pieces that the faces are divided into: bent little, and none without material nearby.

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/model/surface_model.h"
 
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A face of a model and the instance that places it.
 struct PlacedFace {

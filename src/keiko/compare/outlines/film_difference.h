@@ -1,12 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/film/film.h"
 #include "keiko/scene/fixture_spec.h"
 
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// One layer of two pictures where both show the same surface.
 struct LayerDifference {
@@ -16,18 +17,19 @@ struct LayerDifference {
     double excess = 0;           ///< the largest, in tolerances
     double root_mean_square = 0; ///< over the compared pixels
     int x = 0, y = 0;            ///< pixel of the largest excess, the first of equals
-    bool within = true;
+    bool within = true;          ///< no more pixels beyond the tolerance than are allowed
 };
 
 /// How far apart two pictures are.
 struct FilmDifference {
-    std::size_t pixels = 0, compared = 0;
-    std::size_t coverage_flips = 0; ///< pixels in which the outline moved
-    std::size_t face_flips = 0;     ///< others whose centre shows another face
-    bool flips_within = true;
-    std::vector<LayerDifference> layers;
+    std::size_t pixels = 0, compared = 0; ///< in all, and those that the layers are compared in
+    std::size_t coverage_flips = 0;       ///< pixels in which the outline moved
+    std::size_t face_flips = 0;           ///< others whose centre shows another face
+    bool flips_within = true;             ///< no more of them than are allowed
+    std::vector<LayerDifference> layers;  ///< the colour, then the AOVs that both films hold
     Image excess; ///< 1 channel: the largest excess of any layer, infinity in flipped pixels
 
+    /// True if the flips and all layers are within the tolerances.
     bool within() const;
 };
 

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/compare/outlines/film_difference.h"
 #include "keiko/compare/outlines/outline_finder.h"
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Tolerances within which two pictures are the same.
 struct OutlineTolerance {
@@ -21,6 +22,7 @@ struct OutlineShift {
     double excess = 0;   ///< the distance over what is allowed there
     Vec3 place{0};       ///< world, mm
 
+    /// True if it has moved by no more than the tolerance.
     bool within() const { return excess <= 1; }
 };
 
@@ -68,6 +70,7 @@ struct OutlineDifference {
     int x = 0, y = 0;        ///< pixel of the worst, the first of equals
     Image left_out{};        ///< 1 channel: 1 in the excused and the alike pixels
 
+    /// True if no outline has moved.
     bool within() const { return moved == 0; }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/compare/alignment/closest_point_query.h"
 #include "keiko/intersect/traversal/tracer.h"
 #include "keiko/scene/camera.h"
@@ -10,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// One of two bodies as its picture shows it. Faces that lie on each other in both bodies have one
 /// name, which SharedFaces gives them.
@@ -31,9 +32,9 @@ double distance_to_same(const OutlineBody& body, const Hit& hit, const OutlineBo
 
 /// First hit of the camera ray through a place of a picture.
 struct Sighting {
-    Vec2 place{0}; ///< px
-    std::optional<Hit> hit;
-    std::size_t name = 0; ///< of the face; only with a hit
+    Vec2 place{0};          ///< px
+    std::optional<Hit> hit; ///< nullopt: the background
+    std::size_t name = 0;   ///< of the face; only with a hit
 };
 
 /// The length that a pixel of a picture covers at a place, mm, square to the camera ray. In a
@@ -45,6 +46,7 @@ double pixel_length(const Camera& camera, const Vec3& place);
 /// names and contours are outlines; lines inside a face are not.
 class OutlineFinder {
 public:
+    /// Finder for one body; keeps a reference to it.
     OutlineFinder(const OutlineBody& body, const Camera& camera);
 
     /// One sighting a place, in order.

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/compare/alignment/closest_point_query.h"
 
 #include <limits>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Knobs of measure_deviation.
 struct DeviationOptions {
@@ -18,9 +19,9 @@ struct DeviationOptions {
 
 /// Place where a body deviates from another.
 struct DeviationPlace {
-    double value = 0; ///< mm, or degrees; infinity: nothing of the other is within reach
-    Vec3 place{0};    ///< world, mm
-    std::uint32_t face = 0;
+    double value = 0;       ///< mm, or degrees; infinity: nothing of the other is within reach
+    Vec3 place{0};          ///< world, mm
+    std::uint32_t face = 0; ///< of the model, at the place
 };
 
 /// How a face of a body lies to the other.
@@ -47,15 +48,15 @@ struct Deviation {
     double lowest = 0, highest = 0;        ///< mm, of what is within reach
     /// mm: what so large a share of the area does not exceed, by size; infinity: beyond reach
     double median = 0, percent_90 = 0, percent_99 = 0, percent_99_9 = 0;
-    DeviationPlace worst;           ///< the largest by size, signed, sought beyond the samples
-    DeviationPlace worst_normal;    ///< degrees between the normals, where they agree on a side
-    DeviationPlace worst_border;    ///< mm from a border of the body to the other's borders
-    double claimed_border = 0;      ///< mm, tolerance that the file claims for the edge there
-    double reach = 0;               ///< mm, as requested
-    double beyond = 0;              ///< share of the area from which nothing is within reach
-    double uncertain_share = 0;     ///< of the area, whose distance is not proved
-    double largest_uncertainty = 0; ///< mm
-    std::size_t samples = 0;
+    DeviationPlace worst;             ///< the largest by size, signed, sought beyond the samples
+    DeviationPlace worst_normal;      ///< degrees between the normals, where they agree on a side
+    DeviationPlace worst_border;      ///< mm from a border of the body to the other's borders
+    double claimed_border = 0;        ///< mm, tolerance that the file claims for the edge there
+    double reach = 0;                 ///< mm, as requested
+    double beyond = 0;                ///< share of the area from which nothing is within reach
+    double uncertain_share = 0;       ///< of the area, whose distance is not proved
+    double largest_uncertainty = 0;   ///< mm
+    std::size_t samples = 0;          ///< number of places measured
     std::vector<FaceDeviation> faces; ///< a face of the body
 };
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "keiko/base/export.h"
+
 #include <filesystem>
 #include <string_view>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Kinds of model files, distinguished by their content, never by their name.
 enum class ModelFormat {

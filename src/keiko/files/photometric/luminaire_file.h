@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/light/spotlight/photometric_web.h"
 
 #include <cstddef>
@@ -9,15 +10,15 @@
 #include <string_view>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The finite number that a word is, from -1e15 to 1e15; nullopt for any other word.
 std::optional<double> photometric_number(std::string_view word);
 
 /// A place in a luminaire file, for messages.
 struct PhotometricPlace {
-    const std::filesystem::path& source;
-    std::size_t line;
+    const std::filesystem::path& source; ///< the file, or what it is called in messages
+    std::size_t line;                    ///< from 1
 
     /// Throws Error with file, line and reason.
     [[noreturn]] void fail(const std::string& reason) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/scene/criteria_preset.h"
 
 #include <filesystem>
@@ -7,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Reads a criteria preset (keiko-preset/1, docs/file-formats.md). Throws Error with file, line
 /// and column.

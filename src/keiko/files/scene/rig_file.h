@@ -1,12 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/light/rig/light_rig.h"
 
 #include <filesystem>
 #include <string>
 #include <string_view>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 class TomlTable;
 

@@ -1,12 +1,14 @@
 #pragma once
 
+#include "keiko/base/export.h"
+
 #include <array>
 #include <cassert>
 #include <cstddef>
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Highest degree of curves and patches anywhere in Keiko.
 constexpr int max_degree = 25;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/bernstein/bernstein.h"
 #include "keiko/math/bounds.h"
 #include "keiko/math/interval.h"
@@ -8,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A polynomial over [0, 1]^2 by its Bernstein coefficients, whose hull holds its values
 /// [FaroukiRajan1988]. Degrees are not limited to those of patches. Keeps a bound of the rounding

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/bezier/bezier.h"
 
 #include <optional>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Unit normal along du x dv. Where a tangent vanishes (collapsed edge, pole) the limit from inside
 /// the patch is taken by the second derivatives; nullopt if that too is undefined. `derivatives`
@@ -14,9 +15,11 @@ std::optional<Vec3> unit_normal(const SurfaceDerivatives& derivatives, const Vec
 /// Principal curvatures in 1/mm with respect to the given unit normal, k1 >= k2; positive where
 /// the surface bends towards the normal.
 struct PrincipalCurvatures {
-    double k1 = 0, k2 = 0;
+    double k1 = 0, k2 = 0; ///< principal curvatures, 1/mm
 
+    /// Mean curvature, 1/mm.
     double mean() const { return (k1 + k2) / 2; }
+    /// Gaussian curvature, 1/mm2.
     double gaussian() const { return k1 * k2; }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/bounds.h"
 #include "keiko/math/vec.h"
 
@@ -7,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Length of a small step in a parameter plane, mm: a surface's first fundamental form, or that of
 /// its projection to a viewpoint.
@@ -23,9 +24,11 @@ public:
     explicit ParameterMetric(const Vec2& lengths)
         : ParameterMetric(Vec3(lengths.x, 0, 0), Vec3(0, lengths.y, 0)) {}
 
+    /// Scalar product of two steps, mm2.
     double dot(const Vec2& a, const Vec2& b) const {
         return uu_ * a.x * b.x + uv_ * (a.x * b.y + a.y * b.x) + vv_ * a.y * b.y;
     }
+    /// Length of a step, mm.
     double length(const Vec2& step) const { return std::sqrt(std::max(0.0, dot(step, step))); }
     /// The distance of a place to a box.
     double distance(const Vec2& p, const Box2& box) const {

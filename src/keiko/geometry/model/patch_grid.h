@@ -1,16 +1,18 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/model/surface_model.h"
 
 #include <cstdint>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The patches of one face as the grid that they form over the face's parameter plane. A patch may
 /// cover several cells of it, as adaptive approximation produces them.
 class PatchGrid {
 public:
+    /// Grid of the patches of one face; keeps references.
     PatchGrid(const SurfaceModel& model, const Face& face);
 
     /// Index into SurfaceModel::patches of the patch that holds a point of the parameter plane;

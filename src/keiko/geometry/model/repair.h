@@ -1,10 +1,12 @@
 #pragma once
 
+#include "keiko/base/export.h"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Defect of a face in its file, and how it was repaired.
 enum class RepairKind : std::uint8_t {
@@ -37,11 +39,11 @@ std::string_view text_of(RepairKind kind);
 
 /// All repairs of one kind on one face.
 struct Repair {
-    std::uint32_t face = 0; ///< Face::id
-    RepairKind kind = RepairKind::gap_bridged;
-    std::uint32_t count = 1;
-    double size = 0;    ///< mm, of the largest; 0 where the kind has no size
-    std::string detail; ///< the words of the CAD reader
+    std::uint32_t face = 0;                    ///< Face::id
+    RepairKind kind = RepairKind::gap_bridged; ///< what was repaired
+    std::uint32_t count = 1;                   ///< how often
+    double size = 0;                           ///< mm, of the largest; 0 where the kind has no size
+    std::string detail;                        ///< the words of the CAD reader
 };
 
 } // namespace keiko

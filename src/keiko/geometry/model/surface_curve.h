@@ -1,16 +1,17 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/model/patch_grid.h"
 
 #include <optional>
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The border of a placed face at one point; all vectors in world coordinates.
 struct BoundaryFrame {
-    Vec3 position{0};
+    Vec3 position{0};           ///< mm
     Vec3 tangent{0};            ///< unit, in the direction of the curve
     Vec3 normal{0};             ///< unit, along du x dv
     Vec3 inward{0};             ///< unit, tangent to the surface, from the border into the material
@@ -33,8 +34,9 @@ public:
 
     /// Position in mm and its first two derivatives by t, t in [0, 1].
     struct Point {
-        Vec3 position{0}, first{0}, second{0};
+        Vec3 position{0}, first{0}, second{0}; ///< mm, and its derivatives by t
     };
+    /// Position and derivatives at t in [0, 1].
     Point at(double t) const;
     /// Frame of the border; nullopt if the curve is stationary or the surface is singular, as at a
     /// pole. `order` is that of the surface's derivatives, 2 or 3.

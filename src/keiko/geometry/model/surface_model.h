@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/error.h"
+#include "keiko/base/export.h"
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/bezier/parameter_map.h"
 #include "keiko/geometry/model/repair.h"
@@ -13,42 +14,43 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
+/// No index: "none" wherever an index may be missing.
 constexpr std::uint32_t no_index = 0xffffffff;
 
 /// A Bezier patch of a face: one knot span of the face's surface.
 struct Patch {
-    std::uint32_t face = 0;
-    std::uint32_t first_point = 0; ///< into SurfaceModel::control_points
-    std::uint16_t degree_u = 1, degree_v = 1;
-    ParameterMap map_u, map_v; ///< patch parameters to face parameters
+    std::uint32_t face = 0;                   ///< into SurfaceModel::faces
+    std::uint32_t first_point = 0;            ///< into SurfaceModel::control_points
+    std::uint16_t degree_u = 1, degree_v = 1; ///< of the two parameters
+    ParameterMap map_u, map_v;                ///< patch parameters to face parameters
 };
 
 /// A Bezier piece of a p-curve, in face parameters.
 struct TrimCurve {
     std::uint32_t first_point = 0; ///< into SurfaceModel::trim_points
-    std::uint16_t degree = 1;
+    std::uint16_t degree = 1;      ///< of the piece
     std::uint32_t edge = no_index; ///< into SurfaceModel::edges, the file's own hint
 };
 
 /// A closed chain of trim curves.
 struct TrimLoop {
-    std::uint32_t first_curve = 0, curve_count = 0;
+    std::uint32_t first_curve = 0, curve_count = 0; ///< into SurfaceModel::trim_curves
 };
 
 /// A trimmed surface. A point is material if it is inside an odd number of loops; a face without
 /// loops is whole.
 struct Face {
-    std::uint32_t id = 0; ///< position in the file, stable between loads, from 1
-    std::string name;     ///< of the face, or empty
-    std::string layer;
-    std::optional<Rgb> color;
+    std::uint32_t id = 0;     ///< position in the file, stable between loads, from 1
+    std::string name;         ///< of the face, or empty
+    std::string layer;        ///< name of its layer, or empty
+    std::optional<Rgb> color; ///< as the file has it
     std::string surface_kind; ///< as named in the file: "plane", "b-spline", "torus", ...
-    std::uint32_t part = 0;
-    std::uint32_t first_patch = 0, patch_count = 0;
-    std::uint32_t first_loop = 0, loop_count = 0;
-    bool reversed = false;   ///< the file's outward normal is -(du x dv)
+    std::uint32_t part = 0;   ///< into SurfaceModel::parts
+    std::uint32_t first_patch = 0, patch_count = 0; ///< into SurfaceModel::patches
+    std::uint32_t first_loop = 0, loop_count = 0;   ///< into SurfaceModel::trim_loops
+    bool reversed = false;                          ///< the file's outward normal is -(du x dv)
     double approximated = 0; ///< mm, tolerance of an approximation; 0 if the patches are exact
     std::uint32_t line = 0;  ///< of its entity in a STEP file, from 1; 0 if unknown
     std::uint32_t file = 0;  ///< into files_of(model)
@@ -56,29 +58,29 @@ struct Face {
 
 /// An edge that the file shares between faces.
 struct Edge {
-    double tolerance = 0; ///< mm, as claimed by the file; never hides a gap
-    std::uint32_t use_count = 0;
-    bool degenerate = false; ///< a point in space, e.g. at a pole
+    double tolerance = 0;        ///< mm, as claimed by the file; never hides a gap
+    std::uint32_t use_count = 0; ///< trim curves that lie on it
+    bool degenerate = false;     ///< a point in space, e.g. at a pole
 };
 
 /// Geometry that is stored once, however often it is placed.
 struct Part {
-    std::string name;
-    std::uint32_t first_face = 0, face_count = 0;
+    std::string name;                             ///< or empty
+    std::uint32_t first_face = 0, face_count = 0; ///< into SurfaceModel::faces
 };
 
 /// A placed part.
 struct Instance {
-    std::uint32_t part = 0;
-    std::string name;
-    Affine transform; ///< part to world, may mirror
+    std::uint32_t part = 0; ///< into SurfaceModel::parts
+    std::string name;       ///< or empty
+    Affine transform;       ///< part to world, may mirror
 };
 
 /// A face of the file that could not be converted. Nothing disappears silently.
 struct LostFace {
     std::uint32_t id = 0; ///< as Face::id
-    std::string name;
-    std::string reason;
+    std::string name;     ///< of the face, or empty
+    std::string reason;   ///< why it could not be converted
 };
 
 /// A patch in the last ring around an irregular point of a subdivision surface: it replaces a
@@ -96,25 +98,30 @@ struct SurfaceModel {
     std::string format; ///< "STEP", "IGES", "BREP", "BPT"
     std::string unit;   ///< of the file, or empty if it names none (read as mm)
 
-    std::vector<Vec4> control_points; ///< homogeneous, mm
-    std::vector<Vec3> trim_points;    ///< homogeneous, face parameters
-    std::vector<Patch> patches;       ///< grouped by face
-    std::vector<TrimCurve> trim_curves;
-    std::vector<TrimLoop> trim_loops;
-    std::vector<Face> faces; ///< grouped by part
-    std::vector<Edge> edges;
-    std::vector<Part> parts;
-    std::vector<Instance> instances;
-    std::vector<LostFace> lost_faces;
+    std::vector<Vec4> control_points;              ///< homogeneous, mm
+    std::vector<Vec3> trim_points;                 ///< homogeneous, face parameters
+    std::vector<Patch> patches;                    ///< grouped by face
+    std::vector<TrimCurve> trim_curves;            ///< grouped by loop
+    std::vector<TrimLoop> trim_loops;              ///< grouped by face
+    std::vector<Face> faces;                       ///< grouped by part
+    std::vector<Edge> edges;                       ///< in the order of the file
+    std::vector<Part> parts;                       ///< in the order of the file
+    std::vector<Instance> instances;               ///< in the order of the file
+    std::vector<LostFace> lost_faces;              ///< in the order of the file
     std::vector<IrregularPatch> irregular_patches; ///< by face
     std::vector<Repair> repairs;                   ///< by face, in the order of the faces
     Diagnostics diagnostics;                       ///< other remarks of the import
     std::vector<std::string> files; ///< of a merged model: the sources of its models in order
 
+    /// View of a patch's control points.
     BezierPatchView patch(std::uint32_t index) const;
+    /// View of a trim curve's control points.
     BezierCurveView trim_curve(std::uint32_t index) const;
+    /// The patches of a face.
     std::span<const Patch> patches_of(const Face& face) const;
+    /// The trim loops of a face.
     std::span<const TrimLoop> loops_of(const Face& face) const;
+    /// The trim curves of a loop.
     std::span<const TrimCurve> curves_of(const TrimLoop& loop) const;
     /// "face 12 (fender-outer)"
     std::string describe(const Face& face) const;

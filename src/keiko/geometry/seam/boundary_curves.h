@@ -1,10 +1,11 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/model/surface_curve.h"
 
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// BoundaryInterval::curve of a face without loops is natural_side + 0..3: the four sides of its
 /// parameter domain, anticlockwise from v lowest.
@@ -23,6 +24,7 @@ struct BoundaryInterval {
 /// four natural sides of faces without loops. Keeps a reference to the model.
 class BoundaryCurves {
 public:
+    /// The borders of a model, to which a reference is kept.
     explicit BoundaryCurves(const SurfaceModel& model);
 
     /// One interval [0, 1] a border curve, instances outer, faces and loops in file order.

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 
 #include <optional>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Two boundary intervals that stay within the join distance of each other: a place where two faces
 /// meet, whether or not the file states it. Both may lie on one face if a closed surface meets

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/bezier/bezier.h"
 
 #include <cstdint>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A stretch of a plane Bezier curve along which x and y each only rise or only fall. Its box is
 /// the box of its two ends; this also holds for each of its own stretches.
@@ -14,14 +15,18 @@ public:
     /// Homogeneous control points over [begin, end] of the curve `curve`.
     MonotonePiece(std::vector<Vec3> points, std::uint32_t curve, double begin, double end);
 
+    /// The point at t = 0.
     const Vec2& first() const { return first_; }
+    /// The point at t = 1.
     const Vec2& last() const { return last_; }
+    /// Box of the piece.
     const Box2& box() const { return box_; }
     /// Index the piece was made with, e.g. into SurfaceModel::trim_curves.
     std::uint32_t curve() const { return curve_; }
     /// Parameter of the whole curve at this piece's parameter t in [0, 1].
     double curve_parameter(double t) const { return begin_ + t * (end_ - begin_); }
 
+    /// Point at this piece's parameter t in [0, 1].
     Vec2 point(double t) const;
     /// Bounds of the magnitudes of the second derivatives of x and of y by t; infinite where a
     /// weight is not positive.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/bezier/parameter_metric.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/geometry/trim/monotone_piece.h"
@@ -9,10 +10,14 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Position of a place of the parameter plane relative to a face's trim loops.
-enum class TrimSide { inside, outside, mixed };
+enum class TrimSide {
+    inside,  ///< all of it is material
+    outside, ///< none of it is
+    mixed    ///< a trim curve may cross it
+};
 
 /// The material of one trimmed face, for point and box queries. P-curves are split into bi-monotone
 /// pieces. Queries use the even-odd rule along a line of constant v, decided at each piece by
@@ -42,15 +47,17 @@ public:
         double t = 0;                   ///< on that curve
         Vec2 place{0};                  ///< face parameters of it
     };
+    /// The nearest point of any trim curve within `radius`; nullopt if there is none.
     std::optional<NearCurve> nearest_curve(const Vec2& face_parameters,
                                            const ParameterMetric& metric, double radius) const;
     /// The nearest point of an edge's curves that lies within that curve's seam width (at most
     /// `most` mm) by the metric; only of the edges of the sorted `among`, if it is not empty.
     /// Curves without an edge, or with too narrow a seam, hide none behind them.
     struct NearEdge {
-        NearCurve at;
+        NearCurve at;                  ///< the point
         std::uint32_t edge = no_index; ///< into SurfaceModel::edges
     };
+    /// The nearest such point; nullopt if there is none.
     std::optional<NearEdge> nearest_edge(const Vec2& face_parameters, const ParameterMetric& metric,
                                          double most,
                                          std::span<const std::uint32_t> among = {}) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/memory.h"
 #include "keiko/math/bounds.h"
 #include "keiko/math/ray_differentials.h"
@@ -9,25 +10,26 @@
 #include <optional>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A place on a surface in which a hit was proved to lie: a box of patch parameters. Secondary rays
 /// exclude the root they start from by it, not by an offset along the ray.
 struct Root {
-    std::uint32_t instance = 0, patch = 0;
-    Box2 uv;
+    std::uint32_t instance = 0, patch = 0; ///< of the placed patch
+    Box2 uv;                               ///< of its parameters, which holds the root
 };
 
 /// A ray in world coordinates, mm. `direction` need not be unit; t counts in its lengths.
 struct Ray {
-    Vec3 origin{0}, direction{0, 0, 1};
-    double t_min = 0;
-    double t_max = std::numeric_limits<double>::infinity();
-    std::optional<RayDifferentials> differentials{};
+    Vec3 origin{0}, direction{0, 0, 1}; ///< world, mm; `direction` of any length but 0
+    double t_min = 0;                   ///< hits before it do not count
+    double t_max = std::numeric_limits<double>::infinity(); ///< hits beyond it do not count
+    std::optional<RayDifferentials> differentials{};        ///< of a camera ray, by the pixel
     /// Root excluded from the hits. It must be a root of this very ray, at t = 0 or at t_max: its
     /// start or its end.
     std::optional<Root> excluded{};
 
+    /// Point at parameter t.
     Vec3 at(double t) const { return origin + direction * t; }
 };
 
@@ -43,11 +45,14 @@ public:
     static Viewpoint at(const Vec3& point, const std::optional<Root>& excluded = {}) {
         return {point, false, excluded};
     }
+    /// Viewpoint at infinity, towards parallel light; the direction is of any length but 0.
     static Viewpoint towards(const Vec3& direction) { return {direction.normalized(), true, {}}; }
 
+    /// True for a direction.
     bool infinite() const { return infinite_; }
     /// The point, or the unit direction towards it.
     const Vec3& place() const { return place_; }
+    /// Root that rays from the viewpoint leave out.
     const std::optional<Root>& excluded() const { return excluded_; }
     /// Vector from the viewpoint to x; from infinity the unit direction of the light.
     Vec3 way_to(const Vec3& x) const { return infinite_ ? -place_ : x - place_; }

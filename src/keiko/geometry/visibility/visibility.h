@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/interval_set.h"
 #include "keiko/math/vec.h"
 
@@ -8,12 +9,13 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Segment from a to b, mm; its points are a + t (b - a), t in [0, 1].
 struct Segment {
-    Vec3 a{0}, b{0};
+    Vec3 a{0}, b{0}; ///< ends, world, mm
 
+    /// Point at parameter t, 0 at a and 1 at b.
     Vec3 at(double t) const { return a + (b - a) * t; }
     bool operator==(const Segment&) const = default;
 };

@@ -1,3 +1,4 @@
+#include "keiko/base/binary_path.h"
 #include "keiko/base/error.h"
 #include "keiko/base/new_file.h"
 #include "keiko/import/worker/load_model.h"
@@ -216,13 +217,26 @@ std::string failure(const WorkerExit& exit, const LoadOptions& options) {
            (exit.last_complaint.empty() ? "" : ": " + shortened(exit.last_complaint));
 }
 
+/// The worker of a program or library in `folder`: beside it, as it is built, or else in libexec of
+/// the prefix, whether the folder is bin, lib or lib/TRIPLET. Beside it where there is none.
+fs::path installed_worker(const fs::path& folder) {
+    const fs::path name = "keiko-import", beside = folder / name;
+    std::error_code unknown;
+    if (fs::is_regular_file(beside, unknown)) return beside;
+    const fs::path prefix = folder.parent_path();
+    for (const fs::path& above : {prefix, prefix.parent_path()})
+        if (const fs::path file = above / "libexec/keiko" / name;
+            fs::is_regular_file(file, unknown))
+            return file;
+    return beside;
+}
+
 } // namespace
 
 fs::path worker_path(const LoadOptions& options) {
     if (!options.worker.empty()) return options.worker;
     if (const char* named = std::getenv("KEIKO_IMPORT"); named && *named) return named;
-    std::error_code none;
-    return fs::read_symlink("/proc/self/exe", none).parent_path() / "keiko-import";
+    return installed_worker(binary_path().parent_path());
 }
 
 SurfaceModel import_in_worker(const fs::path& path, ModelFormat format, const LoadOptions& options,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/files/model/model_format.h"
 #include "keiko/geometry/model/surface_model.h"
@@ -9,7 +10,7 @@
 #include <filesystem>
 #include <string>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Knobs of load_model.
 struct LoadOptions {
@@ -18,7 +19,7 @@ struct LoadOptions {
     /// Axes of the file that point rearwards, to the right and up, "x,-z,y" say; empty: x, y and z.
     std::string axes;
     /// The worker that reads CAD files and cages; empty: $KEIKO_IMPORT, else `keiko-import` beside
-    /// the running program.
+    /// the program or library that holds Keiko's code, else in libexec/keiko of its prefix.
     std::filesystem::path worker;
     /// How long the worker may take.
     std::chrono::milliseconds timeout = std::chrono::seconds(120);

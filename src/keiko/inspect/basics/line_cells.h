@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/bernstein/bernstein_field.h"
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/inspect/basics/line_field.h"
@@ -8,11 +9,11 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A box of a patch's parameters that a line may pass through.
 struct LineCell {
-    Box2 uv;
+    Box2 uv;                 ///< patch parameters
     std::uint32_t level = 0; ///< index of a requested level
     /// True if the cell is proved: the field rises or falls strictly along one parameter, and each
     /// side along the other one is crossed at most once. The line is then one arc or absent, which
@@ -21,6 +22,7 @@ struct LineCell {
     bool graph_over_v = false; ///< the field is strict along u, so that the arc is u = g(v)
 };
 
+/// Options of line_cells.
 struct LineCellOptions {
     /// Number of boxes of a patch that are tested before the rest is returned unproved. Many are
     /// needed around places where the field's gradient vanishes, as at poles and at saddles on the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/math/jet.h"
 #include "keiko/scene/camera.h"
@@ -7,7 +8,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Kind of curves that are inspected on a surface.
 enum class LineLook {
@@ -16,14 +17,16 @@ enum class LineLook {
                 ///< viewpoint
     isophote    ///< where the normal keeps an angle to the C-plane's normal
 };
+/// "reflection", "highlight", "isophote"
 std::string_view name_of(LineLook look);
 
 /// Viewpoint of a body: a point, or a direction for orthographic cameras.
 struct LineEye {
-    Vec3 point{0};
-    Vec3 direction{0}; ///< unit, of all view rays; 0: from the point
-    bool parallel = false;
+    Vec3 point{0};         ///< world, mm; unless parallel
+    Vec3 direction{0};     ///< unit, of all view rays; 0: from the point
+    bool parallel = false; ///< True for orthographic cameras.
 
+    /// Viewpoint of a camera.
     explicit LineEye(const Camera& camera);
     /// Direction from the viewpoint towards a place; of any length.
     Vec3 towards(const Vec3& place) const { return parallel ? direction : place - point; }
@@ -32,7 +35,7 @@ struct LineEye {
 /// A quotient of two smooth functions of a place and its normal; the normal need not be unit.
 template <class T>
 struct LineRatio {
-    T above{}, below{};
+    T above{}, below{}; ///< numerator and denominator
 
     /// 0 on the line of the level, and smooth where the quotient has poles.
     T residual(double level) const { return above - below * T(level); }
@@ -44,10 +47,14 @@ struct LineRatio {
 /// docs/theory/reflection-lines.md.
 class LineField {
 public:
+    /// Field of one C-plane for a body about the point `body`.
     LineField(LineLook look, const LineEye& eye, const CPlane& plane, const Vec3& body);
 
+    /// Kind of its curves.
     LineLook look() const { return look_; }
+    /// The C-plane.
     const CPlaneFrame& plane() const { return plane_; }
+    /// The viewpoint.
     const LineEye& eye() const { return eye_; }
 
     /// The quotient for numbers, intervals and jets alike. `shift` moves the origin of v: levels

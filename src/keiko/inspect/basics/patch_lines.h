@@ -1,12 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/inspect/basics/line_cells.h"
 #include "keiko/inspect/basics/line_field.h"
 
 #include <optional>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A place on a line.
 struct LinePoint {
@@ -56,13 +57,14 @@ struct PatchLine {
     bool closed = false;     ///< the last point is the first one again
     bool proved = true;      ///< runs through proved cells only; otherwise its course is likely,
                              ///< not certain
-    std::vector<LinePoint> points;
-    double deviation = 0; ///< mm, about the largest distance between curve and chords
+    std::vector<LinePoint> points; ///< from end to end
+    double deviation = 0;          ///< mm, about the largest distance between curve and chords
 };
 
+/// Options of patch_lines.
 struct PatchLineOptions {
     double chord_error = 0.01; ///< mm
-    LineCellOptions cells;
+    LineCellOptions cells;     ///< of the search for cells
 };
 
 /// The zeros of a function in its cells: one arc a cell, joined where arcs share an end, in the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/math/affine.h"
 #include "keiko/math/bounds.h"
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A face placed by an instance.
 struct PlacedFace {

@@ -1,14 +1,19 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/vec.h"
 
 #include <string_view>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Result of a comparison with a limit, ordered from good to bad. Undecided: the error bound
 /// straddles the limit.
-enum class Verdict { pass, undecided, fail };
+enum class Verdict {
+    pass,      ///< within the limit, by more than the bound
+    undecided, ///< the bound straddles the limit
+    fail       ///< beyond the limit, by more than the bound
+};
 
 /// Verdict on a value known to within `bound`, against the largest one allowed.
 constexpr Verdict judge(double value, double bound, double limit) {
@@ -25,6 +30,7 @@ constexpr Verdict judge_maximum(double found, double hidden, double error, doubl
     return found - error > limit ? Verdict::fail : Verdict::undecided;
 }
 
+/// "pass", "undecided", "fail"
 constexpr std::string_view name_of(Verdict verdict) {
     switch (verdict) {
         case Verdict::pass:
@@ -39,12 +45,12 @@ constexpr std::string_view name_of(Verdict verdict) {
 
 /// The worst value of one quantity along a seam or over a face.
 struct MeasuredValue {
-    double value = 0;
-    double bound = 0; ///< the exact worst lies within this of the value
-    double limit = 0;
-    Vec3 place{0}; ///< world, mm
-    Verdict verdict = Verdict::pass;
-    bool at_least = false; ///< the limit is the smallest value allowed, not the largest
+    double value = 0;                ///< largest value found
+    double bound = 0;                ///< the exact worst lies within this of the value
+    double limit = 0;                ///< that it is held to
+    Vec3 place{0};                   ///< world, mm
+    Verdict verdict = Verdict::pass; ///< by value, bound and limit
+    bool at_least = false;           ///< the limit is the smallest value allowed, not the largest
 };
 
 /// Ratio of a value to its limit: 1 at the limit, more beyond it.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/inspect/combs/comb_sample.h"
@@ -8,23 +9,34 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
+/// A point of a curve, and how the curve bends there.
 /// A curve on the surface with its curvature all along.
 struct CombCurve {
-    enum class Kind { section, iso_u, iso_v };
-    Kind kind = Kind::section;
-    std::string name;        ///< of the plane, "y=120", or of the iso-curve, "face 3: u at 0.25"
-    std::uint32_t plane = 0; ///< of sections: index of the requested plane
-    bool closed = false;
-    double length = 0; ///< mm
-    std::vector<CombPiece> pieces;
+    /// How a curve was requested.
+    enum class Kind {
+        section, ///< of a plane
+        iso_u,   ///< of constant u
+        iso_v    ///< of constant v
+    };
+    Kind kind = Kind::section; ///< of the curve
+    std::string name;          ///< of the plane, "y=120", or of the iso-curve, "face 3: u at 0.25"
+    std::uint32_t plane = 0;   ///< of sections: index of the requested plane
+    bool closed = false;       ///< the last sample is the first one again
+    double length = 0;         ///< mm
+    std::vector<CombPiece> pieces; ///< from end to end
 };
 
 /// A remark on a plane that misses the body, touches it or lies in one of its faces.
 struct SectionRemark {
-    enum class Kind { missed, touches, within };
-    Kind kind = Kind::missed;
+    /// How a plane fails to give a section.
+    enum class Kind {
+        missed,  ///< it has no point of the body
+        touches, ///< it touches a face without cutting it
+        within   ///< a face lies in it
+    };
+    Kind kind = Kind::missed;             ///< of the remark
     std::uint32_t plane = 0;              ///< index of the requested plane
     std::uint32_t instance = 0, face = 0; ///< unless missed: the face that the plane touches or
                                           ///< that lies in it
@@ -32,9 +44,10 @@ struct SectionRemark {
     std::array<double, 2> reach{};        ///< of missed: the heights of the body, mm
 };
 
+/// What comb_curves returns.
 struct FoundCombs {
-    std::vector<CombCurve> curves; ///< sections by plane, then iso-curves by face
-    std::vector<SectionRemark> remarks;
+    std::vector<CombCurve> curves;      ///< sections by plane, then iso-curves by face
+    std::vector<SectionRemark> remarks; ///< in the order of the planes
 };
 
 /// Combs of the sections of planes with the trimmed faces, touching curves included, and of the

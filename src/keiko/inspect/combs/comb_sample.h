@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/inspect/basics/patch_lines.h"
 #include "keiko/inspect/combs/section_plane.h"
@@ -8,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Curvature of a curve on a surface at one place.
 struct CurveBend {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/bernstein/bernstein_field.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/inspect/basics/line_cells.h"
@@ -9,13 +10,13 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The points p with normal . p = height; the normal is unit, the height mm.
 struct SectionPlane {
-    std::string name; ///< as requested, "y=120"
-    Vec3 normal{0, 1, 0};
-    double height = 0;
+    std::string name;     ///< as requested, "y=120"
+    Vec3 normal{0, 1, 0}; ///< unit
+    double height = 0;    ///< mm from the origin along the normal
 };
 
 /// "x=MM", "y=MM", "z=MM" or "A,B,C=MM": a direction and the height along it. Throws Error for

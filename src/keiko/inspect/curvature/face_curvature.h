@@ -1,10 +1,11 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/model/surface_model.h"
 
 #include <optional>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The largest or smallest curvature over a face.
 struct CurvatureExtreme {
@@ -21,9 +22,9 @@ constexpr double curvature_tolerance = 1e-3;
 /// The extremes of the curvatures of a placed face within its trims; positive where the surface
 /// bends towards its outward normal.
 struct FaceCurvature {
-    CurvatureExtreme largest, smallest; ///< of both principal curvatures
-    CurvatureExtreme largest_mean, smallest_mean;
-    CurvatureExtreme largest_gaussian, smallest_gaussian;
+    CurvatureExtreme largest, smallest;                   ///< of both principal curvatures
+    CurvatureExtreme largest_mean, smallest_mean;         ///< of the mean curvature
+    CurvatureExtreme largest_gaussian, smallest_gaussian; ///< of the Gaussian curvature
     double size = 0; ///< mm, diagonal of the box around the face's control points
     /// Extent in mm of the surroundings of places such as a pole in which curvatures are unknown,
     /// because the parametrisation is singular there; 0 if the face has none.

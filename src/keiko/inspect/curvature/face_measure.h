@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/inspect/basics/verdict.h"
 #include "keiko/inspect/curvature/face_curvature.h"
@@ -12,13 +13,13 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Measurements of one placed face by itself, independent of its neighbours.
 struct MeasuredFace {
-    std::uint32_t instance = 0, face = 0;
-    std::uint32_t id = 0; ///< Face::id
-    std::string name;     ///< "face 12 (fender-outer)"; with its instance if there are several
+    std::uint32_t instance = 0, face = 0; ///< into the model's arrays
+    std::uint32_t id = 0;                 ///< Face::id
+    std::string name; ///< "face 12 (fender-outer)"; with its instance if there are several
     /// Extremes of curvature. nullopt if trims leave no material of the face. Also nullopt if it is
     /// an approximation of a face of the file, or lies at an irregular point of a cage: its
     /// curvature then differs from the true one.

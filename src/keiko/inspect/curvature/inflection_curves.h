@@ -1,15 +1,16 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/model/surface_model.h"
 
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A parabolic curve on a face: one principal curvature is 0 along it and changes its sign, and the
 /// Gaussian curvature with it. On one side the face is convex or concave, on the other a saddle.
 struct InflectionCurve {
-    bool closed = false;
+    bool closed = false;      ///< the last point is the first one again
     bool proved = true;       ///< its course; otherwise likely, not certain
     double length = 0;        ///< mm
     double rate = 0;          ///< 1/mm2: the fastest change of the curvature across the curve
@@ -17,6 +18,7 @@ struct InflectionCurve {
     std::vector<Vec3> points; ///< world, mm, on the exact surface
 };
 
+/// Options of inflection_curves.
 struct InflectionOptions {
     double chord_error = 0.01; ///< mm
     /// 1/mm. A curvature that changes by less all over a face is visually flat, and often flat to

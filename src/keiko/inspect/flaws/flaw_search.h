@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/inspect/basics/verdict.h"
@@ -9,15 +10,20 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A dent, a bump or waves of a surface.
 struct Flaw {
-    enum class Kind { dent, bump, waves };
-    Kind kind = Kind::dent;
-    MeasuredValue depth; ///< mm, deviation of the surface from the form around it
-    double width = 0;    ///< mm: between the largest opposite curvatures; of waves their length
-    double window = 0;   ///< mm, of the limit that it is judged by
+    /// Form of a flaw.
+    enum class Kind {
+        dent, ///< below the form around it
+        bump, ///< above the form around it
+        waves ///< up and down along a line
+    };
+    Kind kind = Kind::dent; ///< form of the flaw
+    MeasuredValue depth;    ///< mm, deviation of the surface from the form around it
+    double width = 0;       ///< mm: between the largest opposite curvatures; of waves their length
+    double window = 0;      ///< mm, of the limit that it is judged by
 };
 
 /// The flaws of a model that are at least half as deep as the limit, by the placed face on which

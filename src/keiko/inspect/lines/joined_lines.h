@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/seam/seam.h"
 #include "keiko/inspect/lines/line_crossing.h"
 #include "keiko/inspect/lines/line_endpoint.h"
@@ -8,12 +9,12 @@
 
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A line of one lamp over any number of patches.
 struct JoinedLine {
-    std::uint32_t plane = 0, lamp = 0;
-    LineEnd begin = LineEnd::hidden, end = LineEnd::hidden;
+    std::uint32_t plane = 0, lamp = 0; ///< indices of the C-plane and of the lamp on it
+    LineEnd begin = LineEnd::hidden, end = LineEnd::hidden; ///< why the line ends there
     std::vector<std::uint32_t> pieces;  ///< into JoinedLines::pieces, in the order along the line
     double length = 0;                  ///< mm, of the chords
     std::vector<LineStatistics> shapes; ///< between the crossings, in order
@@ -31,8 +32,8 @@ struct JoinedLines {
 
 /// The seams of a model, prepared for lines.
 struct LineSeams {
-    std::vector<Seam> seams;
-    BoundaryCurves curves;
+    std::vector<Seam> seams;                        ///< of the body
+    BoundaryCurves curves;                          ///< of the body
     std::vector<std::vector<std::uint32_t>> chains; ///< as returned by seam_chains
     double join_distance = 0;                       ///< mm
 

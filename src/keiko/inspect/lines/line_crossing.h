@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/inspect/basics/verdict.h"
 #include "keiko/inspect/lines/line_endpoint.h"
 #include "keiko/scene/criteria_preset.h"
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Two ends that are one line: the tail of a piece and the head of the next.
 struct LinePair {
@@ -25,10 +26,10 @@ std::vector<LinePair> pair_meetings(std::span<const LineEndpoint> meetings, doub
 
 /// A signed number, judged by its size.
 struct LineValue {
-    double value = 0;
-    double bound = 0;            ///< the exact value lies within this of it
-    std::optional<double> limit; ///< nullopt: not judged
-    Verdict verdict = Verdict::pass;
+    double value = 0;                ///< largest value found
+    double bound = 0;                ///< the exact value lies within this of it
+    std::optional<double> limit;     ///< nullopt: not judged
+    Verdict verdict = Verdict::pass; ///< by value, bound and limit
 };
 
 /// Crossing of a line with a seam, or the break of a line inside a face. Values are those of the
@@ -40,12 +41,12 @@ struct LineCrossing {
     std::uint32_t from = 0;
     /// The next piece; no_index if there is none, as the other side reflects the lamp elsewhere.
     std::uint32_t to = no_index;
-    std::uint32_t plane = 0, lamp = 0;
-    LineBorder border;
-    std::string faces; ///< "face 12 (hood) | face 13"
-    Vec3 place{0};     ///< world, mm, on the side that the line comes from
-    double gap = 0;    ///< mm
-    double angle = 0;  ///< degrees between the normals
+    std::uint32_t plane = 0, lamp = 0; ///< indices of the C-plane and of the lamp on it
+    LineBorder border;                 ///< that the line crosses
+    std::string faces;                 ///< "face 12 (hood) | face 13"
+    Vec3 place{0};                     ///< world, mm, on the side that the line comes from
+    double gap = 0;                    ///< mm
+    double angle = 0;                  ///< degrees between the normals
     /// Jump of the lamp's image, mm on the C-plane (the change of the cosine for isophotes).
     double plane_jump = 0;
     LineValue jump; ///< mm on the part, across the line
@@ -59,6 +60,7 @@ struct LineCrossing {
     std::optional<Verdict> verdict;
     double severity = 0; ///< ratio of the worst judged value to its limit: 1 at the limit
 
+    /// True if the line goes on behind the border.
     bool continued() const { return to != no_index; }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/geometry/seam/seam.h"
 #include "keiko/geometry/trim/trim_region.h"
@@ -12,41 +13,45 @@
 #include <tuple>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Shared border of two patches: a chain of seams, or a line between the patches of one face.
 struct LineBorder {
-    std::uint32_t seam = no_index; ///< number of the chain; no_index: inside a face
-    std::uint32_t instance = 0, face = 0;
-    bool constant_u = false; ///< of a line inside a face
-    double at = 0;           ///< the face parameter that is constant there
+    std::uint32_t seam = no_index;        ///< number of the chain; no_index: inside a face
+    std::uint32_t instance = 0, face = 0; ///< into the model's arrays; of a line inside a face
+    bool constant_u = false;              ///< of a line inside a face
+    double at = 0;                        ///< the face parameter that is constant there
 
+    /// What borders are ordered by.
     auto order() const { return std::tie(seam, instance, face, constant_u, at); }
+    /// By order().
     bool operator<(const LineBorder& other) const { return order() < other.order(); }
+    /// By order().
     bool operator==(const LineBorder& other) const { return order() == other.order(); }
 };
 
 /// The end of a piece on such a border, and the reflection on the other side there. All values are
 /// limits from the piece's own side unless stated otherwise.
 struct LineEndpoint {
+    /// Index of the piece, and those of its C-plane and lamp.
     std::uint32_t piece = 0, plane = 0, lamp = 0;
-    bool head = false; ///< the piece begins here, else it ends here
-    LineBorder border;
-    bool second = false; ///< of the border's two sides
-    std::uint32_t instance = 0, face = 0;
-    Vec3 place{0};
-    Vec3 along{0}; ///< unit, along the border, the same direction for both sides
-    SurfaceDerivatives surface;
-    int degree = 1; ///< the larger one of the patch
-    LineGeometry course;
-    double off = 0; ///< mm, error of the place along the border
+    bool head = false;                    ///< the piece begins here, else it ends here
+    LineBorder border;                    ///< where the piece ends
+    bool second = false;                  ///< of the border's two sides
+    std::uint32_t instance = 0, face = 0; ///< of the piece, into the model's arrays
+    Vec3 place{0};                        ///< world, mm
+    Vec3 along{0};              ///< unit, along the border, the same direction for both sides
+    SurfaceDerivatives surface; ///< derivatives by patch parameters
+    int degree = 1;             ///< the larger one of the patch
+    LineGeometry course;        ///< of the line
+    double off = 0;             ///< mm, error of the place along the border
 
     double gap = 0;   ///< mm, to the nearest place of the other side
     double angle = 0; ///< degrees, between the normals towards the viewpoint
     double jump =
         0; ///< field there less the level; NaN if the other side does not reflect the lamps
     SurfaceDerivatives other; ///< of the other side there
-    int other_degree = 1;
+    int other_degree = 1;     ///< the larger one of the other side's patch
 
     /// Slope of the field along the border.
     double slope() const { return course.gradient().dot(along); }
@@ -55,14 +60,16 @@ struct LineEndpoint {
 /// Finds the borders of a model on which ends of lines lie. Keeps references.
 class LineBorders {
 public:
+    /// `chains`: groups of the seams that form one border each, as returned by seam_chains.
     LineBorders(const SurfaceModel& model, const BoundaryCurves& curves,
                 std::span<const Seam> seams, const std::vector<std::vector<std::uint32_t>>& chains);
 
     /// An end of a piece: its meetings, and whether it lies on the border of its face's material.
     struct End {
-        std::vector<LineEndpoint> meetings;
-        bool on_border = false;
+        std::vector<LineEndpoint> meetings; ///< one for each border that meets there
+        bool on_border = false;             ///< of its face's material
     };
+    /// The end of a piece with number `index`, at its head or its tail.
     End end_of(const SurfaceLine& piece, std::uint32_t index, bool head,
                const LampLevels& lamps) const;
 
@@ -110,6 +117,7 @@ enum class LineEnd {
     seam,        ///< at a seam beyond which it does not continue
     patch        ///< at a line inside a face, where the search lost it
 };
+/// The reason as a word in files.
 std::string_view name_of(LineEnd end);
 
 /// Reason why a line ends at the head or tail of a piece; `end`: what it meets there. Angles of

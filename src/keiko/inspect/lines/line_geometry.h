@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/inspect/basics/line_field.h"
 #include "keiko/inspect/basics/patch_lines.h"
@@ -9,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Local geometry of a field's line at a place of a surface. Lines are oriented so that the field
 /// rises to their left, viewed from the viewpoint's side. docs/theory/reflection-lines.md has the
@@ -25,6 +26,7 @@ struct LineGeometry {
     double spread_along = 0;  ///< relative growth of that spacing along the line, 1/mm
     double spread_across = 0; ///< relative growth to the left, 1/mm
 
+    /// Unit tangent of the surface, square to the line.
     Vec3 left() const { return normal.cross(tangent); }
     /// Gradient of the field on the surface.
     Vec3 gradient() const { return left() * density; }
@@ -37,8 +39,8 @@ std::optional<LineGeometry> line_course(const LineField& field, double level,
 
 /// Error bounds of a line's geometry.
 struct LineGeometryBounds {
-    double direction = 0; ///< radians, of the tangent
-    double bend = 0, value = 0;
+    double direction = 0;       ///< radians, of the tangent
+    double bend = 0, value = 0; ///< of LineGeometry::bend and LineGeometry::value
 };
 
 /// Bounds by interval arithmetic of the same formulas. The derivatives are widened by the rounding
@@ -59,7 +61,7 @@ struct LineStatistics {
     std::vector<std::size_t> inflections;
     double largest_bend = 0;  ///< 1/mm, geodesic curvature, signed
     double least_spacing = 0; ///< mm to the next lamp's line, by the gradient; 0: no other lamp
-    double most_spacing = 0;
+    double most_spacing = 0;  ///< mm, as least_spacing
     double spacing_ratio =
         1; ///< ratio of that spacing and the next one beside, where farthest from 1; >= 1
     double spacing_rate = 0; ///< largest relative change of the spacing along the line, 1/mm
@@ -67,9 +69,9 @@ struct LineStatistics {
 
 /// A place of a line and the line's geometry there.
 struct CourseAt {
-    double step = 0; ///< mm from the place before; 0 for the first
-    LineGeometry course;
-    LinePoint at;
+    double step = 0;     ///< mm from the place before; 0 for the first
+    LineGeometry course; ///< of the line there
+    LinePoint at;        ///< the place
 };
 
 /// Statistics of a line; `step` as returned by LampLevels::step.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/inspect/basics/line_field.h"
 #include "keiko/inspect/basics/patch_lines.h"
 #include "keiko/intersect/traversal/tracer.h"
@@ -7,14 +8,14 @@
 #include <cstdint>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The field of one C-plane and its levels, one a lamp. Isophotes have a level of either sign, lamp
 /// by lamp, as the normal of a patch may point away from the viewpoint.
 struct LampLevels {
-    LineField field;
-    std::vector<double> levels;
-    std::uint32_t lamps = 0;
+    LineField field;            ///< of the C-plane
+    std::vector<double> levels; ///< of the field
+    std::uint32_t lamps = 0;    ///< of the C-plane
 
     /// Value of the field on the line of a lamp, with the normal towards the viewpoint.
     double level(std::uint32_t lamp) const { return levels[lamp]; }
@@ -38,12 +39,13 @@ struct SurfaceLine {
     PatchLine line;             ///< world, mm
 };
 
+/// Options of surface_lines.
 struct SurfaceLineOptions {
-    LineLook look = LineLook::reflection;
+    LineLook look = LineLook::reflection; ///< kind of the lines
     /// Distance between visibility tests on a line, as a share of the body's size. An occluder or
     /// trim of a shorter piece between two tests may be missed.
     double test_step = 1e-3;
-    PatchLineOptions lines;
+    PatchLineOptions lines; ///< of the search on each patch
 };
 
 /// Every visible piece of the lines of all lamps on the trimmed surfaces of a model. A reflection

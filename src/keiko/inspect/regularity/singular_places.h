@@ -1,22 +1,24 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/model/surface_model.h"
 
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A place of a face at which its surface is not regular.
 struct SingularPlace {
+    /// What is singular.
     enum class Kind {
         fold,      ///< the normal turns over: the face folds back on itself
         no_limit,  ///< the normals about it have no limit: a kink that ends, or a tip
         unresolved ///< not proved regular within the bound on work
     };
-    Kind kind = Kind::no_limit;
-    double angle = 0;  ///< degrees: between two normals at the place; 180 of a fold
-    double extent = 0; ///< mm: diagonal of the box of all such places of the face
-    Vec3 place{0};     ///< world, mm: where the angle is largest
+    Kind kind = Kind::no_limit; ///< what is singular there
+    double angle = 0;           ///< degrees: between two normals at the place; 180 of a fold
+    double extent = 0;          ///< mm: diagonal of the box of all such places of the face
+    Vec3 place{0};              ///< world, mm: where the angle is largest
 };
 
 /// Thresholds from which places count.

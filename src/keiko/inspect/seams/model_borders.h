@@ -1,17 +1,19 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/math/bounds.h"
 
 #include <map>
 #include <utility>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Sizes of placed faces: mm, the diagonal of the box of five places on each of a face's border
 /// curves. A size depends on the face alone.
 class FaceSizes {
 public:
+    /// Sizes of the faces that these curves bound.
     explicit FaceSizes(const BoundaryCurves& curves);
 
     /// Size of a placed face; 0 if it has no borders.
@@ -25,11 +27,12 @@ private:
 /// needs seams and free edges. A model converts to it for a single query. Keeps a reference to the
 /// model.
 struct ModelBorders {
+    /// Borders of a model, to which a reference is kept.
     ModelBorders(const SurfaceModel& of) : model(of), curves(of), sizes(curves) {}
 
-    const SurfaceModel& model;
-    BoundaryCurves curves;
-    FaceSizes sizes;
+    const SurfaceModel& model; ///< the model itself
+    BoundaryCurves curves;     ///< its borders in space
+    FaceSizes sizes;           ///< of its faces
 };
 
 } // namespace keiko

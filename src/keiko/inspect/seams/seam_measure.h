@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/geometry/seam/seam.h"
 #include "keiko/inspect/basics/verdict.h"
@@ -12,14 +13,14 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The curvatures across the seam at the place of their largest difference.
 struct CurvatureStep {
-    double curvature_a = 0, curvature_b = 0; ///< 1/mm
-    CurvatureFormula formula = CurvatureFormula::alias;
-    double mismatch = 0;         ///< by the formula, share of 1
-    double alias = 0, catia = 0; ///< by either formula, whichever is judged
+    double curvature_a = 0, curvature_b = 0;            ///< 1/mm
+    CurvatureFormula formula = CurvatureFormula::alias; ///< that the mismatch is judged by
+    double mismatch = 0;                                ///< by the formula, share of 1
+    double alias = 0, catia = 0;                        ///< by either formula, whichever is judged
     bool flat = false; ///< the preset's flat radius replaces the curvatures to which the change is
                        ///< compared
     MeasuredValue worst; ///< share of 1
@@ -35,6 +36,7 @@ struct CurvatureSlopeStep {
 /// A stretch of the line along which two faces meet, all of one class; or of a line inside one
 /// face along which its patches meet (`internal`).
 struct MeasuredSeam {
+    /// Of its two sides, into the model's arrays.
     std::uint32_t instance_a = 0, face_a = 0, instance_b = 0, face_b = 0;
     std::uint32_t id_a = 0, id_b = 0; ///< Face::id of the sides
     std::string faces; ///< "face 12 (fender-outer) | face 13"; instances too if there are several
@@ -45,7 +47,7 @@ struct MeasuredSeam {
     /// Course of the stretch: 33 points of each of its pieces, from end to end, world, mm. The
     /// position of an end at which the class changes is accurate to class_change_bound.
     std::vector<std::vector<Vec3>> course{};
-    SeamClass kind = SeamClass::smooth;
+    SeamClass kind = SeamClass::smooth; ///< class of all its places
     /// True if it is shorter than the preset's negligible length, and so not judged: `verdict` is
     /// pass.
     bool scrap = false;
@@ -92,8 +94,8 @@ struct MeasuredSeam {
 
 /// The judged seams of a model.
 struct MeasuredSeams {
-    std::vector<Seam> pieces; ///< as paired, cut where their class changes
-    std::vector<MeasuredSeam> seams;
+    std::vector<Seam> pieces;        ///< as paired, cut where their class changes
+    std::vector<MeasuredSeam> seams; ///< its stretches, of one class each
 };
 
 /// Joins seams of the same two faces that touch (`join` mm) into lines, cuts each line into

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/inspect/seams/seam_probe.h"
 
 #include <optional>
 #include <string_view>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The class of a place of a seam, by the angle between the normals of its two sides. Each class
 /// has rules of its own: docs/theory/verdict.md.
@@ -17,6 +18,7 @@ enum class SeamClass {
     fold     ///< the sides lie on each other, as for a duplicated face: it fails
 };
 
+/// "smooth", "run-out", "crease", "fold"
 constexpr std::string_view name_of(SeamClass kind) {
     switch (kind) {
         case SeamClass::smooth:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/geometry/seam/seam.h"
 #include "keiko/math/interval_set.h"
@@ -7,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The relation of the two sides of a seam at one place; world coordinates.
 struct SeamPoint {
@@ -30,6 +31,7 @@ constexpr double angle_rounding = 1e-10;
 /// Evaluates a seam on its exact geometry.
 class SeamProbe {
 public:
+    /// Probe of a paired seam.
     SeamProbe(const BoundaryCurves& curves, const Seam& seam)
         : SeamProbe(curves.curve(seam.a), {seam.a.begin, seam.a.end}, curves.curve(seam.b),
                     {seam.b.begin, seam.b.end}) {}
@@ -52,11 +54,14 @@ public:
     /// searched along the whole seam.
     SeamProbe part(const SeamPoint& from, const SeamPoint& to) const;
 
+    /// Parameter of side a at which the seam begins.
     double begin() const { return on_a_.begin; }
+    /// Parameter of side a at which the seam ends.
     double end() const { return on_a_.end; }
     /// The parameters of side a, and those of side b that face them; the latter fall if b runs in
     /// the opposite direction.
     const ParameterInterval& on_a() const { return on_a_; }
+    /// Parameters of side b that face those of side a.
     const ParameterInterval& on_b() const { return on_b_; }
     /// The seam at parameter t of side a; `s_guess` is the estimated parameter of side b that faces
     /// it.

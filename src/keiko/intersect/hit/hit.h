@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/memory.h"
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/model/surface_model.h"
@@ -11,38 +12,40 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Second derivatives of the surface by patch parameters, world, mm.
 struct SecondDerivatives {
-    Vec3 duu{0}, duv{0}, dvv{0};
+    Vec3 duu{0}, duv{0}, dvv{0}; ///< by patch parameters, mm
 };
 
 /// How a hit was found and what is special about it; a bit set.
 enum class HitFlags : std::uint32_t {
-    none = 0,
+    none = 0,       ///< a root that was proved unique
     tangential = 1, ///< the ray touches; two roots may have been taken for one
     seam = 2,       ///< beyond a trimmed border, before the neighbour's: see SeamGap
     clipped = 4     ///< finished by clipping, not by the uniqueness proof
 };
+/// The union of two sets.
 constexpr HitFlags operator|(HitFlags a, HitFlags b) {
     return static_cast<HitFlags>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
 }
+/// True if the set holds the flag.
 constexpr bool has(HitFlags set, HitFlags flag) {
     return (static_cast<std::uint32_t>(set) & static_cast<std::uint32_t>(flag)) != 0;
 }
 
 /// Intersection of a ray with the surface. All vectors are in world coordinates, mm.
 struct Hit {
-    double t = std::numeric_limits<double>::infinity();
-    std::uint32_t instance = 0, face = 0, patch = 0;
-    Vec2 uv{0};       ///< patch parameters, [0, 1]^2
-    Vec3 position{0}; ///< on the surface
-    Vec3 normal{0};   ///< unit, along dpdu x dpdv (of the mirrored tangents, if mirrored)
-    Vec3 dpdu{0}, dpdv{0};
+    double t = std::numeric_limits<double>::infinity(); ///< parameter of the ray
+    std::uint32_t instance = 0, face = 0, patch = 0;    ///< into the model's arrays
+    Vec2 uv{0};                                         ///< patch parameters, [0, 1]^2
+    Vec3 position{0};                                   ///< on the surface
+    Vec3 normal{0};        ///< unit, along dpdu x dpdv (of the mirrored tangents, if mirrored)
+    Vec3 dpdu{0}, dpdv{0}; ///< world, mm, by patch parameters
     std::optional<SecondDerivatives> second; ///< on request
-    double position_bound = 0; ///< mm, bound of the distance to the exact intersection
-    HitFlags flags = HitFlags::none;
+    double position_bound = 0;         ///< mm, bound of the distance to the exact intersection
+    HitFlags flags = HitFlags::none;   ///< what is special about it
     std::optional<std::uint32_t> seam; ///< edge index, for seam hits
 
     Root root; ///< certified box of this root, to exclude it from secondary rays
@@ -66,9 +69,11 @@ struct HitStatistics {
     std::uint64_t clipped = 0;    ///< finished by clipping
     std::uint64_t tangential = 0; ///< the ray touches, finished by clipping or not
 
+    /// Number of all hits.
     std::uint64_t sum() const { return unique + clipped + tangential; }
+    /// Counts one more hit.
     void count(const Hit& hit);
-    HitStatistics& operator+=(const HitStatistics& other);
+    HitStatistics& operator+=(const HitStatistics& other); ///< Adds the counts of another.
     bool operator==(const HitStatistics&) const = default;
 };
 
@@ -82,9 +87,10 @@ struct Crossing {
     std::uint32_t sub_patch = no_index;                 ///< index among the placed sub-patches
     std::uint32_t seam = no_index;                      ///< edge index, for seam hits
     Vec2 uv{0};                                         ///< of the sub-patch's own [0, 1]^2
-    Vec2 error{0}; ///< bounds of the distance to the exact root
-    HitFlags flags = HitFlags::none;
+    Vec2 error{0};                   ///< bounds of the distance to the exact root
+    HitFlags flags = HitFlags::none; ///< what is special about it
 
+    /// True if there is a crossing.
     explicit operator bool() const { return sub_patch != no_index; }
     /// Order of hits along a ray, total so that it does not depend on who was found first.
     bool before(const Crossing& other) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/intersect/hit/hit.h"
@@ -9,8 +10,9 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
+/// Options of a tracer.
 struct TracerOptions {
     /// Compute Hit::second.
     bool second_derivatives = false;
@@ -28,21 +30,23 @@ struct TracerOptions {
 
 /// Cost and size of a build.
 struct TracerStatistics {
+    /// Number of pieces that rays are tested against, that trimming has removed, and that trim
+    /// curves cut.
     std::size_t sub_patches = 0, sub_patches_trimmed_away = 0, sub_patches_mixed = 0;
-    std::size_t bytes = 0; ///< of Keiko's own records
-    double build_seconds = 0;
+    std::size_t bytes = 0;            ///< of Keiko's own records
+    double build_seconds = 0;         ///< wall-clock time of the build
     const char* instruction_set = ""; ///< that the kernels were chosen for
 };
 
 /// Detail in which hits are reported.
 enum class HitDetail {
     face, ///< t, flags, seam, instance, face and patch; nothing else is to be read
-    all
+    all   ///< everything
 };
 
 /// The first hits of many rays.
 struct FirstHits {
-    Hits hits;
+    Hits hits;                         ///< of the rays that have one, in their order
     std::vector<std::uint32_t> of_ray; ///< which of them each ray has; no_index: none
 
     /// Null where a ray has none.
@@ -64,8 +68,9 @@ public:
     explicit Tracer(const SurfaceModel& model, const TracerOptions& options = {},
                     const Job& job = {});
     ~Tracer();
+    /// Takes over the scene of another.
     Tracer(Tracer&&) noexcept;
-    Tracer& operator=(Tracer&&) noexcept;
+    Tracer& operator=(Tracer&&) noexcept; ///< Takes over the scene of another.
 
     /// The first hit with t in [t_min, t_max], or nothing: the first of all(), but where two faces
     /// overlap within their seam's width it is the one met first, where all() may keep the
@@ -80,7 +85,9 @@ public:
     std::vector<std::optional<Hit>> nearest(std::span<const Ray> rays) const;
     /// nearest(), with less memory, and less work for less detail.
     FirstHits first_hits(std::span<const Ray> rays, HitDetail detail = HitDetail::all) const;
+    /// Any() of many rays, in order.
     std::vector<bool> any(std::span<const Ray> rays) const;
+    /// All() of many rays, in order.
     std::vector<std::vector<Hit>> all(std::span<const Ray> rays) const;
 
     /// The first crossing of each ray, in order, false where there is none: nearest() without what
@@ -89,6 +96,7 @@ public:
     /// The hit at a crossing that this tracer found.
     Hit evaluate(const Crossing& crossing) const;
 
+    /// Cost and size of the build.
     const TracerStatistics& statistics() const;
     /// World boxes of the sub-patches, mm: what the box hierarchy is made of.
     std::span<const Box3> boxes() const;

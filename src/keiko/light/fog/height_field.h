@@ -1,11 +1,12 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/visibility/visibility.h"
 
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A bump of a height field: amplitude sin(2 pi x / wavelength.x + phase.x) times the same of y.
 struct Wave {
@@ -13,6 +14,7 @@ struct Wave {
     Vec2 wavelength{1000, 1000}; ///< mm, along x and y
     Vec2 phase{0, 0};            ///< degrees
 
+    /// Height of this wave over a place, mm.
     double height(double x, double y) const;
     /// Angles of the two sines, in turns.
     Vec2 turns(double x, double y) const;
@@ -22,8 +24,8 @@ struct Wave {
 
 /// The surface z = height + its waves, between the layers of a medium [NishitaShafts, section 5].
 struct HeightField {
-    double height = 0; ///< mm
-    std::vector<Wave> waves{};
+    double height = 0;         ///< mm
+    std::vector<Wave> waves{}; ///< added to the height
 
     /// z of the surface over a place, mm.
     double at(double x, double y) const;
@@ -45,8 +47,10 @@ std::vector<Wave> noise_waves(double amplitude, double wavelength);
 /// straight line less a sum of cosines, two a wave, whose second derivative is bounded.
 class HeightAlong {
 public:
+    /// Height of a segment over a field; keeps references.
     HeightAlong(const HeightField& field, const Segment& segment);
 
+    /// Height and slope at a parameter.
     struct Value {
         double height; ///< mm over the surface
         double slope;  ///< of that, per parameter

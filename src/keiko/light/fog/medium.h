@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/light/fog/height_field.h"
 #include "keiko/light/fog/voxel_density.h"
 #include "keiko/math/rgb.h"
@@ -10,12 +11,12 @@
 #include <string>
 #include <variant>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Phase function 1 + k cos^16(gamma / 2), k >= 0, of fog [NishitaShafts]; k = 0 scatters
 /// uniformly.
 struct HazePhase {
-    double k = 0;
+    double k = 0; ///< strength of the forward lobe; 0: uniform
 
     bool operator==(const HazePhase&) const = default;
 };
@@ -36,10 +37,12 @@ inline double phase(const HazePhase& haze, double cosine) {
     const double cos2 = (1 + cosine) / 2, cos4 = cos2 * cos2, cos8 = cos4 * cos4;
     return (1 + haze.k * cos8 * cos8) / (4 * std::numbers::pi * (1 + haze.k / 9));
 }
+/// The same for the function of Henyey and Greenstein.
 inline double phase(const HenyeyGreenstein& lobe, double cosine) {
     const double g = lobe.g, x = 1 + g * g - 2 * g * cosine;
     return (1 - g * g) / (4 * std::numbers::pi * x * std::sqrt(x));
 }
+/// The same for either function.
 inline double phase(const PhaseFunction& function, double cosine) {
     return std::visit([cosine](const auto& kind) { return phase(kind, cosine); }, function);
 }
@@ -51,16 +54,17 @@ struct HomogeneousDensity {
 
 /// Two media, one over the other: dry ice, valley fog. The medium's own extinction lies below.
 struct LayeredDensity {
-    HeightField border;
+    HeightField border;      ///< the surface between the two
     Rgb extinction_above{0}; ///< 1/m
 };
 
 /// The medium's extinction times the density of a grid, whose values are shares.
 struct GridDensity {
-    std::shared_ptr<const VoxelDensity> grid;
-    std::string file{}; ///< path from which it was read
+    std::shared_ptr<const VoxelDensity> grid; ///< never null in a medium
+    std::string file{};                       ///< path from which it was read
 };
 
+/// Density of a medium over space.
 using Density = std::variant<HomogeneousDensity, LayeredDensity, GridDensity>;
 
 /// Quadrature rule of the integral along a camera ray.
@@ -75,11 +79,11 @@ struct Medium {
     Rgb albedo{0.9};       ///< share of the extinction that is scattering
     Rgb ambient{0};        ///< cd/m2 of an infinite depth of it
     PhaseFunction phase{}; ///< uniform by default
-    Density density{};
+    Density density{};     ///< uniform by default
     /// True if light is attenuated on its way from a lamp to the place of scattering;
     /// [NishitaSpots, eq. 18] omits that indoors.
     bool dims_light_leg = true;
-    ScatteringRule rule = ScatteringRule::gauss;
+    ScatteringRule rule = ScatteringRule::gauss; ///< that is used
 };
 
 } // namespace keiko

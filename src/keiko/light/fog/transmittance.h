@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/visibility/visibility.h"
 #include "keiko/light/fog/medium.h"
 #include "keiko/light/luminance/photometry.h"
@@ -7,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Extinction in 1/m at a point.
 Rgb extinction_at(const Medium& medium, const Vec3& point);
@@ -38,11 +39,14 @@ public:
     /// Keeps references to both.
     AttenuatedRay(const Medium& medium, const Segment& ray);
 
+    /// The medium, as given.
     const Medium& medium() const { return medium_; }
+    /// The ray, as given.
     const Segment& ray() const { return ray_; }
 
     /// Optical depth from the camera to a parameter of the ray.
     Rgb depth_to(double t) const;
+    /// Parameters of the ray, rising, between which the extinction is smooth.
     const std::vector<double>& breaks() const { return breaks_; }
 
 private:

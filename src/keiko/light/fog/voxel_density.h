@@ -1,11 +1,12 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/visibility/visibility.h"
 
 #include <array>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Densities on the nodes of a grid that fills a box, trilinear between them, 0 outside
 /// (docs/theory/fog.md#grids).
@@ -17,6 +18,7 @@ public:
     VoxelDensity(const Vec3& low, const Vec3& high, const std::array<int, 3>& nodes,
                  std::vector<double> values);
 
+    /// Density at a point; 0 outside of the box.
     double operator()(const Vec3& point) const;
     /// Parameters of the segment, rising, at which it crosses planes of nodes inside the box and
     /// the faces of the box.

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/visibility/visibility.h"
 #include "keiko/light/fog/transmittance.h"
 
 #include <optional>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A plane polygon that lets parallel light in; it may be concave, and of either orientation.
 struct Window {
@@ -31,7 +32,7 @@ IntervalSet in_window_beam(const Window& window, const Vec3& direction, const Se
 struct ParallelBeam {
     Vec3 direction{0, 0, -1}; ///< unit, direction of the light
     Rgb illuminance{0};       ///< lx across the light at the window
-    const Window& window;
+    const Window& window;     ///< that the light comes in through
 };
 
 /// Luminance in cd/m2 that the beam, scattered once in the `lit` parts of a camera ray, adds at the

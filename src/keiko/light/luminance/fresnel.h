@@ -1,12 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/rgb.h"
 #include "keiko/math/vec.h"
 
 #include <cmath>
 #include <optional>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Unpolarised reflectance, 0 to 1, of a smooth interface between dielectrics. `cosine` >= 0
 /// belongs to the angle of incidence, `n` > 0 is the index behind the interface over the one before
@@ -24,7 +25,7 @@ double fresnel_mean(double n);
 
 /// Index of refraction of a metal, n + ik, for red, green and blue light.
 struct MetalIndex {
-    Rgb n{1}, k{0};
+    Rgb n{1}, k{0}; ///< real and imaginary part, by channel
 
     bool operator==(const MetalIndex&) const = default;
 };
@@ -37,8 +38,10 @@ public:
     Reflectance() = default;
     /// Relative index `n` above 0.
     static Reflectance dielectric(double n) { return {Kind::dielectric, {Rgb(n), Rgb(0)}}; }
+    /// A bare metal in air.
     static Reflectance metal(const MetalIndex& index) { return {Kind::metal, index}; }
 
+    /// Reflectance by channel, 0 to 1, for the cosine of the angle of incidence.
     Rgb operator()(double cosine) const {
         if (kind_ == Kind::dielectric) return Rgb(fresnel_dielectric(cosine, index_.n.r));
         if (kind_ == Kind::whole) return Rgb(1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/light/luminance/fresnel.h"
 #include "keiko/math/vec.h"
 
@@ -7,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Distribution of the reflected light of a glossy surface (docs/theory/luminance.md#lobes). The
 /// `width` of each is its parameter as in the papers.
@@ -22,9 +23,12 @@ enum class DistributionKind {
 /// A distribution with its parameter, above 0.
 class Distribution {
 public:
+    /// Distribution of a kind; `width` is its parameter, above 0.
     Distribution(DistributionKind kind, double width);
 
+    /// Kind of the distribution.
     DistributionKind kind() const { return kind_; }
+    /// The parameter, as given.
     double width() const { return width_; }
     /// True for a distribution of half vectors; Phong's is of directions about the mirror
     /// direction.
@@ -61,8 +65,10 @@ public:
     LobeChart(const Vec3& peak, double spread, const Vec3& normal, const Vec3& eye, double n = 1)
         : peak_(peak), scale_(2 / spread), facets_(Facets{normal, eye, n}) {}
 
+    /// Unit direction of the lobe's middle.
     const Vec3& peak() const { return peak_; }
 
+    /// Place in the chart, and how it changes.
     struct Place {
         Vec3 off;  ///< from the peak
         Vec3 rate; ///< of its change as the direction turns
@@ -103,14 +109,18 @@ enum class GlossMode {
 
 /// Model of facets that hide each other: V-shaped cavities [CookTorrance1982], or the correlated
 /// heights [Smith1967], [Heitz2014] that belong to Trowbridge and Reitz.
-enum class Shadowing { none, cavities, smith };
+enum class Shadowing {
+    none,     ///< facets hide none
+    cavities, ///< [CookTorrance1982]
+    smith     ///< [Smith1967]
+};
 
 /// Reflection at a rough interface.
 struct Gloss {
-    Distribution distribution{DistributionKind::beckmann, 0.2};
-    GlossMode mode = GlossMode::lobe;
+    Distribution distribution{DistributionKind::beckmann, 0.2}; ///< of facets, or of directions
+    GlossMode mode = GlossMode::lobe;      ///< rule that makes light of the distribution
     Shadowing shadowing = Shadowing::none; ///< of mode brdf
-    Reflectance reflectance{};
+    Reflectance reflectance{};             ///< of the interface itself
 };
 
 /// The light that a rough interface reflects to one viewer, as a function of the direction it comes
@@ -124,11 +134,15 @@ public:
     /// Kernel for the unit direction `light` from the surface; 0 below the horizon.
     Rgb operator()(const Vec3& light) const;
 
+    /// Unit normal of the surface.
     const Vec3& normal() const { return normal_; }
     /// The central direction of the incoming light, and the angle that contains most of it.
     const Vec3& peak() const { return peak_; }
+    /// Angle in radians within which about two thirds of the light lie.
     double spread() const { return gloss_.distribution.spread(); }
+    /// Chart in which the kernel is a round bell.
     LobeChart chart() const;
+    /// Half angle in radians of the cone that holds all densities of at least `share` of the peak.
     double cone(double share) const { return gloss_.distribution.cone(share); }
 
 private:

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/rgb.h"
 
 #include <numbers>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Geometry is in mm, photometry in SI. Area lamps are scale free; point sources (I / r^2) and
 /// media (extinction in 1/m) are not, and convert here and nowhere else.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/light/fog/medium.h"
 #include "keiko/light/fog/window_beam.h"
 #include "keiko/light/spotlight/luminaire.h"
@@ -14,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Parallel light. If it comes in through windows, it lights only what lies behind them, and the
 /// medium attenuates and scatters it from the window on. Without windows the medium does neither.
@@ -45,10 +46,10 @@ using LightSource = std::variant<CPlane, Spotlight, Luminaire, Sun>;
 
 /// All lights of a scene and the air between them. Placement writes one, every picture reads one.
 struct LightRig {
-    std::string name;
-    std::vector<LightSource> sources;
-    Rgb ambient{0}; ///< lx of unshadowed ambient illuminance on every surface
-    std::optional<Medium> medium{};
+    std::string name;                 ///< or empty
+    std::vector<LightSource> sources; ///< all lights, in order
+    Rgb ambient{0};                   ///< lx of unshadowed ambient illuminance on every surface
+    std::optional<Medium> medium{};   ///< the air between them; none: vacuum
 };
 
 } // namespace keiko

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "keiko/base/error.h"
+#include "keiko/base/export.h"
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/light/spotlight/photometric_web.h"
 
 #include <string>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Warnings for figures of a luminaire file's header that its intensities contradict by more than
 /// 1 % of the flux. They are a light output ratio, a share of downward flux, and lamps with less

@@ -1,19 +1,22 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/vec.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A direction relative to a lamp: theta is its angle to the axis, phi the angle about it.
 struct BeamDirection {
     double versine = 0;  ///< 1 - cos theta, without cancellation for narrow beams
     double x = 0, y = 0; ///< sin theta cos phi, sin theta sin phi
 
+    /// Cosine of theta.
     double cosine() const { return 1 - versine; }
+    /// Angle to the axis, radians, 0 to pi.
     double theta() const { return std::atan2(std::hypot(x, y), cosine()); }
     /// Angle about the axis, radians, 0 to 2 pi; 0 on the axis.
     double phi() const {
@@ -29,11 +32,13 @@ inline double versine(const Vec3& a, const Vec3& b) {
 
 /// Axis of a lamp and the directions of phi = 0 and 90 degrees; all unit, right-handed.
 struct BeamFrame {
-    Vec3 axis{0}, across{0}, up{0};
+    Vec3 axis{0}, across{0}, up{0}; ///< unit, in the world
 
+    /// Direction in this frame of a unit vector of the world.
     BeamDirection direction(const Vec3& unit) const {
         return {versine(unit, axis), unit.dot(across), unit.dot(up)};
     }
+    /// Unit vector of the world under two angles in radians.
     Vec3 world(double theta, double phi) const {
         const double sine = std::sin(theta);
         return axis * std::cos(theta) + (across * std::cos(phi) + up * std::sin(phi)) * sine;

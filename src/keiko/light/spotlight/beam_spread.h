@@ -1,10 +1,11 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/light/spotlight/photometric_web.h"
 
 #include <optional>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Edge of a beam to one side of its axis, in a plane through it.
 struct SpreadEdge {
@@ -42,6 +43,7 @@ std::optional<BeamSpread> beam_spread(const PhotometricWeb& web, double share, d
 
 /// Spreads of a beam in the planes 0 and 90; empty if the plane is dark.
 struct PrincipalSpreads {
+    /// Of the C planes 0 and 90, or the other types' two.
     std::optional<BeamSpread> plane_0{}, plane_90{};
 
     bool operator==(const PrincipalSpreads&) const = default;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/light/spotlight/beam_direction.h"
 #include "keiko/light/spotlight/photometric_web.h"
 #include "keiko/math/rgb.h"
@@ -7,13 +8,13 @@
 #include <memory>
 #include <string>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A placed luminaire of a file; without extent.
 struct Luminaire {
-    std::string file{}; ///< IES LM-63 or EULUMDAT
-    std::shared_ptr<const PhotometricWeb> web{};
-    Vec3 position{0};   ///< mm
+    std::string file{};                          ///< IES LM-63 or EULUMDAT
+    std::shared_ptr<const PhotometricWeb> web{}; ///< contents of the file
+    Vec3 position{0};                            ///< mm
     Vec3 aim{0, 0, -1}; ///< mm, a point on the axis of the file's angles (see web_axis)
     /// Direction of H = 0, or of up for type A; of any length, its part along the axis is dropped.
     Vec3 reference{1, 0, 0};
@@ -27,6 +28,7 @@ struct Luminaire {
 /// have a web.
 class LuminaireIntensity {
 public:
+    /// Intensity of a luminaire, which must outlive it.
     explicit LuminaireIntensity(const Luminaire& luminaire);
 
     /// cd towards a point in mm; 0 at the luminaire itself.

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/vec.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Interpolation of a table between its vertical angles [NishitaSpots, eq. 7 and 8]; between its
 /// planes it is always linear in the angle.
@@ -42,12 +43,17 @@ public:
     /// planes if these are limited or lateral.
     double operator()(double vertical, double horizontal) const;
 
+    /// Vertical angles of the table, degrees, ascending.
     const std::vector<double>& vertical() const { return vertical_; }
+    /// Horizontal angles of the planes, degrees, ascending.
     const std::vector<double>& horizontal() const { return horizontal_; }
     /// Value of plane `h` at vertical angle `v`, both by number.
     double value(std::size_t h, std::size_t v) const { return values_[h * vertical_.size() + v]; }
+    /// How planes that are not there are completed.
     PlaneSymmetry symmetry() const { return symmetry_; }
+    /// How values are interpolated.
     TableInterpolation interpolation() const { return interpolation_; }
+    /// The largest intensity of the table.
     double largest() const;
     /// The largest vertical angle that is not dark in every plane, and beyond which all is dark;
     /// the next one if a value leads there. 0 if all is dark.
@@ -81,12 +87,12 @@ struct StatedFlux {
 
 /// Intensities and figures of a luminaire file.
 struct PhotometricWeb {
-    PhotometricType type = PhotometricType::c;
-    IntensityTable candela; ///< cd
-    std::string name{};     ///< of the luminaire, as in the file
-    double lamp_flux = 0;   ///< lm of its lamps; 0: not stated, absolute photometry
-    Vec3 opening{0};        ///< mm: along x, along y, height; 0: a point
-    StatedFlux stated{};    ///< flux by the header
+    PhotometricType type = PhotometricType::c; ///< convention of its angles
+    IntensityTable candela;                    ///< cd
+    std::string name{};                        ///< of the luminaire, as in the file
+    double lamp_flux = 0; ///< lm of its lamps; 0: not stated, absolute photometry
+    Vec3 opening{0};      ///< mm: along x, along y, height; 0: a point
+    StatedFlux stated{};  ///< flux by the header
 };
 
 /// cd in a unit direction of the luminaire's own frame.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/light/spotlight/beam_direction.h"
 #include "keiko/light/spotlight/photometric_web.h"
 #include "keiko/math/rgb.h"
@@ -10,29 +11,33 @@
 #include <variant>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Falloff of the intensity towards the rim of the beam [NishitaSpots, eq. 4 to 6].
-enum class BeamEdge { sharp, soft, mixed };
+enum class BeamEdge {
+    sharp, ///< 1 up to the rim
+    soft,  ///< falls to 0 at the rim
+    mixed  ///< falls to q at the rim
+};
 
 /// Edges of the paper: with s = (cos theta - cos g) / (1 - cos g), 1, s, or (1 - q) s + q.
 struct EdgeProfile {
-    BeamEdge edge = BeamEdge::soft;
-    double q = 0.5; ///< share of the sharp edge if the edge is mixed
+    BeamEdge edge = BeamEdge::soft; ///< form of the falloff
+    double q = 0.5;                 ///< share of the sharp edge if the edge is mixed
 
     bool operator==(const EdgeProfile&) const = default;
 };
 
 /// Power of the cosine, cos^c theta [Warn1983], for comparison; 0 beyond 90 degrees.
 struct CosinePower {
-    double exponent = 1;
+    double exponent = 1; ///< the power c, 0 or more
 
     bool operator==(const CosinePower&) const = default;
 };
 
 /// c0 + c1 cos theta + c2 cos^2 theta ..., not below 0.
 struct CosinePolynomial {
-    std::vector<double> coefficients;
+    std::vector<double> coefficients; ///< c0, c1, c2, ...
 
     bool operator==(const CosinePolynomial&) const = default;
 };
@@ -55,9 +60,9 @@ double profile_share(const BeamProfile& profile, const BeamDirection& direction,
 /// Petals k(phi) [NishitaSpots, eq. 11], bright at multiples of 360 degrees / count, dark between
 /// them.
 struct Petals {
-    int count = 12;
-    double q = 0; ///< below 1: their least brightness, if not negative; a smaller q makes them
-                  ///< narrower
+    int count = 12; ///< in a full turn
+    double q = 0;   ///< below 1: their least brightness, if not negative; a smaller q makes them
+                    ///< narrower
 
     bool operator==(const Petals&) const = default;
 };
@@ -71,16 +76,16 @@ enum class DotReading {
 
 /// Polka dots: every second cell of a grid in phi and theta.
 struct Dots {
-    double dphi = 30, dtheta = 4;  ///< degrees; dphi divides 360 an even number of times
-    double q_phi = 0, q_theta = 0; ///< below 1; smaller ones make smaller dots
-    DotReading reading = DotReading::centred;
+    double dphi = 30, dtheta = 4;             ///< degrees; dphi divides 360 an even number of times
+    double q_phi = 0, q_theta = 0;            ///< below 1; smaller ones make smaller dots
+    DotReading reading = DotReading::centred; ///< how the formula is read
 
     bool operator==(const Dots&) const = default;
 };
 
 /// A polynomial in cos phi, not below 0.
 struct PhiPolynomial {
-    CosinePolynomial in_cosine;
+    CosinePolynomial in_cosine; ///< the polynomial in cos phi
 
     bool operator==(const PhiPolynomial&) const = default;
 };
@@ -110,9 +115,9 @@ struct Spotlight {
     /// Degrees, of an elliptic beam: from the axis to the rim under phi = 90 degrees, while
     /// half_angle is that under 0; both below 90.
     std::optional<double> half_angle_across{};
-    BeamPattern pattern{};
-    bool hue = false;  ///< the colour goes around the circle of hues with phi
-    bool shaft = true; ///< it lights the medium
+    BeamPattern pattern{}; ///< none by default
+    bool hue = false;      ///< the colour goes around the circle of hues with phi
+    bool shaft = true;     ///< it lights the medium
 };
 
 /// Unit vector along the beam; NaN, which lights nothing, if aim and position coincide.
@@ -124,12 +129,14 @@ inline Vec3 beam_axis(const Spotlight& light) {
 /// Intensity of a spotlight, prepared for many directions; keeps a reference to it.
 class BeamIntensity {
 public:
+    /// Intensity of a spotlight, which must outlive it.
     explicit BeamIntensity(const Spotlight& light);
 
     /// cd towards a point in mm; 0 at the lamp itself.
     Rgb operator()(const Vec3& point) const;
     /// cd in a direction of the lamp's own frame.
     Rgb towards(const BeamDirection& direction) const;
+    /// Axis of the lamp and the direction of phi = 0.
     const BeamFrame& frame() const { return frame_; }
     /// Versine of the half angle at an angle phi in radians, without spin: 0 to 2.
     double rim(double phi) const;

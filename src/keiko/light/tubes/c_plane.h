@@ -1,9 +1,10 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/rgb.h"
 #include "keiko/math/vec.h"
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Models of a cylindrical lamp, from the facing rectangle [NishitaTubes, eq. 1] to the exact
 /// cylinder (docs/theory/luminance.md#the-ladder-of-approximations). Errors are those of a lamp in
@@ -29,10 +30,10 @@ enum class MirrorModel {
 /// The plane of a row of parallel tube lamps (the C-plane of [NishitaTubes]; not a photometric
 /// C-plane, whose angle is called c_angle). Lamps lie along u and are spaced along v.
 struct CPlane {
-    Vec3 origin{0};     ///< corner u = v = 0, mm
-    Vec3 u{1000, 0, 0}; ///< edge along the lamps, mm; its length is the lamp length
-    Vec3 v{0, 1000, 0}; ///< edge across the lamps, mm; made orthogonal to u on reading
-    int lamps = 12;
+    Vec3 origin{0};             ///< corner u = v = 0, mm
+    Vec3 u{1000, 0, 0};         ///< edge along the lamps, mm; its length is the lamp length
+    Vec3 v{0, 1000, 0};         ///< edge across the lamps, mm; made orthogonal to u on reading
+    int lamps = 12;             ///< number of tubes
     double pitch = 0;           ///< mm from axis to axis; 0: |v| / lamps. The row is centred in v
     double diameter = 26;       ///< mm
     Rgb luminance{9000};        ///< cd/m2 of the tube's surface, colour included
@@ -40,6 +41,7 @@ struct CPlane {
     TubeModel diffuse = TubeModel::automatic; ///< model for the light on surfaces
     MirrorModel mirror = MirrorModel::tube;   ///< model for reflections
 
+    /// Distance between neighbouring axes, mm.
     double spacing() const { return pitch > 0 ? pitch : v.length() / lamps; }
 };
 
@@ -47,14 +49,15 @@ struct CPlane {
 /// coordinates are (u, v, height over the plane) in mm from the corner. A plane without extent has
 /// NaN axes: no ray hits it, and it is not visible from any point.
 struct CPlaneFrame {
-    Vec3 origin, u, v, normal;
-    double length = 0; ///< of the lamps, mm
-    double first = 0;  ///< v of the first lamp's axis, mm
-    double pitch = 0;  ///< mm
-    double diameter = 0;
-    int lamps = 0;
-    bool luminous_caps = false;
+    Vec3 origin, u, v, normal;  ///< corner in mm, and unit axes
+    double length = 0;          ///< of the lamps, mm
+    double first = 0;           ///< v of the first lamp's axis, mm
+    double pitch = 0;           ///< mm
+    double diameter = 0;        ///< of the tubes, mm
+    int lamps = 0;              ///< number of tubes
+    bool luminous_caps = false; ///< as CPlane::luminous_caps
 
+    /// Frame of a C-plane.
     explicit CPlaneFrame(const CPlane& plane)
         : origin(plane.origin),
           length(plane.u.length()),
@@ -71,10 +74,15 @@ struct CPlaneFrame {
         first = (width - (lamps - 1) * pitch) / 2;
     }
 
+    /// Radius of a tube, mm.
     double radius() const { return diameter / 2; }
+    /// Coordinate v of a lamp's axis, mm; lamps count from 0.
     double axis(int lamp) const { return first + lamp * pitch; }
+    /// Coordinate v of the last lamp's axis, mm.
     double last() const { return axis(lamps - 1); }
+    /// Frame coordinates of a vector of the world.
     Vec3 vector(const Vec3& w) const { return {u.dot(w), v.dot(w), normal.dot(w)}; }
+    /// Frame coordinates of a point of the world, mm.
     Vec3 point(const Vec3& p) const { return vector(p - origin); }
     /// World position of the point (along, across) of the plane.
     Vec3 at(double along, double across) const { return origin + u * along + v * across; }

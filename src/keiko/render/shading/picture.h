@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/film/film.h"
 #include "keiko/light/rig/light_rig.h"
@@ -11,20 +12,20 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Scene of a picture; keeps references to everything.
 struct PictureScene {
     const Tracer& tracer;                ///< built with second_derivatives
     std::span<const Material> materials; ///< one a face of the model
-    const LightRig& rig;
+    const LightRig& rig;                 ///< lamps and medium
     Rgb background{0}; ///< cd/m2 behind the body, for camera rays; it is not reflected
     const Occluders* occluders = nullptr; ///< of the model; without them nothing casts shadows
 };
 
 /// Options of a picture.
 struct PictureOptions {
-    std::vector<Aov> aovs;
+    std::vector<Aov> aovs; ///< layers besides the colour
     /// Largest number of cells a side into which a pixel with edges is divided; 1: one ray a pixel.
     int edge_samples = 8;
     /// Relative error allowed when direct diffuse light is interpolated between pixels; 0 computes

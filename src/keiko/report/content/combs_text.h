@@ -1,11 +1,12 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/inspect/combs/comb_curves.h"
 
 #include <span>
 #include <string>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// keiko-combs/1: every curve with its length, its largest curvature, its inflections and its
 /// samples, and the remarks on planes.
@@ -27,10 +28,12 @@ std::string combs_csv(std::span<const CombCurve> curves, const SurfaceModel& mod
 std::string combs_svg(std::span<const CombCurve> curves, const Vec3& normal,
                       const std::string& title);
 
+/// Picture of combs as a file.
 struct CombPicture {
     std::string name; ///< "y=120", or "iso-curves"
-    std::string svg;
+    std::string svg;  ///< bytes of the file
 
+    /// Name of its file.
     std::string file_name() const { return "combs-" + name + ".svg"; }
 };
 /// A picture of each plane, then one of the iso-curves from three quarters; those that exist.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/output_folder.h"
 #include "keiko/compare/alignment/alignment.h"
 #include "keiko/compare/compare_inspections.h"
@@ -12,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Tolerances within which two bodies count as the same.
 struct BodyTolerance {
@@ -26,28 +27,28 @@ struct BodyTolerance {
 
 /// The pictures and lines of both bodies in one view.
 struct ComparedView {
-    PictureOutcome picture;       ///< without the pixels that the outlines excuse
-    OutlineDifference outlines{}; ///< of those in which the pictures differ
-    std::string map{};            ///< name of the PNG file of the signed distance map
-    int map_width = 0, map_height = 0;
+    PictureOutcome picture;               ///< without the pixels that the outlines excuse
+    OutlineDifference outlines{};         ///< of those in which the pictures differ
+    std::string map{};                    ///< name of the PNG file of the signed distance map
+    int map_width = 0, map_height = 0;    ///< pixels of the map
     std::vector<LineShift> lines{};       ///< of the former, each compared with the latter's
     std::vector<LineShift> after_lines{}; ///< of the latter, each compared with the former's
 };
 
 /// Comparison of two revisions of a part.
 struct Comparison {
-    std::string tool_version;
-    std::string before, after; ///< files
-    BodyTolerance tolerance{};
+    std::string tool_version;             ///< version of Keiko that compared
+    std::string before, after;            ///< files
+    BodyTolerance tolerance{};            ///< by which the bodies are judged
     std::optional<Alignment> alignment{}; ///< motion of the latter, if alignment was requested
     Deviation deviation{};                ///< of the latter from the former
     Deviation missing{};                  ///< of the former from the latter: the missing parts
     std::vector<std::string> faces_before{}, faces_after{}; ///< names, as Deviation::faces
-    Inspection inspection_before{}, inspection_after{};
-    InspectionDifference seams{};
-    std::string rig{}; ///< that of the views: a file, or how the lamps were found
-    std::vector<ComparedView> views{};
-    FolderContent pngs{}; ///< that the views name
+    Inspection inspection_before{}, inspection_after{};     ///< of the former and of the latter
+    InspectionDifference seams{};                           ///< of both inspections
+    std::string rig{};                 ///< that of the views: a file, or how the lamps were found
+    std::vector<ComparedView> views{}; ///< one a view
+    FolderContent pngs{};              ///< that the views name
 
     /// True if every check of comparison_checks is within its tolerance.
     bool same() const;
@@ -55,8 +56,8 @@ struct Comparison {
 
 /// One criterion of the comparison of two revisions.
 struct ComparisonCheck {
-    std::string name; ///< "deviation", "seams", "front: lines"
-    bool within = true;
+    std::string name;    ///< "deviation", "seams", "front: lines"
+    bool within = true;  ///< the criterion holds
     std::string message; ///< one sentence, within or not
     bool judged = true;  ///< false: there was nothing to compare with; it is not within either
 };
@@ -67,7 +68,9 @@ std::vector<ComparisonCheck> comparison_checks(const Comparison& comparison);
 /// Names of faces of one revision that the other does not have, and of those of the latter with
 /// their inside outside.
 std::vector<std::string> faces_gone(const Comparison& comparison);
+/// Names of faces of the latter that the former does not have.
 std::vector<std::string> faces_new(const Comparison& comparison);
+/// Names of faces of the latter with their inside outside.
 std::vector<std::string> faces_turned(const Comparison& comparison);
 
 /// True if no line of a view has moved farther than the tolerance, appeared or disappeared.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/error.h"
+#include "keiko/base/export.h"
 #include "keiko/inspect/check.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/inspect/model_facts.h"
@@ -12,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 // An inspection, and the facts of its model, as text in each format, and the words that the formats
 // share.

@@ -1,35 +1,37 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/inspect/lines/joined_lines.h"
 
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The lines of one view.
 struct ViewLines {
-    std::string view;
-    Camera camera;
-    JoinedLines found;
+    std::string view;  ///< name of the view
+    Camera camera;     ///< of the view
+    JoinedLines found; ///< lines and crossings, from this viewpoint
 };
 
 /// Results of a search for lines, prepared for writing.
 struct LineList {
-    std::string tool_version;
-    std::string rig; ///< its name
-    LineLook look = LineLook::reflection;
-    CriteriaPreset preset;
-    double join = 0.5; ///< mm
-    std::vector<ViewLines> views;
+    std::string tool_version;             ///< version of Keiko that found them
+    std::string rig;                      ///< its name
+    LineLook look = LineLook::reflection; ///< kind of the lines
+    CriteriaPreset preset;                ///< that crossings were judged by
+    double join = 0.5;                    ///< mm
+    std::vector<ViewLines> views;         ///< one a view
 };
 
 /// Crossings of all views by verdict.
 struct CrossingCounts {
-    std::size_t fail = 0, undecided = 0, pass = 0;
+    std::size_t fail = 0, undecided = 0, pass = 0; ///< number of each
     std::size_t not_judged = 0; ///< lines that end at a seam without a jump that explains it
 };
+/// Counts the crossings of all views.
 CrossingCounts count_crossings(const LineList& list);
 
 /// The worst of all crossings.
@@ -40,6 +42,7 @@ struct CrossingPlace {
     std::size_t view = 0;     ///< into LineList::views
     std::size_t crossing = 0; ///< into the view's crossings
 
+    /// The crossing itself.
     const LineCrossing& in(const LineList& list) const {
         return list.views[view].found.crossings[crossing];
     }

@@ -1,17 +1,18 @@
 #pragma once
 
 #include "keiko/base/error.h"
+#include "keiko/base/export.h"
 #include "keiko/light/spotlight/beam_spread.h"
 
 #include <optional>
 #include <string>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Summary of a luminaire file.
 struct LuminaireFacts {
-    std::string source;
-    PhotometricWeb web;
+    std::string source;           ///< path of the file
+    PhotometricWeb web;           ///< contents of the file
     double flux = 0;              ///< lm, of the luminaire
     double largest_intensity = 0; ///< cd
     PrincipalSpreads beam{};      ///< at 1/2 of the largest intensity in the plane
@@ -19,6 +20,7 @@ struct LuminaireFacts {
     Diagnostics diagnostics{};    ///< contradictions between the header and the table
 };
 
+/// Summary of the contents of a luminaire file.
 LuminaireFacts luminaire_facts(const std::string& source, PhotometricWeb web);
 
 /// The summary for a terminal: one fact a line.

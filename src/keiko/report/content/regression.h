@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/output_folder.h"
 #include "keiko/compare/fixture_record.h"
 #include "keiko/report/content/picture_outcome.h"
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Result of a fixture, from good to bad.
 enum class FixtureState {
@@ -18,26 +19,29 @@ enum class FixtureState {
     error      ///< could not be run, or its baseline is damaged
 };
 
+/// All states, from good to bad.
 inline constexpr std::array every_fixture_state{FixtureState::same, FixtureState::different,
                                                 FixtureState::missing, FixtureState::error};
+/// "same", "different", "missing", "error"
 std::string_view name_of(FixtureState state);
 
 /// Outcome of a fixture.
 struct FixtureOutcome {
-    std::string name;
-    FixtureState state = FixtureState::same;
-    std::string error{}; ///< one line, of an error
+    std::string name;                        ///< of the fixture
+    FixtureState state = FixtureState::same; ///< worst of its checks
+    std::string error{};                     ///< one line, of an error
     /// Requested checks among "shape", "seams" and "lines".
     std::vector<std::string> checks{};
+    /// Metrics of either record.
     std::size_t metrics_compared = 0;
-    std::vector<MetricDifference> metrics{};
-    std::vector<PictureOutcome> pictures{};
-    FolderContent pngs{}; ///< of views that differ or have no baseline
+    std::vector<MetricDifference> metrics{}; ///< those beyond their tolerance
+    std::vector<PictureOutcome> pictures{};  ///< one a view
+    FolderContent pngs{};                    ///< of views that differ or have no baseline
 };
 
 /// One run of a suite, or of a shard of it.
 struct Regression {
-    std::string tool_version;
+    std::string tool_version;                   ///< version of Keiko that ran the suite
     std::vector<std::string> suite;             ///< every fixture of the suite, by name
     std::string suite_key{};                    ///< of everything on which the suite's outcome
                                                 ///< depends
@@ -45,6 +49,7 @@ struct Regression {
     int shard = 1, shards = 1;                  ///< fixture i is of shard i % shards + 1
     std::vector<FixtureOutcome> fixtures{};     ///< those of the shard, by name
 
+    /// Number of fixtures in a state.
     std::size_t count(FixtureState state) const;
     /// The worst state of all fixtures; different if a baseline is stale, since then a fixture is
     /// gone.

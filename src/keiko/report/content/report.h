@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/output_folder.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/report/content/combs_text.h"
@@ -10,31 +11,36 @@
 #include <string>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A number drawn on a picture, pixels from the upper left.
 struct PictureMarker {
-    int number = 0;
-    double x = 0, y = 0;
+    int number = 0;      ///< the rank that is drawn
+    double x = 0, y = 0; ///< middle of the mark
 };
 
 /// A finished picture and its texts.
 struct ReportPicture {
-    std::string title;     ///< e.g. "front"
-    std::string caption;   ///< one sentence, or empty
-    std::string file_name; ///< beside the report, e.g. "front.png"
-    std::string png;       ///< the file's bytes
-    int width = 0, height = 0;
+    std::string title;                  ///< e.g. "front"
+    std::string caption;                ///< one sentence, or empty
+    std::string file_name;              ///< beside the report, e.g. "front.png"
+    std::string png;                    ///< the file's bytes
+    int width = 0, height = 0;          ///< pixels
     std::vector<PictureMarker> markers; ///< the number is the rank of a worst seam, from 1
 };
 
 /// A close-up of a finding.
 struct CloseUp {
-    enum class Of { seam, face, crossing };
-    Of of = Of::seam;
+    /// Kind of a finding.
+    enum class Of {
+        seam,    ///< one of the worst seams
+        face,    ///< a face that does not pass
+        crossing ///< a line that crosses a seam
+    };
+    Of of = Of::seam; ///< kind of the finding
     /// Index into Inspection::seams or faces, or into ranked_crossings.
     std::uint32_t index = 0;
-    ReportPicture picture;
+    ReportPicture picture; ///< the close-up itself
 };
 
 /// Share of the surface that the lamps' reflections reach.
@@ -46,17 +52,17 @@ struct CoverageSummary {
 
 /// All contents of a report. Values only: the same report gives the same bytes.
 struct Report {
-    std::string tool_version;
-    Inspection inspection;
-    std::optional<CoverageSummary> coverage;
+    std::string tool_version;                 ///< version of Keiko that made it
+    Inspection inspection;                    ///< seams, faces and their verdicts
+    std::optional<CoverageSummary> coverage;  ///< of lamps that were placed or rated
     std::optional<LineList> lines;            ///< of the views of `pictures`
     std::vector<ReportPicture> pictures;      ///< stripe pictures, in order
     std::vector<ReportPicture> line_pictures; ///< stripe pictures with the lines
     /// Analysis pictures of the surface, each named for its view.
     std::vector<ReportPicture> curvature_pictures;
-    std::vector<CombPicture> combs; ///< if combs were requested
-    std::vector<std::string> comb_remarks;
-    std::vector<CloseUp> close_ups;
+    std::vector<CombPicture> combs;        ///< if combs were requested
+    std::vector<std::string> comb_remarks; ///< on planes that gave no section
+    std::vector<CloseUp> close_ups;        ///< of the worst findings, in their order
 };
 
 /// The worst of the verdicts of the inspection and the lines.

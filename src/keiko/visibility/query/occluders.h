@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/geometry/visibility/ray.h"
 #include "keiko/geometry/visibility/visibility.h"
@@ -11,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Visible parts of a segment from one viewpoint.
 struct VisibleIntervals {
@@ -32,13 +33,16 @@ public:
     /// `tracer` is of the same model, and not kept. Throws Cancelled.
     Occluders(const SurfaceModel& model, const Tracer& tracer, const Job& job = {});
     ~Occluders();
+    /// Takes over the silhouettes of another.
     Occluders(Occluders&&) noexcept;
-    Occluders& operator=(Occluders&&) noexcept;
+    Occluders& operator=(Occluders&&) noexcept; ///< Takes over the silhouettes of another.
 
+    /// Size and cost of the preparation.
     struct Statistics {
-        std::size_t silhouette_pieces = 0, boundary_pieces = 0;
-        double build_seconds = 0;
+        std::size_t silhouette_pieces = 0, boundary_pieces = 0; ///< number of each
+        double build_seconds = 0;                               ///< wall-clock time
     };
+    /// Size and cost of the preparation.
     const Statistics& statistics() const;
 
     /// False where all of the hull of `places` is proved to see all of the hull of `region` or
@@ -66,7 +70,9 @@ public:
     VisibilityQuery(const Occluders& occluders, const Tracer& tracer, const Viewpoint& viewpoint,
                     std::span<const Vec3> region, const std::optional<Vec3>& facing = {});
     ~VisibilityQuery();
+    /// Takes over the candidates of another.
     VisibilityQuery(VisibilityQuery&&) noexcept;
+    /// Takes over the candidates of another.
     VisibilityQuery& operator=(VisibilityQuery&&) noexcept;
 
     /// Parts of the segment from a to b such that nothing lies between them and the viewpoint.
