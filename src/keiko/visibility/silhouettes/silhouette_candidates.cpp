@@ -94,20 +94,20 @@ void CandidateMaker::finish(const Viewpoint& viewpoint,
 
 namespace {
 
-struct Interval {
+struct ValueRange {
     double low, high;
 };
 
-Interval operator*(const NetRange& a, const Interval& b) {
+ValueRange operator*(const NetRange& a, const ValueRange& b) {
     const double p[4] = {a.low() * b.low, a.low() * b.high, a.high() * b.low, a.high() * b.high};
     return {*std::min_element(p, p + 4), *std::max_element(p, p + 4)};
 }
 
-Interval product(const NetRange& a, const NetRange& b) {
-    return a * Interval{b.low(), b.high()};
+ValueRange product(const NetRange& a, const NetRange& b) {
+    return a * ValueRange{b.low(), b.high()};
 }
 
-Interval square(const NetRange& a) {
+ValueRange square(const NetRange& a) {
     const double low = a.low() * a.low(), high = a.high() * a.high();
     return {a.holds_zero() ? 0 : std::min(low, high), std::max(low, high)};
 }
@@ -184,8 +184,9 @@ bool SelfOcclusion::only_viewpoint_in(std::size_t k, const Vec4& weights) const 
     const ScalarNet f = weighed(in.points, weights);
     const NetRange fx = derivative_range(f, true), fy = derivative_range(f, false);
     if (fx.holds_zero() && fy.holds_zero()) return false;
-    const Interval xx = in.second.xx * square(fy), yy = in.second.yy * square(fx);
-    const Interval xy = NetRange{-2 * in.second.xy.middle, 2 * in.second.xy.half} * product(fx, fy);
+    const ValueRange xx = in.second.xx * square(fy), yy = in.second.yy * square(fx);
+    const ValueRange xy =
+        NetRange{-2 * in.second.xy.middle, 2 * in.second.xy.half} * product(fx, fy);
     return xx.low + xy.low + yy.low > 0 || xx.high + xy.high + yy.high < 0;
 }
 
