@@ -1,5 +1,4 @@
-#include "keiko/compare/seam_matching.h"
-
+#include "keiko/compare/compare_inspections.h"
 #include "keiko/geometry/bvh/box_tree.h"
 #include "keiko/geometry/model/surface_model.h"
 

@@ -1,4 +1,4 @@
-#include "keiko/render/picture_bands.h"
+#include "keiko/render/tiles.h"
 
 #include <algorithm>
 #include <optional>

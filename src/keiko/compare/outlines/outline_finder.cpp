@@ -1,4 +1,4 @@
-#include "keiko/compare/outlines/outline_finder.h"
+#include "keiko/compare/outlines/outline_difference.h"
 
 #include <algorithm>
 #include <cmath>

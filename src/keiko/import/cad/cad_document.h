@@ -8,6 +8,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -47,5 +48,10 @@ struct CadDocument {
         missing_files; ///< which the file names for parts, but which are not there
     Diagnostics diagnostics;
 };
+
+/// Each reads one kind of file. Throws Error naming the file when it cannot be read.
+CadDocument read_step_file(const std::filesystem::path& path);
+CadDocument read_iges_file(const std::filesystem::path& path);
+CadDocument read_brep_file(const std::filesystem::path& path);
 
 } // namespace keiko::cad

@@ -1,9 +1,8 @@
-#include "keiko/import/cad/cad_files.h"
-
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/files/model/cad_text.h"
 #include "keiko/import/cad/assembly.h"
+#include "keiko/import/cad/cad_document.h"
 #include "keiko/import/cad/mapped_items.h"
 #include "keiko/import/cad/shape_attributes.h"
 

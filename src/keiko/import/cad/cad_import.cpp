@@ -4,7 +4,7 @@
 #include "keiko/base/input_file.h"
 #include "keiko/base/text.h"
 #include "keiko/files/model/cad_text.h"
-#include "keiko/import/cad/cad_files.h"
+#include "keiko/import/cad/cad_document.h"
 #include "keiko/import/cad/face_faults.h"
 #include "keiko/import/cad/part_conversion.h"
 
