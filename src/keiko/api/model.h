@@ -5,5 +5,5 @@
 #include "keiko/light/rig/luminaire_remarks.h"
 #include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/luminaire_facts.h"
-#include "keiko/workflow/model_info.h"
+#include "keiko/workflow/check_models.h"
 #include "keiko/workflow/version.h"

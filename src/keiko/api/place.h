@@ -4,4 +4,3 @@
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/scene/criteria_preset.h"
 #include "keiko/workflow/place_scene.h"
-#include "keiko/workflow/write_placement.h"

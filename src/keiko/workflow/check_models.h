@@ -6,6 +6,7 @@
 #include "keiko/import/worker/load_model.h"
 #include "keiko/inspect/combs/comb_curves.h"
 #include "keiko/inspect/inspection.h"
+#include "keiko/inspect/model_facts.h"
 #include "keiko/report/content/combs_text.h"
 #include "keiko/scene/criteria_preset.h"
 
@@ -48,5 +49,15 @@ struct CheckResult {
 /// by criteria, without lamps or pictures. Throws Error for input that cannot be read.
 CheckResult check_models(std::span<const std::filesystem::path> inputs,
                          const CheckOptions& options = {}, const Job& job = {});
+
+struct FactsOptions {
+    LoadOptions load;
+    double join = 0.5;    ///< mm, within which two borders count as a seam
+    bool tracing = false; ///< builds the tracer too, and reports its statistics
+};
+
+/// Reads a model file and summarises it.
+ModelFacts model_info(const std::filesystem::path& file, const FactsOptions& options = {},
+                      const Job& job = {});
 
 } // namespace keiko

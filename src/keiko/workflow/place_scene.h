@@ -62,4 +62,9 @@ ChosenLights choose_lights(const Scene& scene, const std::optional<std::filesyst
                            std::span<const NamedView> views, const PlacementOptions& options,
                            const Job& job);
 
+/// Writes placement.json, histogram-N.png for each plane and plan.png (body, lamps and cameras from
+/// above) into a folder.
+void write_placement(const std::filesystem::path& folder, const Scene& scene,
+                     const PlaceResult& result, const Job& job = {});
+
 } // namespace keiko

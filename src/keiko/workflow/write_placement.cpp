@@ -1,5 +1,3 @@
-#include "keiko/workflow/write_placement.h"
-
 #include "keiko/base/error.h"
 #include "keiko/base/output_file.h"
 #include "keiko/base/parallel.h"
@@ -8,6 +6,7 @@
 #include "keiko/film/overlay.h"
 #include "keiko/light/tubes/tube_lamp.h"
 #include "keiko/report/json/placement_json.h"
+#include "keiko/workflow/place_scene.h"
 #include "keiko/workflow/version.h"
 
 #include <algorithm>
