@@ -1,8 +1,6 @@
 #pragma once
 
 #include "keiko/base/export.h"
-#include "keiko/base/export.h"
-#include "keiko/compare/seam_matching.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/inspect/seams/seam_measure.h"
 

@@ -50,8 +50,9 @@ struct CheckResult {
 CheckResult check_models(std::span<const std::filesystem::path> inputs,
                          const CheckOptions& options = {}, const Job& job = {});
 
+/// Options of model_info.
 struct FactsOptions {
-    LoadOptions load;
+    LoadOptions load;     ///< of the model file
     double join = 0.5;    ///< mm, within which two borders count as a seam
     bool tracing = false; ///< builds the tracer too, and reports its statistics
 };

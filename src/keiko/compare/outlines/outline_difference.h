@@ -1,7 +1,6 @@
 #pragma once
 
 #include "keiko/base/export.h"
-#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/compare/alignment/closest_point_query.h"
 #include "keiko/compare/outlines/film_difference.h"
