@@ -2,18 +2,12 @@
 
 #include "keiko/base/export.h"
 #include "keiko/geometry/model/surface_model.h"
+#include "keiko/inspect/basics/placed_face.h"
 
 #include <span>
 #include <vector>
 
 namespace KEIKO_API keiko {
-
-/// A face of a model and the instance that places it.
-struct PlacedFace {
-    std::uint32_t instance = 0, face = 0; ///< into the SurfaceModel that was placed
-
-    bool operator==(const PlacedFace&) const = default;
-};
 
 /// A model whose every placed face is a face of its own, in world coordinates.
 struct PlacedModel {

@@ -1,6 +1,5 @@
 #include "keiko/report/content/combs_text.h"
 
-#include "keiko/inspect/basics/face_names.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/report/markup/html_text.h"
 
