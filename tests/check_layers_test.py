@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from check_layers import headers_of_one, option_faults, options_named, violations
+from check_layers import headers_of_one, name_faults, option_faults, options_named, violations
 from include_cycles import cycle_faults
 
 
@@ -58,6 +58,19 @@ class Rooms(Tree):
     def test_a_library_stays_in_its_chamber(self):
         self.plant(files__toml__a_cpp="#include <toml++/toml.h>\n", files__scene__b_cpp="#include <toml++/toml.h>\n")
         self.assert_faults(violations(self.root), "<toml++/toml.h> belongs in ['files/toml']")
+
+
+class Names(Tree):
+    def test_a_name_in_two_headers(self):
+        self.plant(base__a_h="namespace keiko {\nstruct Face {\n};\n}\n",
+                   math__b_h="namespace KEIKO_API keiko {\nclass Face : public A {\n};\n}\n")
+        self.assert_faults(name_faults(self.root), "keiko::Face is also defined in")
+
+    def test_declarations_members_and_other_namespaces_are_none(self):
+        self.plant(base__a_h="namespace keiko {\nstruct Face {\n    struct Edge {\n    };\n};\n}\n",
+                   math__b_h="namespace keiko {\nstruct Face;\nstruct Edge {\n};\n}\n",
+                   math__c_h="namespace keiko::cad {\nenum class Face {\n};\n}\n")
+        self.assert_faults(name_faults(self.root))
 
 
 class Cycles(Tree):

@@ -5,10 +5,10 @@
 
 namespace keiko {
 
-EdgeSamples::EdgeSamples(const FreeEdges& edges, double step)
+FreeEdgeSamples::FreeEdgeSamples(const FreeEdges& edges, double step)
     : edges_(edges), tree_(list_chords(step)) {}
 
-std::vector<Box3> EdgeSamples::list_chords(double step) {
+std::vector<Box3> FreeEdgeSamples::list_chords(double step) {
     std::vector<Box3> boxes;
     std::uint32_t next = 0;
     for (std::uint32_t e = 0; e < edges_.all.size(); ++e) {
@@ -27,21 +27,21 @@ std::vector<Box3> EdgeSamples::list_chords(double step) {
     return boxes;
 }
 
-const EdgeSamples::Chord& EdgeSamples::chord_of(std::uint32_t sample) const {
+const FreeEdgeSamples::Chord& FreeEdgeSamples::chord_of(std::uint32_t sample) const {
     const auto beyond =
         std::upper_bound(chords_.begin(), chords_.end(), sample,
                          [](std::uint32_t number, const Chord& c) { return number < c.first; });
     return *(beyond - 1);
 }
 
-double EdgeSamples::way(std::uint32_t sample) const {
+double FreeEdgeSamples::way(std::uint32_t sample) const {
     const Chord& chord = chord_of(sample);
     const std::vector<double>& ways = edges_.all[chord.edge].ways;
     const double share = double(sample - chord.first) / chord.steps;
     return ways[chord.place] + share * (ways[chord.place + 1] - ways[chord.place]);
 }
 
-FreePlace EdgeSamples::place(std::uint32_t sample) const {
+FreePlace FreeEdgeSamples::place(std::uint32_t sample) const {
     FreePlace place = edges_.all[edge_of(sample)].at(way(sample));
     place.edge = edge_of(sample);
     return place;

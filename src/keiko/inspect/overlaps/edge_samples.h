@@ -9,7 +9,7 @@ namespace keiko {
 
 /// Numbered samples of free edges: the corners of their polylines, and uniformly spaced places
 /// between them. Numbers rise by 1 along each edge.
-class EdgeSamples {
+class FreeEdgeSamples {
 public:
     /// A chord of an edge's polyline with `steps` + 1 samples; its last one is the first of the
     /// next chord. Numbers are those of its samples.
@@ -22,7 +22,7 @@ public:
     };
 
     /// Samples at most `step` mm apart along each edge. Keeps a reference to `edges`.
-    EdgeSamples(const FreeEdges& edges, double step);
+    FreeEdgeSamples(const FreeEdges& edges, double step);
 
     const FreeEdges& edges() const { return edges_; }
     const Chord& chord(std::uint32_t index) const { return chords_[index]; }

@@ -136,7 +136,7 @@ std::optional<ParameterInterval> PieceSlab::clip(const Vec3& from, const Vec3& t
 
 class FaceSearch {
 public:
-    FaceSearch(const SurfaceModel& model, const PlacedFace& face, const EdgeSamples& samples,
+    FaceSearch(const SurfaceModel& model, const PlacedFace& face, const FreeEdgeSamples& samples,
                double join)
         : model_(model),
           own_(face),
@@ -200,7 +200,7 @@ private:
     }
 
     void measure(const Box2& box, const BezierPatchView& piece, const PieceSlab& slab,
-                 const EdgeSamples::Chord& chord) {
+                 const FreeEdgeSamples::Chord& chord) {
         const ParameterInterval part = *slab.clip(chord.from, chord.to);
         const auto first = static_cast<std::uint32_t>(std::ceil(part.begin * chord.steps));
         const auto last = static_cast<std::uint32_t>(std::floor(part.end * chord.steps));
@@ -241,7 +241,7 @@ private:
     PlacedFace own_;
     const Face& face_;
     const Affine& placed_;
-    const EdgeSamples& samples_;
+    const FreeEdgeSamples& samples_;
     double join_;
     FaceInside inside_;
     std::uint32_t patch_ = 0;
@@ -253,7 +253,7 @@ private:
 } // namespace
 
 std::vector<FaceApproach> approaches_to(const SurfaceModel& model, const PlacedFace& face,
-                                        const EdgeSamples& samples, double join) {
+                                        const FreeEdgeSamples& samples, double join) {
     return FaceSearch(model, face, samples, join).run();
 }
 

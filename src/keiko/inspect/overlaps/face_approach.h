@@ -9,7 +9,7 @@ namespace keiko {
 
 /// The place of a face that is nearest to a sample of an edge of another face.
 struct FaceApproach {
-    std::uint32_t sample = 0; ///< of EdgeSamples
+    std::uint32_t sample = 0; ///< of FreeEdgeSamples
     double offset = 0;        ///< mm, of the sample, positive on the side of `normal`
     Vec3 foot{0};             ///< world, mm
     Vec3 normal{0};           ///< of the face at the foot, unit, along du x dv
@@ -19,6 +19,6 @@ struct FaceApproach {
 /// Samples of the edges of other faces, ascending, that come within `join` mm of a placed face,
 /// farther than that from its borders. The natural sides of a face without loops are borders too.
 std::vector<FaceApproach> approaches_to(const SurfaceModel& model, const PlacedFace& face,
-                                        const EdgeSamples& samples, double join);
+                                        const FreeEdgeSamples& samples, double join);
 
 } // namespace keiko

@@ -65,7 +65,7 @@ double sample_step(const OverlapLimits& limits) {
 }
 
 /// Groups approaches to one face by run.
-std::vector<Approaches> runs_of(Approaches all, const EdgeSamples& samples, double join) {
+std::vector<Approaches> runs_of(Approaches all, const FreeEdgeSamples& samples, double join) {
     std::vector<Approaches> runs;
     std::size_t begin = 0;
     for (std::size_t i = 1; i <= all.size(); ++i) {
@@ -85,7 +85,7 @@ struct Extent {
     double length = 0, bound = 0, distance = 0; ///< mm
 };
 
-Extent extent_of(Approaches run, const EdgeSamples& samples, double step) {
+Extent extent_of(Approaches run, const FreeEdgeSamples& samples, double step) {
     Extent extent;
     for (std::size_t i = 0; i < run.size(); ++i) {
         if (!run[i].along) continue;
@@ -108,7 +108,7 @@ bool is_crossing(Approaches run, double join) {
 
 class OverlapSearch {
 public:
-    OverlapSearch(const BoundaryCurves& curves, const EdgeSamples& samples,
+    OverlapSearch(const BoundaryCurves& curves, const FreeEdgeSamples& samples,
                   const OverlapLimits& limits)
         : curves_(curves), samples_(samples), limits_(limits), borders_(curves) {}
 
@@ -179,7 +179,7 @@ private:
     }
 
     const BoundaryCurves& curves_;
-    const EdgeSamples& samples_;
+    const FreeEdgeSamples& samples_;
     const OverlapLimits& limits_;
     FaceBorders borders_;
 };
@@ -189,7 +189,7 @@ private:
 std::vector<Overlap> find_overlaps(const SurfaceModel& model, const BoundaryCurves& curves,
                                    const FreeEdges& edges, const OverlapLimits& limits,
                                    const Job& job) {
-    const EdgeSamples samples(edges, sample_step(limits));
+    const FreeEdgeSamples samples(edges, sample_step(limits));
     const std::vector<PlacedFace> faces = placed_faces(model);
     const OverlapSearch search(curves, samples, limits);
     std::vector<std::vector<Overlap>> found(faces.size());
