@@ -152,7 +152,7 @@ Skin car_body() {
             const int i = left ? kDegree - a : a;
             const gp_XYZ point = net(i, b);
             const int place = column * kDegree + i;
-            // Zero but for rounding, which must not open a gap in the middle.
+            // Zero, were it not for rounding, which must not open a gap in the middle.
             const bool middle = place == 0 || place == kHalfColumns * kDegree;
             return gp_XYZ(point.X(), middle ? 0.0 : (left ? -point.Y() : point.Y()), point.Z());
         });

@@ -8,7 +8,8 @@ namespace keiko::fixtures {
 
 /// All trim curves of the car. What the body keeps of itself lies to the left of foot and arches.
 struct CarTrims {
-    /// Where the greenhouse stands on the body: side 0 is the body, side 1 the greenhouse.
+    /// Curve along which the greenhouse stands on the body: side 0 is the body, side 1 the
+    /// greenhouse.
     TrimCurve greenhouse_foot;
     /// Front right, rear right, front left, rear left; circles in side view.
     std::array<TrimCurve, 4> wheel_arches;

@@ -5,7 +5,7 @@
 
 namespace keiko::fixtures {
 
-/// What is known about the concept car: counts, size, continuity, symmetry, quality of the trims.
+/// Known facts of the concept car: counts, size, continuity, symmetry, quality of the trims.
 std::vector<GroundTruth> car_truths(const Skin& body, const Skin& greenhouse, const CarTrims& trims,
                                     const std::vector<NamedFace>& faces);
 

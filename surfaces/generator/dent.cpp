@@ -49,7 +49,7 @@ double depth(const Handle(Geom_Surface) & surface, double x, double y) {
     return panel_height(p.X(), p.Y()) - p.Z();
 }
 
-/// Where the section through the deepest place along x is half as deep.
+/// Distance along x from the deepest place at which the dent is half as deep, in mm.
 double half_depth_radius(const Handle(Geom_Surface) & surface) {
     double inside = 0.0;
     double outside = 3.0 * kStep;

@@ -39,8 +39,8 @@ Fixture bored_block();
 BptFixture saddle();
 BptFixture dome();
 
-/// What pictures of lights need around a car, of flat patches in mm: a house front with four barred
-/// windows, a wall without, a mast with an arm that holds a lantern.
+/// Surroundings of a car in pictures of lights, of flat patches in mm: a house front with four
+/// barred windows, a wall without, a mast with an arm that holds a lantern.
 BptFixture facade();
 BptFixture wall();
 BptFixture mast();

@@ -1,13 +1,15 @@
-// The seam fixtures. Notation, lengths in mm:
-//   v       parameter along the seam, 0 to 1
-//   c(v)    the seam, a cubic in the plane x = 0 with Pythagorean hodograph: c' = L (0, a2 - b2,
-//   2ab)
-//           with a = 1 and b linear in v, so that its speed L s, s = a2 + b2, is a polynomial, and
-//           so is s n, the scaled unit normal of the curve in its plane
-//   X       arc length across the seam to first order: X = s xi, with xi linear in u
-//   h(X)    k X^2 / 2 + t X^3 / 6: the section across the seam, in the plane of the x axis and n
-// The surface c + X e + h(X) n is then polynomial, and its normal, its curvature k across the seam
-// and the derivative t of that curvature are exact at every v.
+// The seam fixtures. Lengths are in mm.
+//
+// The seam c(v), v from 0 to 1, is a cubic in the plane x = 0 with Pythagorean hodograph,
+//     c' = L (0, a^2 - b^2, 2ab).
+//
+// With a = 1 and b linear in v its speed L s, s = a^2 + b^2, is a polynomial. So is s n, the scaled
+// unit normal of the curve in its plane. Across the seam the arc length is X = s xi to first order,
+// with xi linear in u. The section in the plane of the x axis and n is
+//     h(X) = k X^2 / 2 + t X^3 / 6.
+//
+// The surface c + X e + h(X) n is then polynomial. Its normal, its curvature k across the seam and
+// the derivative t of that curvature are exact at every v.
 #include "face_maker.h"
 #include "fixtures.h"
 #include <Geom_BezierSurface.hxx>
@@ -66,7 +68,7 @@ Handle(Geom_BezierSurface) side_surface(const Side& side) {
         polynomial_net(3, 6, [&](double u, double v) { return side_point(side, u, v); }));
 }
 
-/// What the finished surface has on the seam.
+/// Position, normal and curvature of the finished surface at a place of the seam.
 struct SeamState {
     gp_XYZ position;
     gp_XYZ normal;

@@ -48,7 +48,7 @@ private:
 /// The skin of all spans of a uniform spline.
 Skin skin_of(const UniformSpline& spline, bool closed);
 
-/// The same control net as an OCCT surface over the unit square.
+/// OCCT surface over the unit square with this control net.
 Handle(Geom_BezierSurface) bezier_surface(const Net& net);
 
 } // namespace keiko::fixtures

@@ -34,7 +34,7 @@ double component(const TrimPoint& point, std::size_t skin, int axis) {
     return point.uv[skin].Coord(axis + 1);
 }
 
-/// Where between two samples the component reaches `level`: bisection down to rounding.
+/// Sample between two others at which the component reaches `level`, bisected down to rounding.
 Sample crossing(const TrimPath& path, Sample low, Sample high, std::size_t skin, int axis,
                 double level) {
     const bool rising = component(high.point, skin, axis) > level;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kOnBorder = 1e-9;
 
-/// Where a point of the unit square's rim lies on it: 0 to 4 counter-clockwise from (0, 0).
+/// Place of a point on the unit square's rim: 0 to 4 counter-clockwise from (0, 0).
 double rim_place(gp_XY uv) {
     if (std::abs(uv.Y()) < kOnBorder) return uv.X();
     if (std::abs(uv.X() - 1.0) < kOnBorder) return 1.0 + uv.Y();
