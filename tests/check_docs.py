@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Fails when docs/cli.md is not what the program says, when a link of the docs leads nowhere, or when
-CITATION.cff has another version than CMakeLists.txt.
+"""Fails when docs/cli.md is not what the program says, when a link of the docs leads nowhere, when prose breaks
+a rule of tests/prose_rules.py, or when CITATION.cff has another version than CMakeLists.txt.
 
 usage: tests/check_docs.py KEIKO
 """
@@ -9,6 +9,7 @@ import re
 import sys
 from pathlib import Path
 
+import prose_rules
 from markdown_text import CODE, anchors
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -67,6 +68,7 @@ def main():
     faults = cli_faults(sys.argv[1]) + citation_faults()
     for page in pages():
         faults += link_faults(page)
+    faults += prose_rules.faults(ROOT)
     for fault in faults:
         print(fault)
     if faults:
