@@ -2,7 +2,6 @@
 
 #include "keiko/base/error.h"
 
-#include "tests/bench/targets.h"
 #include "tests/bench/trace_tables.h"
 
 #include <fstream>
@@ -17,12 +16,7 @@ std::string markdown_of(const TraceResults& results) {
         for (const std::string& name : results.skipped) text += " " + name;
         text += ".\n";
     }
-    text += "\n### Targets\n\n" + markdown_of(target_table(results));
-    for (const SceneResult& scene : results.scenes) {
-        text += "\n### " + scene.name + "\n\n" + title_of(scene) + "\n\n";
-        text += markdown_of(cost_table(scene)) + "\n" + markdown_of(rate_table(scene));
-    }
-    return text;
+    return text + "\n" + markdown_of(summary_table(results));
 }
 
 void update_page(const std::filesystem::path& page, const std::string& group,

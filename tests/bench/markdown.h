@@ -7,7 +7,7 @@
 
 namespace keiko::bench {
 
-/// The tables as a page shows them.
+/// Conditions of a run and its summary; all figures are in the JSON.
 std::string markdown_of(const TraceResults& results);
 
 /// Puts `tables` between the two markers of the page's group, keeping the rest. Throws Error for a

@@ -27,6 +27,30 @@ std::vector<std::string> rate_cells(const std::string& rays, const Measurement& 
     return cells;
 }
 
+const Measurement* find(const SceneResult& scene, const std::string& rays, const std::string& name,
+                        Mode mode) {
+    for (const ClassResult& c : scene.classes)
+        for (const Measurement& m : c.measurements)
+            if (c.name == rays && m.name == name && m.mode == mode) return &m;
+    return nullptr;
+}
+
+std::vector<std::string> summary_cells(const SceneResult& scene) {
+    std::vector<std::string> cells{scene.name, std::to_string(scene.faces)};
+    for (const char* rays : {"primary", "mirrored", "random", "grazing"}) {
+        const Measurement* m = find(scene, rays, "Keiko", Mode::packets);
+        cells.push_back(m != nullptr ? digits(m->rate / 1e6) : "");
+    }
+    const Measurement* other = find(scene, "primary", "OpenCASCADE", Mode::single);
+    cells.push_back(other != nullptr ? digits(other->keiko_packets) : "");
+    for (const char* mesh : {"mesh 0.1 mm", "mesh 0.01 mm"}) {
+        const Measurement* m = find(scene, "primary", mesh, Mode::packets);
+        const bool shown = m != nullptr && m->accuracy && m->accuracy->zebra;
+        cells.push_back(shown ? digits(m->ratio()) + ", " + digits(m->accuracy->zebra->p999) : "");
+    }
+    return cells;
+}
+
 } // namespace
 
 Table cost_table(const SceneResult& scene) {
@@ -50,6 +74,13 @@ Table rate_table(const SceneResult& scene) {
     for (const ClassResult& rays : scene.classes)
         for (const Measurement& m : rays.measurements)
             table.rows.push_back(rate_cells(&m == &rays.measurements.front() ? rays.name : "", m));
+    return table;
+}
+
+Table summary_table(const TraceResults& results) {
+    Table table{.head = {"scene", "faces", "primary", "mirrored", "random", "grazing",
+                         "× OpenCASCADE", "× mesh 0.1 mm, px p99.9", "× mesh 0.01 mm, px p99.9"}};
+    for (const SceneResult& scene : results.scenes) table.rows.push_back(summary_cells(scene));
     return table;
 }
 
