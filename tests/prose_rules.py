@@ -25,14 +25,13 @@ MOST_SENTENCE, MOST_PARAGRAPH, MOST_LINE = 35, 110, 120
 FOLDERS = ("src", "surfaces", "lightrigs", "tests", "docs")
 KINDS = (".h", ".cpp", ".md")
 GENERATED = ("docs/cli.md",)
-LATER = ("docs/CHANGELOG.md",)
 
 
 def files(root):
     """The files of a repository that hold prose, sorted."""
     inside = [path for folder in FOLDERS for path in (root / folder).rglob("*")]
     names = {path.relative_to(root).as_posix(): path for path in [root / "README.md", *inside]}
-    return [path for name, path in sorted(names.items()) if path.suffix in KINDS and name not in GENERATED + LATER]
+    return [path for name, path in sorted(names.items()) if path.suffix in KINDS and name not in GENERATED]
 
 
 def sentences(text):
