@@ -20,7 +20,7 @@ install(CODE "
   keiko_install_public_headers(${PROJECT_SOURCE_DIR}/src
     \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")" COMPONENT dev)
 
-# A static library hands its own dependencies on to those who link it.
+# A static library hands its own dependencies on to those who link it, on the system it was built on.
 set(KEIKO_LINKED "")
 if(NOT KEIKO_SHARED)
   keiko_parts_of(keiko_api rooms third_party)
@@ -30,7 +30,7 @@ if(NOT KEIKO_SHARED)
       list(APPEND KEIKO_LINKED $<TARGET_LINKER_FILE:${library}>)
     endif()
   endforeach()
-  list(APPEND KEIKO_LINKED -pthread ${CMAKE_DL_LIBS})
+  list(APPEND KEIKO_LINKED ${OPENIMAGEIO_UTIL_LIBRARY} -pthread -ldl)
 endif()
 set(KEIKO_KIND $<IF:$<BOOL:${KEIKO_SHARED}>,SHARED,STATIC>)
 set(KEIKO_LIBRARY_FILE $<TARGET_FILE_NAME:keiko_library>)
@@ -50,8 +50,8 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/keikoConfigVersio
 install(FILES ${PROJECT_BINARY_DIR}/package/keikoConfigVersion.cmake
   DESTINATION ${package_folder} COMPONENT dev)
 
-file(RELATIVE_PATH KEIKO_PREFIX_FROM_PC
-  /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+file(RELATIVE_PATH KEIKO_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" KEIKO_PREFIX_FROM_PC "${KEIKO_PREFIX_FROM_PC}")
 list(JOIN KEIKO_LINKED " " KEIKO_LIBS_PRIVATE)
 keiko_install_package_file(keiko.pc.in keiko.pc ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
