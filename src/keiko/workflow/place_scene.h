@@ -52,7 +52,7 @@ std::optional<MirrorPlane> placement_mirror(const SurfaceModel& model,
 
 /// The lamps of the pictures of a scene's views.
 struct ChosenLights {
-    LightRig rig;
+    LightRig rig;                         ///< all of them
     std::optional<Placement> placement{}; ///< of lamps that were placed for these views
 };
 

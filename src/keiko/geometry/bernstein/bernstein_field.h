@@ -24,9 +24,13 @@ public:
           coefficients_(std::move(coefficients)),
           rounding_(rounding) {}
 
+    /// Degree in u.
     int degree_u() const { return degree_u_; }
+    /// Degree in v.
     int degree_v() const { return degree_v_; }
+    /// Bound of the rounding error of each coefficient.
     double rounding() const { return rounding_; }
+    /// Coefficient i in u, j in v.
     double at(int i, int j) const { return coefficients_[index(i, j)]; }
 
     /// The largest absolute coefficient.
@@ -37,6 +41,7 @@ public:
     Interval side_range(bool by_u, bool upper) const;
     /// Derivative by u or v; 0 if the degree is 0.
     BernsteinField derivative(bool by_u) const;
+    /// Value at a place of [0, 1]^2.
     double operator()(const Vec2& uv) const;
     /// The parts below and above u (or v) = `share`, each over [0, 1]^2 again.
     std::array<BernsteinField, 2> parts(bool by_u, double share) const;
@@ -44,9 +49,11 @@ public:
     /// that vanishes on that side; needs a degree of 1 or more.
     BernsteinField without_side(bool by_u, bool upper) const;
 
+    /// Product; the degrees add up.
     friend BernsteinField operator*(const BernsteinField& a, const BernsteinField& b);
     /// Sum of two fields of equal degrees.
     friend BernsteinField operator+(const BernsteinField& a, const BernsteinField& b);
+    /// Difference of two fields of equal degrees.
     friend BernsteinField operator-(const BernsteinField& a, const BernsteinField& b);
 
 private:
@@ -62,12 +69,15 @@ private:
 
 /// Bernstein coefficients, u outer, of a function of (x, y) over [-1, 1]^2.
 struct BernsteinNet {
+    /// Number of coefficients that there is room for.
     static constexpr std::size_t capacity = std::size_t{max_degree + 1} * (max_degree + 1);
 
-    std::size_t rows, columns;
+    std::size_t rows, columns;      ///< one more than the degrees
     std::array<double, capacity> c; ///< beyond rows * columns undefined
 
+    /// Coefficient of row i and column j.
     double& at(std::size_t i, std::size_t j) { return c[i * columns + j]; }
+    /// Coefficient of row i and column j.
     double at(std::size_t i, std::size_t j) const { return c[i * columns + j]; }
 };
 

@@ -36,8 +36,9 @@ struct ParameterMap {
 
 /// Ranges of a map's first and second derivatives over a range of its patch's parameter.
 struct ParameterRanges {
-    Interval first, second;
+    Interval first, second; ///< derivative
 };
+/// Ranges of a map over the patch parameters `t`.
 ParameterRanges parameter_ranges(const ParameterMap& map, const Interval& t);
 
 } // namespace keiko

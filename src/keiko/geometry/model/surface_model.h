@@ -142,7 +142,7 @@ SurfaceModel merge(std::span<const SurfaceModel> models);
 
 /// Trim curves that follow each other along one side of an edge.
 struct EdgeUse {
-    std::uint32_t face = 0, first_curve = 0, curve_count = 0;
+    std::uint32_t face = 0, first_curve = 0, curve_count = 0; ///< into the model's arrays
 };
 
 /// The uses of each edge of a model, in file order.

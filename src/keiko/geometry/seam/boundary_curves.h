@@ -13,7 +13,7 @@ constexpr std::uint32_t natural_side = 0xfffffff0;
 
 /// A stretch of one border curve of a placed face.
 struct BoundaryInterval {
-    std::uint32_t instance = 0, face = 0;
+    std::uint32_t instance = 0, face = 0; ///< into the model's arrays
     std::uint32_t curve = 0;   ///< into SurfaceModel::trim_curves, or natural_side + 0..3
     double begin = 0, end = 1; ///< parameters of that curve; begin > end: run backwards
 

@@ -40,9 +40,10 @@ std::vector<LineCell> line_cells(const BezierPatchView& patch, const LineField& 
                                  std::span<const double> levels,
                                  const LineCellOptions& options = {});
 
+/// Where the zeros of a field lie.
 struct FieldCells {
-    std::vector<LineCell> cells;
-    std::vector<Box2> blank; ///< where the field is 0 everywhere, to within rounding
+    std::vector<LineCell> cells; ///< of level 0
+    std::vector<Box2> blank;     ///< where the field is 0 everywhere, to within rounding
 };
 
 /// Cells that together hold every zero of a polynomial field on a patch outside of `blank`, like

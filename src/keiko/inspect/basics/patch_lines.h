@@ -20,7 +20,9 @@ class ZeroFunction {
 public:
     virtual ~ZeroFunction() = default;
 
+    /// Value at patch parameters.
     virtual double operator()(const Vec2& uv) const = 0;
+    /// The place of the patch at its parameters.
     virtual LinePoint point(const Vec2& uv) const = 0;
 
     /// The root between two places of opposite sign, by the Illinois form of the secant rule
@@ -37,10 +39,13 @@ public:
 /// references; the patch and the field must outlive it.
 class LevelFunction : public ZeroFunction {
 public:
+    /// `level` in the unit of the field.
     LevelFunction(const BezierPatchView& patch, const LineField& field, double level)
         : patch_(patch), field_(field), level_(level) {}
 
+    /// The residual at patch parameters.
     double operator()(const Vec2& uv) const override;
+    /// The place of the patch at its parameters.
     LinePoint point(const Vec2& uv) const override {
         return {uv, evaluate(patch_, uv, 0).position()};
     }

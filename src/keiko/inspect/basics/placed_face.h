@@ -13,7 +13,7 @@ namespace KEIKO_API keiko {
 
 /// A face placed by an instance.
 struct PlacedFace {
-    std::uint32_t instance = 0, face = 0; ///< into SurfaceModel::instances and ::faces
+    std::uint32_t instance = 0, face = 0; ///< into the arrays of SurfaceModel
 
     bool operator==(const PlacedFace&) const = default;
 };
@@ -45,6 +45,7 @@ struct PlacedPatch {
     double rounding = 0;      ///< mm: error of a homogeneous coordinate
     Box3 box;                 ///< world, of the control points
 
+    /// The patch with index `patch` of the model.
     PlacedPatch(const SurfaceModel& model, std::uint32_t patch, const Affine& placed);
 };
 

@@ -43,6 +43,7 @@ std::optional<CurveBend> section_bend(const SurfaceDerivatives& s, const Vec3& o
 std::optional<CurveBend> touching_bend(const SurfaceDerivatives& s, const Vec3& plane,
                                        const Vec2& direction, const Vec2& turning);
 
+/// A point of a curve, and how the curve bends there.
 struct CombSample {
     Vec3 place{0};    ///< world, mm, on the exact surface
     double along = 0; ///< mm from the beginning of the curve, over its chords
@@ -57,11 +58,12 @@ struct CombPiece {
     /// own, positive to the left of the direction of the samples, viewed from the side that the
     /// plane's normal points to.
     bool touching = false;
-    std::vector<CombSample> samples{};
+    std::vector<CombSample> samples{}; ///< from end to end
 };
 
+/// Options of comb_curves.
 struct CombOptions {
-    std::vector<SectionPlane> planes;
+    std::vector<SectionPlane> planes; ///< of the sections
     int iso_curves = 0;        ///< of each face in either direction, uniform over its parameters
     double chord_error = 0.01; ///< mm
     /// Largest deviation of a curvature from the straight line between two samples, as a share of
@@ -74,6 +76,7 @@ struct CombOptions {
 using BendAt = std::function<std::optional<CurveBend>(const SurfaceDerivatives&, const Vec2& uv,
                                                       const Vec3& normal)>;
 
+/// Options of comb_samples.
 struct CombSampling {
     double tolerance = 0.01;   ///< as CombOptions::tolerance
     double chord_error = 0.01; ///< mm: distance from poles to which combs extend

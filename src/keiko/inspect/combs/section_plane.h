@@ -28,7 +28,7 @@ std::array<double, 2> heights(const SurfaceModel& model, const Vec3& along);
 
 /// Curves in which a plane meets a patch: zeros of a polynomial of its parameters.
 struct MeetingField {
-    BernsteinField field;
+    BernsteinField field;        ///< the polynomial
     std::vector<LineCell> cells; ///< that hold its zeros
     bool touching = false; ///< the plane is tangent along them; only zeros in the plane are curves
     bool on_side = false;  ///< along a side of the patch, where the next patch has them too
@@ -36,13 +36,14 @@ struct MeetingField {
                            ///< where it is steep
 };
 
+/// All of a patch that a plane meets.
 struct PlaneMeeting {
-    BernsteinField height; ///< over the plane, mm, times the weight
-    double tolerance = 0;  ///< of that height: places within it lie in the plane
-    std::vector<MeetingField> fields;
-    bool within = false;           ///< all of the patch lies in the plane
-    std::vector<Vec2> doubtful;    ///< places where the plane touches the patch, or may
-    BernsteinField bend_u, bend_v; ///< of the height, twice by u and by v; where it has slopes
+    BernsteinField height;            ///< over the plane, mm, times the weight
+    double tolerance = 0;             ///< of that height: places within it lie in the plane
+    std::vector<MeetingField> fields; ///< of all curves
+    bool within = false;              ///< all of the patch lies in the plane
+    std::vector<Vec2> doubtful;       ///< places where the plane touches the patch, or may
+    BernsteinField bend_u, bend_v;    ///< of the height, twice by u and by v; where it has slopes
 
     /// True if the slope by u, not that by v, represents the curve along which the plane touches at
     /// a place. The other slope has zeros that cross it where it runs along v.

@@ -55,11 +55,11 @@ struct StretchLimits {
 
 /// A part of one piece of a seam, all of one class.
 struct SeamPart {
-    std::uint32_t piece = 0; ///< index of the probe
-    SeamClass kind = SeamClass::smooth;
-    SeamPoint begin, end; ///< in the order of side a
-    double length = 0;    ///< mm, of side a
-    double unknown = 0;   ///< mm of it along which a side has no normal
+    std::uint32_t piece = 0;            ///< index of the probe
+    SeamClass kind = SeamClass::smooth; ///< of all its places
+    SeamPoint begin, end;               ///< in the order of side a
+    double length = 0;                  ///< mm, of side a
+    double unknown = 0;                 ///< mm of it along which a side has no normal
 };
 
 /// mm: error of the position at which the class changes.

@@ -35,8 +35,8 @@ std::string nothing_judged(const Inspection& inspection);
 
 /// One remark, or several equal ones, for people.
 struct FoldedRemark {
-    Severity severity = Severity::note;
-    std::string text; ///< "face 12: invalid in the file (226 times)"
+    Severity severity = Severity::note; ///< of all of them
+    std::string text;                   ///< "face 12: invalid in the file (226 times)"
 };
 
 /// Remarks in which equal ones are one with their number, in the order of first occurrence.
