@@ -17,6 +17,7 @@ EXPORT = "keiko/base/export.h"
 MARKED, PLAIN = "namespace KEIKO_API keiko {", "namespace keiko {"
 MOST_API_HEADERS = 14
 INCLUDE = re.compile(r'^#include ["<]([^">]+)[">]\n', re.M)
+FRIEND = re.compile(r"^ +friend (?!class |struct )[^;{}=]*?\b(operator\W+?|\w+)\([^;{}=]*\);", re.M)
 # Third-party libraries whose headers an installed header may include; the others stay hidden.
 SHOWN = ("Imath/",)
 
@@ -59,6 +60,12 @@ def shows_too_much(text: str) -> list:
             if not name.startswith(("keiko/", *SHOWN)) and not re.fullmatch(r"[a-z_]+", name)]
 
 
+def hidden_friends(text: str) -> list:
+    """Functions that a class declares as friends before the marked namespace does: they stay hidden."""
+    return [m[1] for m in FRIEND.finditer(text)
+            if not re.search(rf"^(?!friend)\w[^\n]*\b{re.escape(m[1])}\(", text[:m.start()], re.M)]
+
+
 def faults(public: list):
     verbs = [header for header in public if header.startswith("keiko/api/")]
     if len(verbs) > MOST_API_HEADERS:
@@ -73,6 +80,8 @@ def faults(public: list):
             continue
         if PLAIN in text:
             yield f"{header} is installed, but not marked"
+        for name in hidden_friends(text):
+            yield f"{header} declares {name} as a friend first: declare it in the namespace before"
         for name in shows_too_much(text):
             yield f"{header} is installed, and shows <{name}>"
 

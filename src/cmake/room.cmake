@@ -8,8 +8,12 @@ function(keiko_room name)
   add_library(keiko_${name} STATIC ${ROOM_SOURCES})
   target_include_directories(keiko_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(keiko_${name} PUBLIC ${ROOM_LINK} PRIVATE keiko_flags ${ROOM_PRIVATE})
-  set_target_properties(keiko_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON
-    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  set_target_properties(keiko_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  # clang 14 takes the mark of a namespace for its classes, not for its functions: it hides nothing.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set_target_properties(keiko_${name} PROPERTIES
+      CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  endif()
   # Nobody replaces the library's functions by others of their name: calls may be inlined.
   target_compile_options(keiko_${name} PRIVATE -fno-semantic-interposition)
 endfunction()

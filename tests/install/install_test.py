@@ -115,11 +115,14 @@ class Library(InstallTest):
         shared = self.libraries / "libkeiko.so"
         if not shared.is_file():
             self.skipTest("the library is static")
+        if "Free Software Foundation" not in output_of(COMPILER, "--version"):
+            self.skipTest("only gcc hides what is not marked")
         symbols = output_of("nm", "-D", "-C", "--defined-only", shared).splitlines()
         names = [line.split(" ", 2)[2] for line in symbols if line.split(" ", 2)[1] in "TDBR"]
-        self.assertIn("keiko::check_models", {name.partition("(")[0] for name in names})
+        shown = {name.partition("(")[0] for name in names}
+        self.assertLessEqual({"keiko::check_models", "keiko::operator*", "keiko::SurfaceModel::patch"}, shown)
         for name in names:
-            self.assertRegex(name, r"(^|\b(typeinfo( name)?|vtable) for )keiko::", "a symbol of another library")
+            self.assertRegex(name, r"(^|\b(typeinfo( name)?|vtable|VTT) for )keiko::", "a symbol of another library")
             self.assertNotRegex(name, r"^keiko::(build_id|binary_path|sha256|log_\w+)\b", "an inner function")
 
     def test_serves_a_program_that_finds_it_by_pkg_config(self):

@@ -32,8 +32,6 @@ struct Affine {
     /// Requires a determinant that is not 0.
     Affine inverse() const;
 
-    /// (a * b)(p) = a(b(p))
-    friend Affine operator*(const Affine& a, const Affine& b);
     bool operator==(const Affine&) const = default;
 
     /// A motion by an offset in mm.
@@ -43,6 +41,9 @@ struct Affine {
     /// A scaling about the origin.
     static Affine scale(double factor);
 };
+
+/// (a * b)(p) = a(b(p))
+Affine operator*(const Affine& a, const Affine& b);
 
 /// The box of the images of a box's corners.
 Box3 transformed(const Affine& map, const Box3& box);

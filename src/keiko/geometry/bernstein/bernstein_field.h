@@ -11,6 +11,14 @@
 
 namespace KEIKO_API keiko {
 
+class BernsteinField;
+/// Product; the degrees add up.
+BernsteinField operator*(const BernsteinField& a, const BernsteinField& b);
+/// Sum of two fields of equal degrees.
+BernsteinField operator+(const BernsteinField& a, const BernsteinField& b);
+/// Difference of two fields of equal degrees.
+BernsteinField operator-(const BernsteinField& a, const BernsteinField& b);
+
 /// A polynomial over [0, 1]^2 by its Bernstein coefficients, whose hull holds its values
 /// [FaroukiRajan1988]. Degrees are not limited to those of patches. Keeps a bound of the rounding
 /// error of each coefficient.
@@ -49,11 +57,11 @@ public:
     /// that vanishes on that side; needs a degree of 1 or more.
     BernsteinField without_side(bool by_u, bool upper) const;
 
-    /// Product; the degrees add up.
+    /// As declared above.
     friend BernsteinField operator*(const BernsteinField& a, const BernsteinField& b);
-    /// Sum of two fields of equal degrees.
+    /// As declared above.
     friend BernsteinField operator+(const BernsteinField& a, const BernsteinField& b);
-    /// Difference of two fields of equal degrees.
+    /// As declared above.
     friend BernsteinField operator-(const BernsteinField& a, const BernsteinField& b);
 
 private:
