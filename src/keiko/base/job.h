@@ -21,7 +21,7 @@ struct Job {
     std::stop_token stop{};                          ///< requested to end the work early
     int threads = 0;                                 ///< 0: as many as there are cores
 
-    /// Reports a stage, `fraction` of which is done.
+    /// Reports how much of a stage is done, 0 to 1.
     void report(std::string_view stage, double fraction) const {
         if (progress) progress({stage, fraction});
     }

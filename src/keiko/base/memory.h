@@ -18,7 +18,7 @@ namespace KEIKO_API keiko {
 /// before.
 template <class T>
 struct DefaultInitAllocator : std::allocator<T> {
-    /// The same allocator for another type.
+    /// Tells the allocator of another type.
     template <class U>
     struct rebind { // NOLINT(readability-identifier-naming): std::allocator_traits looks for it
         using other = DefaultInitAllocator<U>; ///< that allocator

@@ -9,7 +9,7 @@ namespace KEIKO_API keiko {
 
 /// How a lamp's line lies in one revision of a part to the lines of the same lamp in the other.
 struct LineShift {
-    /// Of the line: indices of its C-plane and of the lamp on it.
+    /// Indices of the line's C-plane and of the lamp on it.
     std::uint32_t plane = 0, lamp = 0;
     double length = 0;            ///< mm, of the line
     double alone = 0;             ///< mm of it that have no line of the lamp beside them

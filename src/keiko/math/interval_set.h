@@ -47,9 +47,9 @@ public:
     double measure() const;
     /// True if a parameter lies in one of them.
     bool contains(double t) const;
-    /// What lies in both sets.
+    /// Intersection of both sets.
     IntervalSet intersect(const IntervalSet& other) const;
-    /// What lies in either set.
+    /// Union of both sets.
     IntervalSet unite(const IntervalSet& other) const;
     /// The parts of [begin, end] that are not in this set.
     IntervalSet complement(double begin = 0, double end = 1) const;

@@ -45,7 +45,7 @@ struct PlacementOptions {
 Placement place_lamps(const Tracer& tracer, const SurfaceModel& model,
                       std::span<const Camera> cameras, const PlacementOptions& options = {},
                       const Job& job = {});
-/// The same for a single camera.
+/// Placement for a single camera.
 Placement place_lamps(const Tracer& tracer, const SurfaceModel& model, const Camera& camera,
                       const PlacementOptions& options = {}, const Job& job = {});
 /// Placement from samples `seen` in pictures of `picture_height` pixels of the model, whose faces

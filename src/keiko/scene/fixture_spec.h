@@ -65,7 +65,7 @@ Quantity quantity_by_name(std::string_view name);
 struct Metric {
     std::string check; ///< "shape", "seams" or "lines"
     std::string name;  ///< unique within the check, e.g. "face 3 (roof): area"
-    /// What the number states, and by that its unit and tolerance.
+    /// Quantity of the number, and by that its unit and tolerance.
     Quantity quantity = Quantity::count;
     std::variant<double, std::string> value; ///< a word for verdicts only
 

@@ -57,11 +57,11 @@ public:
     /// that vanishes on that side; needs a degree of 1 or more.
     BernsteinField without_side(bool by_u, bool upper) const;
 
-    /// As declared above.
+    /// Declared above.
     friend BernsteinField operator*(const BernsteinField& a, const BernsteinField& b);
-    /// As declared above.
+    /// Declared above.
     friend BernsteinField operator+(const BernsteinField& a, const BernsteinField& b);
-    /// As declared above.
+    /// Declared above.
     friend BernsteinField operator-(const BernsteinField& a, const BernsteinField& b);
 
 private:

@@ -40,7 +40,7 @@ std::vector<LineCell> line_cells(const BezierPatchView& patch, const LineField& 
                                  std::span<const double> levels,
                                  const LineCellOptions& options = {});
 
-/// Where the zeros of a field lie.
+/// Cells with the zeros of a field.
 struct FieldCells {
     std::vector<LineCell> cells; ///< of level 0
     std::vector<Box2> blank;     ///< where the field is 0 everywhere, to within rounding

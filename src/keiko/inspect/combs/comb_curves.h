@@ -44,7 +44,7 @@ struct SectionRemark {
     std::array<double, 2> reach{};        ///< of missed: the heights of the body, mm
 };
 
-/// What comb_curves returns.
+/// Result of comb_curves.
 struct FoundCombs {
     std::vector<CombCurve> curves;      ///< sections by plane, then iso-curves by face
     std::vector<SectionRemark> remarks; ///< in the order of the planes

@@ -22,7 +22,7 @@ struct LineBorder {
     bool constant_u = false;              ///< of a line inside a face
     double at = 0;                        ///< the face parameter that is constant there
 
-    /// What borders are ordered by.
+    /// Key by which borders are ordered.
     auto order() const { return std::tie(seam, instance, face, constant_u, at); }
     /// By order().
     bool operator<(const LineBorder& other) const { return order() < other.order(); }

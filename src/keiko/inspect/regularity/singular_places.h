@@ -9,7 +9,7 @@ namespace KEIKO_API keiko {
 
 /// A place of a face at which its surface is not regular.
 struct SingularPlace {
-    /// What is singular.
+    /// Kind of the singularity.
     enum class Kind {
         fold,      ///< the normal turns over: the face folds back on itself
         no_limit,  ///< the normals about it have no limit: a kink that ends, or a tip

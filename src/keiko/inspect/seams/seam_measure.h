@@ -36,7 +36,7 @@ struct CurvatureSlopeStep {
 /// A stretch of the line along which two faces meet, all of one class; or of a line inside one
 /// face along which its patches meet (`internal`).
 struct MeasuredSeam {
-    /// Of its two sides, into the model's arrays.
+    /// Indices of its two sides in the model's arrays.
     std::uint32_t instance_a = 0, face_a = 0, instance_b = 0, face_b = 0;
     std::uint32_t id_a = 0, id_b = 0; ///< Face::id of the sides
     std::string faces; ///< "face 12 (fender-outer) | face 13"; instances too if there are several

@@ -37,12 +37,12 @@ inline double phase(const HazePhase& haze, double cosine) {
     const double cos2 = (1 + cosine) / 2, cos4 = cos2 * cos2, cos8 = cos4 * cos4;
     return (1 + haze.k * cos8 * cos8) / (4 * std::numbers::pi * (1 + haze.k / 9));
 }
-/// The same for the function of Henyey and Greenstein.
+/// Phase function of Henyey and Greenstein.
 inline double phase(const HenyeyGreenstein& lobe, double cosine) {
     const double g = lobe.g, x = 1 + g * g - 2 * g * cosine;
     return (1 - g * g) / (4 * std::numbers::pi * x * std::sqrt(x));
 }
-/// The same for either function.
+/// Phase function of either kind.
 inline double phase(const PhaseFunction& function, double cosine) {
     return std::visit([cosine](const auto& kind) { return phase(kind, cosine); }, function);
 }

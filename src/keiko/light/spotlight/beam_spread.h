@@ -43,7 +43,7 @@ std::optional<BeamSpread> beam_spread(const PhotometricWeb& web, double share, d
 
 /// Spreads of a beam in the planes 0 and 90; empty if the plane is dark.
 struct PrincipalSpreads {
-    /// Of the C planes 0 and 90, or the other types' two.
+    /// Spreads in the C planes 0 and 90, or the other types' two.
     std::optional<BeamSpread> plane_0{}, plane_90{};
 
     bool operator==(const PrincipalSpreads&) const = default;

@@ -30,9 +30,9 @@ std::string luminaire_text(const LuminaireFacts& facts);
 /// "C"), symmetry, planes and vertical_angles {count, first, last} in degrees. Light: luminous_flux
 /// and lamp_flux (null for absolute photometry) in lm, light_output_ratio, largest_intensity in cd
 /// with its vertical and horizontal angle. Beam: beam_angle and field_angle {plane_0, plane_90} in
-/// degrees, null if an edge is not reached, or all is dark; beam_edges and field_edges {plane_0,
-/// plane_90}, each {positive {degrees, reached}, negative {degrees, reached}, opposite}, or null if
-/// all is dark. Further keys: opening [x, y, z] in mm, diagnostics
+/// degrees, null if an edge is not reached, or all is dark. Edges: beam_edges and field_edges
+/// {plane_0, plane_90}, each {positive {degrees, reached}, negative {degrees, reached}, opposite},
+/// or null if all is dark. Further keys: opening [x, y, z] in mm, diagnostics
 /// [{severity, entity, message}].
 std::string luminaire_json(const LuminaireFacts& facts);
 
