@@ -258,6 +258,7 @@ std::vector<PeerSeamPlace> OpenCascadeSeams::facing(std::size_t border, double t
         PeerSeamPlace place = place_between(a, t, b, b.nearest(a.position(t)));
         if (place.gap > reach) continue;
         place.border_a = border, place.border_b = i;
+        place.is_shared = b.edge().IsSame(a.edge());
         result.push_back(place);
     }
     return result;

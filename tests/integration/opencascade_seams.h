@@ -20,6 +20,7 @@ struct PeerSeamPlace {
     double turn = 0;             ///< degrees between the borders, 0 to 90
     std::optional<double> angle; ///< degrees, 0 smooth to 180 folded back; needs both normals
     double curvature_a = 0, curvature_b = 0; ///< 1/mm, across the seam, normals on one side
+    bool is_shared = false;                  ///< both borders are uses of one edge of the file
 };
 
 /// Seams of a CAD file measured by OpenCASCADE alone: by BRepAdaptor_Surface along the p-curves

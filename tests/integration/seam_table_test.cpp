@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iomanip>
@@ -42,6 +43,7 @@ struct StretchPiece {
     SurfaceCurve curve; ///< side a
     BoundaryInterval on;
     std::vector<std::size_t> borders_a, borders_b;
+    std::array<std::size_t, 2> faces{}; ///< of side a, and of the other
     /// A side is a line by which the import closed a loop: the file has no border there.
     bool closing = false;
 
@@ -111,8 +113,21 @@ private:
         for (std::size_t i = 0; i < measured_.seams.size(); ++i)
             for (const std::uint32_t number : measured_.seams[i].pieces) {
                 const Seam& piece = measured_.pieces[number];
-                pieces_.push_back({i, curves_->curve(piece.a), piece.a, borders_of(piece.a),
-                                   borders_of(piece.b), closes(piece.a) || closes(piece.b)});
+                pieces_.push_back({i,
+                                   curves_->curve(piece.a),
+                                   piece.a,
+                                   borders_of(piece.a),
+                                   borders_of(piece.b),
+                                   {piece.a.face, piece.b.face},
+                                   closes(piece.a) || closes(piece.b)});
+                const StretchPiece& first = pieces_.back();
+                others_.push_back({i,
+                                   curves_->curve(piece.b),
+                                   piece.b,
+                                   first.borders_b,
+                                   first.borders_a,
+                                   {piece.b.face, piece.a.face},
+                                   first.closing});
             }
     }
 
@@ -162,7 +177,35 @@ private:
                 nearest.try_emplace({place.t, peer_->face_of(place.border_b)}, place);
             if (!is_new && faces_more(place, at->second)) at->second = place;
         }
-        for (const auto& [key, place] : nearest) hold(place, key.second);
+        for (const auto& [key, place] : nearest) {
+            hold(place, key.second);
+            if (is_joined(place)) expect_seam(place, key.second);
+        }
+    }
+
+    /// True if the file states that the borders meet at a place, or they run together there.
+    static bool is_joined(const PeerSeamPlace& place) {
+        constexpr double together = 0.001, parallel = 1; // mm, degrees
+        return place.is_shared ||
+               (place.gap <= together && place.turn <= parallel && place.slip <= same_place);
+    }
+
+    /// A place where borders meet must belong to a seam of Keiko's between their faces, whichever
+    /// side it is on. Ends of seams are known to `same_vertex`, as vertices of files are.
+    void expect_seam(const PeerSeamPlace& place, std::size_t face_b) {
+        constexpr double same_vertex = 0.01; // mm
+        const auto is_at = [&](const StretchPiece& piece) {
+            return piece.faces == std::array{peer_->face_of(place.border_a), face_b} &&
+                   piece.distance(place.place) <= same_vertex;
+        };
+        ++joined_;
+        if (std::any_of(pieces_.begin(), pieces_.end(), is_at) ||
+            std::any_of(others_.begin(), others_.end(), is_at))
+            return;
+        ++missing_;
+        ADD_FAILURE() << "no seam of face " << peer_->face_of(place.border_a) + 1 << " with face "
+                      << face_b + 1 << " at " << place.place.x << ", " << place.place.y << ", "
+                      << place.place.z << ", " << place.gap << " mm apart";
     }
 
     void hold(const PeerSeamPlace& place, std::size_t face_b) {
@@ -236,7 +279,8 @@ private:
         std::cout << name << ": " << line_count(measured_.seams) << " seams, "
                   << measured_.seams.size() << " stretches, " << places_ << " places, "
                   << elsewhere_ << " facing another border, " << closing_
-                  << " worst places without border; beyond the stated maximum, at the worst places:"
+                  << " worst places without border, " << joined_ << " places where borders meet, "
+                  << missing_ << " without a seam; beyond the stated maximum, at the worst places:"
                   << std::scientific << std::setprecision(1);
         for (const Quantity& q : quantities_)
             std::cout << ' ' << q.name << ' ' << q.excess << ", " << q.difference << ';';
@@ -248,8 +292,11 @@ private:
     std::optional<BoundaryCurves> curves_;
     std::unique_ptr<OpenCascadeSeams> peer_;
     std::vector<Quantity> quantities_;
-    std::vector<StretchPiece> pieces_;
+    std::vector<StretchPiece> pieces_; ///< by their sides a
+    std::vector<StretchPiece> others_; ///< by their sides b
     std::size_t places_ = 0;
+    std::size_t joined_ = 0;    ///< places where the file's borders meet
+    std::size_t missing_ = 0;   ///< those of them that belong to no seam
     std::size_t elsewhere_ = 0; ///< places that face another border than the paired one
     std::size_t closing_ = 0;   ///< worst places where the file has no border
 };

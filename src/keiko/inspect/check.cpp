@@ -3,6 +3,7 @@
 #include "keiko/inspect/openings/opening.h"
 #include "keiko/inspect/overlaps/overlap.h"
 #include "keiko/inspect/seams/curvature_match.h"
+#include "keiko/inspect/seams/narrow_faces.h"
 
 #include <algorithm>
 #include <array>
@@ -25,6 +26,8 @@ constexpr std::array criteria{
               "Change of the slope of the normal curvature across a seam (G3)."},
     Criterion{"KEIKO-RUN-OUT", "", "fading",
               "Step of the slope of a crease's angle along the seam where the crease fades out."},
+    Criterion{"G-SU-NA", "entirely_narrow_face", "width",
+              "Width of a strip of a face beside a crease: the step across it is not judged."},
     Criterion{"G-SU-CR", "surface_with_small_curvature_radius", "radius",
               "Smallest radius of curvature of a face, over what its trims leave of it."},
     Criterion{"G-SU-WV", "", "waviness", "Depth of waves of a surface, off the form around them."},
@@ -272,6 +275,17 @@ Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::siz
 Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane) {
     const std::string what = "the deviation from the mirror image at " + plane;
     return judged("KEIKO-SYMMETRY", "mm", worst, {what.c_str(), " mm"});
+}
+
+Check check_of_narrow(const NarrowFace& narrow, double join, const std::string& neighbours) {
+    MeasuredValue worst{narrow.width, 0, join, narrow.place, Verdict::fail};
+    worst.at_least = true;
+    Check check = judged("G-SU-NA", "mm", worst, {"the width of a strip beside a crease", " mm"});
+    check.message += ", some " + short_number(narrow.length) + " mm long; across it " + neighbours +
+                     " step by " + short_number(narrow.step) + " mm and turn by " +
+                     short_number(narrow.angle) + " degrees";
+    check.severity = Check::Severity::look;
+    return check;
 }
 
 Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,

@@ -11,6 +11,7 @@
 
 namespace KEIKO_API keiko {
 
+struct NarrowFace;
 struct Opening;
 struct Overlap;
 
@@ -65,6 +66,10 @@ Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::siz
 /// KEIKO-SYMMETRY held against the largest distance of a body from its image at a plane, such as "y
 /// = 0". Without face.
 Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane);
+
+/// G-SU-NA: a strip of a face that is narrower than the join distance, `join` mm, beside a crease
+/// deserves a look. `neighbours`: the names of the faces on either side of it. Without face.
+Check check_of_narrow(const NarrowFace& narrow, double join, const std::string& neighbours);
 
 /// KEIKO-OPENING: an opening that is wider than the preset's gap deserves a look. `faces`: the
 /// names of its sides. Without face.

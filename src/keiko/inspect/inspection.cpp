@@ -2,9 +2,8 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/basics/placed_face.h"
+#include "keiko/inspect/border_looks.h"
 #include "keiko/inspect/flaws/flaw_search.h"
-#include "keiko/inspect/openings/opening.h"
-#include "keiko/inspect/overlaps/overlap.h"
 #include "keiko/inspect/seams/seam_line.h"
 
 #include <algorithm>
@@ -134,40 +133,6 @@ void add_singular_places(const ModelBorders& borders, Inspection& result, const 
     });
 }
 
-/// "face 1 | face 2"; a single name if both are the same.
-std::string names_of(const SurfaceModel& model, const PlacedFace& a, const PlacedFace& b) {
-    const std::string name = placed_face_name(model, a.instance, a.face);
-    return a == b ? name : name + " | " + placed_face_name(model, b.instance, b.face);
-}
-
-/// Adds a check of a placed face.
-void add_of_face(Inspection& result, const PlacedFace& of, Check check) {
-    const auto first =
-        std::find_if(result.faces.begin(), result.faces.end(), [&](const MeasuredFace& face) {
-            return face.instance == of.instance && face.face == of.face;
-        });
-    check.face = static_cast<std::uint32_t>(first - result.faces.begin());
-    result.checks.push_back(std::move(check));
-}
-
-/// Adds the checks of a model's free edges.
-void add_at_free_edges(const ModelBorders& borders, Inspection& result, const Job& job) {
-    const SurfaceModel& model = borders.model;
-    const CriteriaPreset& preset = result.preset;
-    const FreeEdges edges =
-        free_edges(model, borders.curves, result.pieces, preset.gap, result.join, job);
-    const OpeningLimits small{result.join, preset.negligible, preset.gap};
-    for (const Opening& opening : find_openings(borders.curves, edges, small, job)) {
-        const auto& [a, b] = opening.sides;
-        add_of_face(result, a, check_of_opening(opening, preset, names_of(model, a, b)));
-    }
-    for (const Overlap& overlap :
-         find_overlaps(model, borders.curves, edges, {result.join, preset.negligible}, job)) {
-        const auto& [a, b] = overlap.sides;
-        add_of_face(result, a, check_of_overlap(overlap, preset, names_of(model, a, b)));
-    }
-}
-
 } // namespace
 
 Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, double join,
@@ -193,7 +158,8 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
         ++count_of(result.faces[i].verdict, result.face_counts);
         take(result.faces[i].verdict, checks_of(result.faces[i], preset, i), result);
     }
-    add_at_free_edges(borders, result, job);
+    take(Verdict::pass, looks_at_borders(borders, result.seams, result.pieces, preset, join, job),
+         result);
     result.findings = ranked(result, &Check::is_finding);
     result.looks = ranked(result, &Check::is_worth_a_look);
     return result;

@@ -175,8 +175,13 @@ std::optional<HoleForm> hole_form(const BoundaryCurves& curves, const FreeEdges&
                v = normal.cross(u);
     std::vector<Vec2> points;
     points.reserve(places.size());
-    for (const FreePlace& place : places)
+    double low = 0, high = 0;
+    for (const FreePlace& place : places) {
         points.emplace_back(place.position.dot(u), place.position.dot(v));
+        const double height = (place.position - form.middle).dot(normal);
+        low = std::min(low, height), high = std::max(high, height);
+    }
+    form.depth = high - low, form.area = area.length();
     measure(convex_hull(std::move(points)), form);
     add_sides(curves, edges, places, form);
     return form;

@@ -45,6 +45,8 @@ FreePlace nearest_place(const std::vector<FreePlace>& line, const Vec3& p);
 struct HoleForm {
     double width = 0;  ///< mm: the least breadth of the outline viewed along its normal
     double length = 0; ///< mm: the breadth at right angles to that
+    double depth = 0;  ///< mm: the extent of the outline along its normal
+    double area = 0;   ///< mm2, enclosed, viewed along its normal
     Vec3 middle{0};    ///< world, mm: the centroid of the outline
     /// Mean cosines, over the outline, of the angle between the outward direction from the middle
     /// and the direction into the face there: the part of positive cosines and, as a positive

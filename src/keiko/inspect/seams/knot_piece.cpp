@@ -109,8 +109,7 @@ Vec3 KnottedFace::point(const Vec2& parameters) const {
 SeamProbe KnottedFace::probe(const KnotPiece& piece, const Affine& placed,
                              const std::array<Vec3, 2>& left,
                              const std::array<Vec3, 2>& right) const {
-    const SurfaceCurve a(model_, grid_, placed, {left}, true);
-    const SurfaceCurve b(model_, grid_, placed, {right}, false);
+    const SurfaceCurve a = side(left, placed, true), b = side(right, placed, false);
     return piece.is_bend() ? SeamProbe::across_bend(a, b) : SeamProbe(a, {0, 1}, b, {0, 1});
 }
 

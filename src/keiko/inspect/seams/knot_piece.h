@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/geometry/model/patch_grid.h"
 #include "keiko/inspect/seams/seam_probe.h"
 
@@ -7,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A stretch of a line of constant u or v inside a face, in face parameters. It includes the
 /// parameters at which its two sides are evaluated: its own, or others beside it if the line is a
@@ -28,6 +29,12 @@ struct KnotPiece {
         const Vec2 a = point(line, begin), b = point(line, end);
         return {Vec3(a.x, a.y, 1), Vec3(b.x, b.y, 1)};
     }
+    /// Its part between two shares of its length.
+    KnotPiece part(double from, double to) const {
+        KnotPiece result = *this;
+        result.begin = begin + from * (end - begin), result.end = begin + to * (end - begin);
+        return result;
+    }
     /// True if the areas between the sides of both overlap, on the same stretch.
     bool meets(const KnotPiece& other) const {
         return constant_u == other.constant_u && begin == other.begin && end == other.end &&
@@ -47,6 +54,10 @@ public:
     Box2 domain() const { return grid_.domain(); }
     /// The point at face parameters, not placed; mm.
     Vec3 point(const Vec2& parameters) const;
+    /// A side of a piece, placed; its p-curve, to which a reference is kept.
+    SurfaceCurve side(const std::array<Vec3, 2>& p_curve, const Affine& placed, bool left) const {
+        return {model_, grid_, placed, {p_curve}, left};
+    }
     /// The sides of a piece, placed. `left` and `right` are its sides as p-curves, to which
     /// references are kept.
     SeamProbe probe(const KnotPiece& piece, const Affine& placed, const std::array<Vec3, 2>& left,

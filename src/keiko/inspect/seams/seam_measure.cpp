@@ -156,6 +156,8 @@ std::vector<MeasuredSeam> FaceKnots::measure(std::uint32_t instance, const KnotL
     for (MeasuredStretch& stretch : measure_line(model_, seam, judged, limits)) {
         stretch.seam.faces = placed_face_name(model_, instance, index_) + ", inside at " + knot;
         stretch.seam.internal = true;
+        for (const SeamPart& part : stretch.parts)
+            stretch.seam.knots.push_back(line[part.piece].part(part.begin.t, part.end.t));
         measured.push_back(std::move(stretch.seam));
     }
     return measured;

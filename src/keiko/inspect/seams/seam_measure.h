@@ -4,6 +4,7 @@
 #include "keiko/base/job.h"
 #include "keiko/geometry/seam/seam.h"
 #include "keiko/inspect/basics/verdict.h"
+#include "keiko/inspect/seams/knot_piece.h"
 #include "keiko/inspect/seams/model_borders.h"
 #include "keiko/inspect/seams/seam_partition.h"
 #include "keiko/scene/criteria_preset.h"
@@ -42,6 +43,7 @@ struct MeasuredSeam {
     std::string faces; ///< "face 12 (fender-outer) | face 13"; instances too if there are several
     std::uint32_t line = 0;            ///< number of the line that it is a stretch of, from 0
     std::vector<std::uint32_t> pieces; ///< into MeasuredSeams::pieces; empty where internal
+    std::vector<KnotPiece> knots{};    ///< its pieces where internal
     double length = 0;                 ///< mm
     Vec3 middle{0};                    ///< a point halfway along, world, mm
     /// Course of the stretch: 33 points of each of its pieces, from end to end, world, mm. The

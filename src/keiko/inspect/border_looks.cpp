@@ -1,0 +1,84 @@
+#include "keiko/inspect/border_looks.h"
+
+#include "keiko/inspect/basics/placed_face.h"
+#include "keiko/inspect/openings/missing_caps.h"
+#include "keiko/inspect/overlaps/body_crossings.h"
+#include "keiko/inspect/seams/narrow_faces.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace keiko {
+namespace {
+
+/// Checks, each of one placed face.
+class FaceChecks {
+public:
+    explicit FaceChecks(const SurfaceModel& model) : model_(model), faces_(placed_faces(model)) {}
+
+    void add(const PlacedFace& of, Check check) {
+        const auto at = std::find(faces_.begin(), faces_.end(), of);
+        check.face = static_cast<std::uint32_t>(at - faces_.begin());
+        checks_.push_back(std::move(check));
+    }
+    std::string name(const PlacedFace& of) const {
+        return placed_face_name(model_, of.instance, of.face);
+    }
+    /// "face 1 | face 2"; a single name if both are the same.
+    std::string names(const std::array<PlacedFace, 2>& of) const {
+        return of[0] == of[1] ? name(of[0]) : name(of[0]) + " | " + name(of[1]);
+    }
+    std::vector<Check> take() { return std::move(checks_); }
+
+private:
+    const SurfaceModel& model_;
+    std::vector<PlacedFace> faces_;
+    std::vector<Check> checks_;
+};
+
+std::vector<Overlap> all_overlaps(const ModelBorders& borders, const FreeEdges& edges,
+                                  std::span<const Seam> pieces, const OverlapLimits& limits,
+                                  const Job& job) {
+    std::vector<Overlap> overlaps =
+        find_overlaps(borders.model, borders.curves, edges, limits, job);
+    const std::vector<Overlap> crossings = body_crossings(borders, pieces, limits.join, job);
+    overlaps.insert(overlaps.end(), crossings.begin(), crossings.end());
+    return overlaps;
+}
+
+std::vector<Opening> all_openings(const ModelBorders& borders, const FreeEdges& edges,
+                                  std::span<const Seam> pieces, const OpeningLimits& limits,
+                                  const Job& job) {
+    std::vector<Opening> openings = find_openings(borders.curves, edges, limits, job);
+    const std::vector<Opening> caps =
+        missing_caps(borders.model, borders.curves, edges, pieces, limits.gap, openings, job);
+    openings.insert(openings.end(), caps.begin(), caps.end());
+    return openings;
+}
+
+} // namespace
+
+std::vector<Check> looks_at_borders(const ModelBorders& borders,
+                                    std::span<const MeasuredSeam> seams,
+                                    std::span<const Seam> pieces, const CriteriaPreset& preset,
+                                    double join, const Job& job) {
+    const SurfaceModel& model = borders.model;
+    FaceChecks checks(model);
+    for (const NarrowFace& narrow : narrow_faces(borders, seams, pieces, join, job)) {
+        Check check = check_of_narrow(narrow, join, checks.names(narrow.neighbours));
+        check.faces = checks.name(narrow.face);
+        checks.add(narrow.face, std::move(check));
+    }
+    const FreeEdges edges = free_edges(model, borders.curves, pieces, preset.gap, join, job);
+    const OpeningLimits small{join, preset.negligible, preset.gap};
+    for (const Opening& opening : all_openings(borders, edges, pieces, small, job))
+        checks.add(opening.sides[0],
+                   check_of_opening(opening, preset, checks.names(opening.sides)));
+    for (const Overlap& overlap :
+         all_overlaps(borders, edges, pieces, {join, preset.negligible}, job))
+        checks.add(overlap.sides[0],
+                   check_of_overlap(overlap, preset, checks.names(overlap.sides)));
+    return checks.take();
+}
+
+} // namespace keiko

@@ -1,0 +1,204 @@
+#include "keiko/inspect/seams/narrow_faces.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/base/units.h"
+#include "keiko/geometry/bvh/box_tree.h"
+#include "keiko/geometry/model/closest_point.h"
+#include "keiko/inspect/seams/facing_chords.h"
+#include "keiko/inspect/seams/seam_sides.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// mm: largest distance of the polyline of a side from the side.
+constexpr double chord_error = 0.002;
+
+/// The point of a line that is nearest to a place.
+ClosestPoint foot_on(const SeamSide::Line& line, const Vec3& place, double guess) {
+    return closest_point(line.curve, place, guess, line.low(), line.high());
+}
+
+class StripSearch {
+public:
+    StripSearch(const SurfaceModel& model, const PlacedFace& face,
+                const std::vector<SeamSide>& sides, double join)
+        : model_(model), sides_(sides), face_(face), join_(join), tree_(list_chords()) {}
+
+    std::optional<NarrowFace> run() {
+        NarrowFace found{.face = face_, .width = 0};
+        double negligible = 0;
+        for (std::uint32_t i = 0; i < chords_.size(); ++i) {
+            const SeamSide& side = sides_[chords_[i].side];
+            if (!side.is_crease) continue;
+            const double length = narrow_length(i, found);
+            found.length += length;
+            if (length > 0) negligible = std::max(negligible, side.negligible);
+        }
+        return found.length > negligible ? std::optional(found) : std::nullopt;
+    }
+
+private:
+    /// A chord of the polyline of a side.
+    struct SideChord {
+        std::uint32_t side;
+        double t_from, t_to; ///< parameters of the border
+        Chord chord;
+
+        double t(double share) const { return t_from + share * (t_to - t_from); }
+    };
+
+    /// Places of two sides that face each other over the material of the face.
+    struct Across {
+        BoundaryFrame near, far;
+        double t_near, t_far;
+    };
+
+    std::vector<Box3> list_chords();
+    double narrow_length(std::uint32_t i, NarrowFace& found);
+    std::optional<Across> across(const SideChord& from, double share, const SideChord& to);
+    bool is_material_between(const Across& at, const SurfaceCurve& from, const SurfaceCurve& to);
+    void take(const Across& at, const SeamSide& near, const SeamSide& far, NarrowFace& found) const;
+    std::optional<BoundaryFrame> beyond(const SeamSide& side, double t, const Vec3& place) const;
+
+    const SurfaceModel& model_;
+    const std::vector<SeamSide>& sides_;
+    PlacedFace face_;
+    double join_;
+    std::vector<SideChord> chords_;
+    BoxTree tree_;
+    std::optional<KnottedFace> surface_; ///< made on first use
+};
+
+std::vector<Box3> StripSearch::list_chords() {
+    std::vector<Box3> boxes;
+    for (std::uint32_t side = 0; side < sides_.size(); ++side) {
+        const SurfaceCurve& curve = sides_[side].own.curve;
+        const double begin = sides_[side].own.low(), end = sides_[side].own.high();
+        const CurvePolyline line = make_polyline(curve, chord_error);
+        double t = begin;
+        Vec3 from = curve.at(begin).position;
+        const auto add = [&](double t_to, const Vec3& to) {
+            chords_.push_back({side, t, t_to, {from, to}});
+            boxes.emplace_back();
+            boxes.back().extend(from);
+            boxes.back().extend(to);
+            t = t_to, from = to;
+        };
+        for (std::size_t k = 0; k < line.t.size(); ++k)
+            if (line.t[k] > begin && line.t[k] < end) add(line.t[k], line.points[k]);
+        add(end, curve.at(end).position);
+    }
+    return boxes;
+}
+
+/// mm of a chord of a crease along which the face is narrow; `found` takes the largest step.
+double StripSearch::narrow_length(std::uint32_t i, NarrowFace& found) {
+    const SideChord& from = chords_[i];
+    Box3 box;
+    box.extend(from.chord.from);
+    box.extend(from.chord.to);
+    std::vector<ParameterInterval> narrow;
+    for (const std::uint32_t j : tree_.overlapping(box.padded(join_))) {
+        const SideChord& to = chords_[j];
+        const bool is_second = sides_[to.side].is_crease && j <= i; // of two creases
+        const auto part = is_second ? std::nullopt : part_beside(from.chord, to.chord, join_);
+        const auto middle = part ? across(from, (part->begin + part->end) / 2, to) : std::nullopt;
+        if (!middle) continue;
+        narrow.push_back(*part);
+        take(*middle, sides_[from.side], sides_[to.side], found);
+        for (const double share : {part->begin, part->end})
+            if (const auto at = across(from, share, to))
+                take(*at, sides_[from.side], sides_[to.side], found);
+    }
+    return IntervalSet(std::move(narrow)).measure() * from.chord.length();
+}
+
+std::optional<StripSearch::Across> StripSearch::across(const SideChord& from, double share,
+                                                       const SideChord& to) {
+    constexpr double same_place = 1e-6; // mm: closer sides have no direction across
+    const SeamSide::Line &own = sides_[from.side].own, &opposite = sides_[to.side].own;
+    const double t = from.t(share);
+    const auto near = own.curve.frame(t);
+    if (!near) return std::nullopt;
+    const double guess = to.t(nearest_on_segment(to.chord.from, to.chord.to, near->position));
+    const ClosestPoint foot = foot_on(opposite, near->position, guess);
+    const auto far = opposite.curve.frame(foot.t);
+    if (!far || foot.distance > join_ || !(foot.distance > same_place)) return std::nullopt;
+    const Across at{*near, *far, t, foot.t};
+    return is_material_between(at, own.curve, opposite.curve) ? std::optional(at) : std::nullopt;
+}
+
+/// True if the straight path in the parameters leads into the material at both of its ends and is
+/// at most twice as long as the distance between them: more than around half a circle. It is longer
+/// from one border to the other of a face that is rolled up.
+bool StripSearch::is_material_between(const Across& at, const SurfaceCurve& from,
+                                      const SurfaceCurve& to) {
+    if (!surface_) surface_.emplace(model_, face_.face);
+    constexpr int steps = 8;
+    constexpr double longest = 2, into = 0.5;
+    const Affine& placed = model_.instances[face_.instance].transform;
+    const Vec2 begin = from.parameters(at.t_near), end = to.parameters(at.t_far);
+    double length = 0;
+    Vec3 last = at.near.position;
+    for (int i = 1; i <= steps; ++i) {
+        const Vec3 next =
+            placed.point(surface_->point(begin + (end - begin) * (double(i) / steps)));
+        const Vec3 way = next - last;
+        if (i == 1 && !(way.dot(at.near.inward) > into * way.length())) return false;
+        if (i == steps && !(-way.dot(at.far.inward) > into * way.length())) return false;
+        length += way.length(), last = next;
+    }
+    return length <= longest * (at.far.position - at.near.position).length();
+}
+
+/// The frame of the seam's other side at a place.
+std::optional<BoundaryFrame> StripSearch::beyond(const SeamSide& side, double t,
+                                                 const Vec3& place) const {
+    const ParameterInterval& on = side.own.on;
+    const double guess = side.beyond.at((t - on.begin) / (on.end - on.begin));
+    return side.beyond.curve.frame(foot_on(side.beyond, place, guess).t);
+}
+
+void StripSearch::take(const Across& at, const SeamSide& near, const SeamSide& far,
+                       NarrowFace& found) const {
+    const auto a = beyond(near, at.t_near, at.near.position);
+    const auto b = beyond(far, at.t_far, at.far.position);
+    const Vec3 way = at.far.position - at.near.position, run = at.near.tangent;
+    double step = 0, angle = 0;
+    if (a && b) {
+        const auto across = [&](const Vec3& v) { return v - run * v.dot(run); };
+        step = std::max(std::abs(way.dot(a->normal)), std::abs(way.dot(b->normal)));
+        angle = radians_to_degrees(angle_between(across(-a->inward), across(b->inward)));
+    }
+    if (found.width > 0 && step <= found.step) return;
+    found.width = way.length(), found.step = step, found.angle = angle;
+    found.place = (at.near.position + at.far.position) / 2;
+    found.neighbours = {near.neighbour, far.neighbour};
+}
+
+} // namespace
+
+std::vector<NarrowFace> narrow_faces(const ModelBorders& borders,
+                                     std::span<const MeasuredSeam> seams,
+                                     std::span<const Seam> pieces, double join, const Job& job) {
+    const SeamSides sides(borders, seams, pieces);
+    std::vector<const SeamSides::ByFace::value_type*> faces;
+    for (const auto& face : sides.by_face())
+        if (std::any_of(face.second.begin(), face.second.end(),
+                        [](const SeamSide& side) { return side.is_crease; }))
+            faces.push_back(&face);
+    std::vector<std::optional<NarrowFace>> found(faces.size());
+    parallel_for(faces.size(), job, "", [&](std::size_t i) {
+        const auto& [face, of_face] = *faces[i];
+        found[i] = StripSearch(borders.model, {face.first, face.second}, of_face, join).run();
+    });
+    std::vector<NarrowFace> narrow;
+    for (const auto& face : found)
+        if (face) narrow.push_back(*face);
+    return narrow;
+}
+
+} // namespace keiko

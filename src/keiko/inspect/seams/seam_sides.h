@@ -1,0 +1,58 @@
+#pragma once
+
+#include "keiko/inspect/basics/placed_face.h"
+#include "keiko/inspect/seams/knot_piece.h"
+#include "keiko/inspect/seams/seam_measure.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// A side of a piece of a seam, and what lies beyond it: lines that run in the same direction.
+struct SeamSide {
+    /// A part of a border, or of a line inside a face.
+    struct Line {
+        SurfaceCurve curve;
+        ParameterInterval on; ///< begin > end: it is run backwards
+
+        double low() const { return std::min(on.begin, on.end); }
+        double high() const { return std::max(on.begin, on.end); }
+        double at(double share) const { return on.begin + share * (on.end - on.begin); }
+    };
+    Line own, beyond;
+    PlacedFace neighbour;
+    bool is_crease = false; ///< or a run-out
+    double negligible = 0;  ///< mm, of the seam
+};
+
+/// The sides of measured seams, by their placed faces. Lines inside a face have two sides of it.
+/// Keeps references to the borders.
+class SeamSides {
+public:
+    using ByFace = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<SeamSide>>;
+
+    /// Without scraps. `pieces`: those of the seams, MeasuredSeams::pieces.
+    SeamSides(const ModelBorders& borders, std::span<const MeasuredSeam> seams,
+              std::span<const Seam> pieces);
+    SeamSides(const SeamSides&) = delete;
+    SeamSides& operator=(const SeamSides&) = delete;
+
+    const ByFace& by_face() const { return sides_; }
+
+private:
+    void add(const MeasuredSeam& seam, const Seam& piece);
+    void add(const MeasuredSeam& seam, const KnotPiece& piece);
+    void add_both(const MeasuredSeam& seam, const SeamSide::Line& a, const SeamSide::Line& b);
+
+    const ModelBorders& borders_;
+    std::map<std::uint32_t, KnottedFace> knotted_;
+    std::deque<std::array<Vec3, 2>> lines_; ///< p-curves of lines inside faces
+    ByFace sides_;
+};
+
+} // namespace keiko
