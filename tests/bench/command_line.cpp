@@ -111,6 +111,16 @@ void add_frames(CLI::App& app, FrameOptions& options) {
     add_markdown(*frames, options.markdown);
 }
 
+void add_inspect(CLI::App& app, InspectBenchmarkOptions& options) {
+    CLI::App* inspect = app.add_subcommand(
+        "inspect", "processor time of keiko inspect by stage, beside OpenCASCADE's meshing");
+    inspect->add_option("FILE", options.files, "model files [those of the tracked table]")
+        ->check(CLI::ExistingFile);
+    inspect->add_option("--rig", options.rig, "rig file for all of them [lamps are placed]")
+        ->check(CLI::ExistingFile);
+    add_markdown(*inspect, options.markdown);
+}
+
 } // namespace
 
 Command parse_command_line(int argc, char** argv) {
@@ -125,6 +135,7 @@ Command parse_command_line(int argc, char** argv) {
     add_penumbra(app, command.penumbra);
     add_stripes(app, command.stripes);
     add_frames(app, command.frames);
+    add_inspect(app, command.inspect);
     CLI::App* picture = app.add_subcommand(
         "picture", "the same stripes from meshes and from the surface, side by side");
     command.picture.output = test::repository("docs/images/mesh-or-surface.png");
@@ -150,6 +161,7 @@ Command parse_command_line(int argc, char** argv) {
                     : app.got_subcommand("penumbra") ? Group::penumbra
                     : app.got_subcommand("stripes")  ? Group::stripes
                     : app.got_subcommand("frames")   ? Group::frames
+                    : app.got_subcommand("inspect")  ? Group::inspect
                                                      : Group::trace;
     return command;
 }

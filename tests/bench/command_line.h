@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/bench/frame_benchmark.h"
+#include "tests/bench/inspect_benchmark.h"
 #include "tests/bench/load_benchmark.h"
 #include "tests/bench/penumbra_benchmark.h"
 #include "tests/bench/stripe_benchmark.h"
@@ -38,7 +39,7 @@ struct ShaftsOptions {
     std::filesystem::path markdown{}; ///< page; empty: none
 };
 
-enum class Group { trace, picture, load, lights, shafts, penumbra, stripes, frames, help };
+enum class Group { trace, picture, load, lights, shafts, penumbra, stripes, frames, inspect, help };
 
 struct Command {
     Group group = Group::trace;
@@ -50,6 +51,7 @@ struct Command {
     PenumbraOptions penumbra{};
     StripeOptions stripes{};
     FrameOptions frames{};
+    InspectBenchmarkOptions inspect{};
     int exit_code = 0; ///< of help and usage errors
 };
 

@@ -83,6 +83,12 @@ void frames(const FrameOptions& options) {
     if (!options.markdown.empty()) update_page(options.markdown, "frames", markdown_of(table));
 }
 
+void inspect(const InspectBenchmarkOptions& options) {
+    const Table table = run_inspect_benchmark(options);
+    print(text_of(table));
+    if (!options.markdown.empty()) update_page(options.markdown, "inspect", markdown_of(table));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -113,6 +119,9 @@ int main(int argc, char** argv) {
                 return 0;
             case Group::frames:
                 frames(command.frames);
+                return 0;
+            case Group::inspect:
+                inspect(command.inspect);
                 return 0;
             case Group::help:
                 return command.exit_code;
