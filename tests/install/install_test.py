@@ -57,8 +57,10 @@ class InstallTest(unittest.TestCase):
         answer = run(program, *arguments, SURFACES / "seam-g0-gap.step", **options)
         self.assertIn(answer.returncode, (0, 1), answer.stderr)
         aside = worker.rename(worker.with_name("aside"))
-        self.addCleanup(aside.rename, worker)
-        refused = run(program, *arguments, SURFACES / "seam-g0-gap.step", **options)
+        try:
+            refused = run(program, *arguments, SURFACES / "seam-g0-gap.step", **options)
+        finally:
+            aside.rename(worker)
         self.assertEqual(refused.returncode, 2)
         self.assertIn("no reader at", refused.stderr)
         return answer
@@ -120,7 +122,7 @@ class Library(InstallTest):
         symbols = output_of("nm", "-D", "-C", "--defined-only", shared).splitlines()
         names = [line.split(" ", 2)[2] for line in symbols if line.split(" ", 2)[1] in "TDBR"]
         shown = {name.partition("(")[0] for name in names}
-        self.assertLessEqual({"keiko::check_models", "keiko::operator*", "keiko::SurfaceModel::patch"}, shown)
+        self.assertFalse({"keiko::check_models", "keiko::operator*", "keiko::SurfaceModel::patch"} - shown)
         for name in names:
             self.assertRegex(name, r"(^|\b(typeinfo( name)?|vtable|VTT) for )keiko::", "a symbol of another library")
             self.assertNotRegex(name, r"^keiko::(build_id|binary_path|sha256|log_\w+)\b", "an inner function")
