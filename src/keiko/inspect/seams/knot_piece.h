@@ -14,12 +14,14 @@ namespace KEIKO_API keiko {
 /// parameters at which its two sides are evaluated: its own, or others beside it if the line is a
 /// bend.
 struct KnotPiece {
-    bool constant_u = true;
-    double at = 0, begin = 0, end = 0;
-    double low = at, high = at;
-    bool has_limits = true; ///< the curvatures of its sides are their limits at the line
+    bool constant_u = true;            ///< else v is constant
+    double at = 0, begin = 0, end = 0; ///< the constant parameter, and the range of the other
+    double low = at, high = at;        ///< parameters of the two sides; low <= high
+    bool has_limits = true;            ///< the curvatures of its sides are their limits at the line
 
+    /// True if its sides are evaluated beside the line.
     bool is_bend() const { return low < high; }
+    /// What pieces are ordered by.
     auto order() const { return std::tuple(!constant_u, at, begin, end); }
     /// The point at `x` of a line of the constant parameter `line`.
     Vec2 point(double line, double x) const { return constant_u ? Vec2(line, x) : Vec2(x, line); }
@@ -45,12 +47,17 @@ struct KnotPiece {
 /// A face whose lines are pieces, and the grid of its patches.
 class KnottedFace {
 public:
+    /// The face with this index of a model, to which a reference is kept.
     KnottedFace(const SurfaceModel& model, std::uint32_t index)
         : model_(model), index_(index), grid_(model, model.faces[index]) {}
 
+    /// The model of the face.
     const SurfaceModel& model() const { return model_; }
+    /// Index of the face in the model.
     std::uint32_t index() const { return index_; }
+    /// The face itself.
     const Face& face() const { return model_.faces[index_]; }
+    /// Range of the face parameters.
     Box2 domain() const { return grid_.domain(); }
     /// The point at face parameters, not placed; mm.
     Vec3 point(const Vec2& parameters) const;
@@ -81,7 +88,7 @@ std::vector<double> isoline_places(int count);
 /// The sides of a face's patches along which it breaks (breaks_at), regardless of its trims, and
 /// those at which it is torn: open by more than 1e-4 mm.
 struct BrokenKnots {
-    std::vector<KnotPiece> pieces, torn;
+    std::vector<KnotPiece> pieces, torn; ///< broken sides, and those of them that are torn
 };
 
 /// Broken sides of a face. Each side is tested at 4 n places, n the degree along it. The tangents
