@@ -39,7 +39,7 @@ const std::map<std::string, std::string, std::less<>>& column_of_stage() {
     return columns_of;
 }
 
-/// Of this process and of the workers that it has waited for.
+/// Processor time of this process and of the workers that it has waited for.
 double processor_seconds() {
     rusage workers{};
     getrusage(RUSAGE_CHILDREN, &workers);

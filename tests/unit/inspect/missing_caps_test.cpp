@@ -1,4 +1,4 @@
-// Bodies that are closed but for one hole.
+// Bodies with one hole that are closed elsewhere.
 #include "keiko/inspect/openings/missing_caps.h"
 
 #include "keiko/base/units.h"

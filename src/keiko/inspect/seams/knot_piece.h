@@ -21,7 +21,7 @@ struct KnotPiece {
 
     /// True if its sides are evaluated beside the line.
     bool is_bend() const { return low < high; }
-    /// What pieces are ordered by.
+    /// Key by which pieces are ordered.
     auto order() const { return std::tuple(!constant_u, at, begin, end); }
     /// The point at `x` of a line of the constant parameter `line`.
     Vec2 point(double line, double x) const { return constant_u ? Vec2(line, x) : Vec2(x, line); }
