@@ -41,7 +41,8 @@ std::vector<Overlap> all_overlaps(const ModelBorders& borders, const FreeEdges& 
                                   const Job& job) {
     std::vector<Overlap> overlaps =
         find_overlaps(borders.model, borders.curves, edges, limits, job);
-    const std::vector<Overlap> crossings = body_crossings(borders, pieces, limits.join, job);
+    const std::vector<Overlap> crossings =
+        body_crossings(borders, pieces, overlaps, limits.join, job);
     overlaps.insert(overlaps.end(), crossings.begin(), crossings.end());
     return overlaps;
 }

@@ -135,6 +135,18 @@ TEST(SingularPlaces, PolesAndTipsHaveNone) {
     }
 }
 
+TEST(SingularPlaces, TipsWhoseBordersCrossHaveNone) {
+    // Two borders that run into one point, and beyond it by a few nanometres to micrometres.
+    test::Random random(4);
+    for (int i = 0; i < sheets; ++i) {
+        const double beyond = std::pow(10, test::uniform(random, -6, -2.5));
+        const double wide = test::uniform(random, 5, 20), long_ = test::uniform(random, 5, 50);
+        test::ModelBuilder builder;
+        builder.patch(1, 1, {{beyond, 0, 0}, {-wide, long_, 0}, {-beyond, 0, 0}, {wide, long_, 0}});
+        EXPECT_TRUE(places_of(builder.build()).empty()) << beyond << " " << wide << " " << long_;
+    }
+}
+
 TEST(SingularPlaces, SidesThatTheSpeedVanishesAlongHaveNone) {
     // x = 100 u^2: the same plane as with x = 100 u.
     test::ModelBuilder builder;

@@ -94,7 +94,8 @@ private:
             const auto corners = part.cell.turned_corners();
             if (!corners) return false;
             const auto over = turn_between(patch, *corners, uv, near, material_of(patch));
-            if (over) add(*over);
+            // At a point that is a side, borders in files cross by what their digits leave.
+            if (over && (over->turns_over || !is_at_tip(patch, over->place))) add(*over);
             return over && over->turns_over;
         }
         if (is_at_tip(patch, patch.position(uv.center()))) return true;

@@ -1,0 +1,37 @@
+#include "keiko/inspect/overlaps/border_passage.h"
+
+#include "keiko/geometry/seam/border_approach.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// The place of a border, which goes round where it is closed.
+Vec3 place_at(const FreeEdge& border, double way) {
+    const double all = border.length();
+    if (border.closed) way = std::fmod(std::fmod(way, all) + all, all);
+    return border.at(std::clamp(way, 0.0, all)).position;
+}
+
+} // namespace
+
+BorderPassage border_passage(const FreeEdge& border, double way, const Hit& hit, double join) {
+    constexpr int steps = 16; // on either side
+    const double step = join / 2 / std::sin(parallel_borders) / steps;
+    BorderPassage passage;
+    double most_before = 0, most_after = 0;
+    for (int i = -steps; i <= steps; ++i) {
+        const Vec3 off = place_at(border, way + i * step) - hit.position;
+        const double offset = off.dot(hit.normal);
+        if (std::abs(offset) <= join) passage.length += step;
+        double& most = i < 0 ? most_before : most_after;
+        if (std::abs(offset) > std::abs(most)) most = offset;
+    }
+    const auto [below, above] = std::minmax({most_before, most_after});
+    passage.is_through = below < -join / 2 && above > join / 2;
+    return passage;
+}
+
+} // namespace keiko
