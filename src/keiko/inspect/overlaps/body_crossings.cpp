@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -151,7 +152,11 @@ private:
 
 std::vector<Overlap> body_crossings(const ModelBorders& borders, std::span<const Seam> seams,
                                     std::span<const Overlap> known, double join, const Job& job) {
-    const Bodies bodies(borders.model, seams);
+    // Parts of an assembly are bodies of their own, though their borders touch.
+    std::vector<Seam> within_parts;
+    std::copy_if(seams.begin(), seams.end(), std::back_inserter(within_parts),
+                 [](const Seam& seam) { return seam.a.instance == seam.b.instance; });
+    const Bodies bodies(borders.model, within_parts);
     if (bodies.count() < 2) return {};
     CrossingSearch search(borders, bodies, join);
     search.leave_out(known);

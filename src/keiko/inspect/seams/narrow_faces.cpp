@@ -172,6 +172,7 @@ void StripSearch::take(const Across& at, const SeamSide& near, const SeamSide& f
         const auto across = [&](const Vec3& v) { return v - run * v.dot(run); };
         step = std::max(std::abs(way.dot(a->normal)), std::abs(way.dot(b->normal)));
         angle = radians_to_degrees(angle_between(across(-a->inward), across(b->inward)));
+        if (angle <= angle_rounding) angle = 0;
     }
     if (found.width > 0 && step <= found.step) return;
     found.width = way.length(), found.step = step, found.angle = angle;
