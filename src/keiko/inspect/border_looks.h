@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// What deserves a look at the borders of a model's faces, as checks of its placed faces: narrow
+/// Findings worth a look at borders of faces, as checks of the placed faces. They are narrow
 /// strips beside creases, openings between free edges, missing caps, and free edges on other faces.
 /// `pieces`: those of the seams, MeasuredSeams::pieces; `join` in mm.
 std::vector<Check> looks_at_borders(const ModelBorders& borders,
