@@ -69,6 +69,10 @@ public:
     const Bnd_Box& box() const { return box_; }
 
     gp_Pnt position(double t) const { return curve_.Value(t); }
+    /// mm from a point to the nearer end.
+    double from_end(const gp_Pnt& p) const {
+        return std::min(p.Distance(places_.front()), p.Distance(places_.back()));
+    }
 
     /// Parameters at even steps of each of its smooth pieces. At their ends themselves, `aside` of
     /// a piece off, the nearest point of a corner would belong to two borders.
@@ -198,7 +202,7 @@ PeerSeamPlace place_between(const Border& a, double t, const Border& b, double s
     const gp_Pnt p = a.position(t), q = b.position(s);
     place.t = t, place.s = s;
     place.place = vector_of(p.XYZ()), place.foot = vector_of(q.XYZ());
-    place.gap = p.Distance(q);
+    place.gap = p.Distance(q), place.from_end = b.from_end(q);
     const gp_Vec along = b.tangent(s);
     if (along.Magnitude() > 0) place.slip = std::abs(gp_Vec(p, q) * along) / along.Magnitude();
     auto from = a.side(t), into = b.side(s);

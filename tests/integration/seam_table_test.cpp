@@ -33,6 +33,8 @@ constexpr int steps = 60;
 constexpr double corner = 30;
 /// mm: the ends of Keiko's pieces are known to some 1e-8 of their parameters.
 constexpr double same_place = 1e-7, same_gap = 1e-7;
+/// mm: ends of seams are known to this, as vertices of files are.
+constexpr double same_vertex = 0.01;
 constexpr double same_angle = 1e-8; ///< degrees
 /// Share of 1: a mismatch may change from 0 to 1 within a few mm, or by this within `same_place`.
 constexpr double same_mismatch = 1e-7;
@@ -183,17 +185,17 @@ private:
         }
     }
 
-    /// True if the file states that the borders meet at a place, or they run together there.
+    /// True if the file states that the borders meet at a place, or they run together there. Of
+    /// four faces around a vertex those across meet in a point.
     static bool is_joined(const PeerSeamPlace& place) {
         constexpr double together = 0.001, parallel = 1; // mm, degrees
-        return place.is_shared ||
-               (place.gap <= together && place.turn <= parallel && place.slip <= same_place);
+        return place.is_shared || (place.gap <= together && place.turn <= parallel &&
+                                   place.slip <= same_place && place.from_end > same_vertex);
     }
 
     /// A place where borders meet must belong to a seam of Keiko's between their faces, whichever
-    /// side it is on. Ends of seams are known to `same_vertex`, as vertices of files are.
+    /// side it is on.
     void expect_seam(const PeerSeamPlace& place, std::size_t face_b) {
-        constexpr double same_vertex = 0.01; // mm
         const auto is_at = [&](const StretchPiece& piece) {
             return piece.faces == std::array{peer_->face_of(place.border_a), face_b} &&
                    piece.distance(place.place) <= same_vertex;
