@@ -96,19 +96,59 @@ bool same(const LinePoint& a, const LinePoint& b) {
     return (a.uv - b.uv).length() <= same_end;
 }
 
-/// Removes the arc that continues at `end` from `arcs`, turned to begin there.
-std::optional<Arc> next_arc(std::vector<Arc>& arcs, const LinePoint& end) {
-    check_stop();
-    for (std::size_t i = 0; i < arcs.size(); ++i) {
-        const bool forward = same(arcs[i].points.front(), end);
-        if (!forward && !same(arcs[i].points.back(), end)) continue;
-        Arc arc = std::move(arcs[i]);
-        arcs.erase(arcs.begin() + static_cast<std::ptrdiff_t>(i));
-        if (!forward) std::reverse(arc.points.begin(), arc.points.end());
+/// Arcs that are not yet part of a line, found by the places of their ends.
+class OpenArcs {
+public:
+    explicit OpenArcs(std::vector<Arc> arcs) : arcs_(std::move(arcs)), taken_(arcs_.size()) {
+        for (std::size_t i = 0; i < arcs_.size(); ++i)
+            for (const LinePoint& end : {arcs_[i].points.front(), arcs_[i].points.back()})
+                ends_.emplace_back(key(end), i);
+        std::sort(ends_.begin(), ends_.end());
+    }
+
+    /// Takes the first arc that is left.
+    std::optional<Arc> next() {
+        while (first_ < arcs_.size() && taken_[first_]) ++first_;
+        if (first_ == arcs_.size()) return std::nullopt;
+        return take(first_);
+    }
+
+    /// Takes the first arc that continues at a place, turned to begin there.
+    std::optional<Arc> next_at(const LinePoint& place) {
+        check_stop();
+        std::size_t found = arcs_.size();
+        const double at = key(place);
+        auto end =
+            std::lower_bound(ends_.begin(), ends_.end(), std::pair(at - reach, std::size_t{}));
+        for (; end != ends_.end() && end->first <= at + reach; ++end)
+            if (const std::size_t i = end->second; i < found && !taken_[i] && continues(i, place))
+                found = i;
+        if (found == arcs_.size()) return std::nullopt;
+        Arc arc = take(found);
+        if (!same(arc.points.front(), place)) std::reverse(arc.points.begin(), arc.points.end());
         return arc;
     }
-    return std::nullopt;
-}
+
+private:
+    /// Ends that are the same have keys within `reach`. Along a slanted direction few others have
+    /// the same key: ends lie on sides of cells, which follow the parameters.
+    static double key(const LinePoint& end) { return end.uv.x + 0.618 * end.uv.y; }
+    static constexpr double reach = 2 * same_end;
+
+    bool continues(std::size_t i, const LinePoint& place) const {
+        return same(arcs_[i].points.front(), place) || same(arcs_[i].points.back(), place);
+    }
+
+    Arc take(std::size_t i) {
+        taken_[i] = true;
+        return std::move(arcs_[i]);
+    }
+
+    std::vector<Arc> arcs_;
+    std::vector<bool> taken_;
+    std::vector<std::pair<double, std::size_t>> ends_; ///< key and arc, by rising key
+    std::size_t first_ = 0;
+};
 
 void append(PatchLine& line, const Arc& arc) {
     line.points.insert(line.points.end(), arc.points.begin() + 1, arc.points.end());
@@ -117,13 +157,13 @@ void append(PatchLine& line, const Arc& arc) {
 }
 
 std::vector<PatchLine> joined(std::vector<Arc> arcs) {
+    OpenArcs open(std::move(arcs));
     std::vector<PatchLine> lines;
-    while (!arcs.empty()) {
-        const Arc first = std::move(arcs.front());
-        arcs.erase(arcs.begin());
-        PatchLine line{first.cell.level, false, first.cell.proved, first.points, first.deviation};
+    while (auto first = open.next()) {
+        PatchLine line{first->cell.level, false, first->cell.proved, first->points,
+                       first->deviation};
         for (int end = 0; end < 2; ++end) {
-            while (auto arc = next_arc(arcs, line.points.back())) append(line, *arc);
+            while (auto arc = open.next_at(line.points.back())) append(line, *arc);
             std::reverse(line.points.begin(), line.points.end());
         }
         line.closed = line.points.size() > 2 && same(line.points.front(), line.points.back());
