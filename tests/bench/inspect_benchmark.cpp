@@ -86,7 +86,6 @@ std::map<std::string, double> inspect_seconds(const fs::path& file, const fs::pa
     StageClock clock;
     const Job job = clock.job();
     InspectOptions options;
-    options.picture.aovs = every_aov();
     if (!rig.empty()) options.rig = rig;
     const Scene scene = open_scene(std::array{file}, {}, job);
     const InspectResult result = inspect_scene(scene, options, job);

@@ -67,9 +67,19 @@ class Inspect(KeikoTest):
         for name in names:
             png = (self.folder / "out" / name).read_bytes()
             self.assertEqual(png[:4], b"\x89PNG", name)
-        rest = {"high-front-marked.png", "high-front.exr", "rig.toml", "report.html", "report.json",
-                ".keiko-results"}
+        rest = {"high-front-marked.png", "rig.toml", "report.html", "report.json", ".keiko-results"}
         self.assertEqual({p.name for p in (self.folder / "out").iterdir()}, rest | set(names))
+
+    def test_pictures_in_candela_are_written_with_the_layers_asked_for(self):
+        self.inspect("seam-g0-gap.step", "--aov", "normal,depth")
+        exr = (self.folder / "out/high-front.exr").read_bytes()
+        self.assertEqual(exr[:4], b"\x76\x2f\x31\x01")
+        header = exr[:2000]
+        self.assertTrue(all(name in header for name in (b"normal.X", b"depth.Z")), header)
+        self.assertFalse(any(name in header for name in (b"curvature.k1", b"face.id")), header)
+        run = self.keiko("inspect", surface("seam-g0-gap.step"), "--aov", "hue", "-o", "none")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn('no AOV is called "hue"', run.stderr)
 
     def test_results_of_an_earlier_run_are_withdrawn(self):
         self.inspect("seam-g0-gap.step", "--view", "top", "--sarif", "a.sarif")

@@ -17,7 +17,7 @@ namespace {
 struct InspectArguments {
     SceneArguments scene;
     InspectOptions options;
-    std::string rig = "auto", preset;
+    std::string rig = "auto", preset, aovs;
     std::filesystem::path output = "keiko-out";
     InspectionFiles files;
     std::filesystem::path hits;
@@ -65,7 +65,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     options.combs = arguments.combs.options(options.join);
     const Scene scene = arguments.scene.open(job);
     arguments.scene.warn_of_axes(scene, options.views);
-    options.picture.aovs = every_aov();
+    options.picture.aovs = aovs_by_names(arguments.aovs);
     options.register_hits = !arguments.hits.empty();
     const InspectResult result = inspect_scene(scene, options, job);
     FileTransaction outputs;
@@ -98,6 +98,11 @@ void add_inspect(CLI::App& app, Session& session) {
         .add_option("--view", arguments->options.views,
                     "view by name, or auto; may repeat [three automatic ones]")
         ->allow_extra_args(false);
+    command
+        .add_option("--aov", arguments->aovs,
+                    "writes each picture as an .exr, too, with these layers, comma-separated: "
+                    "luminance, normal, uv, face, patch, depth, c_plane_uv, illuminance, curvature")
+        ->check(not_empty());
     command.add_option("--rig", arguments->rig, "rig file, or auto: place the lamps")
         ->capture_default_str();
     command.add_option("--preset", arguments->preset,

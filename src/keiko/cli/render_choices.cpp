@@ -52,21 +52,6 @@ double full_curvature(AnalysisMode look, const std::string& text) {
 
 } // namespace
 
-std::vector<Aov> RenderArguments::aovs() const {
-    if (aovs_.empty()) return {};
-    std::vector<Aov> aovs;
-    for (std::size_t begin = 0; begin <= aovs_.size();) {
-        const std::size_t end = std::min(aovs_.find(',', begin), aovs_.size());
-        const std::string name = aovs_.substr(begin, end - begin);
-        const Aov aov = aov_by_name(name);
-        if (std::find(aovs.begin(), aovs.end(), aov) != aovs.end())
-            throw Error("", "aov", "\"" + name + "\" is asked for twice");
-        aovs.push_back(aov);
-        begin = end + 1;
-    }
-    return aovs;
-}
-
 /// "MIN:MAX"
 FalseColorScale RenderArguments::scale() const {
     FalseColorScale scale;

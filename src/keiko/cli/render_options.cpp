@@ -3,15 +3,6 @@
 #include "keiko/cli/session.h"
 
 namespace keiko::cli {
-namespace {
-
-/// Rejects an empty text, the value of an option that is not given.
-CLI::Validator not_empty() {
-    return {[](const std::string& text) { return std::string(text.empty() ? "is empty" : ""); },
-            ""};
-}
-
-} // namespace
 
 void RenderArguments::add_to(CLI::App& command) {
     scene.add_to(command, "MODEL|SCENE");

@@ -39,7 +39,7 @@ public:
     /// Chosen analysis mode; nullopt for a picture under the lamps. Throws Error for an unknown
     /// name.
     std::optional<ChosenMode> look() const;
-    std::vector<Aov> aovs() const;
+    std::vector<Aov> aovs() const { return aovs_by_names(aovs_); }
     FalseColorScale scale() const;
     ShownQuantity quantity() const;
     ToneMapping mapping() const;

@@ -42,6 +42,20 @@ void tell_build(const Scene& scene) {
 
 } // namespace
 
+std::vector<Aov> aovs_by_names(const std::string& names) {
+    std::vector<Aov> aovs;
+    for (std::size_t begin = 0; !names.empty() && begin <= names.size();) {
+        const std::size_t end = std::min(names.find(',', begin), names.size());
+        const std::string name = names.substr(begin, end - begin);
+        const Aov aov = aov_by_name(name);
+        if (std::find(aovs.begin(), aovs.end(), aov) != aovs.end())
+            throw Error("", "aov", "\"" + name + "\" is asked for twice");
+        aovs.push_back(aov);
+        begin = end + 1;
+    }
+    return aovs;
+}
+
 void add_load_options(CLI::App& command, SceneArguments& arguments) {
     command.add_option(
         "--unit", arguments.options.load.unit,

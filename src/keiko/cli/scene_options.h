@@ -46,6 +46,10 @@ struct SceneArguments {
     void warn_of_axes(const Scene& scene, std::span<const std::string> views) const;
 };
 
+/// AOVs by their comma-separated names; none for an empty text. Throws Error for an unknown name
+/// and for one that stands twice.
+std::vector<Aov> aovs_by_names(const std::string& names);
+
 /// Warns of every remark, by its subject.
 void log_remarks(const Diagnostics& remarks);
 

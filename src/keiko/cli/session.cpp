@@ -92,6 +92,11 @@ std::string option_error_line(const FieldError& error, const CLI::App& command) 
 
 } // namespace
 
+CLI::Validator not_empty() {
+    return {[](const std::string& text) { return std::string(text.empty() ? "is empty" : ""); },
+            ""};
+}
+
 CLI::Validator number_between(double low, double high) {
     std::array<char, 64> range{};
     std::snprintf(range.data(), range.size(), "%g to %g", low, high);

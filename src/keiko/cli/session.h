@@ -18,6 +18,8 @@ constexpr int exit_interrupted = 130;
 
 /// Accepts an option's number from `low` to `high`; NaN and infinity are rejected.
 CLI::Validator number_between(double low, double high);
+/// Rejects an empty text, the value of an option that is not given.
+CLI::Validator not_empty();
 
 /// Turns Ctrl-C (SIGINT) and SIGTERM into a stop request; a second one ends the process at once.
 /// Construct it before any other thread exists: the signals are blocked for all of them.

@@ -64,6 +64,17 @@ PictureOptions with_look_layers(PictureOptions options) {
     return options;
 }
 
+PictureOptions without_aovs(PictureOptions options) {
+    options.aovs.clear();
+    return options;
+}
+
+Film with_only(Film film, const std::vector<Aov>& aovs) {
+    for (const Aov aov : every_aov())
+        if (std::find(aovs.begin(), aovs.end(), aov) == aovs.end()) film.aovs.erase(aov);
+    return film;
+}
+
 } // namespace
 
 InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, const Job& job) {
@@ -98,7 +109,8 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
         result.report.comb_remarks = result.combs->remarks;
     }
     result.report.close_ups =
-        close_ups(scene, result.rig, result.report, views, options.picture, job);
+        close_ups(scene, result.rig, result.report, views, without_aovs(options.picture), job);
+    result.aovs = options.picture.aovs;
     return result;
 }
 
@@ -106,7 +118,7 @@ FolderContent result_files(const std::filesystem::path& folder, const InspectRes
     FolderContent files = report_files(result.report);
     for (std::size_t i = 0; i < result.films.size(); ++i) {
         const auto& [name, film] = result.films[i];
-        files[name + ".exr"] = encode_exr(film);
+        if (!result.aovs.empty()) files[name + ".exr"] = encode_exr(with_only(film, result.aovs));
         files[name + "-marked.png"] =
             encode_png(marked_image(film, result.report.pictures[i].markers));
     }

@@ -24,7 +24,7 @@ struct InspectOptions {
     PlacementOptions placement;                         ///< except its `mirror`
     /// Symmetry of placed lamps, used if views and body are symmetric.
     SymmetryChoice symmetry{SymmetryChoice::Kind::automatic};
-    PictureOptions picture;     ///< of the pictures
+    PictureOptions picture;     ///< of the pictures; with AOVs each is written as an EXR, too
     bool register_hits = false; ///< of the views, for InspectResult::hits
     CombOptions combs{};        ///< sections and iso-curves; none unless requested
 };
@@ -36,14 +36,15 @@ struct InspectResult {
     std::optional<RegisteredHits> hits{};            ///< if they were requested
     std::optional<Combs> combs{};                    ///< if any were requested
     std::vector<std::pair<std::string, Film>> films; ///< by view name
+    std::vector<Aov> aovs{};                         ///< those requested, for EXRs
 };
 
 /// The main job: places the lamps, renders the views, measures the seams, and reports.
 InspectResult inspect_scene(const Scene& scene, const InspectOptions& options = {},
                             const Job& job = {});
 
-/// report.html, report.json, the pictures (PNG and EXR) and rig.toml, for a folder. The rig names
-/// its files relative to the folder's path.
+/// report.html, report.json, the pictures and rig.toml, for a folder. Pictures are PNGs, and EXRs
+/// with the requested AOVs if there are any. The rig names its files relative to the folder's path.
 FolderContent result_files(const std::filesystem::path& folder, const InspectResult& result);
 
 } // namespace keiko
