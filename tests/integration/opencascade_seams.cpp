@@ -202,7 +202,7 @@ PeerSeamPlace place_between(const Border& a, double t, const Border& b, double s
     const gp_Pnt p = a.position(t), q = b.position(s);
     place.t = t, place.s = s;
     place.place = vector_of(p.XYZ()), place.foot = vector_of(q.XYZ());
-    place.gap = p.Distance(q), place.from_end = b.from_end(q);
+    place.gap = p.Distance(q), place.from_end = std::min(a.from_end(p), b.from_end(q));
     const gp_Vec along = b.tangent(s);
     if (along.Magnitude() > 0) place.slip = std::abs(gp_Vec(p, q) * along) / along.Magnitude();
     auto from = a.side(t), into = b.side(s);

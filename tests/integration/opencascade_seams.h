@@ -17,7 +17,7 @@ struct PeerSeamPlace {
     Vec3 place{0}, foot{0};                 ///< on either border, mm
     double gap = 0;                         ///< mm
     double slip = 0;             ///< mm along border b by which the foot is not square to it
-    double from_end = 0;         ///< mm from the foot to the nearer end of border b
+    double from_end = 0;         ///< mm of either point from the nearer end of its border
     double turn = 0;             ///< degrees between the borders, 0 to 90
     std::optional<double> angle; ///< degrees, 0 smooth to 180 folded back; needs both normals
     double curvature_a = 0, curvature_b = 0; ///< 1/mm, across the seam, normals on one side
