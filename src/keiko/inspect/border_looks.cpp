@@ -17,7 +17,10 @@ public:
     explicit FaceChecks(const SurfaceModel& model) : model_(model), faces_(placed_faces(model)) {}
 
     void add(const PlacedFace& of, Check check) {
-        const auto at = std::find(faces_.begin(), faces_.end(), of);
+        const auto before = [](const PlacedFace& a, const PlacedFace& b) {
+            return std::pair(a.instance, a.face) < std::pair(b.instance, b.face);
+        };
+        const auto at = std::lower_bound(faces_.begin(), faces_.end(), of, before);
         check.face = static_cast<std::uint32_t>(at - faces_.begin());
         checks_.push_back(std::move(check));
     }
@@ -52,7 +55,7 @@ std::vector<Opening> all_openings(const ModelBorders& borders, const FreeEdges& 
                                   const Job& job) {
     std::vector<Opening> openings = find_openings(borders.curves, edges, limits, job);
     const std::vector<Opening> caps =
-        missing_caps(borders.model, borders.curves, edges, pieces, limits.gap, openings, job);
+        missing_caps(borders.model, borders.curves, edges, pieces, limits, openings, job);
     openings.insert(openings.end(), caps.begin(), caps.end());
     return openings;
 }

@@ -9,7 +9,8 @@
 namespace keiko {
 
 /// Findings worth a look at borders of faces, as checks of the placed faces. They are narrow
-/// strips beside creases, openings between free edges, missing caps, and free edges on other faces.
+/// strips beside creases, openings between free edges, missing caps, free edges on other faces, and
+/// bodies that cross.
 /// `pieces`: those of the seams, MeasuredSeams::pieces; `join` in mm.
 std::vector<Check> looks_at_borders(const ModelBorders& borders,
                                     std::span<const MeasuredSeam> seams,

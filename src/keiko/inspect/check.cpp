@@ -231,12 +231,12 @@ std::vector<Check> looks_of(const MeasuredFace& face) {
     return looks;
 }
 
-/// Check of a singular place. A fold fails, like one at a seam. Other places deserve a look unless
-/// something proves them regular too.
+/// Check of a singular place. A fold fails, like one at a seam, and a face that is not shown to be
+/// regular is undecided. Places without a limit deserve a look.
 Check check_of_singular(const SingularPlace& place, const CriteriaPreset& preset) {
     using Kind = SingularPlace::Kind;
-    const MeasuredValue worst{place.angle, 0, preset.angle, place.place,
-                              place.kind == Kind::unresolved ? Verdict::undecided : Verdict::fail};
+    const Verdict of_place = place.kind == Kind::no_limit ? Verdict::fail : verdict_of(place.kind);
+    const MeasuredValue worst{place.angle, 0, preset.angle, place.place, of_place};
     Check check = place.kind == Kind::fold
                       ? judged("G-SU-FO", "deg", worst, {"the turn of the normal", " degrees"})
                       : judged("KEIKO-SINGULAR", "deg", worst,
@@ -244,7 +244,7 @@ Check check_of_singular(const SingularPlace& place, const CriteriaPreset& preset
     if (place.kind == Kind::unresolved) check.message = "the face is not shown to be regular";
     check.message += place.kind == Kind::fold ? "; the face folds back on itself" : "";
     if (place.extent > 1e-3) check.message += ", within some " + short_number(place.extent) + " mm";
-    if (place.kind != Kind::fold) check.severity = Check::Severity::look;
+    if (place.kind == Kind::no_limit) check.severity = Check::Severity::look;
     return check;
 }
 

@@ -129,7 +129,7 @@ void add_singular_places(const ModelBorders& borders, Inspection& result, const 
         face.singular =
             singular_places(borders.model, face.instance, face.face, {negligible, preset.angle});
         for (const SingularPlace& place : face.singular)
-            if (place.kind == SingularPlace::Kind::fold) face.verdict = Verdict::fail;
+            face.verdict = std::max(face.verdict, verdict_of(place.kind));
     });
 }
 

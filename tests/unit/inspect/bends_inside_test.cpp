@@ -1,4 +1,5 @@
 #include "keiko/base/units.h"
+#include "keiko/inspect/inspection.h"
 #include "keiko/inspect/seams/seam_measure.h"
 
 #include "tests/support/long_run.h"
@@ -130,6 +131,42 @@ TEST(BendsInside, WhereTheSheetTurnsBackAreFolds) {
         for (const double y : {0.0, width}) points.emplace_back(x, y, 0);
     builder.patch(2, 1, points);
     expect_bend(builder.build(), 180, 1e-6);
+}
+
+TEST(BendsInside, AreFoundWhereTheParametersRunAskew) {
+    // Control points that coincide but for their places along the line: S_u is not 0 there, but
+    // parallel to S_v.
+    for (const double degrees : {0.15, 1.0, 26.6, 90.0})
+        for (const double shift : {1.0, 30.0, 75.0}) {
+            NurbsSurface surface{2, 1, {0, 0, 0, 1, 2, 2, 2}, {0, 0, 1, 1}, {}};
+            const double angle = degrees_to_radians(degrees);
+            const Vec3 section[] = {{-100, 0, 0},
+                                    {0, 0, 0},
+                                    {0, 0, 0},
+                                    {100 * std::cos(angle), 0, 100 * std::sin(angle)}};
+            const double along[] = {0, 1, 3, 4}; // of Greville's abscissae, times `shift`
+            for (int i = 0; i < 4; ++i)
+                for (const double y : {0.0, 500.0})
+                    surface.points.emplace_back(section[i].x, y + shift * along[i], section[i].z,
+                                                1);
+            test::ModelBuilder builder;
+            builder.nurbs(surface);
+            const auto lines = measure_knot_lines(builder.build(), {});
+            ASSERT_EQ(lines.size(), 1u) << degrees << " " << shift;
+            ASSERT_TRUE(lines[0].angle.has_value());
+            EXPECT_NEAR(lines[0].angle->value, degrees, 1e-6 + 1e-3 * degrees);
+            EXPECT_NEAR(lines[0].length, 500, 1e-6);
+        }
+}
+
+TEST(BendsInside, WhereTheParametersRunAskewAndTheSheetTurnsBackAreFolds) {
+    NurbsSurface surface{2, 1, {0, 0, 0, 1, 2, 2, 2}, {0, 0, 1, 1}, {}};
+    const double x[] = {0, -100, -100, 50}, along[] = {0, 75, 225, 300};
+    for (int i = 0; i < 4; ++i)
+        for (const double y : {0.0, 500.0}) surface.points.emplace_back(x[i], y + along[i], 0, 1);
+    test::ModelBuilder builder;
+    builder.nurbs(surface);
+    EXPECT_EQ(inspect(builder.build()).verdict, Verdict::fail);
 }
 
 TEST(BendsInside, EndWhereTrimsDo) {

@@ -86,6 +86,33 @@ TEST(BodyCrossings, AreNoneOfBodiesThatTouchOrStandApart) {
     }
 }
 
+TEST(BodyCrossings, AreNoneOfBodiesPressedIntoEachOtherSideBySide) {
+    for (const double pressed : {0.0, 1e-3, 0.2, 0.45}) {
+        test::ModelBuilder builder;
+        block(builder, {0, 0, 0}, first);
+        block(builder, {60 - pressed, 5, -5}, edges_of({30, 30, 40}, 0, 0));
+        EXPECT_TRUE(crossings_of(builder).empty()) << pressed;
+    }
+}
+
+TEST(BodyCrossings, AreThoseOfInstances) {
+    // A bar through the middle of a plate, each a part of its own, the bar mirrored and scaled.
+    for (const double aside : {0.0, 100.0}) {
+        test::ModelBuilder builder;
+        block(builder, {0, 0, 0}, first);
+        block(builder, {0, 0, 0}, edges_of({4, 4, 20}, 20, 0));
+        SurfaceModel model = builder.build();
+        model.parts = {{"plate", 0, 6}, {"bar", 6, 6}};
+        const Affine placed{{Vec3(-2, 0, 0), Vec3(0, 2, 0), Vec3(0, 0, 2)},
+                            Vec3(40 + aside, 15, -10)};
+        model.instances = {{0, "plate", {}}, {1, "bar", placed}};
+        std::size_t found = 0;
+        for (const Check& look : inspect(model, {}, join).looks)
+            found += look.code == "KEIKO-CROSSING" ? 1 : 0;
+        EXPECT_EQ(found, aside == 0 ? 1u : 0u);
+    }
+}
+
 TEST(BodyCrossings, AreNoneOfBodiesWithinEachOther) {
     test::ModelBuilder builder;
     block(builder, {0, 0, 0}, first);

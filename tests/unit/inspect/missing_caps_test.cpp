@@ -116,5 +116,19 @@ TEST(MissingCaps, AreNoneOfPanelsWithFlanges) {
     EXPECT_TRUE(openings_of(block({600, 40, 40}, {0, 2, 3})).empty());
 }
 
+TEST(MissingCaps, OfStripsAreNoneHoweverTheyLieInTheirPlanes) {
+    // A strip 1 mm wide along the diagonal of a plane of 70 mm, of 2 % of its area.
+    test::ModelBuilder builder;
+    builder.plane({0, 0, 0}, {70, 0, 0}, {0, 70, 0});
+    const std::array<Vec2, 4> corners{{{0.02, 0.01}, {0.99, 0.98}, {0.98, 0.99}, {0.01, 0.02}}};
+    std::vector<std::vector<Vec3>> outline;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec2 a = corners[i], b = corners[(i + 1) % 4];
+        outline.push_back({{a.x, a.y, 1}, {b.x, b.y, 1}});
+    }
+    builder.loop(outline);
+    EXPECT_TRUE(openings_of(builder).empty());
+}
+
 } // namespace
 } // namespace keiko

@@ -68,6 +68,39 @@ TEST(SingularPlaces, FoldsWithinAFaceFail) {
     }
 }
 
+/// A flat sheet `width` mm wide whose parameter u turns back at `share`, and runs askew.
+SurfaceModel oblique_fold(double share, double width) {
+    // x = c (u - share)^2 in Bernstein form of degree 3, y = 30 u + width v
+    const double c = 266,
+                 square[] = {share * share, share * share - 2 * share / 3,
+                             share * share - 4 * share / 3 + 1.0 / 3, (1 - share) * (1 - share)};
+    std::vector<Vec3> points;
+    for (int i = 0; i < 4; ++i)
+        for (const double y : {0.0, width}) points.emplace_back(c * square[i], 10 * i + y, 0);
+    test::ModelBuilder builder;
+    builder.patch(3, 1, points);
+    return builder.build();
+}
+
+TEST(SingularPlaces, FoldsThatRunAskewFailWhereverTheyLie) {
+    for (const double share : {0.5, 0.25, 0.75, 0.47, 0.49})
+        for (const double width : {100.0, 200.0, 500.0, 3000.0}) {
+            const SurfaceModel model = oblique_fold(share, width);
+            EXPECT_TRUE(has(places_of(model), SingularPlace::Kind::fold)) << share << " " << width;
+            EXPECT_EQ(inspect(model).verdict, Verdict::fail);
+        }
+    // Along the very lines at which parts are cut no part of it is found.
+    EXPECT_NE(inspect(oblique_fold(0.4811, 500)).verdict, Verdict::pass);
+}
+
+TEST(SingularPlaces, NotShownToBeRegularIsUndecided) {
+    const SurfaceModel model = oblique_fold(0.5, 500);
+    const auto places = singular_places(model, 0, 0, {}, 3);
+    ASSERT_EQ(places.size(), 1u);
+    EXPECT_EQ(places[0].kind, SingularPlace::Kind::unresolved);
+    EXPECT_EQ(verdict_of(places[0].kind), Verdict::undecided);
+}
+
 TEST(SingularPlaces, FoldsOfBilinearFacesFail) {
     for (const Vec3& last : {Vec3(20, 20, 0), Vec3(5, 10, 0)}) {
         test::ModelBuilder builder;
@@ -140,10 +173,14 @@ TEST(SingularPlaces, TipsWhoseBordersCrossHaveNone) {
     test::Random random(4);
     for (int i = 0; i < sheets; ++i) {
         const double beyond = std::pow(10, test::uniform(random, -6, -2.5));
-        const double wide = test::uniform(random, 5, 20), long_ = test::uniform(random, 5, 50);
+        const double wide = test::uniform(random, 1, 20), long_ = test::uniform(random, 5, 500);
         test::ModelBuilder builder;
         builder.patch(1, 1, {{beyond, 0, 0}, {-wide, long_, 0}, {-beyond, 0, 0}, {wide, long_, 0}});
-        EXPECT_TRUE(places_of(builder.build()).empty()) << beyond << " " << wide << " " << long_;
+        const auto places = places_of(builder.build());
+        EXPECT_FALSE(has(places, SingularPlace::Kind::fold))
+            << beyond << " " << wide << " " << long_;
+        // Only the part that is turned over is listed, and only if it can be told.
+        EXPECT_TRUE(beyond / wide * long_ > 0.1 || places.empty());
     }
 }
 

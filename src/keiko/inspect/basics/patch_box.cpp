@@ -56,12 +56,13 @@ RangeJet jet_of(const std::array<Net, 6>& nets, int axis, double rounding) {
     return {{range(0), x, y}, {x, range(3), xy}, {y, xy, range(5)}};
 }
 
-/// One row of control points cut at its middle.
-void cut(std::vector<Vec4>& lower, std::vector<Vec4>& upper) {
+/// One row of control points cut at a share of its range.
+void cut(std::vector<Vec4>& lower, std::vector<Vec4>& upper, double share) {
     const std::size_t n = lower.size();
     upper[n - 1] = lower[n - 1];
     for (std::size_t level = 1; level < n; ++level) {
-        for (std::size_t i = n - 1; i >= level; --i) lower[i] = (lower[i - 1] + lower[i]) * 0.5;
+        for (std::size_t i = n - 1; i >= level; --i)
+            lower[i] = lower[i - 1] * (1 - share) + lower[i] * share;
         upper[n - 1 - level] = lower[n - 1];
     }
 }
@@ -74,7 +75,7 @@ PatchBox::PatchBox(const BezierPatchView& patch)
       uv_(unit_square),
       points_(patch.points.begin(), patch.points.end()) {}
 
-std::array<PatchBox, 2> PatchBox::halves(bool by_u) const {
+std::array<PatchBox, 2> PatchBox::parts(bool by_u, double share) const {
     const auto rows = static_cast<std::size_t>(degree_u_) + 1;
     const auto columns = static_cast<std::size_t>(degree_v_) + 1;
     const std::size_t count = by_u ? columns : rows, length = by_u ? rows : columns;
@@ -88,17 +89,17 @@ std::array<PatchBox, 2> PatchBox::halves(bool by_u) const {
         // cut() leaves the upper half in `upper` and turns `lower` into the last averages; the
         // lower half is the same cut from the other end.
         std::vector<Vec4> reversed(lower.rbegin(), lower.rend()), mirrored(length);
-        cut(lower, upper);
-        cut(reversed, mirrored);
+        cut(lower, upper, share);
+        cut(reversed, mirrored, 1 - share);
         for (std::size_t k = 0; k < length; ++k) {
             first[index(k)] = mirrored[length - 1 - k];
             second[index(k)] = upper[k];
         }
     }
-    const Vec2 middle = uv_.center();
+    const Vec2 at = uv_.lower + uv_.extent() * share;
     Box2 low = uv_, high = uv_;
-    (by_u ? low.upper.x : low.upper.y) = by_u ? middle.x : middle.y;
-    (by_u ? high.lower.x : high.lower.y) = by_u ? middle.x : middle.y;
+    (by_u ? low.upper.x : low.upper.y) = by_u ? at.x : at.y;
+    (by_u ? high.lower.x : high.lower.y) = by_u ? at.x : at.y;
     return {PatchBox(degree_u_, degree_v_, low, std::move(first)),
             PatchBox(degree_u_, degree_v_, high, std::move(second))};
 }

@@ -16,8 +16,10 @@ public:
     explicit PatchBox(const BezierPatchView& patch);
 
     const Box2& uv() const { return uv_; }
-    /// Either half; `by_u`: cut across u.
-    std::array<PatchBox, 2> halves(bool by_u) const;
+    /// Its parts below and above a share of its range, 0 to 1; `by_u`: cut across u.
+    std::array<PatchBox, 2> parts(bool by_u, double share) const;
+    /// Either half.
+    std::array<PatchBox, 2> halves(bool by_u) const { return parts(by_u, 0.5); }
 
     /// Ranges of position and tangents by x and y over the box. They hold the values and the first
     /// derivatives, from the convex hulls of the derivatives' control points.

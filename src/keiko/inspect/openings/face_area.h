@@ -4,8 +4,8 @@
 
 namespace keiko {
 
-/// Area of the material of a placed face to a few per cent, mm2: by the middles of 8 x 8 cells of
-/// each patch.
+/// Area of the material of a placed face to some ten per cent, mm2: by the material's stretches on
+/// 8 lines of each patch.
 double rough_area(const SurfaceModel& model, const PlacedFace& of);
 
 } // namespace keiko

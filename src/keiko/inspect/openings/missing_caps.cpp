@@ -14,10 +14,15 @@ namespace {
 
 using EdgeNumbers = std::vector<std::uint32_t>; ///< into FreeEdges::all
 
-/// The outline that all free edges of a body form together; nullopt if they form several, or none.
-std::optional<Strand> only_outline(const FreeEdges& edges, const EdgeNumbers& of_body) {
+/// The outline that the free edges of a body form together, except for `negligible` mm of them;
+/// nullopt if they form several, or none.
+std::optional<Strand> only_outline(const FreeEdges& edges, const EdgeNumbers& of_body,
+                                   double negligible) {
     constexpr double any_length = std::numeric_limits<double>::infinity();
-    const FreeEnd start{of_body.front(), false};
+    const auto shorter = [&](std::uint32_t a, std::uint32_t b) {
+        return edges.all[a].length() < edges.all[b].length();
+    };
+    const FreeEnd start{*std::max_element(of_body.begin(), of_body.end(), shorter), false};
     const bool whole_loop = edges.all[start.edge].closed;
     const std::optional<FreeEnd> back =
         whole_loop ? FreeEnd{start.edge, true} : edges.next_of(start);
@@ -25,8 +30,10 @@ std::optional<Strand> only_outline(const FreeEdges& edges, const EdgeNumbers& of
     std::optional<Strand> outline(std::in_place, edges, start, *back, any_length);
     std::set<std::uint32_t> along;
     for (const FreePlace& place : outline->places(any_length)) along.insert(place.edge);
-    const bool single = outline->closed() && along.size() == of_body.size();
-    return single ? outline : std::nullopt;
+    double left_out = 0;
+    for (const std::uint32_t e : of_body)
+        if (along.count(e) == 0) left_out += edges.all[e].length();
+    return outline->closed() && left_out <= negligible ? outline : std::nullopt;
 }
 
 bool is_flat(const HoleForm& form) {
@@ -36,12 +43,12 @@ bool is_flat(const HoleForm& form) {
 
 std::optional<Opening> cap_of(const SurfaceModel& model, const BoundaryCurves& curves,
                               const FreeEdges& edges, const EdgeNumbers& of_body,
-                              const std::vector<PlacedFace>& faces, double gap) {
+                              const std::vector<PlacedFace>& faces, const OpeningLimits& limits) {
     if (of_body.empty()) return std::nullopt;
-    const std::optional<Strand> outline = only_outline(edges, of_body);
+    const std::optional<Strand> outline = only_outline(edges, of_body, limits.from);
     if (!outline) return std::nullopt;
     const std::optional<HoleForm> form = hole_form(curves, edges, *outline);
-    if (!form || !is_flat(*form) || form->width <= gap) return std::nullopt;
+    if (!form || !is_flat(*form) || form->width <= limits.gap) return std::nullopt;
     double area = 0;
     for (const PlacedFace& face : faces) area += rough_area(model, face);
     constexpr double largest_share = 0.5;
@@ -58,19 +65,22 @@ std::optional<Opening> cap_of(const SurfaceModel& model, const BoundaryCurves& c
 } // namespace
 
 std::vector<Opening> missing_caps(const SurfaceModel& model, const BoundaryCurves& curves,
-                                  const FreeEdges& edges, std::span<const Seam> seams, double gap,
-                                  std::span<const Opening> known, const Job& job) {
+                                  const FreeEdges& edges, std::span<const Seam> seams,
+                                  const OpeningLimits& limits, std::span<const Opening> known,
+                                  const Job& job) {
     const Bodies bodies(model, seams);
     std::vector<EdgeNumbers> of_body(bodies.count());
     for (std::uint32_t e = 0; e < edges.all.size(); ++e)
         of_body[bodies.of(edges.all[e].face())].push_back(e);
     std::vector<std::optional<Opening>> found(bodies.count());
     parallel_for(bodies.count(), job, "", [&](std::size_t i) {
-        found[i] = cap_of(model, curves, edges, of_body[i], bodies.faces(i), gap);
+        found[i] = cap_of(model, curves, edges, of_body[i], bodies.faces(i), limits);
     });
     std::vector<Opening> caps;
     for (const auto& cap : found) {
-        const auto is_at = [&](const Opening& other) { return other.place == cap->place; };
+        const auto is_at = [&](const Opening& other) {
+            return (other.place - cap->place).length() <= limits.join;
+        };
         if (cap && std::none_of(known.begin(), known.end(), is_at)) caps.push_back(*cap);
     }
     return caps;

@@ -5,6 +5,7 @@
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/openings/bodies.h"
 #include "keiko/inspect/overlaps/border_passage.h"
+#include "keiko/inspect/overlaps/face_inside.h"
 #include "keiko/inspect/overlaps/placed_subset.h"
 #include "keiko/intersect/traversal/tracer.h"
 
@@ -17,22 +18,23 @@
 namespace keiko {
 namespace {
 
-/// The boxes of the control points of every placed patch, and the faces that they belong to.
+/// The boxes of the control points of every placed patch, and what they belong to.
 struct PatchBoxes {
     std::vector<PlacedFace> faces;
+    std::vector<std::size_t> bodies;
     std::vector<Box3> boxes; ///< world, mm
 
-    PatchBoxes(const SurfaceModel& model, const Bodies& bodies) {
-        for (std::size_t i = 0; i < bodies.count(); ++i)
-            for (const PlacedFace& of : bodies.faces(i)) add(model, of);
+    PatchBoxes(const SurfaceModel& model, const Bodies& all) {
+        for (std::size_t i = 0; i < all.count(); ++i)
+            for (const PlacedFace& of : all.faces(i)) add(model, of, i);
     }
 
 private:
-    void add(const SurfaceModel& model, const PlacedFace& of) {
+    void add(const SurfaceModel& model, const PlacedFace& of, std::size_t body) {
         const Face& face = model.faces[of.face];
         const Affine& placed = model.instances[of.instance].transform;
         for (std::uint32_t k = 0; k < face.patch_count; ++k) {
-            faces.push_back(of);
+            faces.push_back(of), bodies.push_back(body);
             boxes.push_back(PlacedPatch(model, face.first_patch + k, placed).box);
         }
     }
@@ -45,7 +47,11 @@ public:
           bodies_(bodies),
           join_(join),
           patches_(borders.model, bodies),
-          tree_(patches_.boxes) {}
+          tree_(patches_.boxes) {
+        Box3 all;
+        for (const Box3& box : patches_.boxes) all.extend(box);
+        size_ = all.size();
+    }
 
     void leave_out(std::span<const Overlap> known) {
         for (const Overlap& overlap : known)
@@ -58,7 +64,8 @@ public:
         if (chords_.empty()) return {};
         std::vector<Ray> rays;
         for (const Chord& chord : chords_) rays.push_back(ray_of(chord));
-        const Tracer tracer(placed_subset(borders_.model, met_), {.join = join_}, job);
+        traced_ = placed_subset(borders_.model, met_);
+        const Tracer tracer(traced_, {.join = join_}, job);
         const auto hits = tracer.all(rays);
         for (std::size_t i = 0; i < rays.size(); ++i)
             for (const Hit& hit : hits[i]) take(chords_[i], hit);
@@ -84,22 +91,35 @@ private:
         std::set<std::pair<std::uint32_t, std::uint32_t>> met;
         for (std::uint32_t e = 0; e < edges_.all.size(); ++e) {
             const std::vector<FreePlace>& places = edges_.all[e].places;
-            const PlacedFace own = edges_.all[e].face();
+            const std::size_t body = bodies_.of(edges_.all[e].face());
             for (std::uint32_t k = 0; k + 1 < places.size(); ++k) {
-                Box3 box;
-                box.extend(places[k].position);
-                box.extend(places[k + 1].position);
                 bool meets = false;
-                for (const std::uint32_t i : tree_.overlapping(box)) {
+                for (const std::uint32_t i :
+                     patches_near(places[k].position, places[k + 1].position)) {
                     const PlacedFace& on = patches_.faces[i];
-                    if (bodies_.of(on) == bodies_.of(own) || known_.count(pair_of({own, on})) > 0)
-                        continue;
+                    const BodyPair pair = std::minmax(body, patches_.bodies[i]);
+                    if (pair.first == pair.second || known_.count(pair) > 0) continue;
                     meets = true;
                     if (met.emplace(on.instance, on.face).second) met_.push_back(on);
                 }
                 if (meets) chords_.push_back({e, k});
             }
         }
+    }
+
+    /// Patches whose boxes meet those of the parts of a chord, each part short: the box of a long
+    /// slanted chord holds much that is far from it.
+    std::set<std::uint32_t> patches_near(const Vec3& a, const Vec3& b) const {
+        constexpr double most_parts = 64;
+        const double parts = std::ceil(most_parts * (b - a).length() / size_);
+        std::set<std::uint32_t> near;
+        for (double i = 0; i < parts; ++i) {
+            Box3 box;
+            box.extend(a + (b - a) * (i / parts)), box.extend(a + (b - a) * ((i + 1) / parts));
+            const auto met = tree_.overlapping(box);
+            near.insert(met.begin(), met.end());
+        }
+        return near;
     }
 
     Ray ray_of(const Chord& chord) const {
@@ -115,7 +135,7 @@ private:
         const FreeEdge& border = edges_.all[chord.edge];
         const PlacedFace on = met_[hit.face];
         const BodyPair pair = pair_of({border.face(), on});
-        if (pair.first == pair.second || known_.count(pair) > 0) return;
+        if (pair.first == pair.second || known_.count(pair) > 0 || !is_inside(hit)) return;
         const double from = border.ways[chord.place], to = border.ways[chord.place + 1];
         const BorderPassage passage =
             border_passage(border, from + hit.t * (to - from), hit, join_);
@@ -125,6 +145,16 @@ private:
         crossing.angle = angle_at(border.places[chord.place], hit);
         const auto [known, is_new] = found_.try_emplace(pair, crossing);
         if (!is_new && crossing.angle > known->second.angle) known->second = crossing;
+    }
+
+    /// True if a hit is farther than `join` from the borders of its face: those of bodies that
+    /// touch side by side are nearer.
+    bool is_inside(const Hit& hit) {
+        const auto face =
+            insides_.try_emplace(hit.face, traced_, traced_.faces[hit.face], join_).first;
+        SurfaceDerivatives s;
+        s.d[1][0] = hit.dpdu, s.d[0][1] = hit.dpdv;
+        return face->second.is_inside(hit.patch, hit.uv, s);
     }
 
     /// Degrees between the faces of a border and of a hit, 0 to 90.
@@ -139,12 +169,15 @@ private:
     const ModelBorders& borders_;
     const Bodies& bodies_;
     double join_;
+    double size_ = 0; ///< mm, of the model
     PatchBoxes patches_;
     BoxTree tree_;
     FreeEdges edges_;          ///< every border of every face
     std::set<BodyPair> known_; ///< not searched
     std::vector<Chord> chords_;
-    std::vector<PlacedFace> met_; ///< faces that chords may meet
+    std::vector<PlacedFace> met_;                 ///< faces that chords may meet
+    SurfaceModel traced_;                         ///< those faces
+    std::map<std::uint32_t, FaceInside> insides_; ///< of faces with hits
     std::map<BodyPair, Overlap> found_;
 };
 

@@ -21,16 +21,17 @@ BorderPassage border_passage(const FreeEdge& border, double way, const Hit& hit,
     constexpr int steps = 16; // on either side
     const double step = join / 2 / std::sin(parallel_borders) / steps;
     BorderPassage passage;
-    double most_before = 0, most_after = 0;
+    double least_before = 0, most_before = 0, least_after = 0, most_after = 0;
     for (int i = -steps; i <= steps; ++i) {
         const Vec3 off = place_at(border, way + i * step) - hit.position;
         const double offset = off.dot(hit.normal);
-        if (std::abs(offset) <= join) passage.length += step;
+        if (i < steps && std::abs(offset) <= join) passage.length += step;
+        double& least = i < 0 ? least_before : least_after;
         double& most = i < 0 ? most_before : most_after;
-        if (std::abs(offset) > std::abs(most)) most = offset;
+        least = std::min(least, offset), most = std::max(most, offset);
     }
-    const auto [below, above] = std::minmax({most_before, most_after});
-    passage.is_through = below < -join / 2 && above > join / 2;
+    passage.is_through = (least_before < -join / 2 && most_after > join / 2) ||
+                         (most_before > join / 2 && least_after < -join / 2);
     return passage;
 }
 

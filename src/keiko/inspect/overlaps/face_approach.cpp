@@ -4,7 +4,7 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/bezier/subpatch.h"
 #include "keiko/geometry/seam/border_approach.h"
-#include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/overlaps/face_inside.h"
 #include "keiko/math/interval_set.h"
 
 #include <algorithm>
@@ -13,63 +13,6 @@
 
 namespace keiko {
 namespace {
-
-/// The material of a face that lies farther from all of its borders than a margin. Keeps references
-/// to the model and the face.
-class FaceInside {
-public:
-    /// `margin` in mm.
-    FaceInside(const SurfaceModel& model, const Face& face, double margin);
-
-    /// Position of a box of a patch's parameters relative to the trims; inside for a face without
-    /// loops.
-    TrimSide side(std::uint32_t patch, const Box2& uv);
-    /// `s`: the placed derivatives there by the patch's parameters, mm, of first order or more.
-    bool is_inside(std::uint32_t patch, const Vec2& uv, const SurfaceDerivatives& s);
-
-private:
-    const TrimRegion& trims();
-    bool is_near_side(const Vec2& place, const ParameterMetric& metric) const;
-
-    const SurfaceModel& model_;
-    const Face& face_;
-    double margin_;
-    std::optional<TrimRegion> trims_; ///< made on first use
-    Box2 domain_;                     ///< face parameters of all patches
-};
-
-FaceInside::FaceInside(const SurfaceModel& model, const Face& face, double margin)
-    : model_(model), face_(face), margin_(margin) {
-    for (std::uint32_t i = 0; i < face.patch_count; ++i)
-        for (const double corner : {0.0, 1.0})
-            domain_.extend(model.face_parameters(face.first_patch + i, Vec2(corner)));
-}
-
-const TrimRegion& FaceInside::trims() {
-    if (!trims_) trims_.emplace(model_, face_);
-    return *trims_;
-}
-
-TrimSide FaceInside::side(std::uint32_t patch, const Box2& uv) {
-    if (face_.loop_count == 0) return TrimSide::inside;
-    return trims().classify(
-        {model_.face_parameters(patch, uv.lower), model_.face_parameters(patch, uv.upper)});
-}
-
-bool FaceInside::is_inside(std::uint32_t index, const Vec2& uv, const SurfaceDerivatives& s) {
-    const Patch& patch = model_.patches[index];
-    const ParameterMetric metric(s.du() / patch.map_u.derivative(uv.x),
-                                 s.dv() / patch.map_v.derivative(uv.y));
-    const Vec2 place = model_.face_parameters(index, uv);
-    if (face_.loop_count == 0) return !is_near_side(place, metric);
-    return trims().contains(place) && !trims().nearest_curve(place, metric, margin_);
-}
-
-bool FaceInside::is_near_side(const Vec2& place, const ParameterMetric& metric) const {
-    const Vec2 low = place - domain_.lower, high = domain_.upper - place;
-    return std::min(low.x, high.x) * metric.least().x <= margin_ ||
-           std::min(low.y, high.y) * metric.least().y <= margin_;
-}
 
 /// Bounds of the points within a distance of a piece of surface: its box, and, if it has a mean
 /// normal, two planes square to that.

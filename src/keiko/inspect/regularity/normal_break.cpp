@@ -54,7 +54,7 @@ std::vector<Normal> ring(const NormalPatch& patch, const Vec2& middle, const Vec
     return normals;
 }
 
-/// Largest angle between neighbouring normals, degrees.
+/// Largest angle between two of the normals, degrees.
 double largest_turn(const std::vector<Normal>& normals) {
     double most = 0;
     for (const Normal& a : normals)
@@ -74,10 +74,11 @@ double way_along(const NormalPatch& patch, const Vec2& a, const Vec2& b) {
     return way;
 }
 
-/// True if the normal stays within 90 degrees of `unit` for `near` mm of material from a place on.
-/// `step`: direction, and the first length tested.
-bool goes_on(const NormalPatch& patch, const Vec2& from, Vec2 step, const Vec3& unit, double near,
-             const IsMaterial& is_material) {
+/// The place `near` mm or more from another up to which the normal stays within 90 degrees of
+/// `unit` and there is material; nullopt if it does not. `step`: direction, and the first length
+/// tested.
+std::optional<Vec3> far_end(const NormalPatch& patch, const Vec2& from, Vec2 step, const Vec3& unit,
+                            double near, const IsMaterial& is_material) {
     constexpr int most_doublings = 40;
     const auto stays = [&](const Vec2& uv) {
         const auto normal = patch.normal(uv);
@@ -85,21 +86,32 @@ bool goes_on(const NormalPatch& patch, const Vec2& from, Vec2 step, const Vec3& 
     };
     for (int i = 0; i < most_doublings; ++i, step *= 2.0) {
         const Vec2 to = from + step;
-        if (to != clamped(to) || !stays(to)) return false;
-        if (way_along(patch, from, to) >= near) return true;
+        if (to != clamped(to) || !stays(to)) return std::nullopt;
+        if (way_along(patch, from, to) >= near) return patch.position(to);
     }
-    return false;
+    return std::nullopt;
 }
 
-/// True if goes_on() holds in the direction of `step`, or along one of the parameters.
-bool goes_on_anywhere(const NormalPatch& patch, const Vec2& from, const Vec2& step,
-                      const Vec3& unit, double near, const IsMaterial& is_material) {
+/// The part of a patch about a place in which the normal stays on one side.
+struct SameSide {
+    bool is_long = false; ///< `near` mm in the direction of a step, or along one of the parameters
+    bool is_wide = false; ///< and square to that
+};
+
+SameSide same_side(const NormalPatch& patch, const Vec2& from, const Vec2& step, const Vec3& unit,
+                   double near, const IsMaterial& is_material) {
     const double length = step.length();
-    const std::array<Vec2, 5> steps{step, Vec2(length, 0), Vec2(-length, 0), Vec2(0, length),
-                                    Vec2(0, -length)};
-    return std::any_of(steps.begin(), steps.end(), [&](const Vec2& way) {
-        return goes_on(patch, from, way, unit, near, is_material);
-    });
+    const Vec3 start = patch.position(from);
+    std::vector<Vec3> ways;
+    for (const Vec2& way :
+         {step, Vec2(length, 0), Vec2(-length, 0), Vec2(0, length), Vec2(0, -length)})
+        if (const auto end = far_end(patch, from, way, unit, near, is_material))
+            ways.push_back(*end - start);
+    SameSide side{!ways.empty(), false};
+    for (const Vec3& a : ways)
+        for (const Vec3& b : ways)
+            side.is_wide = side.is_wide || a.cross(b).length() >= near * a.length() / 2;
+    return side;
 }
 
 std::optional<NormalBreak> turn_along(const NormalPatch& patch, const std::array<Vec2, 2>& ends,
@@ -112,9 +124,11 @@ std::optional<NormalBreak> turn_along(const NormalPatch& patch, const std::array
         if (way_along(patch, a, b) <= near) {
             const double degrees = degrees_between(*at_a, *at_b);
             if (degrees < fold || !is_material(a) || !is_material(b)) return std::nullopt;
-            const bool over = goes_on_anywhere(patch, a, a - b, *at_a, near, is_material) &&
-                              goes_on_anywhere(patch, b, b - a, *at_b, near, is_material);
-            return NormalBreak{degrees, over, (patch.position(a) + patch.position(b)) / 2};
+            const SameSide before = same_side(patch, a, a - b, *at_a, near, is_material);
+            const SameSide after = same_side(patch, b, b - a, *at_b, near, is_material);
+            return NormalBreak{degrees, before.is_long && after.is_long,
+                               before.is_wide && after.is_wide,
+                               (patch.position(a) + patch.position(b)) / 2};
         }
         constexpr double share = 0.49; // singular places often lie in the middle
         const Vec2 between = a + (b - a) * share;
@@ -140,6 +154,7 @@ std::optional<NormalBreak> turn_between(const NormalPatch& patch, const std::arr
         turn_along(patch, {ends[0], ends[1] + (inside - ends[1]) * aside}, near, is_material);
     if (!beside) return std::nullopt;
     found->turns_over = found->turns_over && beside->turns_over;
+    found->wide = found->wide && beside->wide;
     return found;
 }
 
@@ -160,7 +175,7 @@ std::optional<NormalBreak> break_about(const NormalPatch& patch, const Box2& box
     constexpr double clearly = 1.0 / 3;
     const double limit = (4 * close - wide) / 3;
     if (!(limit > clearly * wide)) return std::nullopt;
-    return NormalBreak{std::min(limit, 180.0), false, patch.position(place)};
+    return NormalBreak{std::min(limit, 180.0), false, false, patch.position(place)};
 }
 
 } // namespace keiko

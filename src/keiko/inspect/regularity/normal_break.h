@@ -14,6 +14,8 @@ struct NormalBreak {
     double angle = 0; ///< degrees between two normals, in the limit at the place
     /// True if the normal stays on its side for the negligible length on both sides of the place.
     bool turns_over = false;
+    /// True if both of these parts are as wide as that square to their length, too.
+    bool wide = false;
     Vec3 place{0}; ///< world, mm
 };
 

@@ -109,10 +109,11 @@ std::array<NormalCell, 2> NormalCell::halves(bool turned, double negligible) con
     const bool by_turn = along_u >= along_v;
     if (!turned && std::max(along_u, along_v) > much && sides[by_turn ? 0 : 1] > negligible)
         by_u = by_turn;
-    const std::array<PatchBox, 2> boxes = box_.halves(by_u);
+    constexpr double share = 0.4811; // not the middle, where folds often lie
+    const std::array<PatchBox, 2> boxes = box_.parts(by_u, share);
     std::array<FieldTriple, 2> fields;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::array<BernsteinField, 2> parts = field_[axis].parts(by_u, 0.5);
+        std::array<BernsteinField, 2> parts = field_[axis].parts(by_u, share);
         fields[0][axis] = std::move(parts[0]), fields[1][axis] = std::move(parts[1]);
     }
     return {NormalCell(boxes[0], std::move(fields[0])), NormalCell(boxes[1], std::move(fields[1]))};

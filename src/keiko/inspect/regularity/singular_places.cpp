@@ -36,7 +36,11 @@ public:
         for (; !queue_.empty(); queue_.pop_front()) {
             check_stop();
             const Part& part = queue_.front();
-            if (part.cell.is_regular() || is_outside(part) || is_judged(part)) continue;
+            // Most parts are regular after few cuts, before trims matter.
+            constexpr int soon = 6;
+            if (part.cell.is_regular() || ((part.depth >= soon || cuts == 0) && is_outside(part)) ||
+                is_judged(part))
+                continue;
             if (cuts == 0) {
                 add_unresolved(part);
                 continue;
@@ -65,11 +69,8 @@ private:
         return *trims_;
     }
 
-    /// True if a part is outside of the trims. Most parts are regular after few cuts, before trims
-    /// matter.
     bool is_outside(const Part& part) {
-        constexpr int soon = 6;
-        if (part.depth < soon || face_.loop_count == 0) return false;
+        if (face_.loop_count == 0) return false;
         Box2 box;
         box.extend(model_.face_parameters(part.patch->index(), part.cell.uv().lower));
         box.extend(model_.face_parameters(part.patch->index(), part.cell.uv().upper));
@@ -94,13 +95,15 @@ private:
             const auto corners = part.cell.turned_corners();
             if (!corners) return false;
             const auto over = turn_between(patch, *corners, uv, near, material_of(patch));
+            if (!over) return false;
             // At a point that is a side, borders in files cross by what their digits leave.
-            if (over && (over->turns_over || !is_at_tip(patch, over->place))) add(*over);
-            return over && over->turns_over;
+            const bool folds = over->turns_over && (over->wide || patch.tips().empty());
+            if (folds || !is_at_tip(patch, over->place)) add(*over, folds);
+            return over->turns_over;
         }
         if (is_at_tip(patch, patch.position(uv.center()))) return true;
         const auto found = break_about(patch, uv, near, material_of(patch));
-        if (found && found->angle > limits_.angle) add(*found);
+        if (found && found->angle > limits_.angle) add(*found, found->turns_over);
         return true;
     }
 
@@ -110,15 +113,13 @@ private:
         });
     }
 
-    void add(const NormalBreak& found) {
+    void add(const NormalBreak& found, bool folds) {
         using Kind = SingularPlace::Kind;
-        add({found.turns_over ? Kind::fold : Kind::no_limit, found.angle, 0, found.place});
+        add({folds ? Kind::fold : Kind::no_limit, found.angle, 0, found.place});
     }
 
     void add_unresolved(const Part& part) {
-        const Vec2 middle = part.cell.uv().center();
-        if (!material_of(*part.patch)(middle)) return;
-        add({SingularPlace::Kind::unresolved, 0, 0, part.patch->position(middle)});
+        add({SingularPlace::Kind::unresolved, 0, 0, part.patch->position(part.cell.uv().center())});
     }
 
     void add(const SingularPlace& place) {
@@ -150,6 +151,12 @@ private:
 };
 
 } // namespace
+
+Verdict verdict_of(SingularPlace::Kind kind) {
+    using Kind = SingularPlace::Kind;
+    if (kind == Kind::fold) return Verdict::fail;
+    return kind == Kind::unresolved ? Verdict::undecided : Verdict::pass;
+}
 
 std::vector<SingularPlace> singular_places(const SurfaceModel& model, std::uint32_t instance,
                                            std::uint32_t face, const SingularLimits& limits,

@@ -2,6 +2,7 @@
 
 #include "keiko/base/export.h"
 #include "keiko/geometry/model/surface_model.h"
+#include "keiko/inspect/basics/verdict.h"
 
 #include <vector>
 
@@ -21,6 +22,10 @@ struct SingularPlace {
     Vec3 place{0};              ///< world, mm: where the angle is largest
 };
 
+/// Verdict on a face with such a place: a fold fails, a face that is not proved regular is
+/// undecided, and a place without a limit is no part of it.
+Verdict verdict_of(SingularPlace::Kind kind);
+
 /// Thresholds from which places count.
 struct SingularLimits {
     double negligible = 0.1; ///< mm: smaller features cannot be distinguished from a regular place
@@ -31,8 +36,10 @@ struct SingularLimits {
 /// largest angle first. Each of its patches is cut until each part is proved regular: the Bernstein
 /// coefficients of S_u x S_v lie all on one side of a plane. Sides along which S_u x S_v is 0 are
 /// divided out. An unproved part up to the negligible length is judged by the normals around it.
-/// Sides of patches that are points, as at poles and the tips of cones, have no such places within
-/// three times that length. `most_cuts` bounds the work.
+/// Sides of patches that are points, as at poles and the tips of cones, have no places without a
+/// limit within three times that length. In patches with such a side a fold is one whose parts are
+/// as wide as that length; narrower ones are places without a limit. `most_cuts` bounds the work:
+/// where it does not do, the face has a place of the kind `unresolved`.
 std::vector<SingularPlace> singular_places(const SurfaceModel& model, std::uint32_t instance,
                                            std::uint32_t face, const SingularLimits& limits,
                                            std::size_t most_cuts = 20000);

@@ -125,7 +125,7 @@ private:
         return line;
     }
 
-    /// The parameter beside a line whose farthest tested place is `distance` mm away from it, to a
+    /// The parameter beside a line whose farthest tested place is `distance` mm square to it, to a
     /// thousandth of the parameter; nullopt if there is none within `most`. The search starts at
     /// `width`.
     std::optional<double> parameter_at(const KnotPiece& line, double distance, double width,
@@ -150,9 +150,9 @@ private:
         double most = 0;
         for (const double t : tested_) {
             const double x = line.begin + t * (line.end - line.begin);
-            const Vec3 way =
-                face_.point(line.point(beside, x)) - face_.point(line.point(line.at, x));
-            most = std::max(most, way.length());
+            const Vec2 on_line = line.point(line.at, x);
+            const Vec3 way = face_.point(line.point(beside, x)) - face_.point(on_line);
+            most = std::max(most, square_to(way, face_.along(on_line, line.constant_u)).length());
         }
         return most;
     }

@@ -99,11 +99,20 @@ std::vector<double> isoline_places(int count) {
     return places;
 }
 
-Vec3 KnottedFace::point(const Vec2& parameters) const {
+SurfaceDerivatives KnottedFace::derivatives(const Vec2& parameters, int order) const {
     const std::uint32_t index = grid_.locate(parameters, Vec2(0));
     const Patch& patch = model_.patches[index];
     const Vec2 uv(patch.map_u.to_patch(parameters.x), patch.map_v.to_patch(parameters.y));
-    return evaluate(model_.patch(index), uv, 0).position();
+    return evaluate(model_.patch(index), uv, order);
+}
+
+Vec3 KnottedFace::point(const Vec2& parameters) const {
+    return derivatives(parameters, 0).position();
+}
+
+Vec3 KnottedFace::along(const Vec2& parameters, bool constant_u) const {
+    const SurfaceDerivatives s = derivatives(parameters, 1);
+    return constant_u ? s.dv() : s.du();
 }
 
 SeamProbe KnottedFace::probe(const KnotPiece& piece, const Affine& placed,

@@ -61,6 +61,8 @@ public:
     Box2 domain() const { return grid_.domain(); }
     /// The point at face parameters, not placed; mm.
     Vec3 point(const Vec2& parameters) const;
+    /// A tangent of the line of constant u or v through face parameters, not placed; of any length.
+    Vec3 along(const Vec2& parameters, bool constant_u) const;
     /// A side of a piece, placed; its p-curve, to which a reference is kept.
     SurfaceCurve side(const std::array<Vec3, 2>& p_curve, const Affine& placed, bool left) const {
         return {model_, grid_, placed, {p_curve}, left};
@@ -71,6 +73,8 @@ public:
                     const std::array<Vec3, 2>& right) const;
 
 private:
+    /// In the parameters of the patch that holds the place.
+    SurfaceDerivatives derivatives(const Vec2& parameters, int order) const;
     const SurfaceModel& model_;
     std::uint32_t index_;
     PatchGrid grid_;

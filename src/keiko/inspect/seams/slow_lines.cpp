@@ -4,19 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace keiko {
 namespace {
 
-/// The speed across the isolines of a patch where they cross one isoline of the other parameter.
+/// The speed square to the isolines of a patch where they cross one isoline of the other parameter.
 class CrossSpeed {
 public:
     CrossSpeed(const BezierPatchView& patch, bool constant_u, double along)
         : patch_(patch), constant_u_(constant_u), along_(along) {}
 
     double operator()(double t) const {
-        if (constant_u_) return evaluate(patch_, Vec2(t, along_), 1).du().length();
-        return evaluate(patch_, Vec2(along_, t), 1).dv().length();
+        const Vec2 uv = constant_u_ ? Vec2(t, along_) : Vec2(along_, t);
+        const SurfaceDerivatives s = evaluate(patch_, uv, 1);
+        return (constant_u_ ? square_to(s.du(), s.dv()) : square_to(s.dv(), s.du())).length();
     }
 
 private:
@@ -29,28 +31,53 @@ double fastest_slow(int degree, double window, double most) {
     return (degree - 1) * std::sqrt(2 * window * most);
 }
 
-/// True if the control points alone exclude slow lines: the speed is at least what all their
-/// differences advance in one direction.
+/// The tangents of a patch's control net in one direction, times the degree: polynomials through
+/// them have a patch's derivatives between their least and largest part in any direction.
+std::vector<Vec3> net_tangents(const BezierPatchView& patch, bool by_u) {
+    const int degree = by_u ? patch.degree_u : patch.degree_v;
+    const int rows = by_u ? patch.degree_v : patch.degree_u;
+    std::vector<Vec3> tangents;
+    for (int i = 0; i < degree; ++i)
+        for (int j = 0; j <= rows; ++j) {
+            const Vec4 d = by_u ? patch.point(i + 1, j) - patch.point(i, j)
+                                : patch.point(j, i + 1) - patch.point(j, i);
+            tangents.push_back(Vec3(d.x, d.y, d.z) * (degree / patch.points.front().w));
+        }
+    return tangents;
+}
+
+Vec3 sum_of(const std::vector<Vec3>& vectors) {
+    return std::accumulate(vectors.begin(), vectors.end(), Vec3(0));
+}
+
+double most_length(const std::vector<Vec3>& vectors) {
+    double most = 0;
+    for (const Vec3& v : vectors) most = std::max(most, v.length());
+    return most;
+}
+
+double least_part(const std::vector<Vec3>& vectors, const Vec3& direction) {
+    double least = HUGE_VAL;
+    for (const Vec3& v : vectors) least = std::min(least, v.dot(direction));
+    return least;
+}
+
+/// True if the control points alone exclude slow lines. The part of S_u square to S_v is
+/// S_u - l S_v, |l| <= |S_u| / |S_v|: it advances in a direction at least as S_u does, less l times
+/// what S_v does.
 bool advances(const BezierPatchView& patch, bool constant_u, double window) {
     if (patch.rational()) return false;
     const int degree = constant_u ? patch.degree_u : patch.degree_v;
-    const auto difference = [&](int i, int j) {
-        const Vec4 d = constant_u ? patch.point(i + 1, j) - patch.point(i, j)
-                                  : patch.point(j, i + 1) - patch.point(j, i);
-        return Vec3(d.x, d.y, d.z) * (degree / patch.points.front().w);
-    };
-    const int rows = constant_u ? patch.degree_v : patch.degree_u;
-    Vec3 sum(0);
-    for (int i = 0; i < degree; ++i)
-        for (int j = 0; j <= rows; ++j) sum += difference(i, j);
-    if (sum.length2() == 0) return false;
-    const Vec3 ahead = sum.normalized();
-    double least = HUGE_VAL, most = 0;
-    for (int i = 0; i < degree; ++i)
-        for (int j = 0; j <= rows; ++j) {
-            const Vec3 d = difference(i, j);
-            least = std::min(least, d.dot(ahead)), most = std::max(most, d.length());
-        }
+    const std::vector<Vec3> across = net_tangents(patch, constant_u);
+    const std::vector<Vec3> along = net_tangents(patch, !constant_u);
+    const Vec3 run = sum_of(along), square = square_to(sum_of(across), run);
+    if (run.length2() == 0 || square.length2() == 0) return false;
+    const Vec3 ahead = square.normalized();
+    const double most = most_length(across), slowest_run = least_part(along, run.normalized());
+    if (!(slowest_run > 0)) return false;
+    double drift = 0;
+    for (const Vec3& v : along) drift = std::max(drift, std::abs(v.dot(ahead)));
+    const double least = least_part(across, ahead) - most / slowest_run * drift;
     return least > std::max(window, fastest_slow(degree, window, most));
 }
 
