@@ -9,9 +9,12 @@ namespace keiko {
 
 /// A straight piece of a polyline; world, mm.
 struct Chord {
-    Vec3 from{0}, to{0};
+    Vec3 from{0}; ///< its begin
+    Vec3 to{0};   ///< its end
 
+    /// mm.
     double length() const { return (to - from).length(); }
+    /// The point at a share of it, 0 at `from` and 1 at `to`.
     Vec3 at(double share) const { return from + (to - from) * share; }
 };
 
