@@ -14,6 +14,7 @@ std::string html_table_head(const std::vector<std::string>& names, std::string_v
 /// The end of such a table.
 constexpr std::string_view html_table_end = "</tbody></table></div>";
 
+/// A cell of a sortable table. Nothing is escaped: `text` is HTML, `sort_key` has no quotes.
 std::string html_cell(const std::string& sort_key, const std::string& text,
                       std::string_view classes = "");
 /// A cell of a number; `over`: shown in the colour of its row.

@@ -15,8 +15,9 @@ using SarifFiles = std::span<const std::filesystem::path>;
 
 /// Place of a face in one of the files, by line from 1.
 struct SarifPlace {
-    std::string face; ///< its name, or else "face 12"
-    std::uint32_t file = 0, line = 1;
+    std::string face;       ///< its name, or else "face 12"
+    std::uint32_t file = 0; ///< into the files of the run
+    std::uint32_t line = 1; ///< at least 1
 };
 
 /// The one or two faces of a check. Without a known face: line 1 of the first file.
