@@ -2,10 +2,11 @@
 
 #include "keiko/base/units.h"
 #include "keiko/geometry/bvh/box_tree.h"
+#include "keiko/geometry/seam/border_approach.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/openings/bodies.h"
-#include "keiko/inspect/overlaps/border_passage.h"
-#include "keiko/inspect/overlaps/placed_subset.h"
+#include "keiko/inspect/openings/free_edges.h"
+#include "keiko/intersect/hit/hit.h"
 #include "keiko/intersect/traversal/tracer.h"
 
 #include <algorithm>
@@ -16,6 +17,90 @@
 
 namespace keiko {
 namespace {
+
+/// Appends a copy of a curve's points; the edge that it belonged to is not kept.
+TrimCurve copied(const SurfaceModel& from, TrimCurve curve, SurfaceModel& to) {
+    const auto first = from.trim_points.begin() + curve.first_point;
+    curve.first_point = static_cast<std::uint32_t>(to.trim_points.size());
+    curve.edge = no_index;
+    to.trim_points.insert(to.trim_points.end(), first, first + curve.degree + 1);
+    return curve;
+}
+
+void add_patches(const SurfaceModel& from, Face& face, SurfaceModel& to) {
+    const std::uint32_t first = face.first_patch;
+    face.first_patch = static_cast<std::uint32_t>(to.patches.size());
+    for (std::uint32_t i = first; i < first + face.patch_count; ++i) {
+        Patch patch = from.patches[i];
+        const auto points = from.patch(i).points;
+        patch.face = static_cast<std::uint32_t>(to.faces.size());
+        patch.first_point = static_cast<std::uint32_t>(to.control_points.size());
+        to.control_points.insert(to.control_points.end(), points.begin(), points.end());
+        to.patches.push_back(patch);
+    }
+}
+
+void add_loops(const SurfaceModel& from, Face& face, SurfaceModel& to) {
+    const auto loops = from.loops_of(face);
+    face.first_loop = static_cast<std::uint32_t>(to.trim_loops.size());
+    for (const TrimLoop& loop : loops) {
+        to.trim_loops.push_back(
+            {static_cast<std::uint32_t>(to.trim_curves.size()), loop.curve_count});
+        for (const TrimCurve& curve : from.curves_of(loop))
+            to.trim_curves.push_back(copied(from, curve, to));
+    }
+}
+
+/// A model of some placed faces of another, without its edges: each is a part of its own, placed
+/// once, in the order given.
+SurfaceModel placed_subset(const SurfaceModel& model, std::span<const PlacedFace> faces) {
+    SurfaceModel subset;
+    subset.source = model.source, subset.format = model.format;
+    for (const PlacedFace& of : faces) {
+        const auto number = static_cast<std::uint32_t>(subset.faces.size());
+        Face face = model.faces[of.face];
+        face.part = number;
+        add_patches(model, face, subset);
+        add_loops(model, face, subset);
+        subset.faces.push_back(face);
+        subset.parts.push_back({"", number, 1});
+        subset.instances.push_back({number, "", model.instances[of.instance].transform});
+    }
+    return subset;
+}
+
+/// The way of a border through a face that it meets at `hit`, `way` mm along the border.
+struct BorderPassage {
+    /// It leaves the tangent plane by more than half of `join` on both sides, within `join` / 2
+    /// over sin `parallel_borders` of the hit.
+    bool is_through = false;
+    double length = 0; ///< mm of that way within `join` of the tangent plane
+};
+
+/// The place of a border, which goes round where it is closed.
+Vec3 place_at(const FreeEdge& border, double way) {
+    const double all = border.length();
+    if (border.closed) way = std::fmod(std::fmod(way, all) + all, all);
+    return border.at(std::clamp(way, 0.0, all)).position;
+}
+
+/// The way of a border through the face of `hit`, whose place is `way` mm along it; `join` in mm.
+BorderPassage border_passage(const FreeEdge& border, double way, const Hit& hit, double join) {
+    constexpr int steps = 16; // on either side
+    const double step = join / 2 / std::sin(parallel_borders) / steps;
+    BorderPassage passage;
+    double most_before = 0, most_after = 0;
+    for (int i = -steps; i <= steps; ++i) {
+        const Vec3 off = place_at(border, way + i * step) - hit.position;
+        const double offset = off.dot(hit.normal);
+        if (std::abs(offset) <= join) passage.length += step;
+        double& most = i < 0 ? most_before : most_after;
+        if (std::abs(offset) > std::abs(most)) most = offset;
+    }
+    const auto [below, above] = std::minmax({most_before, most_after});
+    passage.is_through = below < -join / 2 && above > join / 2;
+    return passage;
+}
 
 /// The boxes of the control points of every placed patch, and the faces that they belong to.
 struct PatchBoxes {
