@@ -57,7 +57,7 @@ std::string look_row(const Report& report, const Check& look) {
            html_cell(html_escaped(look.faces), html_escaped(look.faces), "left") +
            html_cell(look.code, look.code, "left") +
            html_number_cell(worst.value, short_number(worst.value, 3) + " " + look.unit, true) +
-           html_cell(look.message, html_escaped(look.message), "left") +
+           html_cell(html_escaped(look.message), html_escaped(look.message), "left") +
            html_cell(short_number(worst.place.x, 9), place_text(worst.place)) + "</tr>\n";
 }
 
