@@ -7,7 +7,6 @@
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/session.h"
-#include "keiko/cli/symmetry_option.h"
 
 #include <memory>
 

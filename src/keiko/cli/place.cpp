@@ -3,10 +3,10 @@
 #include "keiko/api/results.h"
 #include "keiko/base/error.h"
 #include "keiko/base/text.h"
+#include "keiko/cli/inspection_options.h"
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/session.h"
-#include "keiko/cli/symmetry_option.h"
 
 #include <array>
 #include <cstdio>

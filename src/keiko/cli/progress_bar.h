@@ -11,12 +11,14 @@ namespace keiko::cli {
 /// lines: the state every ten seconds, or each stage if requested.
 class ProgressBar {
 public:
+    /// `quiet`: nothing is shown. `every_stage`: lines, not a terminal, state each new stage.
     ProgressBar(bool quiet, bool every_stage);
     /// Clears the bar.
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
+    /// Shows a state, if its stage or its whole percent differs from the last.
     void show(const Progress& progress);
     /// Clears the bar from the terminal before other text is printed.
     void clear();

@@ -9,28 +9,35 @@
 
 namespace keiko::cli {
 
-/// An analysis mode and the curvature at which its colours are saturated, 1/mm or 1/mm2; without
-/// one, the picture's default.
+/// An analysis mode and its scale.
 struct ChosenMode {
-    AnalysisMode look = AnalysisMode::zebra;
+    AnalysisMode look = AnalysisMode::zebra; ///< the mode
+    /// Curvature at which colours are saturated, 1/mm or 1/mm2, above 0; nullopt: the picture's
+    /// default. Only of modes of curvature.
     std::optional<double> full{};
 };
 
-/// First and last frame.
+/// Frames of an animation.
 struct Frames {
-    int first = 0, last = 0;
+    int first = 0; ///< the first, at least 0
+    int last = 0;  ///< the last, at least `first` and below 1000000
 };
 
 /// The options of the command that renders one picture, or one a frame.
 class RenderArguments {
 public:
-    SceneArguments scene;
-    std::filesystem::path output, hits;
-    std::string view, rig = "auto";
-    bool false_color = false, iso_lines = false, resume = false;
-    double light_error = PictureOptions().light_error;
-    int edge_samples = PictureOptions().edge_samples;
+    SceneArguments scene;         ///< what is rendered
+    std::filesystem::path output; ///< picture, .exr or .png
+    std::filesystem::path hits;   ///< .json for what the picture reflects; empty: none
+    std::string view;             ///< view by name, "auto" or "scene"; empty: not given
+    std::string rig = "auto";     ///< rig file, or "auto"
+    bool false_color = false;     ///< --false-color
+    bool iso_lines = false;       ///< --iso-lines
+    bool resume = false;          ///< --resume
+    double light_error = PictureOptions().light_error; ///< share, 0 to 0.1
+    int edge_samples = PictureOptions().edge_samples;  ///< a side of a pixel, 1 to 16
 
+    /// Adds all options to a command.
     void add_to(CLI::App& command);
 
     /// Throws Error for options that exclude each other or do not suit the requested file, and for
@@ -39,10 +46,17 @@ public:
     /// Chosen analysis mode; nullopt for a picture under the lamps. Throws Error for an unknown
     /// name.
     std::optional<ChosenMode> look() const;
+    /// Layers of an .exr, in the order given. Throws Error for an unknown name and for a repeated
+    /// one.
     std::vector<Aov> aovs() const { return aovs_by_names(aovs_); }
+    /// Scale of false colours, cd/m2 or lx; by default FalseColorScale(). Throws Error unless
+    /// 0 < minimum < maximum, both finite.
     FalseColorScale scale() const;
+    /// Quantity of false colours, luminance by default.
     ShownQuantity quantity() const;
+    /// Curve and exposure of a .png.
     ToneMapping mapping() const;
+    /// Model of tubes for --penumbrae.
     TubeModel tubes() const;
     /// Frames of an animation; nullopt for one picture.
     std::optional<Frames> frames() const;

@@ -16,17 +16,19 @@ namespace keiko::cli {
 
 /// Size in pixels; 0: the scene's own.
 struct PictureSize {
-    int width = 0, height = 0;
+    int width = 0;  ///< 1 to 16384, or 0
+    int height = 0; ///< 1 to 16384, or 0
 };
 
 /// The options of every command that reads a body.
 struct SceneArguments {
-    std::vector<std::filesystem::path> inputs;
-    SceneOptions options;
-    std::string size, intersector = "proving";
-    double import_timeout = 120; ///< s
-    double import_memory = 16;   ///< GiB
-    double cache_limit = 4;      ///< GiB
+    std::vector<std::filesystem::path> inputs; ///< models of one body, or one scene file
+    SceneOptions options;                      ///< as given, without the limits of import below
+    std::string size;                          ///< WIDTHxHEIGHT; empty: the scene's own
+    std::string intersector = "proving";       ///< "proving" or "clipping"
+    double import_timeout = 120;               ///< s
+    double import_memory = 16;                 ///< GiB
+    double cache_limit = 4;                    ///< GiB
 
     /// Adds the inputs (as `what`) and options to a command.
     void add_to(CLI::App& command, const std::string& what);
@@ -36,6 +38,7 @@ struct SceneArguments {
     void add_picture_size(CLI::App& command);
     /// Adds the option that bodies cast shadows.
     void add_shadows(CLI::App& command);
+    /// Options of the scene, with the limits of import and the intersector.
     SceneOptions scene_options() const;
     /// Throws Error for an invalid --size.
     PictureSize picture_size() const;
@@ -58,6 +61,7 @@ LightRig read_rig_aloud(const std::filesystem::path& file);
 
 /// Adds only the options for reading model files.
 void add_load_options(CLI::App& command, SceneArguments& arguments);
+/// Options for reading model files: the timeout rounded to ms, memory and cache in bytes.
 LoadOptions load_options(const SceneArguments& arguments);
 
 } // namespace keiko::cli

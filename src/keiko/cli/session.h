@@ -11,10 +11,10 @@
 namespace keiko::cli {
 
 // The exit codes of every command.
-constexpr int exit_pass = 0;
-constexpr int exit_findings = 1;
-constexpr int exit_error = 2;
-constexpr int exit_interrupted = 130;
+constexpr int exit_pass = 0;          ///< done, and nothing fails
+constexpr int exit_findings = 1;      ///< done, and what was tested fails or differs
+constexpr int exit_error = 2;         ///< an error, which stderr states
+constexpr int exit_interrupted = 130; ///< stopped by SIGINT or SIGTERM
 
 /// Accepts an option's number from `low` to `high`; NaN and infinity are rejected.
 CLI::Validator number_between(double low, double high);
@@ -25,8 +25,10 @@ CLI::Validator not_empty();
 /// Construct it before any other thread exists: the signals are blocked for all of them.
 class Interrupt {
 public:
+    /// Blocks both signals for the calling thread and starts the thread that waits for them.
     Interrupt();
 
+    /// Token of the stop request.
     std::stop_token token() const { return source_.get_token(); }
 
 private:
@@ -56,17 +58,29 @@ private:
     std::function<int(const Job&)> action_;
 };
 
-/// Each function adds one command of `keiko` to the app.
+// Each function adds one command of `keiko` to the app. Its action keeps the options.
+
+/// Adds `keiko check`.
 void add_check(CLI::App& app, Session& session);
+/// Adds `keiko compare`.
 void add_compare(CLI::App& app, Session& session);
+/// Adds `keiko illuminance`.
 void add_illuminance(CLI::App& app, Session& session);
+/// Adds `keiko info`.
 void add_info(CLI::App& app, Session& session);
+/// Adds `keiko inspect`.
 void add_inspect(CLI::App& app, Session& session);
+/// Adds `keiko lines`.
 void add_lines(CLI::App& app, Session& session);
+/// Adds `keiko merge`.
 void add_merge(CLI::App& app, Session& session);
+/// Adds `keiko place`.
 void add_place(CLI::App& app, Session& session);
+/// Adds `keiko regress`.
 void add_regress(CLI::App& app, Session& session);
+/// Adds `keiko render`.
 void add_render(CLI::App& app, Session& session);
+/// Adds `keiko trace`.
 void add_trace(CLI::App& app, Session& session);
 
 } // namespace keiko::cli

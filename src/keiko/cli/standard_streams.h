@@ -10,6 +10,7 @@ namespace keiko::cli {
 /// Standard input as it comes; a wait for more ends when the job is stopped.
 class StandardInput {
 public:
+    /// Keeps a reference to the job.
     explicit StandardInput(const Job& job) : job_(job) {}
 
     /// Fills the front of `bytes` with the available bytes, at least one; returns 0 at the end.

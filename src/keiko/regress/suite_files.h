@@ -7,6 +7,7 @@ namespace keiko {
 
 // The files of a suite: what its fixtures are now, were, and are required to be.
 
+/// Names of fixtures, in their order.
 std::vector<std::string> names_of(std::span<const FixtureFile> fixtures);
 
 /// The fixtures of these names, in the order of the suite. Throws Error for a name without one.
@@ -16,6 +17,7 @@ std::vector<FixtureFile> chosen(std::vector<FixtureFile> fixtures,
 /// Runs a fixture and keeps what it showed, or takes what an earlier run has kept of it.
 FixtureRecord candidate_of(const FixtureSpec& spec, const RegressOptions& options, const Job& job);
 
+/// Folder of the baselines: the one of the options, or else `baselines` in the suite.
 std::filesystem::path baseline_folder(const RegressOptions& options);
 
 /// Baseline that a folder holds; nullopt where there is none. Throws Error for a damaged one.

@@ -18,8 +18,8 @@ SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const std::stri
 
 /// A body and its paint, one a face.
 struct PaintedBody {
-    SurfaceModel model;
-    std::vector<Material> materials;
+    SurfaceModel model;              ///< all models of the scene as one
+    std::vector<Material> materials; ///< as SurfaceModel::faces
 };
 
 /// The models of a scene as one body. Throws Error for input that cannot be read, and for an

@@ -30,6 +30,17 @@ TEST(ReportHtml, RowsOfFindingsOpenTheirCloseUps) {
     EXPECT_EQ(json["close_ups"][1]["face"], 2);
 }
 
+TEST(ReportHtml, EscapesTheNamesInMessagesThatRowsAreSortedBy) {
+    Report with_look = report();
+    Check strip;
+    strip.message = "across it face 1 (\"a\" <b>) turns";
+    with_look.inspection.looks = {strip};
+    const std::string html = report_html(with_look);
+    EXPECT_NE(html.find("data-v=\"across it face 1 (&quot;a&quot; &lt;b&gt;) turns\""),
+              std::string::npos);
+    EXPECT_EQ(html.find("(\"a\""), std::string::npos);
+}
+
 TEST(ReportHtml, TellsOfInflectionCurvesAndCombs) {
     Report bent = report();
     bent.inspection.faces[0].inflections.push_back(

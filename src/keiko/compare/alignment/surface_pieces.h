@@ -18,9 +18,9 @@ namespace keiko {
 /// The point of a body's borders that is nearest to a given point.
 struct ProjectedBoundaryPoint {
     std::uint32_t border = 0; ///< into BoundaryProjection::borders
-    double t = 0;
-    Vec3 position{0};
-    double distance = 0; ///< mm
+    double t = 0;             ///< parameter of the border's curve
+    Vec3 position{0};         ///< world, mm
+    double distance = 0;      ///< mm
 };
 
 /// Finds the nearest points of all borders of the faces of a model, seams included: chords of their
@@ -28,6 +28,7 @@ struct ProjectedBoundaryPoint {
 /// model it was made from.
 class BoundaryProjection {
 public:
+    /// Makes the polylines of all borders, to within 0.05 mm.
     explicit BoundaryProjection(const SurfaceModel& model);
 
     /// On the borders of the faces that `counts` accepts, or of all where it is empty; nothing
@@ -35,8 +36,11 @@ public:
     std::optional<ProjectedBoundaryPoint> foot(
         const Vec3& p, double radius,
         const std::function<bool(std::uint32_t face)>& counts = {}) const;
+    /// All borders of the placed faces.
     const std::vector<BoundaryInterval>& borders() const { return borders_; }
+    /// Exact curve of a border.
     SurfaceCurve curve(std::uint32_t border) const { return curves_.curve(borders_[border]); }
+    /// Polyline of a border.
     const CurvePolyline& polyline(std::uint32_t border) const { return polylines_[border]; }
 
 private:
@@ -58,6 +62,7 @@ class Convexity {
 public:
     /// Holds nowhere.
     Convexity() = default;
+    /// Bounds of a piece; those of one whose tangents span no plane hold nowhere.
     explicit Convexity(const BezierPatchView& piece);
 
     /// Whether it is proved over `piece`, which is what this was made of or a part of that. Never
@@ -79,21 +84,22 @@ unsigned longer_side(const BezierPatchView& piece);
 
 /// Faces of a body in pieces that are bent little, by place, as searched for nearest points.
 struct ClosestPointQuery::Pieces {
-    PlacedModel body;
+    PlacedModel body;              ///< the body
     std::vector<TrimRegion> trims; ///< a face
-    SubPatchSet sub_patches;
+    SubPatchSet sub_patches;       ///< the pieces
     std::vector<Convexity> convex; ///< a leaf
     /// A leaf halved twice by longer_side, the lower halves first: most proofs fail for a leaf and
     /// hold for these.
     std::vector<std::array<Convexity, 4>> quarters;
-    std::optional<BoxTree> tree; ///< of the leaves' boxes
-    std::optional<BoundaryProjection> borders;
+    std::optional<BoxTree> tree;               ///< of the leaves' boxes
+    std::optional<BoundaryProjection> borders; ///< of all faces of the body
 
     /// Throws Error for a body without faces, Cancelled.
     Pieces(PlacedModel placed, const Job& job);
 
     /// Point of a leaf; nullopt where the leaf is trimmed away.
     std::optional<SurfacePoint> point(std::uint32_t sub_patch, const Vec2& uv) const;
+    /// True if a place of a leaf, by the leaf's own parameters, is not trimmed away.
     bool is_material(const SubPatch& sub_patch, const Vec2& uv) const;
     /// The face of a leaf.
     std::uint32_t face(std::uint32_t sub_patch) const {

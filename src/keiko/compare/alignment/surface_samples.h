@@ -8,9 +8,9 @@ namespace keiko {
 
 /// A place of a body and how much of it it stands for.
 struct SurfaceSample {
-    SurfacePoint point;
-    double area = 0; ///< mm2
-    Vec2 cell{0};    ///< extent in parameters of the piece
+    SurfacePoint point; ///< the middle of its cell
+    double area = 0;    ///< mm2
+    Vec2 cell{0};       ///< extent in parameters of the piece
 };
 
 /// Spacing of about `count` places of a body, mm.

@@ -32,11 +32,15 @@ public:
     SharedFaces(const PlacedModel& before, const Deviation& from_before, const PlacedModel& after,
                 const Deviation& from_after);
 
-    /// Puts the shared names in place of the faces' numbers in the layer of faces.
+    /// Puts the shared names in place of Face::id in the layer of faces of a picture of the body
+    /// before. A picture without that layer stays as it is.
     void rename_before(Film& film) { rename(film, before_); }
+    /// Puts the shared names into a picture of the body after, as rename_before.
     void rename_after(Film& film) { rename(film, after_); }
-    /// The shared name of a face by its Face::id; 0: the ground.
+    /// The shared name of a face of the body before, by its Face::id; 0: the ground. Throws
+    /// std::out_of_range for another number.
     std::size_t name_before(std::uint32_t id) { return sets_.root(before_.at(id)); }
+    /// The shared name of a face of the body after, as name_before.
     std::size_t name_after(std::uint32_t id) { return sets_.root(after_.at(id)); }
 
 private:

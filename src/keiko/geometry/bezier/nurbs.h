@@ -10,15 +10,16 @@ namespace keiko {
 /// Not periodic; knots are written out with their multiplicity: points + degree + 1 of them.
 template <class P>
 struct NurbsCurve {
-    int degree = 0;
-    std::vector<double> knots;
-    std::vector<P> points;
+    int degree = 0;            ///< at least 1
+    std::vector<double> knots; ///< never falling
+    std::vector<P> points;     ///< homogeneous
 };
 
 /// A polynomial or rational segment between two knots that differ.
 template <class P>
 struct BezierSpan {
-    double begin = 0, end = 1;
+    double begin = 0;      ///< knot at which it begins
+    double end = 1;        ///< knot at which it ends, greater than `begin`
     std::vector<P> points; ///< degree + 1
 };
 
@@ -33,17 +34,24 @@ extern template std::vector<BezierSpan<Vec4>> bezier_spans(NurbsCurve<Vec4>);
 
 /// A B-spline surface; u is the outer index of `points`.
 struct NurbsSurface {
-    int degree_u = 0, degree_v = 0;
-    std::vector<double> knots_u, knots_v;
-    std::vector<Vec4> points; ///< homogeneous, count_u() x count_v()
+    int degree_u = 0;            ///< at least 1
+    int degree_v = 0;            ///< at least 1
+    std::vector<double> knots_u; ///< never falling, count_u() + degree_u + 1
+    std::vector<double> knots_v; ///< never falling, count_v() + degree_v + 1
+    std::vector<Vec4> points;    ///< homogeneous, count_u() x count_v()
 
+    /// Number of control points along u.
     std::size_t count_u() const { return knots_u.size() - static_cast<std::size_t>(degree_u) - 1; }
+    /// Number of control points along v.
     std::size_t count_v() const { return knots_v.size() - static_cast<std::size_t>(degree_v) - 1; }
 };
 
 /// One Bezier patch of a B-spline surface and the knot rectangle it covers.
 struct BezierPatchSpan {
-    double u_begin = 0, u_end = 1, v_begin = 0, v_end = 1;
+    double u_begin = 0;       ///< knot of u at which it begins
+    double u_end = 1;         ///< knot of u at which it ends
+    double v_begin = 0;       ///< knot of v at which it begins
+    double v_end = 1;         ///< knot of v at which it ends
     std::vector<Vec4> points; ///< (degree_u + 1) x (degree_v + 1), u outer
 };
 

@@ -8,9 +8,10 @@ namespace keiko {
 
 /// Height of places along a direction, mm: a linear function of them.
 struct Height {
-    Vec3 slope{0};
-    double offset = 0;
+    Vec3 slope{0};     ///< mm of height in a mm of place, along each axis
+    double offset = 0; ///< mm, height of the origin
 
+    /// Height of a place, mm.
     double of(const Vec3& place) const { return slope.dot(place) + offset; }
     /// The largest height in the box; -infinity for an empty one.
     double most(const Box3& box) const {
@@ -30,6 +31,7 @@ public:
     /// The height over the whole patch.
     PatchHeight(const BezierPatchView& patch, const Height& height);
 
+    /// The box, in parameters of the patch.
     const Box2& uv() const { return uv_; }
     /// An upper bound, to within rounding: the largest coefficient, and at most the bound of the
     /// larger box that this one was cut from.
@@ -48,8 +50,13 @@ public:
 
     /// Ranges over the box of the derivatives by x and y.
     struct Slopes {
-        Interval x, y, xx, xy, yy;
+        Interval x;  ///< first derivative by x, mm
+        Interval y;  ///< first derivative by y, mm
+        Interval xx; ///< second derivative by x, mm
+        Interval xy; ///< mixed derivative, mm
+        Interval yy; ///< second derivative by y, mm
     };
+    /// The ranges of the derivatives. Those by a parameter in which the box has no extent are 0.
     Slopes slopes() const;
 
 private:

@@ -12,9 +12,9 @@ std::vector<Vec4> subpatch(const BezierPatchView& patch, const Box2& box);
 
 /// The point of a piece of surface that is nearest to a given one.
 struct PieceProjection {
-    Vec2 uv{0};       ///< in [0, 1]^2
-    Vec3 position{0}; ///< mm
-    double distance = 0;
+    Vec2 uv{0};          ///< in [0, 1]^2
+    Vec3 position{0};    ///< mm
+    double distance = 0; ///< mm
 };
 
 /// Nearest point by Newton's iteration on |S(u, v) - p|^2 / 2 within the unit square, from its

@@ -39,6 +39,7 @@ private:
 /// Boxes in a tree that finds those which a plane cuts.
 class PlaneTree {
 public:
+    /// The boxes must be finite, and none empty.
     explicit PlaneTree(std::vector<Box3> boxes);
 
     /// The numbers of the boxes that the plane normal.x = offset cuts, rising.

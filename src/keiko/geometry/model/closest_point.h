@@ -15,6 +15,7 @@ struct CurvePolyline {
     double turn = 0;          ///< radians, about the largest angle between curve and its chord
 
     Box3 box() const; ///< of the curve
+    /// Distance of a point to the polyline, mm.
     double distance(const Vec3& p) const;
     /// Parameter of approximately the point of the curve that is nearest to p.
     double nearest(const Vec3& p) const;
@@ -40,9 +41,9 @@ SegmentApproach segment_approach(const Vec3& p0, const Vec3& p1, const Vec3& q0,
 
 /// The point of a curve that is nearest to a given one.
 struct ClosestPoint {
-    double t = 0;
-    SurfaceCurve::Point point;
-    double distance = 0; ///< mm
+    double t = 0;              ///< parameter of the curve
+    SurfaceCurve::Point point; ///< of the curve at t
+    double distance = 0;       ///< mm
     double slip = 0; ///< mm along the tangent by which the foot is not square: the curve has ended
 };
 

@@ -24,15 +24,17 @@ inline bool is_corner(const Vec3& before, const Vec3& after) {
 
 /// A stretch and the two borders that it joins; border a is the earlier.
 struct SeamCandidate {
-    std::uint32_t a = 0, b = 0;
-    Stretch stretch;
+    std::uint32_t a = 0; ///< number of border a
+    std::uint32_t b = 0; ///< number of border b, greater than a
+    Stretch stretch;     ///< t on border a, s on border b
 };
 
 /// The facing points that another candidate provides along a stretch of one border.
 struct SeamOffer {
-    const SeamCandidate* candidate;
-    bool as_a;
+    const SeamCandidate* candidate; ///< the other candidate
+    bool as_a;                      ///< the border is its border a, else its border b
 
+    /// The parameter of facing points on the border.
     double parameter(const FacingPoints& p) const { return as_a ? p.t : p.s; }
 };
 
@@ -50,7 +52,8 @@ double width_at(const SeamOffer& offer, double x);
 struct SeamPiece {
     /// Begin or end on one of its borders, and the outward direction there.
     struct Tip {
-        Vec3 position{0}, onward{0};
+        Vec3 position{0}; ///< world, mm
+        Vec3 onward{0};   ///< away from the piece, of any length
     };
     /// Instance and face of either side.
     std::array<std::uint32_t, 4> faces{};

@@ -15,12 +15,13 @@ struct SeamGap {
     /// open. 0: a curve without an edge.
     double width = 0;
     double touch = 0; ///< a line within this distance touches the border
-    /// Samples at equal steps of t from 0 to 1: the border, and the vector from it to the
-    /// neighbour's border. Empty if the gap is negligible or wider than join, or there is not
-    /// exactly one neighbour.
+    /// The gap at one place of the curve.
     struct Sample {
-        Vec3 border{0}, across{0};
+        Vec3 border{0}; ///< place of the curve
+        Vec3 across{0}; ///< from there to the nearest place of the neighbour's border
     };
+    /// Samples at equal steps of t from 0 to 1. Empty if the gap is negligible or wider than join,
+    /// if there is not exactly one neighbour, or if the samples miss more than half of the gap.
     std::vector<Sample> samples;
 
     /// True if a line of sight passes between both borders within the width, or touches the border.

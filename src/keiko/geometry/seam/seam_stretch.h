@@ -8,8 +8,8 @@ namespace keiko {
 
 /// A border curve prepared for searching.
 struct Border {
-    SurfaceCurve curve;
-    CurvePolyline polyline;
+    SurfaceCurve curve;     ///< the exact curve, world, mm
+    CurvePolyline polyline; ///< chords near the curve, for the search
 };
 
 /// Two points of two borders that face each other.
@@ -20,9 +20,9 @@ struct FacingPoints {
 };
 
 /// A maximal stretch along which two borders face each other within the join distance, running
-/// nearly parallel; at least two points, t strictly rising, s strictly rising or falling.
+/// nearly parallel.
 struct Stretch {
-    std::vector<FacingPoints> points;
+    std::vector<FacingPoints> points; ///< at least two; t strictly rising, s rising or falling so
 };
 
 /// All stretches of `a` along `b`. Ends are exact: an end of either curve, or the place where the

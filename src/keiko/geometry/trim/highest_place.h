@@ -9,7 +9,8 @@ namespace keiko {
 
 /// Boxes of the control points of each face and each part, part coordinates, mm.
 struct HullBoxes {
-    std::vector<Box3> faces, parts;
+    std::vector<Box3> faces; ///< as SurfaceModel::faces
+    std::vector<Box3> parts; ///< as SurfaceModel::parts
 };
 
 /// Limits that end a search for the highest place.

@@ -15,6 +15,7 @@ public:
     /// The whole patch.
     explicit PatchBox(const BezierPatchView& patch);
 
+    /// The box, in parameters of the patch.
     const Box2& uv() const { return uv_; }
     /// Its parts below and above a share of its range, 0 to 1; `by_u`: cut across u.
     std::array<PatchBox, 2> parts(bool by_u, double share) const;
@@ -24,14 +25,20 @@ public:
     /// Ranges of position and tangents by x and y over the box. They hold the values and the first
     /// derivatives, from the convex hulls of the derivatives' control points.
     struct Ranges {
-        Triple<Jet<Interval>> place, dx, dy;
+        Triple<Jet<Interval>> place; ///< position, mm, as the control points
+        Triple<Jet<Interval>> dx;    ///< derivative by x: the tangent along u times the box's width
+        Triple<Jet<Interval>> dy; ///< derivative by y: the tangent along v times the box's height
     };
+    /// The ranges over the whole box; infinite where a range of weights holds 0.
     Ranges ranges() const;
 
     /// Position and tangents at a local place, to within rounding.
     struct Values {
-        Triple<Interval> place, dx, dy;
+        Triple<Interval> place; ///< position, mm, as the control points
+        Triple<Interval> dx;    ///< derivative by x
+        Triple<Interval> dy;    ///< derivative by y
     };
+    /// The values at x, y, both from 0 to 1.
     Values values(double x, double y) const;
 
     /// View of its own control points, which the box must outlive.

@@ -22,19 +22,23 @@ std::vector<BoundaryFactor> divide_sides(BernsteinField& field, double tolerance
 /// A vector over a patch whose coordinates are polynomials.
 using FieldTriple = std::array<BernsteinField, 3>;
 
+/// Cross product of two vectors at every place.
 FieldTriple cross(const FieldTriple& a, const FieldTriple& b);
+/// Scalar product of two vectors at every place.
 BernsteinField dot(const FieldTriple& a, const FieldTriple& b);
+/// The vector at the parameters `uv` of the patch.
 Vec3 value_at(const FieldTriple& field, const Vec2& uv);
 
 /// A patch in homogeneous coordinates, or a derivative of one.
 struct HomogeneousField {
-    FieldTriple p;
-    BernsteinField w;
+    FieldTriple p;    ///< w times the point, mm, or a derivative of that product
+    BernsteinField w; ///< weight, or a derivative of it
 
+    /// The derivative by u (`by_u`) or v.
     HomogeneousField derivative(bool by_u) const;
 };
 
-/// `rounding`: error of each coordinate of a control point, mm.
+/// The patch in homogeneous coordinates. `rounding`: error of each of them, mm.
 HomogeneousField homogeneous_field(const BezierPatchView& patch, double rounding);
 
 /// S_u x S_v of a patch times its weight cubed, w^3, or w^2 where all weights are equal. Its

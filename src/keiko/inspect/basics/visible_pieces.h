@@ -20,6 +20,7 @@ std::vector<PatchLine> visible_pieces(const PatchLine& line, const ZeroFunction&
 /// patch's own points.
 class FieldZeros : public ZeroFunction {
 public:
+    /// `field`: a polynomial in the patch's own parameters.
     FieldZeros(const PlacedPatch& patch, const BezierPatchView& view, const BernsteinField& field)
         : patch_(patch), view_(view), field_(field) {}
 

@@ -24,6 +24,7 @@ public:
     FaceCombs(const SurfaceModel& model, const PlacedFace& placed, const CombOptions& options,
               double size);
 
+    /// The section of the material of all patches of the face with a plane.
     FaceSection section(const SectionPlane& plane) const;
     /// The parts of the iso-curve at a share of the face's parameters that lie on material, one
     /// piece a patch.

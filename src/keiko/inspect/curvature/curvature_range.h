@@ -8,21 +8,25 @@ namespace keiko {
 /// A range that holds a curvature at every place of a patch, and the places, in the patch's
 /// parameters, where it probably comes near its ends.
 struct Spread {
-    Interval range;
-    Vec2 lowest{0.5}, highest{0.5};
+    Interval range;    ///< 1/mm, or 1/mm2 of the Gaussian curvature; infinite if unknown
+    Vec2 lowest{0.5};  ///< where the curvature is probably least
+    Vec2 highest{0.5}; ///< where the curvature is probably largest
 
+    /// The spread of the negative curvature.
     Spread turned() const { return {-range, highest, lowest}; }
 };
 
 /// The curvatures of a patch, 1/mm and 1/mm2, with respect to the normal along du x dv: positive
 /// where the surface bends towards it.
 struct CurvatureRange {
-    Spread k1, k2; ///< the larger and the smaller principal curvature
-    Spread mean, gaussian;
+    Spread k1, k2;   ///< the larger and the smaller principal curvature
+    Spread mean;     ///< half of k1 + k2
+    Spread gaussian; ///< k1 k2, 1/mm2
     /// Bending of the surface along u and along v; a cut across the larger one sharpens the ranges
     /// more.
     double bend_u = 0, bend_v = 0;
 
+    /// True if both ends of all four ranges are finite.
     bool finite() const;
     /// The curvatures with respect to the opposite normal.
     CurvatureRange turned() const;

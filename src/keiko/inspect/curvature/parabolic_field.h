@@ -19,8 +19,8 @@ struct ParabolicSide {
 /// A field with the sign of a patch's Gaussian curvature. `inner` has that sign everywhere inside;
 /// the curvature is 0 on `sides`, where patches of revolution and of fillets often end.
 struct ParabolicField {
-    BernsteinField inner; ///< polynomial in the patch's own parameters
-    std::vector<ParabolicSide> sides;
+    BernsteinField inner;             ///< polynomial in the patch's own parameters
+    std::vector<ParabolicSide> sides; ///< at most four
 };
 
 /// The field from the numerator of the Gaussian curvature in Bernstein form, exact to within

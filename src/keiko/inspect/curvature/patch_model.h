@@ -16,6 +16,7 @@ public:
     /// `rounding`: error of each coordinate of a control point, mm.
     LevelledPatch(const BezierPatchView& patch, double rounding);
 
+    /// View of its own control points, which it must outlive.
     BezierPatchView view() const { return {degree_u_, degree_v_, points_}; }
     /// Error of each coordinate of its own control points, including the rounding of levelling, mm.
     double rounding() const { return rounding_; }
@@ -28,14 +29,19 @@ private:
 
 /// Point and weight, or a derivative of both, over a patch: S = p / w.
 struct HomogeneousModel {
-    Triple<TaylorModel> p;
-    TaylorModel w;
+    Triple<TaylorModel> p; ///< w times the point, mm, or a derivative of that product
+    TaylorModel w;         ///< weight, or a derivative of it
 };
 
 /// A patch and its derivatives to the second order as Taylor models: x = 2 u - 1, y = 2 v - 1, the
 /// derivatives by x and y. The weight of one that is not rational is 1.
 struct PatchModel {
-    HomogeneousModel s, x, y, xx, xy, yy;
+    HomogeneousModel s;  ///< the patch
+    HomogeneousModel x;  ///< derivative by x
+    HomogeneousModel y;  ///< derivative by y
+    HomogeneousModel xx; ///< second derivative by x
+    HomogeneousModel xy; ///< mixed derivative
+    HomogeneousModel yy; ///< second derivative by y
 };
 
 /// Taylor models from the derivatives at the centre, and from the convex hulls of the control

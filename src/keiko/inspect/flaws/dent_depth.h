@@ -8,9 +8,9 @@ namespace keiko {
 
 /// Deviation of a surface from the form around a place.
 struct DentDepth {
-    double offset = 0; ///< mm, positive outwards: of a bump
-    double bound = 0;  ///< mm, an estimate
-    SheetPoint at;
+    double offset = 0;      ///< mm, positive outwards: of a bump
+    double bound = 0;       ///< mm, an estimate
+    SheetPoint at;          ///< where the deviation is largest
     Vec3 position{0};       ///< world, mm
     bool one_sided = false; ///< a border is so near that some quarter around has no form
     bool alone = false; ///< less than a quarter of the surroundings deviates half as much, unlike

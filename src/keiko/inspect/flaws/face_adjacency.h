@@ -20,7 +20,10 @@ struct SheetPoint {
 
 /// A plane that touches a surface, as frame for its surroundings. Unit vectors, world, mm.
 struct TangentFrame {
-    Vec3 origin{0}, x{0}, y{0}, z{0};
+    Vec3 origin{0}; ///< where the plane touches, world, mm
+    Vec3 x{0};      ///< unit tangent along the direction that the frame was made for
+    Vec3 y{0};      ///< unit tangent, z x x
+    Vec3 z{0};      ///< unit normal of the plane
 
     /// Position in the frame, mm.
     Vec3 local(const Vec3& position) const {
@@ -39,11 +42,14 @@ public:
 
     /// Number of placed faces, instances outer, as in measure_faces.
     std::size_t size() const { return faces_.size(); }
+    /// A placed face by its number, from 0 to size() - 1.
     const FaceSurface& face(std::size_t index) const { return faces_[index]; }
     /// Number of the connected surface of a face; faces share it if one can be reached from the
     /// other.
     std::size_t sheet(std::size_t face) const { return sheets_[face]; }
 
+    /// The surface at a place with its derivatives up to `order`, world, mm, regardless of trims;
+    /// nullopt more than a quarter of a span beyond the sides of the face.
     std::optional<SurfaceDerivatives> evaluate(const SheetPoint& at, int order) const {
         return faces_[at.face].evaluate_beyond(at.place, order);
     }

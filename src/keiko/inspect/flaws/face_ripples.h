@@ -13,8 +13,8 @@ constexpr double widest_share = 0.5;
 
 /// A ripple of a line of constant u or v on a face.
 struct FaceRipple {
-    SheetPoint at;
-    Vec3 position{0};
+    SheetPoint at;      ///< of its crest or trough
+    Vec3 position{0};   ///< of `at`, world, mm
     Vec3 along{0};      ///< unit, direction of the line
     double width = 0;   ///< mm
     double depth = 0;   ///< mm, about; positive on crests

@@ -12,6 +12,7 @@ namespace keiko {
 /// count spans, the rest runs over one span from 0 to 1. Keeps a reference to the model.
 class FaceSurface {
 public:
+    /// `instance` and `face`: into the arrays of SurfaceModel.
     FaceSurface(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face);
 
     /// The surface at a place, with its derivatives by (u, v) up to `order`, world, mm; nullopt if
@@ -19,17 +20,20 @@ public:
     std::optional<SurfaceDerivatives> evaluate(const Vec2& place, int order) const;
     /// The surface regardless of trims, up to a quarter of a span beyond the sides of the face.
     std::optional<SurfaceDerivatives> evaluate_beyond(const Vec2& place, int order) const;
+    /// True if a place lies within the sides of the face and its trims.
     bool has_material(const Vec2& place) const;
     /// Place of parameters of the face.
     Vec2 place_of(const Vec2& face_parameters) const;
     /// -1 if the outward normal is -(du x dv), else 1.
     double sign() const { return sign_; }
 
+    /// Number of knot spans along u.
     std::size_t spans_u() const { return begins_u_.size(); }
+    /// Number of knot spans along v.
     std::size_t spans_v() const { return begins_v_.size(); }
-    /// Length of the longest row of control points of any patch in each span along u, mm;
-    /// span_lengths_v along v.
+    /// Length of the longest row of control points along u of any patch, mm, in each span of u.
     std::vector<double> span_lengths_u() const;
+    /// Length of the longest row of control points along v of any patch, mm, in each span of v.
     std::vector<double> span_lengths_v() const;
 
 private:

@@ -9,7 +9,7 @@ namespace keiko {
 
 /// A point of a geodesic trace.
 struct WalkPoint {
-    SheetPoint at;
+    SheetPoint at;     ///< on one of the faces
     Vec3 position{0};  ///< world, mm
     double length = 0; ///< mm traced
     double bend = 0;   ///< 1/mm, normal curvature along the trace, by the normal of the first place
@@ -55,8 +55,8 @@ struct WaveSection {
     double depth = 0;  ///< mm, from the form to a crest or a trough
     double length = 0; ///< mm, of the wave
     double bound = 0;  ///< mm: change of `depth` with a length that is 5 % shorter
-    SheetPoint at;
-    Vec3 position{0}; ///< world, mm
+    SheetPoint at;     ///< of the crest or trough
+    Vec3 position{0};  ///< of `at`, world, mm
 };
 
 /// Measures the wave of about `length` mm whose crest (`crest`) or trough lies at about `at`, along

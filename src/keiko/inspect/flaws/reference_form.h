@@ -8,13 +8,17 @@ namespace keiko {
 
 /// A place of a surface beside a tangent plane, mm, and its weight.
 struct FormHeight {
-    double x = 0, y = 0, z = 0;
-    double weight = 1;
+    double x = 0;      ///< mm, in the plane from its origin
+    double y = 0;      ///< mm, in the plane, square to x
+    double z = 0;      ///< mm, from the plane along its normal
+    double weight = 1; ///< factor of its square in the fit's sum
 };
 
-/// Smooth forms of a ReferenceForm: heights that are polynomials, or heights z less b z² / 2 with
-/// the larger curvature b at the origin, which spheres and cylinders are exactly.
-enum class BaseKind { flat, bent };
+/// Smooth forms of a ReferenceForm, by what is a polynomial of the place in the plane.
+enum class BaseKind {
+    flat, ///< the height z
+    bent ///< z - b z² / 2, with the larger curvature b at the origin: exact for spheres, cylinders
+};
 
 /// The form under a dent: a polynomial of total degree 4 over the plane through most heights.
 /// Outliers do not count. It is fitted by iteratively reweighted least squares, first to the
@@ -22,10 +26,11 @@ enum class BaseKind { flat, bent };
 /// for profiles.
 class ReferenceForm {
 public:
+    /// Number of terms x^i y^j of total degree 0 to 4.
     static constexpr std::size_t term_count = 15;
 
-    /// The form of the heights within `reach` of the origin, mm; nullopt if they are too few or too
-    /// close to a line.
+    /// The form of the heights within `reach` of the origin, mm; nullopt if they are fewer than
+    /// twice term_count or too close to a line.
     static std::optional<ReferenceForm> fit(std::span<const FormHeight> heights, double reach,
                                             BaseKind kind = BaseKind::flat);
 

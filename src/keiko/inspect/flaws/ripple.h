@@ -25,7 +25,8 @@ struct Ripple {
 
 /// The ends of a line at which the surface ends too.
 struct LineEnds {
-    bool at_begin = false, at_end = false;
+    bool at_begin = false; ///< at the line's first point
+    bool at_end = false;   ///< at the line's last point
 };
 
 /// The ripples of a line that are at most as wide as `window` and may be `depth` deep, mm. A bend

@@ -13,12 +13,15 @@ namespace keiko {
 /// The placed faces of a model, grouped by the seams that join them.
 class Bodies {
 public:
+    /// Groups all placed faces. The two faces of a seam are in one group, which goes on from face
+    /// to face; a face without seams is a group of its own.
     Bodies(const SurfaceModel& model, std::span<const Seam> seams);
 
+    /// Number of groups.
     std::size_t count() const { return faces_.size(); }
     /// The faces of a body; bodies are in the order of their first faces.
     const std::vector<PlacedFace>& faces(std::size_t body) const { return faces_[body]; }
-    /// The body of a face.
+    /// The body of a face. Throws std::out_of_range for a face that the model does not place.
     std::size_t of(const PlacedFace& face) const { return of_.at({face.instance, face.face}); }
 
 private:

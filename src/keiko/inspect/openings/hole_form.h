@@ -10,10 +10,11 @@ namespace keiko {
 /// The path along free edges from the end of a seam.
 class Strand {
 public:
-    /// The path from `start` to an edge's end without a next one, to `reach` mm or to the end
-    /// `back`.
+    /// The path from `start` to an edge's end without a next one or to the end `back`. It stops
+    /// behind the first edge at whose far end it is `reach` mm long or longer.
     Strand(const FreeEdges& edges, FreeEnd start, FreeEnd back, double reach);
 
+    /// mm, of all its free edges; the gaps between their ends do not count.
     double length() const { return length_; }
     /// True if it leads around a hole.
     bool closed() const { return closed_; }
@@ -22,6 +23,7 @@ public:
     /// mm: the largest deviation of its free edges.
     double deviation() const;
 
+    /// The place `way` mm along the path; its first or last place beyond its ends.
     FreePlace at(double way) const;
     /// The corners of its polyline up to a length, and the place there.
     std::vector<FreePlace> places(double until) const;

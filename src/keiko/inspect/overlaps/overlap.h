@@ -11,13 +11,14 @@ namespace keiko {
 /// A run of a free edge on the inside of another face, or of any border through a face of another
 /// body, which may be a fault or intended.
 struct Overlap {
+    /// Position of the edge's face relative to the other one.
     enum class Kind {
         lap,     ///< the two faces lie on each other
         tee,     ///< the edge's face stands on the other one
         crossing ///< the edge passes through the other face
     };
 
-    Kind kind = Kind::lap;
+    Kind kind = Kind::lap;             ///< of the whole run
     std::array<PlacedFace, 2> sides{}; ///< the face of the edge, and the one that it lies on
     double length = 0;                 ///< mm of the edge
     double length_bound = 0;           ///< mm, error of the length

@@ -17,6 +17,7 @@ public:
                 double negligible);
 
     std::uint32_t index() const { return placed_.index; } ///< into SurfaceModel::patches
+    /// View of its own control points about the patch's middle, mm, which it must outlive.
     BezierPatchView view() const { return {degree_u_, degree_v_, placed_.points}; }
     const Box3& box() const { return placed_.box; } ///< world, of the control points
     /// normal_field() without the sides along which it is 0.
@@ -39,8 +40,10 @@ private:
 /// A part of a patch over a box of its parameters, with bounds of its normals.
 class NormalCell {
 public:
+    /// The whole patch.
     explicit NormalCell(const NormalPatch& patch) : box_(patch.view()), field_(patch.field()) {}
 
+    /// Box of the parameters of the patch.
     const Box2& uv() const { return box_.uv(); }
     /// mm, not less than the part's diameter.
     double size() const;

@@ -11,11 +11,11 @@ namespace keiko {
 /// A maximal part of a seam that is all of one class; it consists of one or more pieces of the
 /// seam.
 struct SeamStretch {
-    SeamClass kind = SeamClass::smooth;
-    std::vector<SeamPart> parts; ///< in the order of the seam's pieces
-    double length = 0;           ///< mm
-    bool scrap = false;          ///< shorter than the negligible length of the limits
-    bool unknown = false;        ///< a side has no normal for more than the negligible length
+    SeamClass kind = SeamClass::smooth; ///< class of all its parts
+    std::vector<SeamPart> parts;        ///< in the order of the seam's pieces
+    double length = 0;                  ///< mm
+    bool scrap = false;                 ///< shorter than the negligible length of the limits
+    bool unknown = false; ///< a side has no normal for more than the negligible length
     /// Worst step of the angle's slope of a crease that fades out, degrees/mm.
     std::optional<MeasuredValue> fading;
 };

@@ -4,17 +4,65 @@
 #include "keiko/base/units.h"
 #include "keiko/geometry/bvh/box_tree.h"
 #include "keiko/geometry/model/closest_point.h"
-#include "keiko/inspect/seams/facing_chords.h"
+#include "keiko/geometry/seam/border_approach.h"
 #include "keiko/inspect/seams/seam_sides.h"
+#include "keiko/math/interval_set.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace keiko {
 namespace {
 
 /// mm: largest distance of the polyline of a side from the side.
 constexpr double chord_error = 0.002;
+
+/// A straight piece of a polyline; world, mm.
+struct Chord {
+    Vec3 from{0}; ///< its begin
+    Vec3 to{0};   ///< its end
+
+    /// mm.
+    double length() const { return (to - from).length(); }
+    /// The point at a share of it, 0 at `from` and 1 at `to`.
+    Vec3 at(double share) const { return from + (to - from) * share; }
+};
+
+/// Shares s at which low <= from + s * slope <= high.
+ParameterInterval between(double from, double slope, double low, double high) {
+    if (slope == 0)
+        return low <= from && from <= high ? ParameterInterval{0, 1} : ParameterInterval{1, 0};
+    const auto [begin, end] = std::minmax({(low - from) / slope, (high - from) / slope});
+    return {begin, end};
+}
+
+/// Shares s at which |from + s * slope| <= reach.
+ParameterInterval within(const Vec3& from, const Vec3& slope, double reach) {
+    const double a = slope.length2(), b = from.dot(slope), c = from.length2() - reach * reach;
+    if (a == 0) return c <= 0 ? ParameterInterval{0, 1} : ParameterInterval{1, 0};
+    const double square = b * b - a * c;
+    if (!(square >= 0)) return {1, 0};
+    return {(-b - std::sqrt(square)) / a, (-b + std::sqrt(square)) / a};
+}
+
+/// The part of `chord` that runs beside `other`: from each of its places the foot of the
+/// perpendicular on the line of `other` lies on `other`, at most `reach` mm away. Shares of
+/// `chord`; nullopt if there is none, or if the chords diverge by more than `parallel_borders`.
+std::optional<ParameterInterval> part_beside(const Chord& chord, const Chord& other, double reach) {
+    const double length = other.length();
+    const Vec3 way = chord.to - chord.from;
+    if (!(length > 0) || !nearly_parallel(way, other.to - other.from, std::sin(parallel_borders)))
+        return std::nullopt;
+    const Vec3 along = (other.to - other.from) / length;
+    const Vec3 start = chord.from - other.from;
+    const ParameterInterval on = between(start.dot(along), way.dot(along), 0, length);
+    const ParameterInterval near =
+        within(start - along * start.dot(along), way - along * way.dot(along), reach);
+    const ParameterInterval part{std::max({0.0, on.begin, near.begin}),
+                                 std::min({1.0, on.end, near.end})};
+    return part.begin < part.end ? std::optional(part) : std::nullopt;
+}
 
 /// The point of a line that is nearest to a place.
 ClosestPoint foot_on(const SeamSide::Line& line, const Vec3& place, double guess) {

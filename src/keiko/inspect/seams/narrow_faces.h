@@ -13,7 +13,7 @@ namespace keiko {
 /// A face with a strip narrower than the join distance beside a crease. The sides of such a strip
 /// are judged one by one, and neither shows how the faces across it continue each other.
 struct NarrowFace {
-    PlacedFace face;
+    PlacedFace face;                        ///< the face with the strip
     std::array<PlacedFace, 2> neighbours{}; ///< the faces on either side of the strip at `place`
     double width = 0;                       ///< mm, straight across the strip at `place`
     double step = 0;   ///< mm: the distance of its far side from the tangent plane of the neighbour

@@ -11,11 +11,11 @@ namespace keiko {
 
 /// The end of a crease, along which its angle fades from the feature angle to the angle's limit.
 struct RunOut {
-    /// The parts that it occupies, and the remainder of the last one; by index into the parts.
+    /// A part that it occupies, as a whole or, of its last part, from one end.
     struct Piece {
-        std::size_t part = 0;
-        SeamPart taken;
-        std::optional<SeamPart> left;
+        std::size_t part = 0;         ///< into the parts of the seam
+        SeamPart taken;               ///< what it occupies of that part, of class run-out
+        std::optional<SeamPart> left; ///< the remainder of the part, of its former class
     };
     std::vector<Piece> pieces; ///< none where the angle falls to the limit at once
     MeasuredValue step;        ///< of the angle's slope, degrees/mm

@@ -9,9 +9,9 @@ namespace keiko {
 
 /// A quantity of a seam at its worst place.
 struct SeamExtreme {
-    double value = 0;
+    double value = 0; ///< the largest value found, in the quantity's own unit
     double bound = 0; ///< the true extreme lies within this of the value
-    SeamPoint point;
+    SeamPoint point;  ///< where the quantity has that value
 };
 
 /// Quantity at a place of a seam; nullopt if it is not defined there.
@@ -19,8 +19,8 @@ using SeamQuantity = std::function<std::optional<double>(const SeamPoint&)>;
 
 /// One quantity and the required accuracy of its maximum, in its own unit.
 struct SeamQuestion {
-    SeamQuantity quantity;
-    double tolerance = 0;
+    SeamQuantity quantity; ///< values that are not finite do not count
+    double tolerance = 0;  ///< accuracy at which the search ends
 };
 
 /// Finds the largest value of each quantity along a seam. Cells are halved, the most promising

@@ -9,14 +9,17 @@ namespace keiko {
 
 /// A line along which two sides meet, prepared for measuring.
 struct SeamLine {
-    std::uint32_t instance_a = 0, face_a = 0, instance_b = 0, face_b = 0;
+    std::uint32_t instance_a = 0;  ///< of side a, into SurfaceModel::instances
+    std::uint32_t face_a = 0;      ///< of side a, into SurfaceModel::faces
+    std::uint32_t instance_b = 0;  ///< of side b, into SurfaceModel::instances
+    std::uint32_t face_b = 0;      ///< of side b, into SurfaceModel::faces
     std::vector<SeamProbe> probes; ///< piece after piece, at least one
 };
 
 /// A stretch of a line, and the parts of the line's probes that it consists of.
 struct MeasuredStretch {
-    MeasuredSeam seam; ///< without `faces`, `line` and `pieces`
-    std::vector<SeamPart> parts;
+    MeasuredSeam seam;           ///< without `faces`, `line` and `pieces`
+    std::vector<SeamPart> parts; ///< in the order of the line's probes
 };
 
 /// The lengths and angles by which a preset cuts the lines between two faces of these sizes (mm)

@@ -17,15 +17,19 @@ namespace keiko {
 struct SeamSide {
     /// A part of a border, or of a line inside a face.
     struct Line {
-        SurfaceCurve curve;
+        SurfaceCurve curve;   ///< in world coordinates, mm
         ParameterInterval on; ///< begin > end: it is run backwards
 
+        /// Lower end of `on`.
         double low() const { return std::min(on.begin, on.end); }
+        /// Upper end of `on`.
         double high() const { return std::max(on.begin, on.end); }
+        /// The parameter at a share of the run, 0 at its begin and 1 at its end.
         double at(double share) const { return on.begin + share * (on.end - on.begin); }
     };
-    Line own, beyond;
-    PlacedFace neighbour;
+    Line own;               ///< of the face that the side belongs to
+    Line beyond;            ///< the other side
+    PlacedFace neighbour;   ///< the face of `beyond`; the face itself for lines inside it
     bool is_crease = false; ///< or a run-out
     double negligible = 0;  ///< mm, of the seam
 };
@@ -34,6 +38,7 @@ struct SeamSide {
 /// Keeps references to the borders.
 class SeamSides {
 public:
+    /// Sides by the instance and the index of their face.
     using ByFace = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<SeamSide>>;
 
     /// Without scraps. `pieces`: those of the seams, MeasuredSeams::pieces.
@@ -42,6 +47,7 @@ public:
     SeamSides(const SeamSides&) = delete;
     SeamSides& operator=(const SeamSides&) = delete;
 
+    /// The sides of every face that has any, in the order of the seams.
     const ByFace& by_face() const { return sides_; }
 
 private:

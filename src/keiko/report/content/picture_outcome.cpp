@@ -1,7 +1,6 @@
 #include "keiko/report/content/picture_outcome.h"
 
 #include "keiko/base/text.h"
-#include "keiko/report/markup/html_table.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <algorithm>

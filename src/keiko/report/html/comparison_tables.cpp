@@ -1,7 +1,6 @@
 #include "keiko/report/html/comparison_tables.h"
 
 #include "keiko/report/content/comparison.h"
-#include "keiko/report/markup/html_table.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 #include "keiko/report/html/html_sections.h"
-#include "keiko/report/markup/html_table.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <cmath>

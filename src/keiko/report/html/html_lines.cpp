@@ -1,6 +1,5 @@
 #include "keiko/base/text.h"
 #include "keiko/report/html/html_sections.h"
-#include "keiko/report/markup/html_table.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include "keiko/base/units.h"
 #include "keiko/inspect/seams/curvature_match.h"
 #include "keiko/report/html/html_sections.h"
-#include "keiko/report/markup/html_table.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <algorithm>

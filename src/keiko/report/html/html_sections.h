@@ -19,8 +19,9 @@ std::string html_figure(const ReportPicture& picture);
 std::string html_form(const Report& report);
 /// Sections and iso-curves with their combs.
 std::string html_combs(const Report& report);
-/// The picture of a close-up, and, if there is one, the attributes by which a table's row opens it.
+/// The picture of the close-up of a finding.
 std::string html_close_up(const Report& report, CloseUp::Of of, std::size_t index);
+/// The attributes by which a table's row opens the close-up of its finding.
 std::string html_opens_close_up(const Report& report, CloseUp::Of of, std::size_t index);
 /// The close-ups that no other part shows, for rows to open, and the window in which they open.
 std::string html_gallery(const Report& report);

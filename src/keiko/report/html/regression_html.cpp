@@ -1,7 +1,6 @@
 #include "keiko/base/text.h"
 #include "keiko/report/content/regression.h"
 #include "keiko/report/markup/html_page.h"
-#include "keiko/report/markup/html_table.h"
 #include "keiko/report/markup/html_text.h"
 #include "keiko/report/markup/picture_slider.h"
 

@@ -1,3 +1,5 @@
+#include "keiko/base/text.h"
+#include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/report.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_page.h"
@@ -7,6 +9,57 @@
 
 namespace keiko {
 namespace {
+
+std::string count(std::string_view tone, const std::string& number, bool none,
+                  std::string_view label) {
+    return "<div class=\"card count " + std::string(tone) + (none ? " none" : "") + "\"><b>" +
+           number + "</b>" + std::string(label) + "</div>";
+}
+
+std::string count(std::string_view tone, std::size_t number, std::string_view label) {
+    return count(tone, std::to_string(number), number == 0, label);
+}
+
+std::string count(std::string_view tone, std::size_t number, std::string_view one,
+                  std::string_view several) {
+    return count(tone, number, number == 1 ? one : several);
+}
+
+std::string percent(double share, int decimals = 1) {
+    return fixed_number(share * 100, decimals) + " %";
+}
+
+/// "class-a-outer: gap 0.01 mm, angle 0.1°, curvature 10 %, its slope 0.1°"
+std::string criteria_line(const Inspection& inspection) {
+    const CriteriaPreset& preset = inspection.preset;
+    std::string text = html_escaped(preset.name) + ": gap " + short_number(preset.gap) +
+                       " mm, angle " + short_number(preset.angle) + "°";
+    if (preset.curvature)
+        text += ", curvature " + short_number(preset.curvature->limit * 100) + " %";
+    if (preset.curvature_slope)
+        text += ", its slope " + short_number(*preset.curvature_slope) + "°";
+    return text;
+}
+
+/// "2 faces, 0 seams · 798.8 of 798.8 mm of borders meet no other · class-a-outer: ..."
+std::string body_line(const Inspection& inspection) {
+    const std::string unmet = unmet_borders(inspection.facts);
+    return counted(inspection.facts.placed_faces, "face") + ", " +
+           counted(inspection.facts.seams, "seam") +
+           (unmet.empty() ? "" : " · " + html_escaped(unmet)) + " · " + criteria_line(inspection);
+}
+
+std::string look_row(const Report& report, const Check& look) {
+    const std::string opens =
+        look.face == no_index ? "" : html_opens_close_up(report, CloseUp::Of::face, look.face);
+    const MeasuredValue& worst = look.worst;
+    return "<tr class=\"undecided\"" + opens + ">" +
+           html_cell(html_escaped(look.faces), html_escaped(look.faces), "left") +
+           html_cell(look.code, look.code, "left") +
+           html_number_cell(worst.value, short_number(worst.value, 3) + " " + look.unit, true) +
+           html_cell(html_escaped(look.message), html_escaped(look.message), "left") +
+           html_cell(short_number(worst.place.x, 9), place_text(worst.place)) + "</tr>\n";
+}
 
 std::string footer(const Report& report) {
     const CriteriaPreset& preset = report.inspection.preset;
@@ -31,6 +84,69 @@ std::string footer(const Report& report) {
 }
 
 } // namespace
+
+std::string html_verdict(const Report& report) {
+    const Inspection& inspection = report.inspection;
+    const SeamCounts& counts = inspection.counts;
+    const std::string verdict(name_of(verdict_of(report)));
+    std::string html = "<header class=\"card head " + verdict + "\"><div class=\"verdict\">" +
+                       verdict + "</div><div class=\"names\"><h1>" +
+                       html_escaped(inspection.facts.source) + "</h1><div class=\"soft\">" +
+                       body_line(inspection) + "</div>";
+    if (const std::string warning = nothing_judged(inspection); !warning.empty())
+        html += "<div><b>" + warning + "</b></div>";
+    html += "</div></header>\n";
+    html += "<div class=\"counts\">" +
+            count("fail", counts.fail, "stretch fails", "stretches fail") +
+            count("undecided", counts.undecided, "undecided") + count("pass", counts.pass, "pass") +
+            count("crease", counts.creases, "crease", "creases");
+    if (counts.run_outs > 0) html += count("crease", counts.run_outs, "run-out", "run-outs");
+    if (counts.scraps > 0) html += count("crease", counts.scraps, "scrap", "scraps");
+    if (report.lines)
+        html += count("fail", count_crossings(*report.lines).fail, "line crossing fails",
+                      "line crossings fail");
+    if (report.coverage)
+        html += count("open", percent(1 - report.coverage->covered), report.coverage->covered >= 1,
+                      "not covered");
+    if (inspection.preset.surface != SurfaceLimits{})
+        html += count("fail", inspection.face_counts.fail, "faces fail") +
+                count("undecided", inspection.face_counts.undecided, "faces undecided");
+    if (!inspection.facts.lost_faces.empty())
+        html += count("fail", inspection.facts.lost_faces.size(), "face lost", "faces lost");
+    return html + "</div>\n";
+}
+
+std::string html_looks(const Report& report) {
+    const std::vector<Check>& looks = report.inspection.looks;
+    if (looks.empty()) return "";
+    std::string html =
+        "<section><h2>Worth a look</h2><p class=\"soft\">Reported, not judged: "
+        "nothing here has a part in the verdict.</p>" +
+        html_table_head({"face", "code", "value", "what", "place x, y, z"}, "face");
+    for (const Check& look : looks) html += look_row(report, look);
+    return html + std::string(html_table_end) + "</section>\n";
+}
+
+std::string html_coverage(const Report& report) {
+    if (!report.coverage) return "";
+    const CoverageSummary& coverage = *report.coverage;
+    const double share = std::clamp(coverage.covered, 0.0, 1.0);
+    std::string html = "<section><h2>Coverage</h2><div class=\"card coverage\"><b>" +
+                       percent(share) + "</b> of the surface in view mirrors the lamps of " +
+                       html_escaped(coverage.rig) + html_bar(share);
+    if (share >= 1)
+        html += "<div class=\"soft\">Nothing was left out.</div>";
+    else if (coverage.unreached.empty())
+        html += "<div class=\"soft\">The other " + percent(1 - share) +
+                " are on faces of which more than half is reached, or of less than 0.5 % of the "
+                "pictures.</div>";
+    else
+        html += "<p class=\"soft\">Not reached, so not judged by reflections:</p><ul>";
+    for (const std::string& name : coverage.unreached)
+        html += "<li>" + html_escaped(name) + "</li>";
+    if (!coverage.unreached.empty()) html += "</ul>";
+    return html + "</div></section>\n";
+}
 
 std::string report_html(const Report& report) {
     std::string html;

@@ -7,6 +7,7 @@
 
 namespace keiko {
 
+/// projection, eye, target, up, vertical_fov, orthographic_height, width, height.
 Json camera_json(const Camera& camera);
 /// Inverse of camera_json. Throws Json::exception.
 Camera camera_from(const Json& json);

@@ -8,10 +8,13 @@ namespace keiko {
 /// Style of html_slider, for the page's style sheet.
 extern const std::string_view slider_style;
 
-/// The bytes of PNG files; empty: none.
+/// Pictures of a slider, each the bytes of a PNG file or empty for none.
 struct SliderPictures {
-    std::string_view before, after, difference;
-    int width = 0, height = 0;
+    std::string_view before;     ///< the picture at the left of the slider
+    std::string_view after;      ///< the picture at the right of the slider
+    std::string_view difference; ///< the picture beside both
+    int width = 0;               ///< pixels, of all three
+    int height = 0;              ///< pixels, of all three
 };
 
 /// Two pictures on top of each other with a slider that sets how much of the latter is visible, and
