@@ -27,8 +27,8 @@ struct LightVisibility {
 /// Accuracy of the penumbrae.
 struct PenumbraOptions {
     double tolerance = 0; ///< of a lamp's projected solid angle, as bright all over as at its best
-    TubeShape shape = TubeShape::cylinder;
-    bool axes = false; ///< visible parts of axes are queried as well
+    TubeShape shape = TubeShape::cylinder; ///< of all lamps, across their width
+    bool axes = false;                     ///< visible parts of axes are queried as well
     /// Widest gap between lines of equal visibility, of half the width, by the angle around a
     /// cylinder. Smaller occluders may be missed between them unless they are searched for.
     double widest_gap = 1;
