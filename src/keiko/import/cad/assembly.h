@@ -15,6 +15,7 @@ struct FaceLabel {
     std::string name;       ///< or empty
     std::uint32_t line = 0; ///< as Face::line
 };
+/// Label of a face of a document, as the file itself has it.
 using FaceLabels = std::function<FaceLabel(const TopoDS_Shape& face)>;
 
 /// Parts, instances, names, layers and colours of a document that a reader has filled. A part

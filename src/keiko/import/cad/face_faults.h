@@ -12,7 +12,7 @@ std::string current_failure();
 
 /// Knowledge of a face's loops before its check.
 enum class KnownLoops {
-    nothing,
+    nothing,         ///< the wires may be anything
     one_forward_loop ///< one wire that is one loop, closed as it stands, its material on the left
 };
 

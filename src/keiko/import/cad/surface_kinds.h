@@ -14,7 +14,7 @@ namespace keiko::cad {
 /// An axis of revolution with right-handed angles about `direction`, or left-handed ones.
 struct Axis {
     Vec3 origin{0}, direction{0, 0, 1}; ///< unit direction
-    bool left_handed = false;
+    bool left_handed = false;           ///< angles turn the other way
 };
 
 /// Surface of revolution: u is the angle, begin..end in radians; v runs along `profile`, which

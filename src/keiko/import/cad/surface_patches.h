@@ -12,15 +12,17 @@ namespace keiko::cad {
 
 /// One rational Bezier patch of a CAD surface and how it lies in the surface's parameters.
 struct SurfacePatch {
-    ParameterMap map_u, map_v;
-    int degree_u = 0, degree_v = 0;
+    ParameterMap map_u;       ///< from 0 to 1 of the patch to the surface's u
+    ParameterMap map_v;       ///< likewise to its v
+    int degree_u = 0;         ///< along u
+    int degree_v = 0;         ///< along v
     std::vector<Vec4> points; ///< homogeneous, u outer
 };
 
 /// Patches that cover a part of a CAD surface.
 struct SurfacePatches {
-    std::vector<SurfacePatch> patches;
-    double approximated = 0; ///< mm, how far they may be from the surface; 0 where exact
+    std::vector<SurfacePatch> patches; ///< cover that part together
+    double approximated = 0;           ///< mm, how far they may be from the surface; 0 where exact
 };
 
 /// Patches of `surface` over `domain` (its own parameters): elementary and swept surfaces by their

@@ -15,8 +15,8 @@ using BezierNet = std::array<Vec3, 16>;
 
 /// A polynomial piece of a spline patch over a box of its parameters.
 struct SplinePiece {
-    Box2 box;
-    BezierNet points;
+    Box2 box;         ///< within [0, 1]^2 of the patch
+    BezierNet points; ///< of the piece over its own [0, 1]^2
 };
 
 /// The sides of a patch as bits: v = 0, u = 1, v = 1, u = 0.

@@ -19,16 +19,19 @@ struct Statement {
 /// Walks through the statements of a text and tells what is wrong with one.
 class CageLines {
 public:
+    /// Statements of a text; `file` is its name for messages.
     CageLines(std::string file, std::string text)
         : file_(std::move(file)), text_(std::move(text)) {}
 
     /// Moves on to the next statement; false at the end.
     bool next(Statement& statement);
 
+    /// Throws Error with the file, the line and the reason.
     [[noreturn]] void fail(std::uint32_t line, const std::string& reason) const {
         throw Error(file_, std::to_string(line), reason);
     }
 
+    /// Name of the file for messages.
     const std::string& file() const { return file_; }
     /// Whether the text ends within a line, as one that was cut may.
     bool ends_open() const { return !text_.ends_with('\n'); }
@@ -47,11 +50,11 @@ private:
 
 /// A line "t NAME INTEGERS/FLOATS/STRINGS values" of an OBJ file.
 struct CageTag {
-    std::string name;
-    std::vector<long> integers;
-    std::vector<double> floats;
-    std::vector<std::string> strings;
-    std::uint32_t line = 0;
+    std::string name;                 ///< such as "crease"
+    std::vector<long> integers;       ///< of either sign
+    std::vector<double> floats;       ///< finite
+    std::vector<std::string> strings; ///< words
+    std::uint32_t line = 0;           ///< of the file
 };
 
 /// Throws Error when the values are not as many as the tag says.

@@ -13,6 +13,7 @@ struct CapError {
     double height = 0;   ///< mm, along the normal: what distance is of shape
     double angle = 0;    ///< radians, between the normals
 
+    /// Takes the larger of both for each of the three.
     void extend(const CapError& other);
 };
 
@@ -21,9 +22,9 @@ constexpr std::size_t most_refined_points = 4'000'000;
 
 /// A cage refined as deep as its caps need.
 struct CapChoice {
-    std::unique_ptr<LimitTable> table;
-    int level = 0;
-    std::vector<CapError> errors; ///< a base face: at most
+    std::unique_ptr<LimitTable> table; ///< of that level, not null
+    int level = 0;                     ///< of refinement, up to deepest_level
+    std::vector<CapError> errors;      ///< a base face: at most
 };
 
 /// Refines until every cap is within its tolerances, measured against the deepest table, or to the

@@ -13,7 +13,9 @@ namespace keiko {
 
 /// Identity of a file and its last change, from the file system.
 struct FileStamp {
-    std::uint64_t device = 0, inode = 0, size = 0;
+    std::uint64_t device = 0; ///< number of the file system
+    std::uint64_t inode = 0;  ///< number of the file on it
+    std::uint64_t size = 0;   ///< bytes
     std::int64_t changed = 0; ///< ns since 1970, of content or status: no program can set it
 
     bool operator==(const FileStamp&) const = default;
@@ -31,7 +33,7 @@ FileState file_state(const std::filesystem::path& file);
 /// Key of a file's model, and the file as it was when the key was made.
 struct ModelKey {
     std::string text; ///< 64 hexadecimal digits
-    FileState file;
+    FileState file;   ///< stamped before its bytes were read
 };
 
 /// Models as the reader made them, kept in a folder under a hash of everything that the result
