@@ -140,4 +140,19 @@ private:
     mutable std::vector<std::string> asked_; ///< the keys this table may hold
 };
 
+/// The file that `key` names, relative to the file of `table`; nothing when the key is absent.
+/// Throws Error with file, line and column where it cannot be read.
+std::optional<std::filesystem::path> path_from(const TomlTable& table, std::string_view key);
+
+/// The file of that name, which `key` gives, relative to the file of `table`. Throws as path_from.
+std::filesystem::path readable_path(const TomlTable& table, std::string_view key,
+                                    const std::string& name);
+
+/// Colour that multiplies the light of a source, by its key `color`; white when absent.
+Rgb color_of(const TomlTable& table);
+
+/// Throws Error for `light`, which comes of the number at `key` and the colour, beyond what a
+/// number of light may be: at the key if it is there, or else at the colour.
+void require_light(const TomlTable& table, std::string_view key, const Rgb& light);
+
 } // namespace keiko
