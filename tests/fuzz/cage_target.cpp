@@ -1,5 +1,5 @@
 // OBJ cages: statements, tags and the manifold made of them
-#include "keiko/import/subdivision/cage_file.h"
+#include "keiko/import/subdivision/cage.h"
 
 #include "tests/fuzz/memory_file.h"
 

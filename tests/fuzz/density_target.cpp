@@ -1,5 +1,5 @@
 // grids of fog densities
-#include "keiko/files/scene/density_file.h"
+#include "keiko/files/scene/rig_tables.h"
 
 #include "tests/fuzz/fuzz_target.h"
 

@@ -12,6 +12,7 @@ namespace keiko {
 /// Files that are written together: all of them, or none.
 class FileTransaction {
 public:
+    /// Adds a file with its content. Nothing is written, and its folder is not made.
     void add(std::filesystem::path path, std::string bytes);
     /// Files in a folder, which is made where it is missing, its parents too.
     void add_folder(const std::filesystem::path& folder, FolderContent&& content);

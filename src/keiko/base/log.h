@@ -6,7 +6,12 @@
 
 namespace keiko {
 
-enum class LogLevel { quiet, normal, verbose };
+/// Least severity of the lines that reach stderr.
+enum class LogLevel {
+    quiet,  ///< warnings and errors
+    normal, ///< the same lines: the library logs nothing between a warning and a detail
+    verbose ///< details as well
+};
 
 /// Sets how much a front end lets through to stderr; the library itself logs at verbose only.
 void set_log_level(LogLevel level);
@@ -15,6 +20,7 @@ void set_log_level(LogLevel level);
 void log_detail(std::string_view message);
 /// Logs something that the user should know, printed even with --quiet.
 void log_warning(std::string_view message);
+/// Logs each message as a warning, in their order.
 void log_warnings(std::span<const std::string> messages);
 /// Logs the one clear line of a failure.
 void log_error(std::string_view message);

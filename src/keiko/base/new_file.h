@@ -14,17 +14,24 @@ namespace keiko {
 /// File descriptor that is closed at the end of its scope.
 class Descriptor {
 public:
+    /// Takes over an open descriptor; a negative number is none.
     explicit Descriptor(int number = -1) : number_(number) {}
+    /// Takes over the other's descriptor, which holds none afterwards.
     Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    /// Closes its own descriptor and takes over the other's; safe on itself.
     Descriptor& operator=(Descriptor&& other) noexcept {
         reset(std::exchange(other.number_, -1));
         return *this;
     }
     ~Descriptor() { close(); }
 
+    /// The descriptor, for system calls; negative if there is none.
     int number() const { return number_; }
+    /// True if it holds a descriptor.
     bool open() const { return number_ >= 0; }
+    /// Closes the descriptor and takes over another.
     void reset(int number) { close(), number_ = number; }
+    /// Closes the descriptor, if there is one. Errors of the system are not reported.
     void close() {
         if (open()) ::close(number_);
         number_ = -1;

@@ -6,9 +6,11 @@
 
 namespace keiko {
 
+/// Angle in radians of one in degrees, of any size and sign.
 constexpr double degrees_to_radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
+/// Angle in degrees of one in radians, of any size and sign.
 constexpr double radians_to_degrees(double radians) {
     return radians * 180 / std::numbers::pi;
 }

@@ -14,8 +14,8 @@ std::vector<Polyline> iso_lines(const Image& values, double level, int channel =
 
 /// Lines of one value, short or long, as iso_lines finds them.
 struct Contour {
-    std::string label;
-    std::vector<Polyline> lines;
+    std::string label;           ///< text that stands on the lines
+    std::vector<Polyline> lines; ///< in pixel coordinates
 };
 
 /// Lines that meet end to end as one each, in the order of the first of their parts; a closed one

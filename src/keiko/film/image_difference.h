@@ -24,11 +24,12 @@ Image larger_of(const Image& a, const Image& b);
 
 /// Statistics of the pixels of one channel of numbers >= 0.
 struct PixelStatistics {
-    double largest = 0;
+    double largest = 0;          ///< value of any pixel
     int x = 0, y = 0;            ///< of the largest, the first of equals by rows
     double root_mean_square = 0; ///< infinity where a pixel is
     std::size_t above = 0;       ///< pixels above the limit
 };
+/// Statistics of the first channel of an image; `limit` is that of PixelStatistics::above.
 PixelStatistics pixel_statistics(const Image& channel, double limit);
 
 /// Display picture of the number of tolerances that two pictures are apart (1 channel): grey up to

@@ -13,8 +13,9 @@ inline Vec3 any_perpendicular(const Vec3& v) {
 
 /// A symmetric matrix of 3 x 3: a sum of weighted products of vectors with themselves.
 struct SecondMoments {
-    std::array<Vec3, 3> rows{Vec3(0), Vec3(0), Vec3(0)};
+    std::array<Vec3, 3> rows{Vec3(0), Vec3(0), Vec3(0)}; ///< of the matrix, from the first
 
+    /// Adds `weight` times the product of v with itself.
     void add(const Vec3& v, double weight);
 };
 

@@ -11,6 +11,7 @@ namespace keiko {
 /// path halving) [Tarjan1975].
 class DisjointSets {
 public:
+    /// Sets of one number each, for the numbers 0 to `count` - 1.
     explicit DisjointSets(std::size_t count) : parents_(count) {
         std::iota(parents_.begin(), parents_.end(), std::size_t{0});
     }
@@ -19,6 +20,7 @@ public:
         while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
         return i;
     }
+    /// Joins the sets that hold `a` and `b`, which may be one.
     void join(std::size_t a, std::size_t b) {
         a = root(a), b = root(b);
         parents_[std::max(a, b)] = std::min(a, b);

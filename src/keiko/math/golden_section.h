@@ -7,7 +7,8 @@ constexpr double golden_section = 0.3819660112501051;
 
 /// A place of a function and its value there.
 struct FunctionPlace {
-    double at = 0, value = 0;
+    double at = 0;    ///< argument of the function
+    double value = 0; ///< of the function there
 };
 
 /// Golden-section search: a local minimum of `f` between `low` and `high`, from a place between

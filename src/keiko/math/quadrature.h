@@ -13,7 +13,8 @@ namespace keiko {
 
 /// One node of a rule on [-1, 1].
 struct QuadratureNode {
-    double x = 0, weight = 0;
+    double x = 0;      ///< place, -1 to 1
+    double weight = 0; ///< above 0; those of a rule sum to 2
 };
 
 /// Gauss-Legendre nodes on [-1, 1], computed once per order and kept; exact for polynomials of
@@ -33,9 +34,11 @@ auto integrate(const F& f, double a, double b, int order) {
     return sum;
 }
 
+/// Size of a number: its absolute value.
 inline double largest_part(double value) {
     return std::abs(value);
 }
+/// Size of a colour: the largest absolute value of its three parts.
 inline double largest_part(const Rgb& value) {
     return std::max({std::abs(value.r), std::abs(value.g), std::abs(value.b)});
 }
@@ -54,8 +57,9 @@ auto integrate_adaptively(const F& f, double a, double b, double allowed, int de
 /// A range in the pieces between some places.
 class Breakpoints {
 public:
-    static constexpr std::size_t most_pieces = 9;
+    static constexpr std::size_t most_pieces = 9; ///< that a range may be cut into
 
+    /// Range without cuts; requires begin <= end.
     Breakpoints(double begin, double end) : places_{begin, end} {}
 
     /// Places outside of the range do not count. Throws std::length_error for more than
@@ -87,8 +91,10 @@ auto sum_over_pieces(const Breakpoints& range, const F& f) {
 /// One integral by two rules.
 template <class T>
 struct GaussKronrodSum {
-    T fine, coarse;
+    T fine;   ///< by Kronrod's rule
+    T coarse; ///< by Gauss's rule
 
+    /// Difference of both, by its largest part.
     double apart() const { return largest_part(fine - coarse); }
 };
 

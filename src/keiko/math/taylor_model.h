@@ -11,25 +11,30 @@ namespace keiko {
 /// anywhere, rounding included: a Taylor model [MakinoBerz2003]. Unlike in intervals, what cancels
 /// stays cancelled.
 struct TaylorModel {
-    static constexpr std::size_t count = 10;
+    static constexpr std::size_t count = 10; ///< coefficients of a polynomial
     /// Coefficients of 1; x, y; xx, xy, yy; xxx, xxy, xyy, yyy.
     std::array<double, count> c{};
-    double error = 0;
+    double error = 0; ///< bound of the function's deviation from the polynomial
 
     TaylorModel() = default;
+    /// Model of a constant, without error.
     TaylorModel(double constant) { c[0] = constant; }
 
+    /// Bound of the terms of degree 1.
     double linear_part() const { return std::abs(c[1]) + std::abs(c[2]); }
+    /// Bound of the terms of degree 2.
     double square_part() const { return std::abs(c[3]) + std::abs(c[4]) + std::abs(c[5]); }
+    /// Bound of the terms of degree 3.
     double cubic_part() const {
         return std::abs(c[6]) + std::abs(c[7]) + std::abs(c[8]) + std::abs(c[9]);
     }
     /// Bound of the function's difference from its constant.
     double deviation() const { return linear_part() + square_part() + cubic_part() + error; }
-    /// Terms that change along x, and along y.
+    /// Bound of the terms that change along x.
     double along_x() const {
         return std::abs(c[1]) + std::abs(c[3]) + std::abs(c[4]) + cubic_part() - std::abs(c[9]);
     }
+    /// Bound of the terms that change along y.
     double along_y() const {
         return std::abs(c[2]) + std::abs(c[4]) + std::abs(c[5]) + cubic_part() - std::abs(c[6]);
     }
@@ -39,9 +44,11 @@ namespace taylor_rounding {
 /// Relative rounding of a coefficient that sums up to ten products, and of the sums of absolute
 /// values around it.
 constexpr double product = 8e-15;
+/// Relative rounding of a sum of two, and of a product with a number.
 constexpr double sum = 4e-16;
 } // namespace taylor_rounding
 
+/// Model of the sum of two functions.
 inline TaylorModel operator+(const TaylorModel& a, const TaylorModel& b) {
     TaylorModel sum;
     for (std::size_t i = 0; i < TaylorModel::count; ++i) sum.c[i] = a.c[i] + b.c[i];
@@ -49,14 +56,17 @@ inline TaylorModel operator+(const TaylorModel& a, const TaylorModel& b) {
                 taylor_rounding::sum * (std::abs(sum.c[0]) + sum.deviation() + a.error + b.error);
     return sum;
 }
+/// Model of the negative function, with the same error.
 inline TaylorModel operator-(const TaylorModel& a) {
     TaylorModel negative(a);
     for (double& coefficient : negative.c) coefficient = -coefficient;
     return negative;
 }
+/// Model of the difference of two functions.
 inline TaylorModel operator-(const TaylorModel& a, const TaylorModel& b) {
     return a + -b;
 }
+/// Model of a function times a number.
 inline TaylorModel operator*(const TaylorModel& a, double factor) {
     TaylorModel product(a);
     for (double& coefficient : product.c) coefficient *= factor;
@@ -64,6 +74,7 @@ inline TaylorModel operator*(const TaylorModel& a, double factor) {
         (a.error + taylor_rounding::sum * (std::abs(a.c[0]) + a.deviation())) * std::abs(factor);
     return product;
 }
+/// Model of the product of two functions. Terms above degree 3 go to its error.
 inline TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
     const auto &p = a.c, &q = b.c;
     TaylorModel r;
@@ -85,6 +96,7 @@ inline TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
               taylor_rounding::product * (all_a + a.error) * (all_b + b.error);
     return r;
 }
+/// Model of a function times itself, as of any product.
 inline TaylorModel square(const TaylorModel& a) {
     return a * a;
 }

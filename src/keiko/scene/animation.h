@@ -18,8 +18,8 @@ Vec3 carried_reference(const Vec3& reference, std::span<const Vec3> ways);
 
 /// Fault of an animation.
 struct AnimationFault {
-    std::string key; ///< of a scene file's table: "target" or "keys"
-    std::string what;
+    std::string key;  ///< of a scene file's table: "target" or "keys"
+    std::string what; ///< is wrong: words for the user
 };
 
 /// Reason why the scene cannot be animated so; nullopt when it can. The target must be there and be

@@ -10,9 +10,17 @@ struct SceneSpec;
 
 /// Numbers of a scene that move, and between what they may lie.
 struct MovingNumbers {
-    std::vector<double*> places{};
-    double low = -std::numeric_limits<double>::infinity(), high = -low;
-    enum class Kind { plain, color, direction } kind = Kind::plain; ///< of the first three
+    /// Meaning of the first three numbers.
+    enum class Kind {
+        plain,    ///< each by itself
+        color,    ///< one number may stand for all three
+        direction ///< must not all be 0, nor become their opposite on a straight way
+    };
+
+    std::vector<double*> places{}; ///< one to four numbers of the scene, none null; or none
+    double low = -std::numeric_limits<double>::infinity(); ///< least that each may be
+    double high = -low;                                    ///< most that each may be
+    Kind kind = Kind::plain;                               ///< of the first three
 };
 
 /// Numbers that a target names, such as "spotlight.0.aim"; no places where the scene has nothing

@@ -15,7 +15,7 @@ namespace keiko {
 /// Another paint for some faces of a model.
 struct PaintOverride {
     std::vector<std::string> faces; ///< names, with * and ? as in file names
-    Material material;
+    Material material;              ///< of those faces
 };
 
 /// Placement of a model: scaled, then turned about an axis through the origin, then moved.
@@ -25,27 +25,28 @@ struct ModelTransform {
     double angle = 0;    ///< degrees, right-handed
     Vec3 translation{0}; ///< mm
 
+    /// Map of the model's points to the scene, mm.
     Affine affine() const;
 };
 
 /// A model of a scene and how it is placed and painted.
 struct ModelSpec {
-    std::filesystem::path file; ///< absolute, or relative to the working directory
-    ModelTransform transform{};
-    Material material{};
+    std::filesystem::path file;             ///< absolute, or relative to the working directory
+    ModelTransform transform{};             ///< placement in the scene
+    Material material{};                    ///< of the faces that no override names
     std::vector<PaintOverride> overrides{}; ///< later ones win
 };
 
 /// The floor that a scene stands on.
 struct GroundSpec {
-    double z = 0; ///< mm
-    Material material;
+    double z = 0;      ///< mm
+    Material material; ///< of the whole floor
 };
 
 /// Value of a number, or of three, of a scene at a frame.
 struct KeyFrame {
-    double frame = 0;
-    std::vector<double> value;
+    double frame = 0;          ///< number of the frame, which need not be whole
+    std::vector<double> value; ///< one or three numbers, or the four of a rotation
 
     bool operator==(const KeyFrame&) const = default;
 };
@@ -66,12 +67,12 @@ struct Animation {
 
 /// A scene file's content (keiko-scene/1), every path resolved.
 struct SceneSpec {
-    std::vector<ModelSpec> models;
-    std::optional<Camera> camera;
-    std::optional<std::string> view; ///< a named view instead of a camera
-    int width = 960, height = 540;   ///< picture size, for named views
-    std::optional<LightRig> rig;     ///< none: to be placed
-    std::optional<GroundSpec> ground;
+    std::vector<ModelSpec> models;       ///< in the order of the file
+    std::optional<Camera> camera;        ///< nullopt: `view`, or neither
+    std::optional<std::string> view;     ///< a named view instead of a camera
+    int width = 960, height = 540;       ///< picture size, for named views
+    std::optional<LightRig> rig;         ///< none: to be placed
+    std::optional<GroundSpec> ground;    ///< nullopt: no floor
     Rgb background{0};                   ///< cd/m2 where the camera ray meets nothing
     std::optional<int> max_depth;        ///< mirror reflections followed along one ray
     std::optional<double> min_weight;    ///< reflections that count less end the path

@@ -1,6 +1,5 @@
-#include "keiko/import/subdivision/bspline_pieces.h"
-
 #include "keiko/geometry/bezier/bezier.h"
+#include "keiko/import/subdivision/limit_patches.h"
 
 #include <gtest/gtest.h>
 

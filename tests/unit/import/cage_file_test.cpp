@@ -1,6 +1,5 @@
-#include "keiko/import/subdivision/cage_file.h"
-
 #include "keiko/base/error.h"
+#include "keiko/import/subdivision/cage.h"
 
 #include "tests/support/temporary_folder.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/import/subdivision/cage_file.h"
+#include "keiko/import/subdivision/cage.h"
 #include "keiko/import/subdivision/subdivision_model.h"
 
 #include "tests/support/paths.h"

@@ -23,15 +23,19 @@ using TakeBytes = std::function<void(std::string_view piece)>;
 /// pipes like.
 class ByteWriter {
 public:
+    /// Writer that hands its bytes to `sink`, once flush() has been called all of them.
     explicit ByteWriter(TakeBytes sink) : sink_(std::move(sink)) {}
 
+    /// Writes a number as it lies in memory.
     template <class T>
     requires std::is_arithmetic_v<T>
     void put(T value) { put_bytes({reinterpret_cast<const char*>(&value), sizeof value}); }
+    /// Writes a text: the number of its bytes in 64 bits, then these.
     void put(std::string_view text) {
         put(static_cast<std::uint64_t>(text.size()));
         put_bytes(text);
     }
+    /// Writes bytes without their number. More of them than a piece holds reach the sink at once.
     void put_bytes(std::string_view bytes) {
         if (bytes.size() > piece_.size() - size_) flush();
         if (bytes.size() > piece_.size()) return sink_(bytes);
@@ -59,18 +63,23 @@ public:
 /// Takes values from bytes; never reads beyond them.
 class ByteReader {
 public:
+    /// Reader of bytes that must outlive it.
     explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
 
+    /// Takes a number as ByteWriter::put writes it. Throws DamagedBytes if too few bytes remain.
     template <class T>
     requires std::is_arithmetic_v<T> T take() {
         T value;
         std::memcpy(&value, take_bytes(sizeof value).data(), sizeof value);
         return value;
     }
+    /// Takes a text as ByteWriter::put writes it. Throws DamagedBytes if it would end beyond the
+    /// last byte.
     std::string take_text() { return std::string(take_bytes(take_count(1))); }
-    /// A count of elements that need at least `least_size` bytes each: more of them than bytes
-    /// remain is damage, found before anything is allocated.
+    /// Takes a count of elements that need at least `least_size` > 0 bytes each: more of them than
+    /// bytes remain is damage, found before anything is allocated.
     std::size_t take_count(std::size_t least_size);
+    /// Number of bytes that have not been taken.
     std::size_t remaining() const { return bytes_.size(); }
 
 private:
@@ -82,7 +91,9 @@ private:
 /// FNV-1a hash [FNV] of 64 bits of pieces that follow each other.
 class Checksum {
 public:
+    /// Appends bytes; their division into pieces has no effect.
     void add(std::string_view bytes);
+    /// Hash of all bytes so far.
     std::uint64_t value() const { return hash_; }
 
 private:

@@ -10,8 +10,9 @@ namespace keiko {
 /// An intensity table as files tell it: angles in degrees, and a column of values over theta for
 /// each phi.
 struct IntensityColumns {
-    std::vector<double> theta, phi{0};
-    std::vector<std::vector<double>> values;
+    std::vector<double> theta;               ///< degrees from the axis
+    std::vector<double> phi{0};              ///< degrees about the axis, one a column
+    std::vector<std::vector<double>> values; ///< by phi, then theta; of the file's unit
 };
 
 /// Why the columns make no table; "" when they do: theta must ascend from 0 to at most 180, phi

@@ -1,6 +1,5 @@
 #include "keiko/files/photometric/intensity_csv.h"
 #include "keiko/files/scene/rig_tables.h"
-#include "keiko/files/toml/common_keys.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/files/toml/toml_text.h"
 

@@ -1,6 +1,5 @@
 #include "keiko/base/text.h"
 #include "keiko/files/scene/rig_tables.h"
-#include "keiko/files/toml/common_keys.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/files/toml/toml_text.h"
 #include "keiko/light/luminance/photometry.h"

@@ -1,9 +1,8 @@
-#include "keiko/files/scene/density_file.h"
-
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/job.h"
 #include "keiko/base/text.h"
+#include "keiko/files/scene/rig_tables.h"
 
 #include <charconv>
 #include <cmath>

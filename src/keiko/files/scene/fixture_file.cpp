@@ -4,7 +4,6 @@
 #include "keiko/base/text.h"
 #include "keiko/files/scene/material_file.h"
 #include "keiko/files/scene/preset_file.h"
-#include "keiko/files/toml/common_keys.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/scene/view.h"
 

@@ -17,13 +17,13 @@ FixtureSpec parse_fixture(std::string_view text, const std::string& source);
 
 /// Name and path of a fixture, whatever its file holds.
 struct FixtureFile {
-    std::string name; ///< of the file, without its extension
-    std::filesystem::path file;
+    std::string name;           ///< of the file, without its extension
+    std::filesystem::path file; ///< within the folder, as that was given
 };
 
-/// Every fixture of a folder, by name: its .toml files except those that state another format of
-/// Keiko, as scenes and rigs do. Throws Error for a folder that cannot be read or holds no fixture,
-/// and for a name that no fixture may have.
+/// Every fixture of a folder, by name: its .toml files except hidden ones and those that state
+/// another format of Keiko, as scenes and rigs do. Throws Error for a folder that cannot be read or
+/// holds no fixture, and for a name that no fixture may have.
 std::vector<FixtureFile> fixture_files(const std::filesystem::path& folder);
 
 } // namespace keiko

@@ -1,6 +1,4 @@
-#include "keiko/files/scene/density_file.h"
 #include "keiko/files/scene/rig_tables.h"
-#include "keiko/files/toml/common_keys.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/files/toml/toml_text.h"
 

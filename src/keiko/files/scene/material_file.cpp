@@ -4,7 +4,7 @@
 #include "keiko/base/text.h"
 #include "keiko/files/toml/toml_reader.h"
 
-#include "keiko_standard_materials.h"
+#include "keiko_standard_files.h"
 
 #include <algorithm>
 

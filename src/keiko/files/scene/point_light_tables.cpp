@@ -2,7 +2,7 @@
 #include "keiko/base/text.h"
 #include "keiko/files/photometric/luminaire_file.h"
 #include "keiko/files/scene/rig_tables.h"
-#include "keiko/files/toml/common_keys.h"
+#include "keiko/files/toml/toml_reader.h"
 #include "keiko/files/toml/toml_text.h"
 #include "keiko/light/spotlight/luminous_flux.h"
 

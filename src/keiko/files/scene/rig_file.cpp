@@ -3,7 +3,6 @@
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
 #include "keiko/files/scene/rig_tables.h"
-#include "keiko/files/toml/common_keys.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/files/toml/toml_text.h"
 #include "keiko/math/bounds.h"

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "keiko/light/fog/medium.h"
+#include "keiko/light/fog/voxel_density.h"
 #include "keiko/light/spotlight/luminaire.h"
 #include "keiko/light/spotlight/spotlight.h"
 #include "keiko/light/tubes/c_plane.h"
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace keiko {
 
@@ -41,5 +43,11 @@ Medium medium_from(const TomlTable& table);
 /// A [fog] that reads back as the same medium from a rig in `folder`, which the file of a density
 /// is named relative to.
 std::string table_text(const Medium& medium, const std::filesystem::path& folder);
+
+/// Reads a grid of densities (keiko-density/1, docs/scene-format.md). Throws Error with file and
+/// reason.
+VoxelDensity read_density(const std::filesystem::path& path);
+/// Parses the text of a grid of densities; `source` is the file name for messages.
+VoxelDensity parse_density(std::string_view text, const std::string& source);
 
 } // namespace keiko

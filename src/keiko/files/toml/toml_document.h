@@ -12,7 +12,8 @@ namespace keiko {
 
 /// Line and column of a file, both counted from 1.
 struct TomlPlace {
-    std::uint32_t line = 0, column = 0;
+    std::uint32_t line = 0;   ///< from 1
+    std::uint32_t column = 0; ///< from 1
 
     auto operator<=>(const TomlPlace&) const = default;
     /// "line:column".
@@ -23,10 +24,11 @@ struct TomlEntry;
 
 /// A value of a file. monostate: a kind that no format of Keiko uses (dates).
 struct TomlValue {
+    /// Value itself. An array holds values in the order of the file, a table entries by rising key.
     std::variant<std::monostate, double, std::int64_t, std::string, std::vector<TomlValue>,
                  std::vector<TomlEntry>, bool>
         content;
-    TomlPlace place;
+    TomlPlace place; ///< at which the value begins
 
     /// "number", "text", "array", "table", "flag" or "other".
     std::string_view kind() const {
@@ -38,18 +40,19 @@ struct TomlValue {
 
 /// A key of a table with its value.
 struct TomlEntry {
-    std::string key;
+    std::string key; ///< a single word, without those of the tables around it
     TomlPlace place; ///< of the key
-    TomlValue value;
+    TomlValue value; ///< that the key holds
 };
 
 /// A file: what it is called, and its root table.
 struct TomlDocument {
-    std::filesystem::path source;
-    TomlValue root;
+    std::filesystem::path source; ///< path for messages, as given
+    TomlValue root;               ///< always a table
 };
 
-/// Throws Error with `source`, line and column for a text that is no TOML.
+/// Document of a text; `source` is the path for messages. Throws Error for a text that is no TOML,
+/// with the line and mostly the column.
 TomlDocument parse_toml(std::string_view text, const std::string& source);
 
 /// A TOML file and every file that it names, sorted, each once. A text names a file if it is the

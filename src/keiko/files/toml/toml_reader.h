@@ -28,12 +28,15 @@ struct TomlValue;
 
 /// Range of a number of a file.
 struct TomlLimits {
-    double low = -std::numeric_limits<double>::infinity();
-    double high = std::numeric_limits<double>::infinity();
-    bool above_low = false; ///< low itself is not allowed
+    double low = -std::numeric_limits<double>::infinity(); ///< least value
+    double high = std::numeric_limits<double>::infinity(); ///< largest value, allowed itself
+    bool above_low = false;                                ///< low itself is not allowed
 
+    /// Numbers above 0.
     static constexpr TomlLimits positive() { return {.low = 0, .above_low = true}; }
+    /// Numbers from 0.
     static constexpr TomlLimits not_negative() { return {.low = 0}; }
+    /// Numbers from 0 to 1.
     static constexpr TomlLimits share() { return {.low = 0, .high = 1}; }
     /// Coordinates in mm, and those of directions: up to a thousand kilometres.
     static constexpr TomlLimits place() { return {.low = -1e9, .high = 1e9}; }
@@ -53,9 +56,13 @@ public:
     /// The root table of a file.
     static TomlTable read(const std::filesystem::path& path);
 
+    /// True if the key is present; counts as a request of it.
     bool has(std::string_view key) const;
+    /// A number within limits, whole or not.
     std::optional<double> number(std::string_view key, const TomlLimits& limits = {}) const;
+    /// A whole number from `low` to `high`, both included; 2.0 is one as well.
     std::optional<int> integer(std::string_view key, int low, int high) const;
+    /// A text without a NUL character.
     std::optional<std::string> text(std::string_view key) const;
     /// Position of the text in `choices`; Error for any other text.
     std::optional<std::size_t> choice(std::string_view key,
@@ -80,6 +87,7 @@ public:
     std::optional<std::vector<std::string>> texts(std::string_view key) const;
     /// One number, for grey, or three.
     std::optional<Rgb> rgb(std::string_view key, const TomlLimits& limits) const;
+    /// A table within this one, which keeps the document alive.
     std::optional<TomlTable> table(std::string_view key) const;
     /// An array of tables; empty when absent.
     std::vector<TomlTable> tables(std::string_view key) const;
@@ -131,5 +139,20 @@ private:
     std::string name_;                       ///< "c_plane[2]"; empty for the root
     mutable std::vector<std::string> asked_; ///< the keys this table may hold
 };
+
+/// The file that `key` names, relative to the file of `table`; nothing when the key is absent.
+/// Throws Error with file, line and column where it cannot be read.
+std::optional<std::filesystem::path> path_from(const TomlTable& table, std::string_view key);
+
+/// The file of that name, which `key` gives, relative to the file of `table`. Throws as path_from.
+std::filesystem::path readable_path(const TomlTable& table, std::string_view key,
+                                    const std::string& name);
+
+/// Colour that multiplies the light of a source, by its key `color`; white when absent.
+Rgb color_of(const TomlTable& table);
+
+/// Throws Error for `light`, which comes of the number at `key` and the colour, beyond what a
+/// number of light may be: at the key if it is there, or else at the colour.
+void require_light(const TomlTable& table, std::string_view key, const Rgb& light);
 
 } // namespace keiko

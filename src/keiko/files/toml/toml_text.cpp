@@ -58,4 +58,8 @@ std::string toml_line(std::string_view key, const std::string& value, std::strin
     return text + "\n";
 }
 
+std::string named_from(const std::filesystem::path& folder, const std::filesystem::path& file) {
+    return (folder.empty() ? file : file.lexically_proximate(folder)).generic_string();
+}
+
 } // namespace keiko

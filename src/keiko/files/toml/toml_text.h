@@ -3,6 +3,7 @@
 #include "keiko/math/rgb.h"
 #include "keiko/math/vec.h"
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,5 +28,8 @@ std::string toml_string(std::string_view text);
 /// "key = value # comment", with a line end.
 std::string toml_line(std::string_view key, const std::string& value,
                       std::string_view comment = "");
+
+/// How a TOML file in `folder` names a file; as it is where the folder is empty.
+std::string named_from(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 } // namespace keiko

@@ -1,6 +1,5 @@
 #include "keiko/import/cad/assembly.h"
 
-#include "keiko/import/cad/part_conversion.h"
 #include "keiko/import/cad/shape_attributes.h"
 #include "keiko/import/cad/shape_places.h"
 
@@ -8,6 +7,7 @@
 #include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDF_Tool.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Compound.hxx>
 #include <XCAFApp_Application.hxx>
@@ -20,6 +20,10 @@
 
 namespace keiko::cad {
 namespace {
+
+bool has_faces(const TopoDS_Shape& shape) {
+    return TopExp_Explorer(shape, TopAbs_FACE).More();
+}
 
 void label_face(FaceAttributes& face, FaceLabel label) {
     face.name = std::move(label.name);
@@ -146,7 +150,7 @@ private:
     std::optional<std::size_t> new_part(const TDF_Label& label, const FaceAttributes& inherited) {
         const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
         const std::string name = name_of(label);
-        if (shape.IsNull() || face_count(shape) == 0) {
+        if (shape.IsNull() || !has_faces(shape)) {
             document_.diagnostics.push_back(
                 {Severity::note, name, "a part without faces left out"});
             return std::nullopt;

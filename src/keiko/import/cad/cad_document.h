@@ -18,15 +18,15 @@ namespace keiko::cad {
 
 /// Attributes that a file gives a face besides its geometry.
 struct FaceAttributes {
-    std::string name, layer;
-    std::optional<Rgb> color;
-    std::uint32_t line = 0; ///< as Face::line
+    std::string name, layer;  ///< or empty
+    std::optional<Rgb> color; ///< parts 0 to 1, as OpenCASCADE states them; nullopt: none
+    std::uint32_t line = 0;   ///< as Face::line
 };
 
 /// A shape that is stored once in the file.
 struct CadPart {
-    TopoDS_Shape shape;
-    std::string name;
+    TopoDS_Shape shape; ///< in its own coordinates, mm
+    std::string name;   ///< or empty
     std::function<FaceAttributes(const TopoDS_Shape& face)> attributes_of; ///< may be empty
     std::function<std::vector<std::string>(const TopoDS_Shape& face)>
         remarks_on{}; ///< may be empty
@@ -34,24 +34,27 @@ struct CadPart {
 
 /// A placed part.
 struct CadInstance {
-    std::size_t part = 0;
-    std::string name;
-    Affine transform;
+    std::size_t part = 0; ///< into CadDocument::parts
+    std::string name;     ///< or empty
+    Affine transform;     ///< from the part's coordinates to the model's, mm
 };
 
 /// A CAD file as OpenCASCADE read it, in millimetres, before any conversion.
 struct CadDocument {
-    std::string unit; ///< of the file, as units.h knows it; empty where it names none
-    std::vector<CadPart> parts;
-    std::vector<CadInstance> instances;
+    std::string unit;           ///< of the file, as units.h knows it; empty where it names none
+    std::vector<CadPart> parts; ///< each shape once
+    std::vector<CadInstance> instances; ///< places of the parts
     std::vector<std::string>
-        missing_files; ///< which the file names for parts, but which are not there
-    Diagnostics diagnostics;
+        missing_files;       ///< which the file names for parts, but which are not there
+    Diagnostics diagnostics; ///< what reading the file has found
 };
 
-/// Each reads one kind of file. Throws Error naming the file when it cannot be read.
+/// Reads a STEP file. Throws Error naming the file if it cannot be read or holds no shape, or what
+/// OpenCASCADE throws.
 CadDocument read_step_file(const std::filesystem::path& path);
+/// Reads an IGES file. Throws as read_step_file.
 CadDocument read_iges_file(const std::filesystem::path& path);
+/// Reads a BREP file: one part, placed once, both named after the file. Throws as read_step_file.
 CadDocument read_brep_file(const std::filesystem::path& path);
 
 } // namespace keiko::cad

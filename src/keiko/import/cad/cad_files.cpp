@@ -3,7 +3,6 @@
 #include "keiko/files/model/cad_text.h"
 #include "keiko/import/cad/assembly.h"
 #include "keiko/import/cad/cad_document.h"
-#include "keiko/import/cad/mapped_items.h"
 #include "keiko/import/cad/shape_attributes.h"
 
 #include <BRepTools.hxx>

@@ -20,22 +20,22 @@ namespace keiko::cad {
 /// Vec4 in space), and how its own parameter runs through the curve's.
 template <class P>
 struct CurveSpan {
-    ParameterMap map;
-    std::vector<P> points;
+    ParameterMap map;      ///< from 0 to 1 of the piece to the curve's parameter
+    std::vector<P> points; ///< degree + 1 of them
 };
 
 /// The pieces of a CAD curve, in order, and how far they may be from it.
 template <class P>
 struct CurveSpans {
-    std::vector<CurveSpan<P>> spans;
-    double approximated = 0; ///< in the curve's unit of length; 0 where exact
+    std::vector<CurveSpan<P>> spans; ///< by rising parameter
+    double approximated = 0;         ///< in the curve's unit of length; 0 where exact
 };
 
 /// A standard rational quadratic arc of the unit circle (or unit hyperbola): homogeneous points
 /// (w cos, w sin, w) or (w cosh, w sinh, w).
 struct UnitArc {
-    ParameterMap map;
-    std::array<Vec3, 3> points;
+    ParameterMap map;           ///< from 0 to 1 of the arc to the angle
+    std::array<Vec3, 3> points; ///< control points
 };
 
 /// Equal parts of [begin, end], none longer than `limit`; at least one.
@@ -129,8 +129,11 @@ inline std::vector<double> flat_knots(const TColStd_Array1OfReal& knots,
 /// The whole numbers k for which [begin, end] + k period overlaps [first, last]; 0 alone where
 /// `period` is 0.
 struct PeriodRange {
-    int first = 0, last = 0;
+    int first = 0; ///< the least k
+    int last = 0;  ///< the greatest, at least `first`
 
+    /// Range of k for [begin, end] and [wanted_first, wanted_last]. It is never empty: without an
+    /// overlap it is one number beside it.
     PeriodRange(double begin, double end, double wanted_first, double wanted_last, double period) {
         if (!(period > 0)) return;
         first = static_cast<int>(std::floor((wanted_first - end) / period)) + 1;

@@ -1,6 +1,6 @@
 #include "keiko/geometry/bezier/nurbs.h"
 #include "keiko/import/cad/curve_spans.h"
-#include "keiko/import/cad/surface_kinds.h"
+#include "keiko/import/cad/surface_patches.h"
 
 namespace keiko::cad {
 

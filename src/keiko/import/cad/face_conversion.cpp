@@ -4,7 +4,6 @@
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/bernstein/bernstein.h"
 #include "keiko/geometry/bezier/bezier.h"
-#include "keiko/import/cad/face_faults.h"
 #include "keiko/import/cad/shape_places.h"
 #include "keiko/import/cad/surface_patches.h"
 

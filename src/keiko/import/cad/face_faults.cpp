@@ -1,6 +1,5 @@
-#include "keiko/import/cad/face_faults.h"
-
 #include "keiko/base/error.h"
+#include "keiko/import/cad/face_conversion.h"
 
 #include <BRepCheck_Edge.hxx>
 #include <BRepCheck_Face.hxx>

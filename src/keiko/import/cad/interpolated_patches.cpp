@@ -1,7 +1,7 @@
 #include "keiko/base/error.h"
 #include "keiko/geometry/bernstein/bernstein.h"
 #include "keiko/geometry/bezier/bezier.h"
-#include "keiko/import/cad/surface_kinds.h"
+#include "keiko/import/cad/surface_patches.h"
 
 #include <algorithm>
 #include <array>

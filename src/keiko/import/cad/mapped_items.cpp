@@ -1,5 +1,4 @@
-#include "keiko/import/cad/mapped_items.h"
-
+#include "keiko/import/cad/assembly.h"
 #include "keiko/import/cad/shape_places.h"
 
 #include <Interface_InterfaceModel.hxx>

@@ -16,12 +16,16 @@
 
 namespace keiko::cad {
 
+/// Hash and equality of shapes of one geometry in one place, whatever their orientation.
 struct SameShape {
+    /// Hash that is the same for either orientation.
     std::size_t operator()(const TopoDS_Shape& s) const {
         return static_cast<std::size_t>(s.HashCode(2147483647));
     }
+    /// True if shapes share geometry and place; their orientations may differ.
     bool operator()(const TopoDS_Shape& a, const TopoDS_Shape& b) const { return a.IsSame(b); }
 };
+/// Attributes by face.
 using AttributeMap = std::unordered_map<TopoDS_Shape, FaceAttributes, SameShape, SameShape>;
 
 /// The name of a label; empty without one.
@@ -35,6 +39,7 @@ FaceAttributes merged(FaceAttributes own, const FaceAttributes& outer);
 /// Names, layers and colours in a document.
 class ShapeAttributes {
 public:
+    /// Attributes of the document whose main label is given.
     explicit ShapeAttributes(const TDF_Label& main);
 
     /// Layer and colour that a label itself carries.

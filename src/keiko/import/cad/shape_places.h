@@ -7,6 +7,7 @@
 
 namespace keiko::cad {
 
+/// Map of points by a transformation of OpenCASCADE, its scale included.
 inline Affine affine(const gp_Trsf& t) {
     Affine result;
     for (int i = 1; i <= 3; ++i)

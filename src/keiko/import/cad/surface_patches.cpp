@@ -2,7 +2,6 @@
 
 #include "keiko/base/error.h"
 #include "keiko/import/cad/curve_spans.h"
-#include "keiko/import/cad/surface_kinds.h"
 
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>

@@ -18,7 +18,9 @@ public:
     /// Adds a remark of the CAD reader on the face.
     void add_remark(const std::string& words);
 
+    /// One entry for each kind and each text of a remark, in the order of their first.
     const std::vector<Repair>& repairs() const { return repairs_; }
+    /// True if nothing had to be repaired or was remarked.
     bool empty() const { return repairs_.empty(); }
     /// How many of a kind.
     std::uint32_t count(RepairKind kind) const;
@@ -29,7 +31,7 @@ private:
 
 /// A Bezier piece of a p-curve, homogeneous, in face parameters.
 struct LoopCurve {
-    std::vector<Vec3> points;
+    std::vector<Vec3> points;      ///< control points, degree + 1 of them
     std::uint32_t edge = no_index; ///< of the part; none for a connector
 };
 
@@ -56,9 +58,13 @@ struct ParameterSpace {
     double distance(const Vec2& a, const Vec2& b) const;
 };
 
+/// Begin of the first piece of a chain, which must not be empty.
 Vec2 begin_of(const Chain& chain);
+/// End of the last piece of a chain, which must not be empty.
 Vec2 end_of(const Chain& chain);
+/// Moves a chain in the parameter plane.
 void shift(Chain& chain, const Vec2& offset);
+/// Makes a chain run the other way: the order of its pieces, and each of them.
 void reverse(Chain& chain);
 /// A straight piece that belongs to no edge.
 LoopCurve connector(const Vec2& from, const Vec2& to);
@@ -77,8 +83,8 @@ std::vector<Chain> chain_wire(std::vector<Chain> uses, const ParameterSpace& spa
 
 /// Closed loops of a face and the rectangle of its parameters that its patches must cover.
 struct ClosedLoops {
-    std::vector<Chain> loops;
-    Box2 domain;
+    std::vector<Chain> loops; ///< each ends where it begins
+    Box2 domain;              ///< rectangle of parameters
 };
 
 /// Closes the chains of a face, one a wire, so that the even-odd rule gives its material. Chains

@@ -1,4 +1,4 @@
-#include "keiko/import/subdivision/bspline_pieces.h"
+#include "keiko/import/subdivision/limit_patches.h"
 
 #include <cmath>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "keiko/import/subdivision/cage_check.h"
+#include "keiko/import/subdivision/cage_statements.h"
 
 #include <map>
 #include <numeric>

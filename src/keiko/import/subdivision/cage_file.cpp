@@ -1,9 +1,7 @@
-#include "keiko/import/subdivision/cage_file.h"
-
 #include "keiko/base/input_file.h"
 #include "keiko/base/job.h"
 #include "keiko/base/text.h"
-#include "keiko/import/subdivision/cage_check.h"
+#include "keiko/import/subdivision/cage.h"
 #include "keiko/import/subdivision/cage_statements.h"
 
 #include <algorithm>

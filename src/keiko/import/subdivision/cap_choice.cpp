@@ -1,4 +1,3 @@
-#include "keiko/import/subdivision/cap_choice.h"
 
 #include "keiko/base/error.h"
 #include "keiko/base/parallel.h"

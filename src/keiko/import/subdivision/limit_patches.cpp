@@ -1,7 +1,5 @@
 #include "keiko/import/subdivision/limit_patches.h"
 
-#include "keiko/import/subdivision/bspline_pieces.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,8 +1,7 @@
 #include "keiko/import/subdivision/subdivision_model.h"
 
 #include "keiko/base/error.h"
-#include "keiko/import/subdivision/cage_file.h"
-#include "keiko/import/subdivision/cap_choice.h"
+#include "keiko/import/subdivision/cage.h"
 #include "keiko/import/subdivision/limit_patches.h"
 
 #include <cstdio>

@@ -23,8 +23,10 @@ struct PointEmitter {
     std::vector<double> kinks{};
 };
 
-/// Relative errors allowed in a ray's scattered light, for numbers and for pictures.
-constexpr double scattering_tolerance = 1e-8, picture_scattering_tolerance = 1e-5;
+/// Relative error allowed in the scattered light of a ray that is reported as a number.
+constexpr double scattering_tolerance = 1e-8;
+/// Relative error allowed in the scattered light of a picture's rays.
+constexpr double picture_scattering_tolerance = 1e-5;
 
 /// Luminance in cd/m2 that light of the emitter adds at the camera. The light is scattered once in
 /// the `lit` parts of a camera ray (from the eye at a to b, parameters 0 to 1) and attenuated on

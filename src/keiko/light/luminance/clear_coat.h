@@ -20,9 +20,12 @@ Rgb directional_albedo(const Flakes& flakes, double cosine, double allowed = 1e-
 /// Directional albedos tabulated by the cosine, and their mean over the hemisphere.
 class AlbedoTable {
 public:
+    /// Tabulates `albedo` at 65 cosines from 0 to 1, both included, at equal steps of their square
+    /// root.
     explicit AlbedoTable(const std::function<Rgb(double cosine)>& albedo);
 
-    /// Albedo interpolated linearly; accurate to about 1e-3.
+    /// Albedo interpolated linearly in the square root of the cosine; accurate to about 1e-3. A
+    /// cosine outside of 0 to 1 counts as the nearer end.
     Rgb operator()(double cosine) const;
     /// Twice the integral of the table times the cosine over the cosines from 0 to 1.
     const Rgb& mean() const { return mean_; }

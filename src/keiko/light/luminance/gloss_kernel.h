@@ -128,7 +128,8 @@ struct Gloss {
 /// [1/sr].
 class GlossKernel {
 public:
-    /// Kernel for a unit normal and the unit direction to the viewer, which is above the surface.
+    /// Kernel for a unit normal and the unit direction to the viewer, which is above the surface. A
+    /// reference to `gloss` is kept.
     GlossKernel(const Gloss& gloss, const Vec3& normal, const Vec3& eye);
 
     /// Kernel for the unit direction `light` from the surface; 0 below the horizon.

@@ -16,8 +16,9 @@ double projected_solid_angle(std::span<const Vec3> corners, const Vec3& point, c
 
 /// A flat round disc; `normal` is the unit vector of its face, lengths in one unit of any kind.
 struct Disc {
-    Vec3 center{0}, normal{0, 0, 1};
-    double radius = 0;
+    Vec3 center{0};       ///< of the rim
+    Vec3 normal{0, 0, 1}; ///< unit vector of its axis
+    double radius = 0;    ///< from 0
 };
 
 /// Projected solid angle in sr, 0 to pi, of the part of a disc that lies above the horizon of
@@ -31,9 +32,9 @@ double projected_solid_angle(const Disc& disc, const Vec3& point, const Vec3& no
 /// the foot of the element. Its unit normal has the components `n_along` along the line and
 /// `n_line` towards the foot. Lengths are in one unit of any kind.
 struct LinePiece {
-    double begin = 0, end = 0;
-    double distance = 0; ///< of the element from the line, > 0
-    double n_along = 0, n_line = 0;
+    double begin = 0, end = 0;      ///< x of both ends; empty unless begin < end
+    double distance = 0;            ///< of the element from the line, > 0
+    double n_along = 0, n_line = 0; ///< components of the normal, each from -1 to 1
 };
 
 /// The piece above the element's horizon; empty (begin >= end) if there is none.

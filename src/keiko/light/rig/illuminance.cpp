@@ -5,7 +5,6 @@
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/coat_transmittance.h"
 #include "keiko/light/tubes/tube_irradiance.h"
-#include "keiko/light/tubes/tube_row_irradiance.h"
 
 #include <numbers>
 #include <span>

@@ -10,8 +10,8 @@ namespace keiko {
 
 /// Number of a single light of a rig: one lamp of a row, or a source that is no row.
 struct LightId {
-    std::size_t source = 0;
-    int lamp = 0; ///< by rising v; 0 of a source that is no row
+    std::size_t source = 0; ///< index into LightRig::sources
+    int lamp = 0;           ///< by rising v; 0 of a source that is no row
 };
 
 /// Numbers of the lamps of a source, from 0; only 0 for one that is no row.

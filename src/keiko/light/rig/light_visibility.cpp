@@ -3,7 +3,6 @@
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_irradiance.h"
 #include "keiko/light/tubes/tube_penumbra.h"
-#include "keiko/light/tubes/tube_row_irradiance.h"
 
 #include <algorithm>
 

@@ -34,8 +34,8 @@ struct MirroredLight {
 
 /// Intersection of a ray with the nearest C-plane of a rig, inside its rectangle or not.
 struct RigPlaneHit {
-    std::size_t source = 0; ///< index into LightRig::sources
-    CPlaneHit at;
+    std::size_t source = 0;             ///< index into LightRig::sources
+    CPlaneHit at;                       ///< place on the plane, and its distance
     const CPlaneFrame* frame = nullptr; ///< of the plane
     std::size_t number = 0;             ///< of the plane among those of the rig
 };
@@ -43,15 +43,17 @@ struct RigPlaneHit {
 /// The C-planes of a rig, prepared for reflected rays. Sources without extent are not visible.
 class RigPlanes {
 public:
+    /// One C-plane of a rig.
     struct Plane {
         std::size_t source; ///< index into LightRig::sources
-        CPlaneFrame frame;
-        Rgb luminance;
-        MirrorModel mirror;
-        std::size_t level; ///< number of the first C-plane of the rig in the same plane: rays meet
-                           ///< both at the distance of that one
+        CPlaneFrame frame;  ///< of the C-plane, with what its row of lamps measures
+        Rgb luminance;      ///< cd/m2, of its lamps
+        MirrorModel mirror; ///< of its lamps in reflections
+        std::size_t level;  ///< number of the first C-plane of the rig in the same plane: rays meet
+                            ///< both at the distance of that one
     };
 
+    /// Planes in the order of the rig's sources; a copy of all that is read of them is kept.
     explicit RigPlanes(const LightRig& rig);
 
     /// The lamps of every C-plane that the ray meets with t up to `t_max`, in lengths of

@@ -25,6 +25,7 @@ public:
     }
     /// Largest distance of the filter from its centre, mm.
     double reach() const { return (wide_ + narrow_) / 2; }
+    /// Wider of the two boxes, mm.
     double width() const { return wide_; }
 
 private:
@@ -77,6 +78,7 @@ struct Footprint {
 
     /// An axis-parallel box of that extent, mm.
     static Footprint box(double du, double dv) { return {{du, 0}, {0, dv}}; }
+    /// True if all derivatives at the centre are 0.
     bool is_point() const { return dx == Vec2(0) && dy == Vec2(0); }
     /// Largest distance from its centre along an axis of the plane, mm; infinite if the plane's
     /// horizon runs through the pixel.

@@ -1,5 +1,4 @@
-#include "keiko/light/tubes/cap_penumbra.h"
-
+#include "keiko/light/tubes/tube_penumbra.h"
 #include "keiko/math/axes.h"
 
 #include <algorithm>

@@ -13,13 +13,14 @@ namespace keiko {
 /// Image of one end of a lamp on the plane, half of the image of a rim. At q across its strip, -1
 /// to 1, it is the curve u = at + shear q + bulge sqrt(1 - q^2).
 struct LampEnd {
-    double at = 0; ///< mm along u, like the others
-    double shear = 0, bulge = 0;
+    double at = 0;               ///< mm along u, like the others
+    double shear = 0, bulge = 0; ///< mm, of either sign; the curve bulges to greater u if above 0
 };
 
 /// The images of the ends of a row's lamps on the plane; the same for each.
 struct LampEnds {
-    LampEnd begin, end;
+    LampEnd begin; ///< at u = 0 of the row
+    LampEnd end;   ///< at u = the length of the lamps
 
     /// Ends straight across the lamps.
     static LampEnds straight(const CPlaneFrame& frame) { return {{0}, {frame.length}}; }
@@ -37,8 +38,10 @@ double end_room(const CPlaneFrame& frame, const Vec3& d);
 
 /// A function linear in the place in the picture, relative to the pixel's centre.
 struct PixelLinear {
-    double amid, by_x, by_y;
+    double amid;       ///< value at the pixel's centre
+    double by_x, by_y; ///< rates, per pixel
 
+    /// Value at a place, px from the centre.
     double at(const Vec2& place) const { return amid + by_x * place.x + by_y * place.y; }
 };
 
@@ -50,9 +53,11 @@ public:
         corners_[0] = {-0.5, -0.5}, corners_[1] = {0.5, -0.5};
         corners_[2] = {0.5, 0.5}, corners_[3] = {-0.5, 0.5};
     }
+    /// Copies the corners in use alone.
     ClippedPixel(const ClippedPixel& other) : count_(other.count_) {
         std::copy(other.begin(), other.end(), corners_.begin());
     }
+    /// Copies the corners in use alone; safe on itself.
     ClippedPixel& operator=(const ClippedPixel& other) {
         count_ = other.count_;
         std::copy(other.begin(), other.end(), corners_.begin());
@@ -75,22 +80,26 @@ public:
         }
         return cut;
     }
-    /// True if `side` is not negative in all of it.
+    /// True if `side` is not negative in all of it; true for an empty part.
     bool is_all_where(const PixelLinear& side) const {
         return std::all_of(begin(), end(),
                            [&](const Vec2& corner) { return side.at(corner) >= 0; });
     }
+    /// True if `side` is not negative at any corner; false for an empty part.
     bool is_any_where(const PixelLinear& side) const {
         return std::any_of(begin(), end(),
                            [&](const Vec2& corner) { return side.at(corner) >= 0; });
     }
+    /// Area in pixels, 0 to 1 of one within the pixel; 0 for fewer than three corners.
     double area() const {
         double twice = 0;
         for (std::size_t i = 2; i < count_; ++i)
             twice += (corners_[i - 1] - corners_[0]).cross(corners_[i] - corners_[0]);
         return std::abs(twice) / 2;
     }
+    /// First corner; they go round the part.
     const Vec2* begin() const { return corners_.data(); }
+    /// Place behind the last corner.
     const Vec2* end() const { return corners_.data() + count_; }
 
 private:
@@ -110,6 +119,7 @@ private:
 /// where their rays meet it.
 class PixelImage {
 public:
+    /// Image around the hit (u, v) of the pixel's central ray, mm.
     PixelImage(const Vec2& centre, const Footprint& footprint)
         : centre_(centre),
           footprint_(footprint),
@@ -151,7 +161,10 @@ private:
 };
 
 /// Side of an end's curve: of lesser u or of greater.
-enum class Side { before, past };
+enum class Side {
+    before, ///< lesser u
+    past    ///< greater u
+};
 
 /// Cuts strips in a pixel at the ends of lamps, by chords that bound as much as the curves.
 class TubeEndClipper {

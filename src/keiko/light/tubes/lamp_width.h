@@ -11,7 +11,10 @@ namespace keiko {
 
 /// Shape of a lamp across its width that faces the point: the tube itself, or the rectangle through
 /// its axis.
-enum class TubeShape { cylinder, rectangle };
+enum class TubeShape {
+    cylinder, ///< the near side of the tube, up to its outline
+    rectangle ///< as wide as the diameter, at right angles to the direction to the point
+};
 
 /// A line of a lamp parallel to its axis: the cut of its near side with the half-plane at the wedge
 /// angle psi, through the line parallel to the axis through the point.
@@ -30,9 +33,11 @@ public:
               std::span<const OccludingTube> hiding)
         : view_(view), point_(point), shape_(shape), hiding_(hiding) {}
 
+    /// Line at a place from -1 to 1. On a cylinder the place times pi / 2 is the angle around it.
     SubAxis sub_axis(double place) const {
         return shape_ == TubeShape::cylinder ? on_tube(place) : on_rectangle(place);
     }
+    /// Ends of a line in mm, in the order of the lamp's: as long as the axis and parallel to it.
     Segment line_of(const SubAxis& axis) const;
     /// True if all of the axis is visible through the middle line: the point is between the lamp's
     /// ends, so that only the tube itself lies between.

@@ -1,4 +1,4 @@
-#include "keiko/light/tubes/penumbra_breakpoints.h"
+#include "keiko/light/tubes/width_samples.h"
 
 #include <algorithm>
 #include <cmath>

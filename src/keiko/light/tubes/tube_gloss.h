@@ -82,6 +82,8 @@ enum class GlossQuadrature {
 template <class Kernel>
 class TubeGloss {
 public:
+    /// Prepares the integral: measures the lobe at the part's nearest place to the peak. References
+    /// to both are kept.
     TubeGloss(const TubeSlices& slices, const Kernel& kernel)
         : slices_(slices),
           kernel_(kernel),
@@ -92,6 +94,8 @@ public:
         approach();
     }
 
+    /// Integral of the kernel over the solid angle of the part above the horizon: a share of the
+    /// lamp's luminance.
     Rgb integral(GlossQuadrature quadrature) const {
         return quadrature == GlossQuadrature::picture ? for_picture() : as_number();
     }

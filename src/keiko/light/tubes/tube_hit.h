@@ -41,7 +41,7 @@ bool misses_lamps(const CPlaneFrame& frame, const RayCone& rays);
 
 /// Range of lamps of a row, by rising v, from begin up to but without end.
 struct LampRange {
-    int begin = 0, end = 0;
+    int begin = 0, end = 0; ///< empty unless begin < end
 };
 
 /// Range of lamps that a cone about the unit direction `axis` from `point` can meet, its half angle

@@ -37,18 +37,19 @@ inline std::vector<TubeLamp> lamps_of(const CPlane& plane) {
 /// model of the lamp integrates. Positions along the axis, called x, count in mm from the foot of
 /// the point.
 struct TubeView {
-    Vec3 along;          ///< unit vector of the axis, a to b
-    Vec3 towards;        ///< unit vector from the axis to the point
-    Vec3 sideways;       ///< along x towards
-    double distance = 0; ///< of the point from the axis line, > radius
-    double x_a = 0;      ///< of end a; end b lies at x_a + length
-    double length = 0;
-    double radius = 0;
-    double n_along = 0; ///< components of the surface normal
-    double n_lamp = 0;  ///< towards the axis: -N.towards
-    double n_sideways = 0;
-    Vec3 normal;
+    Vec3 along;            ///< unit vector of the axis, a to b
+    Vec3 towards;          ///< unit vector from the axis to the point
+    Vec3 sideways;         ///< along x towards
+    double distance = 0;   ///< of the point from the axis line, > radius
+    double x_a = 0;        ///< of end a; end b lies at x_a + length
+    double length = 0;     ///< mm, of the axis
+    double radius = 0;     ///< mm
+    double n_along = 0;    ///< components of the surface normal
+    double n_lamp = 0;     ///< towards the axis: -N.towards
+    double n_sideways = 0; ///< along `sideways`
+    Vec3 normal;           ///< unit vector of the surface element
 
+    /// Position x in mm at a parameter of the axis: 0 at end a, 1 at end b.
     double x_at(double t) const { return x_a + t * length; }
     /// Diameter over distance, on which the models' errors depend.
     double ratio() const { return 2 * radius / distance; }
@@ -80,8 +81,8 @@ inline std::optional<TubeView> view_of(const TubeLamp& lamp, const Vec3& point,
 /// A visible part of a lamp, from x = begin to end; `begins` and `ends` state whether these are the
 /// lamp's own ends. Where a shadow cuts the lamp there is no rim, the cut runs radially.
 struct VisiblePart {
-    double begin = 0, end = 0;
-    bool begins = true, ends = true;
+    double begin = 0, end = 0;       ///< x, mm from the foot of the point
+    bool begins = true, ends = true; ///< false where a shadow cuts the lamp
 };
 
 /// Sum of `f` over the parts of a lamp that belong to visible intervals of its axis, parameters 0

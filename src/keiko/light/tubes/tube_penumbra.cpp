@@ -1,7 +1,5 @@
 #include "keiko/light/tubes/tube_penumbra.h"
 
-#include "keiko/light/tubes/cap_penumbra.h"
-#include "keiko/light/tubes/penumbra_breakpoints.h"
 #include "keiko/light/tubes/width_samples.h"
 #include "keiko/math/axes.h"
 

@@ -27,8 +27,8 @@ struct LightVisibility {
 /// Accuracy of the penumbrae.
 struct PenumbraOptions {
     double tolerance = 0; ///< of a lamp's projected solid angle, as bright all over as at its best
-    TubeShape shape = TubeShape::cylinder;
-    bool axes = false; ///< visible parts of axes are queried as well
+    TubeShape shape = TubeShape::cylinder; ///< of all lamps, across their width
+    bool axes = false;                     ///< visible parts of axes are queried as well
     /// Widest gap between lines of equal visibility, of half the width, by the angle around a
     /// cylinder. Smaller occluders may be missed between them unless they are searched for.
     double widest_gap = 1;
@@ -51,5 +51,13 @@ std::vector<LightVisibility> seen_tubes(std::span<const TubeLamp> row, const Vec
                                         const Vec3& normal, const Visibility& visible,
                                         const PenumbraOptions& options,
                                         std::span<const std::vector<OccludingTube>> hiding = {});
+
+/// Visible share, 0 to 1, of the light of the cap that faces `point` with unit `normal`, relative
+/// to all of it above the horizon. It is sampled by chords of the cap's disc along the horizon,
+/// closer where the visibilities of neighbours are not in line, to about `tolerance`. Occluders
+/// that lie between the first 33 chords and hide none of them are missed. 1 if no cap faces the
+/// point.
+double seen_share_of_cap(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
+                         const Visibility& visible, double tolerance);
 
 } // namespace keiko

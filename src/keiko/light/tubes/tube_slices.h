@@ -24,19 +24,25 @@ struct AcrossNode {
 /// Gauss's rule of 1, 2 or 4 nodes.
 std::span<const AcrossNode> width_quadrature(int nodes);
 
-/// Outline of a lamp that counts: the lateral surface, that and the luminous caps, or the facing
-/// rectangle.
-enum class TubeOutline { lateral, capped, rectangle };
+/// Outline of a lamp that counts.
+enum class TubeOutline {
+    lateral,  ///< the lateral surface alone: caps are dark
+    capped,   ///< the lateral surface and the luminous caps
+    rectangle ///< the rectangle through the axis that faces the point
+};
 
 /// A part of a lamp cut by half-planes through the line parallel to its axis through the point, at
 /// wedge angles psi from the direction of the axis towards `sideways`
 /// (docs/theory/luminance.md#a-tube).
 class TubeSlices {
 public:
+    /// Slices of a part of a lamp; a reference to the view is kept.
     TubeSlices(const TubeView& view, const VisiblePart& part, TubeOutline outline)
         : view_(view), part_(part), outline_(outline) {}
 
+    /// View of the lamp.
     const TubeView& view() const { return view_; }
+    /// Part of the lamp that is cut.
     const VisiblePart& part() const { return part_; }
     /// Half of the angle that the lamp covers, to either side of its axis.
     double half_angle() const {

@@ -14,8 +14,10 @@ namespace keiko {
 /// A slice of a lamp through one line along it: solid angle by its wedge angle, and the hidden part
 /// of it.
 struct Slice {
-    double all = 0, hidden = 0;
+    double all = 0;    ///< without occlusion, sr per radian of the wedge angle
+    double hidden = 0; ///< of all, in its unit
 
+    /// Hidden share, 0 to 1; undefined for a slice without light.
     double share() const { return hidden / all; }
 };
 
@@ -23,13 +25,17 @@ struct Slice {
 /// Kronrod's of 7. They include both ends, which have no weight, but show what lies beyond the last
 /// node.
 struct Slices {
-    static constexpr std::size_t count = 9, first = 0, middle = 4, last = 8;
-    static constexpr std::array<std::size_t, 2> ends{first, last};
-    static constexpr std::array<std::size_t, 3> ends_and_middle{first, middle, last};
+    static constexpr std::size_t count = 9;                        ///< nodes, by rising place
+    static constexpr std::size_t first = 0;                        ///< node at the begin
+    static constexpr std::size_t middle = 4;                       ///< node at the center
+    static constexpr std::size_t last = 8;                         ///< node at the end
+    static constexpr std::array<std::size_t, 2> ends{first, last}; ///< nodes at the ends
+    static constexpr std::array<std::size_t, 3> ends_and_middle{first, middle,
+                                                                last}; ///< nodes of `seen`
 
-    double center = 0, half = 1; ///< of the width, -1 to 1
-    std::array<SubAxis, count> axes{};
-    std::array<Slice, count> at{};
+    double center = 0, half = 1;       ///< of the width, -1 to 1
+    std::array<SubAxis, count> axes{}; ///< line of each node, once its light is computed
+    std::array<Slice, count> at{};     ///< slice of each node
     /// Visible parts of the lines of the ends and the middle, if known.
     std::array<std::optional<IntervalSet>, 3> seen{};
     bool begins_where_last_ends = false; ///< of several parts
@@ -37,7 +43,9 @@ struct Slices {
     /// as far as it is known.
     double parts_off = 0;
 
+    /// Place at which the part begins, from -1.
     double begin() const { return center - half; }
+    /// Place at which the part ends, up to 1.
     double end() const { return center + half; }
     /// The largest light of any slice.
     double brightest() const;
@@ -45,8 +53,8 @@ struct Slices {
 
 /// A place across a width, or a narrow part of it that is left out, where the visible part turns.
 struct WidthCut {
-    double begin, end;
-    bool jump; ///< the visible part may jump there: lines are needed on both sides
+    double begin, end; ///< places from -1 to 1, begin <= end
+    bool jump;         ///< the visible part may jump there: lines are needed on both sides
 };
 
 /// The parts of a width between its own cuts and others, before any query. They end and begin just
@@ -58,12 +66,15 @@ void hide_slice(const LampWidth& width, std::size_t node, const IntervalSet& see
 
 /// Solid angle of a lamp, or of a part of it.
 struct SolidAngle {
-    double all = 0, hidden = 0;
+    double all = 0;    ///< projected solid angle without occlusion, sr
+    double hidden = 0; ///< hidden part of it, sr
 
+    /// Adds the solid angle of another part.
     SolidAngle& operator+=(const SolidAngle& other) {
         all += other.all, hidden += other.hidden;
         return *this;
     }
+    /// Visible share, 0 to 1; 1 if there is nothing to be hidden.
     double visible_share() const { return all > 0 ? std::clamp(1 - hidden / all, 0.0, 1.0) : 1; }
 };
 
@@ -72,6 +83,8 @@ struct SliceRule {
     double error = 0;          ///< of what is hidden, absolute
     double widest_gap = 1;     ///< between nodes, of half the width
     bool part_by_part = false; ///< visible parts must each change uniformly
+    /// Halvings after which the finest rule is taken as it is, unless nodes are farther apart than
+    /// the widest gap.
     int most_halvings = 0;
 };
 
@@ -93,5 +106,38 @@ void add_ends_and_middles(const LampWidth& width, std::span<const Slices> parts,
 /// by itself if `part_by_part`.
 void hide_ends_and_middles(const LampWidth& width, bool part_by_part, std::span<Slices> parts,
                            std::vector<IntervalSet>::const_iterator& next);
+
+/// Places across a lamp's width where the visible part of its lines may jump or kink, and the part
+/// that lines may miss of that.
+class PenumbraBreakpoints {
+public:
+    /// `gap`: the one for which the turns were weighed, of the whole width.
+    PenumbraBreakpoints(const LampWidth& width, std::span<const CriticalSlice> turns, double gap);
+
+    /// Places, sorted. If both ends and the middle of each part between two of them agree, they
+    /// miss at most `allowed` of the lamp together. Every jump of more than that is among them. If
+    /// both ends and the middle of the whole `agree`, for which no cut may be needed, the threshold
+    /// is four times as large.
+    std::vector<WidthCut> cuts(double allowed, bool agree) const;
+
+private:
+    struct Turn {
+        double place, jump;
+        int dark;
+        bool at_once; ///< else only the rate of change changes
+    };
+    /// Turns between two neighbouring lines.
+    struct Cell {
+        std::span<const Turn> turns;
+        double missed = 0;
+    };
+    double missed(std::span<const double> cuts) const;
+    std::vector<Cell> cells(std::span<const double> cuts) const;
+    std::vector<double> places(double allowed, bool agree) const;
+    bool jumps_at(double place) const;
+
+    std::vector<Turn> turns_;
+    double gap_;
+};
 
 } // namespace keiko

@@ -1,4 +1,4 @@
-#include "keiko/light/tubes/cap_penumbra.h"
+#include "keiko/light/tubes/tube_penumbra.h"
 
 #include "tests/support/random.h"
 #include <gtest/gtest.h>

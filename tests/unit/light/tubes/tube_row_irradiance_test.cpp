@@ -1,4 +1,3 @@
-#include "keiko/light/tubes/tube_row_irradiance.h"
 
 #include "keiko/light/tubes/tube_hit.h"
 #include "keiko/light/tubes/tube_irradiance.h"
