@@ -16,11 +16,13 @@ void reflect_ray(const Ray& incoming, const Hit& hit, Ray& mirrored);
 /// Makes reflected rays: reflect_ray() to the last bit, of several hits side by side.
 class ReflectionBatch {
 public:
+    /// Batch without rays, which mirrors 8 of them at a time with the kernel.
     explicit ReflectionBatch(ReflectionKernel kernel) : kernel_(kernel) {}
 
     /// `mirrored`, which is blank, is written at the latest by finish(); all must stay where they
     /// are until then.
     void add(const Ray& incoming, const Hit& hit, Ray& mirrored);
+    /// Writes the rays that still wait; the batch is empty then.
     void finish();
 
 private:

@@ -11,6 +11,8 @@ namespace keiko {
 /// much.
 class SurfaceInteraction {
 public:
+    /// Evaluates hits of a model, which must outlive it as the kernels must. Hit::second stays
+    /// empty without `second_derivatives`.
     SurfaceInteraction(const TracedModel& model, const SubPatchKernels& kernels,
                        bool second_derivatives)
         : model_(model), kernels_(kernels), second_derivatives_(second_derivatives) {}
@@ -19,6 +21,7 @@ public:
     void announce(const Crossing& crossing);
     /// `hit` is written at the latest by finish(); both must stay where they are until then.
     void add(const Crossing& crossing, Hit& hit);
+    /// Writes the hits that still wait for others beside them.
     void finish();
     /// Writes what HitDetail::face names, and nothing else.
     void write_face(const Crossing& crossing, Hit& hit) const;
@@ -57,7 +60,7 @@ private:
     Group mixed_;
 };
 
-/// One of them.
+/// Hit at one crossing, in world coordinates, as SurfaceInteraction makes it.
 Hit evaluated(const TracedModel& model, const SubPatchKernels& kernels, const Crossing& crossing,
               bool second_derivatives);
 

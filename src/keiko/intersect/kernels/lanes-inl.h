@@ -15,8 +15,8 @@ namespace keiko::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Wide = hn::CappedTag<double, 8>;
-using One = hn::CappedTag<double, 1>;
+using Wide = hn::CappedTag<double, 8>; ///< As many lanes as the instruction set has, 8 at most.
+using One = hn::CappedTag<double, 1>;  ///< A single lane.
 
 /// A mask of a vector that begins at `lane`, by lanes of the block.
 template <class D>

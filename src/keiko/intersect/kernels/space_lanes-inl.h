@@ -17,30 +17,37 @@ namespace keiko::HWY_NAMESPACE {
 template <class V>
 using Space = std::array<V, 3>;
 
+/// Each vector times its own factor.
 template <class V>
 Space<V> scaled(const Space<V>& a, V factor) {
     return {hn::Mul(a[0], factor), hn::Mul(a[1], factor), hn::Mul(a[2], factor)};
 }
+/// Each vector over its own divisor.
 template <class V>
 Space<V> divided(const Space<V>& a, V by) {
     return {hn::Div(a[0], by), hn::Div(a[1], by), hn::Div(a[2], by)};
 }
+/// a + b.
 template <class V>
 Space<V> sum(const Space<V>& a, const Space<V>& b) {
     return {hn::Add(a[0], b[0]), hn::Add(a[1], b[1]), hn::Add(a[2], b[2])};
 }
+/// a - b.
 template <class V>
 Space<V> difference(const Space<V>& a, const Space<V>& b) {
     return {hn::Sub(a[0], b[0]), hn::Sub(a[1], b[1]), hn::Sub(a[2], b[2])};
 }
+/// Dot product, without fused multiply-adds.
 template <class V>
 V product(const Space<V>& a, const Space<V>& b) {
     return hn::Add(hn::Add(hn::Mul(a[0], b[0]), hn::Mul(a[1], b[1])), hn::Mul(a[2], b[2]));
 }
+/// Squared length.
 template <class V>
 V square(const Space<V>& a) {
     return product(a, a);
 }
+/// Cross product a x b.
 template <class V>
 Space<V> cross(const Space<V>& a, const Space<V>& b) {
     const auto entry = [&](std::size_t i, std::size_t j) {
@@ -55,6 +62,7 @@ Space<hn::Vec<D>> load(D d, const std::array<std::array<double, size>, 3>& from,
     return {hn::Load(d, from[0].data() + lane), hn::Load(d, from[1].data() + lane),
             hn::Load(d, from[2].data() + lane)};
 }
+/// Writes vectors into the three coordinates' arrays, from a lane on.
 template <class D, std::size_t size>
 void store(D d, const Space<hn::Vec<D>>& from, std::array<std::array<double, size>, 3>& to,
            std::size_t lane) {

@@ -21,6 +21,8 @@ class RootList {
 public:
     /// For roots of `net`, which must stay; `slack` bounds the error of each coefficient.
     void start(const PlanarNet& net, double slack);
+    /// Adds a root, put together with the known ones that are the same root or pieces of the same
+    /// tangency. Of finds that are proved the one without clipping is kept.
     void add(SubPatchRoot root);
     /// A root whose box rounding may have stretched to where the ray leaves the surface.
     void add_stretch(const SubPatchRoot& root);

@@ -25,12 +25,14 @@ public:
     /// Lets sub-patches at the patch's ends go on by so much, patch parameters.
     void go_on_by(const Box2& beyond) { beyond_ = beyond; }
 
+    /// A part of the patch that becomes a sub-patch.
     struct Share {
         Box2 box;                         ///< patch parameters
         TrimSide trim = TrimSide::inside; ///< of the box
-        bool near_border = false;
+        bool near_border = false;         ///< a trim curve, or its seam, touches the box
     };
-    /// `frame` is that of the patch over the share.
+    /// Adds the sub-patch of a share to a set. `frame` is that of the patch over the share. Throws
+    /// Cancelled.
     void add(const Share& share, const SubPatchFrame& frame, SubPatchSet& set) const;
 
 private:
