@@ -37,9 +37,11 @@ private:
 
 /// A piece of the picture, pixels [x0, x1) x [y0, y1).
 struct Tile {
-    int x0, y0, x1, y1;
+    int x0, y0, x1, y1; ///< first column and row, and those behind the last
 
+    /// Pixels a row.
     int width() const { return x1 - x0; }
+    /// Number of rows.
     int height() const { return y1 - y0; }
 };
 
@@ -48,10 +50,13 @@ std::vector<Tile> tiles_of(const Camera& camera, int width, int height);
 
 /// The camera rays of a picture.
 struct PictureRays {
-    PreparedCamera camera;
-    std::optional<ScreenBounds> cover; ///< others show only the background
+    PreparedCamera camera; ///< that the rays come from
+    /// Pixels that may show the model, others show only the background; nullopt in a medium.
+    std::optional<ScreenBounds> cover;
 
+    /// Rays of a camera into a scene.
     PictureRays(const PictureScene& scene, const Camera& seen_by);
+    /// True if the ray through a pixel, in the picture or beside its border, is needed.
     bool may_meet(int x, int y) const { return !cover || cover->may_show(x, y); }
 };
 

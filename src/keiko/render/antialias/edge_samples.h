@@ -15,6 +15,7 @@ namespace keiko {
 /// samples are kept.
 class EdgeSamples {
 public:
+    /// No samples yet; keeps references to both.
     EdgeSamples(const Integrator& integrator, const PreparedCamera& camera)
         : integrator_(integrator), camera_(camera) {}
 
@@ -23,6 +24,7 @@ public:
     /// One sample a place, in order; places that were requested before get no ray again.
     std::vector<const PixelSample*> shared_at(std::span<const Vec2> places);
 
+    /// Statistics of the hits of all rays traced so far.
     HitStatistics paths() const;
 
 private:

@@ -18,11 +18,12 @@ Vec2 max_curvature_direction(std::span<const Vec2> corners,
 
 /// A convex part of the picture with the samples at its corners.
 struct SampledPolygon {
-    static constexpr std::size_t most_corners = 6;
+    static constexpr std::size_t most_corners = 6; ///< a cell's four and two crossings
 
-    InplaceVector<Vec2, most_corners> corners; ///< px, of either sense
-    InplaceVector<const PixelSample*, most_corners> seen;
+    InplaceVector<Vec2, most_corners> corners;            ///< px, of either sense
+    InplaceVector<const PixelSample*, most_corners> seen; ///< one a corner, in order
 
+    /// The polygon as the area of one camera ray.
     PixelArea whole() const { return polygon_part(corners); }
     /// True if a sample in the middle shows the same smooth thing as one of the corners.
     bool shows(const PixelSample& amid) const;

@@ -18,12 +18,14 @@ public:
         for (std::size_t j = 0; j < 3; ++j)
             for (std::size_t i = 0; i < 3; ++i) factors_[j][i] += light * (of_x[i] * of_y[j]);
     }
+    /// Adds another polynomial.
     LightPolynomial& operator+=(const LightPolynomial& o) {
         for (std::size_t j = 0; j < 3; ++j)
             for (std::size_t i = 0; i < 3; ++i) factors_[j][i] += o.factors_[j][i];
         return *this;
     }
 
+    /// Light at a position of the grid, as ShadingGrid::place() returns it.
     DirectLight at(const Vec2& place) const {
         const auto along = [&](const std::array<DirectLight, 3>& row) {
             return (row[2] * place.x + row[1]) * place.x + row[0];
@@ -49,6 +51,7 @@ public:
 
     /// Weights of the light at each node for a place of the grid.
     using Weights = std::array<double, 9>;
+    /// Weights for a position of the grid, which sum up to 1; 0 beyond the last node.
     Weights weights(const Vec2& place) const;
     /// Sum of `light(node)` over all nodes with these weights.
     template <class Light>

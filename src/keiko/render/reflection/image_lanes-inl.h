@@ -12,20 +12,23 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-using Real = hn::Vec<Wide>;
-using Truth = hn::Mask<Wide>;
+using Real = hn::Vec<Wide>;   ///< A number a lane.
+using Truth = hn::Mask<Wide>; ///< True or false a lane.
 
+/// One number in all lanes.
 inline Real real(double x) {
     return hn::Set(Wide(), x);
 }
 
 /// Vectors of space, one a lane: in the world, or in a plane's frame.
 struct Space {
-    Real x, y, z;
+    Real x, y, z; ///< coordinates
 
+    /// Sum, lane by lane.
     Space operator+(const Space& o) const {
         return {hn::Add(x, o.x), hn::Add(y, o.y), hn::Add(z, o.z)};
     }
+    /// Difference, lane by lane.
     Space operator-(const Space& o) const {
         return {hn::Sub(x, o.x), hn::Sub(y, o.y), hn::Sub(z, o.z)};
     }
@@ -34,28 +37,36 @@ struct Space {
         return {hn::MulAdd(s, o.x, x), hn::MulAdd(s, o.y, y), hn::MulAdd(s, o.z, z)};
     }
     Space plus(double s, const Space& o) const { return plus(real(s), o); }
+    /// s times this.
     Space scaled(double s) const {
         return {hn::Mul(x, real(s)), hn::Mul(y, real(s)), hn::Mul(z, real(s))};
     }
+    /// Squared length.
     Real length2() const { return hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x))); }
+    /// Euclidean length.
     Real length() const { return hn::Sqrt(length2()); }
 };
 
 /// A ray a lane, with its derivatives by the picture's x and y.
 struct RayLanes {
-    Space origin, direction, origin_dx, origin_dy, direction_dx, direction_dy;
+    Space origin, direction;          ///< world, mm; directions of any length
+    Space origin_dx, origin_dy;       ///< of the origin, mm a pixel
+    Space direction_dx, direction_dy; ///< of the direction, a pixel
 };
 
 /// The axes of a plane.
 class FrameLanes {
 public:
+    /// Axes of one plane in all lanes.
     explicit FrameLanes(const CPlaneFrame& frame)
         : origin_(every(frame.origin)),
           u_(every(frame.u)),
           v_(every(frame.v)),
           normal_(every(frame.normal)) {}
 
+    /// Components of a world vector along the plane's axes and its normal.
     Space vector(const Space& w) const { return {dot(u_, w), dot(v_, w), dot(normal_, w)}; }
+    /// Coordinates of a world point in the plane's frame, mm.
     Space point(const Space& p) const { return vector(p - origin_); }
     /// The last component of vector().
     Real height(const Space& w) const { return dot(normal_, w); }
@@ -69,6 +80,7 @@ private:
     Space origin_, u_, v_, normal_;
 };
 
+/// (|x| + |y|) / 2.
 inline Real half_sum(Real x, Real y) {
     return hn::Mul(real(0.5), hn::Add(hn::Abs(x), hn::Abs(y)));
 }
@@ -76,11 +88,12 @@ inline Real half_sum(Real x, Real y) {
 /// Intersections of rays with a plane, in its frame, and their images on it.
 struct ImageLanes {
     Space direction, at; ///< `at`: the place, without its height
-    Real t;
-    Truth meets;
-    Space dx, dy; ///< derivatives of the rays where they meet the plane
+    Real t;              ///< parameter of the ray where it meets the plane
+    Truth meets;         ///< the plane lies ahead, and the ray is not parallel to it
+    Space dx, dy;        ///< derivatives of the rays where they meet the plane
     Real u_dx, v_dx, u_dy, v_dy, descent_x, descent_y; ///< Footprint
 
+    /// Images of rays on a plane. Numbers of rays that do not meet it may be infinite or undefined.
     ImageLanes(const FrameLanes& frame, const RayLanes& rays)
         : direction(frame.vector(rays.direction)) {
         constexpr double parallel = 1e-12; // as in c_plane_lookup.cpp
@@ -105,6 +118,7 @@ struct ImageLanes {
         const Real least = hn::Sub(real(1), half_sum(descent_x, descent_y));
         return hn::IfThenElse(hn::Gt(least, real(0)), hn::Div(length, least), hn::Inf(Wide()));
     }
+    /// True if no derivative moves the place in the plane.
     Truth is_point() const {
         const auto none = [](Real a, Real b) {
             return hn::And(hn::Eq(a, real(0)), hn::Eq(b, real(0)));

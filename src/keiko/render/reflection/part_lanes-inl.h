@@ -14,6 +14,8 @@ namespace keiko::HWY_NAMESPACE {
 /// ReflectedFootprint of one pixel, with a part of it a lane.
 class CubicLanes {
 public:
+    /// Cubic of the ray of a place, from the rays of its four neighbours; rows of the picture are
+    /// `width` long. The place is not at the border of the grid.
     CubicLanes(const ReflectedRays& rays, std::size_t place, std::size_t width)
         : origin_(rays, {ReflectedRays::origin, ReflectedRays::origin_dx, ReflectedRays::origin_dy},
                   place, width),

@@ -12,12 +12,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
+/// Vectors that begin at a number of the rays, for a vector of places from one on.
 inline Space load_space(const ReflectedRays& rays, std::size_t number, std::size_t place) {
     const Wide d;
     return {hn::LoadU(d, rays.at(number, place)), hn::LoadU(d, rays.at(number + 1, place)),
             hn::LoadU(d, rays.at(number + 2, place))};
 }
 
+/// Rays of a vector of places from one on, with their derivatives.
 inline RayLanes load_rays(const ReflectedRays& rays, std::size_t place) {
     const auto get = [&](std::size_t number) { return load_space(rays, number, place); };
     return {get(ReflectedRays::origin),       get(ReflectedRays::direction),
@@ -27,8 +29,9 @@ inline RayLanes load_rays(const ReflectedRays& rays, std::size_t place) {
 
 /// PixelRays, a pixel a lane.
 struct PixelLanes {
-    RayLanes centre, left, right, above, below;
+    RayLanes centre, left, right, above, below; ///< of the pixels and their neighbours
 
+    /// Rays of the pixels from a place on; rows of the picture are `width` long.
     PixelLanes(const ReflectedRays& rays, std::size_t place, std::size_t width)
         : centre(load_rays(rays, place)),
           left(load_rays(rays, place - 1)),
@@ -39,8 +42,10 @@ struct PixelLanes {
 
 /// ReflectedFootprint::bundle without the centre and its spread.
 struct BundleLanes {
-    Real origin_rest, direction_rest, origin_slope_rest, direction_slope_rest;
+    Real origin_rest, direction_rest;             ///< as in RayCone
+    Real origin_slope_rest, direction_slope_rest; ///< as in RayCone
 
+    /// Bundles of the rays of all parts of the pixels.
     explicit BundleLanes(const PixelLanes& pixel) {
         constexpr double off = 5.0 / 6, slope_off = 2; // as there
         Real origin = real(0), direction = real(0);
@@ -133,21 +138,28 @@ inline Truth misses_lamps(const CPlaneFrame& frame, const PixelLanes& pixel,
 /// Part of a ray, or of a derivative of one, that determines its intersection with a plane along
 /// one of its axes: see reflected_footprint.cpp.
 struct SliceLanes {
-    Real origin, origin_height, direction, direction_height;
+    Real origin, origin_height;       ///< along the axis, and along the normal
+    Real direction, direction_height; ///< along the axis, and along the normal
 
+    /// Slice of these components.
     SliceLanes(Real o, Real o_height, Real d, Real d_height)
         : origin(o), origin_height(o_height), direction(d), direction_height(d_height) {}
+    /// Slice of an origin and a direction in the plane's frame; `axis` 0 is along the lamps, 1
+    /// across.
     SliceLanes(const Space& o, const Space& d, unsigned axis)
         : SliceLanes(axis == 0 ? o.x : o.y, o.z, axis == 0 ? d.x : d.y, d.z) {}
 
+    /// Sum of all components.
     SliceLanes operator+(const SliceLanes& o) const {
         return {hn::Add(origin, o.origin), hn::Add(origin_height, o.origin_height),
                 hn::Add(direction, o.direction), hn::Add(direction_height, o.direction_height)};
     }
+    /// Difference of all components.
     SliceLanes operator-(const SliceLanes& o) const {
         return {hn::Sub(origin, o.origin), hn::Sub(origin_height, o.origin_height),
                 hn::Sub(direction, o.direction), hn::Sub(direction_height, o.direction_height)};
     }
+    /// Product of all components and a number.
     SliceLanes operator*(double s) const {
         return {hn::Mul(origin, real(s)), hn::Mul(origin_height, real(s)),
                 hn::Mul(direction, real(s)), hn::Mul(direction_height, real(s))};
@@ -156,8 +168,9 @@ struct SliceLanes {
 
 /// Slopes by the picture's x and y.
 struct SliceSlopes {
-    SliceLanes x, y;
+    SliceLanes x, y; ///< a pixel
 
+    /// Slopes of rays along an axis of a plane.
     SliceSlopes(const FrameLanes& frame, const RayLanes& rays, unsigned axis)
         : x(frame.vector(rays.origin_dx), frame.vector(rays.direction_dx), axis),
           y(frame.vector(rays.origin_dy), frame.vector(rays.direction_dy), axis) {}
@@ -194,9 +207,10 @@ inline std::array<Real, 4> linear_corners(Real by_x, Real by_y) {
 
 /// footprint_nonlinearity(), and the lanes where it has a value.
 struct BendLanes {
-    Real bend = real(0);
-    Truth bounded = hn::FirstN(Wide(), hn::Lanes(Wide()));
+    Real bend = real(0);                                   ///< for lanes of `bounded`
+    Truth bounded = hn::FirstN(Wide(), hn::Lanes(Wide())); ///< rays of all corners meet the plane
 
+    /// Bend of the images of pixels on a plane; `image` is that of the rays of their centres.
     BendLanes(const CPlaneFrame& plane, const FrameLanes& frame, const PixelLanes& pixel,
               const ImageLanes& image) {
         const auto told = linear_corners(image.v_dx, image.v_dy);
@@ -238,7 +252,7 @@ private:
     }
 };
 
-/// ReflectedFootprint::misfit.
+/// ReflectedFootprint::residual().
 inline Real residual(const PixelLanes& pixel, Real t) {
     const auto off = [](const Space& value, const Space& own, const Space& there,
                         const Space& opposite, double side, const Space& is) {

@@ -21,15 +21,20 @@ namespace keiko {
 /// direction, and their derivatives by the picture's x and y.
 class ReflectedRays {
 public:
-    static constexpr std::size_t numbers = 18;
-    /// Index of the first coordinate of each among the numbers.
-    static constexpr std::size_t origin = 0, direction = 3, origin_dx = 6, origin_dy = 9,
-                                 direction_dx = 12, direction_dy = 15;
+    static constexpr std::size_t numbers = 18;      ///< of each ray: six vectors
+    static constexpr std::size_t origin = 0;        ///< first number of the origin
+    static constexpr std::size_t direction = 3;     ///< first number of the direction
+    static constexpr std::size_t origin_dx = 6;     ///< first number of the origin's slope by x
+    static constexpr std::size_t origin_dy = 9;     ///< first number of the origin's slope by y
+    static constexpr std::size_t direction_dx = 12; ///< first of the direction's slope by x
+    static constexpr std::size_t direction_dy = 15; ///< first of the direction's slope by y
 
     ReflectedRays() = default;
+    /// Rays of `count` places, with undefined numbers until they are set.
     explicit ReflectedRays(std::size_t count)
         : stride_(count + margin), values_(numbers * stride_) {}
 
+    /// Sets the numbers of a place. Without differentials its derivatives stay as they were.
     void set(std::size_t place, const Ray& ray) {
         put(place, origin, ray.origin), put(place, direction, ray.direction);
         if (!ray.differentials) return;
@@ -75,6 +80,7 @@ public:
     /// Grid of a size in pixels.
     ReflectedGrid(int width, int height);
 
+    /// Number of places.
     std::size_t size() const { return known_.size(); }
     /// Prefetches the memory that set_begin() soon writes for a place.
     void announce(std::size_t place) const { prefetch(std::span(begins_).subspan(place, 1)); }
@@ -93,7 +99,9 @@ public:
     std::optional<PixelRays> around(std::size_t place) const;
     /// True if there are such.
     bool is_amid(std::size_t place) const;
+    /// Number of places in a row.
     std::size_t width() const { return width_; }
+    /// Numbers of all rays, by place.
     const ReflectedRays& rays() const { return numbers_; }
 
 private:
@@ -109,15 +117,17 @@ private:
 
 /// The first reflected rays of a grid's pixels, and their hits.
 struct ReflectionBuffer {
+    /// The reflected ray of one place.
     struct Way {
-        bool goes_on = false;
-        const Hit* hit = nullptr;
-        Rgb weight; ///< of its path
+        bool goes_on = false;     ///< a reflected ray was traced
+        const Hit* hit = nullptr; ///< of that ray, in `hits`; null if it leaves the body
+        Rgb weight;               ///< of its path
     };
 
+    /// Buffer for a grid of a size in pixels, without rays.
     ReflectionBuffer(int width, int height) : grid(width, height), ways(grid.size()) {}
 
-    ReflectedGrid grid;
+    ReflectedGrid grid;     ///< the rays
     std::vector<Way> ways;  ///< by place
     std::vector<Hits> hits; ///< of the ways
 };

@@ -27,9 +27,9 @@ struct ShadingPoint {
     std::size_t sample = 0; ///< of the camera rays, in their order
     int depth = 0;          ///< mirror reflections before
     SurfacePlace place{};   ///< its normal on the side of the viewer
-    Root root{};
-    Vec3 eye{0};  ///< unit, towards the viewer
-    Rgb weight{}; ///< weight of its luminance in the sample
+    Root root{};            ///< of the hit, for rays from the point to leave out
+    Vec3 eye{0};            ///< unit, towards the viewer
+    Rgb weight{};           ///< weight of its luminance in the sample
 };
 
 /// Light of the lamps at a shading point: smooth along a surface except for shadows.
@@ -38,13 +38,17 @@ struct DirectLight {
     Rgb lobes;           ///< cd/m2, from lobes to the viewer
     double incident = 0; ///< lx on the first visible surface, if an AOV needs it
 
+    /// Sum of both lights.
     DirectLight operator+(const DirectLight& o) const {
         return {illuminance + o.illuminance, lobes + o.lobes, incident + o.incident};
     }
+    /// Adds another light.
     DirectLight& operator+=(const DirectLight& o) { return *this = *this + o; }
+    /// Difference of both lights, which may be negative.
     DirectLight operator-(const DirectLight& o) const {
         return {illuminance - o.illuminance, lobes - o.lobes, incident - o.incident};
     }
+    /// Light times a number.
     DirectLight operator*(double s) const { return {illuminance * s, lobes * s, incident * s}; }
 };
 
@@ -55,8 +59,9 @@ public:
     /// Grid of `places` row by row, null if nothing is shown.
     SurfaceContinuity(int width, std::span<const SurfacePlace* const> places);
 
-    /// True if the place of that number and its right or lower neighbour show one smooth surface.
+    /// True if the place of that number and its right neighbour show one smooth surface.
     bool right(std::size_t place) const { return joins_[place].right; }
+    /// True if the place of that number and its lower neighbour show one smooth surface.
     bool down(std::size_t place) const { return joins_[place].down; }
 
 private:

@@ -13,9 +13,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-/// PixelFilter.
+/// PixelFilter, one a lane.
 class FilterLanes {
 public:
+    /// Filters of two widths, of either sign.
     FilterLanes(Real by_x, Real by_y)
         : wide_(hn::Max(hn::Abs(by_x), hn::Abs(by_y))),
           narrow_(hn::Min(hn::Abs(by_x), hn::Abs(by_y))),
@@ -23,11 +24,14 @@ public:
           per_wide_(hn::Div(real(1), wide_)),
           per_both_(hn::Div(per_wide_, hn::Add(narrow_, narrow_))) {}
 
+    /// Share of the filter between two positions relative to its centre; 0 if they are not rising.
     Real share(Real begin, Real end) const {
         const Real between = hn::Sub(below(end), below(begin));
         return hn::IfThenElseZero(hn::Lt(begin, end), between);
     }
+    /// Half the extent of the filter.
     Real reach() const { return reach_; }
+    /// The larger of the two widths.
     Real width() const { return wide_; }
 
 private:
@@ -62,7 +66,8 @@ inline Real strips_coverage(const CPlaneFrame& frame, Truth wanted, Real half, R
     }
 }
 
-constexpr double resolvable_pitches = 4; // as in c_plane_lookup.cpp
+/// Width of a filter in pitches beyond which lamps are averaged, as in c_plane_lookup.cpp.
+constexpr double resolvable_pitches = 4;
 
 /// comb_coverage() of strips `width` wide, or mean_coverage() if they are too fine.
 inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, Real center,
@@ -84,8 +89,10 @@ inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, 
 
 /// Apparent shift of the ends of lamps along them, and width of strips.
 struct LookLanes {
-    Real room, width;
+    Real room;  ///< mm, along the lamps
+    Real width; ///< mm, across them
 
+    /// Lamps of a row as images of rays on its plane show them.
     LookLanes(const StripeRow& row, const ImageLanes& image) {
         const CPlaneFrame& frame = row.frame;
         const Space& d = image.direction;

@@ -22,8 +22,8 @@ public:
     /// Prefetches the memory that is soon written for a place.
     void announce(std::size_t place) const;
 
-    SampleBatch view;
-    ReflectionBuffer mirrors;
+    SampleBatch view;         ///< samples of the grid that was begun last
+    ReflectionBuffer mirrors; ///< its reflected rays and their hits
 
 private:
     std::vector<Hits> above_; ///< what rows taken over point to
