@@ -163,7 +163,7 @@ double boundary_reach(const SurfaceModel& model, std::uint32_t instance, std::ui
     for (std::uint32_t i = 0; i < model.faces[face].patch_count; ++i)
         box.extend(hull_bounds(model.patch(model.faces[face].first_patch + i)));
     const Box3 placed = transformed(model.instances[instance].transform, box);
-    // Of the face, more than leaves overlap by and go on past its ends; of the coordinates.
+    // Of the face, more than sub-patches overlap by and go on past its ends; of the coordinates.
     constexpr double overlap = 1e-10, rounding = 1e-14;
     return overlap * placed.size() + rounding * placed.center().length();
 }

@@ -20,6 +20,7 @@ using Beyond = std::function<std::optional<Vec3>(double, const Vec3&)>;
 std::vector<BoundaryPiece> curve_cover(const SurfaceCurve& curve, const Beyond& beyond,
                                        const BoundaryPiece& kind);
 
+/// Matrix of the values or control points of a curve of degree 5, rows outer.
 using CurveMatrix = std::array<std::array<double, BoundaryPiece::points>, BoundaryPiece::points>;
 
 /// Parameter of the k-th place that a curve through places is given by: Chebyshev's in [0, 1], both

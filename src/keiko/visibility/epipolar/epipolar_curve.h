@@ -9,9 +9,12 @@ namespace keiko {
 
 /// Axes at a light: z to the eye.
 struct EpipolarAxes {
-    Vec3 light{0}, x{0}, y{0}, z{0};
+    Vec3 light{0};         ///< origin, world, mm
+    Vec3 x{0}, y{0}, z{0}; ///< unit, at right angles, right-handed
 
+    /// Axes at a light for an eye at another place.
     EpipolarAxes(const Vec3& at, const Vec3& eye);
+    /// Coordinates of a world place in the axes, mm.
     Vec3 local(const Vec3& place) const {
         const Vec3 way = place - light;
         return {x.dot(way), y.dot(way), z.dot(way)};
@@ -24,6 +27,8 @@ struct EpipolarRay {
     Vec2 begin{0}, end{0}; ///< mm
     int sense = 1;         ///< 1 where the plane's normal is off turned by a right angle, else -1
 
+    /// Segment of a plane that holds the axis, as one through the light and a segment of a ray from
+    /// the eye does.
     EpipolarRay(const EpipolarAxes& axes, const SegmentPlane& plane);
     /// Parameter of the segment's place that a place of the half-plane hides from the light, as
     /// SegmentPlane::hidden_by.
@@ -33,6 +38,7 @@ struct EpipolarRay {
 /// A curve of degree 5 that a light sees edge-on, as the planes of its pencil cut it.
 class EpipolarCurve {
 public:
+    /// Curve of a border, a crease or an outline; the line itself is not kept.
     EpipolarCurve(const EpipolarAxes& axes, const BoundaryPiece& line);
 
     /// Calls `visit(t, event)` for each place t of the curve at which it hides some of the ray.

@@ -19,6 +19,7 @@ struct ContourCurve {
     std::array<Vec2, BoundaryPiece::points> places{Vec2(0), Vec2(0), Vec2(0),
                                                    Vec2(0), Vec2(0), Vec2(0)};
 
+    /// Place on the patch at parameter t of the line.
     Vec2 place_at(double t) const;
 };
 

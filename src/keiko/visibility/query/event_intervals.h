@@ -12,9 +12,10 @@ namespace keiko {
 
 /// A stretch of a segment between two events: seen or hidden as a whole.
 struct EventInterval {
-    double begin = 0, end = 0;
-    bool dark = false; ///< known to be hidden
+    double begin = 0, end = 0; ///< parameters of the segment
+    bool dark = false;         ///< known to be hidden
 
+    /// Length in the segment's parameter.
     double length() const { return end - begin; }
     /// A place well inside that round numbers do not hit: rays that touch a body at one place alone
     /// would be classified wrongly there.
@@ -29,15 +30,19 @@ std::vector<EventInterval> event_intervals(std::vector<VisibilityEvent>& events,
 /// classifies each group that is still unknown.
 class IntervalClasses {
 public:
-    /// Number of the first of a segment's gaps; the others follow.
+    /// Adds a segment's gaps; returns the number of the first of them, the others follow. `plane`
+    /// must stay where it is until classify() is done.
     std::size_t add(const SegmentPlane& plane, std::vector<EventInterval> gaps);
+    /// Puts the groups of two gaps together.
     void join(std::size_t a, std::size_t b) { leader_[root(a)] = root(b); }
     /// Asks for all groups at once.
     void classify(const Tracer& tracer);
     /// Visible parts of a segment, after classify(): `first` as add() returned it.
     IntervalSet seen(std::size_t first, std::size_t count) const;
 
+    /// The i-th gap; its `dark` is that of its group after classify().
     const EventInterval& gap(std::size_t i) const { return gaps_[i]; }
+    /// Number of gaps of all segments.
     std::size_t size() const { return gaps_.size(); }
 
 private:
