@@ -6,7 +6,7 @@
 #define KEIKO_TRACE_FRAME_RAYS_INL_H
 #endif
 
-#include "keiko/intersect/kernels/space_lanes-inl.h"
+#include "keiko/intersect/kernels/lanes-inl.h"
 #include "keiko/intersect/kernels/sub_patch_jet-inl.h"
 
 HWY_BEFORE_NAMESPACE();

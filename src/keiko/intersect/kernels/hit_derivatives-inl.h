@@ -6,8 +6,8 @@
 #define KEIKO_TRACE_HIT_JETS_INL_H
 #endif
 
+#include "keiko/intersect/kernels/lanes-inl.h"
 #include "keiko/intersect/kernels/patch_jet-inl.h"
-#include "keiko/intersect/kernels/space_lanes-inl.h"
 
 #include <algorithm>
 #include <bit>
@@ -130,8 +130,8 @@ struct SpaceJet {
     Space<V> position, du, dv, duu, duv, dvv; ///< by the parameters, mm
 };
 
-/// Lanes of `projected` in surface_jet.h: by the quotient rule where weights differ, for which
-/// `weight` is 0.
+/// Lanes of `projected` in surface_interaction.h: by the quotient rule where weights differ, for
+/// which `weight` is 0.
 template <class D>
 SpaceJet<hn::Vec<D>> projected(D d, const HomogeneousJets& jets, hn::Vec<D> weight) {
     using V = hn::Vec<D>;

@@ -25,10 +25,8 @@ struct SameSubPatch {
     const PackedSubPatch& sub_patch; ///< the one
     const Component4* polynomial;    ///< its own coefficients; null where none are read
 
-    /// The sub-patch.
-    const PackedSubPatch& shape() const { return sub_patch; }
-    /// True if its weights differ.
-    bool rational() const { return sub_patch.rational; }
+    const PackedSubPatch& shape() const { return sub_patch; } ///< The sub-patch.
+    bool rational() const { return sub_patch.rational; }      ///< True if its weights differ.
     /// The number of each lane's sub-patch that `find` finds there.
     template <class D, class Find>
     hn::Vec<D> number(D d, const Find& find) const {
@@ -50,7 +48,6 @@ struct SameSubPatch {
 class OwnSubPatches {
 public:
     static constexpr std::size_t lanes = hn::MaxLanes(Wide()); ///< of a vector
-
     /// `polynomials` is where coefficients of sub-patches begin.
     OwnSubPatches(const std::array<const PackedSubPatch*, lanes>& sub_patches,
                   const Component4* polynomials)
@@ -64,8 +61,7 @@ public:
         }
     }
 
-    /// True if the weights of any of them differ.
-    bool rational() const { return rational_; }
+    bool rational() const { return rational_; } ///< True if the weights of any of them differ.
     /// Sub-patch of a lane.
     const PackedSubPatch& sub_patch(std::size_t lane) const { return *sub_patches_[lane]; }
     /// Coefficients of a lane's sub-patch.
@@ -124,8 +120,8 @@ auto with_columns(const PackedSubPatch& sub_patch, const Work& work) {
     }
 }
 
-/// Jet of one sub-patch at a place a lane, by Horner's scheme. Without `rational` the weight's
-/// entries are not set. `known_columns` is degree_v + 1, or 0 to read it from the sub-patch.
+/// Jet of a sub-patch at a place a lane, without the weight's entries if not `rational`.
+/// `known_columns` is degree_v + 1, or 0 to read it from the sub-patch.
 template <bool rational, std::size_t known_columns, class D>
 Jet<hn::Vec<D>> jet(D d, const SameSubPatch& sub_patches, hn::Vec<D> x, hn::Vec<D> y) {
     using V = hn::Vec<D>;
@@ -166,13 +162,11 @@ Jet<hn::Vec<D>> jet(D d, const SameSubPatch& sub_patches, hn::Vec<D> x, hn::Vec<
 template <std::size_t count>
 struct JetsByRay {
     using Components = std::array<Component4, count>; ///< Four components of each ray.
+    alignas(64) Components value;                     ///< (w X, w Y, w Z, w)
+    alignas(64) Components by_x;                      ///< derivatives of `value`
+    alignas(64) Components by_y;                      ///< derivatives of `value`
 
-    alignas(64) Components value; ///< (w X, w Y, w Z, w)
-    alignas(64) Components by_x;  ///< derivatives of `value`
-    alignas(64) Components by_y;  ///< derivatives of `value`
-
-    /// Finds the jet of one ray at (at_x, at_y) of its sub-patch; `polynomial` are the
-    /// sub-patch's own coefficients.
+    /// Finds the jet of one ray at a place of its sub-patch, whose own coefficients are given.
     void find(std::size_t ray, const PackedSubPatch& sub_patch, const Component4* polynomial,
               double at_x, double at_y) {
         with_columns(sub_patch, [&](auto columns) {

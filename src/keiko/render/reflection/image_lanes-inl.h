@@ -8,6 +8,7 @@
 
 #include "keiko/intersect/kernels/lanes-inl.h"
 #include "keiko/light/tubes/c_plane.h"
+#include "keiko/render/reflection/reflected_grid.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
@@ -21,24 +22,24 @@ inline Real real(double x) {
 }
 
 /// Vectors of space, one a lane: in the world, or in a plane's frame.
-struct Space {
+struct VectorLanes {
     Real x, y, z; ///< coordinates
 
     /// Sum, lane by lane.
-    Space operator+(const Space& o) const {
+    VectorLanes operator+(const VectorLanes& o) const {
         return {hn::Add(x, o.x), hn::Add(y, o.y), hn::Add(z, o.z)};
     }
     /// Difference, lane by lane.
-    Space operator-(const Space& o) const {
+    VectorLanes operator-(const VectorLanes& o) const {
         return {hn::Sub(x, o.x), hn::Sub(y, o.y), hn::Sub(z, o.z)};
     }
     /// This and s times another.
-    Space plus(Real s, const Space& o) const {
+    VectorLanes plus(Real s, const VectorLanes& o) const {
         return {hn::MulAdd(s, o.x, x), hn::MulAdd(s, o.y, y), hn::MulAdd(s, o.z, z)};
     }
-    Space plus(double s, const Space& o) const { return plus(real(s), o); }
+    VectorLanes plus(double s, const VectorLanes& o) const { return plus(real(s), o); }
     /// s times this.
-    Space scaled(double s) const {
+    VectorLanes scaled(double s) const {
         return {hn::Mul(x, real(s)), hn::Mul(y, real(s)), hn::Mul(z, real(s))};
     }
     /// Squared length.
@@ -49,9 +50,9 @@ struct Space {
 
 /// A ray a lane, with its derivatives by the picture's x and y.
 struct RayLanes {
-    Space origin, direction;          ///< world, mm; directions of any length
-    Space origin_dx, origin_dy;       ///< of the origin, mm a pixel
-    Space direction_dx, direction_dy; ///< of the direction, a pixel
+    VectorLanes origin, direction;          ///< world, mm; directions of any length
+    VectorLanes origin_dx, origin_dy;       ///< of the origin, mm a pixel
+    VectorLanes direction_dx, direction_dy; ///< of the direction, a pixel
 };
 
 /// The axes of a plane.
@@ -65,19 +66,21 @@ public:
           normal_(every(frame.normal)) {}
 
     /// Components of a world vector along the plane's axes and its normal.
-    Space vector(const Space& w) const { return {dot(u_, w), dot(v_, w), dot(normal_, w)}; }
+    VectorLanes vector(const VectorLanes& w) const {
+        return {dot(u_, w), dot(v_, w), dot(normal_, w)};
+    }
     /// Coordinates of a world point in the plane's frame, mm.
-    Space point(const Space& p) const { return vector(p - origin_); }
+    VectorLanes point(const VectorLanes& p) const { return vector(p - origin_); }
     /// The last component of vector().
-    Real height(const Space& w) const { return dot(normal_, w); }
+    Real height(const VectorLanes& w) const { return dot(normal_, w); }
 
 private:
-    static Space every(const Vec3& a) { return {real(a.x), real(a.y), real(a.z)}; }
-    static Real dot(const Space& a, const Space& b) {
+    static VectorLanes every(const Vec3& a) { return {real(a.x), real(a.y), real(a.z)}; }
+    static Real dot(const VectorLanes& a, const VectorLanes& b) {
         return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
     }
 
-    Space origin_, u_, v_, normal_;
+    VectorLanes origin_, u_, v_, normal_;
 };
 
 /// (|x| + |y|) / 2.
@@ -87,17 +90,17 @@ inline Real half_sum(Real x, Real y) {
 
 /// Intersections of rays with a plane, in its frame, and their images on it.
 struct ImageLanes {
-    Space direction, at; ///< `at`: the place, without its height
-    Real t;              ///< parameter of the ray where it meets the plane
-    Truth meets;         ///< the plane lies ahead, and the ray is not parallel to it
-    Space dx, dy;        ///< derivatives of the rays where they meet the plane
+    VectorLanes direction, at; ///< `at`: the place, without its height
+    Real t;                    ///< parameter of the ray where it meets the plane
+    Truth meets;               ///< the plane lies ahead, and the ray is not parallel to it
+    VectorLanes dx, dy;        ///< derivatives of the rays where they meet the plane
     Real u_dx, v_dx, u_dy, v_dy, descent_x, descent_y; ///< Footprint
 
     /// Images of rays on a plane. Numbers of rays that do not meet it may be infinite or undefined.
     ImageLanes(const FrameLanes& frame, const RayLanes& rays)
         : direction(frame.vector(rays.direction)) {
         constexpr double parallel = 1e-12; // as in c_plane_lookup.cpp
-        const Space from = frame.point(rays.origin);
+        const VectorLanes from = frame.point(rays.origin);
         const Real per_z = hn::Div(real(1), direction.z);
         t = hn::Neg(hn::Div(from.z, direction.z));
         at = from.plus(t, direction);
@@ -128,9 +131,37 @@ struct ImageLanes {
 };
 
 /// Room of an end of tubes, as in end_coverage.h.
-inline Real end_room(const CPlaneFrame& frame, const Space& d) {
+inline Real end_room(const CPlaneFrame& frame, const VectorLanes& d) {
     return hn::Div(hn::Mul(real(frame.radius()), hn::Abs(d.x)), hn::Abs(d.z));
 }
+
+/// Vectors that begin at a number of the rays, for a vector of places from one on.
+inline VectorLanes load_space(const ReflectedRays& rays, std::size_t number, std::size_t place) {
+    const Wide d;
+    return {hn::LoadU(d, rays.at(number, place)), hn::LoadU(d, rays.at(number + 1, place)),
+            hn::LoadU(d, rays.at(number + 2, place))};
+}
+
+/// Rays of a vector of places from one on, with their derivatives.
+inline RayLanes load_rays(const ReflectedRays& rays, std::size_t place) {
+    const auto get = [&](std::size_t number) { return load_space(rays, number, place); };
+    return {get(ReflectedRays::origin),       get(ReflectedRays::direction),
+            get(ReflectedRays::origin_dx),    get(ReflectedRays::origin_dy),
+            get(ReflectedRays::direction_dx), get(ReflectedRays::direction_dy)};
+}
+
+/// PixelRays, a pixel a lane.
+struct PixelLanes {
+    RayLanes centre, left, right, above, below; ///< of the pixels and their neighbours
+
+    /// Rays of the pixels from a place on; rows of the picture are `width` long.
+    PixelLanes(const ReflectedRays& rays, std::size_t place, std::size_t width)
+        : centre(load_rays(rays, place)),
+          left(load_rays(rays, place - 1)),
+          right(load_rays(rays, place + 1)),
+          above(load_rays(rays, place - width)),
+          below(load_rays(rays, place + width)) {}
+};
 
 } // namespace keiko::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

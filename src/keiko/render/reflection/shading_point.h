@@ -1,8 +1,11 @@
 #pragma once
 
+#include "keiko/base/units.h"
 #include "keiko/geometry/visibility/ray.h"
 #include "keiko/math/rgb.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,6 +18,10 @@ struct SurfacePlace {
     Vec3 position{0}, normal{0}; ///< world, mm; unit, of either sense
     std::uint32_t paint = 0;     ///< faces of one paint share this number
 };
+
+/// Square of the tangent of the angle between the normals of one smooth surface, 10 degrees.
+inline const double widest_bend =
+    std::tan(degrees_to_radians(10)) * std::tan(degrees_to_radians(10));
 
 /// True if neighbours in a picture show one smooth surface. They have the same paint and normals
 /// within 10 degrees, and are not both far from the other's tangent plane, as one surface in front
@@ -71,5 +78,31 @@ private:
 
     std::vector<Joins> joins_;
 };
+
+inline bool is_same_surface(const SurfacePlace& a, const SurfacePlace& b) {
+    if (a.paint != b.paint) return false;
+    // Normals compared as lines: neighbouring faces may be oriented differently.
+    const double along = a.normal.dot(b.normal);
+    if (a.normal.cross(b.normal).length2() > widest_bend * (along * along)) return false;
+    // A step away from the tangent planes of both: one surface in front of another.
+    const Vec3 step = b.position - a.position;
+    const double off = std::min(std::abs(step.dot(a.normal)), std::abs(step.dot(b.normal)));
+    constexpr double farthest = 0.2 * 0.2; // of the step, squared
+    return !(off * off > farthest * step.length2());
+}
+
+inline SurfaceContinuity::SurfaceContinuity(int width, std::span<const SurfacePlace* const> places)
+    : joins_(places.size()) {
+    const auto w = static_cast<std::size_t>(width);
+    const auto joined = [&](std::size_t a, std::size_t b) {
+        return places[b] && is_same_surface(*places[a], *places[b]);
+    };
+    for (std::size_t row = 0; row < places.size(); row += w)
+        for (std::size_t i = row; i < row + w; ++i) {
+            if (!places[i]) continue;
+            joins_[i] = {i + 1 < row + w && joined(i, i + 1),
+                         i + w < places.size() && joined(i, i + w)};
+        }
+}
 
 } // namespace keiko

@@ -4,7 +4,6 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/visibility/boundaries/adjacent_faces.h"
-#include "keiko/visibility/boundaries/curve_cover.h"
 
 #include <algorithm>
 #include <cmath>

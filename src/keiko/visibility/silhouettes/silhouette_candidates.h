@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/intersect/hit/surface_jet.h"
+#include "keiko/intersect/hit/surface_interaction.h"
 #include "keiko/visibility/nets/degree_reduced_net.h"
 #include "keiko/visibility/silhouettes/chord_elevation.h"
 #include "keiko/visibility/silhouettes/silhouette_part.h"
