@@ -35,7 +35,7 @@ using Component4 = std::array<double, 4>;
 /// rounding lets them be. Each was the only one in a box; the same root may stand in two of them,
 /// found from either side of the boxes' common border.
 struct RootBoxes {
-    static constexpr std::size_t capacity = 128; ///< most roots; a search that finds more fails
+    static constexpr std::size_t capacity = 128; ///< most roots; a search that may find more fails
 
     std::size_t count = 0;                        ///< roots in use, from the first on
     using Numbers = std::array<double, capacity>; ///< One number of each root.

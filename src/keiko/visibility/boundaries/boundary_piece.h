@@ -109,8 +109,9 @@ private:
 /// where none does.
 using Beyond = std::function<std::optional<Vec3>(double, const Vec3&)>;
 
-/// Pieces that cover a curve, each as `kind` except for what follows from the curve. They are as
-/// short as it takes to be within 1e-9 of the curve's size, or rounding. The distance of a piece to
+/// Pieces that cover a curve, each as `kind` except for what follows from the curve. Each patch's
+/// share is halved, ten times at most, until the pieces are within 1e-9 of the curve's size, or
+/// rounding, and their legs turn by less than 0.4 rad from their chords. The distance of a piece to
 /// its curve is added to the kind's error. None for a curve that is a point.
 std::vector<BoundaryPiece> curve_cover(const SurfaceCurve& curve, const Beyond& beyond,
                                        const BoundaryPiece& kind);

@@ -33,7 +33,7 @@ constexpr double outline_error = 1e-7;
 /// Appends the outline of a candidate, which overlaps those of its neighbours a little. It must be
 /// proved to run across the piece as a graph of one of its parameters, and curves meet it to within
 /// outline_error. False, with nothing appended, elsewhere: cusps, poles, and pieces that an outline
-/// bends in.
+/// bends in. The viewpoint is a point, not at infinity.
 bool append_contour(const Silhouettes& silhouettes, const SubPatchKernels& kernels,
                     const SilhouetteCandidate& candidate, const Viewpoint& viewpoint,
                     std::vector<ContourCurve>& outlines);

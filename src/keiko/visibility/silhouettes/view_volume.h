@@ -16,7 +16,8 @@ namespace keiko {
 class ViewVolume {
 public:
     /// `region` holds corners of a convex body around every segment to come.
-    /// With `facing` only what lies on its side of the plane through the viewpoint hides anything.
+    /// With `facing` only what lies on its side of the plane through the viewpoint hides anything;
+    /// the viewpoint is then a point, not at infinity.
     ViewVolume(const Viewpoint& viewpoint, std::span<const Vec3> region,
                const std::optional<Vec3>& facing = {});
 
