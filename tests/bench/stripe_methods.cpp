@@ -1,8 +1,8 @@
 #include "tests/bench/stripe_methods.h"
 
 #include "keiko/film/tone_mapping.h"
-#include "keiko/render/pixel_writer.h"
 #include "keiko/render/shading/integrator.h"
+#include "keiko/render/tiles.h"
 
 #include <cmath>
 

@@ -1,6 +1,5 @@
-#include "keiko/render/pixel_writer.h"
-
 #include "keiko/geometry/bezier/differential_geometry.h"
+#include "keiko/render/tiles.h"
 
 #include <algorithm>
 #include <initializer_list>

@@ -3,7 +3,6 @@
 #include "keiko/render/antialias/edge_detection.h"
 #include "keiko/render/antialias/edge_pixel_lighting.h"
 #include "keiko/render/lighting/light_interpolation.h"
-#include "keiko/render/pixel_writer.h"
 #include "keiko/render/tiles.h"
 
 #include <algorithm>

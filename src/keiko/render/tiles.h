@@ -37,9 +37,11 @@ private:
 
 /// A piece of the picture, pixels [x0, x1) x [y0, y1).
 struct Tile {
-    int x0, y0, x1, y1;
+    int x0, y0, x1, y1; ///< first column and row, and those behind the last
 
+    /// Pixels a row.
     int width() const { return x1 - x0; }
+    /// Number of rows.
     int height() const { return y1 - y0; }
 };
 
@@ -48,15 +50,29 @@ std::vector<Tile> tiles_of(const Camera& camera, int width, int height);
 
 /// The camera rays of a picture.
 struct PictureRays {
-    PreparedCamera camera;
-    std::optional<ScreenBounds> cover; ///< others show only the background
+    PreparedCamera camera; ///< that the rays come from
+    /// Pixels that may show the model, others show only the background; nullopt in a medium.
+    std::optional<ScreenBounds> cover;
 
+    /// Rays of a camera into a scene.
     PictureRays(const PictureScene& scene, const Camera& seen_by);
+    /// True if the ray through a pixel, in the picture or beside its border, is needed.
     bool may_meet(int x, int y) const { return !cover || cover->may_show(x, y); }
 };
 
 /// A tile and the pixels around it; valid as long as `eye` is.
 TileRays grid_of(const PictureRays& eye, const Tile& tile);
+
+/// A film without hits: black, ids -1, depth infinite.
+Film blank_film(int width, int height, std::span<const Aov> aovs);
+
+/// Writes one sample a pixel into every layer of the film, for pixels of a row from (x, y) on.
+void write_row(Film& film, int x, int y, std::span<const PixelSample> samples);
+
+/// Replaces colour, coverage, luminance and illuminance of a pixel by the mean over samples,
+/// `shares` of the pixel; the other layers keep the values of its centre.
+void write_mean(Film& film, int x, int y, std::span<const PixelSample> samples,
+                std::span<const double> shares);
 
 /// Writes the pixels of a tile, from samples of it and of `border` more on all sides. Returns the
 /// statistics of the hits of the tile's own pixels.

@@ -1,6 +1,5 @@
 #include "keiko/render/antialias/edge_refinement.h"
 
-#include "keiko/render/antialias/sampled_polygon.h"
 #include "keiko/render/antialias/subpixels.h"
 
 #include "tests/unit/render/stage.h"

@@ -51,7 +51,7 @@ struct Hit {
     Root root; ///< certified box of this root, to exclude it from secondary rays
 };
 
-/// Many of them.
+/// Array of hits.
 using Hits = std::vector<Hit, DefaultInitAllocator<Hit>>;
 
 /// Position and derivatives by patch parameters. Requires `second`.

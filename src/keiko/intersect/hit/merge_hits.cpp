@@ -116,8 +116,8 @@ private:
 
     bool are_copies_in_face(const BoundaryHit& a, const BoundaryHit& b) const {
         if (a.own && b.own) return false;
-        // Leaves of different size reach over each other by different lengths: the smaller may hold
-        // well inside what is at the end of the larger.
+        // Sub-patches of different size reach over each other by different lengths: the smaller may
+        // hold well inside what is at the end of the larger.
         const bool at_end = (a.at_end || b.at_end) && apart(a, b) <= bounds(a, b);
         const bool ends = at_end || (a.at_end && b.at_end) || a.beyond || b.beyond;
         return ends && (a.sub_patch != b.sub_patch || meet_around(a, b));

@@ -9,7 +9,7 @@ namespace keiko {
 
 /// A hit and what tells whether a neighbouring sub-patch or face may have found it too.
 struct BoundaryHit {
-    Hit hit;
+    Hit hit;                            ///< evaluated at the crossing
     std::uint32_t sub_patch = no_index; ///< index among the placed sub-patches
     Vec2 uv{0};                         ///< of that sub-patch
     double sine = 0;     ///< of the angle to the surface; above 0 where the ray leaves the face
@@ -18,6 +18,10 @@ struct BoundaryHit {
     bool own = true; ///< beyond doubt on that share of the face that no other sub-patch answers for
 };
 
+/// Hit of a crossing with what merged() asks of it. `hit` is the evaluated crossing; `direction` is
+/// the ray's, world, of any length above 0. A place is at an end if it is no farther than its error
+/// and two slips from an end of the sub-patch's share, or outside of the share. A clipped crossing
+/// is never on its own share.
 BoundaryHit boundary_hit(const TracedModel& model, const Crossing& crossing, Hit hit,
                          const Vec3& direction);
 

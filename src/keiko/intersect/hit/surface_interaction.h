@@ -4,13 +4,36 @@
 #include "keiko/intersect/kernels/sub_patch_kernels.h"
 #include "keiko/intersect/subpatch/traced_model.h"
 
+#include <optional>
+
 namespace keiko {
+
+/// A place of a surface with its first two derivatives; SurfaceDerivatives without what few ask.
+struct SurfaceJet {
+    Vec3 position{0};            ///< mm
+    Vec3 du{0}, dv{0};           ///< first derivatives by the parameters, mm
+    Vec3 duu{0}, duv{0}, dvv{0}; ///< second derivatives by the parameters, mm
+
+    /// SurfaceDerivatives of these numbers, with zeros for every higher derivative.
+    SurfaceDerivatives derivatives() const;
+};
+
+/// Point and derivatives of a homogeneous jet in space. A rational jet is projected by the quotient
+/// rule; without `rational` the weight counts as constant and only scales. Requires a weight other
+/// than 0.
+SurfaceJet projected(const HomogeneousJet& jet, bool rational);
+
+/// Unit normal, where a surface is seen edge-on, to the side to which it bends along the way there:
+/// from which that is seen. Nothing next to where that changes, a cusp.
+std::optional<Vec3> bending_side(const SurfaceJet& place, const Vec3& way);
 
 /// Makes hits of crossings: everything about them, in world coordinates. Several are evaluated
 /// side by side, those on one sub-patch together where enough of them follow soon: it costs half as
 /// much.
 class SurfaceInteraction {
 public:
+    /// Evaluates hits of a model, which must outlive it as the kernels must. Hit::second stays
+    /// empty without `second_derivatives`.
     SurfaceInteraction(const TracedModel& model, const SubPatchKernels& kernels,
                        bool second_derivatives)
         : model_(model), kernels_(kernels), second_derivatives_(second_derivatives) {}
@@ -19,6 +42,7 @@ public:
     void announce(const Crossing& crossing);
     /// `hit` is written at the latest by finish(); both must stay where they are until then.
     void add(const Crossing& crossing, Hit& hit);
+    /// Writes the hits that still wait for others beside them.
     void finish();
     /// Writes what HitDetail::face names, and nothing else.
     void write_face(const Crossing& crossing, Hit& hit) const;
@@ -57,7 +81,7 @@ private:
     Group mixed_;
 };
 
-/// One of them.
+/// Hit at one crossing, in world coordinates, as SurfaceInteraction makes it.
 Hit evaluated(const TracedModel& model, const SubPatchKernels& kernels, const Crossing& crossing,
               bool second_derivatives);
 

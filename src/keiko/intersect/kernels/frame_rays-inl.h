@@ -6,7 +6,7 @@
 #define KEIKO_TRACE_FRAME_RAYS_INL_H
 #endif
 
-#include "keiko/intersect/kernels/space_lanes-inl.h"
+#include "keiko/intersect/kernels/lanes-inl.h"
 #include "keiko/intersect/kernels/sub_patch_jet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -15,16 +15,17 @@ namespace keiko::HWY_NAMESPACE {
 /// Boxes of a sub-patch's [-1, 1]^2, one a lane.
 template <class V>
 struct Boxes {
-    V x, y, half_x, half_y;
+    V x, y;           ///< middle
+    V half_x, half_y; ///< half size, negative for an empty box
 };
 
 /// Two planes through each ray, as functions of a sub-patch's homogeneous components: the ray meets
 /// the sub-patch where both vanish.
 template <class V>
 struct PlanePairs {
-    std::array<std::array<V, 4>, 2> weights;
-    std::array<V, 2> bend;  ///< bounds of |xx| + 2 |xy| + |yy| over the sub-patch
-    std::array<V, 2> noise; ///< bounds of the functions' errors
+    std::array<std::array<V, 4>, 2> weights; ///< of the four components, for each plane
+    std::array<V, 2> bend;                   ///< bounds of |xx| + 2 |xy| + |yy| over the sub-patch
+    std::array<V, 2> noise;                  ///< bounds of the functions' errors
 };
 
 /// Rays in a sub-patch's frame, for any angle between them.
@@ -33,6 +34,7 @@ class FrameRays {
     using V = hn::Vec<D>;
 
 public:
+    /// Rays of the vector of lanes that begins at `lane`, in the frame of a sub-patch.
     FrameRays(const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch) {
         const Space<V> start = load(d_, rays.start, lane);
         const Space<V> along = load(d_, rays.direction, lane);

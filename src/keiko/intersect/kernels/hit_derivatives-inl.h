@@ -6,8 +6,8 @@
 #define KEIKO_TRACE_HIT_JETS_INL_H
 #endif
 
+#include "keiko/intersect/kernels/lanes-inl.h"
 #include "keiko/intersect/kernels/patch_jet-inl.h"
-#include "keiko/intersect/kernels/space_lanes-inl.h"
 
 #include <algorithm>
 #include <bit>
@@ -17,10 +17,11 @@ namespace keiko::HWY_NAMESPACE {
 
 /// HomogeneousJet, a vector of hits wide: in `at`, value, du, dv, duu, duv and dvv.
 struct HomogeneousJets {
-    static constexpr std::size_t lanes = hn::MaxLanes(Wide());
+    static constexpr std::size_t lanes = hn::MaxLanes(Wide()); ///< hits side by side
 
-    alignas(64) std::array<std::array<std::array<double, lanes>, 4>, 6> at;
+    alignas(64) std::array<std::array<std::array<double, lanes>, 4>, 6> at; ///< by component
 
+    /// Writes the jet of one lane.
     void put(const HomogeneousJet& jet, std::size_t lane) {
         const std::array<const Component4*, 6> from{&jet.value, &jet.du,  &jet.dv,
                                                     &jet.duu,   &jet.duv, &jet.dvv};
@@ -81,7 +82,7 @@ void find_jets_on_sub_patch(const BezierPatchView& sub_patch, bool rational,
     find_jets_on_sub_patch<2, 2>(sub_patch, u, v, jets);
 }
 
-/// True if the hits on one sub-patch fill all lanes of a vector.
+/// True if all wanted hits, four at least, are on the sub-patch of the first lane.
 bool are_many_on_sub_patch(const HitPacket& hits, std::size_t lane, LaneMask wanted) {
     constexpr int many = 4;
     const auto* points = hits.sub_patch[lane].points.data();
@@ -123,13 +124,14 @@ HomogeneousJets homogeneous_jets(const HitPacket& hits, std::size_t lane, LaneMa
     return jets;
 }
 
+/// SurfaceJet, one a lane.
 template <class V>
 struct SpaceJet {
-    Space<V> position, du, dv, duu, duv, dvv;
+    Space<V> position, du, dv, duu, duv, dvv; ///< by the parameters, mm
 };
 
-/// Lanes of `projected` in surface_jet.h: by the quotient rule where weights differ, for which
-/// `weight` is 0.
+/// Lanes of `projected` in surface_interaction.h: by the quotient rule where weights differ, for
+/// which `weight` is 0.
 template <class D>
 SpaceJet<hn::Vec<D>> projected(D d, const HomogeneousJets& jets, hn::Vec<D> weight) {
     using V = hn::Vec<D>;
@@ -225,6 +227,7 @@ void finish(HitPacket& hits, std::size_t lane) {
     hn::Store(away, d, hits.away.data() + lane);
 }
 
+/// Fills in what HitPacket says is there, for its first `count` lanes.
 void evaluate_hits(HitPacket& hits) {
     const std::size_t width = hn::Lanes(Wide());
     hits.plain = 0;

@@ -18,8 +18,11 @@ constexpr double narrowest = 1e-7;
 /// Result of one step for a vector of boxes.
 template <class D>
 struct ContractedBoxes {
-    Boxes<hn::Vec<D>> boxes;
-    hn::Mask<D> left, single, root, poor;
+    Boxes<hn::Vec<D>> boxes; ///< what is left, or a root's place and bound
+    hn::Mask<D> left;        ///< a root cannot be ruled out
+    hn::Mask<D> single;      ///< at most one root
+    hn::Mask<D> root;        ///< at most one root, to be found no better by another step
+    hn::Mask<D> poor;        ///< neither side is below 0.6 of what it was
 };
 
 /// Step of Krawczyk's method [Krawczyk1969] in a vector of boxes. In a box around z of half size r,
@@ -46,6 +49,7 @@ public:
         rest_ = {rest(0, degrees), rest(1, degrees)};
     }
 
+    /// Boxes after the step.
     ContractedBoxes<D> narrowed() const {
         const auto& [f, g] = value_;
         const V newton_x =
@@ -150,6 +154,7 @@ class ParameterBoxes {
     using V = hn::Vec<D>;
 
 public:
+    /// Boxes of the rays of a vector that begins at `lane`; `wanted` are lanes of the packet.
     ParameterBoxes(const RayPacket& rays, std::size_t lane, LaneMask wanted,
                    const SameSubPatch& sub_patch)
         : sub_patch_(sub_patch),
@@ -162,8 +167,10 @@ public:
         active_ = hn::AndNot(empty, hn::LoadMaskBits(d_, bits));
     }
 
+    /// True if any lane is undecided.
     bool working() const { return !hn::AllFalse(d_, active_); }
 
+    /// One step for every undecided lane.
     void step() {
         const Jet<V> at = jet_of(d_, sub_patch_, active_, boxes_.x, boxes_.y);
         const ContractedBoxes<D> n =
@@ -204,6 +211,7 @@ private:
     hn::Mask<D> active_, found_ = hn::FirstN(d_, 0), open_ = hn::FirstN(d_, 0);
 };
 
+/// Krawczyk's method for the lanes of a mask, up to 16 steps; see SubPatchKernels::narrow.
 void narrow(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch,
             const Component4* polynomial, SubPatchRoots& result) {
     result.found = result.failed = 0;

@@ -31,12 +31,14 @@ hn::Vec<D> far_below(D d, hn::Vec<D> noise) {
 /// K r < 1 that leaves the smaller solution, r <= s (1 + 2 h) with h = m K s <= 1/2
 /// [Kantorovich1948]. No root is on the sub-patch when the step leads farther from it than the
 /// bound.
-template <class D, class Leaves>
+template <class D, class SubPatches>
 class Newton {
     using V = hn::Vec<D>;
 
 public:
-    Newton(const RayPacket& rays, std::size_t lane, LaneMask wanted, const Leaves& sub_patches)
+    /// Search for the rays of a vector that begins at `lane`; `wanted` are lanes of the packet. It
+    /// starts where the rays meet the frame's plane.
+    Newton(const RayPacket& rays, std::size_t lane, LaneMask wanted, const SubPatches& sub_patches)
         : sub_patches_(sub_patches), lane_(lane), v_(d_, rays, lane, sub_patches) {
         std::uint8_t bits[8] = {static_cast<std::uint8_t>(wanted >> lane)};
         active_ = hn::LoadMaskBits(d_, bits);
@@ -45,8 +47,10 @@ public:
         noise_ = hn::Mul(hn::Max(v_.blur_u, v_.blur_v), regain_);
     }
 
+    /// True if any lane is undecided.
     bool working() const { return !hn::AllFalse(d_, active_); }
 
+    /// One step for every undecided lane.
     void step() {
         const Jet<V> at = jet_of(d_, sub_patches_, active_, x_, y_);
         const auto seen = [&](const std::array<V, 4>& c, V turn, V place, std::size_t own) {
@@ -126,7 +130,7 @@ private:
     }
 
     static constexpr D d_{};
-    Leaves sub_patches_;
+    SubPatches sub_patches_;
     std::size_t lane_;
     View<D> v_;
     V regain_, noise_, x_, y_, error_ = hn::Zero(d_), s_ = hn::Zero(d_);

@@ -18,11 +18,15 @@ class BasisJet {
     using V = hn::Vec<D>;
 
 public:
-    static constexpr std::size_t lanes = hn::MaxLanes(D());
+    static constexpr std::size_t lanes = hn::MaxLanes(D()); ///< places side by side
+    /// One number of each place for each polynomial of a degree.
     using Row = std::array<std::array<double, lanes>, max_degree + 1>;
 
-    alignas(64) Row value, first, second;
+    alignas(64) Row value;  ///< polynomials, from the first to that of the degree
+    alignas(64) Row first;  ///< first derivatives
+    alignas(64) Row second; ///< second derivatives
 
+    /// Polynomials at the places `t`. Requires a degree of at least 1.
     BasisJet(std::size_t degree, V t) : t_(t), rest_(hn::Sub(hn::Set(d_, 1), t)) {
         put(value, 0, hn::Set(d_, 1));
         std::size_t n = 0;
@@ -111,6 +115,7 @@ HomogeneousJet jet_at(const BezierPatchView& patch, const BasisJet<D>& u, const 
     return jet;
 }
 
+/// Jet of a patch at one place. Requires degrees of at least 1.
 HomogeneousJet evaluate(const BezierPatchView& patch, const Vec2& uv) {
     const BasisJet<One> u(static_cast<std::size_t>(patch.degree_u), hn::Set(One(), uv.x));
     const BasisJet<One> v(static_cast<std::size_t>(patch.degree_v), hn::Set(One(), uv.y));

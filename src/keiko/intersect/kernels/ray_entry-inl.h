@@ -15,11 +15,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-/// Beyond these the squares of a direction leave the range of double precision.
-constexpr double shortest_direction = 1e-140, longest_direction = 1.1e150;
+/// Length below which the squares of a direction leave the range of double precision.
+constexpr double shortest_direction = 1e-140;
+/// Length above which the squares of a direction leave that range.
+constexpr double longest_direction = 1.1e150;
 /// mm: the same of the way to the scene.
 constexpr double farthest_origin = 1e150;
 
+/// Dot product of the vectors of each lane, by fused multiply-adds where the target has them.
 template <class V>
 V dot(const std::array<V, 3>& a, const std::array<V, 3>& b) {
     return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
@@ -36,8 +39,8 @@ std::array<hn::Vec<D>, 3> load_vectors(D d, const std::array<RayPacket::Lanes<do
 /// Rays as given, and how they pass the ball around the scene.
 template <class D>
 struct BallPass {
-    using V = hn::Vec<D>;
-    static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    using V = hn::Vec<D>; ///< One number of each ray.
+    static constexpr double epsilon = std::numeric_limits<double>::epsilon(); ///< 2^-52
 
     std::array<V, 3> origin, given, direction; ///< `direction` of length 1
     V speed;                                   ///< mm for each unit of t
@@ -46,6 +49,8 @@ struct BallPass {
     V ball;              ///< radius of the ball, and what may pass for it
     V half_square, half; ///< of half the chord, mm
 
+    /// Passes of the rays of a vector that begins at `lane`. Their `start` and `direction` must
+    /// still be as given.
     BallPass(D d, const SceneBall& scene, const RayPacket& rays, std::size_t lane)
         : origin(load_vectors(d, rays.start, lane)), given(load_vectors(d, rays.direction, lane)) {
         speed = hn::Sqrt(dot(given, given));
@@ -65,10 +70,12 @@ struct BallPass {
         half = hn::Sqrt(half_square);
     }
 
+    /// Lanes whose rays start in the ball.
     auto inside() const { return hn::Le(away, ball); }
     /// Parameter of the start within the ball. It does not depend on t_min: a hit's t must have the
     /// same last bit for any range of the query.
     V t_start() const { return hn::IfThenZeroElse(inside(), hn::Div(hn::Sub(foot, half), speed)); }
+    /// mm: rounding between distances and t.
     V slack(D d) const { return hn::Mul(hn::Set(d, 8 * epsilon), hn::Add(away, ball)); }
     /// Error of a start moved by `way` mm, in mm. One that is not moved is not rounded.
     V error(D d, V way) const {
@@ -141,6 +148,7 @@ bool are_coherent(const SceneBall& scene, const RayPacket& rays) {
     return true;
 }
 
+/// Makes traced rays of the rays of a packet; see SubPatchKernels::enter.
 void enter(const SceneBall& scene, RayPacket& rays) {
     for (std::size_t lane = 0; lane < rays.count; ++lane) {
         const Ray& ray = *rays.rays[lane];

@@ -13,16 +13,17 @@ namespace keiko {
 /// A ray as it is traced: its start moved up to the ball around the scene, so that what single
 /// precision and cancellation cost stays small against the scene however far off the eye is.
 struct TracedRay {
-    const Ray* ray = nullptr;
-    Vec3 start{0};      ///< world, mm
-    Vec3 direction{0};  ///< unit
-    double t_start = 0; ///< of the ray, at `start`
-    double speed = 1;   ///< mm in one unit of t
-    double error = 0;   ///< mm, bound of the distance of `start` to the exact ray
+    const Ray* ray = nullptr; ///< as given
+    Vec3 start{0};            ///< world, mm
+    Vec3 direction{0};        ///< unit
+    double t_start = 0;       ///< of the ray, at `start`
+    double speed = 1;         ///< mm in one unit of t
+    double error = 0;         ///< mm, bound of the distance of `start` to the exact ray
     /// mm from `start`: the part of [t_min, t_max] within the ball, wider by at most `slack`, the
     /// rounding between s and t.
     double low = 0, high = 0, slack = 0;
 
+    /// Parameter of the given ray at a distance of `s` mm from `start`.
     double t_at(double s) const { return t_start + s / speed; }
 };
 
@@ -38,21 +39,28 @@ using LaneMask = std::uint32_t;
 
 /// Up to 16 rays as the kernels read them: TracedRay, field for field.
 struct alignas(64) RayPacket {
-    static constexpr std::size_t capacity = 16;
+    static constexpr std::size_t capacity = 16; ///< most rays of a packet
+    /// One value of each ray.
     template <class T>
     using Lanes = std::array<T, capacity>;
 
-    std::array<Lanes<double>, 3> start, direction;
-    Lanes<double> low, high;
-    Lanes<double> t_start, speed, error, slack;
-    Lanes<double> blur; ///< mm: `error`, and rounding over any way within the scene
-    Lanes<const Ray*> rays;
-    std::size_t count = 0;
-    LaneMask active = 0; ///< rays that come near the scene
+    std::array<Lanes<double>, 3> start;     ///< x, y, z, world, mm
+    std::array<Lanes<double>, 3> direction; ///< x, y, z, unit
+    Lanes<double> low, high;                ///< mm from the start; `high` falls as hits are found
+    Lanes<double> t_start;                  ///< parameter of the given ray at the start
+    Lanes<double> speed;                    ///< mm in one unit of t
+    Lanes<double> error;                    ///< mm, bound of the start's distance to the exact ray
+    Lanes<double> slack;                    ///< mm, rounding between s and t
+    Lanes<double> blur;     ///< mm: `error`, and rounding over any way within the scene
+    Lanes<const Ray*> rays; ///< as given
+    std::size_t count = 0;  ///< rays in use, in the first lanes
+    LaneMask active = 0;    ///< rays that come near the scene
     /// Whether they go through the scene so much together that a packet shares most of its steps.
     bool coherent = false;
 
+    /// Parameter of a lane's given ray at a distance of `s` mm from its start.
     double t_at(std::size_t lane, double s) const { return t_start[lane] + s / speed[lane]; }
+    /// One lane as a ray of its own.
     TracedRay ray(std::size_t lane) const {
         return {rays[lane],
                 Vec3(start[0][lane], start[1][lane], start[2][lane]),
@@ -68,17 +76,19 @@ struct alignas(64) RayPacket {
 
 /// The ball around a scene.
 struct SceneBall {
-    Vec3 center{0};
-    double radius = 0;
+    Vec3 center{0};    ///< world, mm
+    double radius = 0; ///< mm
 };
 
 /// Up to 8 hits, each on a sub-patch of its own, whose surfaces are evaluated side by side.
 struct alignas(64) HitPacket {
-    static constexpr std::size_t capacity = 8;
+    static constexpr std::size_t capacity = 8; ///< most hits of a packet
+    /// One value of each hit.
     template <class T>
     using Lanes = std::array<T, capacity>;
-    using Vectors = std::array<Lanes<double>, 3>;
+    using Vectors = std::array<Lanes<double>, 3>; ///< One vector of each hit: x, y, z.
 
+    /// Vector of one lane.
     static Vec3 at(const Vectors& vectors, std::size_t lane) {
         return {vectors[0][lane], vectors[1][lane], vectors[2][lane]};
     }
@@ -90,15 +100,17 @@ struct alignas(64) HitPacket {
     Lanes<double> weight{};             ///< of all control points, above 0; 0: they differ
     Vectors center{};                   ///< of the sub-patch, in its part
     // What is there: in the world, by patch parameters.
-    Vectors position, du, dv, duu, duv, dvv;
+    Vectors position;        ///< mm
+    Vectors du, dv;          ///< first derivatives, mm
+    Vectors duu, duv, dvv;   ///< second derivatives, mm
     Vectors normal;          ///< unit, for lanes of `plain`
     Lanes<double> reach;     ///< mm: how far the errors of the parameters may move the position
     Lanes<double> away;      ///< mm: of the position from the origin
     std::uint32_t plain = 0; ///< a bit a lane: far from any pole, so that tangents give the normal
     // What is asked, after what is read a vector at a time.
-    std::size_t count = 0; ///< lanes from here on hold numbers of earlier hits
-    Lanes<BezierPatchView> sub_patch{};
-    Lanes<const Affine*> to_world{}; ///< null: the part's coordinates are the world's
+    std::size_t count = 0;              ///< lanes from here on hold numbers of earlier hits
+    Lanes<BezierPatchView> sub_patch{}; ///< control points relative to `center`
+    Lanes<const Affine*> to_world{};    ///< null: the part's coordinates are the world's
 };
 
 } // namespace keiko

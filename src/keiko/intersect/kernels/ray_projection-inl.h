@@ -13,6 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
+/// TrimCells::Set, one a lane.
 template <class D>
 using CellSets = hn::Vec<hn::RebindToUnsigned<D>>;
 
@@ -56,31 +57,37 @@ hn::Mask<D> lie_in(D d, CellSets<D> met, TrimCells::Set cells) {
 /// for each unit of height.
 template <class D>
 struct View {
-    using V = hn::Vec<D>;
+    using V = hn::Vec<D>; ///< One number of each ray.
 
-    V a, b, p, q;
+    V a, b;           ///< place in the frame's plane
+    V p, q;           ///< change of the place for a unit of height
     V depth;          ///< mm along the ray to the plane
     V step;           ///< mm along the ray for a unit of height
     V steep;          ///< |step| times the length of the height's row: 1 / cosine
     V blur_u, blur_v; ///< of a and b, with all that the sub-patch's own blur adds
     V contraction;    ///< of SubPatchFrame, for this ray
 
-    template <class Leaves>
-    View(D d, const RayPacket& rays, std::size_t lane, const Leaves& sub_patches) {
+    /// Views by the rays of a vector that begins at `lane`. Rays along the frame's plane get
+    /// infinite or undefined numbers.
+    template <class SubPatches>
+    View(D d, const RayPacket& rays, std::size_t lane, const SubPatches& sub_patches) {
         set_place(d, rays, lane, sub_patches);
         set_blur(d, rays, lane, sub_patches);
         set_bounds(d, sub_patches);
     }
 
-    /// Half widths of the strips around (a, b) that a root lies in, and of the range of s.
+    /// Half width of the strip around a that the x of a root lies in.
     V strip_u() const { return strip_u_; }
+    /// Half width of the strip around b that the y of a root lies in.
     V strip_v() const { return strip_v_; }
+    /// mm: a root's distance along the ray is within it of `depth`.
     V reach() const { return reach_; }
+    /// Bound of the second derivatives |xx| + 2 |xy| + |yy| of the functions that a root zeroes.
     V bend() const { return bend_; }
 
 private:
-    template <class Leaves>
-    void set_place(D d, const RayPacket& rays, std::size_t lane, const Leaves& sub_patches) {
+    template <class SubPatches>
+    void set_place(D d, const RayPacket& rays, std::size_t lane, const SubPatches& sub_patches) {
         const auto get = [&](const auto& read) { return sub_patches.number(d, read); };
         const auto away = [&](std::size_t k) {
             return hn::Sub(
@@ -108,8 +115,8 @@ private:
         depth = hn::Neg(hn::Mul(height, step));
     }
 
-    template <class Leaves>
-    void set_blur(D d, const RayPacket& rays, std::size_t lane, const Leaves& sub_patches) {
+    template <class SubPatches>
+    void set_blur(D d, const RayPacket& rays, std::size_t lane, const SubPatches& sub_patches) {
         const auto get = [&](const auto& read) { return sub_patches.number(d, read); };
         const auto length = [&](std::size_t k) {
             return get([k](const PackedSubPatch& h) -> const double& { return h.row_length[k]; });
@@ -127,8 +134,8 @@ private:
         blur_v = hn::Mul(blur_, hn::MulAdd(hn::Abs(q), length_n, length(1)));
     }
 
-    template <class Leaves>
-    void set_bounds(D d, const Leaves& sub_patches) {
+    template <class SubPatches>
+    void set_bounds(D d, const SubPatches& sub_patches) {
         const V pp = hn::Abs(p), qq = hn::Abs(q);
         const auto mixed = [&](auto bounds, std::size_t own, V turn, V at) {
             const auto entry = [&](std::size_t k) {
@@ -158,6 +165,8 @@ constexpr double largest_contraction = 0.95;
 /// 1 / cosine: rays lower over the sub-patch see a plane that is mostly rounding.
 constexpr double steepest = 1e6;
 
+/// First look of the rays of a vector that begins at `lane`: adds their bits to the masks of
+/// `result`, those of lanes without a request included.
 template <class D>
 void project_ray(D d, const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch,
                  ExistenceResult& result) {

@@ -15,26 +15,29 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
+/// Sum of the two degrees.
 inline double degrees_of(const PackedSubPatch& sub_patch) {
     return static_cast<double>(sub_patch.degree_u) + static_cast<double>(sub_patch.degree_v);
 }
 
 /// One sub-patch in all lanes.
 struct SameSubPatch {
-    const PackedSubPatch& sub_patch;
-    const Component4* polynomial;
+    const PackedSubPatch& sub_patch; ///< the one
+    const Component4* polynomial;    ///< its own coefficients; null where none are read
 
-    const PackedSubPatch& shape() const { return sub_patch; }
-    bool rational() const { return sub_patch.rational; }
+    const PackedSubPatch& shape() const { return sub_patch; } ///< The sub-patch.
+    bool rational() const { return sub_patch.rational; }      ///< True if its weights differ.
     /// The number of each lane's sub-patch that `find` finds there.
     template <class D, class Find>
     hn::Vec<D> number(D d, const Find& find) const {
         return hn::Set(d, find(sub_patch));
     }
+    /// Sum of the two degrees, in all lanes.
     template <class D>
     hn::Vec<D> degrees(D d) const {
         return hn::Set(d, degrees_of(sub_patch));
     }
+    /// One component of one coefficient, in all lanes.
     template <class D>
     hn::Vec<D> coefficient(D d, std::size_t index, std::size_t component) const {
         return hn::Set(d, polynomial[index][component]);
@@ -44,8 +47,7 @@ struct SameSubPatch {
 /// A sub-patch for each lane; all of one array.
 class OwnSubPatches {
 public:
-    static constexpr std::size_t lanes = hn::MaxLanes(Wide());
-
+    static constexpr std::size_t lanes = hn::MaxLanes(Wide()); ///< of a vector
     /// `polynomials` is where coefficients of sub-patches begin.
     OwnSubPatches(const std::array<const PackedSubPatch*, lanes>& sub_patches,
                   const Component4* polynomials)
@@ -59,16 +61,20 @@ public:
         }
     }
 
-    bool rational() const { return rational_; }
+    bool rational() const { return rational_; } ///< True if the weights of any of them differ.
+    /// Sub-patch of a lane.
     const PackedSubPatch& sub_patch(std::size_t lane) const { return *sub_patches_[lane]; }
+    /// Coefficients of a lane's sub-patch.
     const Component4* polynomial(std::size_t lane) const {
         return polynomials_ + sub_patches_[lane]->polynomial;
     }
+    /// The number of each lane's sub-patch that `find` returns a reference to.
     template <class D, class Find>
     hn::Vec<D> number(D d, const Find& find) const {
         const double& first = find(*sub_patches_[0]);
         return hn::GatherIndex(d, &first, hn::Load(hn::RebindToSigned<D>(), places_.data()));
     }
+    /// Sum of the two degrees of each lane's sub-patch.
     template <class D>
     hn::Vec<D> degrees(D d) const {
         return hn::Load(d, degrees_.data());
@@ -86,7 +92,8 @@ private:
 /// Value and first derivatives of the components at (x, y).
 template <class V>
 struct Jet {
-    std::array<V, 4> value, by_x, by_y;
+    std::array<V, 4> value;      ///< (w X, w Y, w Z, w)
+    std::array<V, 4> by_x, by_y; ///< derivatives of `value`
 };
 
 /// Calls `work` with the number of columns of a sub-patch's coefficients as a constant, or 0 for
@@ -113,6 +120,8 @@ auto with_columns(const PackedSubPatch& sub_patch, const Work& work) {
     }
 }
 
+/// Jet of a sub-patch at a place a lane, without the weight's entries if not `rational`.
+/// `known_columns` is degree_v + 1, or 0 to read it from the sub-patch.
 template <bool rational, std::size_t known_columns, class D>
 Jet<hn::Vec<D>> jet(D d, const SameSubPatch& sub_patches, hn::Vec<D> x, hn::Vec<D> y) {
     using V = hn::Vec<D>;
@@ -152,10 +161,12 @@ Jet<hn::Vec<D>> jet(D d, const SameSubPatch& sub_patches, hn::Vec<D> x, hn::Vec<
 /// Jets of some rays, for each the components side by side.
 template <std::size_t count>
 struct JetsByRay {
-    using Components = std::array<Component4, count>;
+    using Components = std::array<Component4, count>; ///< Four components of each ray.
+    alignas(64) Components value;                     ///< (w X, w Y, w Z, w)
+    alignas(64) Components by_x;                      ///< derivatives of `value`
+    alignas(64) Components by_y;                      ///< derivatives of `value`
 
-    alignas(64) Components value, by_x, by_y;
-
+    /// Finds the jet of one ray at a place of its sub-patch, whose own coefficients are given.
     void find(std::size_t ray, const PackedSubPatch& sub_patch, const Component4* polynomial,
               double at_x, double at_y) {
         with_columns(sub_patch, [&](auto columns) {

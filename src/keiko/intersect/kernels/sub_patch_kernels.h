@@ -13,34 +13,47 @@ struct ExistenceResult {
     LaneMask single = 0;    ///< at most one
     LaneMask undecided = 0; ///< nothing: boxes or clipping can tell
     /// Bounds of the root's distance, if there is one, for lanes of `certain` and `single`.
-    alignas(64) RayPacket::Lanes<double> nearest, farthest;
+    alignas(64) RayPacket::Lanes<double> nearest;
+    alignas(64) RayPacket::Lanes<double> farthest; ///< mm along the ray, as `nearest`
 };
 
 /// The roots of rays that have at most one on a sub-patch.
 struct SubPatchRoots {
-    LaneMask found = 0;
+    LaneMask found = 0;  ///< a root on the sub-patch, to within `error`
     LaneMask failed = 0; ///< nothing is known, as where rounding was in the way
-    /// By lane of `found`: place in the frame's square [-1, 1]^2, bound of the distance to the
-    /// exact root in the larger of the two coordinates, distance along the ray.
-    alignas(64) RayPacket::Lanes<double> x, y, error, s;
+    /// Place in the frame's square [-1, 1]^2, for lanes of `found`.
+    alignas(64) RayPacket::Lanes<double> x;
+    alignas(64) RayPacket::Lanes<double> y;     ///< the other coordinate of the place
+    alignas(64) RayPacket::Lanes<double> error; ///< bound of how far x and y are off the exact root
+    alignas(64) RayPacket::Lanes<double> s;     ///< mm along the ray from its start
 };
 
+/// Homogeneous components of a point, (w X, w Y, w Z, w).
 using Component4 = std::array<double, 4>;
 
 /// Roots of a ray on a sub-patch: places of its [-1, 1]^2 with bounds of their errors, as small as
 /// rounding lets them be. Each was the only one in a box; the same root may stand in two of them,
 /// found from either side of the boxes' common border.
 struct RootBoxes {
-    static constexpr std::size_t capacity = 128;
+    static constexpr std::size_t capacity = 128; ///< most roots; a search that may find more fails
 
-    std::size_t count = 0;
-    alignas(64) std::array<double, capacity> x, y, half_x, half_y;
-    std::array<double, capacity> s; ///< mm along the ray
+    std::size_t count = 0;                        ///< roots in use, from the first on
+    using Numbers = std::array<double, capacity>; ///< One number of each root.
+    alignas(64) Numbers x;                        ///< place
+    alignas(64) Numbers y;                        ///< place
+    alignas(64) Numbers half_x;                   ///< bound of the error of x
+    alignas(64) Numbers half_y;                   ///< bound of the error of y
+    Numbers s;                                    ///< mm along the ray from its start
 };
 
 /// A homogeneous surface and its derivatives by its parameters.
 struct HomogeneousJet {
-    alignas(32) Component4 value, du, dv, duu, duv, dvv;
+    alignas(32) Component4 value; ///< (w x, w y, w z, w)
+    alignas(32) Component4 du;    ///< first derivative by u
+    alignas(32) Component4 dv;    ///< first derivative by v
+    alignas(32) Component4 duu;   ///< second derivative by u
+    alignas(32) Component4 duv;   ///< second derivative by u and v
+    alignas(32) Component4 dvv;   ///< second derivative by v
 };
 
 /// The tests of rays against one sub-patch, made for one instruction set. On each of them a ray
@@ -58,6 +71,7 @@ struct SubPatchKernels {
     /// the sub-patch's coefficients.
     void (*solve)(const RayPacket&, LaneMask, const PackedSubPatch&, const Component4*,
                   SubPatchRoots&);
+    /// Solves a single lane, with the same bits as `solve`.
     void (*solve_single)(const RayPacket&, std::size_t lane, const PackedSubPatch&,
                          const Component4*, SubPatchRoots&);
     /// Solves with a sub-patch for each lane, all of one array, and all sub-patches' coefficients.
@@ -78,7 +92,7 @@ struct SubPatchKernels {
     void (*evaluate_hits)(HitPacket&);
 };
 
-/// The widest that this processor has.
+/// Kernels for the widest instruction set that this processor has.
 SubPatchKernels sub_patch_kernels();
 
 } // namespace keiko

@@ -16,10 +16,15 @@ namespace keiko::HWY_NAMESPACE {
 
 /// Boxes that may hold roots; a vector may be read or written past the last.
 struct BoxStack {
-    static constexpr std::size_t capacity = 512, margin = 16;
+    static constexpr std::size_t capacity = 512; ///< most boxes
+    static constexpr std::size_t margin = 16;    ///< room behind the last for vectors
 
-    std::size_t size = 0;
-    alignas(64) std::array<double, capacity + margin> x, y, half_x, half_y;
+    std::size_t size = 0;                                  ///< boxes on the stack
+    using Numbers = std::array<double, capacity + margin>; ///< One number of each box.
+    alignas(64) Numbers x;                                 ///< middle
+    alignas(64) Numbers y;                                 ///< middle
+    alignas(64) Numbers half_x;                            ///< half size
+    alignas(64) Numbers half_y;                            ///< half size
 };
 
 /// Appends the boxes of a mask to arrays. One by one: they are few, and Highway's Compress copies a
@@ -124,6 +129,7 @@ void set_distances(const FrameRays<One>& ray, const SameSubPatch& sub_patch, Roo
     }
 }
 
+/// All roots of one lane on a sub-patch; see SubPatchKernels::find_roots.
 bool find_roots(const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch,
                 const Component4* polynomial, RootBoxes& roots) {
     const FrameRays<One> ray(rays, lane, sub_patch);

@@ -11,7 +11,7 @@ namespace keiko {
 /// clips one parameter. Where the mean Jacobian is singular, e.g. on a closed or symmetric piece,
 /// the planes stay as they were.
 struct Preconditioned {
-    PlanarNet net;
+    PlanarNet net;                   ///< coefficients of the new f and g
     double slack_f = 0, slack_g = 0; ///< bounds of the coefficients' errors
     bool regular = false;            ///< whether the planes were changed
 };
@@ -30,7 +30,7 @@ double contraction(const Preconditioned& p);
 
 /// A root with a bound of its error.
 struct NewtonRoot {
-    Vec2 uv;
+    Vec2 uv;    ///< in [0, 1]^2
     Vec2 error; ///< bound of the distance to the exact root, by rounding and by the last step
 };
 

@@ -1,4 +1,4 @@
-#include "keiko/intersect/roots/root_list.h"
+#include "keiko/intersect/roots/root_finder.h"
 
 #include <algorithm>
 #include <cmath>

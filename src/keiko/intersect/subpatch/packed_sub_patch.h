@@ -22,6 +22,7 @@ struct TrimCells {
     Set material = 0; ///< inside the trim loops, and on the patch
     Set empty = 0;    ///< outside of them, farther than any seam reaches
 
+    /// True if any cell is material or empty.
     explicit operator bool() const { return (material | empty) != 0; }
     /// Cells that a box of the square meets; places beyond the square count for the cells at its
     /// border.
@@ -50,24 +51,26 @@ struct alignas(64) PackedSubPatch {
     /// Frame coordinates of a world point P: rows * (P - center). These numbers define the frame
     /// exactly; what their rounding costs is in `blur`.
     std::array<double, 3> center{};
-    std::array<std::array<double, 3>, 3> rows{};
-    std::array<double, 3> row_length{};
+    std::array<std::array<double, 3>, 3> rows{}; ///< 1 / mm
+    std::array<double, 3> row_length{};          ///< bound of each row's length, 1 / mm
     double blur = 0;   ///< mm: bound of how far the stored polynomial is from the exact surface
     double height = 0; ///< bound of |Z|
     /// Bounds of the deviations e_u, e_v, e_n, e_w of SubPatchFrame.
     std::array<double, 4> value{}, slope{}, bend{};
     std::uint32_t polynomial = 0; ///< where its coefficients begin in SubPatchSet::polynomials
-    std::uint8_t degree_u = 1, degree_v = 1;
-    bool regular = false;  ///< the bounds mean something
-    bool rational = false; ///< otherwise the weight is 1
+    std::uint8_t degree_u = 1, degree_v = 1; ///< at least 1
+    bool regular = false;                    ///< the bounds mean something
+    bool rational = false;                   ///< otherwise the weight is 1
     bool material = false; ///< wholly inside the trim loops as far as its patch goes
     /// Ends of the patch, in x and y: a sub-patch may go on beyond it, for seams.
     std::array<double, 2> patch_low{}, patch_high{};
     TrimCells cells{}; ///< of a sub-patch that is not `material`
 
+    /// Number of coefficients, each of four components, and of control points.
     std::size_t coefficients() const {
         return (degree_u + std::size_t{1}) * (degree_v + std::size_t{1});
     }
+    /// True if a place of the square [-1, 1]^2 lies on the patch itself, its ends included.
     bool on_patch(double x, double y) const {
         return patch_low[0] <= x && x <= patch_high[0] && patch_low[1] <= y && y <= patch_high[1];
     }
@@ -80,7 +83,8 @@ struct PartPlacement;
 
 static_assert(sizeof(PackedSubPatch) == 320);
 
-/// The record of a sub-patch at a placement.
+/// Record of the `sub_patch`-th of a set at a placement. It has no cells yet. A sub-patch without a
+/// regular frame gets infinite bounds, and neither centre nor rows.
 PackedSubPatch packed_sub_patch(const SubPatchSet& sub_patches, std::uint32_t sub_patch,
                                 const PartPlacement& placement);
 

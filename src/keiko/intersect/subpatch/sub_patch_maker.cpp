@@ -1,7 +1,6 @@
-#include "keiko/intersect/subpatch/sub_patch_maker.h"
-
 #include "keiko/base/job.h"
 #include "keiko/geometry/bezier/subpatch.h"
+#include "keiko/intersect/subpatch/sub_patch.h"
 #include "keiko/intersect/subpatch/sub_patch_frame.h"
 
 #include <algorithm>

@@ -14,11 +14,13 @@ namespace keiko {
 /// relative to the scene's centre and padded by what rounding can move a ray or a slab by.
 class EmbreeScene {
 public:
+    /// Receiver of the boxes that rays may touch.
     class Visitor {
     public:
         virtual ~Visitor() = default;
-        /// May lower RayPacket::high of the lanes, and returns those whose it did; -infinity ends a
-        /// lane's search.
+        /// Called for the `box`-th box and the lanes that may touch it. It may lower
+        /// RayPacket::high of these lanes and returns those whose it did; -infinity ends a lane's
+        /// search.
         virtual LaneMask visit(std::uint32_t box, LaneMask lanes) = 0;
     };
 
@@ -35,8 +37,11 @@ public:
     /// cross Embree.
     void trace(const RayPacket& rays, Visitor& visitor) const;
 
+    /// Box around all boxes, world, mm; empty without any.
     const Box3& bounds() const { return bounds_; }
+    /// Middle of bounds(), or the origin without boxes.
     const Vec3& center() const { return center_; }
+    /// Half the diagonal of bounds(), mm.
     double radius() const { return radius_; }
 
 private:

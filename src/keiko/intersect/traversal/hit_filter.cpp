@@ -33,7 +33,7 @@ const SubPatch* sub_patch_of(const TracedModel& model, const Root& root) {
 }
 
 /// Whether a ray leaves the face at a place of a sub-patch, as the file turns it.
-bool sub_patches(const TracedModel& model, const SubPatch& sub_patch, const Vec2& own,
+bool leaves_face(const TracedModel& model, const SubPatch& sub_patch, const Vec2& own,
                  const Vec3& direction) {
     const SurfaceDerivatives s = evaluate(model.sub_patches.view(sub_patch), own, 1);
     const double out = model.patches[sub_patch.patch].orientation(sub_patch.patch_parameters(own));
@@ -161,8 +161,8 @@ bool HitFilter::is_behind_own_seam(const Crossing& c, const PartRay& part, doubl
     const SubPatch* start = sub_patch_of(model_, root);
     if (!start) return false;
     const Vec2 at = (root.uv.center() - start->domain.lower) / start->domain.extent();
-    return sub_patches(model_, *start, at, part.direction) ==
-           sub_patches(model_, sub_patch_, c.uv, part.direction);
+    return leaves_face(model_, *start, at, part.direction) ==
+           leaves_face(model_, sub_patch_, c.uv, part.direction);
 }
 
 /// Place of a root relative to the sub-patch's centre, and the edge whose seam it is near.

@@ -21,6 +21,7 @@ namespace keiko {
 /// each other are not considered.
 class HitFilter {
 public:
+    /// Filter of roots of one ray on one placed sub-patch; keeps references to all three.
     HitFilter(const TracedModel& model, const TracedRay& ray, const PlacedSubPatch& placed);
 
     /// Whether the crossing counts; marks seam hits.

@@ -15,40 +15,44 @@ namespace keiko {
 
 /// A sub-patch that may hold roots of a ray, between two distances along it.
 struct CandidatePatch {
-    std::uint32_t box = 0;
-    bool single = false;   ///< at most one root
-    bool doubtful = false; ///< what is behind it may be the nearest hit
-    double nearest = 0, farthest = 0;
+    std::uint32_t box = 0;            ///< index among the placed sub-patches
+    bool single = false;              ///< at most one root
+    bool doubtful = false;            ///< what is behind it may be the nearest hit
+    double nearest = 0, farthest = 0; ///< mm along the ray from its start
 };
 
 /// The sub-patches that a search has put off: a list for each ray of a block, all in one array.
 class CandidateQueue {
 public:
+    /// Forgets every candidate of every lane.
     void clear() {
         entries_.clear();
         first_.fill(none);
         doubtful_until_.fill(infinity);
         lanes_ = doubtful_ = 0;
     }
+    /// Forgets the candidates of one lane.
     void clear(std::size_t lane) {
         first_[lane] = none;
         lanes_ &= ~(LaneMask{1} << lane);
         find_doubtful(lane);
     }
+    /// Puts a sub-patch off for one lane.
     void add(std::size_t lane, const CandidatePatch& sub_patch) {
         entries_.push_back({sub_patch, first_[lane]});
         first_[lane] = static_cast<std::uint32_t>(entries_.size() - 1);
         lanes_ |= LaneMask{1} << lane;
         if (sub_patch.doubtful) note_doubtful(lane, sub_patch.farthest);
     }
-    /// Takes out the nearest sub-patch that begins before `high` and ends before `until`. Leaves
-    /// that begin behind `high` are forgotten.
+    /// Takes out the nearest sub-patch that begins before `high` and ends before `until`; nothing
+    /// where there is none. Sub-patches that begin behind `high` are forgotten.
     std::optional<CandidatePatch> take(std::size_t lane, double high, double until);
 
     /// Lanes that have any candidate.
     LaneMask lanes() const { return lanes_; }
-    /// Lanes that have a doubtful one, and where the first of them ends.
+    /// Lanes that have a doubtful candidate.
     LaneMask doubtful() const { return doubtful_; }
+    /// Least distance, mm, at which a doubtful candidate of the lane ends; infinite without one.
     double doubtful_until(std::size_t lane) const { return doubtful_until_[lane]; }
 
 private:
@@ -103,10 +107,10 @@ inline std::optional<CandidatePatch> CandidateQueue::take(std::size_t lane, doub
 
 /// All that a search reads.
 struct SearchScene {
-    const TracedModel& model;
-    const EmbreeScene& boxes;
-    const SubPatchKernels& kernels;
-    bool clipping_only = false;
+    const TracedModel& model;       ///< the surfaces
+    const EmbreeScene& boxes;       ///< one box for each of TracedModel::placed
+    const SubPatchKernels& kernels; ///< of this processor
+    bool clipping_only = false;     ///< as TracerOptions has it
 };
 
 /// The search of up to 16 rays at once, as one packet when they are coherent. A sub-patch that the
@@ -163,7 +167,7 @@ private:
     ExistenceResult look_;
     SubPatchRoots roots_;
     CandidateQueue pending_;
-    RayPacket::Lanes<std::uint32_t> boxes_{}; ///< what settle() is about to solve
+    RayPacket::Lanes<std::uint32_t> boxes_{}; ///< what resolve() is about to solve
     std::span<Crossing> nearest_;
     RayPacket::Lanes<std::vector<Crossing>> all_;
     std::vector<Crossing> clipped_;

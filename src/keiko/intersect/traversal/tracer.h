@@ -85,9 +85,9 @@ public:
     std::vector<std::optional<Hit>> nearest(std::span<const Ray> rays) const;
     /// nearest(), with less memory, and less work for less detail.
     FirstHits first_hits(std::span<const Ray> rays, HitDetail detail = HitDetail::all) const;
-    /// Any() of many rays, in order.
+    /// any() of many rays, in order.
     std::vector<bool> any(std::span<const Ray> rays) const;
-    /// All() of many rays, in order.
+    /// all() of many rays, in order.
     std::vector<std::vector<Hit>> all(std::span<const Ray> rays) const;
 
     /// The first crossing of each ray, in order, false where there is none: nearest() without what

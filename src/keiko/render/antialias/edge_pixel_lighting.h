@@ -10,18 +10,18 @@ namespace keiko {
 
 /// A shading point of a pixel that contains an edge.
 struct OutlineSpot {
-    Pixel pixel;
-    const ShadingPoint* point;
+    Pixel pixel;               ///< of the tile
+    const ShadingPoint* point; ///< not null
 };
 
 /// Shading points of one smooth surface in a row along an edge.
 struct EdgeRun {
-    std::vector<const ShadingPoint*> points;
+    std::vector<const ShadingPoint*> points; ///< one at least
     std::vector<double> along; ///< position of each from the first to the last, rising
 };
 
-/// Groups of shading points of one smooth surface each: two are in one if shading points that
-/// continue() each other lead from one to the other.
+/// Groups of shading points of one smooth surface each. Two are in one group if a chain of shading
+/// points leads from one to the other in which is_same_surface() holds for neighbours.
 std::vector<std::vector<OutlineSpot>> smooth_surfaces(std::vector<OutlineSpot> points);
 
 /// Rows of all of `points`, which are of one depth, along straight pieces of edges. Each row is of

@@ -1,8 +1,6 @@
 #include "keiko/render/antialias/edge_refinement.h"
 
-#include "keiko/render/antialias/edge_cell.h"
 #include "keiko/render/antialias/edge_detection.h"
-#include "keiko/render/antialias/edge_samples.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
-#include "keiko/render/antialias/sampled_polygon.h"
-
 #include "keiko/render/antialias/edge_detection.h"
+#include "keiko/render/antialias/edge_refinement.h"
 #include "keiko/render/reflection/reflected_footprint.h"
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace keiko {
 
 /// A part of the picture that one camera ray represents, as a parallelogram around its centre, px.
 struct PixelArea {
-    Vec2 centre{0};
+    Vec2 centre{0};         ///< where the ray goes through
     Vec2 right{0}, down{0}; ///< edges
     double area = 0;        ///< of the part itself, px2
 };
@@ -20,7 +20,7 @@ struct PixelArea {
 /// A convex polygon, its corners in order, with capacity for a six-sided one after two cuts.
 using Polygon = InplaceVector<Vec2, 24>;
 
-/// `size`: width and height.
+/// Area of a rectangle with the upper left corner at `corner`; `size`: width and height, px.
 PixelArea rectangle_part(const Vec2& corner, const Vec2& size);
 /// The parallelogram with the centre and the second moments of a convex polygon that has an area;
 /// corners in order, of either sense.
@@ -39,9 +39,9 @@ Ray ray_of(const PreparedCamera& camera, const PixelArea& part);
 
 /// A part of a pixel that shows one smooth thing, and its sample.
 struct Subpixel {
-    std::size_t pixel = 0;
-    double share = 0; ///< of the pixel
-    PixelSample sample{};
+    std::size_t pixel = 0; ///< number of its pixel
+    double share = 0;      ///< of the pixel
+    PixelSample sample{};  ///< of the ray through the part
 };
 
 /// Pixels that contain edges, in parts.
@@ -49,7 +49,7 @@ struct RefinedPixels {
     std::vector<Subpixel> parts;      ///< by rising pixel; the shares of each are 1 together
     std::vector<ShadingPoint> points; ///< of the parts, whose numbers are their samples
     std::vector<SampleBatch> views;   ///< views that the samples point into
-    HitStatistics paths;
+    HitStatistics paths;              ///< of all rays traced for them, also of those left out
 };
 
 /// Collects parts of pixels from larger views.
@@ -57,6 +57,7 @@ class Subpixels {
 public:
     /// Begins with a view; keep() takes its samples next.
     void open(SampleBatch view);
+    /// Sample of the view that was opened last.
     const PixelSample& seen(std::size_t sample) const {
         return result_.views.back().samples[sample];
     }

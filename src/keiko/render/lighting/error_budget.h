@@ -11,17 +11,22 @@ namespace keiko {
 /// Numbers of lights, rising.
 using Lights = std::vector<std::size_t>;
 
+/// True if a light is among `lights`.
 bool holds(const Lights& lights, std::size_t light);
+/// The lights that are not among `taken`.
 Lights without(const Lights& lights, const Lights& taken);
 
+/// Lights that are among either.
 Lights united(const Lights& a, const Lights& b);
+/// Lights that are among both.
 Lights common(const Lights& a, const Lights& b);
 
 /// Error of a light, as a share of the allowed error.
 struct LightError {
-    std::size_t light;
-    double error = 0;
+    std::size_t light; ///< its number
+    double error = 0;  ///< 0 or more; 1: all of what is allowed
 
+    /// Makes the error the larger of itself and another; NaN does not count.
     void add(double other) { error = std::max(error, other); }
 };
 

@@ -5,6 +5,7 @@
 #include "keiko/render/reflection/shading_point.h"
 
 #include <array>
+#include <cmath>
 
 namespace keiko {
 
@@ -18,12 +19,14 @@ public:
         for (std::size_t j = 0; j < 3; ++j)
             for (std::size_t i = 0; i < 3; ++i) factors_[j][i] += light * (of_x[i] * of_y[j]);
     }
+    /// Adds another polynomial.
     LightPolynomial& operator+=(const LightPolynomial& o) {
         for (std::size_t j = 0; j < 3; ++j)
             for (std::size_t i = 0; i < 3; ++i) factors_[j][i] += o.factors_[j][i];
         return *this;
     }
 
+    /// Light at a position of the grid, as ShadingGrid::place() returns it.
     DirectLight at(const Vec2& place) const {
         const auto along = [&](const std::array<DirectLight, 3>& row) {
             return (row[2] * place.x + row[1]) * place.x + row[0];
@@ -49,6 +52,7 @@ public:
 
     /// Weights of the light at each node for a place of the grid.
     using Weights = std::array<double, 9>;
+    /// Weights for a position of the grid, which sum up to 1; 0 beyond the last node.
     Weights weights(const Vec2& place) const;
     /// Sum of `light(node)` over all nodes with these weights.
     template <class Light>
@@ -95,5 +99,56 @@ private:
 
     Nodes columns_, rows_;
 };
+
+inline Interpolant::Nodes::Nodes(int first, double begin, int last, double end)
+    : size_(begin < end ? 2 : 1), numbers_{first, last, 0}, places_{begin, end, 0} {}
+
+inline void Interpolant::Nodes::add(int middle, double place) {
+    constexpr double least_share = 0.2; // of the distance to either end
+    const double way = places_[1] - places_[0];
+    if (size_ < 2 || std::min(place - places_[0], places_[1] - place) < least_share * way) return;
+    numbers_[2] = middle;
+    places_[2] = place;
+    size_ = 3;
+}
+
+inline double Interpolant::Nodes::weight(std::size_t i, double place) const {
+    double weight = 1;
+    for (std::size_t k = 0; k < size_; ++k)
+        if (k != i) weight *= (place - places_[k]) / (places_[i] - places_[k]);
+    return weight;
+}
+
+inline LightPolynomial::Powers Interpolant::Nodes::powers(std::size_t i) const {
+    LightPolynomial::Powers powers{1, 0, 0};
+    for (std::size_t k = 0; k < size_; ++k) {
+        if (k == i) continue;
+        const double scale = 1 / (places_[i] - places_[k]), at = places_[k];
+        powers = {-at * powers[0] * scale, (powers[0] - at * powers[1]) * scale,
+                  (powers[1] - at * powers[2]) * scale};
+    }
+    return powers;
+}
+
+inline Interpolant Interpolant::lines(const ShadingGrid& grid, const Rectangle& r) {
+    const Vec2 begin = grid.place({r.x0, r.y0}), end = grid.place({r.x1, r.y1});
+    return {Nodes(r.x0, begin.x, r.x1, end.x), Nodes(r.y0, begin.y, r.y1, end.y)};
+}
+
+inline Interpolant Interpolant::parabolas(const ShadingGrid& grid, const Rectangle& r) {
+    Interpolant fit = lines(grid, r);
+    const Vec2 middle = grid.place(r.middle());
+    fit.columns_.add(r.middle().x, middle.x);
+    fit.rows_.add(r.middle().y, middle.y);
+    return fit;
+}
+
+inline Interpolant::Weights Interpolant::weights(const Vec2& place) const {
+    Weights weights{};
+    for (std::size_t i = 0; i < size(); ++i)
+        weights[i] = columns_.weight(i % columns_.size(), place.x) *
+                     rows_.weight(i / columns_.size(), place.y);
+    return weights;
+}
 
 } // namespace keiko

@@ -75,7 +75,8 @@ InterpolationTest::Test InterpolationTest::test_at(const Pixel& p, const DirectL
 Lights InterpolationTest::threatened(const Rectangle& r, const Lights& lights) const {
     constexpr int two_apart = 4; // no place of such a square is farther from the next
     if (r.longest() <= two_apart) return {};
-    return possibly_occluded_lights(integrator_, grid_, r, classify_prisms(lights_, r, lights));
+    return possibly_occluded_lights(integrator_, grid_, r,
+                                    fully_visible_lights(lights_, r, lights));
 }
 
 std::vector<InterpolationTest::Test> InterpolationTest::middles_of(const Rectangle& r,

@@ -27,6 +27,7 @@ public:
         /// shadows narrower than two pixels are not searched for there.
         Lights threatened;
 
+        /// All interpolated lights.
         Lights all() const { return united(seen, united(lines, parabolas)); }
     };
     /// Accepted subset of the lights that are open over a rectangle; `known` is the light of the

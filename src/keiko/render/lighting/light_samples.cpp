@@ -143,7 +143,7 @@ struct Outline {
 
 } // namespace
 
-Lights classify_prisms(const LightSamples& found, const Rectangle& r, const Lights& lights) {
+Lights fully_visible_lights(const LightSamples& found, const Rectangle& r, const Lights& lights) {
     const auto corners = r.corners();
     const auto middles = r.middles();
     Lights whole;

@@ -38,7 +38,9 @@ public:
     const DirectLight& light(int x, int y, std::size_t number) const {
         return spots_[grid_.index(x, y)][number].light;
     }
+    /// Sum of the light of some sources at a place where all of it has been computed.
     DirectLight sum(int x, int y, std::span<const std::size_t> lights) const;
+    /// Visibility of a light at a place where it is known; see is_seen().
     const LightVisibility& seen(int x, int y, std::size_t number) const {
         return spots_[grid_.index(x, y)][number].seen;
     }
@@ -72,13 +74,13 @@ private:
 
 /// Light whose visibility is linear between the corners of a rectangle.
 struct LinearlySeen {
-    std::size_t light;
-    Rectangle between;
+    std::size_t light; ///< its number
+    Rectangle between; ///< whose corners' visibilities are known
 };
 
 /// Lights that are still unknown over a rectangle.
 struct UnresolvedLights {
-    Lights lit;
+    Lights lit;                                ///< all whose light is unknown
     Lights seen;                               ///< those of them whose visibility is unknown too
     std::vector<LinearlySeen> linearly_seen{}; ///< the others, and some that are known
 };
@@ -95,7 +97,7 @@ void find(const UnresolvedLights& open, const ShadingGrid& grid, const Pixel& p,
 
 /// Subset of some lights, computed there, that are visible as a whole from all corners and middles
 /// of a rectangle of a grid.
-Lights classify_prisms(const LightSamples& found, const Rectangle& r, const Lights& lights);
+Lights fully_visible_lights(const LightSamples& found, const Rectangle& r, const Lights& lights);
 
 /// Subset of some lights that are not proved to have one visibility from all places of a rectangle:
 /// all of a light or nothing.

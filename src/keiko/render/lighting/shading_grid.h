@@ -11,15 +11,18 @@ namespace keiko {
 
 /// A place in a grid of camera rays.
 struct Pixel {
-    int x, y;
+    int x, y; ///< column and row, from 0 on
 };
 
 /// A rectangle of pixels, its last column and row included.
 struct Rectangle {
-    int x0, y0, x1, y1;
+    int x0, y0, x1, y1; ///< first column and row, last column and row
 
+    /// Pixel in the middle, rounded to the first.
     Pixel middle() const { return {(x0 + x1) / 2, (y0 + y1) / 2}; }
+    /// Steps from the first to the last pixel along the longer side; 0 for a single pixel.
     int longest() const { return std::max(x1 - x0, y1 - y0); }
+    /// Corners row by row: upper left, upper right, lower left, lower right.
     std::array<Pixel, 4> corners() const { return {{{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}}}; }
     /// The four parts around the middle, which share its column and row; two if it is one pixel
     /// wide or high.
@@ -59,13 +62,17 @@ public:
     /// A row of shading points; `along`: the position of each, rising.
     ShadingGrid(std::vector<const ShadingPoint*> row, std::vector<double> along);
 
+    /// Number of places in a row.
     int width() const { return width_; }
+    /// Number of rows.
     int height() const { return height_; }
+    /// Number of places, also of those without a shading point.
     std::size_t size() const { return spots_.size(); }
     /// Shading point of a place; null if the ray misses the scene at this depth.
     const ShadingPoint* at(int x, int y) const { return spots_[index(x, y)]; }
-    /// True if a place and its right or lower neighbour show one smooth surface.
+    /// True if a place and its right neighbour show one smooth surface.
     bool goes_right(int x, int y) const { return joins_.right(index(x, y)); }
+    /// True if a place and its lower neighbour show one smooth surface.
     bool goes_down(int x, int y) const { return joins_.down(index(x, y)); }
     /// True if all of a rectangle, its last row and column included, shows one smooth surface.
     bool is_smooth(int x0, int y0, int x1, int y1) const;
@@ -80,6 +87,7 @@ public:
     /// line from its first to its last, on either side. At most four in a row remain untested.
     std::vector<Pixel> odd_places(const Rectangle& r) const;
 
+    /// Number of a place, row by row.
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                static_cast<std::size_t>(x);

@@ -6,8 +6,8 @@
 #include <hwy/foreach_target.h>
 
 // Then the code for the current one.
-#include "keiko/render/reflection/part_lanes-inl.h"
 #include "keiko/render/reflection/pixel_lanes-inl.h"
+#include "keiko/render/reflection/stripe_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {

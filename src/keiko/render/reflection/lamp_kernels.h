@@ -9,35 +9,38 @@ namespace keiko {
 
 /// A row of lamps in the form that the kernels read.
 struct StripeRow {
-    const CPlaneFrame& frame;
-    MirrorModel look; ///< flat or tube
+    const CPlaneFrame& frame; ///< of the row's plane
+    MirrorModel look;         ///< flat or tube
 };
 
 /// Reflections of a row of lamps in up to 8 pixels that follow each other in a row of a picture;
 /// their reflected rays and those of their four neighbours have differentials.
 struct LampCoverageBatch {
-    static constexpr std::size_t capacity = 8;
+    static constexpr std::size_t capacity = 8; ///< most pixels of a batch
+    /// One value of each pixel.
     template <class T>
     using Lanes = std::array<T, capacity>;
 
     // Sets of pixels, a bit each.
     std::uint32_t meets = 0; ///< the centre's ray meets the plane
-    std::uint32_t missed =
-        0; ///< proved to reflect no lamp: misses_lamps() of ReflectedFootprint::bundle()
+    /// Proved to reflect no lamp: misses_lamps() of ReflectedFootprint::bundle().
+    std::uint32_t missed = 0;
     std::uint32_t bounded = 0; ///< footprint_nonlinearity() has a value
     std::uint32_t points = 0;  ///< the footprint is a point
     // Values of those that meet the plane.
-    alignas(64) Lanes<double> t, u, v; ///< as in CPlaneHit
-    alignas(64)
-        Lanes<double> bend; ///< footprint_nonlinearity(), for pixels not `missed` unless thorough
-    alignas(64) Lanes<double> residual; ///< ReflectedFootprint::misfit(), mm; if thorough
+    alignas(64) Lanes<double> t; ///< as in CPlaneHit
+    alignas(64) Lanes<double> u; ///< as in CPlaneHit
+    alignas(64) Lanes<double> v; ///< as in CPlaneHit
+    /// footprint_nonlinearity(), for pixels not `missed` unless thorough.
+    alignas(64) Lanes<double> bend;
+    alignas(64) Lanes<double> residual; ///< ReflectedFootprint::residual(), mm; if thorough
     alignas(64) Lanes<double> coverage; ///< LampCoverage::coverage, for pixels not `missed`
 };
 
 /// Number of parts a side of a bent pixel, and the extent of its rays.
 struct SquareParts {
-    int side = 1;
-    double t_max = 0;
+    int side = 1;     ///< parts a side; the pixel has side^2
+    double t_max = 0; ///< parameter beyond which rays meet no lamp
 };
 
 /// Kernels of mirror_of() for a row of lamps, compiled for one instruction set, for a vector of

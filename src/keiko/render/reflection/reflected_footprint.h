@@ -11,7 +11,7 @@ namespace keiko {
 /// Derivatives of a quantity by the picture's x and y, per pixel.
 template <class Jet>
 struct Slopes {
-    Jet x, y;
+    Jet x, y; ///< by x, to the right, and by y, down
 };
 
 /// A smooth quantity in a picture as a cubic in the place around a pixel's centre: by Taylor's
@@ -20,6 +20,7 @@ struct Slopes {
 template <class Jet>
 class CubicFootprint {
 public:
+    /// Cubic with the value and the slopes of a pixel's centre, bent by the neighbours' slopes.
     CubicFootprint(const Jet& value, const Slopes<Jet>& centre, const Slopes<Jet>& left,
                    const Slopes<Jet>& right, const Slopes<Jet>& above, const Slopes<Jet>& below)
         : value_(value),
@@ -48,6 +49,7 @@ public:
         return {up + twisted - across, up - twisted + across, down - twisted - across,
                 down + twisted + across};
     }
+    /// Slopes at a place relative to the centre, in pixels.
     Slopes<Jet> slopes(double x, double y) const {
         return {x_ + xx_ * x + xy_ * y + xxx_ * (x * x / 2) + xxy_ * (x * y) + xyy_ * (y * y / 2),
                 y_ + xy_ * x + yy_ * y + xxy_ * (x * x / 2) + xyy_ * (x * y) + yyy_ * (y * y / 2)};
@@ -60,18 +62,19 @@ private:
 /// The reflected rays of a pixel's centre and of its neighbours', all with differentials and on one
 /// smooth surface.
 struct PixelRays {
-    Ray centre, left, right, above, below;
+    Ray centre, left, right, above, below; ///< of the pixel and its neighbours
 };
 
 /// The reflected ray of a part of a pixel.
 struct SubpixelRay {
-    Vec3 origin, direction;
-    RayDifferentials spread;
+    Vec3 origin, direction;  ///< world, mm; the direction of any length
+    RayDifferentials spread; ///< by the part's own width and height
 };
 
 /// A pixel's reflected rays as a cubic in the place in the picture.
 class ReflectedFootprint {
 public:
+    /// Footprint of a pixel by its own rays and the neighbours'; all must have differentials.
     explicit ReflectedFootprint(const PixelRays& rays);
     /// Bounds of the rays of all its parts, itself included.
     static RayCone bundle(const PixelRays& rays);
@@ -110,10 +113,10 @@ int parts_of_bend(double bend);
 
 /// Lamps visible in a pixel by its reflected rays.
 struct PixelMirror {
-    MirroredLight lamps;
+    MirroredLight lamps;              ///< mean over the pixel
     std::optional<RigPlaneHit> plane; ///< the nearest that the centre's ray meets
-    bool discontinuous =
-        false; ///< its image on a C-plane is not smooth: more camera rays are needed
+    /// True if its image on a C-plane is not smooth: more camera rays are needed.
+    bool discontinuous = false;
 };
 
 /// Lamps in a pixel by `centre`, the ray of its centre; they are visible up to `t_max`. If the

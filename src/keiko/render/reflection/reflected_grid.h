@@ -21,15 +21,20 @@ namespace keiko {
 /// direction, and their derivatives by the picture's x and y.
 class ReflectedRays {
 public:
-    static constexpr std::size_t numbers = 18;
-    /// Index of the first coordinate of each among the numbers.
-    static constexpr std::size_t origin = 0, direction = 3, origin_dx = 6, origin_dy = 9,
-                                 direction_dx = 12, direction_dy = 15;
+    static constexpr std::size_t numbers = 18;      ///< of each ray: six vectors
+    static constexpr std::size_t origin = 0;        ///< first number of the origin
+    static constexpr std::size_t direction = 3;     ///< first number of the direction
+    static constexpr std::size_t origin_dx = 6;     ///< first number of the origin's slope by x
+    static constexpr std::size_t origin_dy = 9;     ///< first number of the origin's slope by y
+    static constexpr std::size_t direction_dx = 12; ///< first of the direction's slope by x
+    static constexpr std::size_t direction_dy = 15; ///< first of the direction's slope by y
 
     ReflectedRays() = default;
+    /// Rays of `count` places, with undefined numbers until they are set.
     explicit ReflectedRays(std::size_t count)
         : stride_(count + margin), values_(numbers * stride_) {}
 
+    /// Sets the numbers of a place. Without differentials its derivatives stay as they were.
     void set(std::size_t place, const Ray& ray) {
         put(place, origin, ray.origin), put(place, direction, ray.direction);
         if (!ray.differentials) return;
@@ -75,6 +80,7 @@ public:
     /// Grid of a size in pixels.
     ReflectedGrid(int width, int height);
 
+    /// Number of places.
     std::size_t size() const { return known_.size(); }
     /// Prefetches the memory that set_begin() soon writes for a place.
     void announce(std::size_t place) const { prefetch(std::span(begins_).subspan(place, 1)); }
@@ -93,7 +99,9 @@ public:
     std::optional<PixelRays> around(std::size_t place) const;
     /// True if there are such.
     bool is_amid(std::size_t place) const;
+    /// Number of places in a row.
     std::size_t width() const { return width_; }
+    /// Numbers of all rays, by place.
     const ReflectedRays& rays() const { return numbers_; }
 
 private:
@@ -109,17 +117,68 @@ private:
 
 /// The first reflected rays of a grid's pixels, and their hits.
 struct ReflectionBuffer {
+    /// The reflected ray of one place.
     struct Way {
-        bool goes_on = false;
-        const Hit* hit = nullptr;
-        Rgb weight; ///< of its path
+        bool goes_on = false;     ///< a reflected ray was traced
+        const Hit* hit = nullptr; ///< of that ray, in `hits`; null if it leaves the body
+        Rgb weight;               ///< of its path
     };
 
+    /// Buffer for a grid of a size in pixels, without rays.
     ReflectionBuffer(int width, int height) : grid(width, height), ways(grid.size()) {}
 
-    ReflectedGrid grid;
+    ReflectedGrid grid;     ///< the rays
     std::vector<Way> ways;  ///< by place
     std::vector<Hits> hits; ///< of the ways
 };
+
+inline ReflectedGrid::ReflectedGrid(int width, int height)
+    : width_(static_cast<std::size_t>(width)),
+      known_(width_ * static_cast<std::size_t>(height)),
+      numbers_(known_.size()),
+      begins_(known_.size()) {}
+
+inline void ReflectedGrid::set(std::size_t place, const Ray& mirrored) {
+    known_[place] = mirrored.differentials ? Known::differentials : Known::line;
+    numbers_.set(place, mirrored);
+}
+
+inline void ReflectedGrid::take_over_rows(int height) {
+    const std::size_t taken = 2 * width_, first = size() - taken;
+    const auto from_first = [&](auto& places) {
+        std::copy_n(places.begin() + static_cast<std::ptrdiff_t>(first), taken, places.begin());
+    };
+    numbers_.take_over(first, taken);
+    from_first(begins_), from_first(known_);
+    known_.resize(taken);
+    known_.resize(width_ * static_cast<std::size_t>(height));
+}
+
+inline void ReflectedGrid::join() {
+    std::vector<const SurfacePlace*> places(size());
+    for (std::size_t i = 0; i < size(); ++i)
+        if (known_[i] == Known::differentials) places[i] = &begins_[i];
+    joins_ = SurfaceContinuity(static_cast<int>(width_), places);
+}
+
+inline bool ReflectedGrid::is_amid(std::size_t place) const {
+    // The last of a row has no neighbour on its right, nor that of the last row below.
+    return place > width_ && joins_.right(place) && joins_.down(place) && joins_.right(place - 1) &&
+           joins_.down(place - width_);
+}
+
+inline Ray ReflectedGrid::ray(std::size_t place) const {
+    Ray ray;
+    ray.origin = numbers_.vector(ReflectedRays::origin, place);
+    ray.direction = numbers_.vector(ReflectedRays::direction, place);
+    if (known_[place] == Known::differentials) ray.differentials = numbers_.differentials(place);
+    return ray;
+}
+
+inline std::optional<PixelRays> ReflectedGrid::around(std::size_t place) const {
+    if (!is_amid(place)) return {};
+    return PixelRays{ray(place), ray(place - 1), ray(place + 1), ray(place - width_),
+                     ray(place + width_)};
+}
 
 } // namespace keiko

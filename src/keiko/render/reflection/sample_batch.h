@@ -14,8 +14,8 @@ namespace keiko {
 
 /// A place of a grid, numbered row by row.
 struct GridPlace {
-    int x = 0, y = 0;
-    std::size_t number = 0;
+    int x = 0, y = 0;       ///< column and row
+    std::size_t number = 0; ///< y times the grid's width, plus x
 };
 
 /// Places of a grid along a Hilbert curve, or along several in squares side by side if the grid is
@@ -51,13 +51,14 @@ inline SurfacePlace place_of(const PixelSample& sample) {
 
 /// Camera rays through places of a grid, which are numbered row by row.
 struct TileRays {
-    int width = 0, height = 0;
+    int width = 0, height = 0; ///< places a row, and rows
     /// Places with rays, neighbours together. Rays through other places miss the model, or were
     /// traced before: the first two rows of a grid that continues another are that one's last two.
     std::vector<GridPlace> places;
     /// The rays through some of them, in order.
     std::function<Rays(std::span<const GridPlace> places)> rays;
-    bool continues_above = false, continues_below = false;
+    bool continues_above = false; ///< its first two rows are the last two of the grid above
+    bool continues_below = false; ///< another grid continues this one
 
     /// True if it is at the border of this grid and of those it continues.
     bool at_border(const GridPlace& place) const {

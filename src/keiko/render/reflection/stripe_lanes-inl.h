@@ -13,9 +13,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-/// PixelFilter.
+/// PixelFilter, one a lane.
 class FilterLanes {
 public:
+    /// Filters of two widths, of either sign.
     FilterLanes(Real by_x, Real by_y)
         : wide_(hn::Max(hn::Abs(by_x), hn::Abs(by_y))),
           narrow_(hn::Min(hn::Abs(by_x), hn::Abs(by_y))),
@@ -23,11 +24,14 @@ public:
           per_wide_(hn::Div(real(1), wide_)),
           per_both_(hn::Div(per_wide_, hn::Add(narrow_, narrow_))) {}
 
+    /// Share of the filter between two positions relative to its centre; 0 if they are not rising.
     Real share(Real begin, Real end) const {
         const Real between = hn::Sub(below(end), below(begin));
         return hn::IfThenElseZero(hn::Lt(begin, end), between);
     }
+    /// Half the extent of the filter.
     Real reach() const { return reach_; }
+    /// The larger of the two widths.
     Real width() const { return wide_; }
 
 private:
@@ -62,7 +66,8 @@ inline Real strips_coverage(const CPlaneFrame& frame, Truth wanted, Real half, R
     }
 }
 
-constexpr double resolvable_pitches = 4; // as in c_plane_lookup.cpp
+/// Width of a filter in pitches beyond which lamps are averaged, as in c_plane_lookup.cpp.
+constexpr double resolvable_pitches = 4;
 
 /// comb_coverage() of strips `width` wide, or mean_coverage() if they are too fine.
 inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, Real center,
@@ -84,11 +89,13 @@ inline Real across_coverage(const CPlaneFrame& frame, Truth wanted, Real width, 
 
 /// Apparent shift of the ends of lamps along them, and width of strips.
 struct LookLanes {
-    Real room, width;
+    Real room;  ///< mm, along the lamps
+    Real width; ///< mm, across them
 
+    /// Lamps of a row as images of rays on its plane show them.
     LookLanes(const StripeRow& row, const ImageLanes& image) {
         const CPlaneFrame& frame = row.frame;
-        const Space& d = image.direction;
+        const VectorLanes& d = image.direction;
         room = real(0), width = real(frame.diameter);
         if (row.look != MirrorModel::tube) return;
         const Real down = hn::Abs(d.z);
@@ -159,6 +166,101 @@ inline Real coverage(const StripeRow& row, const ImageLanes& image) {
     others = hn::AndNot(is_in_gap(frame, image, look.width), others);
     if (hn::AllFalse(Wide(), others)) return of_strips;
     return hn::IfThenElse(amid, of_strips, coverage_one_by_one(row, image, others));
+}
+
+/// ReflectedFootprint::bundle without the centre and its spread.
+struct BundleLanes {
+    Real origin_rest, direction_rest;             ///< as in RayCone
+    Real origin_slope_rest, direction_slope_rest; ///< as in RayCone
+
+    /// Bundles of the rays of all parts of the pixels.
+    explicit BundleLanes(const PixelLanes& pixel) {
+        constexpr double off = 5.0 / 6, slope_off = 2; // as there
+        Real origin = real(0), direction = real(0);
+        for (const RayLanes* r : {&pixel.left, &pixel.right, &pixel.above, &pixel.below}) {
+            const RayLanes& own = pixel.centre;
+            origin = hn::Max(origin, hn::Max((r->origin_dx - own.origin_dx).length2(),
+                                             (r->origin_dy - own.origin_dy).length2()));
+            direction = hn::Max(direction, hn::Max((r->direction_dx - own.direction_dx).length2(),
+                                                   (r->direction_dy - own.direction_dy).length2()));
+        }
+        origin = hn::Sqrt(origin), direction = hn::Sqrt(direction);
+        origin_rest = hn::Mul(real(off), origin), direction_rest = hn::Mul(real(off), direction);
+        origin_slope_rest = hn::Mul(real(slope_off), origin);
+        direction_slope_rest = hn::Mul(real(slope_off), direction);
+    }
+};
+
+/// True if everything within `reach` of the image is between lamps or beside all of them: as in
+/// tube_hit.cpp.
+inline Truth misses_across(const CPlaneFrame& frame, Real v, Real reach, Real footprint) {
+    const Real first = real(frame.first), last = real(frame.last()), pitch = real(frame.pitch);
+    const Real room = hn::Add(reach, real(frame.pitch / 2));
+    const Truth beside = hn::Or(hn::Lt(v, hn::Sub(first, room)), hn::Gt(v, hn::Add(last, room)));
+    const Real nearest = hn::Floor(hn::Add(hn::Div(hn::Sub(v, first), pitch), real(0.5)));
+    const Real lamp = hn::Min(hn::Max(nearest, real(0)), real(frame.lamps - 1.0));
+    const Truth between = hn::Gt(hn::Abs(hn::Sub(v, hn::MulAdd(lamp, pitch, first))), reach);
+    const Truth coarse = hn::Gt(footprint, pitch);
+    return hn::Or(hn::And(coarse, beside), hn::AndNot(coarse, between));
+}
+
+/// misses_lamps() of the pixels' bundles.
+inline Truth misses_lamps(const CPlaneFrame& frame, const PixelLanes& pixel,
+                          const ImageLanes& image) {
+    constexpr double rounding = 1e-9;
+    const Wide lanes;
+    if (frame.lamps == 0) return hn::FirstN(lanes, hn::Lanes(lanes));
+    const BundleLanes bundle(pixel);
+    const RayLanes& own = pixel.centre;
+    const Real one = real(1);
+    const VectorLanes& d = image.direction;
+    const Real dx_length = own.direction_dx.length(), dy_length = own.direction_dy.length();
+    const Real off = hn::Add(bundle.direction_rest, half_sum(dx_length, dy_length));
+    const Real down = hn::Abs(d.z), least_down = hn::Sub(down, off);
+    const Truth sane = hn::Gt(least_down, hn::Mul(real(rounding), down));
+    const Real per_down = hn::Div(one, least_down);
+
+    const Real height = hn::Abs(hn::Mul(image.t, d.z));
+    const Real origin_off =
+        hn::Add(bundle.origin_rest, half_sum(own.origin_dx.length(), own.origin_dy.length()));
+    const Truth behind = hn::And(hn::Lt(image.t, real(0)),
+                                 hn::Gt(height, hn::Mul(real(1 + 2 * rounding), origin_off)));
+
+    const Real slant = hn::Mul(hn::Add(d.length(), off), per_down), tilt = hn::Add(one, slant);
+    const Real turn = hn::Mul(hn::Mul(off, tilt), per_down);
+    const Real rest = hn::MulAdd(image.t, bundle.direction_rest, bundle.origin_rest);
+    const Real sink = half_sum(image.dx.z, image.dy.z);
+    const Real later = hn::Mul(hn::Add(rest, sink), per_down);
+    const Real slope_rest =
+        hn::MulAdd(hn::Add(image.t, later), bundle.direction_slope_rest,
+                   hn::MulAdd(later, hn::Max(dx_length, dy_length), bundle.origin_slope_rest));
+    const Real beyond = hn::Mul(hn::Add(rest, slope_rest), tilt);
+    const Real turn_within = hn::Add(half_sum(dx_length, dy_length), bundle.direction_slope_rest);
+    const Real left = hn::NegMulAdd(turn_within, per_down, one);
+    const Real widening = hn::IfThenElse(hn::Gt(left, real(0)), hn::Div(one, left), hn::Inf(lanes));
+    const auto room = [&](Real by_x, Real by_y) {
+        const Real images =
+            hn::MulAdd(real(2), hn::MulAdd(turn, sink, half_sum(by_x, by_y)), beyond);
+        return hn::Mul(images, widening);
+    };
+    const Real room_u = room(image.u_dx, image.u_dy), room_v = room(image.v_dx, image.v_dy);
+    const Real size =
+        hn::Add(hn::Sqrt(hn::MulAdd(image.at.x, image.at.x, hn::Mul(image.at.y, image.at.y))),
+                hn::Add(hn::Abs(hn::Mul(image.t, d.length())),
+                        real(frame.length + std::abs(frame.last()))));
+    const Real blur = hn::Mul(real(2 * rounding), size);
+    const Real bulge = hn::Mul(real((1 + rounding) * frame.radius()), slant);
+    const auto padded = [&](Real r) {
+        return hn::MulAdd(r, real(1 + 2 * rounding), hn::Add(blur, bulge));
+    };
+    const Real along = padded(room_u), across = padded(room_v);
+    const Truth finite = hn::And(hn::IsFinite(along), hn::IsFinite(across));
+    const Truth beside = hn::Or(hn::Lt(image.at.x, hn::Neg(along)),
+                                hn::Gt(image.at.x, hn::Add(real(frame.length), along)));
+    const Truth missed =
+        hn::Or(beside, misses_across(frame, image.at.y, across, hn::Add(room_v, blur)));
+    const Truth ahead = hn::And(hn::Ge(image.t, real(0)), hn::And(finite, missed));
+    return hn::And(sane, hn::Or(behind, ahead));
 }
 
 } // namespace keiko::HWY_NAMESPACE

@@ -11,14 +11,17 @@ namespace keiko {
 /// A material prepared for shading: its sharp reflection, its lobes, and its diffuse base.
 class Paint {
 public:
+    /// Paint of a material; tabulates the albedo of its lobes. Metals have no base and no flakes.
     explicit Paint(const Material& material);
 
-    /// Share of the light that a smooth interface reflects; 0 for a rough one.
+    /// Share of the light that a smooth interface reflects at an angle to the normal of this
+    /// cosine, 0 to 1; 0 for a rough one.
     Rgb mirrored(double cosine) const;
     /// The base below its coat.
     const ClearCoat& base() const { return base_; }
-    /// Lobes, if there are any.
+    /// Lobe of a rough interface; empty for a smooth one.
     const std::optional<Gloss>& gloss() const { return gloss_; }
+    /// Lobe of the flakes, if there are any.
     const std::optional<Flakes>& flakes() const { return flakes_; }
     /// True if it reflects any light other than sharply.
     bool takes_light() const { return takes_light_; }

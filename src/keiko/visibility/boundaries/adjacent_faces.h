@@ -16,6 +16,8 @@ namespace keiko {
 /// tracer.
 class AdjacentFaces {
 public:
+    /// Neighbours of the borders of `model`; `tracer` is of the same model and tells the widths of
+    /// its seams.
     AdjacentFaces(const SurfaceModel& model, const BoundaryCurves& borders, const Tracer& tracer);
 
     /// The border of the one neighbour.

@@ -4,7 +4,6 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/visibility/boundaries/adjacent_faces.h"
-#include "keiko/visibility/boundaries/curve_cover.h"
 
 #include <algorithm>
 #include <cmath>
@@ -163,7 +162,7 @@ double boundary_reach(const SurfaceModel& model, std::uint32_t instance, std::ui
     for (std::uint32_t i = 0; i < model.faces[face].patch_count; ++i)
         box.extend(hull_bounds(model.patch(model.faces[face].first_patch + i)));
     const Box3 placed = transformed(model.instances[instance].transform, box);
-    // Of the face, more than leaves overlap by and go on past its ends; of the coordinates.
+    // Of the face, more than sub-patches overlap by and go on past its ends; of the coordinates.
     constexpr double overlap = 1e-10, rounding = 1e-14;
     return overlap * placed.size() + rounding * placed.center().length();
 }

@@ -1,7 +1,6 @@
-#include "keiko/visibility/boundaries/curve_cover.h"
-
 #include "keiko/base/job.h"
 #include "keiko/geometry/bernstein/bernstein.h"
+#include "keiko/visibility/boundaries/boundary_piece.h"
 
 #include <algorithm>
 #include <cmath>

@@ -16,14 +16,14 @@ namespace keiko {
 
 /// A place along a segment where what a viewpoint sees of it may change.
 struct VisibilityEvent {
-    double t = 0;
+    double t = 0; ///< parameter of the segment, 0 to 1
     /// Side next to t on which the surface that makes the event hides the segment: -1 below, 1
     /// above, 0 unknown.
     int dark = 0;
 };
 
 /// The plane through a viewpoint and a segment from a to b, in which everything lies that can hide
-/// any of the segment.
+/// any of the segment. Keeps a pointer to the viewpoint.
 class SegmentPlane {
 public:
     /// Plane through the viewpoint and the segment; nothing where the viewpoint is on its line to
@@ -38,9 +38,13 @@ public:
         return SegmentPlane(viewpoint, a, along, normal / sine);
     }
 
+    /// The viewpoint that the plane was made with.
     const Viewpoint& viewpoint() const { return *viewpoint_; }
+    /// Unit normal: along the way to the segment's begin x along().
     const Vec3& normal() const { return normal_; }
+    /// Vector from the segment's begin to its end, mm.
     const Vec3& along() const { return along_; }
+    /// Place of the segment at parameter t, world, mm.
     Vec3 at(double t) const { return a_ + along_ * t; }
     /// Weights that turn homogeneous coordinates relative to `center` into the distance to the
     /// plane.
@@ -75,15 +79,18 @@ using PlaneDistances = std::array<double, BoundaryPiece::points>;
 
 /// Intersection of a piece of a border with a plane.
 struct PlaneCut {
-    double t = 0;
+    double t = 0; ///< parameter of the piece, 0 to 1
     /// 1 where the distance rises through zero, -1 where it falls; 0 where that is not known.
     int rising = 0;
 };
 
+/// Number of sign changes between neighbouring coefficients, zero counting as positive. Unless all
+/// are 0 it is no less than the number of zeros in (0, 1).
 int sign_changes(const PlaneDistances& c);
 /// The zero of coefficients that change sign once. Newton's method, kept inside, runs until it
 /// moves by no more than `settled`; the step after that is about its square.
 double single_zero(const PlaneDistances& c, double settled);
+/// Coefficients over [0, 1/2] and [1/2, 1].
 std::array<PlaneDistances, 2> halved(const PlaneDistances& c);
 /// The derivative over 5, of the same degree.
 PlaneDistances slope_of(const PlaneDistances& c);

@@ -2,7 +2,6 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/visibility/epipolar/epipolar_curve.h"
-#include "keiko/visibility/query/contour_curve.h"
 #include "keiko/visibility/query/event_intervals.h"
 #include "keiko/visibility/query/scan_plane.h"
 #include "keiko/visibility/query/visibility_query.h"

@@ -22,8 +22,9 @@ public:
     EpipolarShadows(const Occluders& occluders, const Tracer& tracer, const Vec3& light,
                     const Vec3& eye, const Job& job = {});
     ~EpipolarShadows();
+    /// Takes over the curves of another.
     EpipolarShadows(EpipolarShadows&&) noexcept;
-    EpipolarShadows& operator=(EpipolarShadows&&) noexcept;
+    EpipolarShadows& operator=(EpipolarShadows&&) noexcept; ///< Takes over the curves of another.
 
     /// Visible parts of segments, as parameters: each segment lies on a ray from the eye and no
     /// surface crosses it. Equal to those of VisibilityQuery, except that ends are accurate to

@@ -12,22 +12,28 @@ namespace keiko {
 /// the rest, component by component. The affine part is value + x along_x + y along_y. A function
 /// that is linear in the components, such as the distance to a plane, is bounded by weighing them.
 struct AffineBounds {
-    Vec4 value{0}, along_x{0}, along_y{0};
-    Vec4 off{0};   ///< of the deviation from the affine part
-    Vec4 slope{0}; ///< of the sum of the magnitudes of its derivatives by x and y
+    Vec4 value{0};               ///< affine part in the middle of the square
+    Vec4 along_x{0}, along_y{0}; ///< slopes of the affine part by x and y
+    Vec4 off{0};                 ///< of the deviation from the affine part
+    Vec4 slope{0};               ///< of the sum of the magnitudes of its derivatives by x and y
 
     /// Value, slopes, and their bounds for the function sum of weights[k] * component k.
     struct Weighed {
-        double value, along_x, along_y, off, slope;
+        double value;            ///< affine part in the middle
+        double along_x, along_y; ///< slopes of the affine part
+        double off;              ///< bound of the deviation from the affine part
+        double slope;            ///< bound of the sum of the deviation's derivatives' magnitudes
 
-        /// Bounds of its values on [-1, 1]^2.
+        /// Lower bound of its values on [-1, 1]^2.
         double least() const { return value - std::abs(along_x) - std::abs(along_y) - off; }
+        /// Upper bound of its values on [-1, 1]^2.
         double most() const { return value + std::abs(along_x) + std::abs(along_y) + off; }
         /// Whether it has no zero there.
         bool vanishes_nowhere() const {
             return std::abs(value) > std::abs(along_x) + std::abs(along_y) + off;
         }
     };
+    /// Bounds of the sum of weights[k] * component k.
     Weighed weighed(const Vec4& weights) const {
         const Vec4 sizes = magnitudes(weights);
         return {weights.dot(value), weights.dot(along_x), weights.dot(along_y), sizes.dot(off),
@@ -44,13 +50,14 @@ struct AffineNet : AffineBounds {
     Vec4 xx{0}, xy{0}, yy{0}, xx_range{0}, xy_range{0}, yy_range{0};
 };
 
+/// Affine part, bounds and second derivatives of a net; these are 0 where a degree is below theirs.
 AffineNet affine_net(const HomogeneousNet& net);
 
 /// A function over a box, in its [-1, 1]^2: mean slopes, how much they vary, and how much the slope
 /// along each axis does, as a share of the slopes.
 struct GradientBounds {
-    AffineBounds::Weighed all;
-    Vec2 bend;
+    AffineBounds::Weighed all; ///< the function itself with its mean slopes
+    Vec2 bend;                 ///< by x and by y, each at most 1; NaN for a constant
 
     /// The axis along which halving a box of this size straightens the function more.
     unsigned axis_to_halve(const Vec2& size) const;
@@ -60,6 +67,8 @@ struct GradientBounds {
     void add_error(double error, const Vec2& shares);
 };
 
+/// Slopes of a function over [-1, 1]^2 by the ranges of its derivatives' coefficients. Rounding is
+/// not included.
 GradientBounds slopes_of(const ScalarNet& net);
 
 /// Affine parts of two functions f and g on [-1, 1]^2, with bounds of the rest, and their proofs
@@ -74,6 +83,7 @@ public:
     /// that there is none inside.
     static constexpr double straight = 0.25;
 
+    /// System of two functions on one piece. Where the mean Jacobian is singular nothing is proved.
     LinearizedSystem(const AffineBounds::Weighed& f, const AffineBounds::Weighed& g) {
         const double d = f.along_x * g.along_y - f.along_y * g.along_x, size = std::abs(d);
         root_ = Vec2(f.along_y * g.value - g.along_y * f.value,
@@ -85,6 +95,7 @@ public:
         variation_ = std::max(gy * f.slope + fy * g.slope, gx * f.slope + fx * g.slope) / size;
     }
 
+    /// True if no common zero is proved to lie on the piece or its overlap.
     bool root_is_outside() const {
         return std::abs(root_.x) - off_.x > 1 + overlap || std::abs(root_.y) - off_.y > 1 + overlap;
     }

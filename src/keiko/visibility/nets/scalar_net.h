@@ -9,10 +9,12 @@ namespace keiko {
 
 /// Bernstein coefficients of one function over [0, 1]^2, u outer, of any degrees.
 struct ScalarNet {
-    std::size_t rows = 0, columns = 0;
-    std::vector<double> c;
+    std::size_t rows = 0, columns = 0; ///< degrees in u and v, plus 1
+    std::vector<double> c;             ///< rows * columns coefficients
 
+    /// Coefficient i in u, j in v.
     double& at(std::size_t i, std::size_t j) { return c[i * columns + j]; }
+    /// Coefficient i in u, j in v.
     double at(std::size_t i, std::size_t j) const { return c[i * columns + j]; }
 };
 
@@ -22,8 +24,9 @@ ScalarNet weighed(const HomogeneousNet& net, const Vec4& weights);
 /// The function over a box of its parameters.
 ScalarNet restricted(const ScalarNet& net, const Box2& box);
 
-/// Over the two halves of [0, 1]^2, cut across the first axis or the second.
+/// The function over the two halves of [0, 1]^2, cut across the first axis, 0, or the second, 1.
 std::array<ScalarNet, 2> halved(const ScalarNet& net, unsigned axis);
+/// Net over the two halves of [0, 1]^2, cut likewise.
 std::array<HomogeneousNet, 2> halved(const HomogeneousNet& net, unsigned axis);
 
 /// Its derivative by x = 2 u - 1, or by y = 2 v - 1. Requires a degree of at least 1 there.
@@ -31,19 +34,25 @@ ScalarNet derivative(const ScalarNet& net, bool by_x);
 
 /// Middle and half width of the values that a net may have.
 struct NetRange {
-    double middle = 0, half = 0;
+    double middle = 0; ///< of the range
+    double half = 0;   ///< half its width, 0 or more
 
+    /// Lower end.
     double low() const { return middle - half; }
+    /// Upper end.
     double high() const { return middle + half; }
+    /// Largest magnitude.
     double largest() const { return std::abs(middle) + half; }
+    /// True if 0 is in the range, its ends included.
     bool holds_zero() const { return std::abs(middle) <= half; }
 };
+/// Range of the coefficients, which bounds the values on [0, 1]^2; 0 for an empty net.
 NetRange range(const ScalarNet& net);
 
 /// Whether a function may have a zero there that is known to within `error` and rounding.
 bool may_vanish(const ScalarNet& net, double error = 0);
 
-/// Range of the derivative of a derivative, 0 where the degree is used up.
+/// Range of the derivative by x = 2 u - 1, or by y = 2 v - 1; 0 where the degree there is 0.
 NetRange derivative_range(const ScalarNet& net, bool by_x);
 
 /// A place and axes that the points of a net are relative to.

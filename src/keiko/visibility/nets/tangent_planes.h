@@ -8,9 +8,10 @@ namespace keiko {
 
 /// A net of homogeneous coefficients that owns its points; as BezierPatchView.
 struct HomogeneousNet {
-    int degree_u = 0, degree_v = 0;
-    std::vector<Vec4> points;
+    int degree_u = 0, degree_v = 0; ///< 0 or more
+    std::vector<Vec4> points;       ///< (degree_u + 1) * (degree_v + 1) coefficients, u outer
 
+    /// View of the points, valid while they stay.
     BezierPatchView view() const { return {degree_u, degree_v, points}; }
 };
 

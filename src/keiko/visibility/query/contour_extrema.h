@@ -22,9 +22,9 @@ public:
 
     /// Adds a border or a crease that may be edge-on, all of it or a part.
     void add_border(const BoundaryPiece& border);
-    /// A line along which a smooth surface is seen edge-on.
+    /// Adds a line along which a smooth surface is seen edge-on.
     void add_fold(const BoundaryPiece& line);
-    /// Something that may be anywhere in a box and cannot be followed.
+    /// Adds something that may be anywhere in a box and cannot be followed.
     void add_unclear(const ScanBounds& box);
 
     /// True if the content of a box is so short that it matters less than the rule requires,
@@ -33,6 +33,7 @@ public:
     /// Along by across, that a line may have which matters nowhere between its ends.
     double most_slope() const;
 
+    /// Place across the prism at which an outline turns.
     struct Turn {
         double across; ///< the screen
         double missed; ///< as CriticalSlice

@@ -4,24 +4,30 @@
 #include "keiko/math/interval_set.h"
 #include "keiko/visibility/boundaries/plane_cuts.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace keiko {
 
+/// Share of a segment below which parts and gaps are dropped (docs/theory/visibility.md#events).
+constexpr double shortest_gap = 1e-9;
+
 /// A stretch of a segment between two events: seen or hidden as a whole.
 struct EventInterval {
-    double begin = 0, end = 0;
-    bool dark = false; ///< known to be hidden
+    double begin = 0, end = 0; ///< parameters of the segment
+    bool dark = false;         ///< known to be hidden
 
+    /// Length in the segment's parameter.
     double length() const { return end - begin; }
     /// A place well inside that round numbers do not hit: rays that touch a body at one place alone
     /// would be classified wrongly there.
     double inside() const { return begin + 0.4863 * length(); }
 };
 
-/// The stretches of `asked` between events, sorted here; those shorter than 1e-9 are dropped.
+/// The stretches of `asked` between events, sorted here; those of shortest_gap and less are
+/// dropped.
 std::vector<EventInterval> event_intervals(std::vector<VisibilityEvent>& events,
                                            const ParameterInterval& asked);
 
@@ -29,15 +35,19 @@ std::vector<EventInterval> event_intervals(std::vector<VisibilityEvent>& events,
 /// classifies each group that is still unknown.
 class IntervalClasses {
 public:
-    /// Number of the first of a segment's gaps; the others follow.
+    /// Adds a segment's gaps; returns the number of the first of them, the others follow. `plane`
+    /// must stay where it is until classify() is done.
     std::size_t add(const SegmentPlane& plane, std::vector<EventInterval> gaps);
+    /// Puts the groups of two gaps together.
     void join(std::size_t a, std::size_t b) { leader_[root(a)] = root(b); }
     /// Asks for all groups at once.
     void classify(const Tracer& tracer);
     /// Visible parts of a segment, after classify(): `first` as add() returned it.
     IntervalSet seen(std::size_t first, std::size_t count) const;
 
+    /// The i-th gap; its `dark` is that of its group after classify().
     const EventInterval& gap(std::size_t i) const { return gaps_[i]; }
+    /// Number of gaps of all segments.
     std::size_t size() const { return gaps_.size(); }
 
 private:
@@ -50,5 +60,79 @@ private:
     std::vector<std::size_t> leader_;
     std::vector<const SegmentPlane*> planes_;
 };
+
+inline std::vector<EventInterval> event_intervals(std::vector<VisibilityEvent>& events,
+                                                  const ParameterInterval& asked) {
+    // Share of a segment within which events are taken as one, whose sides say nothing if they
+    // differ.
+    constexpr double same_event = 1e-11;
+    std::erase_if(events, [&](const auto& e) { return !(e.t >= asked.begin && e.t <= asked.end); });
+    std::sort(events.begin(), events.end(), [](const auto& x, const auto& y) { return x.t < y.t; });
+    std::vector<EventInterval> gaps;
+    EventInterval open{asked.begin, asked.end, false};
+    for (std::size_t i = 0; i < events.size();) {
+        std::size_t next = i;
+        bool below = false, above = false, all = true;
+        for (; next < events.size() && events[next].t - events[i].t <= same_event; ++next) {
+            below = below || events[next].dark < 0;
+            above = above || events[next].dark > 0;
+            all = all && events[next].dark != 0;
+        }
+        const bool sure = all && below != above;
+        open.end = events[i].t;
+        open.dark = open.dark || (sure && below);
+        gaps.push_back(open);
+        open = {events[next - 1].t, asked.end, sure && above};
+        i = next;
+    }
+    gaps.push_back(open);
+    std::erase_if(gaps, [](const EventInterval& g) { return !(g.length() > shortest_gap); });
+    return gaps;
+}
+
+inline std::size_t IntervalClasses::add(const SegmentPlane& plane,
+                                        std::vector<EventInterval> gaps) {
+    const std::size_t first = gaps_.size();
+    for (const EventInterval& gap : gaps) {
+        leader_.push_back(gaps_.size());
+        gaps_.push_back(gap);
+        planes_.push_back(&plane);
+    }
+    return first;
+}
+
+inline void IntervalClasses::classify(const Tracer& tracer) {
+    std::vector<bool> dark(gaps_.size());
+    std::vector<std::size_t> longest(gaps_.size());
+    for (std::size_t i = 0; i < gaps_.size(); ++i) longest[i] = i;
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+        const std::size_t group = root(i);
+        dark[group] = dark[group] || gaps_[i].dark;
+        if (gaps_[i].length() > gaps_[longest[group]].length()) longest[group] = i;
+    }
+    std::vector<Ray> rays;
+    std::vector<std::size_t> asked;
+    for (std::size_t i = 0; i < gaps_.size(); ++i)
+        if (leader_[i] == i && !dark[i]) {
+            const SegmentPlane& plane = *planes_[longest[i]];
+            rays.push_back(plane.viewpoint().ray_to(plane.at(gaps_[longest[i]].inside())));
+            asked.push_back(i);
+        }
+    const std::vector<bool> hidden = tracer.any(std::span<const Ray>(rays));
+    for (std::size_t k = 0; k < asked.size(); ++k) dark[asked[k]] = hidden[k];
+    for (std::size_t i = 0; i < gaps_.size(); ++i) gaps_[i].dark = dark[root(i)];
+}
+
+inline IntervalSet IntervalClasses::seen(std::size_t first, std::size_t count) const {
+    std::vector<ParameterInterval> parts;
+    for (const EventInterval& gap : std::span(gaps_).subspan(first, count)) {
+        if (gap.dark) continue;
+        if (!parts.empty() && gap.begin - parts.back().end <= shortest_gap)
+            parts.back().end = gap.end;
+        else
+            parts.push_back({gap.begin, gap.end});
+    }
+    return IntervalSet(std::move(parts));
+}
 
 } // namespace keiko

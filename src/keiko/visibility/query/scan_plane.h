@@ -14,16 +14,19 @@ namespace keiko {
 
 /// A place as a viewpoint sees it: the slope along a row of segments and across it.
 struct ScreenPlace {
-    double along = 0, across = 0;
-    double depth = 0; ///< mm; 1 for parallel light
+    double along = 0, across = 0; ///< slopes; mm for parallel light
+    double depth = 0;             ///< mm; 1 for parallel light
 };
 
 /// Bounds of a place on the screen.
 struct ScanBounds {
-    double along_low = std::numeric_limits<double>::infinity(), along_high = -along_low;
-    double across_low = along_low, across_high = along_high;
+    double along_low = std::numeric_limits<double>::infinity();   ///< least along
+    double along_high = -std::numeric_limits<double>::infinity(); ///< largest along
+    double across_low = along_low, across_high = along_high;      ///< least and largest across
 
+    /// True if no place is within the bounds, as by default.
     bool empty() const { return !(across_low <= across_high && along_low <= along_high); }
+    /// True if a place is within both, borders included.
     bool overlaps(const ScanBounds& other) const {
         return across_low <= other.across_high && across_high >= other.across_low &&
                along_low <= other.along_high && along_high >= other.along_low;
@@ -43,8 +46,11 @@ public:
     bool regular() const { return regular_; }
     /// Whether a segment of this direction is a scan line.
     bool is_along(const Vec3& direction) const;
+    /// Place of a world point on the screen, infinite or undefined at depth 0.
     ScreenPlace place(const Vec3& x) const;
+    /// Unit vector along the screen, world.
     const Vec3& along() const { return x_; }
+    /// Unit vector across the screen, world.
     const Vec3& across() const { return y_; }
     /// From the viewpoint, at right angles to the segments.
     Vec3 way_at(double across) const { return z_ + y_ * across; }
@@ -53,6 +59,7 @@ public:
     /// Bounds of the places where a piece may be edge-on; empty where it is not. `edge_on`: zero
     /// where it is.
     ScanBounds box(const SilhouettePiece& piece, const AffineBounds::Weighed& edge_on) const;
+    /// Bounds of the places of all that is within the error of a border.
     ScanBounds box(const BoundaryPiece& border) const;
 
 private:

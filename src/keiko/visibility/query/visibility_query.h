@@ -18,29 +18,37 @@ namespace keiko {
 
 /// All that Occluders know of a model.
 struct Occluders::Scene {
-    Silhouettes silhouettes;
-    std::vector<BoundaryPiece> borders;
-    BoundsTree silhouette_pieces, boundary_pieces, surface;
-    SubPatchKernels kernels = sub_patch_kernels();
-    CandidateMaker candidates{silhouettes, kernels};
-    SilhouetteSolver solver{silhouettes, kernels};
-    Statistics statistics;
+    Silhouettes silhouettes;                         ///< of all placed patches
+    std::vector<BoundaryPiece> borders;              ///< of all placed faces, then creases
+    BoundsTree silhouette_pieces;                    ///< over Silhouettes::pieces
+    BoundsTree boundary_pieces;                      ///< over `borders`
+    BoundsTree surface;                              ///< over Tracer::boxes(), without normals
+    SubPatchKernels kernels = sub_patch_kernels();   ///< of this processor
+    CandidateMaker candidates{silhouettes, kernels}; ///< refers to this scene
+    SilhouetteSolver solver{silhouettes, kernels};   ///< refers to this scene
+    Statistics statistics;                           ///< set by Occluders
 
+    /// Prepares a model; `tracer` is of it, and not kept. Throws Cancelled.
     Scene(const SurfaceModel& model, const Tracer& tracer, const Job& job);
 };
 
 /// All that may hide some of a region from one viewpoint: what VisibilityQuery asks.
 class VisibilityQuery::Candidates {
 public:
+    /// Collects the candidates; arguments as of VisibilityQuery. Keeps pointers to scene and
+    /// tracer.
     Candidates(const Occluders::Scene& scene, const Tracer& tracer, const Viewpoint& viewpoint,
                std::span<const Vec3> region, const std::optional<Vec3>& facing);
 
+    /// Visible parts of a segment.
     VisibleIntervals intervals(const Segment& ends) const;
     /// Visible parts of a row; nullopt where the segments are no scan lines.
     std::optional<std::vector<VisibleIntervals>> intervals_of_row(
         std::span<const Segment> row) const;
 
+    /// Visibility of whole prisms; see VisibilityQuery::classify_prisms().
     std::vector<std::optional<bool>> classify_prisms(std::span<const Prism> prisms) const;
+    /// Turns of a prism; none for parallel light, and where its screen is seen end-on.
     std::vector<CriticalSlice> turns(const Prism& prism, const TurnRule& rule) const;
 
 private:

@@ -7,7 +7,7 @@
 namespace keiko {
 namespace {
 
-constexpr std::uint32_t sub_patch_size = 4;
+constexpr std::uint32_t leaf_size = 4; ///< most pieces of a node without children
 
 /// A cone that holds both.
 void extend(PieceBound& a, const PieceBound& b) {
@@ -52,7 +52,7 @@ std::uint32_t BoundsTree::build(std::uint32_t first, std::uint32_t count) {
     }
     make_ready(node.bound);
     nodes_.push_back(node);
-    if (count <= sub_patch_size) return self;
+    if (count <= leaf_size) return self;
     const Vec3 extent = centers.extent();
     const unsigned axis = extent.x >= extent.y && extent.x >= extent.z ? 0
                           : extent.y >= extent.z                       ? 1

@@ -11,9 +11,9 @@ namespace keiko {
 /// The box and the normals of something small: a cone of half angle `angle` rad about a unit
 /// vector; an angle above pi / 2 says nothing.
 struct PieceBound {
-    Box3 box;
-    Vec3 normal{0, 0, 1};
-    double angle = 4;
+    Box3 box;                     ///< world, mm
+    Vec3 normal{0, 0, 1};         ///< unit, axis of the cone
+    double angle = 4;             ///< rad, half angle of the cone
     double sine = 0, cosine = -1; ///< of the angle
     double radius = 0;            ///< mm, of the ball around the box
 };
@@ -22,6 +22,8 @@ struct PieceBound {
 class BoundsTree {
 public:
     BoundsTree() = default;
+    /// Tree over some bounds, which find() and any() number in this order. Sines, cosines and radii
+    /// are set here.
     explicit BoundsTree(std::vector<PieceBound> bounds);
 
     /// Calls `visit(piece, sides)` for the pieces whose boxes `volume` may hold and that the

@@ -22,11 +22,15 @@ struct ViewpointHorizon {
 /// Bounds of a patch's homogeneous derivatives over a box of its parameters, by any positive
 /// factor: component by component, middle and half width.
 struct TangentBounds {
+    /// Range of a vector, component by component.
     struct Range {
-        Vec4 middle{0}, half{0};
+        Vec4 middle{0}; ///< of each component
+        Vec4 half{0};   ///< half width of each component
     };
-    Range along_u, along_v;
+    Range along_u, along_v; ///< of the derivatives by u and by v
 };
+/// Bounds over [0, 1]^2 of a net, by the differences of neighbouring coefficients. Requires degrees
+/// of at least 1.
 TangentBounds tangent_bounds(const HomogeneousNet& net);
 
 /// Steepest chord within the bounds alone, in their own axes.

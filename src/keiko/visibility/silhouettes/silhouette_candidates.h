@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/intersect/hit/surface_jet.h"
+#include "keiko/intersect/hit/surface_interaction.h"
 #include "keiko/visibility/nets/degree_reduced_net.h"
 #include "keiko/visibility/silhouettes/chord_elevation.h"
 #include "keiko/visibility/silhouettes/silhouette_part.h"
@@ -14,12 +14,14 @@ namespace keiko {
 
 /// Ranges of a function's second derivatives over [-1, 1]^2.
 struct NetCurvature {
-    NetRange xx, xy, yy;
+    NetRange xx, xy, yy; ///< by x twice, by both, by y twice
 
-    /// No zero of the function's gradient but one, whatever the direction.
+    /// True if the matrix of second derivatives is proved definite everywhere, with one sign: the
+    /// function's gradient has one zero at most.
     bool definite() const;
 };
 
+/// Curvature of a function by the ranges of its second derivatives' coefficients.
 NetCurvature net_curvature(const ScalarNet& net);
 /// Curvature of the function `exact` that `lowered` approximates, cheaper where the approximation
 /// is so close that Markov's inequality says enough of its derivatives.
@@ -86,23 +88,24 @@ private:
 
 /// A piece that a viewpoint may see edge-on, with what does not depend on the segment.
 struct SilhouetteCandidate {
-    std::uint32_t piece = 0;
+    std::uint32_t piece = 0;         ///< into Silhouettes::pieces
     AffineBounds::Weighed edge_on{}; ///< zero where the piece is seen edge-on
     /// Once a segment needs more than `edge_on`: holds nothing where the piece is proved to be seen
     /// edge-on nowhere.
     mutable std::optional<std::unique_ptr<SilhouettePart>> part{};
 
+    /// True if a segment has asked already and the piece was proved to be seen edge-on nowhere.
     bool nowhere_edge_on() const { return part && !*part; }
 };
 
 /// The part of a patch around a viewpoint that lies on it, where the zero at the viewpoint itself
 /// makes itself felt: searched without the viewpoint.
 struct OwnCandidate {
-    std::uint32_t patch = 0; ///< into Silhouettes::patches
-    Box2 uv;                 ///< of that patch: the pieces around, and the viewpoint
-    Vec2 foot{0};            ///< the viewpoint
-    bool trimmed = false;    ///< the face is
-    std::optional<SelfOcclusion> rings{};
+    std::uint32_t patch = 0;              ///< into Silhouettes::patches
+    Box2 uv;                              ///< of that patch: the pieces around, and the viewpoint
+    Vec2 foot{0};                         ///< the viewpoint
+    bool trimmed = false;                 ///< the face is
+    std::optional<SelfOcclusion> rings{}; ///< set by CandidateMaker::finish()
     /// Sine of the elevation over the tangent plane above which the viewpoint sees nothing of the
     /// part.
     double steepest = 1;
@@ -110,8 +113,8 @@ struct OwnCandidate {
 
 /// All that one viewpoint may see edge-on.
 struct SilhouetteCandidates {
-    std::vector<SilhouetteCandidate> pieces;
-    std::vector<OwnCandidate> own;
+    std::vector<SilhouetteCandidate> pieces; ///< that the viewpoint does not lie on or next to
+    std::vector<OwnCandidate> own;           ///< one a patch whose surface the viewpoint lies on
 
     /// Sine of the elevation above which no part of `own` hides anything.
     double own_steepest() const;
@@ -121,6 +124,7 @@ struct SilhouetteCandidates {
 /// arguments.
 class CandidateMaker {
 public:
+    /// Maker of candidates among the pieces of a model.
     CandidateMaker(const Silhouettes& silhouettes, const SubPatchKernels& kernels)
         : silhouettes_(silhouettes), kernels_(kernels) {}
 

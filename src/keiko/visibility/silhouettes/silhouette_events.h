@@ -15,6 +15,7 @@ namespace keiko {
 /// event is left to within rounding.
 class SilhouetteSolver {
 public:
+    /// Solver for the pieces of a model. Keeps references to both.
     SilhouetteSolver(const Silhouettes& silhouettes, const SubPatchKernels& kernels)
         : silhouettes_(silhouettes), kernels_(kernels) {}
 
@@ -22,6 +23,7 @@ public:
     /// when some could not be separated.
     bool find(const SilhouetteCandidate& candidate, const SegmentPlane& plane,
               const ShadowWedge& wedge, std::vector<VisibilityEvent>& events) const;
+    /// Appends the events of the viewpoint's own surroundings likewise.
     bool find(const OwnCandidate& own, const SegmentPlane& plane, const ShadowWedge& wedge,
               std::vector<VisibilityEvent>& events) const;
     /// False when all that `viewpoint` sees edge-on of a candidate is proved to lie outside.

@@ -18,6 +18,7 @@ namespace keiko {
 /// of that part. Of parallel light it is a strip.
 class ShadowWedge {
 public:
+    /// Wedge to the part [begin, end] of the segment of a plane.
     ShadowWedge(const SegmentPlane& plane, const ParameterInterval& part) {
         const Viewpoint& viewpoint = plane.viewpoint();
         const std::array ends{plane.at(part.begin), plane.at(part.end)};
@@ -76,8 +77,11 @@ public:
     SilhouettePart(const Box2& uv, HomogeneousNet points, DegreeReducedScalar edge_on,
                    const Vec2& shares);
 
+    /// Parameters of the patch that the part covers.
     const Box2& uv() const { return uv_; }
+    /// Control points over uv(), in the frame that it was made with.
     const HomogeneousNet& points() const { return points_; }
+    /// Function over uv() that is zero where the viewpoint sees the part edge-on.
     const DegreeReducedScalar& edge_on() const { return edge_on_; }
 
     /// Calls `solve(part, pair)` for each part that is proved, by `pair`, to hold at most one
@@ -128,12 +132,14 @@ public:
     using Solve = std::function<std::optional<Vec2>(const Vec2& start, const Vec2& extent)>;
     /// How far an event can be moved along the segment, in its parameter, by moving within a box.
     using Spread = std::function<double(const Box2&)>;
+    /// Result of a search, in no order.
     struct Result {
-        std::vector<Vec2> roots;
+        std::vector<Vec2> roots; ///< in [0, 1]^2 or its overlap
         /// Boxes' middles where one event cannot be separated from several.
         std::vector<Vec2> unclear;
         bool certain = true; ///< false when unclear boxes are wide
     };
+    /// Runs the search; after `most_boxes` boxes those that are left count as unclear.
     Result run(const Solve& solve, const Spread& spread, int most_boxes) const;
 
 private:

@@ -16,16 +16,19 @@ namespace keiko {
 /// A placed patch, or a part of one, as an occluder: its points and its tangent planes, relative
 /// to `center`, world, mm.
 struct OccluderPatch {
-    std::uint32_t instance = 0, face = 0, patch = 0;
-    Box2 uv{Vec2(0), Vec2(1)}; ///< of the model's patch that this one covers
-    Vec3 center{0};
-    double size = 0; ///< mm, of its box
-    HomogeneousNet points, planes;
-    bool rational = false;
-    bool flat = false; ///< has no folds
-    ParameterMap map_u, map_v;
+    std::uint32_t instance = 0, face = 0, patch = 0; ///< into the model's arrays
+    Box2 uv{Vec2(0), Vec2(1)};                       ///< of the model's patch that this one covers
+    Vec3 center{0};                                  ///< world, mm
+    double size = 0;                                 ///< mm, of its box
+    HomogeneousNet points;                           ///< control points in world axes
+    HomogeneousNet planes;                           ///< tangent_planes() of them
+    bool rational = false;                           ///< the weights differ
+    bool flat = false;                               ///< has no folds
+    ParameterMap map_u, map_v; ///< between the parameters of the model's patch and its face
 
+    /// Parameters of the model's patch for a place of this one's own [0, 1]^2.
     Vec2 patch_parameters(const Vec2& own) const { return uv.lower + uv.extent() * own; }
+    /// Face parameters for a place of this one's own [0, 1]^2.
     Vec2 face_parameters(const Vec2& own) const {
         const Vec2 p = patch_parameters(own);
         return {map_u.to_face(p.x), map_v.to_face(p.y)};
@@ -43,12 +46,13 @@ struct SilhouettePiece {
     /// Axes of the nets. The last axis is about the normal: where the surface is edge-on, a
     /// viewpoint has little of that, and bounds of what varies along the normal weigh little.
     NetFrame frame;
-    AffineNet points, planes;
+    AffineNet points;                 ///< homogeneous points over `uv`, in the frame
+    AffineNet planes;                 ///< tangent planes over `uv`, in the frame
     HomogeneousNet overlapped_points; ///< over the piece and its overlap
     DegreeReducedNet lowered_planes;  ///< over the same
     TangentBounds chords; ///< of `points`, for viewpoints whose foot is in surroundings()
-    double normal_angle =
-        4; ///< rad, half angle of the cone about the last axis that holds all normals
+    /// Half angle of the cone about the last axis that holds all normals, rad.
+    double normal_angle = 4;
 
     /// The piece's share of its patch with what it overlaps its neighbours by, so that no event
     /// falls between them.
@@ -68,15 +72,16 @@ struct SilhouettePiece {
 
 /// Everything of a model that a viewpoint may see edge-on.
 struct Silhouettes {
-    std::vector<OccluderPatch> patches; ///< by instance, then by patch
-    std::vector<SilhouettePiece> pieces;
-    std::vector<TrimRegion> regions; ///< one a face of the model
+    std::vector<OccluderPatch> patches;  ///< by instance, then by patch
+    std::vector<SilhouettePiece> pieces; ///< by patch; none of flat patches
+    std::vector<TrimRegion> regions;     ///< one a face of the model
 
     /// Unit normal of either sense at a place of a placed patch; nothing where it has none.
     std::optional<Vec3> normal_at(const Root& root) const;
 };
 
-/// Patches of higher degree than max_occluder_degree are approximated by pieces of that degree, to
+/// Silhouettes of all placed patches of a model. Patches of higher degree than max_occluder_degree
+/// are approximated by pieces of that degree, to
 /// 1e-11 of their size. Throws Cancelled.
 Silhouettes silhouettes_of(const SurfaceModel& model, const Job& job);
 

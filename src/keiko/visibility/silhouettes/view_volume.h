@@ -16,7 +16,8 @@ namespace keiko {
 class ViewVolume {
 public:
     /// `region` holds corners of a convex body around every segment to come.
-    /// With `facing` only what lies on its side of the plane through the viewpoint hides anything.
+    /// With `facing` only what lies on its side of the plane through the viewpoint hides anything;
+    /// the viewpoint is then a point, not at infinity.
     ViewVolume(const Viewpoint& viewpoint, std::span<const Vec3> region,
                const std::optional<Vec3>& facing = {});
 
@@ -27,6 +28,7 @@ public:
 
     /// Sides of the volume, a bit each: those that something may lie across or beyond.
     using Sides = std::uint32_t;
+    /// Set of all sides, 7 at most.
     Sides all_sides() const { return (Sides{1} << count_) - 1; }
 
     /// False when the box is proved to lie beyond one of `sides`. Removes the sides that
@@ -35,6 +37,7 @@ public:
     /// False when a piece is proved to lie beyond a side, by its parallelogram or control points,
     /// tighter than its box.
     bool may_hold(const SilhouettePiece& piece, Sides& sides) const;
+    /// False when a border with all within its error is proved to lie beyond a side.
     bool may_hold(const BoundaryPiece& border, Sides& sides) const;
     /// False when a curve of degree 5, relative to `center`, is proved to lie beyond a side with
     /// all within `error` of it.

@@ -1,8 +1,7 @@
-#include "keiko/visibility/query/contour_curve.h"
-
 #include "keiko/geometry/bernstein/bernstein.h"
-#include "keiko/intersect/hit/surface_jet.h"
-#include "keiko/visibility/boundaries/curve_cover.h"
+#include "keiko/intersect/hit/surface_interaction.h"
+#include "keiko/visibility/boundaries/boundary_piece.h"
+#include "keiko/visibility/epipolar/epipolar_curve.h"
 
 #include <algorithm>
 #include <cmath>
