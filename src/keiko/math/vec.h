@@ -20,6 +20,12 @@ inline double angle_between(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).length(), a.dot(b));
 }
 
+/// The part of a vector square to another; all of it where that is 0.
+inline Vec3 square_to(const Vec3& v, const Vec3& line) {
+    const double length2 = line.length2();
+    return length2 > 0 ? v - line * (v.dot(line) / length2) : v;
+}
+
 /// Absolute values of the components.
 inline Vec3 magnitudes(const Vec3& v) {
     return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};

@@ -43,6 +43,13 @@ TEST_F(SubdivisionModel, HolesLeaveNoFaceAndKeepTheOthersIds) {
     EXPECT_EQ(model.faces[0].name, "roof-f2.1");
 }
 
+TEST_F(SubdivisionModel, VerticesOfNoFaceCostNoPrecision) {
+    const SurfaceModel alone = load(house), astray = load(house + "v 1e14 0 0\n");
+    ASSERT_EQ(alone.points.size(), astray.points.size());
+    for (std::size_t i = 0; i < alone.points.size(); ++i)
+        EXPECT_EQ(alone.points[i], astray.points[i]);
+}
+
 TEST_F(SubdivisionModel, ACageWithoutSurfaceIsAnError) {
     try {
         load(house + "t interpolateboundary 1/0/0 0\n");

@@ -134,8 +134,8 @@ TEST(BendsInside, WhereTheSheetTurnsBackAreFolds) {
 }
 
 TEST(BendsInside, AreFoundWhereTheParametersRunAskew) {
-    // Control points that coincide but for their places along the line: S_u is not 0 there, but
-    // parallel to S_v.
+    // Control points that coincide except for their places along the line: S_u is parallel to S_v
+    // there.
     for (const double degrees : {0.15, 1.0, 26.6, 90.0})
         for (const double shift : {1.0, 30.0, 75.0}) {
             NurbsSurface surface{2, 1, {0, 0, 0, 1, 2, 2, 2}, {0, 0, 1, 1}, {}};

@@ -179,7 +179,7 @@ TEST(SingularPlaces, TipsWhoseBordersCrossHaveNone) {
         const auto places = places_of(builder.build());
         EXPECT_FALSE(has(places, SingularPlace::Kind::fold))
             << beyond << " " << wide << " " << long_;
-        // Only the part that is turned over is listed, and only if it can be told.
+        // What is turned over for less than the negligible length is not listed.
         EXPECT_TRUE(beyond / wide * long_ > 0.1 || places.empty());
     }
 }

@@ -74,13 +74,14 @@ struct Cage {
     std::vector<std::string> names{""};    ///< of groups and materials; the first is none
     Diagnostics diagnostics;               ///< what reading the file has found
 
-    /// Diagonal of the box around the faces, in units of the file; vertices of no face do not
-    /// count.
-    double size() const {
+    /// The box around the faces, in units of the file; vertices of no face may be anywhere.
+    Box3 box() const {
         Box3 box;
         for (const std::uint32_t vertex : corners) box.extend(vertices[vertex]);
-        return box.size();
+        return box;
     }
+    /// Diagonal of that box.
+    double size() const { return box().size(); }
     /// Vertex of corner `k` of a face; k counts on around the face.
     std::uint32_t corner(const CageFace& face, std::uint32_t k) const {
         return corners[face.first_corner + k % face.corner_count];

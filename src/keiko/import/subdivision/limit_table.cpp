@@ -46,9 +46,7 @@ LimitTable::LimitTable(const Cage& cage, int level) : triangular_(cage.scheme ==
     if (!table_) throw Error("", "", "OpenSubdiv gives no patches for the cage");
     map_ = std::make_unique<osd::Far::PatchMap>(*table_);
 
-    Box3 box;
-    for (const Vec3& p : cage.vertices) box.extend(p);
-    center_ = box.center();
+    center_ = cage.box().center();
     const auto total = static_cast<std::size_t>(refiner->GetNumVerticesTotal());
     points_.resize(total + static_cast<std::size_t>(table_->GetNumLocalPoints()));
     for (std::size_t i = 0; i < cage.vertices.size(); ++i)

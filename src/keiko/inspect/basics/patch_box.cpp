@@ -5,28 +5,29 @@
 namespace keiko {
 namespace {
 
-/// Rounding error of de Casteljau's averages and of differences, as a share of the largest
-/// coordinate. Each of some 30 halvings of degree up to 25 adds less than one unit in the last
-/// place to the mean of its numbers.
+/// Rounding error of de Casteljau's averages, as a share of the largest coordinate. Each of some 30
+/// halvings of degree up to 25 adds less than one unit in the last place to the mean of its
+/// numbers.
 constexpr double relative_rounding = 1e-14;
 
 /// Control points of a derivative net.
 struct Net {
     std::size_t rows, columns;
     std::vector<Vec4> points;
+    double gain = 1; ///< by which differences have made the rounding error larger
 
     Net by_x() const {
-        if (rows == 1) return {1, 1, {Vec4(0)}};
-        Net d{rows - 1, columns, {}};
+        if (rows == 1) return {1, 1, {Vec4(0)}, gain};
         const double degree = static_cast<double>(rows - 1);
+        Net d{rows - 1, columns, {}, 2 * degree * gain};
         for (std::size_t k = 0; k + columns < points.size(); ++k)
             d.points.push_back((points[k + columns] - points[k]) * degree);
         return d;
     }
     Net by_y() const {
-        if (columns == 1) return {1, 1, {Vec4(0)}};
-        Net d{rows, columns - 1, {}};
+        if (columns == 1) return {1, 1, {Vec4(0)}, gain};
         const double degree = static_cast<double>(columns - 1);
+        Net d{rows, columns - 1, {}, 2 * degree * gain};
         for (std::size_t i = 0; i < rows; ++i)
             for (std::size_t j = 0; j + 1 < columns; ++j)
                 d.points.push_back((points[i * columns + j + 1] - points[i * columns + j]) *
@@ -37,7 +38,7 @@ struct Net {
         Interval all(points.front()[axis]);
         for (const Vec4& p : points)
             all = {std::min(all.low, p[axis]), std::max(all.high, p[axis])};
-        return all.padded(rounding);
+        return all.padded(gain * rounding);
     }
 };
 

@@ -39,7 +39,8 @@ std::vector<Cell> first_cells(const SeamProbe& probe, int count) {
     return cells;
 }
 
-/// The largest of the three values, and an upper bound of the cell's values.
+/// The largest of the three values, and an upper bound of the cell's values. Where one of them is
+/// not defined, as at a pole, the others tell how they change.
 struct Reach {
     double best = -HUGE_VAL, upper = -HUGE_VAL;
     SeamPoint point;
@@ -57,6 +58,7 @@ Reach reach(const Cell& cell, const SeamQuantity& quantity) {
     }
     result.upper = result.best;
     if (known == 3) result.upper += std::abs(values[1] - (values[0] + values[2]) / 2);
+    if (known == 2) result.upper += std::abs(values[1] - values[0]);
     return result;
 }
 

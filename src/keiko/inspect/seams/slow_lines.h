@@ -7,12 +7,6 @@
 
 namespace keiko {
 
-/// The part of a vector square to another; all of it where that is 0.
-inline Vec3 square_to(const Vec3& v, const Vec3& line) {
-    const double length2 = line.length2();
-    return length2 > 0 ? v - line * (v.dot(line) / length2) : v;
-}
-
 /// The isolines of a patch at which its surface could bend within `window` mm: where the speed
 /// square to the isoline, |S_u x S_v| / |S_v|, is least. This is a heuristic. A bend within w is
 /// expected only of lines slower than (n - 1) sqrt(2 w m) of degree n, m the largest speed. The
