@@ -242,6 +242,10 @@ Check check_of_singular(const SingularPlace& place, const CriteriaPreset& preset
                       : judged("KEIKO-SINGULAR", "deg", worst,
                                {"the angle between normals about one place", " degrees"});
     if (place.kind == Kind::unresolved) check.message = "the face is not shown to be regular";
+    if (place.kind == Kind::uneven)
+        check.message =
+            "the weights of a patch differ by more than a factor of 10000: its seams may "
+            "be measured in part";
     check.message += place.kind == Kind::fold ? "; the face folds back on itself" : "";
     if (place.extent > 1e-3) check.message += ", within some " + short_number(place.extent) + " mm";
     if (place.kind == Kind::no_limit) check.severity = Check::Severity::look;
@@ -275,6 +279,15 @@ Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::siz
 Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane) {
     const std::string what = "the deviation from the mirror image at " + plane;
     return judged("KEIKO-SYMMETRY", "mm", worst, {what.c_str(), " mm"});
+}
+
+Check check_of_kink(const NarrowFace& narrow, const CriteriaPreset& preset,
+                    const std::string& neighbours) {
+    const MeasuredValue worst{narrow.angle, 0, preset.angle, narrow.place, Verdict::fail};
+    Check check = judged("G-SU-NT", "deg", worst, {"the angle across a strip", " degrees"});
+    check.message += "; the strip is " + short_number(narrow.width) + " mm wide and some " +
+                     short_number(narrow.length) + " mm long, between " + neighbours;
+    return check;
 }
 
 Check check_of_narrow(const NarrowFace& narrow, double join, const std::string& neighbours) {

@@ -67,6 +67,11 @@ Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::siz
 /// = 0". Without face.
 Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane);
 
+/// G-SU-NT: the faces on either side of a strip not wider than what is negligible turn by more than
+/// the preset's angle. `neighbours`: their names. Without face.
+Check check_of_kink(const NarrowFace& narrow, const CriteriaPreset& preset,
+                    const std::string& neighbours);
+
 /// G-SU-NA: a strip of a face that is narrower than the join distance, `join` mm, beside a crease
 /// deserves a look. `neighbours`: the names of the faces on either side of it. Without face.
 Check check_of_narrow(const NarrowFace& narrow, double join, const std::string& neighbours);

@@ -2,7 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/basics/placed_face.h"
-#include "keiko/inspect/border_looks.h"
+#include "keiko/inspect/border_checks.h"
 #include "keiko/inspect/flaws/flaw_search.h"
 #include "keiko/inspect/seams/seam_line.h"
 
@@ -154,12 +154,17 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
         count(result.seams[i], result.counts);
         take(result.seams[i].verdict, checks_of(result.seams[i], preset, join, i), result);
     }
+    std::vector<Check> at_borders =
+        checks_at_borders(borders, result.seams, result.pieces, preset, join, job);
+    for (const Check& check : at_borders)
+        if (check.is_finding())
+            result.faces[check.face].verdict =
+                std::max(result.faces[check.face].verdict, check.worst.verdict);
     for (std::uint32_t i = 0; i < result.faces.size(); ++i) {
         ++count_of(result.faces[i].verdict, result.face_counts);
         take(result.faces[i].verdict, checks_of(result.faces[i], preset, i), result);
     }
-    take(Verdict::pass, looks_at_borders(borders, result.seams, result.pieces, preset, join, job),
-         result);
+    take(Verdict::pass, std::move(at_borders), result);
     result.findings = ranked(result, &Check::is_finding);
     result.looks = ranked(result, &Check::is_worth_a_look);
     return result;

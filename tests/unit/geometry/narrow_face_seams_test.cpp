@@ -5,6 +5,8 @@
 #include "tests/unit/geometry/seam_sides.h"
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace keiko {
 namespace {
 
@@ -61,6 +63,22 @@ TEST(PairSeams, KeepsATinyFaceWhoseEdgesAreShorterThanTheJoinDistance) {
     ASSERT_EQ(seams.size(), 1u);
     EXPECT_NEAR(seams[0].a.begin, 0.2, 1e-12);
     EXPECT_NEAR(seams[0].a.end, 0.202, 1e-12);
+}
+
+TEST(PairSeams, KeepsAClosedFaceWhoseEndsOverlap) {
+    // A tube of 50 mm in radius, of four arcs that together go round by a little more than once.
+    for (const double overlap : {1e-6, 1e-3, 5e-3, 0.05, -5e-3}) {
+        const double radius = 50, half = std::acos(-1.0) / 4 + overlap / radius / 8;
+        NurbsSurface tube{2, 1, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, {0, 0, 1, 1}, {}};
+        for (int i = 0; i <= 8; ++i) {
+            const double w = i % 2 == 0 ? 1 : std::cos(half), r = radius / w;
+            const Vec3 p(r * std::cos(i * half), r * std::sin(i * half), 0);
+            for (const double z : {0.0, 100.0}) tube.points.push_back(Vec4(p.x, p.y, z, 1) * w);
+        }
+        ModelBuilder builder;
+        builder.nurbs(tube);
+        EXPECT_EQ(pair_seams(builder.build(), join).size(), 1u) << overlap;
+    }
 }
 
 TEST(PairSeams, DoesNotTakeANarrowFaceForAClosedOne) {

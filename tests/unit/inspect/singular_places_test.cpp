@@ -191,5 +191,19 @@ TEST(SingularPlaces, SidesThatTheSpeedVanishesAlongHaveNone) {
     EXPECT_TRUE(places_of(builder.build()).empty());
 }
 
+TEST(SingularPlaces, VeryUnequalWeightsAreUndecided) {
+    for (const double ratio : {1e3, 1e5, 1e7}) {
+        test::ModelBuilder builder;
+        builder.rational_patch(1, 1,
+                               {{0, 0, 0, 1},
+                                Vec4(0, 100, 0, 1) * ratio,
+                                {100, 0, 0, 1},
+                                Vec4(100, 100, 0, 1) * ratio});
+        EXPECT_EQ(has(places_of(builder.build()), SingularPlace::Kind::uneven), ratio > 1e4);
+        const Verdict verdict = inspect(builder.build()).verdict;
+        EXPECT_EQ(verdict, ratio > 1e4 ? Verdict::undecided : Verdict::pass);
+    }
+}
+
 } // namespace
 } // namespace keiko

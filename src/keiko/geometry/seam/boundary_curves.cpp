@@ -132,4 +132,12 @@ SurfaceCurve BoundaryCurves::curve(const BoundaryInterval& interval) const {
     return {*model_, grid, transform, {std::span(lines).subspan(first, 2)}, true};
 }
 
+double BoundaryCurves::way_over_face(const BoundaryInterval& a, double t, const BoundaryInterval& b,
+                                     double s) const {
+    const Vec2 from = curve(a).parameters(t), to = curve(b).parameters(s);
+    const std::array<Vec3, 2> path{Vec3(from.x, from.y, 1), Vec3(to.x, to.y, 1)};
+    const Affine& placed = model_->instances[a.instance].transform;
+    return SurfaceCurve(*model_, grids_[a.face], placed, {path}, true).length(0, 1);
+}
+
 } // namespace keiko

@@ -31,6 +31,9 @@ public:
     std::vector<BoundaryInterval> all() const;
     /// The curve that an interval runs on.
     SurfaceCurve curve(const BoundaryInterval& interval) const;
+    /// mm along a face between two places of its borders, by the straight path in its parameters.
+    double way_over_face(const BoundaryInterval& a, double t, const BoundaryInterval& b,
+                         double s) const;
 
 private:
     const SurfaceModel* model_;

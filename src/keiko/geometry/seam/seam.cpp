@@ -38,6 +38,7 @@ private:
     std::vector<Stretch> undominated(const SeamCandidate& candidate) const;
     bool dominated(const SeamCandidate& candidate, const FacingPoints& p) const;
     bool across_a_face(const SeamCandidate& candidate, const FacingPoints& p) const;
+    bool is_narrow_face(const SeamCandidate& candidate) const;
     bool on_one_face(const SeamCandidate& candidate) const {
         const BoundaryInterval &a = intervals_[candidate.a], &b = intervals_[candidate.b];
         return a.instance == b.instance && a.face == b.face;
@@ -123,6 +124,7 @@ void SeamPairing::find_candidates() {
     std::erase_if(candidates_, [&](const SeamCandidate& c) { return open(c.a, c.b); });
     std::vector<SeamCandidate> wide = candidates(tree, join_, open);
     std::move(wide.begin(), wide.end(), std::back_inserter(candidates_));
+    for (SeamCandidate& candidate : candidates_) candidate.is_narrow = is_narrow_face(candidate);
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const SeamCandidate& x, const SeamCandidate& y) {
                          return std::pair(x.a, x.b) < std::pair(y.a, y.b);
@@ -137,13 +139,23 @@ void SeamPairing::list_offers() {
     }
 }
 
+/// True if both borders are of one face that is narrow between them. It is longer from one to the
+/// other of a face that is closed, whose ends may overlap.
+bool SeamPairing::is_narrow_face(const SeamCandidate& candidate) const {
+    constexpr double longest = 2; // more than around half a circle
+    if (!on_one_face(candidate)) return false;
+    const FacingPoints& p = candidate.stretch.points[candidate.stretch.points.size() / 2];
+    return curves_.way_over_face(intervals_[candidate.a], p.t, intervals_[candidate.b], p.s) <=
+           longest * p.distance;
+}
+
 /// True if the connection between the borders crosses the whole width of one of the faces. The
 /// border beyond its other border is that face's neighbour.
 bool SeamPairing::across_a_face(const SeamCandidate& candidate, const FacingPoints& p) const {
     const double reach = p.distance + indistinct_share * join_;
     const auto narrow = [&](const std::vector<SeamOffer>& offers, double x) {
         return std::any_of(offers.begin(), offers.end(), [&](const SeamOffer& offer) {
-            return on_one_face(*offer.candidate) && width_at(offer, x) <= reach;
+            return offer.candidate->is_narrow && width_at(offer, x) <= reach;
         });
     };
     return p.overlap && (narrow(offers_[candidate.a], p.t) || narrow(offers_[candidate.b], p.s));
@@ -154,7 +166,7 @@ bool SeamPairing::across_a_face(const SeamCandidate& candidate, const FacingPoin
 bool SeamPairing::dominated(const SeamCandidate& candidate, const FacingPoints& p) const {
     const double slack = indistinct_share * join_;
     if (p.distance <= slack) return false;
-    if (on_one_face(candidate) && p.overlap) return true; // a narrow face, not a closed one
+    if (candidate.is_narrow && p.overlap) return true;
     if (across_a_face(candidate, p)) return true;
 
     const auto best = [&](const std::vector<SeamOffer>& offers, double x) {

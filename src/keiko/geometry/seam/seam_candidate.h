@@ -24,9 +24,10 @@ inline bool is_corner(const Vec3& before, const Vec3& after) {
 
 /// A stretch and the two borders that it joins; border a is the earlier.
 struct SeamCandidate {
-    std::uint32_t a = 0; ///< number of border a
-    std::uint32_t b = 0; ///< number of border b, greater than a
-    Stretch stretch;     ///< t on border a, s on border b
+    std::uint32_t a = 0;    ///< number of border a
+    std::uint32_t b = 0;    ///< number of border b, greater than a
+    Stretch stretch;        ///< t on border a, s on border b
+    bool is_narrow = false; ///< both are borders of one face, which is narrow between them
 };
 
 /// The facing points that another candidate provides along a stretch of one border.

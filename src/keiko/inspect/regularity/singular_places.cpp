@@ -11,6 +11,16 @@
 namespace keiko {
 namespace {
 
+constexpr double most_weight_ratio = 1e4;
+
+/// Largest weight over the smallest.
+double weight_ratio(const BezierPatchView& patch) {
+    const auto lighter = [](const Vec4& a, const Vec4& b) { return a.w < b.w; };
+    const auto [least, most] =
+        std::minmax_element(patch.points.begin(), patch.points.end(), lighter);
+    return most->w / least->w;
+}
+
 /// The places of one kind, and their box.
 struct Cluster {
     SingularPlace place;
@@ -27,6 +37,8 @@ public:
             patches_.emplace_back(model, face_.first_patch + i, model.instances[instance].transform,
                                   limits.negligible);
             bounds.extend(patches_.back().box());
+            if (weight_ratio(model.patch(face_.first_patch + i)) > most_weight_ratio)
+                add({SingularPlace::Kind::uneven, 0, 0, patches_.back().box().center()});
         }
         coarse_ = std::max(limits.negligible, bounds.size() / 32);
     }
@@ -155,7 +167,7 @@ private:
 Verdict verdict_of(SingularPlace::Kind kind) {
     using Kind = SingularPlace::Kind;
     if (kind == Kind::fold) return Verdict::fail;
-    return kind == Kind::unresolved ? Verdict::undecided : Verdict::pass;
+    return kind == Kind::no_limit ? Verdict::pass : Verdict::undecided;
 }
 
 std::vector<SingularPlace> singular_places(const SurfaceModel& model, std::uint32_t instance,

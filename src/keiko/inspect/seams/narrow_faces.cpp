@@ -72,15 +72,20 @@ ClosestPoint foot_on(const SeamSide::Line& line, const Vec3& place, double guess
 class StripSearch {
 public:
     StripSearch(const SurfaceModel& model, const PlacedFace& face,
-                const std::vector<SeamSide>& sides, double join)
-        : model_(model), sides_(sides), face_(face), join_(join), tree_(list_chords()) {}
+                const std::vector<SeamSide>& sides, const CriteriaPreset& limits, double join)
+        : model_(model),
+          sides_(sides),
+          limits_(limits),
+          face_(face),
+          join_(join),
+          tree_(list_chords()) {}
 
-    std::optional<NarrowFace> run() {
-        NarrowFace found{.face = face_, .width = 0};
+    std::optional<NarrowFace> run(NarrowFace::Kind kind) {
+        NarrowFace found{.kind = kind, .face = face_};
         double negligible = 0;
         for (std::uint32_t i = 0; i < chords_.size(); ++i) {
             const SeamSide& side = sides_[chords_[i].side];
-            if (!side.is_crease) continue;
+            if (side.is_crease != (kind == NarrowFace::Kind::beside_crease)) continue;
             const double length = narrow_length(i, found);
             found.length += length;
             if (length > 0) negligible = std::max(negligible, side.negligible);
@@ -106,13 +111,15 @@ private:
 
     std::vector<Box3> list_chords();
     double narrow_length(std::uint32_t i, NarrowFace& found);
-    std::optional<Across> across(const SideChord& from, double share, const SideChord& to);
+    std::optional<Across> across(const SideChord& from, double share, const SideChord& to,
+                                 double reach);
     bool is_material_between(const Across& at, const SurfaceCurve& from, const SurfaceCurve& to);
-    void take(const Across& at, const SeamSide& near, const SeamSide& far, NarrowFace& found) const;
+    bool take(const Across& at, const SeamSide& near, const SeamSide& far, NarrowFace& found) const;
     std::optional<BoundaryFrame> beyond(const SeamSide& side, double t, const Vec3& place) const;
 
     const SurfaceModel& model_;
     const std::vector<SeamSide>& sides_;
+    const CriteriaPreset& limits_;
     PlacedFace face_;
     double join_;
     std::vector<SideChord> chords_;
@@ -142,30 +149,33 @@ std::vector<Box3> StripSearch::list_chords() {
     return boxes;
 }
 
-/// mm of a chord of a crease along which the face is narrow; `found` takes the largest step.
+/// mm of a chord along which the face has a strip of the kind; `found` takes the worst place.
 double StripSearch::narrow_length(std::uint32_t i, NarrowFace& found) {
     const SideChord& from = chords_[i];
+    const bool of_crease = found.kind == NarrowFace::Kind::beside_crease;
+    const double reach = of_crease ? join_ : sides_[from.side].negligible;
     Box3 box;
     box.extend(from.chord.from);
     box.extend(from.chord.to);
     std::vector<ParameterInterval> narrow;
-    for (const std::uint32_t j : tree_.overlapping(box.padded(join_))) {
+    for (const std::uint32_t j : tree_.overlapping(box.padded(reach))) {
         const SideChord& to = chords_[j];
-        const bool is_second = sides_[to.side].is_crease && j <= i; // of two creases
-        const auto part = is_second ? std::nullopt : part_beside(from.chord, to.chord, join_);
-        const auto middle = part ? across(from, (part->begin + part->end) / 2, to) : std::nullopt;
-        if (!middle) continue;
+        const SeamSide &near = sides_[from.side], &far = sides_[to.side];
+        const bool is_second = of_crease ? far.is_crease && j <= i : far.is_crease || j <= i;
+        if (is_second) continue; // found from there
+        const auto part = part_beside(from.chord, to.chord, reach);
+        const auto middle =
+            part ? across(from, (part->begin + part->end) / 2, to, reach) : std::nullopt;
+        if (!middle || !take(*middle, near, far, found)) continue;
         narrow.push_back(*part);
-        take(*middle, sides_[from.side], sides_[to.side], found);
         for (const double share : {part->begin, part->end})
-            if (const auto at = across(from, share, to))
-                take(*at, sides_[from.side], sides_[to.side], found);
+            if (const auto at = across(from, share, to, reach)) take(*at, near, far, found);
     }
     return IntervalSet(std::move(narrow)).measure() * from.chord.length();
 }
 
 std::optional<StripSearch::Across> StripSearch::across(const SideChord& from, double share,
-                                                       const SideChord& to) {
+                                                       const SideChord& to, double reach) {
     constexpr double same_place = 1e-6; // mm: closer sides have no direction across
     const SeamSide::Line &own = sides_[from.side].own, &opposite = sides_[to.side].own;
     const double t = from.t(share);
@@ -174,7 +184,7 @@ std::optional<StripSearch::Across> StripSearch::across(const SideChord& from, do
     const double guess = to.t(nearest_on_segment(to.chord.from, to.chord.to, near->position));
     const ClosestPoint foot = foot_on(opposite, near->position, guess);
     const auto far = opposite.curve.frame(foot.t);
-    if (!far || foot.distance > join_ || !(foot.distance > same_place)) return std::nullopt;
+    if (!far || foot.distance > reach || !(foot.distance > same_place)) return std::nullopt;
     const Across at{*near, *far, t, foot.t};
     return is_material_between(at, own.curve, opposite.curve) ? std::optional(at) : std::nullopt;
 }
@@ -210,7 +220,8 @@ std::optional<BoundaryFrame> StripSearch::beyond(const SeamSide& side, double t,
     return side.beyond.curve.frame(foot_on(side.beyond, place, guess).t);
 }
 
-void StripSearch::take(const Across& at, const SeamSide& near, const SeamSide& far,
+/// False if the place is no part of such a strip.
+bool StripSearch::take(const Across& at, const SeamSide& near, const SeamSide& far,
                        NarrowFace& found) const {
     const auto a = beyond(near, at.t_near, at.near.position);
     const auto b = beyond(far, at.t_far, at.far.position);
@@ -222,31 +233,35 @@ void StripSearch::take(const Across& at, const SeamSide& near, const SeamSide& f
         angle = radians_to_degrees(angle_between(across(-a->inward), across(b->inward)));
         if (angle <= angle_rounding) angle = 0;
     }
-    if (found.width > 0 && step <= found.step) return;
+    const bool is_kink = found.kind == NarrowFace::Kind::kink;
+    if (is_kink && !(angle > limits_.angle && angle < limits_.feature_angle)) return false;
+    if (found.width > 0 && (is_kink ? angle <= found.angle : step <= found.step)) return true;
     found.width = way.length(), found.step = step, found.angle = angle;
     found.place = (at.near.position + at.far.position) / 2;
     found.neighbours = {near.neighbour, far.neighbour};
+    return true;
 }
 
 } // namespace
 
 std::vector<NarrowFace> narrow_faces(const ModelBorders& borders,
                                      std::span<const MeasuredSeam> seams,
-                                     std::span<const Seam> pieces, double join, const Job& job) {
+                                     std::span<const Seam> pieces, const CriteriaPreset& limits,
+                                     double join, const Job& job) {
     const SeamSides sides(borders, seams, pieces);
     std::vector<const SeamSides::ByFace::value_type*> faces;
-    for (const auto& face : sides.by_face())
-        if (std::any_of(face.second.begin(), face.second.end(),
-                        [](const SeamSide& side) { return side.is_crease; }))
-            faces.push_back(&face);
-    std::vector<std::optional<NarrowFace>> found(faces.size());
+    for (const auto& face : sides.by_face()) faces.push_back(&face);
+    using Kind = NarrowFace::Kind;
+    std::vector<std::array<std::optional<NarrowFace>, 2>> found(faces.size());
     parallel_for(faces.size(), job, "", [&](std::size_t i) {
         const auto& [face, of_face] = *faces[i];
-        found[i] = StripSearch(borders.model, {face.first, face.second}, of_face, join).run();
+        StripSearch search(borders.model, {face.first, face.second}, of_face, limits, join);
+        found[i] = {search.run(Kind::beside_crease), search.run(Kind::kink)};
     });
     std::vector<NarrowFace> narrow;
     for (const auto& face : found)
-        if (face) narrow.push_back(*face);
+        for (const auto& strip : face)
+            if (strip) narrow.push_back(*strip);
     return narrow;
 }
 

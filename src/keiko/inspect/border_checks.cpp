@@ -1,4 +1,4 @@
-#include "keiko/inspect/border_looks.h"
+#include "keiko/inspect/border_checks.h"
 
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/openings/missing_caps.h"
@@ -62,14 +62,17 @@ std::vector<Opening> all_openings(const ModelBorders& borders, const FreeEdges& 
 
 } // namespace
 
-std::vector<Check> looks_at_borders(const ModelBorders& borders,
-                                    std::span<const MeasuredSeam> seams,
-                                    std::span<const Seam> pieces, const CriteriaPreset& preset,
-                                    double join, const Job& job) {
+std::vector<Check> checks_at_borders(const ModelBorders& borders,
+                                     std::span<const MeasuredSeam> seams,
+                                     std::span<const Seam> pieces, const CriteriaPreset& preset,
+                                     double join, const Job& job) {
     const SurfaceModel& model = borders.model;
     FaceChecks checks(model);
-    for (const NarrowFace& narrow : narrow_faces(borders, seams, pieces, join, job)) {
-        Check check = check_of_narrow(narrow, join, checks.names(narrow.neighbours));
+    for (const NarrowFace& narrow : narrow_faces(borders, seams, pieces, preset, join, job)) {
+        const std::string neighbours = checks.names(narrow.neighbours);
+        Check check = narrow.kind == NarrowFace::Kind::kink
+                          ? check_of_kink(narrow, preset, neighbours)
+                          : check_of_narrow(narrow, join, neighbours);
         check.faces = checks.name(narrow.face);
         checks.add(narrow.face, std::move(check));
     }
