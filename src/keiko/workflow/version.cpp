@@ -1,7 +1,7 @@
 #include "keiko/workflow/version.h"
 
+#include "keiko/base/build_id.h"
 #include "keiko/base/input_file.h"
-#include "keiko/base/own_binary.h"
 #include "keiko/base/sha256.h"
 #include "keiko/files/toml/toml_document.h"
 #include "keiko/import/worker/load_model.h"

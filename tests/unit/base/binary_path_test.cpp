@@ -1,4 +1,4 @@
-#include "keiko/base/own_binary.h"
+#include "keiko/base/build_id.h"
 
 #include "tests/support/temporary_folder.h"
 #include <dlfcn.h>

@@ -1,7 +1,7 @@
 #include "keiko/import/worker/load_model.h"
 
+#include "keiko/base/build_id.h"
 #include "keiko/base/error.h"
-#include "keiko/base/own_binary.h"
 #include "keiko/files/model/model_serialization.h"
 
 #include "tests/support/model_builder.h"

@@ -1,6 +1,6 @@
+#include "keiko/base/build_id.h"
 #include "keiko/base/error.h"
 #include "keiko/base/new_file.h"
-#include "keiko/base/own_binary.h"
 #include "keiko/import/worker/load_model.h"
 #include "keiko/import/worker/worker_answer.h"
 
