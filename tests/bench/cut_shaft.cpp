@@ -5,7 +5,7 @@
 #include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/light/rig/luminance_along.h"
-#include "keiko/render/shading/volumetric_shadows.h"
+#include "keiko/render/shading/occluded_visibility.h"
 
 #include "tests/support/paths.h"
 

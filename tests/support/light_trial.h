@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/film/film.h"
-#include "keiko/inspect/lines/line_crossing.h"
+#include "keiko/inspect/lines/joined_lines.h"
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/scene/camera.h"
 #include "keiko/scene/material.h"

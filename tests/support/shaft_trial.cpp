@@ -4,7 +4,7 @@
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/rig/luminance_along.h"
 #include "keiko/light/spotlight/spotlight.h"
-#include "keiko/render/shading/volumetric_shadows.h"
+#include "keiko/render/shading/occluded_visibility.h"
 
 #include <cmath>
 #include <numbers>

@@ -2,6 +2,7 @@
 
 #include "keiko/base/error.h"
 
+#include <dlfcn.h>
 #include <elf.h>
 #include <link.h>
 
@@ -67,6 +68,21 @@ int find_own_id(dl_phdr_info* object, std::size_t, void* id) {
 }
 
 } // namespace
+
+std::filesystem::path binary_path() {
+    Dl_info info;
+    link_map* map = nullptr;
+    std::error_code failure;
+    const bool found =
+        dladdr1(&own_data, &info, reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) != 0;
+    // The program itself has no name in the list of what is loaded. Its link holds where it was
+    // started from even if it was built anew meanwhile.
+    if (!found || !map || !*map->l_name)
+        return std::filesystem::read_symlink("/proc/self/exe", failure);
+    const std::filesystem::path file = map->l_name;
+    const std::filesystem::path real = std::filesystem::canonical(file, failure);
+    return failure ? file : real;
+}
 
 std::string build_id() {
     std::string id;

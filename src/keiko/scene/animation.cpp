@@ -2,7 +2,6 @@
 
 #include "keiko/base/error.h"
 #include "keiko/light/spotlight/beam_direction.h"
-#include "keiko/scene/animation_target.h"
 #include "keiko/scene/scene_spec.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
-#include "keiko/scene/animation_target.h"
-
 #include "keiko/base/text.h"
+#include "keiko/scene/animation.h"
 #include "keiko/scene/scene_spec.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "keiko/base/binary_path.h"
+#include "keiko/base/build_id.h"
 
 #include "tests/support/temporary_folder.h"
 #include <dlfcn.h>

@@ -1,6 +1,6 @@
 #include "keiko/import/worker/load_model.h"
 
-#include "keiko/base/binary_path.h"
+#include "keiko/base/build_id.h"
 #include "keiko/base/error.h"
 #include "keiko/files/model/model_serialization.h"
 

@@ -1,8 +1,7 @@
-#include "keiko/inspect/curvature/face_curvature.h"
-
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/inspect/basics/patch_box.h"
 #include "keiko/inspect/curvature/curvature_range.h"
+#include "keiko/inspect/curvature/face_measure.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/random.h"

@@ -1,7 +1,6 @@
-#include "keiko/inspect/curvature/inflection_curves.h"
-
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/inspect/basics/line_cells.h"
+#include "keiko/inspect/curvature/face_measure.h"
 #include "keiko/inspect/curvature/parabolic_field.h"
 
 #include "tests/support/analytic_models.h"

@@ -1,7 +1,7 @@
 #include "keiko/files/photometric/luminaire_file.h"
 #include "keiko/light/spotlight/luminaire.h"
 #include "keiko/light/spotlight/spotlight.h"
-#include "keiko/render/shading/volumetric_shadows.h"
+#include "keiko/render/shading/occluded_visibility.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/paths.h"

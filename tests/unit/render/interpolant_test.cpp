@@ -1,4 +1,4 @@
-#include "keiko/render/lighting/interpolant.h"
+#include "keiko/render/lighting/interpolation_test.h"
 
 #include "tests/support/random.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/render/shading/volumetric_shadows.h"
+#include "keiko/render/shading/occluded_visibility.h"
 
 #include "tests/support/occluder_row.h"
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "keiko/stream/light_points.h"
 
-#include "keiko/light/rig/illuminance.h"
+#include "keiko/light/rig/surface_light.h"
 
 #include "tests/support/model_builder.h"
 #include "tests/unit/stream/cut_text.h"

@@ -2,7 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/base/units.h"
-#include "keiko/compare/alignment/surface_samples.h"
+#include "keiko/compare/alignment/coarse_alignment.h"
 
 #include <algorithm>
 #include <array>

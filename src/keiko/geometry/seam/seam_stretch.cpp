@@ -1,8 +1,7 @@
-#include "keiko/geometry/seam/seam_stretch.h"
-
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/closest_point.h"
 #include "keiko/geometry/seam/border_approach.h"
+#include "keiko/geometry/seam/seam_candidate.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "keiko/base/binary_path.h"
+#include "keiko/base/build_id.h"
 #include "keiko/base/error.h"
 #include "keiko/base/new_file.h"
 #include "keiko/import/worker/load_model.h"

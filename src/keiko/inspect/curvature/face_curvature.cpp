@@ -1,11 +1,10 @@
-#include "keiko/inspect/curvature/face_curvature.h"
-
 #include "keiko/base/job.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/basics/patch_box.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/curvature/curvature_range.h"
+#include "keiko/inspect/curvature/face_measure.h"
 
 #include <algorithm>
 #include <array>

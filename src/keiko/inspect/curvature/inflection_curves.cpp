@@ -1,10 +1,9 @@
-#include "keiko/inspect/curvature/inflection_curves.h"
-
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/basics/curve_chains.h"
 #include "keiko/inspect/basics/line_cells.h"
 #include "keiko/inspect/basics/visible_pieces.h"
+#include "keiko/inspect/curvature/face_measure.h"
 #include "keiko/inspect/curvature/parabolic_field.h"
 
 #include <algorithm>

@@ -1,7 +1,5 @@
 #include "keiko/inspect/flaws/dent_depth.h"
 
-#include "keiko/inspect/flaws/reference_form.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

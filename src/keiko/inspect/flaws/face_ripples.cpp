@@ -3,7 +3,6 @@
 #include "keiko/base/job.h"
 #include "keiko/inspect/flaws/face_surface.h"
 #include "keiko/inspect/flaws/geodesic_trace.h"
-#include "keiko/inspect/flaws/ripple.h"
 #include "keiko/math/disjoint_sets.h"
 
 #include <algorithm>

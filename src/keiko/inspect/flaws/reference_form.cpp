@@ -1,4 +1,4 @@
-#include "keiko/inspect/flaws/reference_form.h"
+#include "keiko/inspect/flaws/dent_depth.h"
 
 #include <algorithm>
 #include <cmath>

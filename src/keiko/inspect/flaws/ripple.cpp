@@ -1,4 +1,4 @@
-#include "keiko/inspect/flaws/ripple.h"
+#include "keiko/inspect/flaws/face_ripples.h"
 
 #include <algorithm>
 #include <cmath>

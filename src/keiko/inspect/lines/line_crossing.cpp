@@ -1,6 +1,5 @@
-#include "keiko/inspect/lines/line_crossing.h"
-
 #include "keiko/base/units.h"
+#include "keiko/inspect/lines/joined_lines.h"
 
 #include <algorithm>
 #include <cmath>

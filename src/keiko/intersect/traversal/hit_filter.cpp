@@ -1,7 +1,6 @@
-#include "keiko/intersect/traversal/hit_filter.h"
-
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/intersect/subpatch/traced_model.h"
+#include "keiko/intersect/traversal/bezier_clipping.h"
 
 #include <algorithm>
 #include <cmath>

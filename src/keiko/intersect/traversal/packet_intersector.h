@@ -2,8 +2,8 @@
 
 #include "keiko/intersect/kernels/ray_packet.h"
 #include "keiko/intersect/kernels/sub_patch_kernels.h"
+#include "keiko/intersect/traversal/bezier_clipping.h"
 #include "keiko/intersect/traversal/embree_scene.h"
-#include "keiko/intersect/traversal/hit_filter.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,8 +1,7 @@
-#include "keiko/light/rig/glossy_luminance.h"
-
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/rig/light_id.h"
+#include "keiko/light/rig/surface_light.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_hit.h"
 #include "keiko/light/tubes/tube_irradiance.h"

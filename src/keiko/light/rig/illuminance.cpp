@@ -1,10 +1,9 @@
-#include "keiko/light/rig/illuminance.h"
-
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/rig/light_id.h"
+#include "keiko/light/rig/surface_light.h"
 #include "keiko/light/spotlight/point_light.h"
-#include "keiko/light/tubes/coat_transmittance.h"
 #include "keiko/light/tubes/tube_irradiance.h"
+#include "keiko/light/tubes/tube_slices.h"
 
 #include <numbers>
 #include <span>

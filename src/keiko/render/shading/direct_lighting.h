@@ -1,10 +1,9 @@
 #pragma once
 
-#include "keiko/light/rig/glossy_luminance.h"
-#include "keiko/light/rig/illuminance.h"
 #include "keiko/light/rig/light_id.h"
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/light/rig/light_visibility.h"
+#include "keiko/light/rig/surface_light.h"
 #include "keiko/visibility/query/occluders.h"
 
 #include <optional>

@@ -5,9 +5,9 @@
 #include "keiko/render/reflection/reflected_grid.h"
 #include "keiko/render/reflection/sample_batch.h"
 #include "keiko/render/shading/direct_lighting.h"
+#include "keiko/render/shading/occluded_visibility.h"
 #include "keiko/render/shading/paint.h"
 #include "keiko/render/shading/picture.h"
-#include "keiko/render/shading/volumetric_shadows.h"
 
 #include <optional>
 #include <span>

@@ -1,6 +1,7 @@
 #include "keiko/render/shading/occluded_visibility.h"
 
 #include "keiko/base/job.h"
+#include "keiko/light/spotlight/point_light.h"
 
 namespace keiko {
 namespace {
@@ -12,6 +13,49 @@ std::vector<IntervalSet> seen_by(const VisibilityQuery& view, std::span<const Se
         seen.push_back(std::move(parts.intervals));
     return seen;
 }
+
+struct ApexOf {
+    Viewpoint operator()(const CPlane& plane) const { return Viewpoint::at(plane.origin); }
+    template <PointLight Light>
+    Viewpoint operator()(const Light& light) const {
+        return Viewpoint::at(light.position);
+    }
+    Viewpoint operator()(const Sun& sun) const { return Viewpoint::towards(sun.towards()); }
+};
+
+/// Parts of the rays that a source lights without occlusion, as luminance_along queries them.
+std::vector<Segment> lit_parts(const LightSource& source, std::span<const Segment> camera_rays) {
+    std::vector<Segment> parts;
+    for (const Segment& ray : camera_rays)
+        for (const ParameterInterval& part : in_light(source, ray))
+            parts.push_back({ray.at(part.begin), ray.at(part.end)});
+    return parts;
+}
+
+/// Corners of a box around segments; empty without any.
+std::vector<Vec3> region_of(std::span<const Segment> segments) {
+    Box3 box;
+    for (const Segment& segment : segments) {
+        box.extend(segment.a);
+        box.extend(segment.b);
+    }
+    if (box.empty()) return {};
+    std::vector<Vec3> corners;
+    for (const double x : {box.lower.x, box.upper.x})
+        for (const double y : {box.lower.y, box.upper.y})
+            for (const double z : {box.lower.z, box.upper.z}) corners.emplace_back(x, y, z);
+    return corners;
+}
+
+/// Origin of a pencil of planes, unless it is the camera's eye.
+struct PencilLight {
+    std::optional<Vec3> operator()(const CPlane&) const { return std::nullopt; }
+    template <PointLight Light>
+    std::optional<Vec3> operator()(const Light& light) const {
+        return light.shaft ? std::optional(light.position) : std::nullopt;
+    }
+    std::optional<Vec3> operator()(const Sun&) const { return std::nullopt; }
+};
 
 } // namespace
 
@@ -55,6 +99,42 @@ std::vector<CriticalSlice> OccludedVisibility::turns(const Prism& prism,
                                                      const TurnRule& rule) const {
     if (!occluders_) return {};
     return view().turns(prism, rule);
+}
+
+std::vector<std::optional<EpipolarShadows>> shaft_pencils(const LightRig& rig,
+                                                          const Occluders* occluders,
+                                                          const Tracer& tracer, const Vec3& eye,
+                                                          const Job& job) {
+    std::vector<std::optional<EpipolarShadows>> pencils;
+    if (!occluders || !rig.medium) return pencils;
+    for (const LightSource& source : rig.sources) {
+        const std::optional<Vec3> light = std::visit(PencilLight(), source);
+        pencils.emplace_back();
+        if (light && *light != eye) pencils.back().emplace(*occluders, tracer, *light, eye, job);
+    }
+    return pencils;
+}
+
+VolumetricShadows::VolumetricShadows(const LightRig& rig, const Occluders* occluders,
+                                     const Tracer& tracer, std::span<const Segment> camera_rays,
+                                     std::span<const std::optional<EpipolarShadows>> pencils) {
+    if (!occluders || !rig.medium) return;
+    for (std::size_t i = 0; i < rig.sources.size(); ++i) {
+        const LightSource& source = rig.sources[i];
+        const bool in_pencil = !pencils.empty() && pencils[i];
+        std::vector<Segment> parts = lit_parts(source, camera_rays);
+        std::vector<Vec3> region = region_of(parts);
+        seen_.emplace_back(occluders, tracer, std::visit(ApexOf(), source), std::move(region),
+                           std::move(parts), std::optional<Vec3>(),
+                           in_pencil ? &*pencils[i] : nullptr);
+    }
+}
+
+VisibleFrom VolumetricShadows::visible() const {
+    if (seen_.empty()) return {};
+    return [this](std::size_t source, const Segment& segment) {
+        return seen_[source].intervals(segment);
+    };
 }
 
 } // namespace keiko

@@ -1,6 +1,5 @@
-#include "keiko/report/html/comparison_tables.h"
-
 #include "keiko/report/content/comparison.h"
+#include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <algorithm>

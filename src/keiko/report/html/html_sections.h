@@ -1,13 +1,14 @@
 #pragma once
 
+#include "keiko/report/content/comparison.h"
 #include "keiko/report/content/report.h"
 
 #include <string>
 
 namespace keiko {
 
-// The parts of report.html in the order of the page, each an HTML fragment; empty if there is
-// nothing to report.
+// The parts of the HTML pages, each a fragment; empty if there is nothing to report. First those
+// of report.html, in the order of the page.
 
 /// The inspected model, the verdict and the counts.
 std::string html_verdict(const Report& report);
@@ -39,5 +40,20 @@ std::string html_all_seams(const Report& report);
 std::string html_faces(const Report& report);
 /// The file, its losses and its repairs.
 std::string html_facts(const Report& report);
+
+// The tables of the page of a comparison.
+
+/// Criteria that were judged, and their outcomes.
+std::string html_checks(const Comparison& comparison);
+/// Deviations of the bodies, in both directions, by shares of the area.
+std::string html_percentiles(const Comparison& comparison);
+/// The faces with the largest deviations, with the worst place of each.
+std::string html_worst_places(const Comparison& comparison);
+/// Seams better, worse, gone and new.
+std::string html_seam_changes(const Comparison& comparison);
+/// Findings new, fixed and the same.
+std::string html_finding_changes(const Comparison& comparison);
+/// Movement of the reflection lines of a view.
+std::string html_line_shifts(const ComparedView& view, const BodyTolerance& tolerance);
 
 } // namespace keiko

@@ -1,6 +1,5 @@
-#include "keiko/light/rig/glossy_luminance.h"
-
 #include "keiko/light/rig/rig_planes.h"
+#include "keiko/light/rig/surface_light.h"
 #include "keiko/light/tubes/tube_hit.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
-#include "keiko/light/rig/illuminance.h"
-
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/clear_coat.h"
+#include "keiko/light/rig/surface_light.h"
 #include "keiko/light/spotlight/spotlight.h"
 #include "keiko/light/tubes/tube_irradiance.h"
 

@@ -1,7 +1,6 @@
 #include "keiko/light/rig/light_id.h"
 
-#include "keiko/light/rig/glossy_luminance.h"
-#include "keiko/light/rig/illuminance.h"
+#include "keiko/light/rig/surface_light.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "keiko/light/luminance/flake_kernel.h"
 #include "keiko/light/luminance/gloss_kernel.h"
-#include "keiko/light/tubes/coat_transmittance.h"
 #include "keiko/light/tubes/tube_gloss.h"
 #include "keiko/light/tubes/tube_irradiance.h"
+#include "keiko/light/tubes/tube_slices.h"
 #include "keiko/math/quadrature.h"
 
 #include "tests/support/random.h"
