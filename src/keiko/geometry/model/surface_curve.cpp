@@ -133,14 +133,15 @@ double SurfaceCurve::length(double begin, double end) const {
 double SurfaceCurve::length(double begin, double end, std::span<const double> changes) const {
     constexpr int panels = 4; // a smooth piece
     constexpr double relative = 1e-10;
-    constexpr int most_halvings = 30; // unequal weights crowd the length into a short range
+    constexpr int most_halvings = 24; // unequal weights crowd the length into a short range
     const auto speed_at = [this](double t) { return speed(t); };
     double sum = 0, from = begin;
     const auto add_until = [&](double until) {
         for (int i = 0; i < panels; ++i) {
             const double a = from + (until - from) * i / panels;
             const double b = from + (until - from) * (i + 1) / panels;
-            const double allowed = relative * integrate(speed_at, a, b, 8);
+            const double rounding = 1e-12 * at(a).position.length(); // all of a pole's length
+            const double allowed = rounding + relative * integrate(speed_at, a, b, 8);
             sum += integrate_adaptively(speed_at, a, b, allowed, most_halvings);
         }
         from = until;
