@@ -45,9 +45,9 @@ TEST_F(SubdivisionModel, HolesLeaveNoFaceAndKeepTheOthersIds) {
 
 TEST_F(SubdivisionModel, VerticesOfNoFaceCostNoPrecision) {
     const SurfaceModel alone = load(house), astray = load(house + "v 1e14 0 0\n");
-    ASSERT_EQ(alone.points.size(), astray.points.size());
-    for (std::size_t i = 0; i < alone.points.size(); ++i)
-        EXPECT_EQ(alone.points[i], astray.points[i]);
+    ASSERT_EQ(alone.control_points.size(), astray.control_points.size());
+    for (std::size_t i = 0; i < alone.control_points.size(); ++i)
+        EXPECT_EQ(alone.control_points[i], astray.control_points[i]);
 }
 
 TEST_F(SubdivisionModel, ACageWithoutSurfaceIsAnError) {
