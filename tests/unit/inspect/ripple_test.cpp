@@ -12,7 +12,7 @@ namespace {
 template <class Bend>
 std::vector<BendPoint> line(const Bend& bend) {
     std::vector<BendPoint> points;
-    for (double s = 0; s <= 200; s += 2) points.push_back({s, bend(s)});
+    for (double s = 0; s <= 200; s += 2) points.push_back({s, {bend(s)}});
     return points;
 }
 

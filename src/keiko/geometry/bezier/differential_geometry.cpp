@@ -86,6 +86,13 @@ std::optional<PrincipalCurvatures> reliable_curvatures(const SurfaceDerivatives&
     return least_stretch > 0 && error <= digits * bend ? std::optional(k) : std::nullopt;
 }
 
+SecondForm second_form(const SurfaceDerivatives& s, const Vec3& normal, const Vec3& direction) {
+    const Vec3 unit = direction.normalized();
+    const Components x(s, unit), y(s, normal.cross(unit));
+    return {second_form(s, normal, x, x), second_form(s, normal, x, y),
+            second_form(s, normal, y, y)};
+}
+
 double normal_curvature(const SurfaceDerivatives& s, const Vec3& normal, const Vec3& direction) {
     const Components along(s, direction);
     const Vec3 tangent = s.du() * along.u + s.dv() * along.v;

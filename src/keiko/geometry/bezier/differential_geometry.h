@@ -32,6 +32,19 @@ PrincipalCurvatures principal_curvatures(const SurfaceDerivatives& derivatives, 
 std::optional<PrincipalCurvatures> reliable_curvatures(const SurfaceDerivatives& derivatives,
                                                        const Vec3& normal);
 
+/// Second fundamental form by an orthonormal frame of the tangent plane, 1/mm.
+struct SecondForm {
+    double xx = 0; ///< curvature of the normal section along x
+    double xy = 0; ///< twist
+    double yy = 0; ///< curvature of the normal section along y
+};
+
+/// Second fundamental form with respect to the given unit normal. The frame's x is along a tangent
+/// `direction` (need not be unit), its y along normal x `direction`. Needs derivatives of order 2
+/// and a regular point.
+SecondForm second_form(const SurfaceDerivatives& derivatives, const Vec3& normal,
+                       const Vec3& direction);
+
 /// Curvature in 1/mm of the normal section along a tangent `direction` (need not be unit).
 double normal_curvature(const SurfaceDerivatives& derivatives, const Vec3& normal,
                         const Vec3& direction);

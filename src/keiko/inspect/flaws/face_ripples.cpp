@@ -16,9 +16,8 @@ namespace {
 /// A sample of a placed face.
 struct FaceSample {
     Vec3 position{0}; ///< world, mm
-    /// 1/mm, normal curvature along the lines of constant v and of constant u; positive where the
-    /// surface bends towards its outward normal.
-    double bend_u = 0, bend_v = 0;
+    /// 1/mm, x along the lines of constant v and of constant u; by the outward normal.
+    SecondForm bend_u, bend_v;
     bool material = false;
 };
 
@@ -65,8 +64,8 @@ FaceSample sampled(const FaceSurface& face, const Vec2& place) {
     if (!(area > beside_a_pole * std::max(u2, v2))) return sample;
     const Vec3 normal = cross * (face.sign() / area);
     sample.position = s->position();
-    sample.bend_u = s->duu().dot(normal) / u2;
-    sample.bend_v = s->dvv().dot(normal) / v2;
+    sample.bend_u = second_form(*s, normal, s->du());
+    sample.bend_v = second_form(*s, normal, s->dv());
     sample.material = true;
     return sample;
 }
@@ -86,9 +85,9 @@ constexpr double sample_share = 1.0 / 20;
 /// Share of the limit down to which ripples are searched: planted dents are up to 5.3 times as deep
 /// as their ripples may be.
 constexpr double ripple_share = 1.0 / 6;
-/// Distance to which lines are followed beyond a face: half the widest wave and what it takes to
-/// detect that the curvature comes back.
-constexpr double follow_share = 0.75;
+/// Distance to which lines are followed beyond a face: half the widest wave along the line and what
+/// it takes to detect that the curvature comes back, as a share of the window's width.
+constexpr double follow_share = 1.5;
 
 /// A line over a face and its continuation at either end.
 class RippleLine {
@@ -112,26 +111,41 @@ public:
         points.insert(points.end(), behind.points.begin(), behind.points.end());
         std::vector<FaceRipple> found;
         for (const Ripple& r :
-             find_ripples(measured(points), depth, window_, {before.ended, behind.ended})) {
+             narrow_ripples(measured(points), depth, {before.ended, behind.ended})) {
             // Ripples on the next face are found there.
             if (r.index + 1 < begin || r.index > end) continue;
-            if (r.width > quantised(widest_share * window_)) continue;
             const WalkPoint& point = points[r.index];
             const WalkPoint& near = points[std::clamp(r.index, begin, end - 1)];
-            found.push_back(
-                {point.at, point.position, direction(near), r.width, r.depth, r.deepest, r.cut});
+            found.push_back({point.at, point.position, direction(near, r.slant), r.square_width(),
+                             r.depth, r.deepest, r.cut, r.width > widest()});
         }
         return found;
     }
 
 private:
     double spacing() const { return window_ * sample_share; }
-    /// Width with the error of its turns, as each is located to the next sample only.
-    double quantised(double width) const { return width + 2 * spacing(); }
+    /// The widest wave with the error of its turns, as each is located to the next sample only.
+    double widest() const { return widest_share * window_ + 2 * spacing(); }
 
-    Vec3 direction(const WalkPoint& point) const {
-        const auto s = faces_.evaluate(point.at, 1);
-        return (along_u_ ? s->du() : s->dv()).normalized();
+    /// The ripples that are narrow enough square to their crests. Those that are wider along the
+    /// line are searched by themselves, as they bend it less: small turns that are seen then would
+    /// divide the others.
+    std::vector<Ripple> narrow_ripples(std::span<const BendPoint> line, double depth,
+                                       const LineEnds& ends) const {
+        std::vector<Ripple> narrow;
+        for (const Ripple& r : find_ripples(line, depth, window_, ends))
+            if (r.width <= widest()) narrow.push_back(r);
+        for (const Ripple& r : find_ripples(line, depth, window_ / std::cos(most_slant), ends))
+            if (r.width > widest() && r.square_width() <= widest()) narrow.push_back(r);
+        return narrow;
+    }
+
+    /// Unit: that of the line at one of its own points, turned about the normal by `slant`.
+    Vec3 direction(const WalkPoint& own, double slant = 0) const {
+        const auto s = faces_.evaluate(own.at, 1);
+        const Vec3 along = along_u_ ? s->du() : s->dv();
+        const auto frame = faces_.frame(own.at, *s, along);
+        return frame ? frame->x * std::cos(slant) + frame->y * std::sin(slant) : along.normalized();
     }
     /// The continuation without its first point, which is the line's own.
     GeodesicTrace beyond(const WalkPoint& end, double side) const {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/inspect/flaws/face_adjacency.h"
 #include "keiko/scene/criteria_preset.h"
 
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -14,19 +16,27 @@ namespace keiko {
 /// A point along a line on a surface.
 struct BendPoint {
     double length = 0; ///< mm from the line's begin
-    double bend = 0;   ///< 1/mm, normal curvature
+    SecondForm bend;   ///< 1/mm, x along the line
 };
 
 /// An extremum of the curvature along a line, between two opposite ones. If the surface ends less
 /// than half a wave away, its border replaces one of the two.
 struct Ripple {
     std::size_t index = 0; ///< into the line
-    double width = 0;      ///< mm, twice the distance to the nearer turn
+    double width = 0;      ///< mm, along the line: twice the distance to the nearer turn
+    double slant = 0;      ///< radians: from the line to the way square to the crest
     double depth = 0;   ///< mm, of a sine with this curvature; positive where the line's curvature
                         ///< is least
     double deepest = 0; ///< mm, its size if each turn lies half a step of the line farther away
     bool cut = false;   ///< cut by a border
+
+    /// mm: the width square to the crest.
+    double square_width() const;
 };
+
+/// Largest size of a ripple's slant, radians. Of two families of lines that cross at 60 to 120
+/// degrees, one crosses any crest at less.
+constexpr double most_slant = std::numbers::pi / 3;
 
 /// The ends of a line at which the surface ends too.
 struct LineEnds {
@@ -34,8 +44,8 @@ struct LineEnds {
     bool at_end = false;   ///< at the line's last point
 };
 
-/// The ripples of a line that are at most as wide as `window` and may be `depth` deep, mm. A bend
-/// of the form such as a fillet turns only once and is no ripple.
+/// The ripples of a line that along it are at most as wide as `window` and may be `depth` deep, mm.
+/// A bend of the form such as a fillet turns only once and is no ripple.
 std::vector<Ripple> find_ripples(std::span<const BendPoint> line, double depth, double window,
                                  const LineEnds& ends = {});
 
@@ -47,11 +57,12 @@ constexpr double widest_share = 0.5;
 struct FaceRipple {
     SheetPoint at;      ///< of its crest or trough
     Vec3 position{0};   ///< of `at`, world, mm
-    Vec3 along{0};      ///< unit, direction of the line
-    double width = 0;   ///< mm
+    Vec3 along{0};      ///< unit, square to the crest
+    double width = 0;   ///< mm, along `along`
     double depth = 0;   ///< mm, about; positive on crests
     double deepest = 0; ///< mm, as a Ripple's
     bool cut = false;   ///< cut by a border
+    bool askew = false; ///< too wide along its line, and narrow enough only along `along`
 };
 
 /// All ripples of a face: lines are followed over smooth seams, and up to borders.

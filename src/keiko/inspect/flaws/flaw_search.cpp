@@ -118,10 +118,11 @@ private:
         if (r.cut && r.width > widest_cut_share * limit_.window) return std::nullopt;
         const auto found = dent_depth(faces_, r.at, limit_.window / 2);
         if (!found) return std::nullopt;
-        // With form on one side only, many bends near a border would be undecided.
+        // With form on one side only, many bends near a border would be undecided. So would be
+        // feature lines that run askew.
         if (std::abs(found->offset) > most_beyond_ripple * r.deepest) return std::nullopt;
         const bool form = found->bound > form_share * std::abs(found->offset);
-        if (form && (found->one_sided || r.cut)) return std::nullopt;
+        if (form && (found->one_sided || r.cut || r.askew)) return std::nullopt;
         const double bound = found->bound * (found->one_sided ? one_sided_factor : 1);
         return PlacedFlaw{
             {found->offset < 0 ? Flaw::Kind::dent : Flaw::Kind::bump,

@@ -1,7 +1,6 @@
 #include "keiko/inspect/flaws/geodesic_trace.h"
 
 #include "keiko/base/job.h"
-#include "keiko/geometry/bezier/differential_geometry.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +14,7 @@ struct Walker {
     SheetPoint at;
     SurfaceDerivatives there;
     TangentFrame frame;
-    double bend = 0;
+    SecondForm bend;
 };
 
 std::optional<Walker> standing(const FaceAdjacency& faces, const SheetPoint& at,
@@ -24,12 +23,12 @@ std::optional<Walker> standing(const FaceAdjacency& faces, const SheetPoint& at,
     auto frame = faces.frame(at, there, direction);
     if (!frame) return std::nullopt;
     if (frame->z.dot(upward) < 0) frame->y *= -1, frame->z *= -1;
-    return Walker{at, there, *frame, normal_curvature(there, frame->z, frame->x)};
+    return Walker{at, there, *frame, second_form(there, frame->z, frame->x)};
 }
 
 /// The arc of a circle, projected to its tangent.
 std::optional<Walker> ahead(const FaceAdjacency& faces, const Walker& from, double step) {
-    const double turn = from.bend * step;
+    const double turn = from.bend.xx * step;
     if (std::abs(turn) > 1) return std::nullopt;
     const auto at =
         faces.moved(from.frame, from.at, from.there, Vec2(step * (1 - turn * turn / 6), 0));
@@ -63,10 +62,10 @@ constexpr std::size_t fewest_samples = 8;
 /// Numerov's method, of order 4, for w'' = k.
 std::vector<double> integrated(const std::vector<WalkPoint>& points, double step) {
     std::vector<double> w(points.size(), 0);
+    const auto bend = [&](std::size_t i) { return points[i].bend.xx; };
     for (std::size_t i = 1; i + 1 < w.size(); ++i)
         w[i + 1] =
-            2 * w[i] - w[i - 1] +
-            step * step / 12 * (points[i - 1].bend + 10 * points[i].bend + points[i + 1].bend);
+            2 * w[i] - w[i - 1] + step * step / 12 * (bend(i - 1) + 10 * bend(i) + bend(i + 1));
     return w;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/inspect/flaws/face_adjacency.h"
 
 #include <optional>
@@ -12,7 +13,7 @@ struct WalkPoint {
     SheetPoint at;     ///< on one of the faces
     Vec3 position{0};  ///< world, mm
     double length = 0; ///< mm traced
-    double bend = 0;   ///< 1/mm, normal curvature along the trace, by the normal of the first place
+    SecondForm bend;   ///< 1/mm, x along the trace, by the normal of the first place
 };
 
 /// A straight trace over smooth faces.
