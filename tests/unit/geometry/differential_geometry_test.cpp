@@ -70,6 +70,23 @@ TEST(DifferentialGeometry, CurvaturesNearAPoleAreRightOrUnknown) {
     }
 }
 
+/// The form along any way is that of the frame's: II(w, w) = xx c^2 + 2 xy c s + yy s^2.
+TEST(DifferentialGeometry, SecondFormTellsTheCurvatureAlongEveryWay) {
+    const std::vector<Vec4> points{{0, 0, 0, 1}, {1, 5, 2, 1},  {0, 9, 0, 1},
+                                   {6, 0, 1, 1}, {5, 5, 4, 1},  {6, 10, 3, 1},
+                                   {9, 1, 0, 1}, {10, 4, 1, 1}, {11, 9, 5, 1}};
+    const Vec2 uv(0.3, 0.6);
+    const SurfaceDerivatives s = evaluate({2, 2, points}, uv, 2);
+    const Vec3 normal = unit_normal(s, uv).value();
+    const Vec3 x = s.dv().normalized(), y = normal.cross(x);
+    const SecondForm form = second_form(s, normal, s.dv());
+    for (const double angle : {0.0, 0.7, 1.6, 2.5}) {
+        const double c = std::cos(angle), d = std::sin(angle);
+        EXPECT_NEAR(normal_curvature(s, normal, x * c + y * d),
+                    form.xx * c * c + 2 * form.xy * c * d + form.yy * d * d, 1e-14);
+    }
+}
+
 TEST(DifferentialGeometry, CylinderBendsOneWayOnly) {
     const double c = std::numbers::sqrt2 / 2, radius = 8;
     std::vector<Vec4> points;
