@@ -61,6 +61,45 @@ TaylorPeak peak(const TaylorModel& model) {
     return {summit.height() + model.cubic_part() + model.error + rounding, summit.place()};
 }
 
+bool may_vanish(const TaylorModel& model) {
+    if (std::abs(model.c[0]) > model.deviation()) return false;
+    return !(peak(model.c[0] > 0 ? -model : model).bound < 0);
+}
+
+TaylorModel at_x(const TaylorModel& model, double at) {
+    const auto& c = model.c;
+    TaylorModel line;
+    line.c = {c[0] + at * (c[1] + at * (c[3] + at * c[6])),
+              0,
+              c[2] + at * (c[4] + at * c[7]),
+              0,
+              0,
+              c[5] + at * c[8],
+              0,
+              0,
+              0,
+              c[9]};
+    line.error = model.error + taylor_rounding::product * (std::abs(c[0]) + model.deviation());
+    return line;
+}
+
+TaylorModel at_y(const TaylorModel& model, double at) {
+    const auto& c = model.c;
+    TaylorModel line;
+    line.c = {c[0] + at * (c[2] + at * (c[5] + at * c[9])),
+              c[1] + at * (c[4] + at * c[8]),
+              0,
+              c[3] + at * c[7],
+              0,
+              0,
+              c[6],
+              0,
+              0,
+              0};
+    line.error = model.error + taylor_rounding::product * (std::abs(c[0]) + model.deviation());
+    return line;
+}
+
 namespace {
 
 /// f of a model, from f and its derivatives, each over its factorial, at the model's constant; the
@@ -89,6 +128,13 @@ TaylorModel unknown() {
 }
 
 } // namespace
+
+TaylorModel reciprocal(const TaylorModel& model) {
+    const double g = model.c[0], low = g > 0 ? lower_bound(model) : lower_bound(-model);
+    if (!(low > 0)) return unknown();
+    const double f = 1 / g, low2 = low * low;
+    return composed(model, {f, -f * f, f * f * f, -f * f * f * f, 1 / (low2 * low2 * low)});
+}
 
 TaylorModel sqrt(const TaylorModel& model) {
     const double g = model.c[0], low = lower_bound(model);

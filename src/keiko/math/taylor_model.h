@@ -111,6 +111,22 @@ struct TaylorPeak {
 /// unknown model.
 TaylorPeak peak(const TaylorModel& model);
 
+/// False only if the function is nowhere 0.
+bool may_vanish(const TaylorModel& model);
+
+/// Model of the function along the line where x is `at`: a function of y alone.
+TaylorModel at_x(const TaylorModel& model, double at);
+/// Model of the function along the line where y is `at`: a function of x alone.
+TaylorModel at_y(const TaylorModel& model, double at);
+
+/// The reciprocal of a model; its error is infinite where the model may be 0.
+TaylorModel reciprocal(const TaylorModel& model);
+
+/// Model of the quotient of two functions; its error is infinite where b may be 0.
+inline TaylorModel operator/(const TaylorModel& a, const TaylorModel& b) {
+    return a * reciprocal(b);
+}
+
 /// The square root of a model; its error is infinite where the model may be 0 or less.
 TaylorModel sqrt(const TaylorModel& model);
 

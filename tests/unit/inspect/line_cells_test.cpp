@@ -25,21 +25,25 @@ std::vector<double> levels_of(LineLook look) {
     return levels;
 }
 
-double residual(const BezierPatchView& patch, const LineField& field, const Vec2& uv,
-                double level) {
+LineRatio<double> ratio(const BezierPatchView& patch, const LineField& field, const Vec2& uv,
+                        double level) {
     const SurfaceDerivatives s = evaluate(patch, uv, 1);
     const Vec3 n = s.du().cross(s.dv());
-    return field
-        .ratio(Triple<double>{s.position().x, s.position().y, s.position().z},
-               Triple<double>{n.x, n.y, n.z}, level)
-        .residual(0);
+    return field.ratio(Triple<double>{s.position().x, s.position().y, s.position().z},
+                       Triple<double>{n.x, n.y, n.z}, level);
+}
+
+double residual(const BezierPatchView& patch, const LineField& field, const Vec2& uv,
+                double level) {
+    return ratio(patch, field, uv, level).residual(0);
 }
 
 int sign(double x) {
     return x < 0 ? -1 : 1;
 }
 
-/// Random short chords whose ends lie on two sides of a level must cross one of its cells.
+/// Random short chords whose ends lie on two sides of a level must cross one of its cells, where
+/// rays run to the lamps.
 TEST(LineCells, HoldEveryPlaceWhereTheFieldPassesALevel) {
     test::Random random(9);
     const SurfaceModel model = test::bonnet_model(1200, 1400, 80);
@@ -61,6 +65,7 @@ TEST(LineCells, HoldEveryPlaceWhereTheFieldPassesALevel) {
                     (sign(residual(patch, field, middle, levels[level])) == at_low ? low : high) =
                         middle;
                 }
+                if (!(ratio(patch, field, low, levels[level]).ahead > 0)) continue;
                 ++crossings;
                 EXPECT_TRUE(std::any_of(cells.begin(), cells.end(),
                                         [&](const LineCell& cell) {
@@ -82,6 +87,20 @@ TEST(LineCells, AreProvedAndFewOnASmoothPanel) {
     EXPECT_LT(cells.size(), 2000u);
     RecordProperty("cells", static_cast<int>(cells.size()));
     for (const LineCell& cell : cells) EXPECT_TRUE(cell.proved) << cell.uv.lower;
+}
+
+TEST(LineCells, AreNoneWhereNoneAreWanted) {
+    const SurfaceModel model = test::bonnet_model(1200, 1400, 80);
+    const LineField field = field_over(LineLook::reflection);
+    LineCellOptions options;
+    options.unwanted = [](const Box2& uv) { return uv.lower.x >= 0.5; };
+    const auto levels = levels_of(LineLook::reflection);
+    const auto all = line_cells(model.patch(0), field, levels);
+    const auto half = line_cells(model.patch(0), field, levels, options);
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(),
+                            [](const LineCell& cell) { return cell.uv.lower.x >= 0.5; }));
+    EXPECT_FALSE(half.empty());
+    for (const LineCell& cell : half) EXPECT_LT(cell.uv.lower.x, 0.5);
 }
 
 /// A plane has one normal: an isophote of just its angle is everywhere.

@@ -40,7 +40,7 @@ TEST(TaylorModel, HoldsSumsProductsAndRootsEverywhere) {
         const TaylorModel a = random_model(random, 2), b = random_model(random, -1);
         const TaylorModel product = a * b, difference = a - b, tripled = a * -3.0;
         const TaylorModel root = sqrt(a), power = inverse_cubed_root(a),
-                          nested = sqrt(a * a + b * b);
+                          nested = sqrt(a * a + b * b), quotient = b / a, negative = a / b;
         for (int sample = 0; sample < 20; ++sample) {
             const Vec2 p = random_place(random);
             const double f = polynomial(a, p), g = polynomial(b, p);
@@ -50,6 +50,10 @@ TEST(TaylorModel, HoldsSumsProductsAndRootsEverywhere) {
             expect_holds(root, p, std::sqrt(f));
             expect_holds(power, p, std::pow(f, -1.5));
             expect_holds(nested, p, std::hypot(f, g));
+            expect_holds(quotient, p, g / f);
+            expect_holds(negative, p, f / g);
+            expect_holds(at_x(product, p.x), {0, p.y}, f * g);
+            expect_holds(at_y(product, p.y), {p.x, 0}, f * g);
         }
     }
 }
@@ -70,6 +74,25 @@ TEST(TaylorModel, KnowsNothingOfRootsWhereItMayNotBePositive) {
     EXPECT_TRUE(std::isinf(sqrt(a).error));
     EXPECT_TRUE(std::isinf(inverse_cubed_root(a).error));
     EXPECT_TRUE(std::isinf(peak(sqrt(a)).bound));
+}
+
+TEST(TaylorModel, MayVanishWhereItDoes) {
+    test::Random random(5);
+    int vanishing = 0, clear = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        const TaylorModel m = random_model(random, test::uniform(random, -0.6, 0.6));
+        bool below = false, above = false;
+        for (int sample = 0; sample < 100; ++sample)
+            (polynomial(m, random_place(random)) < 0 ? below : above) = true;
+        if (below && above) ++vanishing;
+        if (below && above) {
+            EXPECT_TRUE(may_vanish(m));
+        }
+        if (!may_vanish(m)) ++clear;
+    }
+    EXPECT_GT(vanishing, 50);
+    EXPECT_GT(clear, 50);
+    EXPECT_TRUE(may_vanish(sqrt(TaylorModel(-1))));
 }
 
 TEST(TaylorPeak, IsAsHighAsTheHighestPlaceOfAQuadratic) {

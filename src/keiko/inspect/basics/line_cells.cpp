@@ -1,9 +1,11 @@
 #include "keiko/inspect/basics/line_cells.h"
 
 #include "keiko/base/job.h"
+#include "keiko/inspect/basics/field_model.h"
 #include "keiko/inspect/basics/patch_box.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <numeric>
 
@@ -17,50 +19,19 @@ struct Task {
     Levels levels; ///< not excluded yet
 };
 
-/// The field over one box. Levels count from their middle, which keeps the bounds tight.
-class BoxField {
-public:
-    BoxField(const PatchBox& box, const LineField& field, double shift)
-        : box_(box), field_(field), shift_(shift), center_(thin(0.5, 0.5)) {
-        const PatchBox::Ranges r = box.ranges();
-        over_box_ = field.ratio(r.place, cross(r.dx, r.dy), shift);
-    }
+/// True if a side is crossed at most once.
+bool clear_side(const Jet<TaylorModel>& f, bool by_x, double at) {
+    return !may_vanish(by_x ? at_x(f.f, at) : at_y(f.f, at)) ||
+           !may_vanish(by_x ? at_x(f.v, at) : at_y(f.u, at));
+}
 
-    /// Natural bound or mean value form, whichever is tighter at either end.
-    Jet<Interval> bounds(double level) const {
-        Jet<Interval> all = over_box_.residual(level - shift_);
-        const Interval reach(-0.5, 0.5);
-        all.f =
-            all.f.intersection(center_.residual(level - shift_) + all.u * reach + all.v * reach);
-        return all;
-    }
-    /// True if the level cannot occur on the side x or y = `at`, along which the slope is known.
-    bool clear_side(double level, bool x_fixed, double at, const Interval& slope) const {
-        const auto middle = x_fixed ? thin(at, 0.5) : thin(0.5, at);
-        const Interval along = middle.residual(level - shift_) + slope * Interval(-0.5, 0.5);
-        return !along.holds_zero();
-    }
+/// True if the zeros are at most one arc, strictly monotonic along x if `by_x`, else along y.
+bool one_arc(const Jet<TaylorModel>& f, bool by_x) {
+    return !may_vanish(by_x ? f.u : f.v) && clear_side(f, by_x, -1) && clear_side(f, by_x, 1);
+}
 
-private:
-    LineRatio<Interval> thin(double x, double y) const {
-        const PatchBox::Values s = box_.values(x, y);
-        return field_.ratio(s.place, cross(s.dx, s.dy), shift_);
-    }
-
-    const PatchBox& box_;
-    const LineField& field_;
-    double shift_;
-    LineRatio<Interval> center_;
-    LineRatio<Jet<Interval>> over_box_;
-};
-
-/// True if the level's line is at most one arc, strictly monotonic along x if `by_x`, else along y.
-bool one_arc(const BoxField& box, double level, const Jet<Interval>& bounds, bool by_x) {
-    const Interval& strict = by_x ? bounds.u : bounds.v;
-    const Interval& other = by_x ? bounds.v : bounds.u;
-    if (strict.holds_zero()) return false;
-    if (!other.holds_zero()) return true;
-    return box.clear_side(level, by_x, 0, other) && box.clear_side(level, by_x, 1, other);
+double largest(const TaylorModel& model) {
+    return std::abs(model.c[0]) + model.deviation();
 }
 
 double middle_of(const Levels& some, std::span<const double> levels) {
@@ -91,32 +62,43 @@ public:
 
 private:
     void look_at(const Task& task, bool give_up) {
-        const BoxField box(task.box, field_, middle_of(task.levels, levels_));
+        if (options_.unwanted && options_.unwanted(task.box.uv())) return;
+        const double shift = middle_of(task.levels, levels_);
+        const FieldModel model(task.box, field_, shift);
+        if (!model.may_face_plane()) return;
+        Levels left;
+        for (const std::uint32_t level : task.levels)
+            if (model.may_hold(levels_[level] - shift)) left.push_back(level);
+        if (left.empty()) return;
+        const LineRatio<Jet<TaylorModel>> sloped = model.sloped();
         Levels undecided;
         double slope_u = 0, slope_v = 0; // the largest of the undecided levels
-        for (const std::uint32_t level : task.levels) {
-            const Jet<Interval> bounds = box.bounds(levels_[level]);
-            if (!bounds.f.holds_zero()) continue;
-            const bool over_v = one_arc(box, levels_[level], bounds, true);
-            if (over_v || one_arc(box, levels_[level], bounds, false)) {
+        for (const std::uint32_t level : left) {
+            const Jet<TaylorModel> f = sloped.residual(levels_[level] - shift);
+            const bool over_v = one_arc(f, true);
+            if (over_v || one_arc(f, false)) {
                 cells_.push_back({task.box.uv(), level, true, over_v});
                 continue;
             }
             undecided.push_back(level);
-            slope_u = std::max(slope_u, bounds.u.magnitude());
-            slope_v = std::max(slope_v, bounds.v.magnitude());
+            slope_u = std::max(slope_u, largest(f.u)), slope_v = std::max(slope_v, largest(f.v));
         }
-        if (undecided.empty()) return;
+        if (!undecided.empty()) cut(task, model, undecided, give_up, slope_u >= slope_v);
+    }
+
+    void cut(const Task& task, const FieldModel& model, const Levels& levels, bool give_up,
+             bool steeper_u) {
+        const double least =
+            model.may_be_singular() ? options_.least_singular_extent : options_.least_extent;
         const Vec2 extent = task.box.uv().extent();
-        const bool can_u = extent.x > options_.least_extent;
-        const bool can_v = extent.y > options_.least_extent;
+        const bool can_u = extent.x > least, can_v = extent.y > least;
         if (give_up || (!can_u && !can_v)) {
-            for (const std::uint32_t level : undecided)
+            for (const std::uint32_t level : levels)
                 cells_.push_back({task.box.uv(), level, false, false});
             return;
         }
-        const bool by_u = can_u && (!can_v || slope_u >= slope_v);
-        for (PatchBox& half : task.box.halves(by_u)) open_.push_back({std::move(half), undecided});
+        for (PatchBox& half : task.box.halves(can_u && (!can_v || steeper_u)))
+            open_.push_back({std::move(half), levels});
     }
 
     const LineField& field_;

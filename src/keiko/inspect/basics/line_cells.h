@@ -6,6 +6,7 @@
 #include "keiko/inspect/basics/line_field.h"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -31,11 +32,18 @@ struct LineCellOptions {
     /// Smallest extent of a box, as a share of the patch in both parameters; smaller boxes are not
     /// cut.
     double least_extent = 1.0 / 4096;
+    /// The same for boxes in which the normal may vanish, as at poles and folds: there the field is
+    /// 0 on every level.
+    double least_singular_extent = 1.0 / 512;
+    /// True for a box of patch parameters in which no line is wanted, as outside of the material.
+    /// Empty: lines are wanted everywhere.
+    std::function<bool(const Box2&)> unwanted = {};
 };
 
-/// Cells that together hold every point of every level's line on the patch, whose control points
-/// are in world coordinates. Boxes are cut until interval bounds of the field exclude the level or
-/// prove the cell. They are in the order of the search, which is the same for any thread count.
+/// Cells that together hold every point of every level's line on the patch where the field's ray
+/// runs to the C-plane and lines are wanted. The patch's control points are in world coordinates.
+/// Boxes are cut until bounds of the field by Taylor models exclude the level or prove the cell.
+/// They are in the order of the search, which is the same for any thread count.
 std::vector<LineCell> line_cells(const BezierPatchView& patch, const LineField& field,
                                  std::span<const double> levels,
                                  const LineCellOptions& options = {});

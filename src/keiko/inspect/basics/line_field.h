@@ -36,6 +36,7 @@ struct LineEye {
 template <class T>
 struct LineRatio {
     T above{}, below{}; ///< numerator and denominator
+    T ahead{};          ///< above 0 where the ray runs to the C-plane; 1 for isophotes
 
     /// 0 on the line of the level, and smooth where the quotient has poles.
     T residual(double level) const { return above - below * T(level); }
@@ -57,21 +58,24 @@ public:
     /// The viewpoint.
     const LineEye& eye() const { return eye_; }
 
-    /// The quotient for numbers, intervals and jets alike. `shift` moves the origin of v: levels
-    /// near 0 keep intervals tight.
+    /// The quotient for numbers, jets and models alike. `shift` moves the origin of v. `weight`: by
+    /// which the place is multiplied, above 0.
     template <class T>
-    LineRatio<T> ratio(const Triple<T>& place, const Triple<T>& normal, double shift = 0) const {
+    LineRatio<T> ratio(const Triple<T>& place, const Triple<T>& normal, double shift = 0,
+                       const T& weight = T(1.0)) const {
         using std::sqrt;
         if (look_ == LineLook::isophote)
             return {dot(normal, constant<T>(towards_lamps_)) - sqrt(length2(normal)) * T(shift),
-                    sqrt(length2(normal))};
-        const Triple<T> ray = look_ == LineLook::highlight ? normal : mirrored(place, normal);
-        const Triple<T> from_corner = place - constant<T>(plane_.origin);
+                    sqrt(length2(normal)), T(1.0)};
+        const Triple<T> ray =
+            look_ == LineLook::highlight ? normal : mirrored(place, normal, weight);
+        const Triple<T> from_corner = place - constant<T>(plane_.origin) * weight;
         const T across = dot(ray, constant<T>(plane_.v)),
                 down = dot(ray, constant<T>(plane_.normal));
-        return {(dot(from_corner, constant<T>(plane_.v)) - T(shift)) * down -
-                    dot(from_corner, constant<T>(plane_.normal)) * across,
-                down};
+        const T height = dot(from_corner, constant<T>(plane_.normal));
+        return {
+            (dot(from_corner, constant<T>(plane_.v)) - weight * T(shift)) * down - height * across,
+            down * weight, -height * down};
     }
 
     /// Reflection of the C-plane at one place of the surface.
@@ -100,9 +104,9 @@ private:
     }
     /// The camera ray mirrored at the normal, times the squared length of the normal.
     template <class T>
-    Triple<T> mirrored(const Triple<T>& place, const Triple<T>& normal) const {
+    Triple<T> mirrored(const Triple<T>& place, const Triple<T>& normal, const T& weight) const {
         const Triple<T> ray =
-            eye_.parallel ? constant<T>(eye_.direction) : place - constant<T>(eye_.point);
+            eye_.parallel ? constant<T>(eye_.direction) : place - constant<T>(eye_.point) * weight;
         return ray * length2(normal) - normal * (dot(ray, normal) * T(2.0));
     }
 

@@ -10,51 +10,10 @@ namespace {
 /// numbers.
 constexpr double relative_rounding = 1e-14;
 
-/// Control points of a derivative net.
-struct Net {
-    std::size_t rows, columns;
-    std::vector<Vec4> points;
-    double gain = 1; ///< by which differences have made the rounding error larger
-
-    Net by_x() const {
-        if (rows == 1) return {1, 1, {Vec4(0)}, gain};
-        const double degree = static_cast<double>(rows - 1);
-        Net d{rows - 1, columns, {}, 2 * degree * gain};
-        for (std::size_t k = 0; k + columns < points.size(); ++k)
-            d.points.push_back((points[k + columns] - points[k]) * degree);
-        return d;
-    }
-    Net by_y() const {
-        if (columns == 1) return {1, 1, {Vec4(0)}, gain};
-        const double degree = static_cast<double>(columns - 1);
-        Net d{rows, columns - 1, {}, 2 * degree * gain};
-        for (std::size_t i = 0; i < rows; ++i)
-            for (std::size_t j = 0; j + 1 < columns; ++j)
-                d.points.push_back((points[i * columns + j + 1] - points[i * columns + j]) *
-                                   degree);
-        return d;
-    }
-    Interval range(int axis, double rounding) const {
-        Interval all(points.front()[axis]);
-        for (const Vec4& p : points)
-            all = {std::min(all.low, p[axis]), std::max(all.high, p[axis])};
-        return all.padded(gain * rounding);
-    }
-};
-
 double largest(const std::vector<Vec4>& points, int axis) {
     double size = 0;
     for (const Vec4& p : points) size = std::max(size, std::abs(p[axis]));
     return size;
-}
-
-using RangeJet = Jet<Jet<Interval>>;
-
-/// A coordinate of the homogeneous patch with all derivatives to order 2.
-RangeJet jet_of(const std::array<Net, 6>& nets, int axis, double rounding) {
-    const auto range = [&](std::size_t net) { return nets[net].range(axis, rounding); };
-    const Interval x = range(1), y = range(2), xy = range(4);
-    return {{range(0), x, y}, {x, range(3), xy}, {y, xy, range(5)}};
 }
 
 /// One row of control points cut at a share of its range.
@@ -105,36 +64,9 @@ std::array<PatchBox, 2> PatchBox::parts(bool by_u, double share) const {
             PatchBox(degree_u_, degree_v_, high, std::move(second))};
 }
 
-PatchBox::Ranges PatchBox::ranges() const {
-    const Net net{static_cast<std::size_t>(degree_u_) + 1, static_cast<std::size_t>(degree_v_) + 1,
-                  points_};
-    const Net x = net.by_x(), y = net.by_y();
-    const std::array<Net, 6> nets{net, x, y, x.by_x(), x.by_y(), y.by_y()};
-    const bool rational = view().rational();
-    const double weight = points_.front().w;
-    Triple<RangeJet> surface;
-    RangeJet* const axes[] = {&surface.x, &surface.y, &surface.z};
-    const auto w = jet_of(nets, 3, rational ? relative_rounding * largest(points_, 3) : 0);
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto homogeneous = jet_of(nets, axis, relative_rounding * largest(points_, axis));
-        *axes[axis] = rational ? homogeneous / w : homogeneous * (1 / weight);
-    }
-    return {{surface.x.f, surface.y.f, surface.z.f},
-            {surface.x.u, surface.y.u, surface.z.u},
-            {surface.x.v, surface.y.v, surface.z.v}};
-}
-
-PatchBox::Values PatchBox::values(double x, double y) const {
-    const SurfaceDerivatives s = evaluate(view(), {x, y}, 1);
-    const double rounding =
-        relative_rounding *
-        std::max({largest(points_, 0), largest(points_, 1), largest(points_, 2)}) /
-        points_.front().w;
-    const auto thin = [&](const Vec3& p) {
-        return Triple<Interval>{Interval(p.x).padded(rounding), Interval(p.y).padded(rounding),
-                                Interval(p.z).padded(rounding)};
-    };
-    return {thin(s.position()), thin(s.du()), thin(s.dv())};
+double PatchBox::rounding() const {
+    return relative_rounding *
+           std::max({largest(points_, 0), largest(points_, 1), largest(points_, 2)});
 }
 
 std::array<double, 2> net_extents(const BezierPatchView& patch) {

@@ -1,15 +1,13 @@
 #pragma once
 
 #include "keiko/geometry/bezier/bezier.h"
-#include "keiko/math/jet.h"
 
 #include <array>
 #include <vector>
 
 namespace keiko {
 
-/// Part of a Bezier patch over a box of its parameters, with its own control points. Local
-/// parameters x, y in [0, 1] run over the box.
+/// Part of a Bezier patch over a box of its parameters, with its own control points.
 class PatchBox {
 public:
     /// The whole patch.
@@ -22,25 +20,8 @@ public:
     /// Either half.
     std::array<PatchBox, 2> halves(bool by_u) const { return parts(by_u, 0.5); }
 
-    /// Ranges of position and tangents by x and y over the box. They hold the values and the first
-    /// derivatives, from the convex hulls of the derivatives' control points.
-    struct Ranges {
-        Triple<Jet<Interval>> place; ///< position, mm, as the control points
-        Triple<Jet<Interval>> dx;    ///< derivative by x: the tangent along u times the box's width
-        Triple<Jet<Interval>> dy; ///< derivative by y: the tangent along v times the box's height
-    };
-    /// The ranges over the whole box; infinite where a range of weights holds 0.
-    Ranges ranges() const;
-
-    /// Position and tangents at a local place, to within rounding.
-    struct Values {
-        Triple<Interval> place; ///< position, mm, as the control points
-        Triple<Interval> dx;    ///< derivative by x
-        Triple<Interval> dy;    ///< derivative by y
-    };
-    /// The values at x, y, both from 0 to 1.
-    Values values(double x, double y) const;
-
+    /// Rounding error of the coordinates of its own control points, mm.
+    double rounding() const;
     /// View of its own control points, which the box must outlive.
     BezierPatchView view() const { return {degree_u_, degree_v_, points_}; }
 

@@ -1,6 +1,6 @@
 #include "keiko/inspect/curvature/curvature_range.h"
 
-#include "keiko/inspect/curvature/patch_model.h"
+#include "keiko/inspect/basics/patch_model.h"
 #include "keiko/math/taylor_model.h"
 
 #include <algorithm>

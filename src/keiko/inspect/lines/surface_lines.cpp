@@ -138,7 +138,9 @@ private:
     void add(const PatchInstance& placed, const BezierPatchView& patch, std::uint32_t plane,
              std::vector<SurfaceLine>& found) const {
         const LampLevels& lamps = fields_[plane];
-        for (const PatchLine& line : patch_lines(patch, lamps.field, lamps.levels, lines_)) {
+        PatchLineOptions options = lines_;
+        options.cells.unwanted = [&](const Box2& uv) { return no_material(placed, uv); };
+        for (const PatchLine& line : patch_lines(patch, lamps.field, lamps.levels, options)) {
             const LevelFunction f(patch, lamps.field, lamps.levels[line.level]);
             const LineVisibility sight(seen_, lamps.field, lamps.levels[line.level]);
             const auto visible = [&](const LinePoint& p) {
@@ -148,6 +150,16 @@ private:
                 found.push_back({plane, line.level % lamps.lamps, placed.instance, placed.face,
                                  placed.patch, std::move(piece)});
         }
+    }
+
+    /// True if a box of a patch lies outside of its face's trims.
+    bool no_material(const PatchInstance& placed, const Box2& uv) const {
+        const TrimRegion& trim = trims_[placed.face];
+        if (trim.untrimmed()) return false;
+        Box2 box;
+        box.extend(model_.face_parameters(placed.patch, uv.lower));
+        box.extend(model_.face_parameters(placed.patch, uv.upper));
+        return trim.classify(box) == TrimSide::outside;
     }
 
     bool sees(const LineVisibility& sight, const PatchInstance& placed,

@@ -1,4 +1,4 @@
-#include "keiko/inspect/curvature/patch_model.h"
+#include "keiko/inspect/basics/patch_model.h"
 
 #include <algorithm>
 #include <array>
