@@ -11,6 +11,7 @@ namespace {
 constexpr double cut_width = 1e-9; ///< mm
 constexpr int most_halvings = 60;
 constexpr double most_tests = 10000; ///< between two points of a line
+constexpr double border_tests = 16;  ///< of a step in which a border may be
 
 double distance(const LinePoint& a, const LinePoint& b) {
     return (a.place - b.place).length();
@@ -19,8 +20,9 @@ double distance(const LinePoint& a, const LinePoint& b) {
 class PieceCutter {
 public:
     PieceCutter(const ZeroFunction& f, double step,
-                const std::function<bool(const LinePoint&)>& visible)
-        : f_(f), step_(step), visible_(visible) {}
+                const std::function<bool(const LinePoint&)>& visible,
+                const std::function<bool(const Box2&)>& bordered)
+        : f_(f), step_(step), visible_(visible), bordered_(bordered) {}
 
     /// Points of each piece, in the order along the line.
     std::vector<std::vector<LinePoint>> run(const std::vector<LinePoint>& points) {
@@ -35,9 +37,21 @@ private:
         const double tests = std::clamp(std::ceil(distance(a, b) / step_), 1.0, most_tests);
         LinePoint last = a;
         for (double i = 1; i < tests; ++i)
-            if (const auto next = f_.between(a, b, i / tests)) advance(last, *next);
-        advance(last, b);
+            if (const auto next = f_.between(a, b, i / tests)) walk(last, *next);
+        walk(last, b);
         if (seen_) append(b);
+    }
+
+    void walk(LinePoint& last, const LinePoint& next) {
+        Box2 both;
+        both.extend(last.uv), both.extend(next.uv);
+        if (bordered_ && bordered_(both)) {
+            const LinePoint from = last;
+            for (double i = 1; i < border_tests; ++i)
+                if (const auto between = f_.between(from, next, i / border_tests))
+                    advance(last, *between);
+        }
+        advance(last, next);
     }
 
     void advance(LinePoint& last, const LinePoint& next) {
@@ -69,6 +83,7 @@ private:
     const ZeroFunction& f_;
     double step_;
     const std::function<bool(const LinePoint&)>& visible_;
+    const std::function<bool(const Box2&)>& bordered_;
     bool seen_ = false;
     std::vector<std::vector<LinePoint>> pieces_;
 };
@@ -88,8 +103,10 @@ void close_up(std::vector<std::vector<LinePoint>>& pieces, const PatchLine& line
 } // namespace
 
 std::vector<PatchLine> visible_pieces(const PatchLine& line, const ZeroFunction& f, double step,
-                                      const std::function<bool(const LinePoint&)>& visible) {
-    std::vector<std::vector<LinePoint>> pieces = PieceCutter(f, step, visible).run(line.points);
+                                      const std::function<bool(const LinePoint&)>& visible,
+                                      const std::function<bool(const Box2&)>& bordered) {
+    std::vector<std::vector<LinePoint>> pieces =
+        PieceCutter(f, step, visible, bordered).run(line.points);
     close_up(pieces, line);
     std::vector<PatchLine> lines;
     for (std::vector<LinePoint>& points : pieces) {

@@ -9,12 +9,13 @@
 namespace keiko {
 
 /// The pieces of a line on which `visible` holds. The predicate is evaluated at the line's points
-/// and at points between them at most about `step` mm apart, so that a change and its reverse
-/// within one step may be missed. Where its value changes, the place is bisected on the line to
-/// 1e-9 mm, and the piece ends on the visible side. A closed line that is visible as a whole stays
-/// closed.
+/// and at points between them at most about `step` mm apart, or a sixteenth of that where the box
+/// of two such points is `bordered`. A change and its reverse within that may be missed. Where its
+/// value changes, the place is bisected on the line to 1e-9 mm, and the piece ends on the visible
+/// side. A closed line that is visible as a whole stays closed.
 std::vector<PatchLine> visible_pieces(const PatchLine& line, const ZeroFunction& f, double step,
-                                      const std::function<bool(const LinePoint&)>& visible);
+                                      const std::function<bool(const LinePoint&)>& visible,
+                                      const std::function<bool(const Box2&)>& bordered = {});
 
 /// The zeros of a polynomial field on a placed patch. Keeps references to all; `view` is of the
 /// patch's own points.

@@ -139,27 +139,32 @@ private:
              std::vector<SurfaceLine>& found) const {
         const LampLevels& lamps = fields_[plane];
         PatchLineOptions options = lines_;
-        options.cells.unwanted = [&](const Box2& uv) { return no_material(placed, uv); };
+        options.cells.unwanted = [&](const Box2& uv) {
+            return side_of(placed, uv) == TrimSide::outside;
+        };
+        const auto bordered = [&](const Box2& uv) {
+            return side_of(placed, uv) == TrimSide::mixed;
+        };
         for (const PatchLine& line : patch_lines(patch, lamps.field, lamps.levels, options)) {
             const LevelFunction f(patch, lamps.field, lamps.levels[line.level]);
             const LineVisibility sight(seen_, lamps.field, lamps.levels[line.level]);
             const auto visible = [&](const LinePoint& p) {
                 return sees(sight, placed, patch, p.uv);
             };
-            for (PatchLine& piece : visible_pieces(line, f, step_, visible))
+            for (PatchLine& piece : visible_pieces(line, f, step_, visible, bordered))
                 found.push_back({plane, line.level % lamps.lamps, placed.instance, placed.face,
                                  placed.patch, std::move(piece)});
         }
     }
 
-    /// True if a box of a patch lies outside of its face's trims.
-    bool no_material(const PatchInstance& placed, const Box2& uv) const {
+    /// Position of a box of a patch relative to the trims of its face.
+    TrimSide side_of(const PatchInstance& placed, const Box2& uv) const {
         const TrimRegion& trim = trims_[placed.face];
-        if (trim.untrimmed()) return false;
+        if (trim.untrimmed()) return TrimSide::inside;
         Box2 box;
         box.extend(model_.face_parameters(placed.patch, uv.lower));
         box.extend(model_.face_parameters(placed.patch, uv.upper));
-        return trim.classify(box) == TrimSide::outside;
+        return trim.classify(box);
     }
 
     bool sees(const LineVisibility& sight, const PatchInstance& placed,
