@@ -32,8 +32,8 @@ struct LineCellOptions {
     /// Smallest extent of a box, as a share of the patch in both parameters; smaller boxes are not
     /// cut.
     double least_extent = 1.0 / 4096;
-    /// The same for boxes in which the normal may vanish, as at poles and folds: there the field is
-    /// 0 on every level.
+    /// Smallest extent of a box in which the normal may vanish, as at poles and folds: there the
+    /// field is 0 on every level.
     double least_singular_extent = 1.0 / 512;
     /// True for a box of patch parameters in which no line is wanted, as outside of the material.
     /// Empty: lines are wanted everywhere.
