@@ -83,6 +83,33 @@ TEST(PatchLines, AreWhereTracedAndMirroredRaysMeetTheLamps) {
     EXPECT_GT(compared, 100);
 }
 
+/// Both sides of a patch are alike: the normal is turned towards the viewpoint.
+TEST(PatchLines, AreTheSameOnAPatchTurnedOver) {
+    const SurfaceModel model = test::bonnet_model(1200, 1400, 80);
+    const BezierPatchView patch = model.patch(0);
+    std::vector<Vec4> turned;
+    for (int i = patch.degree_u; i >= 0; --i)
+        for (int j = 0; j <= patch.degree_v; ++j) turned.push_back(patch.point(i, j));
+    const BezierPatchView over{patch.degree_u, patch.degree_v, turned};
+    for (const LineLook look : {LineLook::reflection, LineLook::highlight}) {
+        const LineField field(look, LineEye(camera_before()), lamps_over(), Vec3(0));
+        const auto visible = [&](const BezierPatchView& side) {
+            double length = 0;
+            for (const PatchLine& line : patch_lines(side, field, twelve_lamps()))
+                for (std::size_t i = 1; i < line.points.size(); ++i) {
+                    const Vec2 uv = (line.points[i].uv + line.points[i - 1].uv) / 2;
+                    const SurfaceDerivatives s = evaluate(side, uv, 1);
+                    if (field.image(s.position(), s.du().cross(s.dv())).faces)
+                        length += (line.points[i].place - line.points[i - 1].place).length();
+                }
+            return length;
+        };
+        const double length = visible(patch);
+        EXPECT_GT(length, 1000);
+        EXPECT_NEAR(visible(over), length, 1e-3 * length) << name_of(look);
+    }
+}
+
 TEST(PatchLines, EndOnTheBorderOfThePatchOrWhereNoRayMeetsTheLampsOrClose) {
     const SurfaceModel model = test::bonnet_model(1200, 1400, 80);
     const BezierPatchView patch = model.patch(0);

@@ -36,7 +36,7 @@ struct LineEye {
 template <class T>
 struct LineRatio {
     T above{}, below{}; ///< numerator and denominator
-    T ahead{};          ///< above 0 where the ray runs to the C-plane; 1 for isophotes
+    T ahead{}; ///< above 0 where the ray, or the normal towards the eye, runs to the C-plane
 
     /// 0 on the line of the level, and smooth where the quotient has poles.
     T residual(double level) const { return above - below * T(level); }
@@ -67,15 +67,17 @@ public:
         if (look_ == LineLook::isophote)
             return {dot(normal, constant<T>(towards_lamps_)) - sqrt(length2(normal)) * T(shift),
                     sqrt(length2(normal)), T(1.0)};
+        const Triple<T> view = towards(place, weight);
+        const bool mirror = look_ == LineLook::reflection;
         const Triple<T> ray =
-            look_ == LineLook::highlight ? normal : mirrored(place, normal, weight);
+            mirror ? view * length2(normal) - normal * (dot(view, normal) * T(2.0)) : normal;
         const Triple<T> from_corner = place - constant<T>(plane_.origin) * weight;
         const T across = dot(ray, constant<T>(plane_.v)),
                 down = dot(ray, constant<T>(plane_.normal));
         const T height = dot(from_corner, constant<T>(plane_.normal));
         return {
             (dot(from_corner, constant<T>(plane_.v)) - weight * T(shift)) * down - height * across,
-            down * weight, -height * down};
+            down * weight, mirror ? -height * down : height * down * dot(view, normal)};
     }
 
     /// Reflection of the C-plane at one place of the surface.
@@ -102,12 +104,11 @@ private:
     static Triple<T> constant(const Vec3& w) {
         return {T(w.x), T(w.y), T(w.z)};
     }
-    /// The camera ray mirrored at the normal, times the squared length of the normal.
+    /// The camera ray to a place, times its weight unless it is parallel.
     template <class T>
-    Triple<T> mirrored(const Triple<T>& place, const Triple<T>& normal, const T& weight) const {
-        const Triple<T> ray =
-            eye_.parallel ? constant<T>(eye_.direction) : place - constant<T>(eye_.point) * weight;
-        return ray * length2(normal) - normal * (dot(ray, normal) * T(2.0));
+    Triple<T> towards(const Triple<T>& place, const T& weight) const {
+        return eye_.parallel ? constant<T>(eye_.direction)
+                             : place - constant<T>(eye_.point) * weight;
     }
 
     LineLook look_;
