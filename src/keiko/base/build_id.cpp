@@ -39,7 +39,7 @@ std::string hexadecimal(std::string_view bytes) {
 /// Build id among the notes of a segment; empty: none. A note is a header, its owner's name and its
 /// description, both padded to the segment's alignment.
 std::string id_among(std::string_view notes, std::size_t alignment) {
-    constexpr std::string_view owner("GNU", 4);
+    constexpr std::string_view owner("GNU\0", 4);
     const auto padded = [&](std::size_t size) { return (size + alignment - 1) & ~(alignment - 1); };
     while (notes.size() >= sizeof(ElfW(Nhdr))) {
         ElfW(Nhdr) note;
@@ -60,6 +60,7 @@ int find_own_id(dl_phdr_info* object, std::size_t, void* id) {
     for (const ElfW(Phdr)* part = object->dlpi_phdr; part != object->dlpi_phdr + object->dlpi_phnum;
          ++part) {
         if (part->p_type != PT_NOTE) continue;
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader tells addresses as integers
         const auto* begin = reinterpret_cast<const char*>(object->dlpi_addr + part->p_vaddr);
         const std::string found = id_among({begin, part->p_memsz}, part->p_align == 8 ? 8 : 4);
         if (!found.empty()) *static_cast<std::string*>(id) = found;

@@ -87,12 +87,12 @@ std::vector<Metric> renamed(std::span<const Metric> before, std::span<const Metr
                             const MetricTolerances& tolerances) {
     std::map<Key, std::string_view> names; // of subjects
     Subjects fresh = lone_subjects(after, by_key(before));
-    for (const auto& [subject, metrics] : lone_subjects(before, by_key(after))) {
+    for (const auto& old : lone_subjects(before, by_key(after))) {
         const auto found = std::find_if(fresh.begin(), fresh.end(), [&](const auto& candidate) {
-            return differ_by_name_alone(metrics, candidate.second, tolerances);
+            return differ_by_name_alone(old.second, candidate.second, tolerances);
         });
         if (found == fresh.end()) continue;
-        names[subject] = found->first.second;
+        names[old.first] = found->first.second;
         fresh.erase(found);
     }
     std::vector<Metric> all(before.begin(), before.end());

@@ -112,7 +112,7 @@ std::optional<MirrorPlane> placement_mirror(const SurfaceModel& model,
     for (const MirrorPlane& plane :
          given ? std::vector{choice.plane} : planes_through(cameras.front()))
         if (is_symmetric(cameras, plane) && is_symmetric(options.where, plane) &&
-            mirror_deviation(model, plane, options.sampling.faces, job) <= choice.distance)
+            is_own_image(model, plane, choice.distance, options.sampling.faces, job))
             return plane;
     return std::nullopt;
 }

@@ -50,6 +50,18 @@ TEST(Symmetry, OfABodyBesideItsPlaneIsOffByTwiceTheWay) {
     EXPECT_EQ(found.verdict, Verdict::fail);
 }
 
+/// The dent is 0.1 mm deep, and narrower than the places are apart.
+TEST(Symmetry, TellsWhetherABodyIsItsOwnImage) {
+    const auto dented = [](double dent) {
+        return test::sheet(test::bump(21, 20), test::bump(-33, 20), -dent, {-1e-4, -1e-4});
+    };
+    EXPECT_TRUE(is_own_image(dented(0), {1, 0}, 1e-6));
+    EXPECT_TRUE(is_own_image(dented(0.1), {1, 0}, 0.1001));
+    EXPECT_FALSE(is_own_image(dented(0.1), {1, 0}, 0.0999));
+    EXPECT_FALSE(is_own_image(dented(0), {1, 0.005}, 0.0098));
+    EXPECT_FALSE(is_own_image(dented(0), {1, 1e4}, 1));
+}
+
 TEST(Symmetry, IsNotAskedForWithoutALimit) {
     Inspection found = inspected(0, 0, 1);
     found.preset.surface.symmetry.reset();

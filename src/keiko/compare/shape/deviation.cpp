@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -91,15 +92,23 @@ std::vector<FaceDeviation> face_deviations(std::span<const DeviationSample> samp
     return all;
 }
 
+/// Places of the body until one of them is not `wanted`; all, where all are.
+template <class Wanted>
 std::vector<DeviationSample> measured_samples(const ClosestPointQuery& body,
                                               const ClosestPointQuery& other,
-                                              const DeviationOptions& options, const Job& job) {
+                                              const DeviationOptions& options, const Job& job,
+                                              const Wanted& wanted) {
     constexpr int least = 4;
     const double spacing = sample_spacing(body, options.samples);
     std::vector<std::vector<DeviationSample>> pieces(body.piece_count());
+    std::atomic<bool> go_on{true};
     parallel_for(pieces.size(), job, "deviation", [&](std::size_t i) {
-        for (const SurfaceSample& sample : piece_samples(body, i, spacing, least))
+        if (!go_on) return;
+        for (const SurfaceSample& sample : piece_samples(body, i, spacing, least)) {
             pieces[i].push_back({sample, other.foot(sample.point.position, options.reach)});
+            if (!wanted(pieces[i].back())) go_on = false;
+            if (!go_on) return;
+        }
     });
     std::vector<DeviationSample> all;
     for (std::vector<DeviationSample>& piece : pieces)
@@ -247,7 +256,8 @@ void take_borders(const ClosestPointQuery& body, const ClosestPointQuery& other,
 
 Deviation measure_deviation(const ClosestPointQuery& body, const ClosestPointQuery& other,
                             const DeviationOptions& options, const Job& job) {
-    const std::vector<DeviationSample> samples = measured_samples(body, other, options, job);
+    const std::vector<DeviationSample> samples =
+        measured_samples(body, other, options, job, [](const DeviationSample&) { return true; });
     Deviation result;
     result.samples = samples.size(), result.reach = options.reach;
     result.faces = face_deviations(samples, body.body().model.faces.size(), options.noise);
@@ -262,6 +272,16 @@ Deviation measure_deviation(const ClosestPointQuery& body, const ClosestPointQue
     const DeviationSample tilted = peaks(body, other, options.reach, samples, job, tilt).front();
     result.worst_normal = {tilted.tilt(), tilted.point.position, tilted.point.face};
     return result;
+}
+
+bool lies_within_reach(const ClosestPointQuery& body, const ClosestPointQuery& other,
+                       const DeviationOptions& options, const Job& job) {
+    const auto within = [](const DeviationSample& sample) { return sample.foot.has_value(); };
+    const std::vector<DeviationSample> samples =
+        measured_samples(body, other, options, job, within);
+    if (!std::all_of(samples.begin(), samples.end(), within)) return false;
+    const auto tops = peaks(body, other, options.reach, samples, job, distance_of);
+    return std::all_of(tops.begin(), tops.end(), within);
 }
 
 } // namespace keiko

@@ -66,4 +66,11 @@ struct Deviation {
 Deviation measure_deviation(const ClosestPointQuery& body, const ClosestPointQuery& other,
                             const DeviationOptions& options = {}, const Job& job = {});
 
+/// Whether `body` is everywhere less than `options.reach` mm from `other`. It is sought like the
+/// worst place of `measure_deviation`, and the search ends at the first place that is not. False
+/// for an infinite reach only where there is no `other`. Reports stage "deviation". Throws
+/// Cancelled.
+bool lies_within_reach(const ClosestPointQuery& body, const ClosestPointQuery& other,
+                       const DeviationOptions& options, const Job& job = {});
+
 } // namespace keiko

@@ -27,20 +27,12 @@ struct SelfDeviation {
 };
 
 SelfDeviation self_deviation(const SurfaceModel& model, const MirrorPlane& plane,
-                             std::span<const std::uint32_t> chosen, const DeviationOptions& options,
-                             const Job& job) {
-    const ClosestPointQuery body(placed_model(model, {}, chosen), job);
-    const ClosestPointQuery image(placed_model(model, plane.motion(), chosen), job);
+                             const DeviationOptions& options, const Job& job) {
+    const ClosestPointQuery body(placed_model(model), job);
+    const ClosestPointQuery image(placed_model(model, plane.motion()), job);
     DeviationOptions within = options;
     within.reach = fiftieth * material_bounds(body.body().model, job).size();
     return {body.body(), measure_deviation(body, image, within, job), within.reach};
-}
-
-/// Measure of a search of planes.
-DeviationOptions quick() {
-    DeviationOptions options;
-    options.samples = 3000;
-    return options;
 }
 
 std::optional<MirrorPlane> nearest_plane(const SurfaceModel& model, const Job& job) {
@@ -49,8 +41,7 @@ std::optional<MirrorPlane> nearest_plane(const SurfaceModel& model, const Job& j
     for (const MirrorPlane& plane : {MirrorPlane{1, 0}, MirrorPlane{1, middle.y},
                                      MirrorPlane{0, middle.x}, MirrorPlane{2, middle.z}}) {
         if (!(std::abs(plane.distance(middle)) < fiftieth * box.size())) continue;
-        const SelfDeviation self = self_deviation(model, plane, {}, quick(), job);
-        if (self.distance() < self.reach) return plane;
+        if (is_own_image(model, plane, fiftieth * box.size(), {}, job)) return plane;
     }
     return std::nullopt;
 }
@@ -58,7 +49,7 @@ std::optional<MirrorPlane> nearest_plane(const SurfaceModel& model, const Job& j
 void add_check_at(const SurfaceModel& model, const SymmetryLimit& limit, Check::Severity severity,
                   Inspection& inspection, const Job& job) {
     const DeviationOptions options;
-    const SelfDeviation self = self_deviation(model, limit.plane, {}, options, job);
+    const SelfDeviation self = self_deviation(model, limit.plane, options, job);
     MeasuredValue worst;
     worst.value = self.distance();
     worst.bound = std::max(self.found.largest_uncertainty, options.certainty);
@@ -73,9 +64,13 @@ void add_check_at(const SurfaceModel& model, const SymmetryLimit& limit, Check::
 
 } // namespace
 
-double mirror_deviation(const SurfaceModel& model, const MirrorPlane& plane,
-                        std::span<const std::uint32_t> chosen, const Job& job) {
-    return self_deviation(model, plane, chosen, quick(), job).distance();
+bool is_own_image(const SurfaceModel& model, const MirrorPlane& plane, double distance,
+                  std::span<const std::uint32_t> chosen, const Job& job) {
+    const ClosestPointQuery body(placed_model(model, {}, chosen), job);
+    const ClosestPointQuery image(placed_model(model, plane.motion(), chosen), job);
+    DeviationOptions options;
+    options.samples = 3000, options.reach = distance;
+    return lies_within_reach(body, image, options, job);
 }
 
 void check_symmetry(const SurfaceModel& model, Inspection& inspection, const Job& job) {

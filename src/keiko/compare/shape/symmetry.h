@@ -8,10 +8,10 @@
 
 namespace keiko {
 
-/// mm that the chosen faces of a model, ascending, or all, are from their own mirror image at their
-/// worst place; a fiftieth of their size where they are further off. Throws Cancelled.
-double mirror_deviation(const SurfaceModel& model, const MirrorPlane& plane,
-                        std::span<const std::uint32_t> chosen = {}, const Job& job = {});
+/// Whether the chosen faces of a model, ascending, or all, are nowhere `distance` mm or more from
+/// their own mirror image. The worst place is sought, not proved. Throws Cancelled.
+bool is_own_image(const SurfaceModel& model, const MirrorPlane& plane, double distance,
+                  std::span<const std::uint32_t> chosen = {}, const Job& job = {});
 
 /// Measures how far a body is from its own mirror image, where the preset of its inspection has a
 /// limit for it. Adds the check to the inspection, of the face that is furthest from it. Where the

@@ -20,7 +20,7 @@ constexpr TomlLimits joins{.low = 0, .high = 1000, .above_low = true};
 /// One text, or an array of some.
 std::vector<std::string> one_or_more(const TomlTable& table, std::string_view key) {
     if (table.kind(key) == "text") return {*table.text(key)};
-    const auto texts = table.required(key, table.texts(key));
+    auto texts = table.required(key, table.texts(key));
     if (texts.empty()) throw table.error(key, "must name at least one");
     return texts;
 }
@@ -42,7 +42,7 @@ void require_each_once(const TomlTable& table, std::string_view key,
 
 std::vector<std::string> words_of(const TomlTable& table, std::string_view key,
                                   const std::vector<std::string>& known) {
-    const std::vector<std::string> words = table.texts(key).value_or(std::vector<std::string>{});
+    std::vector<std::string> words = table.texts(key).value_or(std::vector<std::string>{});
     for (const std::string& word : words) require_known(table, key, word, known);
     require_each_once(table, key, words);
     return words;

@@ -55,7 +55,7 @@ bool is_view_file(std::string_view name) {
 Camera read_view(const std::filesystem::path& path) {
     const TomlTable table = TomlTable::read(path);
     table.require_format("keiko-view/1");
-    const Camera camera = camera_of(table);
+    Camera camera = camera_of(table);
     table.finish();
     return camera;
 }

@@ -15,6 +15,7 @@ struct TomlPlace {
     std::uint32_t line = 0;   ///< from 1
     std::uint32_t column = 0; ///< from 1
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): taken for the 0 that the operator is compared with
     auto operator<=>(const TomlPlace&) const = default;
     /// "line:column".
     std::string text() const { return std::to_string(line) + ":" + std::to_string(column); }

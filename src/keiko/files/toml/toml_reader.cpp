@@ -148,7 +148,7 @@ std::optional<std::filesystem::path> path_from(const TomlTable& table, std::stri
 
 std::filesystem::path readable_path(const TomlTable& table, std::string_view key,
                                     const std::string& name) {
-    const auto path = (table.source().parent_path() / name).lexically_normal();
+    auto path = (table.source().parent_path() / name).lexically_normal();
     try {
         require_readable_file(path);
     } catch (const Error& error) {
