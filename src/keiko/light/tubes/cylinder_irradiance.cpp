@@ -40,9 +40,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Nodes per smooth piece: 16 reach rounding for d/D up to 1 (docs/theory/luminance.md#a-tube).
-constexpr int nodes = 16;
-
 /// Outer variables at which the integrand has a kink, with the ends of the range.
 class Pieces {
 public:
@@ -54,7 +51,7 @@ public:
         if (std::abs(sine) < 1) ends_.push_back(std::asin(sine));
     }
     template <class F>
-    double integrate(const F& f) {
+    double integrate(const F& f, int nodes) {
         std::sort(ends_.begin(), ends_.end());
         double sum = 0;
         for (std::size_t i = 0; i + 1 < ends_.size(); ++i)
@@ -112,7 +109,7 @@ Pieces pieces_of(const TubeView& view, const VisiblePart& part,
 } // namespace
 
 double cylinder_solid_angle(const TubeView& view, const VisiblePart& part,
-                            std::span<const OccludingTube> hiding) {
+                            std::span<const OccludingTube> hiding, int nodes) {
     const double sine_limit = view.radius / view.distance;
     const auto slice = [&](double t) {
         const double sine = sine_limit * std::sin(t);
@@ -132,7 +129,7 @@ double cylinder_solid_angle(const TubeView& view, const VisiblePart& part,
         }
         return lit * sine_limit * std::cos(t) / cosine;
     };
-    return pieces_of(view, part, hiding).integrate(slice);
+    return pieces_of(view, part, hiding).integrate(slice, nodes);
 }
 
 } // namespace keiko

@@ -82,8 +82,13 @@ TubeModel chosen(TubeModel model, const TubeView& view) {
     return view.ratio() < limit ? TubeModel::strip : TubeModel::cylinder;
 }
 
+/// Nodes of the cylinder's quadrature: pictures need no more than these.
+int nodes_of(TubeModel model) {
+    return model == TubeModel::picture || model == TubeModel::preview ? 8 : 16;
+}
+
 double solid_angle_of(const VisiblePart& part, const TubeView& view, TubeModel model) {
-    switch (model) {
+    switch (chosen(model, view)) {
         case TubeModel::nishita:
             return seed_solid_angle(view, part);
         case TubeModel::rectangle:
@@ -93,7 +98,7 @@ double solid_angle_of(const VisiblePart& part, const TubeView& view, TubeModel m
         case TubeModel::strip:
             return strip_solid_angle(view, part);
         default:
-            return cylinder_solid_angle(view, part);
+            return cylinder_solid_angle(view, part, {}, nodes_of(model));
     }
 }
 
@@ -124,7 +129,7 @@ double projected_solid_angle(const TubeLamp& lamp, const Vec3& point, const Vec3
     const auto view = view_of(lamp, point, normal);
     if (!view) return caps;
     return caps + sum_over_parts(*view, visible, [&](const VisiblePart& part) {
-               return solid_angle_of(part, *view, chosen(model, *view));
+               return solid_angle_of(part, *view, model);
            });
 }
 
@@ -188,7 +193,7 @@ double TubeRowIrradiance::solid_angle(int lamp, const IntervalSet& visible) cons
     const auto view = view_of(tube, point_, normal_);
     if (!view) return cap;
     return cap + sum_over_parts(*view, visible, [&](const VisiblePart& part) {
-               return cylinder_solid_angle(*view, part, hiding);
+               return cylinder_solid_angle(*view, part, hiding, nodes_of(model_));
            });
 }
 
