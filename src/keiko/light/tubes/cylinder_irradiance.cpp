@@ -1,6 +1,5 @@
 #include "keiko/light/tubes/cylinder_irradiance.h"
 
-#include "keiko/math/interval_set.h"
 #include "keiko/math/quadrature.h"
 
 #include <algorithm>
@@ -27,8 +26,8 @@ std::vector<ParameterInterval> hidden_elevations(const TubeView& view,
         const double front = std::max(middle - half, 0.0), back = middle + half;
         if (!(back > 0) || !(front < near)) continue;
         const double begin = view.x_a, end = view.x_a + view.length;
-        hidden.push_back({std::min(std::atan2(begin, front), std::atan2(begin, back)),
-                          std::max(std::atan2(end, front), std::atan2(end, back))});
+        hidden.push_back({std::min(half_tangent(begin, front), half_tangent(begin, back)),
+                          std::max(half_tangent(end, front), half_tangent(end, back))});
     }
     return hidden;
 }
@@ -116,16 +115,16 @@ double cylinder_solid_angle(const TubeView& view, const VisiblePart& part,
         const double cosine = std::sqrt((1 - sine) * (1 + sine));
         const double near = view.distance * cosine - view.radius * std::cos(t);
         const double cut = view.distance / cosine; // of the plane through the axis
-        const double low = std::atan2(part.begin, part.begins ? near : cut);
-        const double high = std::atan2(part.end, part.ends ? near : cut);
+        const ParameterInterval lamp{half_tangent(part.begin, part.begins ? near : cut),
+                                     half_tangent(part.end, part.ends ? near : cut)};
         const double al = view.n_lamp * cosine + view.n_sideways * sine;
         double lit = 0;
         if (hiding.empty()) {
-            lit = arc_integral(al, view.n_along, low, high);
+            lit = arc_integral(al, view.n_along, lamp);
         } else {
             const IntervalSet hidden(hidden_elevations(view, hiding, std::asin(sine), near));
-            for (const ParameterInterval& open : hidden.complement(low, high))
-                lit += arc_integral(al, view.n_along, open.begin, open.end);
+            for (const ParameterInterval& open : hidden.complement(lamp.begin, lamp.end))
+                lit += arc_integral(al, view.n_along, open);
         }
         return lit * sine_limit * std::cos(t) / cosine;
     };

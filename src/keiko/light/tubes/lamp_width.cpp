@@ -37,14 +37,14 @@ IntervalSet LampWidth::of_axis(const IntervalSet& middle) const {
 
 double LampWidth::lit(const SubAxis& axis, double begin, double end) const {
     const double al = view_.n_lamp * axis.cosine + view_.n_sideways * axis.sine;
-    const double low = std::atan2(view_.x_at(begin), axis.r);
-    const double high = std::atan2(view_.x_at(end), axis.r);
-    if (hiding_.empty()) return arc_integral(al, view_.n_along, low, high);
+    const ParameterInterval lamp{half_tangent(view_.x_at(begin), axis.r),
+                                 half_tangent(view_.x_at(end), axis.r)};
+    if (hiding_.empty()) return arc_integral(al, view_.n_along, lamp);
     const double psi = std::atan2(axis.sine, axis.cosine);
     double sum = 0;
-    for (const ParameterInterval& open :
-         IntervalSet(hidden_elevations(view_, hiding_, psi, axis.r)).complement(low, high))
-        sum += arc_integral(al, view_.n_along, open.begin, open.end);
+    for (const ParameterInterval& open : IntervalSet(hidden_elevations(view_, hiding_, psi, axis.r))
+                                             .complement(lamp.begin, lamp.end))
+        sum += arc_integral(al, view_.n_along, open);
     return sum;
 }
 

@@ -85,15 +85,8 @@ public:
     }
     /// Elevations above the horizon as tangents of half the angles, which are found without angles.
     ParameterInterval lit_ends(double psi, double rim) const {
-        ParameterInterval lit = ends(psi, rim);
-        // The horizon: level cos eta + along sin eta = 0.
         const double level = view_.n_lamp * std::cos(psi) + view_.n_sideways * std::sin(psi);
-        const double along = view_.n_along, length = std::sqrt(level * level + along * along);
-        const auto root = [&](double sense) { return -level / (along + sense * length); };
-        if (level > 0 || along > 0) lit.begin = std::max(lit.begin, root(1));
-        if (level > 0 || along < 0) lit.end = std::min(lit.end, root(-1));
-        if (!(level > 0) && along == 0) lit.end = lit.begin;
-        return lit;
+        return above_horizon(level, view_.n_along, ends(psi, rim));
     }
     /// Elevations regardless of the horizon, as tangents of half the elevations.
     ParameterInterval ends(double psi, double rim) const {
@@ -103,11 +96,11 @@ public:
             near = view_.distance * cosine - rim;
             far = outline_ == TubeOutline::capped ? view_.distance * cosine + rim : near;
         }
-        const auto tangent = [](double x, double r) { return x / (r + std::sqrt(x * x + r * r)); };
-        return {part_.begins ? std::min(tangent(part_.begin, near), tangent(part_.begin, far))
-                             : tangent(part_.begin, cut),
-                part_.ends ? std::max(tangent(part_.end, near), tangent(part_.end, far))
-                           : tangent(part_.end, cut)};
+        return {part_.begins
+                    ? std::min(half_tangent(part_.begin, near), half_tangent(part_.begin, far))
+                    : half_tangent(part_.begin, cut),
+                part_.ends ? std::max(half_tangent(part_.end, near), half_tangent(part_.end, far))
+                           : half_tangent(part_.end, cut)};
     }
 
 private:

@@ -51,12 +51,13 @@ TEST(HiddenElevations, AreThoseOfRaysThatMeetTheTube) {
         const double front = middle - std::sqrt(view.radius * view.radius - across * across);
         ASSERT_EQ(found.size(), front < near ? 1U : 0U) << "only what lies nearer hides";
         if (found.empty()) continue;
+        const double begin = 2 * std::atan(found[0].begin), end = 2 * std::atan(found[0].end);
         for (int k = 0; k < 20; ++k) {
             const double eta = test::uniform(random, -1.5, 1.5);
             // Steps of the march are coarse beside an end.
-            if (std::min(std::abs(eta - found[0].begin), std::abs(eta - found[0].end)) < 1e-3)
+            if (std::min(std::abs(eta - begin), std::abs(eta - end)) < 1e-3)
                 continue;
-            const bool inside = eta > found[0].begin && eta < found[0].end;
+            const bool inside = eta > begin && eta < end;
             EXPECT_EQ(meets(view.radius, view.x_a, view.x_a + view.length, across, middle, eta),
                       inside);
             (inside ? hidden : open) += 1;
