@@ -56,8 +56,8 @@ struct LineStatistics {
     double length = 0;   ///< mm
     double turning = 0;  ///< degrees to the left, in total
     double waviness = 0; ///< degrees that it turns back and forth beyond that
-    /// Indices of the courses after which the line has an inflection, between stretches that turn
-    /// by 0.05 degrees or more. There or at the next course its curvature changes its sign.
+    /// Indices of the places after which the line has an inflection, between stretches that turn by
+    /// 0.05 degrees or more. There or at the next place its curvature changes its sign.
     std::vector<std::size_t> inflections;
     double largest_bend = 0;  ///< 1/mm, geodesic curvature, signed
     double least_spacing = 0; ///< mm to the next lamp's line, by the gradient; 0: no other lamp

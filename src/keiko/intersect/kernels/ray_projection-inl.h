@@ -165,8 +165,9 @@ constexpr double largest_contraction = 0.95;
 /// 1 / cosine: rays lower over the sub-patch see a plane that is mostly rounding.
 constexpr double steepest = 1e6;
 
-/// First look of the rays of a vector that begins at `lane`: adds their bits to the masks of
-/// `result`, those of lanes without a request included.
+/// Existence test (docs/theory/intersector.md#the-existence-test) for the rays of a vector that
+/// begins at `lane`: adds their bits to the masks of `result`, those of lanes without a request
+/// included.
 template <class D>
 void project_ray(D d, const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch,
                  ExistenceResult& result) {

@@ -5,8 +5,9 @@
 
 namespace keiko {
 
-/// Result of a first look at a sub-patch for each ray of a block. A lane in none of the masks
-/// misses the sub-patch, meets it outside of its range of s, or where there is no material.
+/// Result of the existence test (docs/theory/intersector.md#the-existence-test), the first look at
+/// a sub-patch, for each ray of a block. A lane in none of the masks misses the sub-patch, meets it
+/// outside of its range of s, or where there is no material.
 struct ExistenceResult {
     LaneMask certain = 0;   ///< exactly one root on the sub-patch, and that on its patch
     LaneMask material = 0;  ///< of `certain`: the root is material
@@ -62,9 +63,9 @@ struct SubPatchKernels {
     const char* name; ///< of the instruction set
     /// Makes traced rays of the rays of a block, and its masks; `count` and `rays` are given.
     void (*enter)(const SceneBall&, RayPacket&);
-    /// Stage 0 of docs/theory/intersector.md for the lanes of a mask.
+    /// The existence test for the lanes of a mask: project_ray in ray_projection-inl.h.
     void (*look)(const RayPacket&, LaneMask, const PackedSubPatch&, ExistenceResult&);
-    /// The first look for a single lane.
+    /// The existence test for a single lane.
     void (*look_single)(const RayPacket&, std::size_t lane, const PackedSubPatch&,
                         ExistenceResult&);
     /// Newton's method with a proved bound, for lanes that `look` called certain or single, on

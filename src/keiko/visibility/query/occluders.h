@@ -59,8 +59,9 @@ private:
     std::unique_ptr<Scene> scene_;
 };
 
-/// Visibility from one viewpoint: candidates are collected once, for all segments of a region. Not
-/// for two threads at once.
+/// Visibility from one viewpoint: candidates are collected once, for all segments of a region.
+/// Candidates in visibility_query.h finds the events that end visible parts. Not for two threads at
+/// once.
 class VisibilityQuery {
 public:
     /// `region`: corners of a convex body that holds every segment to come. Looks into the
