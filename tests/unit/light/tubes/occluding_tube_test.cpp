@@ -55,8 +55,7 @@ TEST(HiddenElevations, AreThoseOfRaysThatMeetTheTube) {
         for (int k = 0; k < 20; ++k) {
             const double eta = test::uniform(random, -1.5, 1.5);
             // Steps of the march are coarse beside an end.
-            if (std::min(std::abs(eta - begin), std::abs(eta - end)) < 1e-3)
-                continue;
+            if (std::min(std::abs(eta - begin), std::abs(eta - end)) < 1e-3) continue;
             const bool inside = eta > begin && eta < end;
             EXPECT_EQ(meets(view.radius, view.x_a, view.x_a + view.length, across, middle, eta),
                       inside);
