@@ -64,10 +64,10 @@ std::vector<ParameterInterval> hidden_elevations(const TubeView& view,
 
 /// Projected solid angle in sr of a part of the lateral surface of a tube, clipped by the tangent
 /// plane (docs/theory/luminance.md#a-tube). The inner integral is in closed form. The outer is
-/// Gauss's rule with `nodes` between two of the angles at which the horizon passes over a rim, a cut
-/// or the axis direction. With 16 it is exact to rounding for d/D up to 1. With 8 the error is 1e-2
-/// at most for d/D up to 1.9, and 1e-5 in the mean. Parts hidden by the tubes in `hiding`, parallel
-/// to it, of its radius and its ends, are left out
+/// Gauss's rule with `nodes` between two of the angles at which the horizon passes over a rim, a
+/// cut or the axis direction. With 16 it is exact to rounding for d/D up to 1. With 8 the error is
+/// 1e-2 at most for d/D up to 1.9, and 1e-5 in the mean. Parts hidden by the tubes in `hiding`,
+/// parallel to it, of its radius and its ends, are left out
 /// (docs/theory/luminance.md#lamps-that-hide-each-other).
 double cylinder_solid_angle(const TubeView& view, const VisiblePart& part,
                             std::span<const OccludingTube> hiding = {}, int nodes = 16);
