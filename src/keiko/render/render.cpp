@@ -1,8 +1,8 @@
 #include "keiko/base/log.h"
 #include "keiko/base/parallel.h"
 #include "keiko/render/antialias/edge_detection.h"
-#include "keiko/render/antialias/edge_pixel_lighting.h"
-#include "keiko/render/lighting/light_interpolation.h"
+#include "keiko/render/antialias/edge_refinement.h"
+#include "keiko/render/antialias/tile_lighting.h"
 #include "keiko/render/tiles.h"
 
 #include <algorithm>
@@ -14,16 +14,6 @@ namespace {
 
 /// Pixels a side of a tile with pixels that may be refined; one thread renders it.
 constexpr int tile_size = 32;
-
-/// Renders one ray a pixel, those of pixels `in_parts` without the light of shading points. The
-/// view is one pixel wider.
-HitStatistics render_centres(const Integrator& integrator, const Tile& tile, double light_error,
-                             const std::vector<bool>& in_parts, SampleBatch view, Film& film) {
-    if (view.points.empty()) return write_samples(view.samples, 1, tile, film);
-    view = without_border(std::move(view), tile.width() + 2);
-    add_interpolated_light(integrator, tile.width(), in_parts, light_error, view);
-    return write_samples(view.samples, 0, tile, film);
-}
 
 /// The pixels of a tile that may contain edges, with the samples of their centres unless they are
 /// discontinuous.
@@ -78,12 +68,9 @@ HitStatistics render_tile(const Integrator& integrator, const PictureRays& eye, 
     }
     SampleBatch view = integrator.view(grid);
     RefinedPixels refined = refine_outlines(integrator, eye, tile, options.edge_samples, view);
-    add_shared_light(integrator, tile.width(), options.light_error, refined);
-    const int width = tile.width();
-    std::vector<bool> in_parts(static_cast<std::size_t>(width * tile.height()));
-    for (const Subpixel& part : refined.parts) in_parts[part.pixel] = true;
-    HitStatistics paths =
-        render_centres(integrator, tile, options.light_error, in_parts, std::move(view), film);
+    view = without_border(std::move(view), tile.width() + 2); // which shows the neighbours
+    add_tile_light(integrator, tile.width(), options.light_error, view, refined);
+    HitStatistics paths = write_samples(view.samples, 0, tile, film);
     write_parts(refined, tile, film);
     paths += refined.paths;
     return paths;

@@ -55,12 +55,12 @@ Box3 searched(const SurfaceModel& model, const HullBoxes& hulls, const SearchLim
 Box3 material_bounds(const SurfaceModel& model, const Job& job) {
     constexpr double accuracy = 1e-9, rounding = 1e-14, least_share = 0.1;
     const HullBoxes hulls = hull_boxes(model, job);
-    const Box3 hull = placed_hull(model, hulls);
+    Box3 hull = placed_hull(model, hulls);
     if (hull.empty()) return hull;
     const double finest = rounding * std::max(hull.lower.length(), hull.upper.length());
     for (double size = hull.size();;) {
         const double limit = std::max(finest, accuracy * size);
-        const Box3 box = searched(model, hulls, {limit}, job);
+        Box3 box = searched(model, hulls, {limit}, job);
         if (box.size() >= least_share * size || box.empty() || limit == finest) return box;
         size = box.size(); // much was trimmed away: for the rest the limit was too coarse
     }

@@ -220,12 +220,13 @@ std::string failure(const WorkerExit& exit, const LoadOptions& options) {
 /// The worker of a program or library in `folder`: beside it, as it is built, or else in libexec of
 /// the prefix, whether the folder is bin, lib or lib/TRIPLET. Beside it where there is none.
 fs::path installed_worker(const fs::path& folder) {
-    const fs::path name = "keiko-import", beside = folder / name;
+    const fs::path name = "keiko-import";
+    fs::path beside = folder / name;
     std::error_code unknown;
     if (fs::is_regular_file(beside, unknown)) return beside;
     const fs::path prefix = folder.parent_path();
     for (const fs::path& above : {prefix, prefix.parent_path()})
-        if (const fs::path file = above / "libexec/keiko" / name;
+        if (fs::path file = above / "libexec/keiko" / name;
             fs::is_regular_file(file, unknown))
             return file;
     return beside;

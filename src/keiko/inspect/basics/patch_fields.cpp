@@ -64,7 +64,7 @@ HomogeneousField homogeneous_field(const BezierPatchView& patch, double rounding
 FieldTriple normal_field(const BezierPatchView& patch, double rounding) {
     const HomogeneousField s = homogeneous_field(patch, rounding), u = s.derivative(true),
                            v = s.derivative(false);
-    const FieldTriple across = cross(u.p, v.p);
+    FieldTriple across = cross(u.p, v.p);
     if (!patch.rational()) return across;
     return across * s.w + cross(s.p, u.p) * v.w + cross(v.p, s.p) * u.w;
 }

@@ -222,9 +222,10 @@ std::vector<Vec3> inflections_of(const CombCurve& curve) {
         for (const CombSample& sample : piece.samples) {
             const double to = sample.bend.curvature;
             if (to == 0) continue;
-            const double from = bent ? bent->bend.curvature : to;
-            if ((from < 0) != (to < 0))
+            if (bent && (bent->bend.curvature < 0) != (to < 0)) {
+                const double from = bent->bend.curvature;
                 places.push_back(bent->place + (sample.place - bent->place) * (from / (from - to)));
+            }
             bent = &sample;
         }
     }

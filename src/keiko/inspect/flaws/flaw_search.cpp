@@ -47,10 +47,10 @@ public:
     std::optional<PlacedFlaw> measured(const std::vector<FaceRipple>& ripples) const {
         if (!to_and_fro(ripples))
             return limit_.waves_only ? std::nullopt : deepest_of(ripples, &FlawMeasure::dent);
-        const auto waves = deepest_of(ripples, &FlawMeasure::wave);
+        auto waves = deepest_of(ripples, &FlawMeasure::wave);
         if (limit_.waves_only) return waves;
         if (!waves) return deepest_of(ripples, &FlawMeasure::dent);
-        const auto deepest = dent(ripples.front());
+        auto deepest = dent(ripples.front());
         const bool dented = deepest && !is_form(*deepest) && is_no_wave(*deepest, *waves);
         return dented ? deepest : waves;
     }

@@ -56,16 +56,16 @@ Course<T> course(const LineField& field, double level, const Entries<T>& d, doub
     const auto ratio = field.ratio(second_jet(d, 0, 0), normal * Second<T>(side), level);
     const Second<T> f = ratio.above / ratio.below;
     const Triple<Jet<T>> su = first_jet(d, 1, 0), sv = first_jet(d, 0, 1);
-    const Jet<T> E = length2(su), F = dot(su, sv), G = length2(sv), area2 = E * G - F * F;
-    const Jet<T> rho = (E * square(f.v) - F * f.u * f.v * Jet<T>(2.0) + G * square(f.u)) / area2;
+    const Jet<T> uu = length2(su), uv = dot(su, sv), vv = length2(sv), area2 = uu * vv - uv * uv;
+    const Jet<T> rho = (uu * square(f.v) - uv * f.u * f.v * Jet<T>(2.0) + vv * square(f.u)) / area2;
     const T du = f.v.f, dv = -f.u.f;
     const T ddu = f.v.u * du + f.v.v * dv, ddv = -(f.u.u * du + f.u.v * dv);
     const Triple<T> run = d[1][0] * du + d[0][1] * dv;
     const Triple<T> turn = d[2][0] * square(du) + d[1][1] * (T(2.0) * du * dv) +
                            d[0][2] * square(dv) + d[1][0] * ddu + d[0][1] * ddv;
     const T speed = sqrt(length2(run)), area = sqrt(area2.f);
-    const T rise_u = (G.f * f.u.f - F.f * f.v.f) / area2.f;
-    const T rise_v = (E.f * f.v.f - F.f * f.u.f) / area2.f;
+    const T rise_u = (vv.f * f.u.f - uv.f * f.v.f) / area2.f;
+    const T rise_v = (uu.f * f.v.f - uv.f * f.u.f) / area2.f;
     return {run,
             f.f.f,
             speed,
@@ -183,10 +183,10 @@ std::optional<Bent> on_line(const SurfaceModel& model, const SurfaceLine& piece,
         if (std::abs(off) < close || i + 1 == most_steps)
             return Bent{{uv, s.position()}, course->bend};
         const Vec3 step = course->left() * off;
-        const double uu = s.du().length2(), uv_ = s.du().dot(s.dv()), vv = s.dv().length2();
+        const double uu = s.du().length2(), mixed = s.du().dot(s.dv()), vv = s.dv().length2();
         const double along_u = s.du().dot(step), along_v = s.dv().dot(step);
-        const double area = uu * vv - uv_ * uv_;
-        uv += Vec2(along_u * vv - along_v * uv_, along_v * uu - along_u * uv_) / area;
+        const double area = uu * vv - mixed * mixed;
+        uv += Vec2(along_u * vv - along_v * mixed, along_v * uu - along_u * mixed) / area;
     }
     return std::nullopt;
 }

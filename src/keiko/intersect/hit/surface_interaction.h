@@ -72,13 +72,13 @@ private:
     double position_bound(std::size_t lane, const SubPatch& sub_patch,
                           const PartPlacement& placement) const;
 
+    HitPacket block_;
+    std::array<Group, 8> by_sub_patch_; ///< each of one sub-patch; by the last digits of its number
+    Group mixed_;
     const TracedModel& model_;
     const SubPatchKernels& kernels_;
     bool second_derivatives_;
     std::uint32_t announced_ = no_index; ///< the last sub-patch that was
-    HitPacket block_;
-    std::array<Group, 8> by_sub_patch_; ///< each of one sub-patch; by the last digits of its number
-    Group mixed_;
 };
 
 /// Hit at one crossing, in world coordinates, as SurfaceInteraction makes it.

@@ -81,12 +81,12 @@ public:
     }
 
 private:
-    std::array<const PackedSubPatch*, lanes> sub_patches_;
-    const Component4* polynomials_;
-    bool rational_ = false; ///< any of them
     /// In numbers, behind the first sub-patch.
     alignas(64) std::array<std::int64_t, lanes> places_;
     alignas(64) std::array<double, lanes> degrees_;
+    std::array<const PackedSubPatch*, lanes> sub_patches_;
+    const Component4* polynomials_;
+    bool rational_ = false; ///< any of them
 };
 
 /// Value and first derivatives of the components at (x, y).

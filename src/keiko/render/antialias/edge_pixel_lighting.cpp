@@ -136,88 +136,89 @@ std::vector<EdgeRun> edge_runs(const Spots& points) {
 
 namespace {
 
-/// The shading points of one depth, whose light is added to the parts of pixels.
-class SharedLight {
-public:
-    SharedLight(const Integrator& integrator, double error, std::vector<Subpixel>& parts)
-        : integrator_(integrator), error_(error), parts_(parts) {}
+/// The point of a surface nearest to the mean place of all, by the shares of their parts.
+OutlineSpot amid(const Spots& surface, const std::vector<Subpixel>& parts) {
+    const auto share = [&](const OutlineSpot& spot) { return parts[spot.point->sample].share; };
+    Vec3 sum(0);
+    double shares = 0;
+    for (const OutlineSpot& spot : surface) {
+        sum += spot.point->place.position * share(spot);
+        shares += share(spot);
+    }
+    const Vec3 mean = sum / shares;
+    const auto off = [&](const OutlineSpot& spot) {
+        return (spot.point->place.position - mean).length2();
+    };
+    return *std::min_element(surface.begin(), surface.end(),
+                             [&](const auto& a, const auto& b) { return off(a) < off(b); });
+}
 
-    /// Shading points of one pixel.
-    void add(Spots points) {
-        for (Spots& surface : smooth_surfaces(std::move(points))) {
-            const OutlineSpot place = amid(surface);
-            places_.push_back(place);
-            surfaces_[place.point] = std::move(surface);
-        }
-    }
-    /// Computes the light of the added points.
-    void light() const {
-        for (const EdgeRun& row : edge_runs(places_)) {
-            const ShadingGrid grid(row.points, row.along);
-            const std::vector<DirectLight> light =
-                light_interpolation(integrator_, grid, seen(row), {}, error_);
-            for (std::size_t i = 0; i < light.size(); ++i)
-                for (const OutlineSpot& point : surfaces_.at(row.points[i]))
-                    integrator_.add_light(*point.point, light[i], part_of(*point.point).sample);
-        }
-    }
+/// Sorts shading points by depth, then by pixel and part.
+void sort_by_pixel(RefinedPixels& refined) {
+    const auto order = [&](const ShadingPoint& point) {
+        return std::tuple(point.depth, refined.parts[point.sample].pixel, point.sample);
+    };
+    std::stable_sort(
+        refined.points.begin(), refined.points.end(),
+        [&](const ShadingPoint& a, const ShadingPoint& b) { return order(a) < order(b); });
+}
 
-private:
-    Subpixel& part_of(const ShadingPoint& point) const { return parts_[point.sample]; }
-    /// The point nearest to the mean place of all, by their shares.
-    OutlineSpot amid(const Spots& surface) const {
-        Vec3 sum(0);
-        double shares = 0;
-        for (const OutlineSpot& point : surface) {
-            sum += point.point->place.position * part_of(*point.point).share;
-            shares += part_of(*point.point).share;
-        }
-        const Vec3 mean = sum / shares;
-        const auto off = [&](const OutlineSpot& point) {
-            return (point.point->place.position - mean).length2();
-        };
-        return *std::min_element(surface.begin(), surface.end(),
-                                 [&](const auto& a, const auto& b) { return off(a) < off(b); });
+/// Lights shared places of one depth along rows of them.
+void light_rows(const Integrator& integrator, std::span<const SharedPlace> places, double error,
+                std::vector<Subpixel>& parts) {
+    Spots spots;
+    std::map<const ShadingPoint*, const SharedPlace*> by_point;
+    for (const SharedPlace& place : places) {
+        spots.push_back(place.lit);
+        by_point[place.lit.point] = &place;
     }
-    std::vector<Rgb> seen(const EdgeRun& row) const {
+    for (const EdgeRun& row : edge_runs(spots)) {
+        const ShadingGrid grid(row.points, row.along);
         std::vector<Rgb> seen;
         for (const ShadingPoint* point : row.points)
-            seen.push_back(part_of(*point).sample.luminance);
-        return seen;
+            seen.push_back(parts[point->sample].sample.luminance);
+        const std::vector<DirectLight> light =
+            light_interpolation(integrator, grid, seen, {}, error);
+        for (std::size_t i = 0; i < light.size(); ++i)
+            for (const OutlineSpot& spot : by_point.at(row.points[i])->points)
+                integrator.add_light(*spot.point, light[i], parts[spot.point->sample].sample);
     }
-
-    const Integrator& integrator_;
-    double error_;
-    std::vector<Subpixel>& parts_;
-    Spots places_;
-    std::map<const ShadingPoint*, Spots> surfaces_; ///< by the one of their points that is lit
-};
+}
 
 } // namespace
 
+std::vector<SharedPlace> shared_places(int width, RefinedPixels& refined) {
+    sort_by_pixel(refined);
+    const std::vector<ShadingPoint>& points = refined.points;
+    const auto pixel = [&](const ShadingPoint& point) { return refined.parts[point.sample].pixel; };
+    const auto w = static_cast<std::size_t>(width);
+    std::vector<SharedPlace> places;
+    for (std::size_t i = 0; i < points.size();) {
+        const std::size_t number = pixel(points[i]);
+        const int depth = points[i].depth;
+        const Pixel at{static_cast<int>(number % w), static_cast<int>(number / w)};
+        Spots of_pixel;
+        for (; i < points.size() && pixel(points[i]) == number && points[i].depth == depth; ++i)
+            of_pixel.push_back({at, &points[i]});
+        for (Spots& surface : smooth_surfaces(std::move(of_pixel)))
+            places.push_back({amid(surface, refined.parts), std::move(surface)});
+    }
+    return places;
+}
+
 void add_shared_light(const Integrator& integrator, int width, double error,
                       RefinedPixels& refined) {
-    std::vector<ShadingPoint>& points = refined.points;
-    const auto pixel = [&](const ShadingPoint& point) { return refined.parts[point.sample].pixel; };
-    const auto order = [&](const ShadingPoint& point) {
-        return std::tuple(point.depth, pixel(point), point.sample);
-    };
-    std::stable_sort(
-        points.begin(), points.end(),
-        [&](const ShadingPoint& a, const ShadingPoint& b) { return order(a) < order(b); });
-    each_depth(points, [&](std::span<const ShadingPoint> of_depth) {
-        SharedLight shared(integrator, error, refined.parts);
-        for (std::size_t i = 0; i < of_depth.size();) {
-            Spots of_pixel;
-            const std::size_t number = pixel(of_depth[i]);
-            const auto w = static_cast<std::size_t>(width);
-            const Pixel place{static_cast<int>(number % w), static_cast<int>(number / w)};
-            for (; i < of_depth.size() && pixel(of_depth[i]) == number; ++i)
-                of_pixel.push_back({place, &of_depth[i]});
-            shared.add(std::move(of_pixel));
-        }
-        shared.light();
-    });
+    const std::vector<SharedPlace> places = shared_places(width, refined);
+    std::span<const SharedPlace> left = places;
+    while (!left.empty()) {
+        const int depth = left[0].lit.point->depth;
+        const auto deeper = std::find_if(left.begin(), left.end(), [&](const SharedPlace& place) {
+            return place.lit.point->depth != depth;
+        });
+        const auto count = static_cast<std::size_t>(deeper - left.begin());
+        light_rows(integrator, left.first(count), error, refined.parts);
+        left = left.subspan(count);
+    }
 }
 
 } // namespace keiko

@@ -29,11 +29,20 @@ std::vector<std::vector<OutlineSpot>> smooth_surfaces(std::vector<OutlineSpot> p
 /// sixteen from end to end.
 std::vector<EdgeRun> edge_runs(const std::vector<OutlineSpot>& points);
 
+/// A smooth surface in a pixel in parts, which is lit at one place, as in a pixel of one ray.
+struct SharedPlace {
+    OutlineSpot lit;                 ///< the one in the middle of the surface's visible part
+    std::vector<OutlineSpot> points; ///< all that have its light
+};
+
+/// The surfaces of all pixels in parts, `width` pixels in a row, by rising depth. Sorts the shading
+/// points, which they point to.
+std::vector<SharedPlace> shared_places(int width, RefinedPixels& refined);
+
 /// Adds the light of the shading points of pixels in parts, `width` in a row, to their samples.
-/// Each smooth surface in a pixel is lit once, at the place in the middle of its visible part, as
-/// in a pixel of one ray. Along straight edges the light is computed at some of the pixels and
-/// interpolated between them. The deviation at those that are tested is at most `error` of the
-/// visible luminance; 0 computes the light in each pixel.
+/// Each of the shared_places() is lit once. Along straight edges the light is computed at some of
+/// the pixels and interpolated between them. The deviation at those that are tested is at most
+/// `error` of the visible luminance; 0 computes the light in each pixel.
 void add_shared_light(const Integrator& integrator, int width, double error,
                       RefinedPixels& refined);
 

@@ -145,6 +145,15 @@ void Integrator::pass_medium(PathState& path, const PathVertex& met, const Visib
     path.weight *= transmittance(*scene_.rig.medium, leg);
 }
 
+bool Integrator::light_is_smooth() const {
+    const auto is_row = [](const LightSource& source) {
+        return std::holds_alternative<CPlane>(source);
+    };
+    const LightRig& rig = scene_.rig;
+    return !scene_.occluders && !rig.medium &&
+           std::all_of(rig.sources.begin(), rig.sources.end(), is_row);
+}
+
 std::vector<LightVisibility> Integrator::light_visibility(const ShadingPoint& point,
                                                           std::span<const LightId> lights) const {
     return lights_.light_visibility(point.place.position, point.place.normal, point.root, lights,

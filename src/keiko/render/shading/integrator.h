@@ -71,6 +71,9 @@ public:
     DirectLight direct_light(const ShadingPoint& point) const;
     /// All lights, in the order in which they are queried.
     const std::vector<LightId>& lights() const { return lights_.lights(); }
+    /// True if no light has an edge on a smooth surface: all are rows of tubes, nothing casts
+    /// shadows, and there is no medium.
+    bool light_is_smooth() const;
     /// Visibility of some of the lights from a shading point.
     std::vector<LightVisibility> light_visibility(const ShadingPoint& point,
                                                   std::span<const LightId> lights) const;

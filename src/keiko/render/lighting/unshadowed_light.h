@@ -1,0 +1,27 @@
+#pragma once
+
+#include "keiko/render/lighting/shading_grid.h"
+#include "keiko/render/shading/integrator.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// A shading point whose light is asked for, in a tile.
+struct LitPlace {
+    Pixel pixel;               ///< of the tile
+    const ShadingPoint* point; ///< not null
+    Rgb seen;                  ///< luminance of its sample besides
+};
+
+/// Light of places in a tile, by place, where Integrator::light_is_smooth(). All are of one depth.
+/// Neighbours that show one smooth surface form regions. The light of a region is a polynomial of
+/// degree two on a plane through it, fitted to the light at a few of the places. Each of those
+/// deviates from what the others predict by at most `error` of the visible luminance there. Where
+/// one deviates by more, the halves of the region are fitted; 0: the light of each place is
+/// computed.
+std::vector<DirectLight> unshadowed_light(const Integrator& integrator,
+                                          std::span<const LitPlace> places, double error);
+
+} // namespace keiko

@@ -1,0 +1,158 @@
+#include "keiko/render/lighting/unshadowed_light.h"
+
+#include "tests/unit/render/stage.h"
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+using namespace keiko;
+using test::Stage;
+
+namespace {
+
+/// A dome on a plate, under a row of lamps that it nearly touches.
+Stage domed_plate() {
+    test::ModelBuilder builder;
+    test::add_dome(builder);
+    builder.plane({-1000, -1000, 0}, {2000, 0, 0}, {0, 2000, 0});
+    Stage stage(builder.build());
+    auto& row = std::get<CPlane>(stage.rig.sources[0]);
+    row.origin = {-1200, -1200, 400}, row.u = {2400, 0, 0}, row.v = {0, 2400, 0};
+    row.lamps = 8;
+    stage.camera.width = 384, stage.camera.height = 216;
+    return stage;
+}
+
+Stage glossy(Stage stage) {
+    for (Material& material : stage.materials) {
+        material.roughness = Roughness{.width = 0.08};
+        material.flakes = FlakeLayer();
+    }
+    return stage;
+}
+
+/// Shares of the covered pixels.
+struct Deviation {
+    double rms = 0; ///< relative to each pixel's luminance
+    double fitted = 0, off = 0,
+           far_off = 0; ///< other than exact; by more than allowed; than 5 times
+};
+
+Deviation deviation(const Film& fast, const Film& exact, double allowed) {
+    Deviation all;
+    double covered = 0;
+    for (std::size_t i = 0; i < exact.color.values.size(); i += 3) {
+        if (exact.alpha.values[i / 3] == 0) continue;
+        const double is = fast.color.values[i + 1], wanted = exact.color.values[i + 1];
+        const double wrong = is / wanted - 1;
+        all.rms += wrong * wrong;
+        all.fitted += wrong != 0 ? 1 : 0;
+        all.off += std::abs(wrong) > allowed ? 1 : 0;
+        all.far_off += std::abs(wrong) > 5 * allowed ? 1 : 0;
+        ++covered;
+    }
+    return {std::sqrt(all.rms / covered), all.fitted / covered, all.off / covered,
+            all.far_off / covered};
+}
+
+void expect_hardly_off(const Stage& stage, int edge_samples, double least_fitted) {
+    PictureOptions options{.aovs = {}, .edge_samples = edge_samples, .light_error = 0};
+    const Film exact = stage.render(options);
+    for (const double error : {1e-3, 1e-2}) {
+        options.light_error = error;
+        const Deviation found = deviation(stage.render(options), exact, error);
+        EXPECT_LT(found.rms, 0.3 * error) << error;
+        EXPECT_LT(found.off, 0.01) << error;
+        EXPECT_EQ(found.far_off, 0) << error;
+        EXPECT_GT(found.fitted, least_fitted) << error;
+    }
+}
+
+} // namespace
+
+TEST(UnshadowedLight, IsHardlyOffByMoreThanAllowed) {
+    expect_hardly_off(domed_plate(), 1, 0.7);
+}
+
+TEST(UnshadowedLight, OfLobesIsHardlyOffByMoreThanAllowed) {
+    expect_hardly_off(glossy(domed_plate()), 1, 0.15);
+}
+
+TEST(UnshadowedLight, OfPixelsInPartsIsHardlyOffByMoreThanAllowed) {
+    expect_hardly_off(domed_plate(), 8, 0.7);
+}
+
+TEST(UnshadowedLight, HoldsTheErrorOfTheIlluminance) {
+    const Stage stage = domed_plate();
+    PictureOptions options{.aovs = {Aov::illuminance}, .edge_samples = 1, .light_error = 0};
+    const Image exact = stage.render(options).aovs.at(Aov::illuminance);
+    options.light_error = 2e-3;
+    const Image fast = stage.render(options).aovs.at(Aov::illuminance);
+    std::size_t off = 0, lit = 0;
+    for (std::size_t i = 0; i < exact.values.size(); ++i) {
+        if (exact.values[i] == 0) continue;
+        ++lit;
+        off += std::abs(fast.values[i] / exact.values[i] - 1) > 2e-3F ? 1 : 0;
+    }
+    EXPECT_GT(lit, 20000U);
+    EXPECT_LT(off, lit / 100);
+}
+
+TEST(UnshadowedLight, OfNoErrorIsThatOfEachRay) {
+    const Stage stage = glossy(domed_plate());
+    const PictureOptions options{.aovs = {}, .edge_samples = 1, .light_error = 0};
+    const Film film = stage.render(options);
+    const PictureScene scene{stage.tracer, stage.materials, stage.rig, Rgb(7)};
+    const Integrator integrator(scene, options);
+    for (int y = 3; y < 216; y += 20)
+        for (int x = 5; x < 384; x += 20) {
+            const std::vector<Ray> ray{stage.camera.ray(x + 0.5, y + 0.5)};
+            EXPECT_EQ(film.color.pixel(x, y)[1],
+                      static_cast<float>(integrator.follow(ray).samples[0].luminance.g))
+                << x << " " << y;
+        }
+}
+
+TEST(UnshadowedLight, IsTheSameForAnyThreadCount) {
+    const Stage stage = glossy(domed_plate());
+    EXPECT_EQ(stage.render({}, 1).color.values, stage.render({}, 2).color.values);
+}
+
+// Places that coincide, whose light differs: no halves are left to be fitted.
+TEST(UnshadowedLight, OfPlacesThatCoincideIsThatOfEach) {
+    const Stage stage = domed_plate();
+    const PictureOptions options;
+    const PictureScene scene{stage.tracer, stage.materials, stage.rig};
+    const Integrator integrator(scene, options);
+    std::vector<ShadingPoint> points(40);
+    std::vector<LitPlace> places;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double turn = 0.1 * static_cast<double>(i % 2);
+        points[i].place = {{0, 0, 200}, {std::sin(turn), 0, std::cos(turn)}, 0};
+        points[i].eye = {0, 0, 1}, points[i].weight = Rgb(1);
+        places.push_back({{static_cast<int>(i), 0}, &points[i], Rgb(0)});
+    }
+    const std::vector<DirectLight> light = unshadowed_light(integrator, places, 1e-3);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_EQ(light[i].illuminance.g, integrator.direct_light(points[i]).illuminance.g);
+}
+
+TEST(UnshadowedLight, IsOfRowsWithoutShadowsAndMedium) {
+    const Stage stage = domed_plate();
+    const auto is_smooth = [&](const LightRig& rig, const Occluders* occluders) {
+        const PictureOptions options;
+        const PictureScene scene{stage.tracer, stage.materials, rig, Rgb(0), occluders};
+        return Integrator(scene, options).light_is_smooth();
+    };
+    EXPECT_TRUE(is_smooth(stage.rig, nullptr));
+    const Occluders occluders(stage.model, stage.tracer);
+    EXPECT_FALSE(is_smooth(stage.rig, &occluders));
+    LightRig rig = stage.rig;
+    rig.sources.emplace_back(Spotlight());
+    EXPECT_FALSE(is_smooth(rig, nullptr));
+    rig = stage.rig;
+    rig.medium = Medium();
+    EXPECT_FALSE(is_smooth(rig, nullptr));
+}
