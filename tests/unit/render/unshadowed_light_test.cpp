@@ -84,6 +84,20 @@ TEST(UnshadowedLight, OfPixelsInPartsIsHardlyOffByMoreThanAllowed) {
     expect_hardly_off(domed_plate(), 8, 0.7);
 }
 
+// Ridges of three degrees, askew to the pixels: their sides are one smooth surface for pictures,
+// and all that betrays small pieces of them is their normals.
+TEST(UnshadowedLight, FollowsShallowCreases) {
+    test::ModelBuilder builder;
+    for (int i = 0; i < 12; ++i) {
+        const double rise = i % 2 == 0 ? 5 : -5;
+        builder.plane({-1000.0 + 160 * i, -1000, i % 2 == 0 ? 0.0 : 5.0}, {160, 40, rise},
+                      {0, 2000, 0});
+    }
+    Stage stage(builder.build());
+    stage.camera.width = 384, stage.camera.height = 216;
+    expect_hardly_off(stage, 1, 0.5);
+}
+
 TEST(UnshadowedLight, HoldsTheErrorOfTheIlluminance) {
     const Stage stage = domed_plate();
     PictureOptions options{.aovs = {Aov::illuminance}, .edge_samples = 1, .light_error = 0};

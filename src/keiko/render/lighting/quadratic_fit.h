@@ -41,7 +41,7 @@ private:
 };
 
 /// Fit of polynomials of degree two to values at nodes, by least squares: Gram and Schmidt's method
-/// [Golub and Van Loan, section 5.2].
+/// [GolubVanLoan2013, section 5.2].
 class QuadraticFit {
 public:
     /// Fit to values at `nodes`, one at least. Coordinates should be about -1 to 1. Terms that the

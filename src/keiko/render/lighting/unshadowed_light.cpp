@@ -16,7 +16,7 @@ namespace {
 /// Places of a region whose light is computed: twice the terms of the polynomial, so that each is
 /// tested by as many as determine it.
 constexpr std::size_t node_count = 2 * std::tuple_size_v<Monomials>;
-/// Places with more leverage than this are not fitted: the nodes do not surround them.
+/// Places with more leverage than this are lit themselves: the nodes do not surround them.
 constexpr double most_leverage = 1;
 /// Radians that a normal may be off the fit of the nodes' normals, in the allowed relative error of
 /// the light.
@@ -161,12 +161,17 @@ private:
         const auto fitted = fit.to(std::span<const DirectLight>(lights));
         for (std::size_t i = 0; i < nodes.size(); ++i)
             if (!agrees(region[chosen[i]], fitted, fit, monomials(nodes[i]))) return false;
-        const auto turned = fit.to(std::span<const Vec3>(normals));
+        return fill(region, chart, fit, fitted, fit.to(std::span<const Vec3>(normals)));
+    }
+    /// Lights the other places of a region by a fit, or themselves where they deviate from it;
+    /// false if too many do.
+    bool fill(const Places& region, const std::vector<Vec2>& chart, const QuadraticFit& fit,
+              const Quadratic<DirectLight>& fitted, const Quadratic<Vec3>& fitted_normal) {
         Places off;
         for (std::size_t i = 0; i < region.size(); ++i) {
             if (is_lit_[region[i]]) continue;
             const Monomials powers = monomials(chart[i]);
-            const double bend = (turned.at(powers) - normal(region[i])).length();
+            const double bend = (fitted_normal.at(powers) - normal(region[i])).length();
             if (fit.leverage(powers) <= most_leverage && bend <= most_bend * error_)
                 light_[region[i]] = fitted.at(powers);
             else
