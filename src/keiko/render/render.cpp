@@ -12,8 +12,8 @@
 namespace keiko {
 namespace {
 
-/// Pixels a side of a tile with pixels that may be refined; one thread renders it.
-constexpr int tile_size = 32;
+/// Pixels a side of a tile; one thread renders it.
+constexpr int tile_size = 64;
 
 /// The pixels of a tile that may contain edges, with the samples of their centres unless they are
 /// discontinuous.
@@ -85,13 +85,10 @@ Film render(const PictureScene& scene, const Camera& camera, const PictureOption
     const Integrator integrator(scene, options, from_eye ? std::optional(camera.eye) : std::nullopt,
                                 job);
     const PictureRays eye(scene, camera);
-    const bool in_bands = integrator.only_mirrors();
-    const std::vector<Tile> tiles = in_bands ? picture_bands(camera, thread_count(job))
-                                             : tiles_of(camera, tile_size, tile_size);
+    const std::vector<Tile> tiles = tiles_of(camera, tile_size, tile_size);
     std::vector<HitStatistics> paths(tiles.size());
     parallel_for(tiles.size(), job, "render", [&](std::size_t i) {
-        paths[i] = in_bands ? render_band(integrator, eye, tiles[i], film)
-                            : render_tile(integrator, eye, tiles[i], options, film);
+        paths[i] = render_tile(integrator, eye, tiles[i], options, film);
     });
     HitStatistics sum;
     for (const HitStatistics& tile : paths) sum += tile;

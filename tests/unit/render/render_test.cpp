@@ -101,10 +101,9 @@ TEST(Render, SameBytesForAnyThreadCount) {
     EXPECT_EQ(one.aovs.at(Aov::c_plane_uv).values, two.aovs.at(Aov::c_plane_uv).values);
 }
 
-// Pictures of nothing but mirrors are made in bands, whose grids each take over rows of the one
-// above; where illuminance is requested, in tiles. The body: a dome, and an awning beyond a gap
-// that no grid of a band has a ray in.
-TEST(Render, MirrorsAloneShowTheSameInBandsAndInTiles) {
+// A picture keeps hits only where layers need them, and lights surfaces only where they show it.
+// The body: a dome, and an awning beyond a gap without rays.
+TEST(Render, MirrorsShowTheSameBesideAnyLayers) {
     test::ModelBuilder builder;
     test::add_dome(builder);
     builder.plane({-900, 200, 1500}, {1800, 0, 0}, {0, 300, 250});
@@ -112,20 +111,20 @@ TEST(Render, MirrorsAloneShowTheSameInBandsAndInTiles) {
     for (Material& material : stage.materials) material.diffuse = Rgb(0);
     stage.camera.width = 283, stage.camera.height = 331;
     stage.camera.vertical_fov = 60;
-    std::vector<Aov> told{Aov::luminance, Aov::normal,     Aov::uv,       Aov::face,
-                          Aov::depth,     Aov::c_plane_uv, Aov::curvature};
+    const std::vector<Aov> told{Aov::luminance, Aov::normal,     Aov::uv,       Aov::face,
+                                Aov::depth,     Aov::c_plane_uv, Aov::curvature};
     for (const int max_depth : {0, 1, 3}) {
         const auto render = [&](const std::vector<Aov>& aovs) {
             return stage.render({.aovs = aovs, .edge_samples = 1, .max_depth = max_depth});
         };
         std::vector<Aov> and_light = told;
         and_light.push_back(Aov::illuminance);
-        const Film alone = render({}), bands = render(told), tiles = render(and_light);
-        EXPECT_EQ(alone.color.values, tiles.color.values) << max_depth;
-        EXPECT_EQ(alone.alpha.values, tiles.alpha.values) << max_depth;
+        const Film alone = render({}), layers = render(told), lit = render(and_light);
+        EXPECT_EQ(alone.color.values, lit.color.values) << max_depth;
+        EXPECT_EQ(alone.alpha.values, lit.alpha.values) << max_depth;
         for (const Aov aov : told)
-            EXPECT_EQ(bands.aovs.at(aov).values, tiles.aovs.at(aov).values) << name_of(aov);
-        EXPECT_GT(tiles.aovs.at(Aov::illuminance).pixel(141, 200)[0], 0);
+            EXPECT_EQ(layers.aovs.at(aov).values, lit.aovs.at(aov).values) << name_of(aov);
+        EXPECT_GT(lit.aovs.at(Aov::illuminance).pixel(141, 200)[0], 0);
         EXPECT_EQ(mean_luminance(alone, 100, 150, 180, 160) > 10, max_depth > 0);
         for (const auto& [y, covered] : {std::pair(10, 1), std::pair(80, 0), std::pair(200, 1)})
             EXPECT_EQ(alone.alpha.pixel(141, y)[0], covered) << y;

@@ -3,7 +3,6 @@
 #include "keiko/base/memory.h"
 #include "keiko/geometry/visibility/ray.h"
 #include "keiko/intersect/hit/hit.h"
-#include "keiko/intersect/kernels/prefetch.h"
 #include "keiko/math/rgb.h"
 #include "keiko/render/reflection/reflected_footprint.h"
 #include "keiko/render/reflection/shading_point.h"
@@ -42,11 +41,6 @@ public:
         put(place, origin_dx, d.origin_dx), put(place, origin_dy, d.origin_dy);
         put(place, direction_dx, d.direction_dx), put(place, direction_dy, d.direction_dy);
     }
-    /// Copies the rays of the places from `place` on to the first `count` places.
-    void take_over(std::size_t place, std::size_t count) {
-        for (std::size_t number = 0; number < numbers; ++number)
-            std::copy_n(at(number, place), count, values_.data() + number * stride_);
-    }
     /// One of the numbers, for the rays from a place on; a vector may be read past the last.
     const double* at(std::size_t number, std::size_t place) const {
         return values_.data() + number * stride_ + place;
@@ -73,8 +67,8 @@ private:
         values_; ///< of places without a ray, anything
 };
 
-/// Reflected rays of a grid of camera rays, of unlimited length, and their starts. All are set or
-/// taken over before any is read.
+/// Reflected rays of a grid of camera rays, of unlimited length, and their starts. All are set
+/// before any is read.
 class ReflectedGrid {
 public:
     /// Grid of a size in pixels.
@@ -82,14 +76,10 @@ public:
 
     /// Number of places.
     std::size_t size() const { return known_.size(); }
-    /// Prefetches the memory that set_begin() soon writes for a place.
-    void announce(std::size_t place) const { prefetch(std::span(begins_).subspan(place, 1)); }
     /// Sets the start of the reflected ray of a place.
     void set_begin(std::size_t place, const SurfacePlace& begin) { begins_[place] = begin; }
     /// The reflected ray of a place.
     void set(std::size_t place, const Ray& mirrored);
-    /// Makes the last two rows the first ones of a grid that is no higher; all others must be set.
-    void take_over_rows(int height);
     /// Determines which neighbours show one surface.
     void join();
     /// Ray as it was set, without its `excluded`.
@@ -141,17 +131,6 @@ inline ReflectedGrid::ReflectedGrid(int width, int height)
 inline void ReflectedGrid::set(std::size_t place, const Ray& mirrored) {
     known_[place] = mirrored.differentials ? Known::differentials : Known::line;
     numbers_.set(place, mirrored);
-}
-
-inline void ReflectedGrid::take_over_rows(int height) {
-    const std::size_t taken = 2 * width_, first = size() - taken;
-    const auto from_first = [&](auto& places) {
-        std::copy_n(places.begin() + static_cast<std::ptrdiff_t>(first), taken, places.begin());
-    };
-    numbers_.take_over(first, taken);
-    from_first(begins_), from_first(known_);
-    known_.resize(taken);
-    known_.resize(width_ * static_cast<std::size_t>(height));
 }
 
 inline void ReflectedGrid::join() {

@@ -52,19 +52,10 @@ inline SurfacePlace place_of(const PixelSample& sample) {
 /// Camera rays through places of a grid, which are numbered row by row.
 struct TileRays {
     int width = 0, height = 0; ///< places a row, and rows
-    /// Places with rays, neighbours together. Rays through other places miss the model, or were
-    /// traced before: the first two rows of a grid that continues another are that one's last two.
+    /// Places with rays, neighbours together. Rays through other places miss the model.
     std::vector<GridPlace> places;
     /// The rays through some of them, in order.
     std::function<Rays(std::span<const GridPlace> places)> rays;
-    bool continues_above = false; ///< its first two rows are the last two of the grid above
-    bool continues_below = false; ///< another grid continues this one
-
-    /// True if it is at the border of this grid and of those it continues.
-    bool at_border(const GridPlace& place) const {
-        return place.x == 0 || place.x + 1 == width || (place.y == 0 && !continues_above) ||
-               (place.y + 1 == height && !continues_below);
-    }
 };
 
 /// Samples of camera rays without the light of lamps on bases and lobes, and the points where that

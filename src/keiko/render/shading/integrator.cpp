@@ -86,10 +86,6 @@ void Integrator::record_aovs(PathState& path, const PathVertex& met, int depth,
     add_lamps(path, met, shafts, sample);
 }
 
-bool Integrator::only_mirrors() const {
-    return !refines_ && !tells_illuminance_ && !scene_.rig.medium && mirrors_alone_;
-}
-
 HitDetail Integrator::mirrored_detail() const {
     const bool ends = options_.max_depth <= 1 && !scene_.rig.medium && mirrors_alone_;
     return ends ? HitDetail::face : HitDetail::all;

@@ -15,28 +15,6 @@
 
 namespace keiko {
 
-/// A grid of camera rays that are followed and then, as long as its pixels are not refined, the
-/// grids below it. Each of those takes over two rows of the one above: neighbours of its own rows
-/// that need no rays again.
-class EyeBand {
-public:
-    /// Band with the size of the first grid; others are no higher.
-    EyeBand(int width, int height) : mirrors(width, height) {}
-
-    /// Allocates the results of the rays of a grid: all samples are `unseen`, except those of rows
-    /// taken over.
-    void begin(const TileRays& grid, const PixelSample& unseen);
-
-    /// Prefetches the memory that is soon written for a place.
-    void announce(std::size_t place) const;
-
-    SampleBatch view;         ///< samples of the grid that was begun last
-    ReflectionBuffer mirrors; ///< its reflected rays and their hits
-
-private:
-    std::vector<Hits> above_; ///< what rows taken over point to
-};
-
 /// Integrator of camera rays over mirror reflections. A smooth coat or metal reflects lamps, the
 /// body itself and, behind both, the uniform light `ambient`. Rough interfaces and flakes spread
 /// the light of lamps; the base is lit directly. It processes many rays at once, a reflection
@@ -54,17 +32,9 @@ public:
     SampleBatch view(Rays camera_rays) const;
     /// Samples of the pixels of a grid, without the light of the shading points. Pixels with a ray
     /// reflect lamps by curved images of the pixel if neighbours determine its curvature; the
-    /// others show the background. In a medium all have rays. If nothing is refined, pixels at the
-    /// grid's border show no reflections; if no AOVs are requested either, the view has no hits,
-    /// nor places that reflected rays meet.
+    /// others show the background. In a medium all have rays. If nothing is refined and no
+    /// AOVs are requested, the view has no hits, nor places that reflected rays meet.
     SampleBatch view(const TileRays& grid) const;
-    /// Traces one of several grids that lie one below the other, if only_mirrors(); `band.view`
-    /// receives the samples of this grid. Its rows at the border or shared with other grids are
-    /// unreliable, except the second and the last but one.
-    void trace_tile(const TileRays& grid, EyeBand& band) const;
-    /// True if each pixel of a picture shows lamps in sharp mirrors and nothing else that takes
-    /// long to compute, and no pixel is refined.
-    bool only_mirrors() const;
     /// Sample of a camera ray that misses the scene, without a medium.
     PixelSample unseen() const;
     /// Light of all lamps and other sources at a shading point.
@@ -146,18 +116,15 @@ private:
 
     /// Traces camera rays through some places of a grid to their first hits, and the reflected rays
     /// from there.
-    void trace_primary(const TileRays& grid, std::span<const GridPlace> places,
-                       EyeBand& band) const;
-    static void set_rays(const RayQueue& wave, ReflectedGrid& grid);
+    void trace_primary(const TileRays& grid, std::span<const GridPlace> places, SampleBatch& view,
+                       ReflectionBuffer& mirrors) const;
     /// Detail required of the hits of rays mirrored once: no surface if no light on it is visible
     /// and no ray continues from there.
     HitDetail mirrored_detail() const;
     void trace_reflections(const RayQueue& mirrored, ReflectionBuffer& mirrors) const;
     /// Adds the hits of the first reflected rays of a grid, row by row, as neighbours reflect lamps
-    /// side by side. Rows whose neighbours are in another grid are left out. Returns the remaining
-    /// rays.
-    RayQueue shade_hits(const TileRays& grid, const ReflectionBuffer& mirrors,
-                        SampleBatch& view) const;
+    /// side by side. Returns the remaining rays.
+    RayQueue shade_hits(const ReflectionBuffer& mirrors, SampleBatch& view) const;
     RayQueue mirrored_again(std::span<const PathState> paths,
                             const ReflectionBuffer& mirrors) const;
     /// Follows rays of samples of a view after `depth` reflections.

@@ -1,6 +1,5 @@
 // Propagation of the paths of an Integrator from mirror to mirror, many at once.
 #include "keiko/intersect/hit/reflect_ray.h"
-#include "keiko/intersect/kernels/prefetch.h"
 #include "keiko/render/shading/integrator.h"
 
 #include <algorithm>
@@ -13,47 +12,9 @@ namespace keiko {
 
 namespace {
 
-/// Makes the last row of a grid the second of one of `size` places. Its first is unused, as
-/// everything is done there except determining the bend of the images below it.
-template <class T>
-void take_over_row(std::vector<T>& places, std::size_t width, std::size_t size, const T& blank) {
-    std::copy(places.end() - static_cast<std::ptrdiff_t>(width), places.end(),
-              places.begin() + static_cast<std::ptrdiff_t>(width));
-    std::fill_n(places.begin(), width, blank);
-    places.resize(2 * width);
-    places.resize(size, blank);
-}
-
-} // namespace
-
-void EyeBand::begin(const TileRays& grid, const PixelSample& unseen) {
-    if (!grid.continues_above) {
-        view.samples.assign(mirrors.grid.size(), unseen);
-        return;
-    }
-    mirrors.grid.take_over_rows(grid.height);
-    const auto width = static_cast<std::size_t>(grid.width);
-    take_over_row(view.samples, width, mirrors.grid.size(), unseen);
-    take_over_row(mirrors.ways, width, mirrors.grid.size(), {});
-    above_ = std::exchange(mirrors.hits, {});
-    std::move(view.hits.begin(), view.hits.end(), std::back_inserter(above_));
-    view.hits.clear();
-}
-
-void EyeBand::announce(std::size_t place) const {
-    prefetch(std::span(view.samples).subspan(place, 1));
-    prefetch(std::span(mirrors.ways).subspan(place, 1));
-    mirrors.grid.announce(place);
-}
-
-namespace {
-
 /// Number of camera rays of a grid that are traced together with their reflected rays: few enough
 /// for their data to stay in the processor's cache, enough to fill its vectors.
 constexpr std::size_t rays_at_once = 256;
-/// Number of places prefetched before they are written, since they are scattered over more memory
-/// than the cache.
-constexpr std::size_t places_ahead = 8;
 
 /// Sorts shading points by sample; each of the `samples` samples has one at most.
 void sort_by_sample(std::span<ShadingPoint> points, std::size_t samples) {
@@ -90,82 +51,65 @@ PixelSample Integrator::unseen() const {
 }
 
 SampleBatch Integrator::view(const TileRays& grid) const {
-    EyeBand band(grid.width, grid.height);
-    trace_tile(grid, band);
-    return std::move(band.view);
-}
-
-void Integrator::trace_tile(const TileRays& grid, EyeBand& band) const {
-    band.begin(grid, unseen());
+    ReflectionBuffer mirrors(grid.width, grid.height);
+    SampleBatch view;
+    view.samples.assign(mirrors.grid.size(), unseen());
     const std::span<const GridPlace> places = grid.places;
     // The visibility of the rays' segments from the lights is computed for all of them together.
     const std::size_t most = scene_.rig.medium ? places.size() : rays_at_once;
     for (std::size_t first = 0; first < places.size(); first += most)
-        trace_primary(grid, places.subspan(first, std::min(most, places.size() - first)), band);
-    sort_by_sample(band.view.points, band.view.samples.size());
-    band.mirrors.grid.join();
-    follow(shade_hits(grid, band.mirrors, band.view), 2, band.view);
+        trace_primary(grid, places.subspan(first, std::min(most, places.size() - first)), view,
+                      mirrors);
+    sort_by_sample(view.points, view.samples.size());
+    mirrors.grid.join();
+    follow(shade_hits(mirrors, view), 2, view);
+    return view;
 }
 
 void Integrator::trace_primary(const TileRays& grid, std::span<const GridPlace> places,
-                               EyeBand& band) const {
-    SampleBatch& view = band.view;
-    ReflectedGrid& mirrors = band.mirrors.grid;
+                               SampleBatch& view, ReflectionBuffer& mirrors) const {
     const Rays rays = grid.rays(places);
     FirstHits hits = scene_.tracer.first_hits(rays);
     const VolumetricShadows shadows = volumetric_shadows(legs_of(rays, hits), 0);
     const VisibleFrom shafts = shadows.visible();
     const std::vector<FresnelTerm> incidences = this->incidences(rays, hits, 0);
     const PixelMirror no_mirror;
-    RayQueue mirrored, beside; // beside: rays that only determine the bend of the neighbours'
-                               // images
-    mirrored.reserve(rays.size()), beside.reserve(rays.size());
+    RayQueue mirrored;
+    mirrored.reserve(rays.size());
     ReflectionBatch mirroring(mirror_kernel_);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (i + places_ahead < places.size()) band.announce(places[i + places_ahead].number);
         PixelSample& sample = view.samples[places[i].number];
         const Hit* hit = hits[i];
         sample.luminance = Rgb();
         if (keeps_hits_) sample.hit = hit;
-        const bool ends = !refines_ && grid.at_border(places[i]);
-        RayQueue& wave = ends ? beside : mirrored;
-        PathState& path = wave.paths.emplace_back(PathState{places[i].number, Rgb(1)});
-        if (!shade(path, {rays[i], hit, no_mirror, incidences[i]}, 0, shafts, view)) {
-            wave.paths.pop_back();
-            continue;
-        }
-        mirrors.set_begin(path.sample, {hit->position, hit->normal, sample.paint});
-        mirroring.add(rays[i], *hit, wave.rays.emplace_back());
+        PathState path{places[i].number, Rgb(1)};
+        if (!shade(path, {rays[i], hit, no_mirror, incidences[i]}, 0, shafts, view)) continue;
+        mirrors.grid.set_begin(path.sample, {hit->position, hit->normal, sample.paint});
+        mirroring.add(rays[i], *hit, mirrored.add(path));
     }
     mirroring.finish();
     if (keeps_hits_) view.hits.push_back(std::move(hits.hits));
-    set_rays(beside, mirrors), set_rays(mirrored, mirrors);
-    trace_reflections(mirrored, band.mirrors);
-}
-
-void Integrator::set_rays(const RayQueue& wave, ReflectedGrid& grid) {
-    for (std::size_t i = 0; i < wave.rays.size(); ++i) grid.set(wave.paths[i].sample, wave.rays[i]);
+    trace_reflections(mirrored, mirrors);
 }
 
 void Integrator::trace_reflections(const RayQueue& mirrored, ReflectionBuffer& mirrors) const {
     FirstHits hits = scene_.tracer.first_hits(mirrored.rays, mirrored_detail());
     for (std::size_t i = 0; i < mirrored.paths.size(); ++i) {
         const PathState& path = mirrored.paths[i];
+        mirrors.grid.set(path.sample, mirrored.rays[i]);
         mirrors.ways[path.sample] = {true, hits[i], path.weight};
     }
     mirrors.hits.push_back(std::move(hits.hits));
 }
 
-Integrator::RayQueue Integrator::shade_hits(const TileRays& grid, const ReflectionBuffer& mirrors,
+Integrator::RayQueue Integrator::shade_hits(const ReflectionBuffer& mirrors,
                                             SampleBatch& view) const {
     const VolumetricShadows shadows = volumetric_shadows(legs_of(mirrors), 1);
     const VisibleFrom shafts = shadows.visible();
     LampReflections stripes(planes_, mirrors.grid, stripe_kernels_, refines_);
     std::vector<PathState> further;
     Ray ray;
-    const auto row = static_cast<std::size_t>(grid.width);
-    const std::size_t end = mirrors.ways.size() - (grid.continues_below ? row : 0);
-    for (std::size_t place = grid.continues_above ? row : 0; place < end; ++place) {
+    for (std::size_t place = 0; place < mirrors.ways.size(); ++place) {
         const auto& [goes_on, hit, weight] = mirrors.ways[place];
         if (!goes_on) continue;
         PixelMirror mirror;
