@@ -31,11 +31,13 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Trsf.hxx>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace keiko::cad {
 namespace {
@@ -111,6 +113,20 @@ TEST(CadPrimitives, ClosedSolidsHaveNoFreeBorder) {
             EXPECT_NEAR(free_length(converted(shape)), 0, 1e-6 * scale) << i << " by " << scale;
             EXPECT_NEAR(free_length(converted(nurbs)), 0, 1e-6 * scale) << i << " by " << scale;
         }
+}
+
+// The top of a large sphere, with its pole at the origin: of the border there only rounding is
+// left, which is that of the radius.
+TEST(CadPrimitives, PolesAtTheOriginHaveNoLength) {
+    constexpr double angle = 0.0014, radius = 50 / angle, quarter = std::numbers::pi / 2;
+    const gp_Ax2 below(gp_Pnt(0, 0, -radius), gp::DZ());
+    const TopoDS_Shape solid = BRepPrimAPI_MakeSphere(below, radius, quarter - angle, quarter);
+    const SurfaceModel model = converted(faces_of(solid)[0]);
+    const BoundaryCurves curves(model);
+    double sum = 0;
+    for (const BoundaryInterval& border : curves.all()) sum += curves.curve(border).length(0, 1);
+    const double rim = 2 * std::numbers::pi * radius * std::sin(angle), side = radius * angle;
+    EXPECT_NEAR(sum, rim + 2 * side, 1e-6);
 }
 
 TEST(CadPrimitives, SolidsAreConvertedFaithfully) {

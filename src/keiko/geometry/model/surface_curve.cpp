@@ -135,13 +135,16 @@ double SurfaceCurve::length(double begin, double end, std::span<const double> ch
     constexpr double relative = 1e-10;
     constexpr int most_halvings = 24; // unequal weights crowd the length into a short range
     const auto speed_at = [this](double t) { return speed(t); };
+    const auto rounding = [this](double t) { // all of a pole's length
+        const Place p = place(t, 0);
+        return 1e-12 * (p.surface.position().length() + std::sqrt(grid_->square_size(p.patch)));
+    };
     double sum = 0, from = begin;
     const auto add_until = [&](double until) {
         for (int i = 0; i < panels; ++i) {
             const double a = from + (until - from) * i / panels;
             const double b = from + (until - from) * (i + 1) / panels;
-            const double rounding = 1e-12 * at(a).position.length(); // all of a pole's length
-            const double allowed = rounding + relative * integrate(speed_at, a, b, 8);
+            const double allowed = rounding(a) + relative * integrate(speed_at, a, b, 8);
             sum += integrate_adaptively(speed_at, a, b, allowed, most_halvings);
         }
         from = until;

@@ -8,7 +8,7 @@
 
 namespace keiko {
 
-/// A shading point whose light is asked for, in a tile.
+/// A shading point to be lit, in a tile.
 struct LitPlace {
     Pixel pixel;               ///< of the tile
     const ShadingPoint* point; ///< not null
