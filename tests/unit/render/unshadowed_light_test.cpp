@@ -95,7 +95,7 @@ TEST(UnshadowedLight, FollowsShallowCreases) {
     }
     Stage stage(builder.build());
     stage.camera.width = 384, stage.camera.height = 216;
-    expect_hardly_off(stage, 1, 0.5);
+    expect_hardly_off(stage, 1, 0.4);
 }
 
 TEST(UnshadowedLight, HoldsTheErrorOfTheIlluminance) {
