@@ -6,7 +6,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from keiko_process import SMALL, KeikoTest, surface
+from keiko_process import SMALL, SOURCE, KeikoTest, surface
 from sarif_rules import faults_of_log, path_of
 
 GAP = surface("seam-g0-gap.step")
@@ -241,6 +241,57 @@ class Check(KeikoTest):
             run = self.keiko("check", hood, *arguments, "-q")
             self.assertEqual(run.returncode, 2)
             self.assertIn(words, run.stderr)
+        self.assertEqual(self.content(), [])
+
+    def test_profiles_of_seams_as_json_and_csv(self):
+        self.check(GAP, "--profiles", "p.json", "--profiles", "p.csv")
+        profiles = json.loads((self.folder / "p.json").read_text())
+        self.assertEqual(profiles["format"], "keiko-profiles/1")
+        self.validate(profiles)
+        (profile,) = profiles["profiles"]
+        gap = profile["gap"]
+        self.assertAlmostEqual(gap["largest"], 0.05, delta=1e-9)
+        self.assertEqual((gap["limit"], gap["judged"], gap["beyond"]["bound"]), (0.01, True, 0))
+        self.assertAlmostEqual(gap["beyond"]["share"], 1, delta=1e-9)
+        self.assertFalse(profile["curvature"]["judged"])
+        self.assertEqual(profile["curvature"]["limit"], 0.1)
+        rows = list(csv.DictReader((self.folder / "p.csv").read_text().splitlines(), strict=True))
+        self.assertEqual(len(rows), len(profile["samples"]))
+        for row, sample in zip(rows, profile["samples"]):
+            self.assertEqual(float(row["along"]), sample["along"])
+            self.assertEqual(float(row["curvature_b"]), sample["curvatures"][1])
+            self.assertEqual((row["gap_limit"], row["slope_limit"]), ("0.01", ""))
+            self.assertEqual(float(row["gap_beyond"]), gap["beyond"]["share"])
+        self.assertAlmostEqual(float(rows[-1]["along"]), profile["length"], delta=1e-9)
+
+    def validate(self, profiles):
+        try:
+            import jsonschema
+        except ImportError:
+            return
+        path = SOURCE / "docs" / "schema" / "keiko-profiles.schema.json"
+        jsonschema.validate(profiles, json.loads(path.read_text()))
+
+    def test_profiles_of_every_surface_keep_the_schema(self):
+        for name in ("hood.step", "concept-car.step"):
+            self.check(surface(name), "--profiles", "p.json")
+            profiles = json.loads((self.folder / "p.json").read_text())
+            self.validate(profiles)
+            for profile in profiles["profiles"]:
+                along = [sample["along"] for sample in profile["samples"]]
+                self.assertEqual(along, sorted(along))
+
+    def test_profiles_that_make_no_sense_are_refused(self):
+        hood = surface("hood.step")
+        for arguments, words in ((("--profiles", "p.svg"), "--profiles: 'p.svg' ends in none of"),
+                                 (("--profiles", "p"), "ends in none of .json and .csv"),
+                                 (("--profiles", "p.csv", "--profiles", "p.csv"), "is asked for twice"),
+                                 (("--profiles", "no/p.csv"), "there is no folder no"),
+                                 (("--profiles", "p.csv", "--csv", "p.csv"), "is named for two outputs")):
+            run = self.keiko("check", hood, *arguments, "-q")
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(words, run.stderr)
+            self.assertEqual(len(run.stderr.splitlines()), 1)
         self.assertEqual(self.content(), [])
 
     def test_inflection_curves_are_told(self):

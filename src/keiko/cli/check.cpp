@@ -18,15 +18,20 @@ struct CheckArguments {
     std::string preset;
     InspectionFiles files;
     CombArguments combs;
+    ProfileArguments profiles;
     SymmetryOption symmetry;
 };
 
 void withdraw_earlier(const CheckArguments& arguments) {
     arguments.files.require_places(arguments.models.inputs);
     arguments.combs.require_places();
+    arguments.profiles.require_places();
     ResultPlaces places{.files = arguments.files.paths(), .folders = {}};
     const auto& combs = arguments.combs.files();
     places.files.insert(places.files.end(), combs.begin(), combs.end());
+    const auto& profiles = arguments.profiles.files();
+    places.files.insert(places.files.end(), profiles.begin(), profiles.end());
+    require_distinct(places.files, arguments.models.inputs);
     std::vector<std::filesystem::path> inputs = arguments.models.inputs;
     inputs.emplace_back(arguments.preset);
     withdraw_results(places, inputs);
@@ -40,6 +45,7 @@ int check(CheckArguments arguments, const Job& job) {
     arguments.symmetry.look_in(options.preset);
     options.load = load_options(arguments.models);
     options.combs = arguments.combs.options(options.join);
+    options.profiles = !arguments.profiles.files().empty();
     const CheckResult result = check_models(arguments.models.inputs, options, job);
     const Inspection& inspection = result.inspection;
     for (const LostFace& face : inspection.facts.lost_faces)
@@ -49,6 +55,7 @@ int check(CheckArguments arguments, const Job& job) {
     FileTransaction outputs;
     arguments.files.add_to(outputs, inspection);
     if (result.combs) arguments.combs.add_to(outputs, *result.combs);
+    arguments.profiles.add_to(outputs, result);
     outputs.write();
     if (result.combs) log_warnings(result.combs->remarks);
     print(inspection_text(inspection));
@@ -75,6 +82,7 @@ void add_check(CLI::App& app, Session& session) {
     arguments->combs.add_to(command);
     arguments->symmetry.add_to(command, false);
     arguments->combs.add_files(command);
+    arguments->profiles.add_to(command);
     add_load_options(command, arguments->models);
     command.footer(
         "Exit codes: 0 all pass, 1 findings or lost faces, 2 error.\n"

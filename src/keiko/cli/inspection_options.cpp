@@ -80,6 +80,31 @@ void CombArguments::add_to(FileTransaction& batch, const Combs& combs) const {
     }
 }
 
+void ProfileArguments::add_to(CLI::App& command) {
+    command
+        .add_option("--profiles", files_,
+                    "file to write gap, angle and curvatures along every seam to, .json or .csv; "
+                    "may repeat")
+        ->allow_extra_args(false);
+}
+
+void ProfileArguments::require_places() const {
+    for (const fs::path& file : files_) {
+        require_place_for_file(file);
+        if (std::count(files_.begin(), files_.end(), file) > 1)
+            throw Error("", "--profiles", "'" + file.string() + "' is asked for twice");
+        if (file.extension() != ".json" && file.extension() != ".csv")
+            throw Error("", "--profiles", "'" + file.string() + "' ends in none of .json and .csv");
+    }
+}
+
+void ProfileArguments::add_to(FileTransaction& batch, const CheckResult& result) const {
+    for (const fs::path& file : files_)
+        batch.add(file, file.extension() == ".csv"
+                            ? profiles_csv(result.profiles, result.inspection)
+                            : profiles_json(result.profiles, result.inspection, version()));
+}
+
 void InspectionFiles::add_to(CLI::App& command) {
     const auto add = [&](const char* name, std::vector<fs::path>& files, const char* text) {
         command.add_option(name, files, text)->allow_extra_args(false);

@@ -37,6 +37,24 @@ private:
     std::vector<std::filesystem::path> files_;
 };
 
+/// The files to which profiles of seams are written.
+class ProfileArguments {
+public:
+    /// Adds --profiles to a command.
+    void add_to(CLI::App& command);
+
+    /// Throws Error for a file that cannot be written, is requested twice or whose ending names no
+    /// format.
+    void require_places() const;
+    /// The files that the option names.
+    const std::vector<std::filesystem::path>& files() const { return files_; }
+    /// Adds every requested file.
+    void add_to(FileTransaction& batch, const CheckResult& result) const;
+
+private:
+    std::vector<std::filesystem::path> files_;
+};
+
 /// The files in which an inspection is reported to other programs, as requested by the user.
 class InspectionFiles {
 public:

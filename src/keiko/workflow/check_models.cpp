@@ -9,6 +9,8 @@
 #include "keiko/workflow/painted_body.h"
 #include "keiko/workflow/version.h"
 
+#include <numeric>
+
 namespace keiko {
 
 bool has_curves(const CombOptions& options) {
@@ -26,6 +28,12 @@ Combs combs_of(const SurfaceModel& model, const CombOptions& options, const Job&
     return combs;
 }
 
+std::vector<SeamProfile> profiles_of(const SurfaceModel& model, const Inspection& inspection,
+                                     std::span<const std::uint32_t> seams, const Job& job) {
+    if (seams.empty()) return {};
+    return seam_profiles(model, inspection.seams, inspection.pieces, seams, inspection.preset, job);
+}
+
 CheckResult check_models(std::span<const std::filesystem::path> inputs, const CheckOptions& options,
                          const Job& job) {
     const SceneSpec spec = spec_of(inputs, SceneOptions{}.material);
@@ -33,6 +41,11 @@ CheckResult check_models(std::span<const std::filesystem::path> inputs, const Ch
     CheckResult result{inspect(model, options.preset, options.join, job)};
     check_symmetry(model, result.inspection, job);
     if (has_curves(options.combs)) result.combs = combs_of(model, options.combs, job);
+    if (options.profiles) {
+        std::vector<std::uint32_t> all(result.inspection.seams.size());
+        std::iota(all.begin(), all.end(), 0u);
+        result.profiles = profiles_of(model, result.inspection, all, job);
+    }
     return result;
 }
 

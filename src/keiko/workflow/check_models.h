@@ -7,7 +7,9 @@
 #include "keiko/inspect/combs/comb_curves.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/inspect/model_facts.h"
+#include "keiko/inspect/seams/seam_profile.h"
 #include "keiko/report/content/combs_text.h"
+#include "keiko/report/content/profiles_text.h"
 #include "keiko/scene/criteria_preset.h"
 
 #include <filesystem>
@@ -31,18 +33,25 @@ bool has_curves(const CombOptions& options);
 /// The sections and iso-curves of a body.
 Combs combs_of(const SurfaceModel& model, const CombOptions& options, const Job& job = {});
 
+/// The profiles of stretches of an inspection of the body, indices into Inspection::seams.
+std::vector<SeamProfile> profiles_of(const SurfaceModel& model, const Inspection& inspection,
+                                     std::span<const std::uint32_t> seams, const Job& job = {});
+
 /// Options of check_models.
 struct CheckOptions {
     LoadOptions load;                                   ///< of the model files
     CriteriaPreset preset = standard_presets().front(); ///< limits of the criteria
     double join = 0.5;                                  ///< mm
-    CombOptions combs{}; ///< sections and iso-curves; none unless requested
+    CombOptions combs{};   ///< sections and iso-curves; none unless requested
+    bool profiles = false; ///< of every stretch of a seam
 };
 
 /// Result of a check.
 struct CheckResult {
     Inspection inspection;        ///< seams, faces and their verdicts
     std::optional<Combs> combs{}; ///< if any were requested
+    /// By the stretches of the inspection; empty unless requested.
+    std::vector<SeamProfile> profiles{};
 };
 
 /// Reads models, which together form one body, or one scene file (.toml), and judges their geometry

@@ -57,6 +57,15 @@ void add_lines(Report& report, const Scene& scene, const InspectResult& result,
             picture_of_lines(views[i].name, with_lines(result.films[i].second, *report.lines, i)));
 }
 
+/// The worst stretches that fail or are undecided.
+std::vector<std::uint32_t> profiled_seams(const Inspection& inspection) {
+    std::vector<std::uint32_t> seams;
+    for (const std::uint32_t seam : worst_seams(inspection, inspection.seams.size()))
+        if (inspection.seams[seam].verdict != Verdict::pass && seams.size() < most_profiles)
+            seams.push_back(seam);
+    return seams;
+}
+
 PictureOptions with_look_layers(PictureOptions options) {
     for (const Aov layer : look_layers())
         if (std::find(options.aovs.begin(), options.aovs.end(), layer) == options.aovs.end())
@@ -93,6 +102,8 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     result.report.inspection = inspect(scene.model, options.preset, options.join, job);
     check_symmetry(scene.model, result.report.inspection, job);
     result.report.inspection.facts.tracing = trace_facts(scene.tracer.statistics());
+    result.report.profiles = profiles_of(scene.model, result.report.inspection,
+                                         profiled_seams(result.report.inspection), job);
     const PictureOptions picture = with_look_layers(options.picture);
     for (const NamedView& view : views) {
         Film film = render_view(scene, result.rig, view.camera, picture, job);

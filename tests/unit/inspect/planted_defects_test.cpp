@@ -2,8 +2,7 @@
 #include "keiko/files/scene/preset_file.h"
 #include "keiko/inspect/inspection.h"
 
-#include "tests/support/model_builder.h"
-#include "tests/unit/inspect/bernstein.h"
+#include "tests/unit/inspect/fading_defects.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,37 +11,12 @@
 namespace keiko {
 namespace {
 
-/// Difference of the right one of two sheets from the left one where they meet, at `worst`; it
-/// fades away along the seam by the square of the way from there.
-struct Defect {
-    double gap = 0;       ///< mm
-    double slope = 0;     ///< tangent of the angle
-    double curvature = 0; ///< 1/mm
-    double change = 0;    ///< of the curvature, 1/mm2
-};
+using test::FadingDefect, test::add_sheet;
 
-constexpr double length = 100, worst = 37; ///< mm: of each sheet either way; along the seam
-constexpr double radius = 1000;            ///< mm, of the left sheet
-
-/// z = curvature x^2 / 2 + h(y) (gap + slope x + curvature x^2 / 2 + change x^3 / 6) from x = begin
-/// on, h = 1 at `worst`.
-void add_sheet(test::ModelBuilder& builder, double begin, double bend, const Defect& defect) {
-    const auto fading =
-        test::bernstein<3>({1 - worst * worst / 1e4, 2 * worst / 1e4, -1 / 1e4}, 0, length);
-    const auto base = test::bernstein<4>({0, 0, bend / 2, 0}, begin, length);
-    const auto more = test::bernstein<4>(
-        {defect.gap, defect.slope, defect.curvature / 2, defect.change / 6}, begin, length);
-    std::vector<Vec3> points;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 3; ++j)
-            points.emplace_back(begin + length * double(i) / 3, length * double(j) / 2,
-                                base[i] + fading[j] * more[i]);
-    builder.patch(3, 2, points);
-}
-
-Inspection inspected(const Defect& defect, const CriteriaPreset& preset, double bend = 1 / radius) {
+Inspection inspected(const FadingDefect& defect, const CriteriaPreset& preset,
+                     double bend = 1 / test::defect_radius) {
     test::ModelBuilder builder;
-    add_sheet(builder, -length, bend, {});
+    add_sheet(builder, -test::defect_length, bend, {});
     add_sheet(builder, 0, bend, defect);
     return inspect(builder.build(), preset);
 }
@@ -51,7 +25,7 @@ Inspection inspected(const Defect& defect, const CriteriaPreset& preset, double 
 struct Planted {
     const char* quantity;
     double size; ///< in the unit of the check
-    Defect defect;
+    FadingDefect defect;
 };
 
 std::vector<Planted> planted(const CriteriaPreset& preset) {
@@ -64,13 +38,14 @@ std::vector<Planted> planted(const CriteriaPreset& preset) {
         if (!preset.curvature) break;
         const bool alias = preset.curvature->formula == CurvatureFormula::alias;
         const double other = alias ? (1 + m) / (1 - m) : 1 / (1 - m);
-        all.push_back({"curvature", m, {.curvature = (other - 1) / radius}});
+        all.push_back({"curvature", m, {.curvature = (other - 1) / test::defect_radius}});
     }
     for (const double angle : {0.02, 0.098, 0.102, 1.0, 20.0})
         if (preset.curvature_slope)
             all.push_back({"curvature_slope",
                            angle,
-                           {.change = std::tan(degrees_to_radians(angle)) / radius / radius}});
+                           {.change = std::tan(degrees_to_radians(angle)) / test::defect_radius /
+                                      test::defect_radius}});
     return all;
 }
 
@@ -95,7 +70,7 @@ TEST(PlantedDefects, AreFoundWhereTheyAreAndAsLargeAsTheyAre) {
             EXPECT_NEAR(check->worst.value, fault.size, 1e-6 * fault.size + 1e-9);
             EXPECT_LE(std::abs(check->worst.value - fault.size), check->worst.bound + 1e-9);
             EXPECT_NEAR(check->worst.place.x, 0, 1e-6);
-            EXPECT_NEAR(check->worst.place.y, worst, 0.1);
+            EXPECT_NEAR(check->worst.place.y, test::defect_place, 0.1);
             const Verdict expected = verdict_of(fault.size, check->worst.limit);
             EXPECT_EQ(check->worst.verdict, expected);
             // A gap that fades away along the seam tilts the border: that may be one more.
@@ -109,7 +84,8 @@ TEST(PlantedDefects, AreFoundWhereTheyAreAndAsLargeAsTheyAre) {
 
 TEST(PlantedDefects, NothingIsFoundOnTheCleanTwin) {
     for (const CriteriaPreset& preset : standard_presets())
-        for (const double bend : {1 / radius, -1 / radius, 0.01, 1e-6, 0.0}) {
+        for (const double bend :
+             {1 / test::defect_radius, -1 / test::defect_radius, 0.01, 1e-6, 0.0}) {
             const Inspection found = inspected({}, preset, bend);
             ASSERT_EQ(found.seams.size(), 1u);
             EXPECT_EQ(found.verdict, Verdict::pass) << preset.name << ' ' << bend;

@@ -30,6 +30,24 @@ TEST(ReportHtml, RowsOfFindingsOpenTheirCloseUps) {
     EXPECT_EQ(json["close_ups"][1]["face"], 2);
 }
 
+TEST(ReportHtml, PlotsTheProfilesOfStretchesThatDoNotPass) {
+    Report plotted = report();
+    EXPECT_EQ(report_html(plotted).find("<svg class=\"profile\""), std::string::npos);
+    const Inspection& found = plotted.inspection;
+    const SurfaceModel body = model();
+    const std::vector<std::uint32_t> of_worst = worst_seams(found, 1);
+    plotted.profiles = seam_profiles(body, found.seams, found.pieces, of_worst, found.preset);
+    const std::string html = report_html(plotted);
+    const auto at = html.find("<svg class=\"profile\"");
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_GT(at, html.find("Worst stretches of seams"));
+    EXPECT_EQ(html.find("Profiles of further stretches"), std::string::npos);
+    // One that has no card among the worst: a crease.
+    const std::vector<std::uint32_t> other{2};
+    plotted.profiles = seam_profiles(body, found.seams, found.pieces, other, found.preset);
+    EXPECT_NE(report_html(plotted).find("Profiles of further stretches"), std::string::npos);
+}
+
 TEST(ReportHtml, EscapesTheNamesInMessagesThatRowsAreSortedBy) {
     Report with_look = report();
     Check strip;

@@ -23,6 +23,11 @@ inline double curvature_mismatch(CurvatureFormula formula, double k1, double k2,
     return base > 0 ? change / base : 0;
 }
 
+/// "alias", "catia"
+constexpr std::string_view name_of(CurvatureFormula formula) {
+    return formula == CurvatureFormula::alias ? "alias" : "catia";
+}
+
 /// The formula as printed beside its value.
 constexpr std::string_view formula_text(CurvatureFormula formula) {
     return formula == CurvatureFormula::alias ? "|R1-R2|/(R1+R2)" : "|C1-C2|/max(|C1|,|C2|)";

@@ -1,7 +1,6 @@
 #include "keiko/inspect/seams/seam_line.h"
 
-#include "keiko/inspect/seams/curvature_match.h"
-#include "keiko/inspect/seams/seam_extremes.h"
+#include "keiko/inspect/seams/seam_quantities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,51 +11,10 @@
 namespace keiko {
 namespace {
 
-/// Accuracy of extremes as a share of their limit: finer than any verdict depends on.
-constexpr double relative_tolerance = 1e-4;
-/// Error of an evaluated point, as a share of its distance from the origin: some tens of
-/// roundings of the Bernstein sums.
-constexpr double relative_rounding = 1e-14;
 /// mm: CAD systems themselves join at 1e-7 to 1e-5; a gap below has no direction.
 constexpr double same_place = 1e-6;
 /// Share of 1; error of a mismatch of two evaluated curvatures.
 constexpr double mismatch_rounding = 1e-9;
-
-/// The mismatch of curvatures that a preset judges.
-struct CurvatureJudge {
-    CurvatureLimit limit;
-    double flat_radius;
-
-    explicit CurvatureJudge(const CriteriaPreset& preset)
-        : limit(preset.curvature.value_or(CurvatureLimit{})), flat_radius(preset.flat_radius) {}
-
-    bool flat(const SeamPoint& p) const {
-        return std::max(std::abs(p.curvature_a), std::abs(p.curvature_b)) * flat_radius < 1;
-    }
-    /// True if the flat radius replaces the curvatures to which the change is compared.
-    bool is_floored(const SeamPoint& p) const {
-        return mismatch(limit.formula, p) <
-               curvature_mismatch(limit.formula, p.curvature_a, p.curvature_b, HUGE_VAL);
-    }
-    double mismatch(CurvatureFormula formula, const SeamPoint& p) const {
-        return curvature_mismatch(formula, p.curvature_a, p.curvature_b, flat_radius);
-    }
-};
-
-/// The larger of two extremes of one quantity; the bound must cover what either could hide.
-void keep_worse(std::optional<SeamExtreme>& kept, const std::optional<SeamExtreme>& other) {
-    if (!other) return;
-    if (!kept) {
-        kept = other;
-        return;
-    }
-    const double upper = std::max(kept->value + kept->bound, other->value + other->bound);
-    if (other->value > kept->value) kept = other;
-    kept->bound = upper - kept->value;
-}
-
-/// Accuracy, as a share of a degree, to which G3 is measured if a preset does not judge it.
-constexpr double unjudged_slope = 0.1;
 
 /// The parts of a line's pieces that make up a stretch, as probes of their own.
 std::vector<SeamProbe> probes_of(const SeamLine& line, const SeamStretch& stretch) {
@@ -66,43 +24,9 @@ std::vector<SeamProbe> probes_of(const SeamLine& line, const SeamStretch& stretc
     return probes;
 }
 
-struct StretchExtremes {
-    std::optional<SeamExtreme> gap, angle, negated_angle, curvature, slope;
-};
-
-std::vector<SeamQuestion> questions_of(const CriteriaPreset& preset,
-                                       const CurvatureJudge& curvature) {
-    return {{[](const SeamPoint& p) { return p.gap; }, relative_tolerance * preset.gap},
-            {[](const SeamPoint& p) { return p.angle; }, relative_tolerance * preset.angle},
-            {[](const SeamPoint& p) -> std::optional<double> {
-                 if (!p.angle) return std::nullopt;
-                 return -*p.angle;
-             },
-             preset.angle},
-            {[&](const SeamPoint& p) -> std::optional<double> {
-                 if (!p.angle) return std::nullopt;
-                 return curvature.mismatch(curvature.limit.formula, p);
-             },
-             relative_tolerance * 10 * curvature.limit.limit},
-            {[&](const SeamPoint& p) -> std::optional<double> {
-                 if (!p.angle || curvature.flat(p)) return std::nullopt;
-                 return slope_angle(p.curvature_a, p.slope_a, p.curvature_b, p.slope_b);
-             },
-             relative_tolerance * 10 * preset.curvature_slope.value_or(unjudged_slope)}};
-}
-
 StretchExtremes extremes_of(const std::vector<SeamProbe>& probes, const CriteriaPreset& preset) {
-    const CurvatureJudge curvature(preset);
-    const std::vector<SeamQuestion> questions = questions_of(preset, curvature);
     StretchExtremes all;
-    for (const SeamProbe& probe : probes) {
-        const auto found = seam_extremes(probe, questions);
-        keep_worse(all.gap, found[0]);
-        keep_worse(all.angle, found[1]);
-        keep_worse(all.negated_angle, found[2]);
-        keep_worse(all.curvature, found[3]);
-        keep_worse(all.slope, found[4]);
-    }
+    for (const SeamProbe& probe : probes) all = larger_of(all, extremes_along(probe, preset));
     return all;
 }
 
@@ -112,16 +36,16 @@ MeasuredValue worst(const SeamExtreme& extreme, double rounding, double limit) {
 }
 
 CurvatureStep curvature_step(const SeamExtreme& extreme, const CriteriaPreset& preset) {
-    const CurvatureJudge judged(preset);
+    const SeamQuantities quantities(preset);
     const SeamPoint& p = extreme.point;
-    const double limit = judged.limit.limit;
+    const auto [formula, limit] = quantities.curvature_limit();
     CurvatureStep step{.curvature_a = p.curvature_a,
                        .curvature_b = p.curvature_b,
-                       .formula = judged.limit.formula,
+                       .formula = formula,
                        .mismatch = extreme.value,
-                       .alias = judged.mismatch(CurvatureFormula::alias, p),
-                       .catia = judged.mismatch(CurvatureFormula::catia, p),
-                       .flat = judged.is_floored(p),
+                       .alias = quantities.mismatch(CurvatureFormula::alias, p),
+                       .catia = quantities.mismatch(CurvatureFormula::catia, p),
+                       .flat = quantities.is_floored(p),
                        .worst = {extreme.value, extreme.bound, limit, p.place, Verdict::pass}};
     if (preset.curvature)
         step.worst.verdict = judge_maximum(extreme.value, extreme.bound, mismatch_rounding, limit);
@@ -144,11 +68,6 @@ CurvatureSlopeStep slope_step(const SeamExtreme& extreme, const CriteriaPreset& 
 void take(MeasuredSeam& seam, const MeasuredValue& worst) {
     seam.verdict = std::max(seam.verdict, worst.verdict);
     seam.severity = std::max(seam.severity, share_of_limit(worst));
-}
-
-double position_error(const SurfaceModel& model, const SeamLine& line, const Vec3& place) {
-    return relative_rounding * place.length() + model.faces[line.face_a].approximated +
-           model.faces[line.face_b].approximated;
 }
 
 void judge_smooth(MeasuredSeam& seam, const StretchExtremes& found, const CriteriaPreset& preset) {
@@ -220,7 +139,8 @@ MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
         seam.verdict = Verdict::undecided;
         return seam;
     }
-    judge_gap(seam, *found.gap, position_error(model, line, found.gap->point.place), preset.gap);
+    judge_gap(seam, *found.gap,
+              position_error(model, line.face_a, line.face_b, found.gap->point.place), preset.gap);
     if (found.angle)
         judge_angle(seam, found, stretch, preset);
     else if (stretch.length > same_place)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace keiko {
 namespace {
@@ -130,6 +131,12 @@ SeamPoint SeamProbe::at(double t) const {
     const double length = on_a_.end - on_a_.begin;
     const double share = length != 0 ? (t - on_a_.begin) / length : 0;
     return at(t, on_b_.begin + share * (on_b_.end - on_b_.begin));
+}
+
+double SeamProbe::length(double from, double to) const {
+    const auto first = std::upper_bound(changes_.a.begin(), changes_.a.end(), from);
+    const auto last = std::lower_bound(first, changes_.a.end(), to);
+    return a_.length(from, to, std::span(first, last));
 }
 
 SeamProbe::PatchChanges SeamProbe::find_changes() const {

@@ -70,6 +70,8 @@ public:
     SeamPoint at(double t) const;
     /// mm, of side a.
     double length() const { return a_.length(begin(), end(), changes_.a); }
+    /// mm of side a between two of its parameters, from < to.
+    double length(double from, double to) const;
     /// The point at parameter t of side a; world, mm.
     Vec3 place(double t) const { return a_.at(t).position; }
     /// Derivative of side a at parameter t, mm a unit of it; 0 where it is stationary. World.

@@ -3,6 +3,7 @@
 #include "keiko/base/export.h"
 #include "keiko/base/output_folder.h"
 #include "keiko/inspect/inspection.h"
+#include "keiko/inspect/seams/seam_profile.h"
 #include "keiko/report/content/combs_text.h"
 #include "keiko/report/content/line_list.h"
 
@@ -63,6 +64,7 @@ struct Report {
     std::vector<CombPicture> combs;        ///< if combs were requested
     std::vector<std::string> comb_remarks; ///< on planes that gave no section
     std::vector<CloseUp> close_ups;        ///< of the worst findings, in their order
+    std::vector<SeamProfile> profiles;     ///< of the worst stretches that do not pass, in order
 };
 
 /// The worst of the verdicts of the inspection and the lines.
@@ -73,6 +75,9 @@ inline Verdict verdict_of(const Report& report) {
 
 /// Number of worst seams, which pictures number and the first screen shows.
 constexpr std::size_t worst_seam_count = 5;
+
+/// Largest number of stretches whose profiles a page shows.
+constexpr std::size_t most_profiles = 20;
 
 /// The whole report as "keiko-report/1", in the manner of inspection_json. Inspection: tool {name,
 /// version} and the keys of inspection_json, with the verdict of lines and seams together. Lines:

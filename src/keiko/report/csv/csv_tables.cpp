@@ -2,6 +2,7 @@
 #include "keiko/report/content/combs_text.h"
 #include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/line_list.h"
+#include "keiko/report/content/profiles_text.h"
 
 #include <array>
 #include <charconv>
@@ -63,6 +64,32 @@ void append(std::string& text, const LineValue& value, bool known) {
     append(text, value.bound);
 }
 
+void append(std::string& text, const std::optional<double>& value) {
+    text += ',';
+    if (value) text += csv_number(*value);
+}
+
+/// The limit of a quantity and the share of the length beyond it, or two empty fields.
+void append(std::string& text, const std::optional<ProfileQuantity>& quantity) {
+    const bool is_limited = quantity && quantity->limit;
+    append(text, is_limited ? quantity->limit : std::nullopt);
+    append(text, is_limited ? std::optional(quantity->beyond.value) : std::nullopt);
+}
+
+std::string row(const ProfileSample& s) {
+    const SeamPoint& p = s.point;
+    const auto if_known = [&](double value) { return p.angle ? std::optional(value) : p.angle; };
+    std::string text = std::to_string(s.piece);
+    for (const double value : {s.along, p.place.x, p.place.y, p.place.z, p.gap})
+        append(text, value);
+    append(text, p.angle);
+    for (const double value :
+         {p.curvature_a, p.curvature_b, s.alias, s.catia, p.slope_a, p.slope_b})
+        append(text, if_known(value));
+    append(text, s.slope);
+    return text;
+}
+
 void append_points(std::string& text, const std::string& begin, const SurfaceLine& piece) {
     for (const LinePoint& p : piece.line.points) {
         text += begin;
@@ -99,6 +126,26 @@ std::string combs_csv(std::span<const CombCurve> curves, const SurfaceModel& mod
                 text += '\n';
             }
         }
+    return text;
+}
+
+std::string profiles_csv(std::span<const SeamProfile> profiles, const Inspection& inspection) {
+    std::string text =
+        "seam,line,faces,kind,piece,along,x,y,z,gap,angle,curvature_a,curvature_b,alias,catia,"
+        "slope_a,slope_b,slope_change,gap_limit,gap_beyond,angle_limit,angle_beyond,"
+        "curvature_limit,curvature_beyond,slope_limit,slope_beyond\n";
+    for (const SeamProfile& profile : profiles) {
+        const MeasuredSeam& seam = inspection.seams[profile.seam];
+        std::string begin = std::to_string(profile.seam + 1) + "," + std::to_string(seam.line + 1) +
+                            "," + csv_quoted(as_utf8(seam.faces)) + ",";
+        begin.append(name_of(seam.kind)) += ",";
+        std::string end;
+        for (const auto* quantity :
+             {&profile.gap, &profile.angle, &profile.curvature, &profile.slope})
+            append(end, *quantity);
+        for (const ProfileSample& sample : profile.samples)
+            text += begin + row(sample) + end + "\n";
+    }
     return text;
 }
 

@@ -1,5 +1,6 @@
 #include "keiko/base/units.h"
 #include "keiko/inspect/seams/curvature_match.h"
+#include "keiko/report/content/profiles_text.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
 
@@ -105,6 +106,16 @@ std::string kind_note(const MeasuredSeam& seam) {
     return note;
 }
 
+/// The plots of a stretch, if the report has its profile.
+std::string profile_of(const Report& report, std::uint32_t index) {
+    const auto found =
+        std::find_if(report.profiles.begin(), report.profiles.end(),
+                     [index](const SeamProfile& profile) { return profile.seam == index; });
+    if (found == report.profiles.end()) return "";
+    const auto& judged = report.inspection.preset.curvature;
+    return profile_svg(*found, judged.value_or(CurvatureLimit{}).formula);
+}
+
 std::string seam_card(const Report& report, std::size_t rank, std::uint32_t index) {
     const MeasuredSeam& seam = report.inspection.seams[index];
     return "<div class=\"card seam " + tone_of(seam) + "\"><div class=\"rank\">" +
@@ -114,8 +125,8 @@ std::string seam_card(const Report& report, std::size_t rank, std::uint32_t inde
            fixed_number(seam.length, 1) + " mm long" + kind_note(seam) +
            "</div><div class=\"measures\">" + gap_measure(seam) + angle_measure(seam) +
            curvature_measure(seam) + slope_measure(seam, report.inspection.preset) +
-           fading_measure(seam) + "</div></div>" + html_close_up(report, CloseUp::Of::seam, index) +
-           "</div>\n";
+           fading_measure(seam) + "</div>" + profile_of(report, index) + "</div>" +
+           html_close_up(report, CloseUp::Of::seam, index) + "</div>\n";
 }
 
 bool over(const MeasuredValue& worst) {
@@ -200,6 +211,21 @@ std::string html_worst_seams(const Report& report) {
     std::string html = "<section><h2>Worst stretches of seams</h2><div class=\"worst\">\n";
     for (std::size_t i = 0; i < worst.size(); ++i) html += seam_card(report, i + 1, worst[i]);
     return html + "</div></section>\n";
+}
+
+std::string html_more_profiles(const Report& report) {
+    const std::vector<std::uint32_t> worst = worst_seams(report.inspection, worst_seam_count);
+    std::string html;
+    for (const SeamProfile& profile : report.profiles) {
+        if (std::find(worst.begin(), worst.end(), profile.seam) != worst.end()) continue;
+        const MeasuredSeam& seam = report.inspection.seams[profile.seam];
+        html += "<details class=\"card profiled\"><summary><span class=\"" + tone_of(seam) +
+                "\"><span class=\"chip\">" + tone_of(seam) + "</span></span> " +
+                std::to_string(profile.seam + 1) + " · " + html_escaped(seam.faces) + "</summary>" +
+                profile_of(report, profile.seam) + "</details>\n";
+    }
+    if (html.empty()) return "";
+    return "<section><h2>Profiles of further stretches</h2>\n" + html + "</section>\n";
 }
 
 std::string html_all_seams(const Report& report) {

@@ -30,6 +30,8 @@ std::string html_gallery(const Report& report);
 std::string html_lines(const Report& report);
 /// The worst seams, each with its measures against their limits.
 std::string html_worst_seams(const Report& report);
+/// The profiles of failing and undecided stretches that are not among the worst.
+std::string html_more_profiles(const Report& report);
 /// Findings that deserve a look without being judged.
 std::string html_looks(const Report& report);
 /// Share of the surface that the lamps reach.

@@ -14,10 +14,6 @@ Json worst(const MeasuredValue& w) {
             {"place", point(w.place)}};
 }
 
-std::string_view name_of(CurvatureFormula formula) {
-    return formula == CurvatureFormula::alias ? "alias" : "catia";
-}
-
 Json curvature(const CurvatureStep& step) {
     Json json = worst(step.worst);
     json["unit"] = "1";

@@ -61,6 +61,12 @@ dialog { border: 1px solid var(--line); border-radius: 10px; background: var(--c
   max-width: min(760px, 94vw); padding: 16px; } dialog::backdrop { background: #000a; }
 dialog img { width: 720px; max-width: 100%; border-radius: 6px; } dialog p { margin: 8px 0; }
 .combs { padding: 8px; margin-bottom: 12px; } .combs svg { display: block; width: 100%; height: auto; border-radius: 6px; }
+.profile { display: block; width: 100%; max-width: 760px; height: auto; margin-top: 12px; }
+.profile text { font-size: 11px; fill: var(--soft); } .profile path { fill: none; stroke-linejoin: round; }
+.profile .axis { stroke: var(--line); } .profile .limit { stroke: var(--fail); stroke-dasharray: 4 3; }
+.profile .value { stroke: var(--ink); stroke-width: 1.3; } .profile .b { stroke: var(--open); stroke-dasharray: 6 3; }
+.profile .beyond { fill: var(--fail); opacity: 0.16; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+.profiled { padding: 8px 16px; } .profiled summary { margin: 0; overflow-wrap: anywhere; }
 .measures { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: 8px 24px;
   margin-top: 10px; }
 .measure b { font-size: 18px; font-weight: 650; color: var(--tone); white-space: nowrap; }
