@@ -89,6 +89,7 @@ CHAMBERS = {
         "flaws": {"seams"},
         "regularity": {"basics"},
         "curvature": {"flaws", "regularity"},
+        "structure": {"seams"},
     },
     "compare": {
         "alignment": set(),

@@ -340,6 +340,23 @@ class Check(KeikoTest):
             self.assertEqual(face["radius"]["limit"], 0.5)
             self.assertGreater(curvature["singular"], 0)
 
+    def test_structure_is_judged_where_the_preset_limits_it(self):
+        path = self.folder / "poles.toml"
+        path.write_text('format = "keiko-preset/1"\nname = "poles"\n[seam]\ngap = 0.02\nangle = 0.1\n[structure]\n'
+                        "degree = 11\nknot_distance = 0.02\npatch_edge = 0.2\ndegenerate_edge = 0.02\n"
+                        "corner_angle = 2\nshort_edge = 0.02\nsmall_face = 0.02\n")
+        code, out = self.check(surface("rational-sphere.step"), "--preset", str(path), "--json", "a.json",
+                               "--sarif", "a.sarif", "--csv", "a.csv")
+        self.assertEqual(code, 1)
+        self.assertIn("the most degenerate edge of a patch of 0 mm is under the limit of 0.02 mm", out)
+        data = json.loads((self.folder / "a.json").read_text())
+        self.assertEqual(data["preset"]["structure"], {"degree": 11, "knot_distance": 0.02, "patch_edge": 0.2,
+                                                       "degenerate_edge": 0.02, "corner_angle": 2,
+                                                       "short_edge": 0.02, "small_face": 0.02})
+        self.assertEqual({finding["code"] for finding in data["findings"]}, {"G-SU-DC"})
+        self.assertEqual(faults_of_log(json.loads((self.folder / "a.sarif").read_text())), [])
+        self.assertIn(",G-SU-HD,degree,pass,2,", (self.folder / "a.csv").read_text())
+
     def test_json_is_what_report_json_holds_without_pictures(self):
         self.check(GAP, "--json", "a.json")
         data = json.loads((self.folder / "a.json").read_text())

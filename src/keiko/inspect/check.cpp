@@ -48,6 +48,23 @@ constexpr std::array criteria{
               "to that."},
     Criterion{"KEIKO-CROSSING", "", "crossing",
               "Length of a free edge beside the face that it passes through."},
+    Criterion{"G-SU-HD", "excessively_high_degree_surface", "degree",
+              "Degree of a spline surface, the larger of its two."},
+    // Neither [SASIG-PDQ] as Keiko knows it nor [ISO10303-59] names a limit of spans.
+    Criterion{"KEIKO-SPANS", "", "spans",
+              "Number of knot spans of a spline surface, the larger of its two directions."},
+    Criterion{"G-SU-IK", "indistinct_surface_knots", "knot_distance",
+              "Width in space of the narrowest knot span of a spline surface."},
+    Criterion{"G-SU-TI", "narrow_surface_patch", "patch_edge",
+              "Length of the shortest edge of a patch that is not a point."},
+    Criterion{"G-SU-DC", "nearly_degenerate_surface_boundary", "degenerate_edge",
+              "Length of the shortest edge of a patch, 0 where the edge is a point."},
+    Criterion{"G-SU-DP", "nearly_degenerate_surface_patch", "corner_angle",
+              "Angle between the edges of a patch at a corner, from 0 or 180 degrees."},
+    Criterion{"G-CU-TI", "short_length_edge", "edge_length",
+              "Length of the shortest edge that bounds a face."},
+    Criterion{"G-FA-TI", "small_area_face", "face_size",
+              "Size of a face: the diagonal of the box of its borders."},
     Criterion{"KEIKO-SYMMETRY", "", "symmetry",
               "Largest distance of a body's surface from its own mirror image."},
     Criterion{"KEIKO-LINE-JUMP", "", "line_jump",
@@ -274,6 +291,30 @@ Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::siz
     check.message += "; of " + std::to_string(lines) + (lines == 1 ? " line " : " lines ") +
                      std::to_string(failing) + " not within it";
     return check;
+}
+
+Check check_of_structure(std::string_view code, const std::optional<MeasuredValue>& worst,
+                         const char* reason) {
+    struct StructureWording {
+        std::string_view code;
+        const char* unit;
+        Wording wording;
+    };
+    static constexpr StructureWording wordings[] = {
+        {"G-SU-HD", "1", {"the degree", ""}},
+        {"KEIKO-SPANS", "1", {"the number of spans", ""}},
+        {"G-SU-IK", "mm", {"the narrowest knot span", " mm"}},
+        {"G-SU-TI", "mm", {"the shortest edge of a patch", " mm"}},
+        {"G-SU-DC", "mm", {"the most degenerate edge of a patch", " mm"}},
+        {"G-SU-DP", "deg", {"the most degenerate corner of a patch", " degrees"}},
+        {"G-CU-TI", "mm", {"the shortest edge of the face", " mm"}},
+        {"G-FA-TI", "mm", {"the size of the face", " mm"}}};
+    if (!worst) return not_judged(code, reason);
+    const auto found = std::find_if(std::begin(wordings), std::end(wordings),
+                                    [&](const StructureWording& w) { return w.code == code; });
+    if (found == std::end(wordings))
+        throw std::out_of_range("no criterion of structure " + std::string(code));
+    return judged(code, found->unit, *worst, found->wording);
 }
 
 Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane) {

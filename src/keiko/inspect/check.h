@@ -5,6 +5,7 @@
 #include "keiko/inspect/seams/seam_measure.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -86,6 +87,11 @@ Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,
 /// face. `faces`: the names of its sides. Without face.
 Check check_of_overlap(const Overlap& overlap, const CriteriaPreset& preset,
                        const std::string& faces);
+
+/// A criterion of StructureLimits, by its code, held against the worst value of a face; without it,
+/// the check is not judged and `reason` states why. Without face.
+Check check_of_structure(std::string_view code, const std::optional<MeasuredValue>& worst,
+                         const char* reason);
 
 /// Every criterion of the preset held against one measured face (number `index`), and the checks of
 /// it that deserve a look. Criteria without a limit in the preset are left out.

@@ -5,6 +5,7 @@
 #include "keiko/inspect/border_checks.h"
 #include "keiko/inspect/flaws/flaw_search.h"
 #include "keiko/inspect/seams/seam_line.h"
+#include "keiko/inspect/structure_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -156,6 +157,9 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     }
     std::vector<Check> at_borders =
         checks_at_borders(borders, result.seams, result.pieces, preset, join, job);
+    std::vector<Check> of_structure =
+        structure_checks(borders, result.faces, preset.structure, job);
+    std::move(of_structure.begin(), of_structure.end(), std::back_inserter(at_borders));
     for (const Check& check : at_borders)
         if (check.is_finding())
             result.faces[check.face].verdict =

@@ -44,7 +44,7 @@ LeastBend least_bend(const SurfaceDerivatives& s, const Vec3& normal) {
     const bool second = std::abs(k.k2) < std::abs(k.k1);
     const double least = second ? k.k2 : k.k1, most = second ? k.k1 : k.k2;
     // (II - least I) (a, b) = 0 has two rows; the longer one determines (a, b) better.
-    const Vec3 du = s.du(), dv = s.dv();
+    const Vec3 &du = s.du(), &dv = s.dv();
     const Vec2 first_row(normal.dot(s.duu()) - least * du.length2(),
                          normal.dot(s.duv()) - least * du.dot(dv));
     const Vec2 second_row(first_row.y, normal.dot(s.dvv()) - least * dv.length2());

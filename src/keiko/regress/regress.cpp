@@ -174,7 +174,7 @@ Regression merge_regressions(std::span<const fs::path> folders, const fs::path& 
     withdraw_reports(output);
     std::map<int, Regression> shards = read_shards(folders);
     require_every_shard(shards);
-    const Regression merged = joined(std::move(shards));
+    Regression merged = joined(std::move(shards));
     const FolderLock lock(output);
     write_reports(output, merged);
     return merged;

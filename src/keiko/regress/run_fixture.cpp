@@ -44,7 +44,7 @@ NamedView view_of(const Scene& scene, const std::string& asked, const FixtureSet
         setup.eyes.push_back(*eye);
         return {eye->view, eye->camera};
     }
-    const NamedView view = choose_views(scene, {&asked, 1}, 1, job).front();
+    NamedView view = choose_views(scene, {&asked, 1}, 1, job).front();
     setup.eyes.push_back({asked, view.name, view.camera});
     return view;
 }

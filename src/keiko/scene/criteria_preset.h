@@ -54,6 +54,20 @@ struct SurfaceLimits {
     bool operator==(const SurfaceLimits&) const = default;
 };
 
+/// Limits of how faces are put together from patches and edges; what is absent is not judged.
+struct StructureLimits {
+    std::optional<int> degree;             ///< G-SU-HD: largest of a spline surface, in u and in v
+    std::optional<int> spans;              ///< KEIKO-SPANS: most knot spans, in u and in v
+    std::optional<double> knot_distance;   ///< mm, G-SU-IK: least width of a knot span
+    std::optional<double> patch_edge;      ///< mm, G-SU-TI: shortest edge that is not a point
+    std::optional<double> degenerate_edge; ///< mm, G-SU-DC: shortest edge, points included
+    std::optional<double> corner_angle;    ///< degrees, G-SU-DP: from 0 and from 180
+    std::optional<double> short_edge;      ///< mm, G-CU-TI: shortest edge of a face
+    std::optional<double> small_face;      ///< mm, G-FA-TI: smallest size of a face
+
+    bool operator==(const StructureLimits&) const = default;
+};
+
 /// Limits beyond which something is reported as worth inspecting, without a part in any verdict.
 struct LookLimits {
     /// Dents, bumps and waves; by ascending windows. Used where SurfaceLimits has no such limit.
@@ -86,6 +100,7 @@ struct CriteriaPreset {
     std::optional<double> curvature_slope;                  ///< degrees, G3; nothing: not judged
     LineLimits lines{std::nullopt, 0.1, 5.7, std::nullopt}; ///< of reflection lines at seams
     SurfaceLimits surface{};                                ///< of each face by itself
+    StructureLimits structure{};                            ///< of patches and edges
     LookLimits look{};                                      ///< of what is worth inspecting
 
     /// The limits by which dents and waves are searched for: those that are judged, else the

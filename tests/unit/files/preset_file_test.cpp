@@ -158,6 +158,18 @@ TEST(PresetFile, HoldsLimitsOfFaces) {
     EXPECT_EQ(preset_by_name("class-a-outer").surface, SurfaceLimits{});
 }
 
+TEST(PresetFile, HoldsLimitsOfStructure) {
+    const StructureLimits printed{11, std::nullopt, 0.02, 0.2, 0.02, 2, 0.02, 0.02};
+    EXPECT_EQ(preset_by_name("vda-4955").structure, printed);
+    EXPECT_EQ(preset_by_name("class-a-outer").structure, StructureLimits{});
+    const std::string text =
+        "format = \"keiko-preset/1\"\nname = \"x\"\n[seam]\ngap = 1\nangle = "
+        "1\n[structure]\nspans = 4\n";
+    EXPECT_EQ(parse_preset(text, "p.toml").structure.spans, 4);
+    EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\n[structure]\nspan = 4\n"),
+              "p.toml:7:1: unknown key 'structure.span' (did you mean 'spans'?)");
+}
+
 /// The default one reports dents and waves that it does not judge.
 TEST(PresetFile, HoldsWhatIsWorthALook) {
     const std::vector<WavinessLimit> limits{{0.01, 100}};

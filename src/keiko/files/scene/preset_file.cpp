@@ -15,6 +15,7 @@ namespace {
 constexpr TomlLimits lengths{.low = 0, .high = 1e6, .above_low = true};
 constexpr TomlLimits negligible_lengths{.low = 1e-3, .high = 1e3};
 constexpr TomlLimits angles{.low = 0, .high = 180, .above_low = true};
+constexpr TomlLimits corner_angles{.low = 0, .high = 90, .above_low = true};
 constexpr TomlLimits shares{.low = 0, .high = 2, .above_low = true};
 
 CurvatureLimit curvature_from(const TomlTable& table) {
@@ -105,6 +106,21 @@ SurfaceLimits surface_limits_from(const TomlTable& table) {
     return limits;
 }
 
+StructureLimits structure_limits_from(const TomlTable& table) {
+    constexpr int most_degree = 100, most_spans = 1000000;
+    StructureLimits limits;
+    limits.degree = table.integer("degree", 1, most_degree);
+    limits.spans = table.integer("spans", 1, most_spans);
+    limits.knot_distance = table.number("knot_distance", lengths);
+    limits.patch_edge = table.number("patch_edge", lengths);
+    limits.degenerate_edge = table.number("degenerate_edge", lengths);
+    limits.corner_angle = table.number("corner_angle", corner_angles);
+    limits.short_edge = table.number("short_edge", lengths);
+    limits.small_face = table.number("small_face", lengths);
+    table.finish();
+    return limits;
+}
+
 LookLimits look_limits_from(const TomlTable& table) {
     LookLimits limits;
     limits.waviness = waviness_limits_from(table);
@@ -133,6 +149,8 @@ CriteriaPreset parse_preset(std::string_view text, const std::string& source) {
     const auto lines = root.table("lines");
     preset.lines = lines ? line_limits_from(*lines) : LineLimits{};
     if (const auto surface = root.table("surface")) preset.surface = surface_limits_from(*surface);
+    if (const auto structure = root.table("structure"))
+        preset.structure = structure_limits_from(*structure);
     if (const auto look = root.table("look")) {
         preset.look = look_limits_from(*look);
         if (!preset.look.waviness.empty() && !preset.surface.waviness.empty())

@@ -36,7 +36,7 @@ PixelArea rectangle_part(const Vec2& corner, const Vec2& size) {
 }
 
 PixelArea polygon_part(std::span<const Vec2> corners) {
-    const Vec2 origin = corners[0];
+    const Vec2& origin = corners[0];
     double area = 0, xx = 0, xy = 0, yy = 0;
     Vec2 first(0);
     for (std::size_t i = 2; i < corners.size(); ++i) {

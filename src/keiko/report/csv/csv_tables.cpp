@@ -28,7 +28,7 @@ std::string csv_quoted(std::string_view text) {
 }
 
 std::string field(std::string_view any_text) {
-    const std::string text = as_utf8(any_text);
+    std::string text = as_utf8(any_text);
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     return csv_quoted(text);
 }

@@ -53,7 +53,7 @@ std::string row(const Report& report, std::size_t rank, const CrossingPlace& pla
 
 /// The columns with their limits.
 std::vector<std::string> headings(const LineLimits& limits) {
-    const auto with = [](std::string name, const std::optional<double>& limit) {
+    const auto with = [](const std::string& name, const std::optional<double>& limit) {
         return limit ? name + " ≤ " + short_number(*limit) : name;
     };
     return {"#",

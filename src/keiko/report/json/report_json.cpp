@@ -150,6 +150,20 @@ Json waviness_json(const WavinessLimit& limit) {
     return {{"depth", limit.depth}, {"window", limit.window}, {"waves_only", limit.waves_only}};
 }
 
+/// The limits that the preset has.
+Json structure_json(const StructureLimits& limits) {
+    Json json = Json::object();
+    if (limits.degree) json["degree"] = *limits.degree;
+    if (limits.spans) json["spans"] = *limits.spans;
+    if (limits.knot_distance) json["knot_distance"] = *limits.knot_distance;
+    if (limits.patch_edge) json["patch_edge"] = *limits.patch_edge;
+    if (limits.degenerate_edge) json["degenerate_edge"] = *limits.degenerate_edge;
+    if (limits.corner_angle) json["corner_angle"] = *limits.corner_angle;
+    if (limits.short_edge) json["short_edge"] = *limits.short_edge;
+    if (limits.small_face) json["small_face"] = *limits.small_face;
+    return json;
+}
+
 Json preset_json(const CriteriaPreset& preset) {
     Json json = {{"name", preset.name},
                  {"source", preset.source},
@@ -176,6 +190,7 @@ Json preset_json(const CriteriaPreset& preset) {
     if (preset.look.symmetry) json["look"]["symmetry"] = *preset.look.symmetry;
     if (const auto& symmetry = preset.surface.symmetry)
         json["symmetry"] = {{"plane", symmetry->plane.text()}, {"distance", symmetry->distance}};
+    if (preset.structure != StructureLimits{}) json["structure"] = structure_json(preset.structure);
     return json;
 }
 
