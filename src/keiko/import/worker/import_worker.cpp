@@ -226,8 +226,7 @@ fs::path installed_worker(const fs::path& folder) {
     if (fs::is_regular_file(beside, unknown)) return beside;
     const fs::path prefix = folder.parent_path();
     for (const fs::path& above : {prefix, prefix.parent_path()})
-        if (fs::path file = above / "libexec/keiko" / name;
-            fs::is_regular_file(file, unknown))
+        if (fs::path file = above / "libexec/keiko" / name; fs::is_regular_file(file, unknown))
             return file;
     return beside;
 }

@@ -167,8 +167,7 @@ std::optional<NormalBreak> break_about(const NormalPatch& patch, const Box2& box
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const Normal &a = normals[i], &b = normals[(i + 1) % normals.size()];
         if (!(a.unit.dot(b.unit) < 0)) continue;
-        if (auto over = turn_between(patch, {a.uv, b.uv}, around, near, is_material))
-            return over;
+        if (auto over = turn_between(patch, {a.uv, b.uv}, around, near, is_material)) return over;
     }
     const double wide = largest_turn(normals);
     const double close = largest_turn(ring(patch, place, reach / 4, is_material));
