@@ -159,7 +159,7 @@ TEST(PresetFile, HoldsLimitsOfFaces) {
 }
 
 TEST(PresetFile, HoldsLimitsOfStructure) {
-    const StructureLimits printed{11, std::nullopt, 0.02, 0.2, 0.02, 2, 0.02, 0.02};
+    const StructureLimits printed{11, std::nullopt, 0.02, 0.2, std::nullopt, 2, 0.02, 0.02};
     EXPECT_EQ(preset_by_name("vda-4955").structure, printed);
     EXPECT_EQ(preset_by_name("class-a-outer").structure, StructureLimits{});
     const std::string text =
