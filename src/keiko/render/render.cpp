@@ -5,7 +5,6 @@
 #include "keiko/render/antialias/tile_lighting.h"
 #include "keiko/render/tiles.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -70,7 +69,7 @@ HitStatistics render_tile(const Integrator& integrator, const PictureRays& eye, 
     RefinedPixels refined = refine_outlines(integrator, eye, tile, options.edge_samples, view);
     view = without_border(std::move(view), tile.width() + 2); // which shows the neighbours
     add_tile_light(integrator, tile.width(), options.light_error, view, refined);
-    HitStatistics paths = write_samples(view.samples, 0, tile, film);
+    HitStatistics paths = write_samples(view.samples, tile, film);
     write_parts(refined, tile, film);
     paths += refined.paths;
     return paths;

@@ -133,17 +133,12 @@ TileRays grid_of(const PictureRays& eye, const Tile& tile) {
     return grid;
 }
 
-HitStatistics write_samples(std::span<const PixelSample> samples, int border, const Tile& tile,
-                            Film& film) {
-    const auto width = static_cast<std::size_t>(tile.width()),
-               beside = static_cast<std::size_t>(border), stride = width + 2 * beside;
+HitStatistics write_samples(std::span<const PixelSample> samples, const Tile& tile, Film& film) {
+    const auto width = static_cast<std::size_t>(tile.width());
     HitStatistics paths;
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        const std::size_t row = static_cast<std::size_t>(y - tile.y0 + border);
-        const auto pixels = samples.subspan(row * stride + beside, width);
-        for (const PixelSample& sample : pixels) paths += sample.paths;
-        write_row(film, tile.x0, y, pixels);
-    }
+    for (const PixelSample& sample : samples) paths += sample.paths;
+    for (int y = tile.y0; y < tile.y1; ++y, samples = samples.subspan(width))
+        write_row(film, tile.x0, y, samples.first(width));
     return paths;
 }
 

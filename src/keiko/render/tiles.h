@@ -74,10 +74,8 @@ void write_row(Film& film, int x, int y, std::span<const PixelSample> samples);
 void write_mean(Film& film, int x, int y, std::span<const PixelSample> samples,
                 std::span<const double> shares);
 
-/// Writes the pixels of a tile, from samples of it and of `border` more on all sides. Returns the
-/// statistics of the hits of the tile's own pixels.
-HitStatistics write_samples(std::span<const PixelSample> samples, int border, const Tile& tile,
-                            Film& film);
+/// Writes the pixels of a tile, one sample each, row by row. Returns the statistics of their hits.
+HitStatistics write_samples(std::span<const PixelSample> samples, const Tile& tile, Film& film);
 /// Writes the pixels of a tile whose rays miss the scene.
 void write_unseen(const Integrator& integrator, const Tile& tile, Film& film);
 

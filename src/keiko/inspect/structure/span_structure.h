@@ -25,7 +25,7 @@ struct SpanStructure {
 bool has_spans(const Face& face);
 
 /// Measures the spans that a face reaches into, as its instance places them
-/// (docs/theory/verdict.md). Requires has_spans.
+/// (docs/theory/structure.md). Requires has_spans.
 SpanStructure span_structure(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face,
                              const StructureLimits& limits);
 

@@ -1,6 +1,7 @@
 #include "keiko/render/lighting/unshadowed_light.h"
 
 #include "keiko/math/bounds.h"
+#include "keiko/math/disjoint_sets.h"
 #include "keiko/render/lighting/error_budget.h"
 #include "keiko/render/lighting/quadratic_fit.h"
 
@@ -32,8 +33,7 @@ using Places = std::vector<std::size_t>; ///< numbers of places, rising
 class SmoothRegions {
 public:
     explicit SmoothRegions(std::span<const LitPlace> places)
-        : places_(places), parent_(places.size()) {
-        for (std::size_t i = 0; i < parent_.size(); ++i) parent_[i] = i;
+        : places_(places), sets_(places.size()) {
         for (const LitPlace& place : places) {
             width_ = std::max(width_, place.pixel.x + 1);
             height_ = std::max(height_, place.pixel.y + 1);
@@ -65,28 +65,21 @@ private:
     }
     void join(const Places& a, const Places& b) {
         for (const std::size_t i : a)
-            for (const std::size_t j : b) {
-                const std::size_t first = root(i), second = root(j);
-                if (first == second ||
-                    !is_same_surface(places_[i].point->place, places_[j].point->place))
-                    continue;
-                parent_[std::max(first, second)] = std::min(first, second);
-            }
-    }
-    std::size_t root(std::size_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
+            for (const std::size_t j : b)
+                if (sets_.root(i) != sets_.root(j) &&
+                    is_same_surface(places_[i].point->place, places_[j].point->place))
+                    sets_.join(i, j);
     }
     std::vector<Places> sets() {
         std::vector<Places> of_root(places_.size());
-        for (std::size_t i = 0; i < places_.size(); ++i) of_root[root(i)].push_back(i);
+        for (std::size_t i = 0; i < places_.size(); ++i) of_root[sets_.root(i)].push_back(i);
         std::erase_if(of_root, [](const Places& set) { return set.empty(); });
         return of_root;
     }
 
     std::span<const LitPlace> places_;
-    std::vector<std::size_t> parent_; ///< of the same set, with a lower number
-    int width_ = 0, height_ = 0;      ///< px
+    DisjointSets sets_;
+    int width_ = 0, height_ = 0; ///< px
 };
 
 /// Positions of a region's places on the plane across the mean of their normals, -1 to 1.

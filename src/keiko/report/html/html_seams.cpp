@@ -1,5 +1,6 @@
 #include "keiko/base/units.h"
 #include "keiko/inspect/seams/curvature_match.h"
+#include "keiko/inspect/seams/seam_quantities.h"
 #include "keiko/report/content/profiles_text.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
@@ -112,8 +113,7 @@ std::string profile_of(const Report& report, std::uint32_t index) {
         std::find_if(report.profiles.begin(), report.profiles.end(),
                      [index](const SeamProfile& profile) { return profile.seam == index; });
     if (found == report.profiles.end()) return "";
-    const auto& judged = report.inspection.preset.curvature;
-    return profile_svg(*found, judged.value_or(CurvatureLimit{}).formula);
+    return profile_svg(*found, SeamQuantities(report.inspection.preset).curvature_limit().formula);
 }
 
 std::string seam_card(const Report& report, std::size_t rank, std::uint32_t index) {

@@ -1,4 +1,5 @@
 #include "keiko/inspect/seams/curvature_match.h"
+#include "keiko/inspect/seams/seam_quantities.h"
 #include "keiko/report/content/profiles_text.h"
 #include "keiko/report/markup/json_text.h"
 
@@ -26,7 +27,7 @@ Json quantity_json(const std::optional<ProfileQuantity>& quantity, const char* u
 Json curvature_json(const SeamProfile& profile, const CriteriaPreset& preset) {
     Json json = quantity_json(profile.curvature, "1");
     if (json.is_null()) return json;
-    const CurvatureFormula formula = preset.curvature.value_or(CurvatureLimit{}).formula;
+    const CurvatureFormula formula = SeamQuantities(preset).curvature_limit().formula;
     json["formula"] = name_of(formula);
     json["formula_text"] = formula_text(formula);
     return json;
