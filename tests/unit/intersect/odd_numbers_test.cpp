@@ -46,6 +46,23 @@ TEST(AxisParallelRays, GoThroughACubeWithZerosOfEitherSign) {
                     }
 }
 
+/// Nearly parallel rays of one packet, of which some miss the ball around the scene: those have no
+/// start in it, and no processor may trace them.
+TEST(CoherentPackets, HoldRaysThatMissTheScene) {
+    const Tracer tracer(cube());
+    std::vector<Ray> rays;
+    for (int i = 0; i < 64; ++i)
+        rays.push_back(ray_through(Vec3(4.0 + 2 * (i % 16), 4, -700), Vec3(1e-3 * i, 0, 1)));
+    const auto hits = tracer.nearest(rays);
+    std::size_t met = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_EQ(hits[i].has_value(), tracer.nearest(rays[i]).has_value()) << i;
+        met += hits[i].has_value();
+    }
+    EXPECT_GT(met, 3U);
+    EXPECT_LT(met, 32U);
+}
+
 /// Components too small to move a ray by anything change nothing, and raise no fuss.
 TEST(Denormals, InARayAreAsGoodAsZero) {
     const Tracer tracer(ShapeBuilder().face({rectangle(0, 10, 0, 20, 5)}).model());

@@ -30,6 +30,9 @@ struct Search : RTCIntersectContext {
     std::exception_ptr failure;
 };
 
+/// Far end of a ray that has ended.
+constexpr float ended = -std::numeric_limits<float>::infinity();
+
 /// The nearest single numbers that leave no distance out. Ends of 0 and below are kept at 0,
 /// where Embree wants them; a lane that has ended stays so.
 float near_end(double low) {
@@ -37,7 +40,7 @@ float near_end(double low) {
 }
 float far_end(double high) {
     if (high > 0) return static_cast<float>(high) * (1 + 0x1p-23F);
-    return high == -std::numeric_limits<double>::infinity() ? static_cast<float>(high) : 0.0F;
+    return high == -std::numeric_limits<double>::infinity() ? ended : 0.0F;
 }
 
 /// mm along a ray to where Embree's own begins: it knows no distances below 0, and a ray may be
@@ -80,7 +83,7 @@ void on_intersect(const RTCIntersectFunctionNArguments* arguments) {
         const std::size_t lane = RTCRayN_id(rays, count, i);
         if (arguments->valid[i] == 0 || (changed >> lane & 1) == 0) continue;
         RTCRayN_tfar(rays, count, i) =
-            search.failure ? -std::numeric_limits<float>::infinity()
+            search.failure ? ended
                            : far_end(search.rays->high[lane] - begin_of(*search.rays, lane));
     }
 }
@@ -169,26 +172,29 @@ void trace_single(RTCScene scene, Search& search, const Vec3& center, std::size_
     rtcIntersect1(scene, &search, &query);
 }
 
+/// Traces the active rays. Processors without vectors of 16 lanes read the others as well, and take
+/// those that have not ended for active.
 void trace_packet(RTCScene scene, Search& search, const Vec3& center) {
     const RayPacket& rays = *search.rays;
     RTCRayHit16 query;
     alignas(64) int valid[RayPacket::capacity];
+    const auto is_active = [&](std::size_t i) { return (rays.active >> i & 1) != 0; };
     RayPacket::Lanes<double> begin;
     for (std::size_t i = 0; i < RayPacket::capacity; ++i) begin[i] = begin_of(rays, i);
     const auto set = [&](std::size_t k, double middle, float* origin, float* direction) {
         for (std::size_t i = 0; i < RayPacket::capacity; ++i) {
-            origin[i] =
-                static_cast<float>(rays.start[k][i] + rays.direction[k][i] * begin[i] - middle);
-            direction[i] = static_cast<float>(rays.direction[k][i]);
+            const double start = rays.start[k][i] + rays.direction[k][i] * begin[i] - middle;
+            origin[i] = is_active(i) ? static_cast<float>(start) : 0.0F;
+            direction[i] = is_active(i) ? static_cast<float>(rays.direction[k][i]) : 0.0F;
         }
     };
     set(0, center.x, query.ray.org_x, query.ray.dir_x);
     set(1, center.y, query.ray.org_y, query.ray.dir_y);
     set(2, center.z, query.ray.org_z, query.ray.dir_z);
     for (unsigned i = 0; i < RayPacket::capacity; ++i) {
-        valid[i] = (rays.active >> i & 1) != 0 ? -1 : 0;
-        query.ray.tnear[i] = near_end(rays.low[i] - begin[i]);
-        query.ray.tfar[i] = far_end(rays.high[i] - begin[i]);
+        valid[i] = is_active(i) ? -1 : 0;
+        query.ray.tnear[i] = is_active(i) ? near_end(rays.low[i] - begin[i]) : 0.0F;
+        query.ray.tfar[i] = is_active(i) ? far_end(rays.high[i] - begin[i]) : ended;
         query.ray.time[i] = 0;
         query.ray.mask[i] = 0xffffffff;
         query.ray.id[i] = i;
