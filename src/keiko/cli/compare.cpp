@@ -2,8 +2,8 @@
 
 #include "keiko/api/results.h"
 #include "keiko/base/error.h"
-#include "keiko/base/file_transaction.h"
 #include "keiko/base/log.h"
+#include "keiko/base/output_folder.h"
 #include "keiko/base/text.h"
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"

@@ -2,7 +2,7 @@
 
 #include "keiko/api/check.h"
 #include "keiko/api/place.h"
-#include "keiko/base/file_transaction.h"
+#include "keiko/base/output_folder.h"
 
 #include <CLI/App.hpp>
 

@@ -1,8 +1,7 @@
-#include "keiko/base/file_transaction.h"
-
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
+#include "keiko/base/output_folder.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/inspect/inspection.h"
-#include "keiko/inspect/structure/curve_length.h"
 #include "keiko/inspect/structure/span_structure.h"
 
 #include "tests/support/analytic_models.h"

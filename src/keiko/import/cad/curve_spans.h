@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/bezier/parameter_map.h"
 #include "keiko/math/vec.h"
 
@@ -93,20 +94,6 @@ std::vector<P> bezier_segment(const std::vector<P>& points, double a, double b) 
         segment.push_back(work.front());
     }
     return segment;
-}
-
-/// Both halves of a Bezier curve (de Casteljau).
-template <class P>
-std::array<std::vector<P>, 2> bezier_halves(std::vector<P> points) {
-    const std::size_t degree = points.size() - 1;
-    std::array<std::vector<P>, 2> halves{points, points};
-    for (std::size_t level = 1; level <= degree; ++level) {
-        for (std::size_t i = 0; i + level <= degree; ++i)
-            points[i] = (points[i] + points[i + 1]) * 0.5;
-        halves[0][level] = points.front();
-        halves[1][degree - level] = points[degree - level];
-    }
-    return halves;
 }
 
 /// Two values of a parameter that may be taken as one, relative to the range they lie in.

@@ -29,4 +29,8 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> of_;
 };
 
+/// A model of some placed faces of another, without its edges: each is a part of its own, placed
+/// once, in the order given.
+SurfaceModel placed_subset(const SurfaceModel& model, std::span<const PlacedFace> faces);
+
 } // namespace keiko

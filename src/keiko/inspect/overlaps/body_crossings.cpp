@@ -4,9 +4,7 @@
 #include "keiko/geometry/bvh/box_tree.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/openings/bodies.h"
-#include "keiko/inspect/overlaps/border_passage.h"
 #include "keiko/inspect/overlaps/face_inside.h"
-#include "keiko/inspect/overlaps/placed_subset.h"
 #include "keiko/intersect/traversal/tracer.h"
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/bezier/parameter_metric.h"
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/openings/free_edges.h"
+#include "keiko/intersect/hit/hit.h"
 
 #include <optional>
 
@@ -32,5 +34,16 @@ private:
     std::optional<TrimRegion> trims_; ///< made on first use
     Box2 domain_;                     ///< face parameters of all patches
 };
+
+/// The way of a border through a face that it meets at `hit`, `way` mm along the border.
+struct BorderPassage {
+    /// It leaves the tangent plane by more than half of `join` on both sides, within `join` / 2
+    /// over sin `parallel_borders` of the hit.
+    bool is_through = false;
+    double length = 0; ///< mm of that way within `join` of the tangent plane
+};
+
+/// `join` in mm.
+BorderPassage border_passage(const FreeEdge& border, double way, const Hit& hit, double join);
 
 } // namespace keiko

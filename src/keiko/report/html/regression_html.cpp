@@ -2,7 +2,6 @@
 #include "keiko/report/content/regression.h"
 #include "keiko/report/markup/html_page.h"
 #include "keiko/report/markup/html_text.h"
-#include "keiko/report/markup/picture_slider.h"
 
 namespace keiko {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/placement/placement.h"
-#include "keiko/placement/registered_hits.h"
+#include "keiko/placement/best_view.h"
 
 #include <span>
 #include <string>

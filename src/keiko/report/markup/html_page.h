@@ -15,4 +15,20 @@ std::string html_page(std::string_view title, std::string_view more_style, std::
 /// close-up itself.
 extern const std::string_view report_script;
 
+/// Style of html_slider, for the page's style sheet.
+extern const std::string_view slider_style;
+
+/// Pictures of a slider, each the bytes of a PNG file or empty for none.
+struct SliderPictures {
+    std::string_view before;     ///< the picture at the left of the slider
+    std::string_view after;      ///< the picture at the right of the slider
+    std::string_view difference; ///< the picture beside both
+    int width = 0;               ///< pixels, of all three
+    int height = 0;              ///< pixels, of all three
+};
+
+/// Two pictures on top of each other with a slider that sets how much of the latter is visible, and
+/// beside them their difference; a single picture if one is missing.
+std::string html_slider(const SliderPictures& pictures, const std::string& title);
+
 } // namespace keiko
