@@ -2,8 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/basics/placed_face.h"
-#include "keiko/inspect/structure/border_structure.h"
-#include "keiko/inspect/structure/span_structure.h"
+#include "keiko/inspect/structure/face_structure.h"
 
 #include <iterator>
 

@@ -1,6 +1,6 @@
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/inspect/inspection.h"
-#include "keiko/inspect/structure/span_structure.h"
+#include "keiko/inspect/structure/face_structure.h"
 
 #include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "keiko/inspect/structure/border_structure.h"
+#include "keiko/inspect/structure/face_structure.h"
 
 #include <algorithm>
 #include <vector>

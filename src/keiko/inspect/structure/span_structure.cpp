@@ -1,8 +1,7 @@
-#include "keiko/inspect/structure/span_structure.h"
-
 #include "keiko/base/units.h"
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/inspect/basics/placed_face.h"
+#include "keiko/inspect/structure/face_structure.h"
 
 #include <algorithm>
 #include <array>
