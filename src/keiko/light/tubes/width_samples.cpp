@@ -269,7 +269,7 @@ void hide_ends_and_middles(const LampWidth& width, bool part_by_part, std::span<
         for (std::size_t k = 0; k < part.seen.size(); ++k) {
             if (is_asked(part, k))
                 part.seen[k] = *next++;
-            else if (k == 0 && part.begins_where_last_ends)
+            else if (k == 0 && last && part.begins_where_last_ends)
                 part.seen[k] = last->seen.back();
             if (part.seen[k]) hide_slice(width, Slices::ends_and_middle[k], *part.seen[k], part);
             all = all && part.seen[k];

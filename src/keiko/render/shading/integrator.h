@@ -67,8 +67,8 @@ public:
 private:
     /// Sample that the light of a ray goes to, and its weight there.
     struct PathState {
-        std::size_t sample;
-        Rgb weight;
+        std::size_t sample = 0;
+        Rgb weight{0};
     };
 
     /// Rays to trace, of the same depth, each with its path.

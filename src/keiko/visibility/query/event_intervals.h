@@ -37,7 +37,7 @@ class IntervalClasses {
 public:
     /// Adds a segment's gaps; returns the number of the first of them, the others follow. `plane`
     /// must stay where it is until classify() is done.
-    std::size_t add(const SegmentPlane& plane, std::vector<EventInterval> gaps);
+    std::size_t add(const SegmentPlane& plane, std::span<const EventInterval> gaps);
     /// Puts the groups of two gaps together.
     void join(std::size_t a, std::size_t b) { leader_[root(a)] = root(b); }
     /// Asks for all groups at once.
@@ -91,7 +91,7 @@ inline std::vector<EventInterval> event_intervals(std::vector<VisibilityEvent>& 
 }
 
 inline std::size_t IntervalClasses::add(const SegmentPlane& plane,
-                                        std::vector<EventInterval> gaps) {
+                                        std::span<const EventInterval> gaps) {
     const std::size_t first = gaps_.size();
     for (const EventInterval& gap : gaps) {
         leader_.push_back(gaps_.size());
