@@ -1,4 +1,4 @@
-#include "keiko/geometry/bezier/bezier.h"
+#include "keiko/geometry/bezier/space_curve.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/inspect/structure/face_structure.h"
 

@@ -130,37 +130,4 @@ Box3 hull_bounds(const BezierPatchView& patch) {
     return box;
 }
 
-namespace {
-
-double polygon_length(const CurvePoints& curve) {
-    double length = 0;
-    for (std::size_t i = 1; i < curve.size(); ++i)
-        length += (euclidean(curve[i]) - euclidean(curve[i - 1])).length();
-    return length;
-}
-
-LengthRange range_of(const CurvePoints& curve, int halvings) {
-    constexpr double precision = 1e-6; // of the length: far finer than any limit of it
-    const LengthRange whole{chord_length(curve), polygon_length(curve)};
-    if (halvings == 0 || !(whole.most - whole.least > precision * whole.most)) return whole;
-    const auto [left, right] = bezier_halves(curve);
-    const LengthRange a = range_of(left, halvings - 1), b = range_of(right, halvings - 1);
-    return {a.least + b.least, a.most + b.most};
-}
-
-} // namespace
-
-double chord_length(const CurvePoints& curve) {
-    return (euclidean(curve.back()) - euclidean(curve.front())).length();
-}
-
-LengthRange curve_length(const CurvePoints& curve) {
-    constexpr int most_halvings = 10;
-    return range_of(curve, most_halvings);
-}
-
-Vec3 curve_middle(const CurvePoints& curve) {
-    return euclidean(bezier_halves(curve)[1].front());
-}
-
 } // namespace keiko

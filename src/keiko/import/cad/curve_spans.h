@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/bezier/parameter_map.h"
+#include "keiko/geometry/bezier/space_curve.h"
 #include "keiko/math/vec.h"
 
 #include <Geom2d_Curve.hxx>

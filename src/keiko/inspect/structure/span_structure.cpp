@@ -1,5 +1,5 @@
 #include "keiko/base/units.h"
-#include "keiko/geometry/bezier/bezier.h"
+#include "keiko/geometry/bezier/space_curve.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/structure/face_structure.h"
 
