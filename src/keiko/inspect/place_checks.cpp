@@ -1,0 +1,122 @@
+#include "keiko/inspect/check_sentence.h"
+#include "keiko/inspect/openings/opening.h"
+#include "keiko/inspect/overlaps/overlap.h"
+#include "keiko/inspect/seams/narrow_faces.h"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+namespace keiko {
+
+Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::size_t lines,
+                     std::size_t failing) {
+    struct LineWording {
+        std::string_view code;
+        const char* unit;
+        Wording wording;
+    };
+    static constexpr LineWording wordings[] = {
+        {"KEIKO-LINE-JUMP", "mm", {"the jump of a line", " mm"}},
+        {"KEIKO-LINE-TURN", "deg", {"the turn of a line", " degrees"}},
+        {"KEIKO-LINE-KINK", "deg", {"the kink of a line", " degrees"}},
+        {"KEIKO-LINE-BEND", "1/mm", {"the change of a line's curvature", " /mm"}}};
+    const auto found = std::find_if(std::begin(wordings), std::end(wordings),
+                                    [&](const LineWording& w) { return w.code == code; });
+    if (found == std::end(wordings))
+        throw std::out_of_range("no criterion of lines " + std::string(code));
+    Check check = judged_check(code, found->unit, worst, found->wording);
+    check.message += "; of " + std::to_string(lines) + (lines == 1 ? " line " : " lines ") +
+                     std::to_string(failing) + " not within it";
+    return check;
+}
+
+Check check_of_structure(std::string_view code, const std::optional<MeasuredValue>& worst,
+                         const char* reason) {
+    struct StructureWording {
+        std::string_view code;
+        const char* unit;
+        Wording wording;
+    };
+    static constexpr StructureWording wordings[] = {
+        {"G-SU-HD", "1", {"the degree", ""}},
+        {"KEIKO-SPANS", "1", {"the number of spans", ""}},
+        {"G-SU-IK", "mm", {"the narrowest knot span", " mm"}},
+        {"G-SU-TI", "mm", {"the shortest edge of a patch", " mm"}},
+        {"G-SU-DC", "mm", {"the most degenerate edge of a patch", " mm"}},
+        {"G-SU-DP", "deg", {"the most degenerate corner of a patch", " degrees"}},
+        {"G-CU-TI", "mm", {"the shortest edge of the face", " mm"}},
+        {"G-FA-TI", "mm", {"the size of the face", " mm"}}};
+    if (!worst) return unjudged_check(code, reason);
+    const auto found = std::find_if(std::begin(wordings), std::end(wordings),
+                                    [&](const StructureWording& w) { return w.code == code; });
+    if (found == std::end(wordings))
+        throw std::out_of_range("no criterion of structure " + std::string(code));
+    return judged_check(code, found->unit, *worst, found->wording);
+}
+
+Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane) {
+    const std::string what = "the deviation from the mirror image at " + plane;
+    return judged_check("KEIKO-SYMMETRY", "mm", worst, {what.c_str(), " mm"});
+}
+
+Check check_of_kink(const NarrowFace& narrow, const CriteriaPreset& preset,
+                    const std::string& neighbours) {
+    const MeasuredValue worst{narrow.angle, 0, preset.angle, narrow.place, Verdict::fail};
+    Check check = judged_check("G-SU-NT", "deg", worst, {"the angle across a strip", " degrees"});
+    check.message += "; the strip is " + short_number(narrow.width) + " mm wide and some " +
+                     short_number(narrow.length) + " mm long, between " + neighbours;
+    return check;
+}
+
+Check check_of_narrow(const NarrowFace& narrow, double join, const std::string& neighbours) {
+    MeasuredValue worst{narrow.width, 0, join, narrow.place, Verdict::fail};
+    worst.at_least = true;
+    Check check =
+        judged_check("G-SU-NA", "mm", worst, {"the width of a strip beside a crease", " mm"});
+    check.message += ", some " + short_number(narrow.length) + " mm long; across it " + neighbours +
+                     " step by " + short_number(narrow.step) + " mm and turn by " +
+                     short_number(narrow.angle) + " degrees";
+    check.severity = Check::Severity::look;
+    return check;
+}
+
+Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,
+                       const std::string& faces) {
+    MeasuredValue worst{opening.width, opening.width_bound, preset.gap, opening.place};
+    worst.verdict = judge(worst.value, worst.bound, worst.limit);
+    Check check =
+        judged_check("KEIKO-OPENING", "mm", worst, {"the opening between free edges", " mm"});
+    check.message += opening.goes_on ? ", more than " : ", some ";
+    check.message += short_number(opening.length) + " mm long";
+    check.severity = Check::Severity::look;
+    check.faces = faces;
+    return check;
+}
+
+Check check_of_overlap(const Overlap& overlap, const CriteriaPreset& preset,
+                       const std::string& faces) {
+    struct OverlapWording {
+        const char *code, *what;
+    };
+    static constexpr OverlapWording lap{"KEIKO-OVERLAP", "the overlapping edge"};
+    static constexpr OverlapWording tee{"KEIKO-TEE", "the edge that stands on the other face"};
+    static constexpr OverlapWording crossing{"KEIKO-CROSSING",
+                                             "the edge that passes through the other face"};
+    const OverlapWording& of = overlap.kind == Overlap::Kind::lap   ? lap
+                               : overlap.kind == Overlap::Kind::tee ? tee
+                                                                    : crossing;
+    MeasuredValue worst{overlap.length, overlap.length_bound, preset.negligible, overlap.place};
+    worst.verdict = judge(worst.value, worst.bound, worst.limit);
+    Check check = judged_check(of.code, "mm", worst, {of.what, " mm"});
+    if (overlap.kind != Overlap::Kind::crossing)
+        check.message += "; up to " + short_number(overlap.depth) +
+                         " mm inside the other's borders, " + short_number(overlap.distance) +
+                         " mm from it";
+    check.message += ", at " + short_number(overlap.angle) + " degrees to it";
+    check.severity = Check::Severity::look;
+    check.faces = faces;
+    return check;
+}
+
+} // namespace keiko
