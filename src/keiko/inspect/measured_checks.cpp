@@ -1,5 +1,3 @@
-#include "keiko/inspect/check.h"
-
 #include "keiko/inspect/check_sentence.h"
 #include "keiko/inspect/seams/curvature_match.h"
 
