@@ -184,7 +184,7 @@ TEST_F(CadLosses, NoFaceThatNoShapeRefersTo) {
     });
     expect(model, 12, 0, "");
     ASSERT_FALSE(model.diagnostics.empty());
-    EXPECT_EQ(model.diagnostics[0].text,
+    EXPECT_EQ(model.diagnostics[0].message,
               "1 face entities that no shape of the file refers to gave no face: #90000");
 }
 

@@ -66,6 +66,7 @@ bool states_shape(const Entity& entity) {
 class StepLossReader {
     using Usage = opencascade::handle<StepRepr_NextAssemblyUsageOccurrence>;
     using Placement = opencascade::handle<StepShape_ContextDependentShapeRepresentation>;
+    using Movement = opencascade::handle<StepRepr_RepresentationRelationshipWithTransformation>;
 
 public:
     StepLossReader(const opencascade::handle<XSControl_WorkSession>& session,
@@ -199,11 +200,10 @@ private:
         if (relation.IsNull()) return; // its occurrence has no shape
         const bool is_known = !usage.IsNull() && !usage->Definition().Value().IsNull() &&
                               !usage->Definition().ProductDefinitionRelationship().IsNull();
-        const auto transformed =
-            opencascade::handle<StepRepr_RepresentationRelationshipWithTransformation>::DownCast(
-                relation);
-        const bool is_moved =
-            transformed.IsNull() || !transformed->TransformationOperator().Value().IsNull();
+        const auto moving = Movement::DownCast(relation);
+        const Entity way =
+            moving.IsNull() ? Entity(relation) : moving->TransformationOperator().Value();
+        const bool is_moved = !way.IsNull() && !is_a<StepData_UndefinedEntity>(way);
         std::set<const Standard_Transient*> seen;
         if (!is_known || !is_moved)
             lose_representation(relation->Rep1(), "has no known place by " + label(placement),
@@ -248,9 +248,7 @@ private:
             const auto relation =
                 opencascade::handle<StepRepr_ShapeRepresentationRelationship>::DownCast(
                     user.Value());
-            if (relation.IsNull() ||
-                is_a<StepRepr_RepresentationRelationshipWithTransformation>(relation))
-                continue;
+            if (relation.IsNull() || !Movement::DownCast(relation).IsNull()) continue;
             lose_representation(relation->Rep1(), why, seen);
             lose_representation(relation->Rep2(), why, seen);
         }
