@@ -8,6 +8,7 @@ from pathlib import Path
 
 from keiko_process import SMALL, SOURCE, KeikoTest, surface
 from sarif_rules import faults_of_log, path_of
+from step_text import StepText
 
 GAP = surface("seam-g0-gap.step")
 
@@ -50,6 +51,30 @@ class Check(KeikoTest):
     def test_the_preset_decides(self):
         self.assertEqual(self.check(surface("seam-g1-angle.step"))[0], 1)
         self.assertEqual(self.check(surface("seam-g1-angle.step"), "--preset", "engineering")[0], 0)
+
+    def test_a_file_of_which_a_face_or_a_trim_is_lost_does_not_pass(self):
+        def lost(edited: str, entity: int, faces: int) -> str:
+            step = StepText(surface(edited))
+            step.entities[entity] = "UN" + step.entities[entity]
+            step.write(self.folder / "lost.step")
+            run = self.keiko("check", "lost.step", "--preset", "engineering", "-q", "--json", "a.json",
+                             "--junit", "a.xml", "--sarif", "a.sarif")
+            report = json.loads((self.folder / "a.json").read_text())
+            self.assertEqual((run.returncode, report["verdict"], report["model"]["faces"]), (1, "undecided", faces))
+            face, = report["model"]["lost_faces"]
+            self.assertIn(f"face {face['id']} is missing: {face['reason']}", run.stderr)
+            for name in "a.xml", "a.sarif":
+                self.assertIn(face["reason"], (self.folder / name).read_text())
+            return face["reason"]
+
+        self.assertEqual(self.check(surface("hood.step"), "--preset", "engineering")[0], 0)
+        hood = StepText(surface("hood.step"))
+        face = hood.faces()[1]
+        self.assertRegex(lost("hood.step", hood.surface_of(face), 2), rf"\A#{face} in line \d+ gave no face\Z")
+        hole = StepText(surface("trimmed-two-holes.step"))
+        bound = hole.references(hole.faces()[0])[1]
+        edge = hole.references(hole.references(hole.references(bound)[0])[0])[-1]
+        self.assertRegex(lost("trimmed-two-holes.step", edge, 0), rf"\Abound #{bound} in line \d+ lacks edge 1 ")
 
     def test_several_files_form_one_body(self):
         code, _ = self.check(surface("seam-g2-only.step"), surface("trimmed-hole.step"), "--json", "a.json")

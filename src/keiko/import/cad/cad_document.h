@@ -39,13 +39,22 @@ struct CadInstance {
     Affine transform;     ///< from the part's coordinates to the model's, mm
 };
 
+/// A face of the file that OpenCASCADE's reader passed over.
+struct UnreadFace {
+    std::string name;   ///< or empty
+    std::string reason; ///< why it is not there, with its entity
+};
+
 /// A CAD file as OpenCASCADE read it, in millimetres, before any conversion.
 struct CadDocument {
     std::string unit;           ///< of the file, as units.h knows it; empty where it names none
     std::vector<CadPart> parts; ///< each shape once
     std::vector<CadInstance> instances; ///< places of the parts
     std::vector<std::string>
-        missing_files;       ///< which the file names for parts, but which are not there
+        missing_files;                  ///< which the file names for parts, but which are not there
+    std::vector<UnreadFace> lost_faces; ///< in the order they were missed
+    std::function<std::string(const TopoDS_Shape& face)>
+        lost_trim{}; ///< bound of a face that the reader passed over, or empty; may be empty
     Diagnostics diagnostics; ///< what reading the file has found
 };
 

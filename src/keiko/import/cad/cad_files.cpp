@@ -4,6 +4,7 @@
 #include "keiko/import/cad/assembly.h"
 #include "keiko/import/cad/cad_document.h"
 #include "keiko/import/cad/shape_attributes.h"
+#include "keiko/import/cad/step_losses.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -11,6 +12,8 @@
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <Interface_EntityIterator.hxx>
+#include <Interface_Graph.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <STEPCAFControl_ExternFile.hxx>
 #include <STEPCAFControl_Reader.hxx>
@@ -30,6 +33,7 @@
 #include <iterator>
 #include <memory>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace keiko::cad {
 
@@ -54,28 +58,67 @@ std::string file_unit(IGESCAFControl_Reader& reader) {
     return unit.ToCString();
 }
 
+/// Entities that become faces where no other surface refers to them [IGES5.3].
 bool is_surface(int type) {
-    constexpr int types[] = {108, 114, 118, 120, 122, 128, 140, 143, 144,
-                             186, 190, 192, 194, 196, 198, 510, 514};
+    constexpr int types[] = {108, 114, 118, 120, 122, 128, 140, 143,
+                             144, 190, 192, 194, 196, 198, 510};
     return std::find(std::begin(types), std::end(types), type) != std::end(types);
 }
 
-/// Tells which surfaces of the file gave no shape.
-void note_untranslated(IGESCAFControl_Reader& reader, Diagnostics& diagnostics) {
-    const auto process = reader.WS()->TransferReader()->TransientProcess();
-    int missing = 0;
-    std::string labels;
-    for (int i = 1; i <= reader.NbRootsForTransfer(); ++i) {
-        const auto root = Handle(IGESData_IGESEntity)::DownCast(reader.RootForTransfer(i));
-        if (root.IsNull() || !is_surface(root->TypeNumber())) continue;
-        if (!TransferBRep::ShapeResult(process, root).IsNull()) continue;
-        if (++missing <= 10)
-            labels += " " + std::string(reader.WS()->Model()->StringLabel(root)->ToCString());
+/// Solids and shells, which are nothing without faces.
+bool must_hold_faces(int type) {
+    return type == 186 || type == 514;
+}
+
+/// Finds what an IGES file has for a face or a body, but no shape was made of.
+class IgesLossReader {
+    using Entity = Handle(IGESData_IGESEntity);
+
+public:
+    IgesLossReader(const Handle(XSControl_WorkSession) & session, CadDocument& document)
+        : session_(session),
+          process_(session->TransferReader()->TransientProcess()),
+          document_(document) {}
+
+    /// Whether an entity is a face or holds one, lost or not.
+    bool look_into(const Entity& entity) {
+        if (entity.IsNull()) return false;
+        if (is_surface(entity->TypeNumber())) {
+            if (seen_.insert(entity.get()).second && shape_is_missing(entity)) lose(entity);
+            return true;
+        }
+        if (!seen_.insert(entity.get()).second) return false;
+        bool holds = false;
+        for (Interface_EntityIterator part = session_->Graph().Shareds(entity); part.More();
+             part.Next())
+            if (look_into(Entity::DownCast(part.Value()))) holds = true;
+        if (!holds && must_hold_faces(entity->TypeNumber()) && shape_is_missing(entity))
+            lose(entity);
+        return holds;
     }
-    if (missing > 0)
-        diagnostics.push_back(
-            {Severity::warning, "",
-             std::to_string(missing) + " surface entities of the file gave no face:" + labels});
+
+private:
+    bool shape_is_missing(const Entity& entity) const {
+        return TransferBRep::ShapeResult(process_, entity).IsNull();
+    }
+
+    void lose(const Entity& entity) {
+        const std::string name = entity->HasShortLabel() ? entity->ShortLabel()->ToCString() : "";
+        document_.lost_faces.push_back(
+            {name, std::string("entity ") + session_->Model()->StringLabel(entity)->ToCString() +
+                       " of type " + std::to_string(entity->TypeNumber()) + " gave no face"});
+    }
+
+    Handle(XSControl_WorkSession) session_;
+    Handle(Transfer_TransientProcess) process_;
+    CadDocument& document_;
+    std::unordered_set<const Standard_Transient*> seen_;
+};
+
+void note_iges_losses(IGESCAFControl_Reader& reader, CadDocument& document) {
+    IgesLossReader losses(reader.WS(), document);
+    for (int i = 1; i <= reader.NbRootsForTransfer(); ++i)
+        losses.look_into(Handle(IGESData_IGESEntity)::DownCast(reader.RootForTransfer(i)));
 }
 
 } // namespace
@@ -91,7 +134,7 @@ CadDocument read_iges_file(const std::filesystem::path& path) {
     if (!reader.Transfer(source)) throw Error(path.string(), "", "the IGES file holds no shape");
     CadDocument document;
     document.unit = file_unit(reader);
-    note_untranslated(reader, document.diagnostics);
+    note_iges_losses(reader, document);
     MappedItems none;
     read_assembly(source, {}, none, document);
     const auto remarks = reader_remarks(reader.WS(), document.diagnostics);
@@ -110,35 +153,23 @@ std::string file_unit(STEPCAFControl_Reader& reader) {
     return unit.ToCString();
 }
 
-/// Face entities of the file: names and lines of those that were translated, a remark on the
-/// others. OpenCASCADE's own switch for face names crashes on some files.
-FaceLabels face_labels(STEPCAFControl_Reader& reader, const std::filesystem::path& path,
-                       Diagnostics& diagnostics) {
-    const auto session = reader.Reader().WS();
+/// Names and lines of the faces as the file has them. OpenCASCADE's own switch for face names
+/// crashes on some files.
+FaceLabels face_labels(const opencascade::handle<XSControl_WorkSession>& session,
+                       const EntityLines& lines) {
     const auto process = session->TransferReader()->TransientProcess();
     const auto model = Handle(StepData_StepModel)::DownCast(session->Model());
-    const auto lines = step_entity_lines(read_file(path));
     auto labels = std::make_shared<std::unordered_map<const TopoDS_TShape*, FaceLabel>>();
-    int missing = 0;
-    std::string numbers;
     for (int i = 1; i <= model->NbEntities(); ++i) {
         const auto face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
         if (face.IsNull()) continue;
         const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
-        if (shape.IsNull()) {
-            if (++missing <= 10)
-                numbers += " " + std::string(model->StringLabel(face)->ToCString());
-        } else if (shape.ShapeType() == TopAbs_FACE) {
-            const auto line = lines.find(static_cast<std::uint64_t>(model->IdentLabel(face)));
-            labels->emplace(shape.TShape().get(),
-                            FaceLabel{face->Name().IsNull() ? "" : face->Name()->ToCString(),
-                                      line == lines.end() ? 0 : line->second});
-        }
+        if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE) continue;
+        const auto line = lines.find(static_cast<std::uint64_t>(model->IdentLabel(face)));
+        labels->emplace(shape.TShape().get(),
+                        FaceLabel{face->Name().IsNull() ? "" : face->Name()->ToCString(),
+                                  line == lines.end() ? 0 : line->second});
     }
-    if (missing > 0)
-        diagnostics.push_back(
-            {Severity::warning, "",
-             std::to_string(missing) + " face entities of the file gave no face:" + numbers});
     return [labels](const TopoDS_Shape& face) {
         const auto found = labels->find(face.TShape().get());
         return found == labels->end() ? FaceLabel{} : found->second;
@@ -170,10 +201,15 @@ CadDocument read_step_file(const std::filesystem::path& path) {
     CadDocument document;
     document.unit = file_unit(reader);
     document.missing_files = missing_files(reader);
-    MappedItems mapped(reader.Reader().WS());
-    read_assembly(source, face_labels(reader, path, document.diagnostics), mapped, document);
+    const auto session = reader.Reader().WS();
+    const EntityLines lines = step_entity_lines(read_file(path));
+    MappedItems mapped(session);
+    read_assembly(source, face_labels(session, lines), mapped, document);
     mapped.remark_unmet(document.diagnostics);
-    const auto remarks = reader_remarks(reader.Reader().WS(), document.diagnostics);
+    note_step_losses(session, lines, document);
+    for (const std::string& file : document.missing_files)
+        document.lost_faces.push_back({file, "its file of parts cannot be read"});
+    const auto remarks = reader_remarks(session, document.diagnostics);
     for (CadPart& part : document.parts) part.remarks_on = remarks;
     return document;
 }

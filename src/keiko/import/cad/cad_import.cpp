@@ -28,6 +28,11 @@ std::uint32_t size32(const std::vector<T>& v) {
     return static_cast<std::uint32_t>(v.size());
 }
 
+/// Face::id of the next face of a model.
+std::uint32_t next_id(const SurfaceModel& model) {
+    return size32(model.faces) + size32(model.lost_faces) + 1;
+}
+
 /// Writes the faces of one part into the flat arrays of a model.
 class PartWriter {
 public:
@@ -78,7 +83,7 @@ private:
 
     Face described(const TopoDS_Face& shape) const {
         Face face;
-        face.id = size32(model_.faces) + size32(model_.lost_faces) + 1;
+        face.id = next_id(model_);
         face.part = size32(model_.parts);
         face.reversed = shape.Orientation() == TopAbs_REVERSED;
         face.surface_kind = surface_kind(shape);
@@ -225,6 +230,8 @@ SurfaceModel convert_document(const CadDocument& document, const Job& job) {
         append_part(model, document.parts[part], {begin, end});
         begin = end;
     }
+    for (const UnreadFace& face : document.lost_faces)
+        model.lost_faces.push_back({next_id(model), face.name, face.reason});
     for (const CadInstance& instance : document.instances)
         model.instances.push_back(
             {static_cast<std::uint32_t>(instance.part), instance.name, instance.transform});
@@ -240,7 +247,7 @@ SurfaceModel import_cad_file(const std::filesystem::path& path, ModelFormat form
     require_numbers(read_file(path), format, path.string());
     const CadDocument document = read_document(path, format);
     SurfaceModel model = convert_document(document, job);
-    if (model.faces.empty() && model.lost_faces.empty()) {
+    if (model.faces.empty() && model.lost_faces.size() == document.lost_faces.size()) {
         const std::string missing = without_files(document);
         throw Error(path.string(), "",
                     "no faces in the file" + (missing.empty() ? "" : "; " + missing));

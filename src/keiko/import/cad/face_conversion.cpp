@@ -16,7 +16,9 @@
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
 
 #include <array>
 #include <cmath>
@@ -179,19 +181,42 @@ std::string surface_kind(const TopoDS_Face& face) {
 
 namespace {
 
-std::vector<FaceResult> faces_of(const CadDocument& document) {
-    std::vector<TopTools_IndexedMapOfShape> maps(document.parts.size());
-    std::size_t count = 0;
-    for (std::size_t p = 0; p < maps.size(); ++p) {
-        TopExp::MapShapes(document.parts[p].shape, TopAbs_FACE, maps[p]);
-        count += static_cast<std::size_t>(maps[p].Extent());
+/// Collects the faces of a shape. Shapes that share a face have it once; a shape that a compound
+/// lists twice at one place is there twice.
+class FaceCollector {
+public:
+    void collect(const TopoDS_Shape& shape) {
+        if (shape.ShapeType() == TopAbs_COMPOUND) {
+            for (TopoDS_Iterator part(shape); part.More(); part.Next()) collect(part.Value());
+            return;
+        }
+        const bool again = !shapes_.Add(shape);
+        TopTools_IndexedMapOfShape own;
+        TopExp::MapShapes(shape, TopAbs_FACE, own);
+        for (int i = 1; i <= own.Extent(); ++i)
+            if (seen_.Add(own(i)) || again) faces_.push_back(TopoDS::Face(own(i)));
     }
-    std::vector<FaceResult> faces(count);
-    auto face = faces.begin();
-    for (std::size_t p = 0; p < maps.size(); ++p)
-        for (int i = 1; i <= maps[p].Extent(); ++i, ++face)
-            face->shape = TopoDS::Face(maps[p](i)), face->part = p;
-    return faces;
+
+    const std::vector<TopoDS_Face>& faces() const { return faces_; }
+
+private:
+    TopTools_MapOfShape shapes_, seen_;
+    std::vector<TopoDS_Face> faces_;
+};
+
+std::vector<FaceResult> faces_of(const CadDocument& document) {
+    std::vector<FaceCollector> parts(document.parts.size());
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        parts[p].collect(document.parts[p].shape);
+        count += parts[p].faces().size();
+    }
+    std::vector<FaceResult> results(count);
+    auto result = results.begin();
+    for (std::size_t p = 0; p < parts.size(); ++p)
+        for (const TopoDS_Face& face : parts[p].faces())
+            result->shape = face, result->part = p, ++result;
+    return results;
 }
 
 /// Tells the share of a stage that is itself a share of "import".
@@ -213,8 +238,11 @@ KnownLoops known_loops(const FaceResult& face) {
                : KnownLoops::nothing;
 }
 
-void convert(FaceResult& face, const std::vector<TopoDS_Edge>& built) {
+void convert(FaceResult& face, const CadDocument& document, const std::vector<TopoDS_Edge>& built) {
     try {
+        if (document.lost_trim)
+            if (const std::string lost = document.lost_trim(face.shape); !lost.empty())
+                throw Error("", "", lost);
         face.converted = convert_face(face.shape, face.edges, built);
     } catch (...) {
         face.loss = current_failure();
@@ -233,7 +261,7 @@ std::vector<FaceResult> convert_faces(const CadDocument& document, const Job& jo
         built.push_back(complete_p_curves(face.shape));
     }
     parallel_for(faces.size(), share_of(job, from, to), "import",
-                 [&](std::size_t i) { convert(faces[i], built[i]); });
+                 [&](std::size_t i) { convert(faces[i], document, built[i]); });
     return faces;
 }
 
