@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/units.h"
-#include "keiko/geometry/model/closest_point.h"
+#include "keiko/geometry/seam/border_run.h"
 #include "keiko/math/vec.h"
 
 #include <array>
@@ -14,12 +14,6 @@ namespace keiko {
 
 // Stretches along which borders face each other, and which of them are seams.
 
-/// A border curve prepared for searching.
-struct Border {
-    SurfaceCurve curve;     ///< the exact curve, world, mm
-    CurvePolyline polyline; ///< chords near the curve, for the search
-};
-
 /// Two points of two borders that face each other.
 struct FacingPoints {
     double t = 0, s = 0;  ///< on the first and on the second border
@@ -27,8 +21,8 @@ struct FacingPoints {
     bool overlap = false; ///< one of them lies on the other's material: no gap, a sliver's far side
 };
 
-/// A maximal stretch along which two borders face each other within the join distance, running
-/// nearly parallel.
+/// A maximal stretch along which two borders face each other within the join distance and run
+/// alike.
 struct Stretch {
     std::vector<FacingPoints> points; ///< at least two; t strictly rising, s rising or falling so
 };
@@ -87,7 +81,8 @@ struct SeamPiece {
     /// Instance and face of either side.
     std::array<std::uint32_t, 4> faces{};
     std::array<std::array<Tip, 2>, 2> ends{}; ///< the first and the last, on both borders
-    double length = 0;                        ///< mm
+    double length = 0;                        ///< mm, along the shorter border
+    bool same_direction = true;               ///< of both borders, in the order of their loops
     double widest = 0;                        ///< mm between the borders
     bool fills_border = false; ///< almost the whole of the shorter border, of two faces or of one
                                ///< that the file closes there
@@ -97,7 +92,8 @@ struct SeamPiece {
 /// `join` mm or as long as a whole border. A scrap is a seam together with those that continue it
 /// at its ends, of the same faces or of the next ones. It also is one where it fills the hole
 /// between two seams of its faces. The result thus does not depend on how a border is cut into
-/// curves. Where a border turns back, as in the hooks of careless trims, nothing continues it.
+/// curves, nor on its teeth. Where a border turns back, as in the hooks of careless trims, nothing
+/// continues it.
 std::vector<bool> seams_among(std::span<const SeamPiece> pieces, double join);
 
 } // namespace keiko

@@ -1,6 +1,6 @@
 #include "keiko/inspect/overlaps/border_passage.h"
 
-#include "keiko/geometry/seam/border_approach.h"
+#include "keiko/geometry/seam/border_run.h"
 
 #include <algorithm>
 #include <cmath>
