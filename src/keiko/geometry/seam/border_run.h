@@ -29,8 +29,8 @@ public:
     /// A walk in the direction of the loop, or backwards.
     LoopWalk(const LoopPlace& from, bool forward);
 
-    /// Where the loop first is `radius` mm from the beginning; nullopt if it never is. The radius
-    /// may not fall from call to call.
+    /// The first place `radius` mm from the beginning; nullopt if there is none. The radius may not
+    /// fall from call to call.
     std::optional<Vec3> leave(double radius);
 
 private:

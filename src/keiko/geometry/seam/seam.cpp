@@ -135,7 +135,11 @@ void SeamPairing::find_candidates() {
     std::erase_if(candidates_, [&](const SeamCandidate& c) { return open(c.a, c.b); });
     std::vector<SeamCandidate> wide = candidates(tree, join_, open);
     std::move(wide.begin(), wide.end(), std::back_inserter(candidates_));
-    for (SeamCandidate& candidate : candidates_) candidate.is_narrow = is_narrow_face(candidate);
+    for (SeamCandidate& candidate : candidates_) {
+        candidate.is_narrow = is_narrow_face(candidate);
+        const SeamPiece whole = piece(candidate, candidate.stretch);
+        candidate.is_slender = slender(whole.length, whole.widest);
+    }
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const SeamCandidate& x, const SeamCandidate& y) {
                          return std::pair(x.a, x.b) < std::pair(y.a, y.b);
@@ -183,7 +187,8 @@ bool SeamPairing::dominated(const SeamCandidate& candidate, const FacingPoints& 
     const auto best = [&](const std::vector<SeamOffer>& offers, double x) {
         double least = Box3::infinity;
         for (const SeamOffer& offer : offers)
-            if (offer.candidate != &candidate) least = std::min(least, cost_at(offer, x));
+            if (offer.candidate != &candidate && offer.candidate->is_slender)
+                least = std::min(least, cost_at(offer, x));
         return least;
     };
     const double bar = 0.5 * cost(p);

@@ -30,8 +30,7 @@ double between(const SeamOffer& offer, double x, const Counts& counts, const Val
 constexpr double meeting = 0.02, meeting_in_lengths = 0.1;
 
 bool long_enough(double length, double widest, double join, bool fills_border) {
-    constexpr double slenderness = 4;
-    return length >= slenderness * widest && (length >= join || fills_border);
+    return slender(length, widest) && (length >= join || fills_border);
 }
 
 bool meet(const SeamPiece::Tip& x, const SeamPiece::Tip& y, double near) {

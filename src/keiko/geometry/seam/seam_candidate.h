@@ -46,10 +46,11 @@ inline bool is_corner(const Vec3& before, const Vec3& after) {
 
 /// A stretch and the two borders that it joins; border a is the earlier.
 struct SeamCandidate {
-    std::uint32_t a = 0;    ///< number of border a
-    std::uint32_t b = 0;    ///< number of border b, greater than a
-    Stretch stretch;        ///< t on border a, s on border b
-    bool is_narrow = false; ///< both are borders of one face, which is narrow between them
+    std::uint32_t a = 0;     ///< number of border a
+    std::uint32_t b = 0;     ///< number of border b, greater than a
+    Stretch stretch;         ///< t on border a, s on border b
+    bool is_slender = false; ///< much longer than it is wide; else a touch of two corners
+    bool is_narrow = false;  ///< both are borders of one face, which is narrow between them
 };
 
 /// The facing points that another candidate provides along a stretch of one border.
@@ -64,6 +65,11 @@ struct SeamOffer {
 /// Distance of two points by which candidates compete: a far side of a sliver faces the neighbour
 /// across the sliver's own material, which counts more.
 double cost(const FacingPoints& p);
+/// True if a length is much larger than a width.
+constexpr bool slender(double length, double width) {
+    constexpr double slenderness = 4;
+    return length >= slenderness * width;
+}
 /// Cost of an offer at a parameter of its border, or infinity beyond its ends.
 double cost_at(const SeamOffer& offer, double x);
 /// Distance in mm of an offer at a parameter of its border, only where material lies between;

@@ -120,8 +120,8 @@ std::optional<Look> Alongside::look_at_end_of_b(double s) const {
                 .end_of_b = true};
 }
 
-/// True if a and b run in the same direction where a foot on one is of a point of the other, false
-/// if in opposite ones; nullopt if they do not face each other there.
+/// Directions of a and b at a foot on one of a point of the other: true if they are the same, false
+/// if opposite; nullopt if the borders do not face each other there.
 std::optional<bool> Alongside::directions(const ClosestPoint& foot, double t,
                                           const SurfaceCurve::Point& on_a, double s,
                                           const SurfaceCurve::Point& on_b) const {

@@ -48,9 +48,9 @@ std::optional<Vec3> leaves(const SurfaceCurve& curve, double t, double stop, con
     return std::nullopt;
 }
 
-/// Direction from where a loop of borders is `length` mm away to parameter t of one of its curves,
-/// looking forward or backwards along the loop; that of the curve itself if the loop does not reach
-/// that far.
+/// Direction from the place `length` mm away on a loop of borders, forward or backwards from
+/// parameter t of one of its curves, to that parameter. That of the curve itself if the loop does
+/// not reach so far.
 Vec3 run_into(const BoundaryCurves& curves, BoundaryInterval on, double t, bool forward,
               double length) {
     const std::uint32_t first = on.curve;
