@@ -76,7 +76,7 @@ std::vector<Check> checks_at_borders(const ModelBorders& borders,
         check.faces = checks.name(narrow.face);
         checks.add(narrow.face, std::move(check));
     }
-    const FreeEdges edges = free_edges(model, borders.curves, pieces, preset.gap, join, job);
+    const FreeEdges edges = free_edges(borders.curves, pieces, preset.gap, join, job);
     const OpeningLimits small{join, preset.negligible, preset.gap};
     for (const Opening& opening : all_openings(borders, edges, pieces, small, job))
         checks.add(opening.sides[0],

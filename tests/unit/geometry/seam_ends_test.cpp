@@ -1,10 +1,12 @@
 // Where seams begin and end along borders that run apart or past each other.
 #include "keiko/geometry/seam/seam.h"
+#include "keiko/math/interval_set.h"
 
 #include "tests/support/model_builder.h"
 #include "tests/unit/geometry/seam_sides.h"
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -150,6 +152,84 @@ TEST(PairSeams, LeaveAScrapAtOneEndOfASeam) {
     const auto seams = pair_seams(model, join);
     ASSERT_EQ(seams.size(), 1u);
     EXPECT_NEAR(length_of(model, seams[0].a), 10, 1e-9);
+}
+
+/// A sheet from a border that goes along `along`, with triangular notches of that depth.
+void toothed_sheet(ModelBuilder& builder, double high, double period, const Vec3& along,
+                   const Vec3& inward, const Vec3& from = Vec3(0)) {
+    builder.plane(from - inward, along, inward * 2);
+    const double length = along.length(), unit = 2 * inward.length();
+    std::vector<Vec2> corners{{0, 1}, {0, 0.5}};
+    for (double x = period; x <= length - period; x += period) {
+        corners.emplace_back((x - period / 2) / length, 0.5 + high / unit);
+        corners.emplace_back(x / length, 0.5);
+    }
+    corners.insert(corners.end(), {{1, 0.5}, {1, 1}});
+    builder.polygon(corners);
+}
+
+const Vec3 along_5(5, 0, 0), up_5(0, 5, 0), down_5(0, -5, 0);
+
+/// Share of the first border of a face without loops that belongs to seams.
+double paired_share(const SurfaceModel& model, std::uint32_t face) {
+    std::vector<ParameterInterval> parts;
+    for (const Seam& seam : pair_seams(model, join))
+        for (const BoundaryInterval& on : {seam.a, seam.b})
+            if (on.face == face && on.curve == natural_side)
+                parts.push_back({std::min(on.begin, on.end), std::max(on.begin, on.end)});
+    return IntervalSet(std::move(parts)).measure();
+}
+
+TEST(PairSeams, GoAlongTeethOfAnyHeightWithinTheJoinDistance) {
+    for (const double high : {0.004, 0.03, 0.2, 0.45})
+        for (const double periods : {1.5, 5.0, 11.0}) {
+            const double period = std::max(high, 0.008) * periods;
+            for (const bool teeth_first : {false, true}) {
+                ModelBuilder builder;
+                if (teeth_first) toothed_sheet(builder, high, period, along_5, down_5);
+                builder.plane({0, 0, 0}, along_5, up_5);
+                if (!teeth_first) toothed_sheet(builder, high, period, along_5, down_5);
+                EXPECT_GE(paired_share(builder.build(), teeth_first ? 1 : 0), 1 - 3 * period / 5)
+                    << high << " mm, " << period << teeth_first;
+            }
+        }
+}
+
+TEST(PairSeams, GoAlongTeethOfBothBorders) {
+    for (const double high : {0.004, 0.1})
+        for (const double other_period : {5.0, 3.7}) {
+            ModelBuilder builder;
+            toothed_sheet(builder, high, 5 * high, along_5, down_5);
+            toothed_sheet(builder, high, other_period * high, along_5, up_5);
+            double length = 0;
+            const SurfaceModel model = builder.build();
+            for (const Seam& seam : pair_seams(model, join)) length += length_of(model, seam.a);
+            EXPECT_GT(length, 4) << high << " mm, " << other_period;
+        }
+}
+
+TEST(PairSeams, DoNotJoinBordersWithTeethThatCrossOrLeaveACorner) {
+    for (const double degrees : {20.0, 45.0, 90.0}) {
+        const double angle = degrees * std::numbers::pi / 180;
+        const Vec3 along = Vec3(std::cos(angle), std::sin(angle), 0) * 5;
+        for (const Vec3& from : {Vec3(0), Vec3(2.5, 0, 0) - along / 2}) {
+            ModelBuilder builder;
+            builder.plane({0, 0, 0}, along_5, down_5);
+            toothed_sheet(builder, 0.004, 0.02, along, {0, 0, 5}, from);
+            EXPECT_TRUE(pair_seams(builder.build(), join).empty()) << degrees << ", " << from.x;
+        }
+    }
+}
+
+TEST(PairSeams, FollowABorderThatStepsAside) {
+    for (const double step : {0.01, 0.1, 0.3}) {
+        ModelBuilder builder;
+        builder.plane({0, 0, 0}, along_5, up_5);
+        builder.plane({0, -5, 0}, along_5, up_5);
+        const double low = 1 - step / 5;
+        builder.polygon({{0, 0}, {1, 0}, {1, low}, {0.4, low}, {0.4, 1}, {0, 1}});
+        EXPECT_NEAR(paired_share(builder.build(), 0), 1, 1e-9) << step;
+    }
 }
 
 } // namespace

@@ -21,7 +21,7 @@ constexpr double join = 0.5;
 std::vector<Opening> openings_of(const SurfaceModel& model) {
     const auto seams = measure_seams(model, pair_seams(model, join), {}, join);
     const BoundaryCurves curves(model);
-    const FreeEdges edges = free_edges(model, curves, seams.pieces, 0.01, join);
+    const FreeEdges edges = free_edges(curves, seams.pieces, 0.01, join);
     return find_openings(curves, edges, {join, 0.1, 0.01});
 }
 
@@ -32,7 +32,7 @@ TEST(Openings, AreNoneAlongAClosedSeam) {
 
 TEST(Openings, AreNotchesWhateverTheAngleOfTheirFlanks) {
     for (const double flank : {11.0, 30.0, 45.0, 60.0, 80.0})
-        for (const double deep : {0.3, 1.0, 5.0, 20.0}) {
+        for (const double deep : {0.6, 1.0, 5.0, 20.0}) {
             const double half = deep / std::tan(degrees_to_radians(flank));
             if (half > 40) continue;
             const auto found =
@@ -150,12 +150,28 @@ TEST(Openings, AreTriangularHolesAtACornerOfThreeFaces) {
     }
 }
 
-TEST(Openings, AreTeethAlongTheWholeOfABorder) {
+TEST(Openings, AreNoTeethLowerThanTheJoinDistance) {
     std::vector<Vec2> teeth;
     for (int i = 1; i < 500; ++i) teeth.emplace_back(length - 0.2 * i, i % 2 ? -0.05 : 0);
-    const auto found = openings_of(notched_model(teeth));
-    ASSERT_GE(found.size(), 1u);
-    EXPECT_GT(found.front().width, 0.03);
+    const SurfaceModel model = notched_model(teeth);
+    const Inspection found = inspect(model);
+    EXPECT_EQ(found.verdict, Verdict::fail);
+    ASSERT_EQ(found.seams.size(), 1u);
+    EXPECT_NEAR(found.seams.front().length, length, 0.5);
+    // The flanks beside the corners of the sheet stay free.
+    for (const Opening& opening : openings_of(model)) EXPECT_LT(opening.width, 0.05);
+}
+
+TEST(Openings, AreNoNotchesLowerThanTheJoinDistance) {
+    for (const double flank : {11.0, 30.0, 60.0}) {
+        const double deep = 0.3, half = deep / std::tan(degrees_to_radians(flank));
+        const SurfaceModel model = notched_model({{50 + half, 0}, {50, -deep}, {50 - half, 0}});
+        EXPECT_TRUE(openings_of(model).empty()) << flank;
+        const Inspection found = inspect(model);
+        EXPECT_EQ(found.verdict, Verdict::fail) << flank;
+        ASSERT_EQ(found.findings.size(), 1u) << flank;
+        EXPECT_NEAR(found.findings[0].worst.value, deep, 0.01) << flank;
+    }
 }
 
 /// Two halves of a cone, mm: the radii of its rims.
@@ -182,7 +198,7 @@ TEST(Openings, AreNotTheRimsOfTubes) {
 TEST(Openings, HaveABoundThatHoldsForLargeArcs) {
     const double radius = 20000;
     const SurfaceModel model = tube(radius, radius);
-    const FreeEdges edges = free_edges(model, BoundaryCurves(model), {}, 0.01, join);
+    const FreeEdges edges = free_edges(BoundaryCurves(model), {}, 0.01, join);
     double largest = 0;
     for (const FreeEdge& edge : edges.all)
         for (std::size_t i = 0; i + 1 < edge.places.size(); ++i) {

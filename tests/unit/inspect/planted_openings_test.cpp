@@ -108,7 +108,8 @@ TEST(Openings, LeaveNoHoleWithoutAFindingWhateverTheAngleOfTheCrease) {
         const auto listed =
             std::count_if(found.looks.begin(), found.looks.end(),
                           [](const Check& look) { return look.code == "KEIKO-OPENING"; });
-        EXPECT_LE(listed, 1) << i;
+        // Where a small hole is a gap of the seam, only what is left on either side is an opening.
+        EXPECT_LE(listed, found.verdict == Verdict::fail ? 2 : 1) << i;
     }
 }
 

@@ -1,4 +1,5 @@
 #include "keiko/base/units.h"
+#include "keiko/inspect/inspection.h"
 #include "keiko/inspect/seams/seam_measure.h"
 
 #include "tests/support/model_builder.h"
@@ -86,7 +87,48 @@ std::size_t lines_with_a_step(double step) {
 TEST(SeamCorners, ALineThatStepsAsideIsNotOneLine) {
     EXPECT_EQ(lines_with_a_step(0.3), 3u);
     EXPECT_EQ(lines_with_a_step(0.05), 3u);
-    EXPECT_EQ(lines_with_a_step(0.002), 2u); // a vertex of a file is no better; the step is a scrap
+    EXPECT_EQ(lines_with_a_step(0.002), 1u); // a vertex of a file is no better
+}
+
+/// A sheet from y = 0 to 5 (`side` 1) or -5, bent with a radius of 100 mm, that rises by `slope`
+/// from the border more than that. Its border has notches of that depth every 0.02 mm.
+void bent_sheet(ModelBuilder& builder, double side, double slope, double high) {
+    constexpr double wide = 4, deep = 5, radius = 100, period = 0.02;
+    std::vector<Vec3> points; // of z = y^2 / 2 radius + slope y
+    for (const double x : {0.0, wide}) {
+        points.push_back({x, 0, 0});
+        points.push_back({x, side * deep / 2, side * slope * deep / 2});
+        points.push_back({x, side * deep, side * slope * deep + deep * deep / (2 * radius)});
+    }
+    builder.patch(1, 2, points);
+    std::vector<Vec2> corners{{1, 0}, {1, 1}, {0, 1}, {0, 0}};
+    for (double x = period; high > 0 && x < wide - period / 2; x += period) {
+        corners.emplace_back((x - period / 2) / wide, high / deep);
+        corners.emplace_back(x / wide, 0);
+    }
+    builder.polygon(corners);
+}
+
+TEST(SeamCorners, SmallTeethOfABorderAreNone) {
+    for (const double high : {0.004, 0.006})
+        for (const double degrees : {0.0, 1.0})
+            for (const bool teeth_first : {false, true}) {
+                SCOPED_TRACE(testing::Message()
+                             << high << " mm, " << degrees << ", " << teeth_first);
+                ModelBuilder builder;
+                bent_sheet(builder, 1, 0, teeth_first ? high : 0);
+                bent_sheet(builder, -1, tangent(degrees), teeth_first ? 0 : high);
+                const Inspection found = inspect(builder.build());
+                EXPECT_EQ(found.verdict, degrees > 0 ? Verdict::fail : Verdict::pass);
+                EXPECT_TRUE(found.looks.empty());
+                ASSERT_EQ(found.counts.scraps, 0u);
+                ASSERT_EQ(found.seams.size(), 1u);
+                EXPECT_NEAR(found.seams[0].length, teeth_first ? 4 * std::hypot(1, high / 0.01) : 4,
+                            0.1);
+                EXPECT_LE(found.seams[0].gap.value, high + 1e-6);
+                EXPECT_GE(found.seams[0].gap.value, 0.7 * high); // to the nearest flank
+                EXPECT_NEAR(found.seams[0].angle->value, degrees, 0.01);
+            }
 }
 
 } // namespace

@@ -5,53 +5,128 @@
 #include <numbers>
 
 namespace keiko {
-
-bool nearly_parallel(const Vec3& a, const Vec3& b, double sine) {
-    const Vec3 c = a.cross(b);
-    return c.dot(c) <= sine * sine * a.dot(a) * b.dot(b);
-}
-
 namespace {
 
-/// Box of a chord.
-Box3 box_of(const CurvePolyline& line, std::size_t chord) {
-    Box3 box;
-    box.extend(line.points[chord]);
-    box.extend(line.points[chord + 1]);
-    return box;
+/// A chord of a border's polyline.
+struct Chord {
+    const Border& border;
+    std::size_t index;
+
+    const Vec3& from() const { return border.polyline.points[index]; }
+    const Vec3& to() const { return border.polyline.points[index + 1]; }
+    Vec3 along() const { return to() - from(); }
+    BorderPlace at(double share) const {
+        return {{border.loop, border.first + index, from() + along() * share}, along()};
+    }
+    /// The place nearest to a point.
+    BorderPlace nearest(const Vec3& p) const { return at(nearest_on_segment(from(), to(), p)); }
+    Box3 box() const {
+        Box3 box;
+        box.extend(from());
+        box.extend(to());
+        return box;
+    }
+};
+
+/// Radians; twice the turn of a polyline, as it is an estimate.
+double most_turn(const CurvePolyline& line) {
+    return std::min(2 * line.turn, std::numbers::pi / 2);
 }
 
-} // namespace
+/// True if a part of the chord `of` lies beside the chord `to`, lengthened by `slack` mm at both
+/// ends.
+bool lies_beside(const Chord& of, const Chord& to, double slack) {
+    const Vec3 along = to.along();
+    const double length = along.length();
+    if (!(length > 0)) return true;
+    const auto [low, high] =
+        std::minmax({along.dot(of.from() - to.from()), along.dot(of.to() - to.from())});
+    return high >= -slack * length && low <= (length + slack) * length;
+}
 
-BorderApproach border_approach(const CurvePolyline& a, const CurvePolyline& b, double join) {
-    const double reach = join + a.deviation + b.deviation;
-    const Box3 box = b.box().padded(join + a.deviation);
-    // Twice the turns, as they are estimates.
-    const double between = std::min(parallel_borders + 2 * (a.turn + b.turn), std::numbers::pi / 2);
-    const double sin_between = std::sin(between);
+class Approach {
+public:
+    Approach(const Border& a, const Border& b, double join)
+        : a_(a),
+          b_(b),
+          join_(join),
+          deviation_(a.polyline.deviation + b.polyline.deviation),
+          reach_(join + deviation_) {}
+
+    BorderApproach run() const;
+
+private:
+    std::optional<SegmentApproach> approach(const Chord& a, const Chord& b) const;
+    bool may_face(const Chord& a, const Chord& b) const;
+    bool may_run_alike(const Chord& a, const Chord& b, double share) const;
+    bool run_alike_at(const BorderPlace& a, const BorderPlace& b) const {
+        return (a.place.position - b.place.position).length() <= reach_ && run_alike(a, b, join_);
+    }
+
+    const Border &a_, &b_;
+    double join_, deviation_;
+    double reach_; ///< mm, between chords of borders that are within `join_`
+};
+
+BorderApproach Approach::run() const {
+    const CurvePolyline &a = a_.polyline, &b = b_.polyline;
+    const Box3 box = b.box().padded(join_ + a.deviation);
     BorderApproach result;
     std::vector<ParameterInterval> close;
     for (std::size_t i = 0; i + 1 < a.points.size(); ++i) {
-        if (!box_of(a, i).overlaps(box)) continue;
-        const Box3 segment = box_of(a, i).padded(reach);
-        const Vec3 along = a.points[i + 1] - a.points[i];
+        const Chord chord{a_, i};
+        if (!chord.box().overlaps(box)) continue;
         for (std::size_t j = 0; j + 1 < b.points.size(); ++j) {
-            const Vec3 other_along = b.points[j + 1] - b.points[j];
-            if (!segment.overlaps(box_of(b, j)) ||
-                !nearly_parallel(along, other_along, sin_between))
-                continue;
-            const SegmentApproach nearest =
-                segment_approach(a.points[i], a.points[i + 1], b.points[j], b.points[j + 1]);
-            if (nearest.distance > reach) continue;
+            const auto nearest = approach(chord, {b_, j});
+            if (!nearest) continue;
             if (close.empty() || close.back().begin != a.t[i])
                 close.push_back({a.t[i], a.t[i + 1]});
-            if (nearest.share > 0 && nearest.share < 1)
-                result.nearest.push_back(a.t[i] + nearest.share * (a.t[i + 1] - a.t[i]));
+            if (nearest->share > 0 && nearest->share < 1)
+                result.nearest.push_back(a.t[i] + nearest->share * (a.t[i + 1] - a.t[i]));
         }
     }
     result.close = IntervalSet(std::move(close));
     std::sort(result.nearest.begin(), result.nearest.end());
     return result;
+}
+
+/// Closest approach of two chords; nullopt if the borders do not face each other there.
+std::optional<SegmentApproach> Approach::approach(const Chord& a, const Chord& b) const {
+    if (!a.box().padded(reach_).overlaps(b.box()) || !may_face(a, b)) return std::nullopt;
+    const SegmentApproach nearest = segment_approach(a.from(), a.to(), b.from(), b.to());
+    if (nearest.distance > reach_ || !may_run_alike(a, b, nearest.share)) return std::nullopt;
+    return nearest;
+}
+
+/// True if one of the chords has a place that is square to one of the other.
+bool Approach::may_face(const Chord& a, const Chord& b) const {
+    constexpr double rounding = 1e-5; // mm
+    const auto slack = [&](const CurvePolyline& line) {
+        return deviation_ + rounding + reach_ * std::sin(most_turn(line));
+    };
+    return lies_beside(a, b, slack(b_.polyline)) || lies_beside(b, a, slack(a_.polyline));
+}
+
+/// True if the borders may run alike along the chords: where these are nearest and at their ends.
+bool Approach::may_run_alike(const Chord& a, const Chord& b, double share) const {
+    const double turn = most_turn(a_.polyline) + most_turn(b_.polyline);
+    const double between = std::min(parallel_borders + turn, std::numbers::pi / 2);
+    if (nearly_parallel(a.along(), b.along(), std::sin(between))) return true;
+    for (const double x : {share, 0.0, 1.0}) {
+        const BorderPlace on = a.at(x);
+        if (run_alike_at(on, b.nearest(on.place.position))) return true;
+    }
+    for (const double x : {0.0, 1.0}) {
+        const BorderPlace on = b.at(x);
+        if (run_alike_at(a.nearest(on.place.position), on)) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+BorderApproach border_approach(const Border& a, const Border& b, double join) {
+    return Approach(a, b, join).run();
 }
 
 } // namespace keiko

@@ -86,6 +86,7 @@ std::array<Vec3, 8> natural_sides(const Box2& domain) {
 BoundaryCurves::BoundaryCurves(const SurfaceModel& model)
     : model_(&model),
       material_left_(model.trim_curves.size()),
+      loops_(model.trim_curves.size()),
       natural_index_(model.faces.size(), no_index) {
     for (std::size_t f = 0; f < model.faces.size(); ++f) {
         const Face& face = model.faces[f];
@@ -97,28 +98,46 @@ BoundaryCurves::BoundaryCurves(const SurfaceModel& model)
         const std::vector<bool> sides = loop_sides(model, face);
         for (std::size_t i = 0; i < sides.size(); ++i) {
             const TrimLoop& loop = model.loops_of(face)[i];
-            for (std::uint32_t c = 0; c < loop.curve_count; ++c)
+            for (std::uint32_t c = 0; c < loop.curve_count; ++c) {
                 material_left_[loop.first_curve + c] = sides[i];
+                loops_[loop.first_curve + c] = loop;
+            }
         }
     }
 }
 
-std::vector<BoundaryInterval> BoundaryCurves::all() const {
-    std::vector<BoundaryInterval> result;
+std::vector<std::vector<BoundaryInterval>> BoundaryCurves::loops() const {
+    std::vector<std::vector<BoundaryInterval>> result;
+    const auto add = [&](std::uint32_t instance, std::uint32_t face, const TrimLoop& loop) {
+        if (loop.curve_count == 0) return;
+        result.emplace_back();
+        for (std::uint32_t c = 0; c < loop.curve_count; ++c)
+            result.back().push_back({instance, face, loop.first_curve + c, 0, 1});
+    };
     for (std::uint32_t i = 0; i < model_->instances.size(); ++i) {
         const Part& part = model_->parts[model_->instances[i].part];
         for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f) {
             const Face& face = model_->faces[f];
             if (face.patch_count == 0) continue;
-            if (face.loop_count == 0)
-                for (std::uint32_t side = 0; side < 4; ++side)
-                    result.push_back({i, f, natural_side + side, 0, 1});
-            for (const TrimLoop& loop : model_->loops_of(face))
-                for (std::uint32_t c = 0; c < loop.curve_count; ++c)
-                    result.push_back({i, f, loop.first_curve + c, 0, 1});
+            if (face.loop_count == 0) add(i, f, {natural_side, 4});
+            for (const TrimLoop& loop : model_->loops_of(face)) add(i, f, loop);
         }
     }
     return result;
+}
+
+std::vector<BoundaryInterval> BoundaryCurves::all() const {
+    std::vector<BoundaryInterval> result;
+    for (const auto& loop : loops()) result.insert(result.end(), loop.begin(), loop.end());
+    return result;
+}
+
+BoundaryInterval BoundaryCurves::beside(const BoundaryInterval& interval, bool after) const {
+    const std::uint32_t curve = interval.curve;
+    const TrimLoop loop = curve < natural_side ? loops_[curve] : TrimLoop{natural_side, 4};
+    const std::uint32_t step = after ? 1 : loop.curve_count - 1;
+    const std::uint32_t next = (curve - loop.first_curve + step) % loop.curve_count;
+    return {interval.instance, interval.face, loop.first_curve + next, 0, 1};
 }
 
 SurfaceCurve BoundaryCurves::curve(const BoundaryInterval& interval) const {

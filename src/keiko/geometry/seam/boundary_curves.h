@@ -27,8 +27,13 @@ public:
     /// The borders of a model, to which a reference is kept.
     explicit BoundaryCurves(const SurfaceModel& model);
 
-    /// One interval [0, 1] a border curve, instances outer, faces and loops in file order.
+    /// The border curves of each loop, an interval [0, 1] a curve, instances outer, faces and loops
+    /// in file order.
+    std::vector<std::vector<BoundaryInterval>> loops() const;
+    /// The intervals of all loops.
     std::vector<BoundaryInterval> all() const;
+    /// The whole curve that follows that of an interval in its loop, or that precedes it.
+    BoundaryInterval beside(const BoundaryInterval& interval, bool after) const;
     /// The curve that an interval runs on.
     SurfaceCurve curve(const BoundaryInterval& interval) const;
     /// mm along a face between two places of its borders, by the straight path in its parameters.
@@ -39,6 +44,7 @@ private:
     const SurfaceModel* model_;
     std::vector<PatchGrid> grids_;                    ///< a face
     std::vector<bool> material_left_;                 ///< a trim curve
+    std::vector<TrimLoop> loops_;                     ///< a trim curve, the loop that it is part of
     std::vector<std::array<Vec3, 8>> natural_points_; ///< four lines a face without loops
     std::vector<std::uint32_t> natural_index_;        ///< a face, into natural_points_
 };

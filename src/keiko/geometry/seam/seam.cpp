@@ -16,7 +16,7 @@ constexpr double point_length = 1e-6;
 class SeamPairing {
 public:
     SeamPairing(const SurfaceModel& model, double join, const Job& job)
-        : model_(model), join_(join), job_(job), curves_(model), intervals_(curves_.all()) {}
+        : model_(model), join_(join), job_(job), curves_(model) {}
 
     std::vector<Seam> run() {
         make_borders();
@@ -52,6 +52,7 @@ private:
     const Job& job_;
     BoundaryCurves curves_;
     std::vector<BoundaryInterval> intervals_;
+    std::vector<LoopLine> lines_; ///< a loop
     std::vector<Border> borders_;
     std::vector<SeamCandidate> candidates_;
     std::vector<std::vector<SeamOffer>> offers_; ///< a border
@@ -64,12 +65,22 @@ std::size_t task_count(std::size_t borders) {
 }
 
 void SeamPairing::make_borders() {
-    for (const BoundaryInterval& i : intervals_) borders_.push_back({curves_.curve(i), {}});
+    const auto loops = curves_.loops();
+    for (const auto& loop : loops)
+        for (const BoundaryInterval& i : loop) {
+            intervals_.push_back(i);
+            borders_.push_back({curves_.curve(i), {}});
+        }
     parallel_for(task_count(borders_.size()), job_, "borders", [&](std::size_t task) {
         const std::size_t end = std::min(borders_.size(), (task + 1) * borders_per_task);
         for (std::size_t i = task * borders_per_task; i < end; ++i)
             borders_[i].polyline = make_polyline(borders_[i].curve, join_ / 10);
     });
+    lines_.resize(loops.size());
+    std::size_t border = 0;
+    for (std::size_t i = 0; i < loops.size(); ++i)
+        for (std::size_t end = border + loops[i].size(); border < end; ++border)
+            borders_[border].append_to(lines_[i]);
 }
 
 template <class Wanted>
@@ -124,7 +135,11 @@ void SeamPairing::find_candidates() {
     std::erase_if(candidates_, [&](const SeamCandidate& c) { return open(c.a, c.b); });
     std::vector<SeamCandidate> wide = candidates(tree, join_, open);
     std::move(wide.begin(), wide.end(), std::back_inserter(candidates_));
-    for (SeamCandidate& candidate : candidates_) candidate.is_narrow = is_narrow_face(candidate);
+    for (SeamCandidate& candidate : candidates_) {
+        candidate.is_narrow = is_narrow_face(candidate);
+        const SeamPiece whole = piece(candidate, candidate.stretch);
+        candidate.is_slender = slender(whole.length, whole.widest);
+    }
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const SeamCandidate& x, const SeamCandidate& y) {
                          return std::pair(x.a, x.b) < std::pair(y.a, y.b);
@@ -172,7 +187,8 @@ bool SeamPairing::dominated(const SeamCandidate& candidate, const FacingPoints& 
     const auto best = [&](const std::vector<SeamOffer>& offers, double x) {
         double least = Box3::infinity;
         for (const SeamOffer& offer : offers)
-            if (offer.candidate != &candidate) least = std::min(least, cost_at(offer, x));
+            if (offer.candidate != &candidate && offer.candidate->is_slender)
+                least = std::min(least, cost_at(offer, x));
         return least;
     };
     const double bar = 0.5 * cost(p);
@@ -206,10 +222,14 @@ SeamPiece SeamPairing::piece(const SeamCandidate& candidate, const Stretch& stre
         result.ends[0][side] = tip(way[0], way[1]);
         result.ends[1][side] = tip(way.back(), way[way.size() - 2]);
     }
+    std::array<double, 2> lengths{};
     for (std::size_t i = 0; i < way.size(); ++i) {
-        if (i > 0) result.length += (way[i][0] - way[i - 1][0]).length();
+        for (std::size_t side = 0; i > 0 && side < 2; ++side)
+            lengths[side] += (way[i][side] - way[i - 1][side]).length();
         result.widest = std::max(result.widest, stretch.points[i].distance);
     }
+    result.length = std::min(lengths[0], lengths[1]);
+    result.same_direction = stretch.points.front().s < stretch.points.back().s;
     constexpr double filled = 0.9;
     const double shorter = std::min(border_a.polyline.length, border_b.polyline.length);
     const bool of_two = !on_one_face(candidate) || shared_edge(candidate);

@@ -30,12 +30,15 @@ double between(const SeamOffer& offer, double x, const Counts& counts, const Val
 constexpr double meeting = 0.02, meeting_in_lengths = 0.1;
 
 bool long_enough(double length, double widest, double join, bool fills_border) {
-    constexpr double slenderness = 4;
-    return length >= slenderness * widest && (length >= join || fills_border);
+    return slender(length, widest) && (length >= join || fills_border);
 }
 
-bool goes_on(const SeamPiece::Tip& x, const SeamPiece::Tip& y, double near) {
-    return (x.position - y.position).length() <= near && !is_corner(x.onward, -y.onward);
+bool meet(const SeamPiece::Tip& x, const SeamPiece::Tip& y, double near) {
+    return (x.position - y.position).length() <= near;
+}
+
+bool turns_corner(const SeamPiece::Tip& x, const SeamPiece::Tip& y) {
+    return is_corner(x.onward, -y.onward);
 }
 
 /// Calls `work(i, j)`, i < j, for the ends of pieces that continue each other on both borders. The
@@ -45,18 +48,27 @@ void for_meeting_ends(std::span<const SeamPiece> pieces, double join, const Work
     const auto tips = [&](std::size_t i) -> const std::array<SeamPiece::Tip, 2>& {
         return pieces[i / 2].ends[i % 2];
     };
-    const auto meet = [&](std::size_t i, std::size_t j) {
+    const auto meet_on = [&](std::size_t side, std::size_t i, std::size_t j, double near) {
+        return meet(tips(i)[side], tips(j)[side], near);
+    };
+    const auto go_on = [&](std::size_t i, std::size_t j) {
         const SeamPiece &x = pieces[i / 2], &y = pieces[j / 2];
+        // Along two loops one begins where the other ends, whatever corners either has. Where teeth
+        // of both are opposite each other, no place of one border faces the tips of the other.
+        if (x.faces == y.faces && x.same_direction == y.same_direction && i % 2 != j % 2)
+            return meet_on(0, i, j, meeting * join) || meet_on(1, i, j, meeting * join);
         const double near =
             std::min(meeting * join, meeting_in_lengths * std::min(x.length, y.length));
-        return goes_on(tips(i)[0], tips(j)[0], near) && goes_on(tips(i)[1], tips(j)[1], near);
+        return meet_on(0, i, j, near) && meet_on(1, i, j, near) &&
+               !turns_corner(tips(i)[0], tips(j)[0]) && !turns_corner(tips(i)[1], tips(j)[1]);
     };
     std::vector<Box3> boxes(2 * pieces.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i].extend(tips(i)[0].position);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (const SeamPiece::Tip& tip : tips(i)) boxes[i].extend(tip.position);
     const BoxTree tree(boxes);
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
         for (const std::uint32_t j : tree.overlapping(boxes[i].padded(meeting * join)))
-            if (j > i && meet(i, j)) work(i, j);
+            if (j > i && go_on(i, j)) work(i, j);
 }
 
 /// Pieces too short to be seams that meet each other.

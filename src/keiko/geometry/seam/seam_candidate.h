@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/units.h"
-#include "keiko/geometry/model/closest_point.h"
+#include "keiko/geometry/seam/border_run.h"
 #include "keiko/math/vec.h"
 
 #include <array>
@@ -14,12 +14,6 @@ namespace keiko {
 
 // Stretches along which borders face each other, and which of them are seams.
 
-/// A border curve prepared for searching.
-struct Border {
-    SurfaceCurve curve;     ///< the exact curve, world, mm
-    CurvePolyline polyline; ///< chords near the curve, for the search
-};
-
 /// Two points of two borders that face each other.
 struct FacingPoints {
     double t = 0, s = 0;  ///< on the first and on the second border
@@ -27,8 +21,8 @@ struct FacingPoints {
     bool overlap = false; ///< one of them lies on the other's material: no gap, a sliver's far side
 };
 
-/// A maximal stretch along which two borders face each other within the join distance, running
-/// nearly parallel.
+/// A maximal stretch along which two borders face each other within the join distance and run
+/// alike.
 struct Stretch {
     std::vector<FacingPoints> points; ///< at least two; t strictly rising, s rising or falling so
 };
@@ -52,10 +46,11 @@ inline bool is_corner(const Vec3& before, const Vec3& after) {
 
 /// A stretch and the two borders that it joins; border a is the earlier.
 struct SeamCandidate {
-    std::uint32_t a = 0;    ///< number of border a
-    std::uint32_t b = 0;    ///< number of border b, greater than a
-    Stretch stretch;        ///< t on border a, s on border b
-    bool is_narrow = false; ///< both are borders of one face, which is narrow between them
+    std::uint32_t a = 0;     ///< number of border a
+    std::uint32_t b = 0;     ///< number of border b, greater than a
+    Stretch stretch;         ///< t on border a, s on border b
+    bool is_slender = false; ///< much longer than it is wide; else a touch of two corners
+    bool is_narrow = false;  ///< both are borders of one face, which is narrow between them
 };
 
 /// The facing points that another candidate provides along a stretch of one border.
@@ -70,6 +65,11 @@ struct SeamOffer {
 /// Distance of two points by which candidates compete: a far side of a sliver faces the neighbour
 /// across the sliver's own material, which counts more.
 double cost(const FacingPoints& p);
+/// True if a length is much larger than a width.
+constexpr bool slender(double length, double width) {
+    constexpr double slenderness = 4;
+    return length >= slenderness * width;
+}
 /// Cost of an offer at a parameter of its border, or infinity beyond its ends.
 double cost_at(const SeamOffer& offer, double x);
 /// Distance in mm of an offer at a parameter of its border, only where material lies between;
@@ -87,7 +87,8 @@ struct SeamPiece {
     /// Instance and face of either side.
     std::array<std::uint32_t, 4> faces{};
     std::array<std::array<Tip, 2>, 2> ends{}; ///< the first and the last, on both borders
-    double length = 0;                        ///< mm
+    double length = 0;                        ///< mm, along the shorter border
+    bool same_direction = true;               ///< of both borders, in the order of their loops
     double widest = 0;                        ///< mm between the borders
     bool fills_border = false; ///< almost the whole of the shorter border, of two faces or of one
                                ///< that the file closes there
@@ -97,7 +98,8 @@ struct SeamPiece {
 /// `join` mm or as long as a whole border. A scrap is a seam together with those that continue it
 /// at its ends, of the same faces or of the next ones. It also is one where it fills the hole
 /// between two seams of its faces. The result thus does not depend on how a border is cut into
-/// curves. Where a border turns back, as in the hooks of careless trims, nothing continues it.
+/// curves, nor on its teeth. Where a border turns back, as in the hooks of careless trims, nothing
+/// continues it.
 std::vector<bool> seams_among(std::span<const SeamPiece> pieces, double join);
 
 } // namespace keiko

@@ -12,7 +12,6 @@ namespace {
 
 /// mm: an end this near to another is the same end; CAD systems themselves join at 1e-7 to 1e-5.
 constexpr double snap = 1e-6;
-const double sin_parallel = std::sin(parallel_borders);
 
 /// Parameters of an end; either end of a closed curve represents both, as a foot does not
 /// distinguish them.
@@ -25,7 +24,7 @@ std::vector<double> ends_at(double t, bool closed) {
 struct Look {
     double t = 0, s = 0;
     double distance = 0;
-    bool facing = false;  ///< a square foot within the join distance, nearly parallel
+    bool facing = false;  ///< a square foot within the join distance; the borders run alike
     bool forward = false; ///< b has the same direction as a
     bool end_of_b = false;
 
@@ -55,7 +54,7 @@ public:
           join_(join),
           a_closed_(closed(a)),
           b_closed_(closed(b)),
-          approach_(border_approach(a.polyline, b.polyline, join)) {}
+          approach_(border_approach(a, b, join)) {}
 
     std::vector<Stretch> stretches() const {
         std::vector<Stretch> found;
@@ -83,6 +82,9 @@ private:
 
     Look look(double t, double guess) const;
     std::optional<Look> look_at_end_of_b(double s) const;
+    std::optional<bool> directions(const ClosestPoint& foot, double t,
+                                   const SurfaceCurve::Point& on_a, double s,
+                                   const SurfaceCurve::Point& on_b) const;
     Look last_facing(Look facing, Look lost) const;
 
     const Border &a_, &b_;
@@ -95,12 +97,12 @@ Look Alongside::look(double t, double guess) const {
     check_stop();
     const SurfaceCurve::Point from = a_.curve.at(t);
     const ClosestPoint foot = closest_point(b_.curve, from.position, guess);
+    const std::optional<bool> forward = directions(foot, t, from, foot.t, foot.point);
     return {.t = t,
             .s = snapped(foot),
             .distance = foot.distance,
-            .facing = foot.distance <= join_ && foot.slip <= snap &&
-                      nearly_parallel(from.first, foot.point.first, sin_parallel),
-            .forward = from.first.dot(foot.point.first) > 0};
+            .facing = forward.has_value(),
+            .forward = forward.value_or(false)};
 }
 
 /// The point of a that faces an end of b, unless a ends before.
@@ -108,15 +110,24 @@ std::optional<Look> Alongside::look_at_end_of_b(double s) const {
     const SurfaceCurve::Point from = b_.curve.at(s);
     const ClosestPoint foot =
         closest_point(a_.curve, from.position, a_.polyline.nearest(from.position));
-    const bool facing = foot.distance <= join_ && foot.slip <= snap &&
-                        nearly_parallel(from.first, foot.point.first, sin_parallel);
-    if (!facing) return std::nullopt;
+    const std::optional<bool> forward = directions(foot, foot.t, foot.point, s, from);
+    if (!forward) return std::nullopt;
     return Look{.t = snapped(foot),
                 .s = s,
                 .distance = foot.distance,
                 .facing = true,
-                .forward = from.first.dot(foot.point.first) > 0,
+                .forward = *forward,
                 .end_of_b = true};
+}
+
+/// Directions of a and b at a foot on one of a point of the other: true if they are the same, false
+/// if opposite; nullopt if the borders do not face each other there.
+std::optional<bool> Alongside::directions(const ClosestPoint& foot, double t,
+                                          const SurfaceCurve::Point& on_a, double s,
+                                          const SurfaceCurve::Point& on_b) const {
+    if (!(foot.distance <= join_ && foot.slip <= snap)) return std::nullopt;
+    return run_alike({a_.place(t, on_a.position), on_a.first},
+                     {b_.place(s, on_b.position), on_b.first}, join_);
 }
 
 std::vector<Look> Alongside::looks_in(const ParameterInterval& range) const {

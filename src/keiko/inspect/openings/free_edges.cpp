@@ -35,28 +35,6 @@ CoveredBorders covered_borders(std::span<const Seam> seams) {
     return covered;
 }
 
-/// The borders of a model, loop by loop.
-std::vector<std::vector<BoundaryInterval>> loops_of(const SurfaceModel& model,
-                                                    const BoundaryCurves& curves) {
-    std::vector<std::vector<BoundaryInterval>> loops;
-    std::size_t left = 0, next_loop = 0;
-    for (const BoundaryInterval& border : curves.all()) {
-        if (left == 0) {
-            const Face& face = model.faces[border.face];
-            const auto trims = model.loops_of(face);
-            const bool same_face = !loops.empty() && loops.back().back().face == border.face &&
-                                   loops.back().back().instance == border.instance;
-            next_loop = same_face ? next_loop + 1 : 0;
-            while (next_loop < trims.size() && trims[next_loop].curve_count == 0) ++next_loop;
-            left = trims.empty() ? 4 : trims[next_loop].curve_count;
-            loops.emplace_back();
-        }
-        loops.back().push_back(border);
-        --left;
-    }
-    return loops;
-}
-
 /// Pieces of one free edge, and whether it is the whole loop.
 struct Run {
     std::vector<BoundaryInterval> pieces;
@@ -218,10 +196,10 @@ FreePlace FreeEdge::at(double way) const {
     return result;
 }
 
-FreeEdges free_edges(const SurfaceModel& model, const BoundaryCurves& curves,
-                     std::span<const Seam> seams, double least, double join, const Job& job) {
+FreeEdges free_edges(const BoundaryCurves& curves, std::span<const Seam> seams, double least,
+                     double join, const Job& job) {
     const CoveredBorders covered = covered_borders(seams);
-    const auto loops = loops_of(model, curves);
+    const auto loops = curves.loops();
     std::vector<std::vector<FreeEdge>> found(loops.size());
     parallel_for(loops.size(), job, "", [&](std::size_t i) {
         for (Run& run : free_runs(loops[i], covered)) {

@@ -66,7 +66,7 @@ struct FreeEdges {
 
 /// The free edges of a model with these seams. Edges up to `least` mm are left out. Ends without a
 /// seam between them are joined within `join` mm, the nearest first.
-FreeEdges free_edges(const SurfaceModel& model, const BoundaryCurves& curves,
-                     std::span<const Seam> seams, double least, double join, const Job& job = {});
+FreeEdges free_edges(const BoundaryCurves& curves, std::span<const Seam> seams, double least,
+                     double join, const Job& job = {});
 
 } // namespace keiko

@@ -3,7 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/bvh/box_tree.h"
 #include "keiko/geometry/model/closest_point.h"
-#include "keiko/geometry/seam/border_approach.h"
+#include "keiko/geometry/seam/border_run.h"
 
 #include <algorithm>
 #include <cmath>

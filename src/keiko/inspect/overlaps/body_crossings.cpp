@@ -57,7 +57,7 @@ public:
     }
 
     std::vector<Overlap> run(const Job& job) {
-        edges_ = free_edges(borders_.model, borders_.curves, {}, 0, join_, job);
+        edges_ = free_edges(borders_.curves, {}, 0, join_, job);
         list_chords();
         if (chords_.empty()) return {};
         std::vector<Ray> rays;

@@ -3,7 +3,7 @@
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/bezier/subpatch.h"
-#include "keiko/geometry/seam/border_approach.h"
+#include "keiko/geometry/seam/border_run.h"
 #include "keiko/inspect/overlaps/face_inside.h"
 #include "keiko/math/interval_set.h"
 

@@ -1,6 +1,6 @@
 #include "keiko/inspect/overlaps/face_inside.h"
 
-#include "keiko/geometry/seam/border_approach.h"
+#include "keiko/geometry/seam/border_run.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "keiko/base/units.h"
 #include "keiko/geometry/bvh/box_tree.h"
 #include "keiko/geometry/model/closest_point.h"
-#include "keiko/geometry/seam/border_approach.h"
+#include "keiko/geometry/seam/border_run.h"
 #include "keiko/inspect/seams/seam_sides.h"
 #include "keiko/math/interval_set.h"
 

@@ -2,7 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/closest_point.h"
-#include "keiko/geometry/seam/border_approach.h"
+#include "keiko/geometry/seam/border_run.h"
 #include "keiko/math/disjoint_sets.h"
 
 #include <algorithm>
@@ -19,10 +19,12 @@ using FacePair = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::ui
 struct Ends {
     SeamEnd begin, end;
 
-    Ends(const SurfaceCurve& curve, const BoundaryInterval& interval) {
-        const SurfaceCurve::Point first = curve.at(interval.begin), last = curve.at(interval.end);
-        begin = {first.position, -first.first};
-        end = {last.position, last.first};
+    Ends(const BoundaryCurves& curves, const Seam& seam) {
+        const SurfaceCurve curve = curves.curve(seam.a);
+        const SurfaceCurve::Point first = curve.at(seam.a.begin), last = curve.at(seam.a.end);
+        const auto [run_begin, run_end] = runs_out(curves, seam);
+        begin = {first.position, -first.first, run_begin};
+        end = {last.position, last.first, run_end};
     }
 
     bool touch(const Ends& other, double join) const {
@@ -30,6 +32,38 @@ struct Ends {
                goes_on(end, other.begin, join) || goes_on(end, other.end, join);
     }
 };
+
+/// Where a curve from parameter t to its end `stop` first is `length` mm from a place; nullopt if
+/// it is nowhere. Sampled in eighths.
+std::optional<Vec3> leaves(const SurfaceCurve& curve, double t, double stop, const Vec3& from,
+                           double length) {
+    constexpr int steps = 8, halvings = 30;
+    const auto is_out = [&](double x) { return (curve.at(x).position - from).length() >= length; };
+    for (int i = 1; i <= steps; ++i) {
+        double out = t + (stop - t) * i / steps, in = t + (stop - t) * (i - 1) / steps;
+        if (!is_out(out)) continue;
+        for (int k = 0; k < halvings; ++k) (is_out((in + out) / 2) ? out : in) = (in + out) / 2;
+        return curve.at(out).position;
+    }
+    return std::nullopt;
+}
+
+/// Direction from the place `length` mm away on a loop of borders, forward or backwards from
+/// parameter t of one of its curves, to that parameter. That of the curve itself if the loop does
+/// not reach so far.
+Vec3 run_into(const BoundaryCurves& curves, BoundaryInterval on, double t, bool forward,
+              double length) {
+    const std::uint32_t first = on.curve;
+    const SurfaceCurve::Point at = curves.curve(on).at(t);
+    do {
+        const double stop = forward ? 1 : 0;
+        if (const auto out = leaves(curves.curve(on), t, stop, at.position, length))
+            return at.position - *out;
+        on = curves.beside(on, forward);
+        t = 1 - stop;
+    } while (on.curve != first);
+    return forward ? -at.first : at.first;
+}
 
 /// mm: a foot that slips by more along its curve lies beyond the curve's end.
 constexpr double square_foot = 1e-6;
@@ -139,12 +173,19 @@ private:
 
 SeamEnd end_of(const SeamProbe& probe, const SeamPart& part, bool last) {
     const SeamPoint& point = last ? part.end : part.begin;
-    const Vec3 run = probe.run(point.t);
-    return {point.place, last ? run : -run};
+    const Vec3 out = last ? probe.run(point.t) : -probe.run(point.t);
+    const bool inside = point.t != (last ? probe.end() : probe.begin());
+    return {point.place, out, inside ? out : probe.run_out_of(last).value_or(out)};
+}
+
+std::array<Vec3, 2> runs_out(const BoundaryCurves& curves, const Seam& seam) {
+    static const double length = same_vertex / std::sin(seam_corner);
+    return {run_into(curves, seam.a, seam.a.begin, true, length),
+            run_into(curves, seam.a, seam.a.end, false, length)};
 }
 
 bool goes_on(const SeamEnd& from, const SeamEnd& into, double reach) {
-    if (is_corner(from.out, -into.out)) return false;
+    if (is_corner(from.out, -into.out) && is_corner(from.run, -into.run)) return false;
     const Vec3 way = into.place - from.place;
     if (way.length() <= same_vertex) return true;
     return way.length() <= reach && !is_corner(from.out, way) && !is_corner(way, -into.out);
@@ -157,7 +198,7 @@ std::vector<std::vector<std::uint32_t>> seam_chains(const BoundaryCurves& curves
     DisjointSets sets(seams.size());
     for (std::uint32_t i = 0; i < seams.size(); ++i) {
         const BoundaryInterval &a = seams[i].a, &b = seams[i].b;
-        ends.emplace_back(curves.curve(a), a);
+        ends.emplace_back(curves, seams[i]);
         auto& same = by_faces[FacePair(a.instance, a.face, b.instance, b.face)];
         for (const std::uint32_t j : same)
             if (ends[i].touch(ends[j], join)) sets.join(i, j);

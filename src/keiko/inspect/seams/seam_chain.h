@@ -5,6 +5,7 @@
 #include "keiko/geometry/seam/seam_candidate.h"
 #include "keiko/inspect/seams/seam_partition.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -18,13 +19,19 @@ constexpr double same_vertex = 0.01;
 struct SeamEnd {
     Vec3 place{0}; ///< world, mm
     Vec3 out{0};   ///< out of the piece, of any length; 0 if the border is stationary there
+    Vec3 run{0};   ///< the same over the length of a vertex, along the border before the end
 };
 
 /// One of the two ends of a part.
 SeamEnd end_of(const SeamProbe& probe, const SeamPart& part, bool last);
 
+/// Directions in which side a of a seam runs out of its begin and of its end, over the length at
+/// which a step aside by same_vertex is a corner.
+std::array<Vec3, 2> runs_out(const BoundaryCurves& curves, const Seam& seam);
+
 /// True if a line that leaves a piece at one end continues into another piece at the other. Either
-/// the ends are one vertex and the line turns no corner there. Or the straight connection between
+/// the ends are one vertex and the line turns no corner there, in its place or over the length of a
+/// vertex: small teeth are no corners. Or the straight connection between
 /// them is at most `reach` mm long and the line turns no corner at either end of it.
 bool goes_on(const SeamEnd& from, const SeamEnd& into, double reach);
 

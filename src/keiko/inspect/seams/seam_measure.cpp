@@ -19,7 +19,10 @@ SeamLine line_of(const BoundaryCurves& curves, std::span<const Seam> seams,
                  const std::vector<std::uint32_t>& pieces) {
     const Seam& first = seams[pieces.front()];
     SeamLine line{first.a.instance, first.a.face, first.b.instance, first.b.face, {}};
-    for (const std::uint32_t piece : pieces) line.probes.emplace_back(curves, seams[piece]);
+    for (const std::uint32_t piece : pieces) {
+        line.probes.emplace_back(curves, seams[piece]);
+        line.probes.back().set_runs_out(runs_out(curves, seams[piece]));
+    }
     return line;
 }
 

@@ -3,7 +3,7 @@
 #include "keiko/base/units.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/model/closest_point.h"
-#include "keiko/geometry/seam/border_approach.h"
+#include "keiko/geometry/seam/border_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +95,7 @@ SeamProbe::SeamProbe(const SurfaceCurve& a, const ParameterInterval& on_a, const
 
 SeamProbe SeamProbe::part(const SeamPoint& from, const SeamPoint& to) const {
     SeamProbe result = *this;
+    result.runs_out_.reset();
     result.on_a_ = {from.t, to.t}, result.on_b_ = {from.s, to.s};
     for (std::vector<double>* changes : {&result.changes_.a, &result.changes_.either})
         std::erase_if(*changes, [&](double t) { return !(t > from.t && t < to.t); });
@@ -112,9 +113,10 @@ SeamPoint SeamProbe::at(double t, double s_guess) const {
     Side from = side(*frame_a, true, true);
     Side into = side(*frame_b, false, forward_);
     const Vec3 apart = foot.point.position - place;
-    if (bend_ && !nearly_parallel(from.run, into.run, std::sin(parallel_borders))) {
-        from = along_way(from, frame_a->surface, apart);
-        into = along_way(into, frame_b->surface, apart);
+    if (!nearly_parallel(from.run, into.run, std::sin(parallel_borders))) {
+        const Vec3 way = bend_ ? apart : from.across + into.across;
+        from = along_way(from, frame_a->surface, way);
+        into = along_way(into, frame_b->surface, way);
     }
     point.signed_angle = radians_to_degrees(bend_ ? unexplained_turn(from, into, foot.distance)
                                                   : turn_between(from, into));

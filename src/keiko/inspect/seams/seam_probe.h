@@ -5,12 +5,15 @@
 #include "keiko/geometry/seam/seam.h"
 #include "keiko/math/interval_set.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace KEIKO_API keiko {
 
-/// The relation of the two sides of a seam at one place; world coordinates.
+/// The relation of the two sides of a seam at one place; world coordinates. Where the borders
+/// diverge by more than `parallel_borders`, as those with teeth, curvatures and slopes are those
+/// square to the mean of their directions.
 struct SeamPoint {
     double t = 0, s = 0;         ///< parameters of the curves of the sides a and b
     Vec3 place{0};               ///< on side a
@@ -76,6 +79,14 @@ public:
     Vec3 place(double t) const { return a_.at(t).position; }
     /// Derivative of side a at parameter t, mm a unit of it; 0 where it is stationary. World.
     Vec3 run(double t) const { return a_.at(t).first; }
+    /// Direction in which side a runs out of the seam's end, or out of its begin, over a length;
+    /// nullopt if none was given. World.
+    std::optional<Vec3> run_out_of(bool at_end) const {
+        if (!runs_out_) return std::nullopt;
+        return (*runs_out_)[at_end ? 1 : 0];
+    }
+    /// Gives those directions: out of the begin and of the end.
+    void set_runs_out(const std::array<Vec3, 2>& runs) { runs_out_ = runs; }
     /// A point halfway along, on side a; world, mm.
     Vec3 middle() const { return place((begin() + end()) / 2); }
 
@@ -101,6 +112,7 @@ private:
     ParameterInterval reach_b_;     ///< where the nearest point of side b is searched
     bool forward_;                  ///< side b runs in the direction of side a
     PatchChanges changes_;
+    std::optional<std::array<Vec3, 2>> runs_out_;
     bool bend_ = false; ///< the sides belong to one surface, at a distance from each other
 };
 
