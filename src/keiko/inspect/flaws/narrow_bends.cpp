@@ -118,7 +118,7 @@ public:
     explicit Ways(const SidedFaces& faces) : faces_(faces) {}
 
     /// The way into a face from a place of its border, up to `reach` mm; it ends where material
-    /// does, or at a seam that does not pass. `run`: of the seam, to whose left the material lies
+    /// does, or at a crease. `run`: of the seam, to whose left the material lies
     /// where seen against the normals.
     std::vector<WayPoint> from(PlacedFace face, SurfaceCurve border, double t, const Vec3& run,
                                double reach) const {
@@ -129,7 +129,7 @@ public:
             const auto next = over(face, border, t, run, begin, reach, way);
             if (!next) break;
             const SeamSide& side = faces_.at(key_of(face)).strips.sides()[next->side_far];
-            if (!side.is_passing || side.is_inside) break;
+            if (!side.leads_on || side.is_inside) break;
             begin += next->width();
             t = parameter_beyond(side, next->t_far, next->far.position);
             face = side.neighbour, border = side.beyond.curve;
@@ -238,7 +238,9 @@ private:
                          0,
                          at.place};
             }
-        const bool bends = worst.angle > limits_.angle && worst.angle < limits_.feature_angle;
+        const double own = at.angle.value_or(0); // judged by itself where it does not pass
+        const double least = limits_.angle + (own > limits_.angle ? own : 0);
+        const bool bends = worst.angle > least && worst.angle < limits_.feature_angle;
         return bends ? std::optional(worst) : std::nullopt;
     }
 
@@ -248,9 +250,8 @@ private:
     Ways ways_;
 };
 
-bool is_passing(const MeasuredSeam& seam) {
-    return !seam.internal && !seam.scrap && seam.kind == SeamClass::smooth && seam.angle &&
-           seam.angle->verdict == Verdict::pass;
+bool is_smooth(const MeasuredSeam& seam) {
+    return !seam.internal && !seam.scrap && seam.kind == SeamClass::smooth;
 }
 
 } // namespace
@@ -266,7 +267,7 @@ std::vector<NarrowBend> narrow_bends(const ModelBorders& borders,
     const BendSearch search(borders, pieces, limits, faces);
     std::vector<std::optional<NarrowBend>> found(seams.size());
     parallel_for(seams.size(), job, "", [&](std::size_t i) {
-        if (is_passing(seams[i])) found[i] = search.about(seams[i]);
+        if (is_smooth(seams[i])) found[i] = search.about(seams[i]);
     });
     std::map<FaceKey, NarrowBend> worst;
     for (const auto& bend : found) {

@@ -21,12 +21,13 @@ struct NarrowBend {
     Vec3 place{0};     ///< world, mm: of the seam, where the angle is largest
 };
 
-/// The bends about the seams whose angles pass. At places of every piece of a seam the surface is
-/// followed square to it, over further such seams, up to the negligible length either way. Between
-/// two places on that way no farther apart, the normal may turn by what either end's curvature, or
-/// none, makes of the way. It is a bend where it turns by more than the limit beyond, and at least
-/// twice as far. From the feature angle on it is a feature line instead. At most one a placed
-/// face, on more than the negligible length of a seam. `pieces`: MeasuredSeams::pieces.
+/// The bends about smooth seams. At places of every piece of a seam the surface is
+/// followed square to it, over further smooth seams, up to the negligible length either way.
+/// Between two places on that way no farther apart, the normal may turn by what either end's
+/// curvature, or none, makes of the way. It is a bend where it turns by more than the limit beyond,
+/// and at least twice as far. About a seam that fails by itself it must do so beyond the seam's own
+/// angle. From the feature angle on it is a feature line instead. At most one a placed face, on
+/// more than the negligible length of a seam. `pieces`: MeasuredSeams::pieces.
 std::vector<NarrowBend> narrow_bends(const ModelBorders& borders,
                                      std::span<const MeasuredSeam> seams,
                                      std::span<const Seam> pieces, const CriteriaPreset& limits,

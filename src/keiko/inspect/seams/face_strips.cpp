@@ -66,7 +66,7 @@ std::optional<StripPlace> FaceStrips::nearest(const SurfaceCurve& border, double
     std::optional<StripPlace> best;
     for (const std::uint32_t j : near(box.padded(reach))) {
         const SeamSide& side = sides_[chords_[j].side];
-        if (side.is_inside && side.is_passing) continue;
+        if (side.is_inside && side.leads_on) continue;
         const auto at = across(border, t, chords_[j], best ? best->width() : reach);
         if (at && nearly_parallel(at->near.tangent, at->far.tangent, std::sin(parallel_borders)))
             best = at;

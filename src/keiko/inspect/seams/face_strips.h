@@ -49,7 +49,7 @@ public:
     std::optional<StripPlace> across(const SurfaceCurve& border, double t, const SideChord& to,
                                      double reach) const;
     /// The nearest such place of any side that runs parallel there and stops a way over the
-    /// surface: of a border, or inside the face if it does not pass.
+    /// surface: of a border, or inside the face if it does not lead on.
     std::optional<StripPlace> nearest(const SurfaceCurve& border, double t, double reach) const;
 
 private:

@@ -27,13 +27,13 @@ struct SeamSide {
         /// The parameter at a share of the run, 0 at its begin and 1 at its end.
         double at(double share) const { return on.begin + share * (on.end - on.begin); }
     };
-    Line own;                ///< of the face that the side belongs to
-    Line beyond;             ///< the other side
-    PlacedFace neighbour;    ///< the face of `beyond`; the face itself for lines inside it
-    bool is_crease = false;  ///< or a run-out
-    bool is_passing = false; ///< smooth, and its angle passes
-    bool is_inside = false;  ///< of a line inside the face
-    double negligible = 0;   ///< mm, of the seam
+    Line own;               ///< of the face that the side belongs to
+    Line beyond;            ///< the other side
+    PlacedFace neighbour;   ///< the face of `beyond`; the face itself for lines inside it
+    bool is_crease = false; ///< or a run-out
+    bool leads_on = false;  ///< smooth; of a line inside the face, its angle passes, too
+    bool is_inside = false; ///< of a line inside the face
+    double negligible = 0;  ///< mm, of the seam
 };
 
 /// The sides of measured seams, by their placed faces. Lines inside a face have two sides of it.
