@@ -1,6 +1,7 @@
 #include "keiko/inspect/border_checks.h"
 
 #include "keiko/inspect/basics/placed_face.h"
+#include "keiko/inspect/flaws/narrow_bends.h"
 #include "keiko/inspect/openings/missing_caps.h"
 #include "keiko/inspect/overlaps/body_crossings.h"
 #include "keiko/inspect/seams/narrow_faces.h"
@@ -68,13 +69,15 @@ std::vector<Check> checks_at_borders(const ModelBorders& borders,
                                      double join, const Job& job) {
     const SurfaceModel& model = borders.model;
     FaceChecks checks(model);
-    for (const NarrowFace& narrow : narrow_faces(borders, seams, pieces, preset, join, job)) {
-        const std::string neighbours = checks.names(narrow.neighbours);
-        Check check = narrow.kind == NarrowFace::Kind::kink
-                          ? check_of_kink(narrow, preset, neighbours)
-                          : check_of_narrow(narrow, join, neighbours);
+    for (const NarrowFace& narrow : narrow_faces(borders, seams, pieces, join, job)) {
+        Check check = check_of_narrow(narrow, join, checks.names(narrow.neighbours));
         check.faces = checks.name(narrow.face);
         checks.add(narrow.face, std::move(check));
+    }
+    for (const NarrowBend& bend : narrow_bends(borders, seams, pieces, preset, job)) {
+        Check check = check_of_bend(bend, preset, checks.names(bend.sides));
+        check.faces = checks.name(bend.face);
+        checks.add(bend.face, std::move(check));
     }
     const FreeEdges edges = free_edges(borders.curves, pieces, preset.gap, join, job);
     const OpeningLimits small{join, preset.negligible, preset.gap};

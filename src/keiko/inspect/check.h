@@ -12,6 +12,7 @@
 
 namespace KEIKO_API keiko {
 
+struct NarrowBend;
 struct NarrowFace;
 struct Opening;
 struct Overlap;
@@ -68,10 +69,9 @@ Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::siz
 /// = 0". Without face.
 Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane);
 
-/// G-SU-NT: the faces on either side of a strip not wider than what is negligible turn by more than
-/// the preset's angle. `neighbours`: their names. Without face.
-Check check_of_kink(const NarrowFace& narrow, const CriteriaPreset& preset,
-                    const std::string& neighbours);
+/// G-SU-NT: the normal turns by more than the preset's angle over a strip not wider than what is
+/// negligible. `sides`: the names of the faces on either side of it. Without face.
+Check check_of_bend(const NarrowBend& bend, const CriteriaPreset& preset, const std::string& sides);
 
 /// G-SU-NA: a strip of a face that is narrower than the join distance, `join` mm, beside a crease
 /// deserves a look. `neighbours`: the names of the faces on either side of it. Without face.

@@ -1,4 +1,5 @@
 #include "keiko/inspect/check_sentence.h"
+#include "keiko/inspect/flaws/narrow_bends.h"
 #include "keiko/inspect/openings/opening.h"
 #include "keiko/inspect/overlaps/overlap.h"
 #include "keiko/inspect/seams/narrow_faces.h"
@@ -60,12 +61,12 @@ Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane) {
     return judged_check("KEIKO-SYMMETRY", "mm", worst, {what.c_str(), " mm"});
 }
 
-Check check_of_kink(const NarrowFace& narrow, const CriteriaPreset& preset,
-                    const std::string& neighbours) {
-    const MeasuredValue worst{narrow.angle, 0, preset.angle, narrow.place, Verdict::fail};
+Check check_of_bend(const NarrowBend& bend, const CriteriaPreset& preset,
+                    const std::string& sides) {
+    const MeasuredValue worst{bend.angle, 0, preset.angle, bend.place, Verdict::fail};
     Check check = judged_check("G-SU-NT", "deg", worst, {"the angle across a strip", " degrees"});
-    check.message += "; the strip is " + short_number(narrow.width) + " mm wide and some " +
-                     short_number(narrow.length) + " mm long, between " + neighbours;
+    check.message += "; the strip is " + short_number(bend.width) + " mm wide and some " +
+                     short_number(bend.length) + " mm long, between " + sides;
     return check;
 }
 

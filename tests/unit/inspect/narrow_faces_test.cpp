@@ -62,7 +62,7 @@ SurfaceModel turned(const Profile& profile) {
 
 std::vector<NarrowFace> narrow_of(const SurfaceModel& model) {
     const Inspection inspection = inspect(model, {}, join);
-    return narrow_faces(model, inspection.seams, inspection.pieces, {}, join);
+    return narrow_faces(model, inspection.seams, inspection.pieces, join);
 }
 
 std::optional<Check> look_at(const SurfaceModel& model) {
@@ -263,45 +263,6 @@ TEST(NarrowFaces, AreNoSlitsNorHemsOfOneFace) {
     builder.plane({0, 0, 0}, {length, 0, 0}, {0, 0, -panel});
     builder.plane({0, 0, 2 * r}, {length, 0, 0}, {0, 0, panel});
     EXPECT_TRUE(narrow_of(builder.build()).empty());
-}
-
-/// Panels on either side of a strip `width` mm wide that bends evenly by `degrees`.
-SurfaceModel bent_strip(double width, double degrees) {
-    test::ModelBuilder builder;
-    const Vec2 middle(width / 2, 0), end = middle + direction(degrees) * (width / 2);
-    const Vec2 way = direction(degrees) * panel;
-    builder.plane({0, -panel, 0}, {length, 0, 0}, {0, panel, 0});
-    std::vector<Vec3> points;
-    for (const double x : {0.0, length})
-        for (const Vec2& p : {Vec2(0), middle, end}) points.emplace_back(x, p.x, p.y);
-    builder.patch(1, 2, points);
-    builder.plane({0, end.x, end.y}, {length, 0, 0}, {0, way.x, way.y});
-    return builder.build();
-}
-
-TEST(NarrowFaces, AreKinksWhereTheyAreNegligibleAndBend) {
-    for (const double width : {0.001, 0.02, 0.05, 0.09})
-        for (const double degrees : {0.15, 1.0, 3.0, 4.5}) {
-            const SurfaceModel model = bent_strip(width, degrees);
-            const auto found = narrow_of(model);
-            ASSERT_EQ(found.size(), 1u) << width << " " << degrees;
-            EXPECT_EQ(found[0].kind, NarrowFace::Kind::kink);
-            EXPECT_NEAR(found[0].angle, degrees, 1e-6);
-            EXPECT_NEAR(found[0].length, length, 1e-6);
-            const Inspection inspection = inspect(model, {}, join);
-            const auto is_kink = [](const Check& check) {
-                return check.message.find("the angle across a strip") != std::string::npos;
-            };
-            EXPECT_EQ(
-                std::count_if(inspection.findings.begin(), inspection.findings.end(), is_kink), 1);
-            EXPECT_EQ(inspection.faces[1].verdict, Verdict::fail);
-        }
-}
-
-TEST(NarrowFaces, AreNoKinksWhereTheyAreWiderOrBendLess) {
-    EXPECT_TRUE(narrow_of(bent_strip(0.11, 3)).empty());
-    EXPECT_TRUE(narrow_of(bent_strip(0.05, 0.09)).empty());
-    EXPECT_TRUE(narrow_of(bent_strip(0.05, 30)).empty()) << "a feature line";
 }
 
 } // namespace

@@ -32,9 +32,13 @@ void SeamSides::add(const MeasuredSeam& seam, const KnotPiece& piece) {
 void SeamSides::add_both(const MeasuredSeam& seam, const SeamSide::Line& a,
                          const SeamSide::Line& b) {
     const bool sharp = seam.kind == SeamClass::crease || seam.kind == SeamClass::run_out;
+    const bool passes = seam.angle && seam.angle->verdict == Verdict::pass;
+    const bool leads_on = seam.kind == SeamClass::smooth && (passes || !seam.internal);
     const PlacedFace of_a{seam.instance_a, seam.face_a}, of_b{seam.instance_b, seam.face_b};
-    sides_[{of_a.instance, of_a.face}].push_back({a, b, of_b, sharp, seam.negligible});
-    sides_[{of_b.instance, of_b.face}].push_back({b, a, of_a, sharp, seam.negligible});
+    sides_[{of_a.instance, of_a.face}].push_back(
+        {a, b, of_b, sharp, leads_on, seam.internal, seam.negligible});
+    sides_[{of_b.instance, of_b.face}].push_back(
+        {b, a, of_a, sharp, leads_on, seam.internal, seam.negligible});
 }
 
 } // namespace keiko

@@ -31,6 +31,8 @@ struct SeamSide {
     Line beyond;            ///< the other side
     PlacedFace neighbour;   ///< the face of `beyond`; the face itself for lines inside it
     bool is_crease = false; ///< or a run-out
+    bool leads_on = false;  ///< smooth; of a line inside the face, its angle passes, too
+    bool is_inside = false; ///< of a line inside the face
     double negligible = 0;  ///< mm, of the seam
 };
 
