@@ -139,6 +139,10 @@ Check check_of_singular(const SingularPlace& place, const CriteriaPreset& preset
         check.message =
             "the weights of a patch differ by more than a factor of 10000: its seams may "
             "be measured in part";
+    if (place.kind == Kind::uneven_border)
+        check.message =
+            "the weights of a border curve differ by more than a factor of 1000000: "
+            "its seams may not be found or be measured in part";
     check.message += place.kind == Kind::fold ? "; the face folds back on itself" : "";
     if (place.extent > 1e-3) check.message += ", within some " + short_number(place.extent) + " mm";
     if (place.kind == Kind::no_limit) check.severity = Check::Severity::look;

@@ -98,13 +98,38 @@ TEST(PresetFile, SaysWhereAFileIsWrong) {
               "p.toml:4:7: seam.gap: must be above 0 and at most 1e+06, is 0");
     EXPECT_EQ(
         refused("name = \"x\"\n[seam]\ngap = 1\nangle = 6\n"),
-        "p.toml:3:1: seam.feature_angle: is below the limit of the angle: no seam could fail");
+        "p.toml:3:1: seam.feature_angle: is not above the limit of the angle: no seam could fail");
     EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\ncurvatur = 1\n"),
               "p.toml:6:1: unknown key 'seam.curvatur' (did you mean 'curvature'?)");
     EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\n[surface]\nradius = 6\n"),
               "p.toml:7:1: unknown key 'surface.radius'");
     EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\n[surface]\nminimum_radius = 0\n"),
               "p.toml:7:18: surface.minimum_radius: must be above 0 and at most 1e+06, is 0");
+}
+
+TEST(PresetFile, RefusesALimitThatNothingIsBeyond) {
+    const std::string seam = "name = \"x\"\n[seam]\ngap = 1\nangle = 1\n";
+    const auto curvature = [&](const std::string& formula, const std::string& limit) {
+        return refused(seam + "curvature = { formula = \"" + formula + "\", limit = " + limit +
+                       " }\n");
+    };
+    for (const std::string limit : {"1", "1.5", "2"})
+        EXPECT_EQ(curvature("alias", limit),
+                  "p.toml:6:42: seam.curvature.limit: must be above 0 and below 1, which nothing "
+                  "is beyond, is " +
+                      limit);
+    EXPECT_EQ(curvature("alias", "0.99"), "");
+    EXPECT_EQ(curvature("catia", "1.99"), "");
+    for (const std::string limit : {"2", "2.5", "0", "-1"})
+        EXPECT_NE(curvature("catia", limit), "");
+    const auto refuses = [&](const std::string& line, const std::string& largest) {
+        EXPECT_NE(refused(seam + line + " = " + largest + "\n"), "") << line;
+        EXPECT_EQ(refused(seam + line + " = 0.99e" + (largest == "90" ? "1" : "2") + "\n"), "");
+    };
+    refuses("curvature_slope", "180");
+    refuses("[lines]\nturn", "90");
+    refuses("[lines]\nkink", "180");
+    EXPECT_NE(refused(seam + "feature_angle = 1\n"), "");
 }
 
 const std::string plain_seam = "name = \"x\"\n[seam]\ngap = 1\nangle = 2.1\n";

@@ -74,10 +74,10 @@ Peak peak_of(double lean, double degrees) {
 /// Whether an end or a middle of the search's first steps lies over the feature angle.
 bool is_over_at_first_steps(const SeamProbe& probe, const SeamSlope& slope) {
     const auto over = [&](double t) { return slope.angle(probe.place(t).x) > 5; };
-    const std::vector<double> steps = probe.steps(16);
-    bool any = over(steps.front());
+    const std::vector<SeamStep> steps = probe.steps(16);
+    bool any = over(steps.front().t);
     for (std::size_t i = 1; i < steps.size(); ++i)
-        any = any || over(steps[i]) || over((steps[i - 1] + steps[i]) / 2);
+        any = any || over(steps[i].t) || over((steps[i - 1].t + steps[i].t) / 2);
     return any;
 }
 

@@ -4,8 +4,11 @@
 #include "keiko/inspect/seams/knot_piece.h"
 
 #include "tests/support/paths.h"
+#include "tests/unit/inspect/sheets.h"
 #include "tests/unit/inspect/sloped_seam.h"
 #include <gtest/gtest.h>
+
+#include <numbers>
 
 namespace keiko {
 namespace {
@@ -107,6 +110,59 @@ TEST(SeamProbe, ABendIsStatedUpToTheTipOfASheet) {
     builder.nurbs(tip);
     const double bend = largest_bend(builder.build(), 0.4, 0.6);
     EXPECT_NEAR(bend, 3, 0.1);
+}
+
+TEST(SeamProbe, ABendIsTheWholeTurnWhereARadiusIsSmallerThanTheWayAcross) {
+    // Sides apart by 0.8 and by 1.4 radii of a cylinder.
+    for (const double radius : {10.0, 0.05}) {
+        test::ModelBuilder builder;
+        builder.rational_patch(1, 2, test::arc_sheet(0, radius, 0, std::numbers::pi / 2));
+        const SurfaceModel model = builder.build();
+        const auto angle = [&](double low, double high) {
+            const KnottedFace face(model, 0);
+            const KnotPiece piece{
+                .constant_u = false, .at = 0.5, .begin = 0, .end = 1, .low = low, .high = high};
+            const auto left = piece.side(true), right = piece.side(false);
+            const Affine unmoved;
+            return face.probe(piece, unmoved, left, right).at(0.5).angle;
+        };
+        EXPECT_LT(angle(0.25, 0.75).value_or(180), 2);
+        EXPECT_NEAR(angle(0, 1).value_or(0), 90, 1e-6);
+    }
+}
+
+/// No place of a bend states more than a face can turn by, however strongly it is curved.
+TEST(SeamProbe, AnAngleIsNeverMoreThanThatOfAFold) {
+    std::size_t told = 0;
+    for (double height = 1e-3; height < 1e3; height *= 1.3) {
+        test::ModelBuilder builder;
+        builder.patch(1, 3,
+                      {{0, 0, 0},
+                       {0, 1, height},
+                       {0, -0.9, height},
+                       {0, 0.1, 0},
+                       {100, 0, 0},
+                       {100, 1, height},
+                       {100, -0.9, height},
+                       {100, 0.1, 0}});
+        const SurfaceModel model = builder.build();
+        for (double beside = 1e-3; beside < 0.5; beside *= 1.3) {
+            const KnottedFace face(model, 0);
+            const KnotPiece piece{.constant_u = false,
+                                  .at = 0.5,
+                                  .begin = 0,
+                                  .end = 1,
+                                  .low = 0.5 - beside,
+                                  .high = 0.5 + beside};
+            const auto left = piece.side(true), right = piece.side(false);
+            const Affine unmoved;
+            const auto angle = face.probe(piece, unmoved, left, right).at(0.5).angle;
+            if (!angle) continue;
+            ++told;
+            EXPECT_LE(*angle, 180) << height << ", " << beside;
+        }
+    }
+    EXPECT_GT(told, 100U);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "keiko/base/input_file.h"
 #include "keiko/base/text.h"
 #include "keiko/files/toml/toml_reader.h"
+#include "keiko/files/toml/toml_text.h"
 
 #include "keiko_standard_files.h"
 
@@ -16,14 +17,31 @@ constexpr TomlLimits lengths{.low = 0, .high = 1e6, .above_low = true};
 constexpr TomlLimits negligible_lengths{.low = 1e-3, .high = 1e3};
 constexpr TomlLimits angles{.low = 0, .high = 180, .above_low = true};
 constexpr TomlLimits corner_angles{.low = 0, .high = 90, .above_low = true};
-constexpr TomlLimits shares{.low = 0, .high = 2, .above_low = true};
+
+/// Largest values that quantities can have: a limit as large judges nothing.
+struct LargestValues {
+    static constexpr double alias = 1, catia = 2;  ///< mismatch of curvatures, by its formula
+    static constexpr double curvature_slope = 180; ///< degrees, between tangents of two plots
+    static constexpr double turn = 90, kink = 180; ///< degrees, of lines
+};
+
+/// A limit that a quantity of at most `largest` can be beyond.
+std::optional<double> limit_below(const TomlTable& table, std::string_view key, double largest) {
+    const auto limit = table.number(key, TomlLimits::positive());
+    if (limit && !(*limit < largest))
+        throw table.error(key, "must be above 0 and below " + toml_number(largest) +
+                                   ", which nothing is beyond, is " + toml_number(*limit));
+    return limit;
+}
 
 CurvatureLimit curvature_from(const TomlTable& table) {
     CurvatureLimit limit;
     const std::size_t formula =
         table.required("formula", table.choice("formula", {"alias", "catia"}));
-    limit.formula = formula == 0 ? CurvatureFormula::alias : CurvatureFormula::catia;
-    limit.limit = table.required("limit", table.number("limit", shares));
+    const bool is_alias = formula == 0;
+    limit.formula = is_alias ? CurvatureFormula::alias : CurvatureFormula::catia;
+    const double largest = is_alias ? LargestValues::alias : LargestValues::catia;
+    limit.limit = table.required("limit", limit_below(table, "limit", largest));
     table.finish();
     return limit;
 }
@@ -34,7 +52,7 @@ void read_seam(const TomlTable& table, CriteriaPreset& preset) {
     preset.curvature.reset();
     if (const auto curvature = table.table("curvature"))
         preset.curvature = curvature_from(*curvature);
-    preset.curvature_slope = table.number("curvature_slope", angles);
+    preset.curvature_slope = limit_below(table, "curvature_slope", LargestValues::curvature_slope);
     preset.feature_angle = table.number("feature_angle", angles).value_or(preset.feature_angle);
     preset.fading = table.number("fading", TomlLimits::positive()).value_or(preset.angle / 70);
     preset.longest_run_out =
@@ -42,16 +60,17 @@ void read_seam(const TomlTable& table, CriteriaPreset& preset) {
     preset.negligible = table.number("negligible", negligible_lengths).value_or(preset.negligible);
     preset.flat_radius =
         table.number("flat_radius", TomlLimits::positive()).value_or(preset.flat_radius);
-    if (preset.feature_angle < preset.angle)
-        throw table.error("feature_angle", "is below the limit of the angle: no seam could fail");
+    if (!(preset.feature_angle > preset.angle))
+        throw table.error("feature_angle",
+                          "is not above the limit of the angle: no seam could fail");
     table.finish();
 }
 
 LineLimits line_limits_from(const TomlTable& table) {
     LineLimits limits;
     limits.jump = table.number("jump", lengths);
-    limits.turn = table.number("turn", angles);
-    limits.kink = table.number("kink", angles);
+    limits.turn = limit_below(table, "turn", LargestValues::turn);
+    limits.kink = limit_below(table, "kink", LargestValues::kink);
     limits.bend = table.number("bend", TomlLimits::positive());
     table.finish();
     return limits;

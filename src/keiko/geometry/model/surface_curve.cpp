@@ -1,5 +1,6 @@
 #include "keiko/geometry/model/surface_curve.h"
 
+#include "keiko/base/job.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/math/quadrature.h"
 
@@ -134,7 +135,10 @@ double SurfaceCurve::length(double begin, double end, std::span<const double> ch
     constexpr int panels = 4; // a smooth piece
     constexpr double relative = 1e-10;
     constexpr int most_halvings = 24; // unequal weights crowd the length into a short range
-    const auto speed_at = [this](double t) { return speed(t); };
+    const auto speed_at = [this](double t) {
+        check_stop();
+        return speed(t);
+    };
     const auto rounding = [this](double t) { // all of a pole's length
         const Place p = place(t, 0);
         return 1e-12 * (p.surface.position().length() + std::sqrt(grid_->square_size(p.patch)));

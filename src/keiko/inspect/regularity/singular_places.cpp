@@ -12,6 +12,9 @@ namespace keiko {
 namespace {
 
 constexpr double most_weight_ratio = 1e4;
+/// Largest ratio of a trim curve. A step of its parameter by the rounding of 1 then goes up to
+/// 1e-10 of its length.
+constexpr double most_border_ratio = 1e6;
 
 /// Largest weight over the smallest.
 double weight_ratio(const BezierPatchView& patch) {
@@ -19,6 +22,22 @@ double weight_ratio(const BezierPatchView& patch) {
     const auto [least, most] =
         std::minmax_element(patch.points.begin(), patch.points.end(), lighter);
     return most->w / least->w;
+}
+
+/// Largest weight over the smallest.
+double weight_ratio(const BezierCurveView& curve) {
+    const auto lighter = [](const Vec3& a, const Vec3& b) { return a.z < b.z; };
+    const auto [least, most] =
+        std::minmax_element(curve.points.begin(), curve.points.end(), lighter);
+    return most->z / least->z;
+}
+
+bool has_uneven_border(const SurfaceModel& model, const Face& face) {
+    for (const TrimLoop& loop : model.loops_of(face))
+        for (std::uint32_t c = 0; c < loop.curve_count; ++c)
+            if (weight_ratio(model.trim_curve(loop.first_curve + c)) > most_border_ratio)
+                return true;
+    return false;
 }
 
 /// The places of one kind, and their box.
@@ -40,6 +59,8 @@ public:
             if (weight_ratio(model.patch(face_.first_patch + i)) > most_weight_ratio)
                 add({SingularPlace::Kind::uneven, 0, 0, patches_.back().box().center()});
         }
+        if (has_uneven_border(model, face_))
+            add({SingularPlace::Kind::uneven_border, 0, 0, bounds.center()});
         coarse_ = std::max(limits.negligible, bounds.size() / 32);
     }
 

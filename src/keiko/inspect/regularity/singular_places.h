@@ -15,8 +15,10 @@ struct SingularPlace {
         fold,       ///< the normal turns over: the face folds back on itself
         no_limit,   ///< the normals about it have no limit: a kink that ends, or a tip
         unresolved, ///< not proved regular within the bound on work
-        uneven ///< the weights of a patch differ by more than 1e4: what is measured at steps of its
-               ///< parameters may miss parts of it
+        uneven, ///< the weights of a patch differ by more than 1e4: what is measured at steps of
+                ///< its parameters may miss parts of it
+        uneven_border ///< those of a trim curve differ by more than 1e6: numbers do not tell its
+                      ///< places apart finely enough, and its seams may not be found
     };
     Kind kind = Kind::no_limit; ///< what is singular there
     double angle = 0;           ///< degrees: between two normals at the place; 180 of a fold
@@ -24,8 +26,8 @@ struct SingularPlace {
     Vec3 place{0};              ///< world, mm: where the angle is largest
 };
 
-/// Verdict on a face with such a place: a fold fails, a face that is not proved regular or is
-/// uneven is undecided, and a place without a limit is no part of it.
+/// Verdict on a face with such a place. A fold fails. A face that is not proved regular or has very
+/// unequal weights is undecided. A place without a limit is no part of it.
 Verdict verdict_of(SingularPlace::Kind kind);
 
 /// Thresholds from which places count.
@@ -41,8 +43,8 @@ struct SingularLimits {
 /// Sides of patches that are points, as at poles and the tips of cones, have no places without a
 /// limit within three times that length. In patches with such a side a fold is one whose parts are
 /// as wide as that length; narrower ones are places without a limit. `most_cuts` bounds the work:
-/// where it does not do, the face has a place of the kind `unresolved`. Patches of very unequal
-/// weights are listed whatever their form.
+/// where it does not do, the face has a place of the kind `unresolved`. Patches and
+/// trim curves of very unequal weights are listed whatever their form.
 std::vector<SingularPlace> singular_places(const SurfaceModel& model, std::uint32_t instance,
                                            std::uint32_t face, const SingularLimits& limits,
                                            std::size_t most_cuts = 20000);

@@ -78,7 +78,8 @@ private:
 
 std::vector<SeamPoint> first_samples(const SeamProbe& probe, const StretchExtremes& extremes) {
     std::vector<SeamPoint> samples;
-    for (const double t : probe.steps(least_steps)) samples.push_back(probe.at(t));
+    for (const SeamStep& step : probe.steps(least_steps))
+        samples.push_back(probe.at(step.t, step.s));
     if (samples.size() == 1) samples.push_back(probe.at(probe.end()));
     for (const auto* extreme :
          {&extremes.gap, &extremes.angle, &extremes.curvature, &extremes.slope})

@@ -278,6 +278,7 @@ bool FadeWalk::note(double along, const SeamPoint& to, const Vec3& way, bool joi
 SeamPoint FadeWalk::faded_between(const Entry& entry, SeamPoint over, SeamPoint under) const {
     const SeamProbe& probe = probes_[parts_[entry.part].piece];
     while ((under.place - over.place).length() > class_change_bound) {
+        check_stop();
         const double t = (over.t + under.t) / 2;
         if (t == over.t || t == under.t) break;
         const SeamPoint middle = probe.at(t, (over.s + under.s) / 2);

@@ -28,10 +28,10 @@ SeamPoint halfway(const SeamProbe& probe, const SeamPoint& a, const SeamPoint& b
 
 std::vector<Cell> first_cells(const SeamProbe& probe, int count) {
     std::vector<Cell> cells;
-    const std::vector<double> steps = probe.steps(count);
-    SeamPoint before = probe.at(steps.front());
+    const std::vector<SeamStep> steps = probe.steps(count);
+    SeamPoint before = probe.at(steps.front().t, steps.front().s);
     for (std::size_t i = 1; i < steps.size(); ++i) {
-        const SeamPoint after = probe.at(steps[i]);
+        const SeamPoint after = probe.at(steps[i].t, steps[i].s);
         cells.push_back({before, halfway(probe, before, after), after});
         before = after;
     }

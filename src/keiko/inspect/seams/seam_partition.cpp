@@ -30,11 +30,11 @@ public:
         : probe_(probe), piece_(piece), limits_(limits) {}
 
     std::vector<SeamPart> run() {
-        const std::vector<double> steps = probe_.steps(least_steps);
-        SeamPoint before = probe_.at(steps.front());
+        const std::vector<SeamStep> steps = probe_.steps(least_steps);
+        SeamPoint before = probe_.at(steps.front().t, steps.front().s);
         add(kind(before), before);
         for (std::size_t i = 1; i < steps.size(); ++i) {
-            const SeamPoint after = probe_.at(steps[i]);
+            const SeamPoint after = probe_.at(steps[i].t, steps[i].s);
             refine(before, after, 0);
             before = after;
         }

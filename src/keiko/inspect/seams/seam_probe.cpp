@@ -63,22 +63,15 @@ bool lies_over(const Vec3& apart, const Side& from, const Side& into) {
 
 /// Radians that the normal turns about the run of the line on a path from one side to the other,
 /// beyond what the mean of their curvatures explains; negative where the surface bends towards it.
+/// At most pi: what turns over is a fold. A curvature whose radius is smaller than the path, as
+/// where curvature has no bound, explains nothing of it: the whole turn counts.
 double unexplained_turn(const Side& from, const Side& into, double way) {
     const double all =
         std::atan2(from.normal.cross(into.normal).dot(from.run), from.normal.dot(into.normal));
-    return all + (from.curvature + into.curvature) / 2 * way;
-}
-
-/// Moves a step by up to a tenth in either direction, so that no regular wave has its zeros at all
-/// of them: the fractions of the golden section's multiples.
-double uneven(int i) {
-    constexpr double golden = 0.6180339887498949, most = 0.1;
-    return most * (2 * std::fmod(i * golden, 1.0) - 1);
-}
-
-/// Steps of a polynomial's parameter that are shorter towards its ends, as its waves may be.
-double polynomial_share(double share) {
-    return (1 - std::cos(std::numbers::pi * share)) / 2;
+    const double largest = std::max(std::abs(from.curvature), std::abs(into.curvature));
+    if (!(largest * way <= 1)) return all;
+    const double turn = all + (from.curvature + into.curvature) / 2 * way;
+    return std::clamp(turn, -std::numbers::pi, std::numbers::pi);
 }
 
 } // namespace
@@ -97,8 +90,9 @@ SeamProbe SeamProbe::part(const SeamPoint& from, const SeamPoint& to) const {
     SeamProbe result = *this;
     result.runs_out_.reset();
     result.on_a_ = {from.t, to.t}, result.on_b_ = {from.s, to.s};
-    for (std::vector<double>* changes : {&result.changes_.a, &result.changes_.either})
-        std::erase_if(*changes, [&](double t) { return !(t > from.t && t < to.t); });
+    const auto is_beyond = [&](double t) { return !(t > from.t && t < to.t); };
+    std::erase_if(result.changes_.a, is_beyond);
+    std::erase_if(result.changes_.either, [&](const SeamStep& at) { return is_beyond(at.t); });
     return result;
 }
 
@@ -142,43 +136,39 @@ double SeamProbe::length(double from, double to) const {
 }
 
 SeamProbe::PatchChanges SeamProbe::find_changes() const {
-    PatchChanges changes;
-    changes.a = changes.either = a_.patch_changes(on_a_.begin, on_a_.end);
+    PatchChanges changes{a_.patch_changes(on_a_.begin, on_a_.end), {}};
     const auto [low, high] = std::minmax(on_b_.begin, on_b_.end);
-    for (const double s : b_.patch_changes(low, high)) {
-        const double share = (s - on_b_.begin) / (on_b_.end - on_b_.begin);
-        const double guess = on_a_.begin + share * (on_a_.end - on_a_.begin);
-        changes.either.push_back(
-            closest_point(a_, b_.at(s).position, guess, on_a_.begin, on_a_.end).t);
-    }
-    std::sort(changes.either.begin(), changes.either.end());
+    const std::vector<double> on_b = b_.patch_changes(low, high);
+    if (!changes.a.empty() || !on_b.empty()) add_changes(on_b, changes);
     return changes;
 }
 
-/// Number of steps whose ends and middles resolve the waves of a polynomial of that degree.
-int SeamProbe::least_steps(double from, double stop) const {
-    const double t = (from + stop) / 2, span = on_a_.end - on_a_.begin;
-    const double s = on_b_.begin + (t - on_a_.begin) / span * (on_b_.end - on_b_.begin);
-    return std::max({2, a_.degree_at(t), b_.degree_at(s)});
+/// Adds the changes of either side, each with the place of the other one that faces it. About that
+/// place is known by the lengths of both.
+void SeamProbe::add_changes(const std::vector<double>& on_b, PatchChanges& changes) const {
+    constexpr int least = 16;
+    const SideCourse a(a_, on_a_.begin, on_a_.end, least), b(b_, on_b_.begin, on_b_.end, least);
+    for (const double t : changes.a) changes.either.push_back({t, b.parameter_at(a.share_at(t))});
+    for (const double s : on_b) {
+        const double guess = a.parameter_at(b.share_at(s));
+        const Vec3 place = b_.at(s).position;
+        changes.either.push_back({closest_point(a_, place, guess, on_a_.begin, on_a_.end).t, s});
+    }
+    std::sort(changes.either.begin(), changes.either.end(),
+              [](const SeamStep& x, const SeamStep& y) { return x.t < y.t; });
 }
 
-std::vector<double> SeamProbe::steps(int least) const {
-    const double span = on_a_.end - on_a_.begin;
-    std::vector<double> stops = changes_.either;
-    stops.push_back(on_a_.end);
-    std::vector<double> result{on_a_.begin};
-    constexpr double distinct = 1e-12; // share of the seam: changes of both sides at one place
-    for (const double stop : stops) {
-        const double from = result.back();
-        if (!(stop - from > distinct * span)) continue;
-        const int count = std::max(least_steps(from, stop),
-                                   static_cast<int>(std::ceil((stop - from) / span * least)));
-        for (int i = 1; i < count; ++i)
-            result.push_back(from + (stop - from) * polynomial_share((i + uneven(i)) / count));
-        result.push_back(stop);
-    }
-    if (result.size() > 1) result.back() = on_a_.end;
-    return result;
+std::vector<double> SeamProbe::patch_changes() const {
+    std::vector<double> changes;
+    for (const SeamStep& change : changes_.either) changes.push_back(change.t);
+    return changes;
+}
+
+std::vector<SeamStep> SeamProbe::steps(int least) const {
+    std::vector<SeamStep> stops{{on_a_.begin, on_b_.begin}};
+    stops.insert(stops.end(), changes_.either.begin(), changes_.either.end());
+    stops.push_back({on_a_.end, on_b_.end});
+    return seam_steps(a_, b_, stops, least);
 }
 
 } // namespace keiko

@@ -3,6 +3,7 @@
 #include "keiko/base/export.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/geometry/seam/seam.h"
+#include "keiko/inspect/seams/seam_steps.h"
 #include "keiko/math/interval_set.h"
 
 #include <array>
@@ -45,8 +46,9 @@ public:
     /// Two lines that run alike on either side of a bend inside one face, `a` to the left of `b`.
     /// They have no gap. Their angle is the turn of the normal about them beyond what the
     /// curvatures of both sides explain over the distance between: 0 on any uniformly curved
-    /// surface. Where the lines diverge by more than `parallel_borders`, as at a tip, curvatures
-    /// and turn are those along the connection, not square to either line.
+    /// surface. It is the whole turn where a radius of curvature is smaller than that distance.
+    /// Where the lines diverge by more than `parallel_borders`, as at a tip, curvatures and turn
+    /// are those along the connection, not square to either line.
     static SeamProbe across_bend(const SurfaceCurve& a, const SurfaceCurve& b) {
         SeamProbe probe(a, {0, 1}, b, {0, 1});
         probe.bend_ = true;
@@ -90,22 +92,23 @@ public:
     /// A point halfway along, on side a; world, mm.
     Vec3 middle() const { return place((begin() + end()) / 2); }
 
-    /// Parameters of side a from begin to end in at least `least` steps, every patch change among
-    /// them: between two of them all quantities are smooth. Between two patch changes there are at
-    /// least as many as the higher of the degrees of both patches.
-    std::vector<double> steps(int least) const;
+    /// Places from begin to end in at least `least` steps, every patch change among them: between
+    /// two of them all quantities are smooth. Between two patch changes there are at least as many
+    /// as the higher of the degrees of both patches. Steps are even in length and in the parameters
+    /// of either side, whichever needs the shorter ones (seam_steps).
+    std::vector<SeamStep> steps(int least) const;
     /// Parameters of side a at which either side passes from one patch to the next, in rising
     /// order.
-    const std::vector<double>& patch_changes() const { return changes_.either; }
+    std::vector<double> patch_changes() const;
 
 private:
-    /// Parameters of side a at which patches change, in rising order.
+    /// Places at which patches change, in rising order.
     struct PatchChanges {
-        std::vector<double> a;      ///< those of side a
-        std::vector<double> either; ///< those of both sides
+        std::vector<double> a;        ///< those of side a: its parameters
+        std::vector<SeamStep> either; ///< those of both sides
     };
     PatchChanges find_changes() const;
-    int least_steps(double from, double stop) const;
+    void add_changes(const std::vector<double>& on_b, PatchChanges& changes) const;
 
     SurfaceCurve a_, b_;
     ParameterInterval on_a_, on_b_; ///< that of b runs backwards where begin > end
