@@ -196,13 +196,13 @@ private:
         constexpr int cells = 16;
         constexpr double end = 1e-6; // share of the piece: at its ends material may end, too
         const SeamProbe probe(borders_.curves, piece);
-        std::vector<double> steps = probe.steps(cells);
+        std::vector<SeamStep> steps = probe.steps(cells);
         const double short_of_end = end * (probe.end() - probe.begin());
-        steps.front() += short_of_end, steps.back() -= short_of_end;
+        steps.front().t += short_of_end, steps.back().t -= short_of_end;
         bool before = false;
         for (std::size_t i = 0; i < steps.size(); ++i) {
-            const auto bend = bend_at(negligible, piece, probe.at(steps[i]));
-            if (bend && before) worst.length += probe.length(steps[i - 1], steps[i]);
+            const auto bend = bend_at(negligible, piece, probe.at(steps[i].t, steps[i].s));
+            if (bend && before) worst.length += probe.length(steps[i - 1].t, steps[i].t);
             if (bend && bend->angle > worst.angle) {
                 const double length = worst.length;
                 worst = *bend, worst.length = length;
