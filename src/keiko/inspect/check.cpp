@@ -380,6 +380,7 @@ Check check_of_overlap(const Overlap& overlap, const CriteriaPreset& preset,
 }
 
 std::string_view outcome_of(const Check& check) {
+    if (check.is_accepted()) return "accepted";
     return check.is_worth_a_look() ? "look" : name_of(check.worst.verdict);
 }
 
