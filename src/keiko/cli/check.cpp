@@ -90,7 +90,7 @@ void add_check(CLI::App& app, Session& session) {
     arguments->profiles.add_to(command);
     add_load_options(command, arguments->models);
     command.footer(
-        "Exit codes: 0 all pass, 1 findings that are not accepted or lost faces, 2 error.\n"
+        "Exit codes: 0 all pass, 1 lost faces or findings that are not accepted, 2 error.\n"
         "Example: keiko check fender.step door.step --preset vda-4955 --sarif findings.sarif");
     session.add_command(command, [arguments](const Job& job) { return check(*arguments, job); });
 }
