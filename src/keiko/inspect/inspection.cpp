@@ -139,8 +139,8 @@ void add_singular_places(const ModelBorders& borders, Inspection& result, const 
     });
 }
 
-/// Counts seams and faces anew by their checks. Returns the worst verdict that they and the findings
-/// leave.
+/// Counts seams and faces anew by their checks. Returns the worst verdict that they and the
+/// findings leave.
 Verdict recount(Inspection& inspection) {
     std::vector<WorstChecks> seams(inspection.seams.size()), faces(inspection.faces.size());
     for (const Check& check : inspection.checks) {
@@ -149,8 +149,7 @@ Verdict recount(Inspection& inspection) {
         if (check.face != no_index) faces[check.face].add(check);
     }
     Verdict worst = Verdict::pass;
-    for (const Check& finding : inspection.findings)
-        worst = std::max(worst, finding.worst.verdict);
+    for (const Check& finding : inspection.findings) worst = std::max(worst, finding.worst.verdict);
     inspection.counts = {}, inspection.face_counts = {};
     for (std::uint32_t i = 0; i < seams.size(); ++i) {
         const MeasuredSeam& seam = inspection.seams[i];

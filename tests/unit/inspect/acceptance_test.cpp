@@ -64,12 +64,14 @@ TEST(Acceptance, LeavesOtherFindings) {
 TEST(Acceptance, FollowsASeamThatMovesALittleThoughFacesAreRenumbered) {
     AcceptanceList list = accepting(inspect(sheets({0.05})), {0});
     list.entries[0].faces = "face 71 | face 90";
+    list.entries[0].reach = test::sheet_length; // a uniform gap is worst anywhere along it
     EXPECT_EQ(judged(sheets({0.05}, {0.3, 0.3, 0.3}), list).verdict, Verdict::pass);
     EXPECT_EQ(judged(sheets({0.05}, {0, 0, 3}), list).verdict, Verdict::fail);
 }
 
 TEST(Acceptance, DoesNotCoverWhatHasGrown) {
-    const AcceptanceList list = accepting(inspect(sheets({0.05})), {0});
+    AcceptanceList list = accepting(inspect(sheets({0.05})), {0});
+    list.entries[0].reach = test::sheet_length; // a uniform gap is worst anywhere along it
     EXPECT_EQ(judged(sheets({0.054}), list).verdict, Verdict::pass);
     const Inspection grown = judged(sheets({0.056}), list);
     EXPECT_EQ(grown.verdict, Verdict::fail);
